@@ -94,7 +94,8 @@ def run_argv(argv: "list[str]", terminal: Terminal) -> int:
     except DynamicsError as error:
         from dynamics_cli.core.output.failure import error_text, wants_json
 
-        terminal.tell(error_text(error, json=wants_json(argv, terminal.environ), typed=argv))
+        json, columns = wants_json(argv, terminal.environ), terminal.error_columns
+        terminal.tell(error_text(error, json=json, typed=argv, columns=columns))
         status = error.status
     except KeyboardInterrupt:
         status = ExitStatus.INTERRUPTED
@@ -122,6 +123,8 @@ def script() -> None:
     """The `dynamics` command: ends the process at once, for taking the interpreter down costs a calculation."""
     import os
 
+    # No product of matrices here is worth a second thread, and waiting threads take processor time.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     status = main()
     if os.environ.get(DEBUG_VARIABLE):
         sys.exit(status)

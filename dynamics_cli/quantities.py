@@ -16,14 +16,18 @@ class Kind:
     exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at its end),
     "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
 
-    A number of a kind that is `exact` keeps the decimals it was typed as, beside the double nearest to them.
+    A vector of a `flat` kind may leave out z, which is zero then: a motion in the x–y plane.
+
+    A number of a kind that is `exact` keeps the decimals it was typed as, beside the double nearest to them. One of a
+    kind that is `certain` takes no distribution: it says itself how uncertain something is.
 
     A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
     the inputs; with `needs`, only when the parameter of that name is given.
     """
 
     __slots__ = (
-        "about", "above", "below", "default", "exact", "example", "form", "high", "low", "name", "needs", "si", "size", "unit", "us",
+        "about", "above", "below", "certain", "default", "exact", "example", "flat", "form", "high", "low", "name", "needs", "si", "size",
+        "unit", "us",
         "variable",
     )  # fmt: skip
 
@@ -46,6 +50,8 @@ class Kind:
         variable: str = "",
         needs: str = "",
         exact: bool = False,
+        certain: bool = False,
+        flat: bool = False,
     ) -> None:
         self.name = name
         self.unit = unit
@@ -63,6 +69,8 @@ class Kind:
         self.variable = variable
         self.needs = needs
         self.exact = exact
+        self.certain = certain
+        self.flat = flat
 
     def shown_in(self, system: str) -> str:
         """The unit this kind is shown in by the system "si", "us" or "base"."""
@@ -131,11 +139,13 @@ if TYPE_CHECKING:
 
     # lengths, areas, volumes
     Length = float
+    Noise = float
     Distance = float
     Size = float
     Coordinate = float
     SectionSize = float
     SectionCoordinate = float
+    SurveyCoordinate = float
     Area = float
     Volume = float
     Module = float
@@ -198,6 +208,7 @@ if TYPE_CHECKING:
     LineForce = float
     CrushStiffness = float
     SpeedSlope = float
+    SpeedFade = float
     Damping = float
     Temperature = float
     Unbalance = float
@@ -255,6 +266,9 @@ if TYPE_CHECKING:
 else:
     # lengths, areas, volumes
     Length = Kind("length", "m", si="m", us="ft", example="60 ft", about="a length, distances on a scene")
+    Noise = Kind(
+        "length", "m", si="m", us="ft", example="3 cm", about="the standard deviation of a position", certain=True
+    )
     Distance = Kind("length", "m", si="m", us="ft", low=0.0, example="60 ft", about="a length that cannot be negative")
     Size = Kind("size", "m", si="mm", us="in", low=0.0, example="12 mm", about="a machine part's length")
     Coordinate = Kind("size", "m", si="mm", us="in", example="-4 mm", about="a signed length on a machine part")
@@ -263,6 +277,9 @@ else:
     )
     SectionCoordinate = Kind(
         "size", "m", si="mm", us="in", example="-4 mm", about="a signed length on a machine part", exact=True
+    )
+    SurveyCoordinate = Kind(
+        "length", "m", si="m", us="ft", example="5.2 m", about="a coordinate of a survey, of either sign", exact=True
     )
     Area = Kind("area", "m^2", si="mm^2", us="in^2", low=0.0, example="3 in^2", about="an area")
     Volume = Kind("volume", "m^3", si="mm^3", us="in^3", low=0.0, example="2 cm^3", about="a volume")
@@ -443,6 +460,9 @@ else:
         example="1.6 mph/in",
         about="impact speed per depth of crush",
     )
+    SpeedFade = Kind(
+        "acceleration per speed", "1/s", si="1/s", us="1/s", low=0.0, example="0.12 1/s", about="acceleration per speed"
+    )
     Damping = Kind("damping", "N*s/m", si="N*s/m", us="lbf*s/ft", low=0.0, example="50 N*s/m", about="force per speed")
     Temperature = Kind("temperature", "K", si="degC", us="degF", low=0.0, example="20 degC", about="a temperature")
     # balancing
@@ -468,10 +488,20 @@ else:
     Count = Kind("count", "", form="whole", low=0.0, example="3", about="a whole number")
     Teeth = Kind("teeth", "", form="whole", low=1.0, example="24", about="a number of teeth")
     Vector = Kind("vector", "", form="vector", size=3, example="1, 0, 2", about="three pure numbers")
-    Position = Kind("position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point")
+    Position = Kind(
+        "position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point", flat=True
+    )
     Direction = Kind("direction", "", form="vector", size=3, example="0, 0, 1", about="a direction")
     Velocity = Kind(
-        "velocity", "m/s", form="vector", size=3, si="m/s", us="ft/s", example="3, 0, 1 m/s", about="a velocity"
+        "velocity",
+        "m/s",
+        form="vector",
+        size=3,
+        si="m/s",
+        us="ft/s",
+        example="3, 0, 1 m/s",
+        about="a velocity",
+        flat=True,
     )
     AngularVelocity = Kind(
         "angular velocity vector",
@@ -500,6 +530,7 @@ else:
         us="ft/s^2",
         example="0, 0, 3 m/s^2",
         about="an acceleration",
+        flat=True,
     )
     JerkVector = Kind(
         "jerk vector",
@@ -510,6 +541,7 @@ else:
         us="ft/s^3",
         example="0, 1, 0 m/s^3",
         about="a rate of change of acceleration",
+        flat=True,
     )
     PartPosition = Kind(
         "part position",

@@ -66,12 +66,14 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[3],
         "Vectors: sums, angles, products, components, frames, lines.",
         references=("vec.json",),
+        questions="dynamics_cli.accuracy.alternatives.vec",
     ),
     "path": Entry(
         "dynamics_cli.path.commands",
         GROUPS[3],
         "Motion of a point: straight, on circles and curves, tracks.",
         references=("path.json",),
+        questions="dynamics_cli.accuracy.alternatives.path",
     ),
     "orient": Entry(
         "dynamics_cli.orient.commands",

@@ -7,6 +7,7 @@ from pathlib import Path
 from dynamics_cli.accuracy.cases import load
 from dynamics_cli.accuracy.questions import Comparison, Question, groups_of, own_questions
 from dynamics_cli.core.answering.task import load as imported
+from dynamics_cli.records import Formula
 from dynamics_cli.registry import FAMILIES
 
 TYPE_CHECKING = False
@@ -34,7 +35,7 @@ def _family(name: str) -> "Family":
 @cache
 def groups(name: str) -> "dict[str, type]":
     """The record classes of a family's inputs."""
-    classes: dict[str, type] = {}
+    classes: dict[str, type] = {"Formula": Formula}
     if name not in CORE:
         for task in _family(name).tasks.values():
             classes |= groups_of(task)

@@ -146,7 +146,7 @@ ENGINE = Task(
         "orders of the slider-crank",
         "dynamics_cli.balance.engines.engine:engine",
         source=BOOK + "sections 15.5 to 15.10",
-        formula="forward ½·{reciprocating_mass|m}·{crank_radius|r}·{speed|ω}²·ΣA_n·e^{i(n(φ − β) + β)}, "
+        formula="forward ½·{reciprocating_mass|m}·{crank_radius|r}·{speed|ω}²·ΣA_n·e^(i(n(φ − β) + β)), "
         "backward with −n; A₁ = 1, A₂ = λ + λ³/4 + …, λ = {crank_radius|r}/{rod_length|l}",
         assumptions=(
             DRAWN_ROD,

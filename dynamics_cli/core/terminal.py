@@ -95,6 +95,14 @@ class Terminal:
             return 0
 
     @property
+    def error_columns(self) -> int:
+        """The width of the terminal that standard error is; 0 where it is none."""
+        try:
+            return os.get_terminal_size(self.stderr.fileno()).columns
+        except (AttributeError, OSError, ValueError):
+            return 0
+
+    @property
     def shows_progress(self) -> bool:
         """Whether words for people go to a terminal."""
         return sys.stderr is not None and self.stderr.isatty()

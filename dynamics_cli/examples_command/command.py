@@ -104,6 +104,14 @@ WORKED = (
         "pedestrian/parties.toml",
     ),
     Example(
+        "rollover",
+        "A car yaws off the road, trips in the verge and rolls: speeds from the surveyed mark and from the rolling.",
+        "cd rollover && sh rollover.sh",
+        "rollover/rollover.sh",
+        "rollover/car.toml",
+        "rollover/mark.toml",
+    ),
+    Example(
         "gps_track",
         "A GPS track of a car to its accelerations, with their noise; the radius of a bend.",
         "cd gps_track && sh gps_track.sh",

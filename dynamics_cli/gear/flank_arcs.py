@@ -27,6 +27,7 @@ class _Curve:
     """A smooth piece of a flank over one parameter, as fitting asks for it."""
 
     still = (False,)
+    straight = ()
     turn = 1.0
 
     def __init__(self, start: float, end: float) -> None:

@@ -149,7 +149,8 @@ def direction_of(heading: float, axes: Axes = AXES) -> tuple[float, float]:
 
 
 def heading_of(x: float, y: float, axes: Axes = AXES) -> float:
-    """Heading of a vector, in (−π, π]."""
+    """Heading of a vector, in (−π, π]; minus zero is zero, which an arc tangent would turn to −π."""
+    x, y = x + 0.0, y + 0.0
     return atan2(x, y) if axes == "compass" else atan2(y, x)
 
 

@@ -147,27 +147,6 @@ def parts(
             yield Part(here, outcome, tuple(Lanes.trail))
 
 
-def each_lane(function: "Callable[..., tuple[float, ...]]", *trees: "Any") -> "tuple[Any, ...]":
-    """What a function of nested tuples of doubles gives for every lane, where it needs their exact bits."""
-    leaves = [leaf for tree in trees for leaf in _leaves(tree)]
-    kind = next(type(leaf) for leaf in leaves if isinstance(leaf, np.ndarray))
-    columns = [column.tolist() for column in np.broadcast_arrays(*leaves)]
-    made = [function(*(_filled(tree, numbers) for tree in trees)) for numbers in map(iter, zip(*columns, strict=True))]
-    return tuple(np.array(column).view(kind) for column in zip(*made, strict=True))
-
-
-def _leaves(tree: "Any") -> "Iterator[Any]":
-    if not isinstance(tree, tuple | list):
-        yield tree
-        return
-    for part in tree:
-        yield from _leaves(part)
-
-
-def _filled(tree: "Any", numbers: "Iterator[float]") -> "Any":
-    return tuple(_filled(part, numbers) for part in tree) if isinstance(tree, tuple | list) else next(numbers)
-
-
 def bisected(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "Any":
     """Where a function that is positive at `low` and not at `high` changes its sign, lane by lane.
 

@@ -60,7 +60,8 @@ class Tracked:
     def __add__(self, other: "Tracked | float") -> "Tracked":
         if not isinstance(other, Tracked):
             if other == 0.0:
-                return self
+                # minus zero and zero is zero, as for doubles: an arc tangent turns by 2π with the sign of a zero
+                return self if self.value else Tracked(self.value + other, self.error, self.slopes)
             return self._result(self.value + other, self.error, self.slopes)
         slopes = tuple([a + b for a, b in zip(self.slopes, other.slopes, strict=True)])
         exact = _exact_sum(self.value, other.value)
@@ -75,7 +76,7 @@ class Tracked:
         return self
 
     def __abs__(self) -> "Tracked":
-        return self if self.value >= 0.0 else -self
+        return self if math.copysign(1.0, self.value) > 0.0 else -self
 
     def __sub__(self, other: "Tracked | float") -> "Tracked":
         if not isinstance(other, Tracked):

@@ -76,7 +76,7 @@ def polar(
     angle: Annotated[Angle, "Angle θ from the x-axis, counter-clockwise, e.g. 30 deg."] = 0.0,
     radial_speed: Annotated[Speed, "Rate ṙ of the distance, e.g. 0.8 m/s."] = 0.0,
     angular_velocity: Annotated[AngularSpeed, "Rate θ̇ of the angle, e.g. 5 rad/s."] = 0.0,
-    radial_rate: Annotated[Acceleration, "Second derivative r̈ of the distance, e.g. 0.2 m/s^2."] = 0.0,
+    radial_speed_rate: Annotated[Acceleration, "Second derivative r̈ of the distance, e.g. 0.2 m/s^2."] = 0.0,
     angular_acceleration: Annotated[AngularAcceleration, "Second derivative θ̈ of the angle, e.g. 2 rad/s^2."] = 0.0,
 ) -> AroundAxis:
     """Velocity and acceleration of a point in polar coordinates, its terms apart.
@@ -105,7 +105,7 @@ def polar(
     -7.5
     """
     return _around(
-        (radius, angle), (radial_speed, angular_velocity), (radial_rate, angular_acceleration), (None, None, None)
+        (radius, angle), (radial_speed, angular_velocity), (radial_speed_rate, angular_acceleration), (None, None, None)
     )
 
 
@@ -117,9 +117,9 @@ def cylindrical(
     radial_speed: Annotated[Speed, "Rate ṙ of the distance, e.g. 0.8 m/s."] = 0.0,
     angular_velocity: Annotated[AngularSpeed, "Rate θ̇ of the angle, e.g. 5 rad/s."] = 0.0,
     axial_speed: Annotated[Speed, "Rate ż of the height, e.g. 0.4 m/s."] = 0.0,
-    radial_rate: Annotated[Acceleration, "Second derivative r̈ of the distance, e.g. 0.2 m/s^2."] = 0.0,
+    radial_speed_rate: Annotated[Acceleration, "Second derivative r̈ of the distance, e.g. 0.2 m/s^2."] = 0.0,
     angular_acceleration: Annotated[AngularAcceleration, "Second derivative θ̈ of the angle, e.g. 2 rad/s^2."] = 0.0,
-    axial_rate: Annotated[Acceleration, "Second derivative z̈ of the height, e.g. -9.81 m/s^2."] = 0.0,
+    axial_speed_rate: Annotated[Acceleration, "Second derivative z̈ of the height, e.g. -9.81 m/s^2."] = 0.0,
 ) -> AroundAxis:
     """Velocity and acceleration of a point in cylindrical coordinates, its terms apart.
 
@@ -146,8 +146,8 @@ def cylindrical(
     >>> round(cylindrical(radius=3.0, angular_velocity=1.0, axial_speed=4.0).radius_of_curvature, 9)
     8.333333333
     """
-    first, second = (radial_speed, angular_velocity), (radial_rate, angular_acceleration)
-    return _around((radius, angle), first, second, (height, axial_speed, axial_rate))
+    first, second = (radial_speed, angular_velocity), (radial_speed_rate, angular_acceleration)
+    return _around((radius, angle), first, second, (height, axial_speed, axial_speed_rate))
 
 
 def _around(
@@ -199,7 +199,7 @@ def spherical(
     radial_speed: Annotated[Speed, "Rate of the distance, e.g. 0.3 m/s."] = 0.0,
     polar_rate: Annotated[AngularSpeed, "Rate of φ, e.g. 0.4 rad/s."] = 0.0,
     azimuth_rate: Annotated[AngularSpeed, "Rate of θ, e.g. -0.7 rad/s."] = 0.0,
-    radial_rate: Annotated[Acceleration, "Second derivative of the distance, e.g. 0.05 m/s^2."] = 0.0,
+    radial_speed_rate: Annotated[Acceleration, "Second derivative of the distance, e.g. 0.05 m/s^2."] = 0.0,
     polar_second: Annotated[AngularAcceleration, "Second derivative of φ, e.g. -0.2 rad/s^2."] = 0.0,
     azimuth_second: Annotated[AngularAcceleration, "Second derivative of θ, e.g. 0.6 rad/s^2."] = 0.0,
 ) -> FromPole:
@@ -238,7 +238,7 @@ def spherical(
     around = rho * across * azimuth_rate
     velocity = (radial_speed, rho * polar_rate, around)
     acceleration = (
-        radial_rate - rho * polar_rate * polar_rate - around * azimuth_rate * across,
+        radial_speed_rate - rho * polar_rate * polar_rate - around * azimuth_rate * across,
         rho * polar_second + 2.0 * (radial_speed * polar_rate) - around * azimuth_rate * down,
         (rho * azimuth_second + 2.0 * (radial_speed * azimuth_rate)) * across
         + 2.0 * (rho * polar_rate * azimuth_rate) * down,

@@ -193,7 +193,12 @@ def _path_panel(made: "Any", states: "Sequence[Any]") -> Panel:
     if flat and radius is not None and radius < LARGE * size and made.speed > 0.0:
         v, turn = made.velocity, made.velocity[0] * made.acceleration[1] - made.velocity[1] * made.acceleration[0]
         side = math.copysign(radius / made.speed, turn)
-        items.append(_ring((place[0] - side * v[1], place[1] + side * v[0]), radius, "dotted", "circle of curvature"))
+        centre = place[0] - side * v[1], place[1] + side * v[0]
+        # as much of a large circle as the path is long: the path fills the picture
+        half, at = min(math.pi, size / radius), math.atan2(place[1] - centre[1], place[0] - centre[0])
+        around = [at + half * (2.0 * i / (ROUND - 1) - 1.0) for i in range(ROUND)]
+        xs, ys = ([c + radius * wave(t) for t in around] for c, wave in zip(centre, (math.cos, math.sin), strict=True))
+        items.append(Curve(xs, ys, "circle of curvature", "dotted", role=6))
     velocity, rate = (made.velocity[0], made.velocity[1]), (made.acceleration[0], made.acceleration[1])
     if math.hypot(*velocity):
         items.append(_arrow(place, velocity, math.hypot(*velocity), size, "v"))
@@ -227,21 +232,19 @@ def table(made: "Any", _file: str = "", **_: "Any") -> Picture:
     return Picture(tuple(panels), "the measured track", subtitle="dotted: one standard deviation of the noise")
 
 
-def relative(made: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
+def relative(made: "Any", *, first: "Any", second: "Any", end: "Any" = None, let: "Any" = (), **_: "Any") -> Picture:
     """Both paths, seen along z, and where they are closest."""
-    span = 1.5 * made.closest_time or 1.0
-    times = [span * i / DRAWN for i in range(DRAWN + 1)]
+    from dynamics_cli.path.relative import Pair
+
+    span = (end if first.curved or second.curved else 1.5 * made.closest_time) or 1.0
+    pair = Pair(first, second, let)
     items: list[Any] = []
-    for name, mover, place, role in (
-        ("first", first, made.first_position, 0),
-        ("second", second, made.second_position, 1),
-    ):
-        r, v, a = mover.position, mover.velocity, mover.acceleration
-        x, y = ([r[k] + t * (v[k] + 0.5 * t * a[k]) for t in times] for k in (0, 1))
+    for which, (name, place) in enumerate((("first", made.first_position), ("second", made.second_position))):
+        at = [pair.of(which, span * i / DRAWN)[0] for i in range(DRAWN + 1)]
         items += [
-            Curve(x, y, name, role=role),
-            Mark(r[0], r[1], "", role=role),
-            Mark(place[0], place[1], "", role=role),
+            Curve([r[0] for r in at], [r[1] for r in at], name, role=which),
+            Mark(at[0][0], at[0][1], "", role=which),
+            Mark(place[0], place[1], "", role=which),
         ]
     ends = made.first_position, made.second_position
     items.append(Curve([ends[0][0], ends[1][0]], [ends[0][1], ends[1][1]], "closest approach", "dashed", role=6))

@@ -3,6 +3,7 @@
 import math
 from itertools import pairwise
 
+from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import maximum
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, add, dot, scale, subtract
@@ -12,23 +13,40 @@ from dynamics_cli.quantities import (
     AccelerationVector,
     Annotated,
     Distance,
+    LengthFormula,
     Position,
     Speed,
     Time,
+    Variable,
     Velocity,
 )
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 
 ZERO = (0.0, 0.0, 0.0)
+# Times between which a minimum of the distance of two formulas is looked for.
+GRID = 2000
 
 
 @record
 class Mover:
-    """A point with constant acceleration."""
+    """A point with constant acceleration, or with formulas of the time for coordinates."""
 
     position: Annotated[Position, "Position at time 0, e.g. 0, 0, 0 m."] = ZERO
     velocity: Annotated[Velocity, "Velocity at time 0, e.g. 15, 0, 0 m/s."] = ZERO
     acceleration: Annotated[AccelerationVector, "Constant acceleration, e.g. 0, 0, -9.81 m/s^2."] = ZERO
+    x: Annotated[LengthFormula | None, "Instead, x over the time t [s], e.g. 20*t m."] = None
+    y: Annotated[LengthFormula | None, "And y over t, e.g. 3*sin(t) m."] = None
+    z: Annotated[LengthFormula | None, "And z over t, e.g. exp(-t) m."] = None
+
+    @property
+    def curved(self) -> bool:
+        """Whether it moves by formulas."""
+        return any(formula is not None for formula in (self.x, self.y, self.z))
 
 
 @record
@@ -42,11 +60,12 @@ class Relative:
     closing_speed: Annotated[Speed | None, "Rate at which the distance shrinks at that time [m/s]."]
     position: Annotated[Position, "Relative position at that time [m]."]
     velocity: Annotated[Velocity, "Relative velocity at that time [m/s]."]
-    acceleration: Annotated[AccelerationVector, "Relative acceleration [m/s^2]."]
+    acceleration: Annotated[AccelerationVector, "Relative acceleration at that time [m/s^2]."]
     speed: Annotated[Speed, "Magnitude of the relative velocity at that time [m/s]."]
     acceleration_size: Annotated[Acceleration, "Magnitude of the relative acceleration [m/s^2]."]
     first_position: Annotated[Position, "Where the first is at the closest approach [m]."]
     second_position: Annotated[Position, "Where the second is at the closest approach [m]."]
+    numerics: Numerics | None = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -56,6 +75,8 @@ def relative(
     first: Annotated[Mover, "The point from which the other is seen."],
     second: Annotated[Mover, "The point that is seen."],
     time: Annotated[Time, "When relative position and velocity are wanted, e.g. 2 s."] = 0.0,
+    end: Annotated[Time | None, "Until when the closest approach of formulas is searched, e.g. 60 s."] = None,
+    let: Annotated[tuple[Variable, ...], "Variables of formulas, e.g. r=3 m, w=2 rad/s."] = (),
 ) -> Relative:
     """Relative position, velocity and acceleration of two points, and their closest approach.
 
@@ -72,7 +93,12 @@ def relative(
     Raises
     ------
     InadmissibleError
-        When a result leaves the range of a double.
+        When a result leaves the range of a double, or a formula has a pole, a corner or no end of its times.
+
+    Notes
+    -----
+    Formulas are differentiated exactly; their closest approach is the smallest of the minima between 2,000 times, each
+    bisected to the last digit.
 
     References
     ----------
@@ -84,6 +110,9 @@ def relative(
     >>> relative(first=Mover(), second=seen).closest_time
     100.0
     """
+    if first.curved or second.curved:
+        return _of_curves(first, second, plain(time), end, let)
+    require(not let, "no formula takes these variables", code="let", hint="leave out --let")
     r = subtract(second.position, first.position)
     v = subtract(second.velocity, first.velocity)
     a = subtract(second.acceleration, first.acceleration)
@@ -114,6 +143,92 @@ def relative(
         checks=_nearest_check(r, v, a, when, gap),
         advice=advice,
     )
+
+
+class Pair:
+    """Two motions in doubles, and the second as seen from the first."""
+
+    def __init__(self, first: Mover, second: Mover, let: "Any") -> None:
+        self.motions = [_motion(one, let) if one.curved else one for one in (first, second)]
+
+    def of(self, which: int, time: float) -> "tuple[Vector, Vector, Vector]":
+        """Position, velocity and acceleration of one of them."""
+        motion = self.motions[which]
+        if isinstance(motion, Mover):
+            r, v, a = (tuple(map(plain, x)) for x in (motion.position, motion.velocity, motion.acceleration))
+            return _at(r, v, a, time), add(v, scale(time, a)), a  # type: ignore[arg-type,return-value]
+        state = motion.state(time)
+        return state.position, state.velocity, state.acceleration
+
+    def seen(self, time: float) -> "tuple[Vector, Vector, Vector]":
+        """Relative position, velocity and acceleration."""
+        one, other = self.of(0, time), self.of(1, time)
+        return tuple(subtract(b, a) for a, b in zip(one, other, strict=True))  # type: ignore[return-value]
+
+    def rate(self, time: float) -> float:
+        """r·v, which vanishes where they are closest."""
+        r, v, _ = self.seen(time)
+        return dot(r, v)
+
+
+def _motion(mover: Mover, let: "Any") -> "Any":
+    from dynamics_cli.path.curves.moving_point import MovingPoint
+
+    given = (mover.position, mover.velocity, mover.acceleration)
+    require(
+        given == (ZERO, ZERO, ZERO),
+        "a point moves by formulas, or from a position with velocity and acceleration: both are given",
+        code="exclusive",
+        hint="write the position into the formulas",
+    )
+    return MovingPoint({"x": mover.x, "y": mover.y, "z": mover.z}, None, None, let).plainly()
+
+
+def _of_curves(first: Mover, second: Mover, time: float, end: "float | None", let: "Any") -> Relative:
+    require(end is not None, "the closest approach of formulas needs an end of its search", code="missing",
+            hint="--end '60 s'")  # fmt: skip
+    last = plain(end or 0.0)
+    require(
+        last > 0.0 and 0.0 <= time <= last,
+        "the range of times from 0 to {end} does not hold {time}",
+        end=(last, Time),
+        time=(time, Time),
+        code="times",
+        hint="give an end after time 0 and after the time asked for",
+    )
+    pair = Pair(first, second, let)
+    for motion in pair.motions:
+        if not isinstance(motion, Mover):
+            motion.check(0.0, last)
+    grid = [last * k / GRID for k in range(GRID + 1)]
+    rates = [pair.rate(at) for at in grid]
+    near = [
+        _root(pair.rate, low, high)
+        for low, high, one, other in zip(grid, grid[1:], rates, rates[1:], strict=False)
+        if one < 0.0 <= other
+    ]
+    when = min([0.0, *near, last], key=lambda at: norm(pair.seen(at)[0]))
+    r, v, a = pair.seen(time)
+    apart, gap, there = norm(r), norm(pair.seen(when)[0]), norm(pair.seen(when)[1])
+    size = max(norm(pair.of(which, when)[0]) for which in (0, 1))
+    advice: tuple[Advice, ...] = ()
+    if apart == 0.0:
+        advice += (Advice("touching", "they are at one place: nothing closes", "note", result="closing_speed"),)
+    if when in (0.0, last):
+        where = "start" if when == 0.0 else "end"
+        advice += (Advice("edge", f"they are closest at the {where} of the times that were searched", "note"),)
+    around = [norm(pair.seen(min(max(when + step, 0.0), last))[0]) for step in (-1e-4 * last, 1e-4 * last)]
+    short = max(0.0, gap - min(around))
+    return Relative(
+        closest_distance=gap, closest_time=when, closest_speed=there, distance=apart,
+        closing_speed=-dot(r, v) / apart if apart else None, position=r, velocity=v, acceleration=a, speed=norm(v),
+        acceleration_size=norm(a), first_position=pair.of(0, when)[0], second_position=pair.of(1, when)[0],
+        checks=(Check("no closer just before or after", short <= 1e-12 * size, short, 1e-12 * size),), advice=advice,
+        numerics=Numerics(
+            "exact derivatives of the formulas; minima of the distance bisected, its rounding estimated",
+            (ErrorBound("closest_distance", 1e-15 * size, relative=False),),
+        ),
+    )  # fmt: skip
 
 
 def _at(r: Vector, v: Vector, a: Vector, time: float) -> Vector:
@@ -170,8 +285,7 @@ def _stationary(r: list[float], v: list[float], a: list[float]) -> list[float]:
     return [_root(cubic, low, high) for low, high in pairwise(edges) if cubic(low) * cubic(high) <= 0.0]
 
 
-def _root(function: "object", low: float, high: float) -> float:
-    assert callable(function)
+def _root(function: "Any", low: float, high: float) -> float:
     before = function(low)
     while True:
         middle = 0.5 * (low + high)

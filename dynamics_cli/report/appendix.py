@@ -2,7 +2,7 @@
 
 import os
 
-from dynamics_cli.core.documents import bound_text, flatten, is_table, number
+from dynamics_cli.core.documents import bound_text, flatten, is_table, number, quantity
 from dynamics_cli.core.output.render import check_line, to_pretty_json
 from dynamics_cli.report.blocks import Code, Heading, Items, Paragraph, Table
 from dynamics_cli.report.calculation import Calculation, spreads
@@ -85,6 +85,10 @@ def _complete(one: Calculation) -> "list[Block]":
 def _spread(node: "Document | None", shares: "Document") -> "list[str]":
     if node is None:
         return ["", "", ""]
+    unit = str(node.get("unit"))
+    if ";" in unit:
+        low, high, std = (quantity(part, unit, 6) for part in (*node["interval"], node["std"]))
+        return [f"{low} to {high}", std, ""]
     low, high = (number(end, 8) for end in node["interval"])
     worst = " to ".join(number(end, 6) for end in shares["worst_case"]) if "worst_case" in shares else ""
     return [f"{low} to {high}", number(node["std"], 3), worst]

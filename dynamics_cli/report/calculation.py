@@ -4,7 +4,7 @@ import re
 
 from dynamics_cli.core.answering.explain import formulas_with_numbers
 from dynamics_cli.core.documents import decimals, flatten, is_quantity, is_table, number, quantity
-from dynamics_cli.core.output.answer_words import headline_labels, percent
+from dynamics_cli.core.output.answer_words import headline_labels, is_in_parts, parts_in_words, percent
 from dynamics_cli.records import record
 from dynamics_cli.report.recalculation import read_files
 
@@ -203,6 +203,9 @@ def shown(node: "Any", digits: int) -> Value:
     if not is_quantity(node):
         return Value(number(node, digits), "")
     value, unit, deviation = node["value"], node.get("unit", ""), node.get("std")
+    if "interval" in node and is_in_parts(node):
+        text, low, high = (parts_in_words(part, node, digits) for part in (value, *node["interval"]))
+        return Value(text, "", low, high, f"{100.0 * node['coverage']:.6g} %")
     if "interval" not in node or isinstance(value, list | str):
         compound = ";" in unit and isinstance(value, list)
         return Value(quantity(value, unit, digits), "") if compound else Value(number(value, digits), unit)

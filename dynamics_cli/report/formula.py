@@ -121,6 +121,8 @@ class _Parser:
 
     def _atom(self) -> "Node":
         text, start = self.text, self.at
+        if start >= len(text):
+            return "space", " "
         letter = text[start]
         if letter == _OPEN:
             self.at = text.index(_CLOSE, start) + 1

@@ -125,7 +125,7 @@ def intervals(made: "Sequence[Calculation]", width: float) -> "Picture | None":
     for one in made:
         for address, label in _found(one)[:MOST_COMPARED]:
             node = node_at(one.results, address)
-            if not isinstance(node, dict) or "interval" not in node:
+            if not isinstance(node, dict) or "interval" not in node or isinstance(node["value"], list):
                 continue
             unit = node.get("unit", "")
             value = one.value(address)

@@ -1,6 +1,6 @@
 """Pedestrian throw: the speed at which a body was projected, from how far it came to rest (Searle)."""
 
-from dynamics_cli.errors import require, worded
+from dynamics_cli.errors import UsageError, require, worded
 from dynamics_cli.numerics.elementary import (
     absolute,
     atan,
@@ -23,51 +23,17 @@ from dynamics_cli.quantities import (
     Angle,
     Annotated,
     Distance,
+    Fraction,
     Friction,
     Gravity,
+    Mass,
     Ratio,
     RoadSpeed,
-    Time,
+    Slope,
 )
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice
 from dynamics_cli.skid.diagnostics import balance
-from dynamics_cli.skid.drag import RIGHT_ANGLE
-
-
-@record
-class Throw:
-    """Projection speed of a thrown pedestrian and its bounds."""
-
-    least_speed: Annotated[
-        RoadSpeed, "No smaller projection speed reaches the throw distance, whatever the angle [m/s]."
-    ]
-    greatest_speed: Annotated[
-        RoadSpeed,
-        "Speed of a level launch: no greater one stays within it, for launch angles from zero to the greatest "
-        "angle [m/s].",
-    ]
-    greatest_angle: Annotated[
-        Angle,
-        "Launch angle up to which the greatest speed holds: 2 atan μ, or less when landing stops the body before "
-        "[rad].",
-    ]
-    speed: Annotated[RoadSpeed | None, "Projection speed; needs the launch angle [m/s]."] = None
-    flight_time: Annotated[Time | None, "Time in the air; needs the launch angle [s]."] = None
-    flight_distance: Annotated[Distance | None, "Horizontal distance in the air; needs the launch angle [m]."] = None
-    slide_time: Annotated[Time | None, "Time from the landing to rest; needs the launch angle [s]."] = None
-    slide_distance: Annotated[Distance | None, "Distance from the landing to rest; needs the launch angle [m]."] = None
-    checks: tuple[Check, ...] = ()
-    advice: tuple[Advice, ...] = ()
-
-
-def _require_throw(throw_distance: float, friction: float) -> None:
-    require(
-        friction > 0.0,
-        "a friction of {friction:6} does not stop a thrown body",
-        friction=(friction, Friction),
-        code="no-friction",
-    )
-    require(throw_distance > 0.0, "a throw distance of zero gives no speed", code="throw-too-short")
+from dynamics_cli.skid.throw import Throw, require_launch, require_throw, vehicle_share, vehicle_speed
 
 
 def pedestrian(
@@ -76,9 +42,15 @@ def pedestrian(
     friction: Annotated[Friction, "Coefficient of friction between the body and the ground [-]."],
     launch_angle: Annotated[Angle | None, "Angle of the launch above the horizontal, e.g. 10 deg [rad]."] = None,
     launch_height: Annotated[Distance, "Height of the centre of mass at launch above its height at rest [m]."] = 0.0,
+    grade: Annotated[Slope | None, "Rise over run along the throw, uphill positive; level unless given [-]."] = None,
+    efficiency: Annotated[
+        Fraction | None, "Projection efficiency: the body's projection speed over the vehicle's, e.g. 0.8 [-]."
+    ] = None,
+    body_mass: Annotated[Mass | None, "Mass of the body thrown, e.g. 75 kg [kg]."] = None,
+    vehicle_mass: Annotated[Mass | None, "Mass of the vehicle; with that of the body, e.g. 1300 kg [kg]."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Throw:
-    """Projection speed of a pedestrian from the throw distance: its bounds, and itself when the launch angle is known.
+    """Projection speed of a pedestrian or rider from the throw: its bounds, and itself when the launch angle is known.
 
     Equation
     --------
@@ -86,6 +58,7 @@ def pedestrian(
     launch needs: v ≤ √(2μg r), α_g = 2 atan μ while (1 + μ²) k ≥ 4μ², k = 1 − μH/r, else
     tan α_g = (2μ + √(4μ² − k²)) r/s; and v ≤ s √(g/(2H)), tan α_g = s/H, when k < 0.
     For s ≤ μH no body slides: v = s √(g/(2 cos α (H cos α + s sin α))), at least s √(g/(√(s² + H²) + H)).
+    Vehicle: V = v (1 + m_b/m_v)/η.
 
     Returns
     -------
@@ -97,7 +70,7 @@ def pedestrian(
     InadmissibleError
         When friction or the throw distance is zero, the launch angle is not within ±90 degrees, the launch points below
         the place of rest (s ≤ μH), or landing would stop the body at once (v cos α < μ √(v² sin² α + 2gH), s > μH),
-        where the formula does not hold.
+        where the formula does not hold; or a grade is given, which the model on a grade is for.
 
     Notes
     -----
@@ -120,7 +93,10 @@ def pedestrian(
     >>> round(pedestrian(throw_distance=25.0, friction=0.66).least_speed, 4)
     15.0141
     """
-    _require_throw(throw_distance, friction)
+    require_throw(throw_distance, friction)
+    if grade is not None:
+        raise UsageError("this model is of level roads", parameter="grade", hint="leave the model to be chosen")
+    beyond = vehicle_share(efficiency, body_mass, vehicle_mass)
     over = multiply_add(-friction, launch_height, throw_distance)
     # Within μH the landing stops every throw. There the terms of the slide are those of any distance, and not used.
     lands = over <= 0.0
@@ -136,13 +112,11 @@ def pedestrian(
     greatest_angle = _greatest_angle(friction, share, reach / throw_distance, throw_distance, launch_height)
     advice = friction_advice(friction) + _stop_advice(friction, share, greatest_angle, lands)
     if launch_angle is None:
-        return Throw(least_speed=least, greatest_speed=greatest, greatest_angle=greatest_angle, advice=advice)
-    require(
-        absolute(launch_angle) < RIGHT_ANGLE,
-        "a launch at {angle:6} does not move the body forward",
-        angle=(launch_angle, Angle),
-        code="launch-angle",
-    )
+        return Throw(
+            least_speed=least, greatest_speed=greatest, greatest_angle=greatest_angle,
+            least_vehicle_speed=vehicle_speed(least, beyond), advice=advice,
+        )  # fmt: skip
+    require_launch(launch_angle)
     flown = _flown(throw_distance, launch_height, launch_angle, gravity, lands)
     slid = _slid(friction, launch_height, launch_angle, gravity, reach, lands)
     speed, flight_time, flight, slide_time, slide = (
@@ -157,19 +131,14 @@ def pedestrian(
         flight_distance=flight,
         slide_time=slide_time,
         slide_distance=slide,
+        vehicle_speed=vehicle_speed(speed, beyond),
+        least_vehicle_speed=vehicle_speed(least, beyond),
         checks=balance(
-            "flight and slide make the throw",
-            flight + slide,
-            throw_distance,
-            throw_distance,
-            throw_distance,
-            friction,
-            launch_height,
-            speed,
-            reach,
+            "flight and slide make the throw", flight + slide, throw_distance, throw_distance, throw_distance,
+            friction, launch_height, speed, reach,
         ),
         advice=advice + _angle_advice(launch_angle, greatest_angle),
-    )
+    )  # fmt: skip
 
 
 def _least_sliding(

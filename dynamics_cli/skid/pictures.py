@@ -99,7 +99,11 @@ def vault(made: "Any", *, distance: float, rise: float = 0.0, **_: "Any") -> Pic
 
 
 def yaw(made: "Any", *, path: "Any", friction: float, **_: "Any") -> Picture:
-    """The mark as an arc with its chord."""
+    """The mark as an arc with its chord, or the surveyed points with their circle."""
+    if hasattr(path, "points"):
+        from dynamics_cli.skid.curved.pictures import surveyed
+
+        return surveyed(made, path)
     radius = made.mark_radius if made.mark_radius is not None else made.path_radius
     chord = getattr(path, "chord", radius)
     half = math.asin(min(1.0, chord / (2.0 * radius)))
@@ -124,19 +128,22 @@ def friction(made: "Any", **_: "Any") -> Picture:
     )
 
 
-def pedestrian(
+def throw(
     made: "Any", *, throw_distance: float, friction: float, launch_angle: "float | None" = None,
-    launch_height: float = 0.0, gravity: float,
+    launch_height: float = 0.0, grade: "float | None" = None, gravity: float, **_: "Any",
 ) -> Picture:  # fmt: skip
     """Projection speed for every launch angle at this throw distance, and the one given."""
-    reach = throw_distance - friction * launch_height
+    slope = math.atan(grade or 0.0)
+    height, along = launch_height * math.cos(slope), throw_distance / math.cos(slope)
+    reach = along - friction * height
+    drag = friction * math.cos(slope) + math.sin(slope)
     steepest = 2.0 * math.atan(friction) if reach > 0.0 else float(made.greatest_angle)
-    angles = [min(steepest, 0.5 * math.pi) * 0.999 * i / (POINTS - 1) for i in range(POINTS)]
+    angles = [slope + min(steepest, 0.5 * math.pi - slope) * 0.999 * i / (POINTS - 1) for i in range(POINTS)]
 
     def speed(angle: float) -> float:
-        sine, cosine = math.sin(angle), math.cos(angle)
+        sine, cosine = math.sin(angle - slope), math.cos(angle - slope)
         if reach > 0.0:
-            return math.sqrt(2.0 * friction * gravity * reach) / (cosine + friction * sine)
+            return math.sqrt(2.0 * drag * gravity * reach) / (cosine + friction * sine)
         rise = launch_height * cosine + throw_distance * sine
         return throw_distance * math.sqrt(gravity / (2.0 * cosine * rise))
 

@@ -4,7 +4,7 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, atan2
 from dynamics_cli.numerics.exact.typed_products import cross, difference, dot, norm, scaled, triple, unit
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.quantities import Angle, Annotated, FreeVector, MatrixOfNumbers, Ratio, Text
+from dynamics_cli.quantities import Angle, Annotated, FreeVector, Ratio, RotationMatrix, Text
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.vec import kinds
 from dynamics_cli.vec.angles import ROUNDING
@@ -32,7 +32,9 @@ class Frame:
     kept: Annotated[Text, "Which input kept its direction, and which kept its plane."]
     departure: Annotated[Angle, "How far the directions given were from right angles, at most [rad]."]
     handedness: Annotated[Text | None, "Of three directions: right-handed or left-handed."]
-    matrix: Annotated[MatrixOfNumbers, "Its rows are the axes: times the old components it gives the new ones."]
+    rotation_matrix: Annotated[
+        RotationMatrix, "Its columns are the axes: it takes components in the triad to those the axes are given in."
+    ]
     components: Annotated[FreeVector | None, "The components of the vector in the triad."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -103,7 +105,7 @@ def frame(
         kept=f"{first} kept its direction, {second} its plane with {first}",
         departure=departure,
         handedness=handedness,
-        matrix=rows,
+        rotation_matrix=tuple(zip(*rows, strict=True)),  # type: ignore[arg-type]
         components=_seen(kinds.Vector(vector), rows) if vector is not None else None,
         checks=(_square(rows),),
         advice=advice,

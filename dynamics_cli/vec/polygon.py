@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 PARALLEL = 4.0 * 2.0**-53
 CLOSED = 1e-12
+MANY_TURNS = 100.0
 
 if TYPE_CHECKING:
     Pair = tuple[float, float]
@@ -217,7 +218,13 @@ def _two_magnitudes(total: "Pair", one: float, other: float) -> "list[tuple[Pair
 
 
 def _sine_of(one: float, other: float) -> "tuple[float, float]":
-    """Sine and cosine of the turn from one direction to the other, small turns exactly."""
+    """Sine and cosine of the turn from one direction to the other, small turns exactly.
+
+    Angles of so many turns that their difference is rounded by more than a last bit of a turn have it from their sines.
+    """
+    if abs(plain(one)) + abs(plain(other)) > MANY_TURNS:
+        (c, s), (d, t) = turned(one), turned(other)
+        return t * c - d * s, d * c + t * s
     cosine, sine = turned(other - one)
     return sine, cosine
 

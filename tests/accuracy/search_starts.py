@@ -245,10 +245,7 @@ HARD_CASES = {"skid": _skid_cases, "impact": _impact_cases, "inertia": _inertia_
 ARRAYS_ONLY = ("inertia mesh",)
 # These decide and calculate on the decimals as typed, which numbers disturbed in their last bits are not, or from a
 # scene of names; references hold their bounds (accuracy/data, tests/impact/test_crash.py).
-# A direction of exactly π is −π to floats in `impact record`.
-OTHERWISE = (
-    "vec angle", "vec product", "vec resolve", "linkage class", "impact crash", "impact record",
-)  # fmt: skip
+OTHERWISE = ("vec angle", "vec product", "vec resolve", "linkage class", "impact crash")
 
 
 def starts(family: str = "") -> Iterator[Start]:

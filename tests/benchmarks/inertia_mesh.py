@@ -32,8 +32,8 @@ from mpmath import mp, mpf
 
 from dynamics_cli.inertia.bodies.amount import OfDensity
 from dynamics_cli.inertia.mesh import measurement as reading
-from dynamics_cli.inertia.mesh.integrals import first_pass
 from dynamics_cli.inertia.mesh.opening import open_mesh
+from dynamics_cli.inertia.mesh.passes import first_pass
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.mesh.task import mesh
 

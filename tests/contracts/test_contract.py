@@ -255,7 +255,7 @@ class TestCompletion:
             ("dynamics skid speed --method mo", 4, "monte-carlo"),
             ("dynamics skid vault --model ", 4, "known-take-off-angle"),
             ("dynamics schema sk", 2, "skid"),
-            ("dynamics schema skid pe", 3, "pedestrian"),
+            ("dynamics schema skid th", 3, "throw"),
             ("dynamics reference co", 2, "convert"),
             ("dynamics reference skid --format m", 4, "man"),
         ],

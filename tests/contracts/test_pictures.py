@@ -19,9 +19,9 @@ WITHOUT = {
     "balance grade", "balance lanchester", "balance split", "balance static",
     "convert", "coords", "units list", "units show", "units search", "units table", "gear glossary", "gear data-block",
     "inertia shapes", "inertia materials", "cam laws", "cam size", "cam check", "cam export",
-    "vec matrix",
     "particle fall", "particle hoop", "particle incline", "particle circle",
     "pendulum compound", "pendulum rod", "pendulum conical", "pendulum design",
+    "vec matrix", "skid values",
 }  # fmt: skip
 TASKS = [task for name in cli.FAMILIES if name != "accuracy" for task in cli.family(name).tasks.values()]
 PICTURED = [task for task in TASKS if task.plot]

@@ -16,7 +16,7 @@ CASES = [
     ("dynamics skid speed --fr", "--friction"),
     ("dynamics skid speed --format j", "json"),
     ("dynamics convert 60 mp", "mph"),
-    ("dynamics schema skid pe", "pedestrian"),
+    ("dynamics schema skid th", "throw"),
     ("dynamics cam rise --law cyc", "cycloidal"),
     ("dynamics inertia shape cyl", "cylinder"),
     ("dynamics report --ti", "--title"),

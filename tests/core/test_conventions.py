@@ -223,8 +223,16 @@ class TestVectorsAndTensors:
         assert "not symmetric" in run("toy", "spin", *argv, "--json").error["message"]
 
     def test_the_number_of_components_is_checked(self) -> None:
-        argv = ("--tensor", "1, 2, 3 kg*m^2", "--axis", "1, 0 m")
-        assert "read 2 components, wanted 3" in run("toy", "spin", *argv, "--json").error["message"]
+        argv = ("--tensor", "1, 2, 3 kg*m^2", "--axis", "1, 0, 0, 0 m")
+        assert "read 4 components, wanted 3" in run("toy", "spin", *argv, "--json").error["message"]
+
+    @pytest.mark.parametrize("axis", ["1, 2 m", '{"value": [1, 2], "unit": "m"}', '["1 m", "2 m"]', "100, 200 cm"])
+    def test_a_vector_in_the_plane_has_no_z(self, axis: str) -> None:
+        whole, planar = (
+            answer("toy", "spin", "--input", "-", stdin=json.dumps({"tensor": "1, 2, 3 kg*m^2", "axis": one}))
+            for one in ("1, 2, 0 m", axis if axis[0] not in "[{" else json.loads(axis))
+        )
+        assert planar["results"] == whole["results"]
 
 
 class TestTables:

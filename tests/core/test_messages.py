@@ -2,13 +2,15 @@
 
 import json
 import re
+import shlex
 
 import pytest
 from harness import answer, run
 
 from dynamics_cli.core.answering.messages import in_written_units
 from dynamics_cli.core.inputs.values import Fields, Several, Value
-from dynamics_cli.errors import InadmissibleError, require, worded
+from dynamics_cli.core.output.failure import error_text
+from dynamics_cli.errors import InadmissibleError, UsageError, require, worded
 from dynamics_cli.quantities import Angle, Distance, Friction, Mass, RoadSpeed
 
 MILE = 0.44704
@@ -160,3 +162,19 @@ class TestMissingMembers:
 def test_pure_numbers_are_written_as_those_of_their_kind(argv: tuple[str, ...], said: str) -> None:
     outcome = run("skid", "speed", "--distance", "20 m", *argv)
     assert said in " ".join((outcome.out + outcome.err).split())
+
+
+def test_messages_are_no_wider_than_a_terminal() -> None:
+    error = UsageError("a " + "word " * 40, parameter="distance", hint="a hint of many words " * 9)
+    wide = error_text(error, json=False)
+    assert max(map(len, wide.splitlines())) > 150
+    lines = error_text(error, json=False, columns=80).splitlines()
+    assert max(map(len, lines)) <= 80
+    assert " ".join(" ".join(lines).split()) == " ".join(wide.split())
+    assert json.loads(error_text(error, json=True, columns=80))["error"]["hint"] == error.hint
+
+
+def test_a_closing_speed_of_minus_zero_is_zero() -> None:
+    call = 'impact planar --first-mass "10 kg" --first-inertia "1 kg*m^2" --first-velocity "10, 0 m/s" --first-lever '
+    call += '"0.5, 0.5 m" --second-fixed --normal "-90 deg" --restitution 0.5 --friction 0.3'
+    assert "their closing speed is 0 m/s" in run(*shlex.split(call)).err

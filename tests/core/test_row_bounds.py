@@ -9,6 +9,9 @@ import numpy as np
 import pytest
 from harness import answer, run
 
+from dynamics_cli.core.batch.rows.bounds import largest_bound
+from dynamics_cli.core.output.row_layout import Part
+
 
 @pytest.mark.parametrize("form", ["csv", "ndjson"])
 def test_rows_carry_their_largest_bound_when_asked(form: str) -> None:
@@ -125,3 +128,13 @@ def test_a_point_of_a_sweep_that_is_judged_says_so_too() -> None:
 def _option(name: str, value: str) -> tuple[str, str]:
     address, _, unit = name.rstrip("]").partition("[")
     return "--" + address.replace(".", "-").replace("_", "-"), f"{value} {unit}"
+
+
+def test_a_bound_in_inches_is_relative_to_all_of_the_feet_and_inches() -> None:
+    """119 ft 0.001 in known to 1e-9 in is known to 7e-13, not to a share of the largest of its two numbers."""
+    document = {
+        "results": {"distance": {"value": [119, 0.001], "unit": "ft;in"}},
+        "numerics": {"error_bound": {"distance": {"absolute": 1e-9, "unit": "in"}}},
+    }
+    parts = [Part(("distance",), ("distance",), "number")]
+    assert largest_bound(document, parts) == pytest.approx(1e-9 / (119 * 12 + 0.001), rel=1e-12)

@@ -8,7 +8,7 @@ import pytest
 from row_helpers import run
 
 from dynamics_cli.core.batch.rows.plan import Plan
-from dynamics_cli.numerics.lanes import Diverged, Lanes, bisected, each_lane, parts
+from dynamics_cli.numerics.lanes import Diverged, Lanes, bisected, parts
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 from rows_of_tasks import CALLS, Call
@@ -83,10 +83,3 @@ def test_bisection_lane_by_lane_is_that_of_one_case() -> None:
     made = bisected(lambda x: targets - x * x * x, 0.0, 5.0)
     wanted = [bisect(lambda x, target=target: target - x * x * x, 0.0, 5.0) for target in targets.tolist()]
     assert made.tolist() == wanted
-
-
-def test_each_lane_calls_a_function_of_doubles() -> None:
-    x, y = np.array([0.5, 1.5]).view(Lanes), 2.0
-    first, second = each_lane(lambda pair: (pair[0].as_integer_ratio()[1], pair[1] * pair[0]), (x, y))
-    assert first.tolist() == [2, 2]
-    assert second.tolist() == [1.0, 3.0]

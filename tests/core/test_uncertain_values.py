@@ -326,3 +326,56 @@ def test_a_quantile_is_of_a_result_at_a_probability(argument: str, code: str) ->
 def test_certain_results_have_no_quantiles() -> None:
     outcome = run("skid", "speed", "--distance", "20 m", "--friction", "0.7", "--quantile", "speed=0.5", "--json")
     assert (outcome.status, outcome.error["parameter"]) == (2, "quantile")
+
+
+@pytest.mark.parametrize("text", ["[1e300, 0] m", "[1e308, 1e308, 1e308] m", "1e200 ± 1e199 m", "1..1e300 m"])
+def test_values_whose_variance_leaves_the_doubles_are_refused(text: str) -> None:
+    outcome = run("skid", "speed", "--distance", text, "--friction", "0.7", "--json")
+    assert outcome.status == 2
+    assert outcome.error["code"] == "range"
+    assert outcome.error["parameter"] == "distance"
+    rows = run("skid", "speed", "--friction", "0.7", "--rows", "-", stdin=f'distance\n"{text}"\n60 ft\n')
+    assert rows.status == 4
+    assert "internal" not in rows.out
+
+
+def test_what_overflows_within_a_distribution_prints_no_warning(recwarn: pytest.WarningsRecorder) -> None:
+    assert run("skid", "speed", "--distance", "1e149 ± 1e148 m", "--friction", "0.7..0.8").status == 0
+    assert run("path", "rectilinear", "--start-speed", "3 m/s", "--distance", "1e149 ± 1e148 m", "--acceleration",
+               "1e149..2e149 m/s^2").status in (0, 3)  # fmt: skip
+    assert [str(one.message) for one in recwarn if one.category is RuntimeWarning] == []
+
+
+class TestPartsOfCompoundUnits:
+    """An uncertain result in `ft;in` has all its numbers in feet and inches, and is carried on as any other."""
+
+    CALL = ("skid", "distance", "--speed", "50 ± 1 mph", "--friction", "0.7")
+
+    def test_every_number_is_in_parts(self) -> None:
+        parts = answer(*self.CALL, "--to", "distance=ft;in")["results"]["distance"]
+        inches = answer(*self.CALL, "--to", "distance=in")["results"]["distance"]
+        for name in ("value", "mean", "median", "std"):
+            feet, rest = parts[name]
+            assert 12.0 * feet + rest == pytest.approx(inches[name], rel=1e-12)
+        for end, whole in zip(parts["interval"], inches["interval"], strict=True):
+            assert 12.0 * end[0] + end[1] == pytest.approx(whole, rel=1e-12)
+
+    def test_it_is_read_again(self, tmp_path: Any) -> None:
+        speeds = []
+        for name, more in (("parts", ("--to", "distance=ft;in")), ("metres", ())):
+            path = tmp_path / f"{name}.json"
+            path.write_text(json.dumps(answer(*self.CALL, *more)))
+            again = answer("skid", "speed", "--distance", f"@{path}:distance", "--friction", "0.7")
+            speeds.append(again["results"]["speed"])
+        assert speeds[0]["value"] == pytest.approx(speeds[1]["value"], rel=1e-12)
+        assert speeds[0]["interval"] == pytest.approx(speeds[1]["interval"], rel=1e-6)
+
+    def test_the_short_answer_has_its_interval(self) -> None:
+        out = run(*self.CALL, "--to", "distance=ft;in").out
+        assert " ".join(out.splitlines()[0].split()) == "distance 119 ft 5 in 95 %: 110 ft 3 in to 128 ft 11 in"
+
+    def test_cells_have_the_unit_of_their_part(self) -> None:
+        head = run(*self.CALL, "--to", "distance=ft;in", "--format", "csv").out.splitlines()[0]
+        assert "distance[0].std[ft]" in head
+        assert "distance[1].high[in]" in head
+        assert "ft;in" not in head

@@ -6,7 +6,7 @@ import math
 from pathlib import Path
 
 import pytest
-from harness import run
+from harness import answer, run
 
 FIXED = ("--first-mass", "1 kg", "--second-mass", "1 kg", "--normal", "0 deg", "--restitution", "0.5")
 OBLIQUE = ("impact", "oblique", *FIXED, "--second-velocity", "-0.1, 0.05 m/s")
@@ -153,3 +153,14 @@ def test_what_is_wrong_is_told(written: str, parameter: str, code: str) -> None:
     outcome = run(*OBLIQUE, "--first-velocity", written, "--json")
     assert (outcome.status, outcome.error["parameter"]) == (2, parameter)
     assert outcome.error["code"] == code, outcome.error
+
+
+def test_a_certain_vector_is_shown_as_it_was_written() -> None:
+    call = ("impact", "oblique", "--first-mass", "1 kg", "--second-fixed", "--first-velocity", "10 mph @ 37 deg")
+    call += ("--normal", "20 deg", "--restitution", "0.5")
+    assert "first velocity 10 mph @ 37 deg" in run(*call).out
+    document = answer(*call)
+    given = document["inputs"]["first"]["velocity"]
+    assert given["magnitude"] == {"value": 10, "unit": "mph"}
+    again = answer("impact", "oblique", "--input", "-", stdin=json.dumps(document["inputs"]))
+    assert again == document

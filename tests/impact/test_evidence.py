@@ -13,7 +13,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.impact.conventions import ByMass
+from dynamics_cli.impact.conventions import Axes, ByMass
 from dynamics_cli.impact.inverse.judgement import chance
 from dynamics_cli.impact.inverse.records import (
     Departing,
@@ -28,6 +28,8 @@ from dynamics_cli.impact.planar.bodies import ByInertia, Lever
 from dynamics_cli.impact.recorded.pulse import pulse
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
 from dynamics_cli.impact.recorded.task import by_headings, by_restitution, head_on
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.tracked import Tracked
 
 REFERENCE = json.loads((Path(__file__).parent / "evidence.json").read_text(encoding="utf-8"))["cases"]
 # A fit of a matrix of condition below 100 loses two digits of sixteen; a difference of speeds likewise.
@@ -383,6 +385,21 @@ class TestRecord:
             float(REFERENCE["in line, levers"]["closing_speed"]) - 14.0
         )
         assert result.second.approach_heading == pytest.approx(math.pi)
+
+    @pytest.mark.parametrize("axes", ["mathematical", "compass", "sae", "iso"])
+    def test_a_force_straight_back_has_a_heading_of_half_a_turn(self, axes: str) -> None:
+        """Doubles and tracked numbers differed by the sign of a zero: −180 beside 180 degrees."""
+        nose = 0.5 * math.pi if axes == "compass" else 0.0
+        results = [
+            head_on(
+                first=Recorder(ByMass(mass), -7.5, nose=nose), second=Partner(ByMass(1200.0)),
+                least_restitution=0.0, greatest_restitution=0.2, axes=Axes(axes),
+            )
+            for mass in (1500.0, Tracked.inputs([1500.0])[0])
+        ]  # fmt: skip
+        headings = [plain(result.impulse_heading) for result in results]
+        assert headings[0] == headings[1] == pytest.approx(-0.5 * math.pi if axes == "compass" else math.pi)
+        assert plain(results[0].first.delta_v.pdof) == plain(results[1].first.delta_v.pdof) == 0.0
 
     def test_struck_from_behind_the_other_drove_ahead(self) -> None:
         one, two = Recorder(ByMass(1500.0), -2.0, approach_speed=20.0), Partner(ByMass(1200.0))

@@ -16,9 +16,11 @@ from dynamics_cli.inertia.bodies.amount import OfArealDensity, OfDensity, OfLine
 from dynamics_cli.inertia.bodies.properties import Axes, MassProperties
 from dynamics_cli.inertia.bodies.records import Shaft
 from dynamics_cli.inertia.mesh import measurement as reading
+from dynamics_cli.inertia.mesh import passes
+from dynamics_cli.inertia.mesh import stl as forms
 from dynamics_cli.inertia.mesh.faults.closure import vertex_hashes
-from dynamics_cli.inertia.mesh.integrals import first_pass, second_pass
 from dynamics_cli.inertia.mesh.opening import open_mesh
+from dynamics_cli.inertia.mesh.passes import first_pass, second_pass
 from dynamics_cli.inertia.mesh.pictures import DRAWN, mesh_picture, outlines
 from dynamics_cli.inertia.mesh.stl import BLOCK, BinaryStl, Corners
 from dynamics_cli.inertia.mesh.surface import LengthUnit
@@ -410,6 +412,42 @@ class TestBlocks:
         assert (read.reshape(-1, 3, 3) == corners).all()
         assert sums.boundary is not None
         assert sums.boundary.empty
+
+    def test_cores_share_the_work_and_change_no_bit(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+        name = write_array(tmp_path / "torus.stl", torus(330, 70))
+        monkeypatch.setattr(forms, "SPAN", BLOCK)
+        assert len(open_mesh(name).spans()) == 6
+        answers = []
+        for cores in (1, 3):
+            monkeypatch.setattr(passes, "_cores", lambda cores=cores: cores)
+            source = open_mesh(name)
+            sums, moments = first_pass(source, shell=False, prove=True)
+            again = second_pass(source, sums, moments, np.eye(3))
+            assert sums.boundary is not None
+            assert sums.boundary.empty
+            assert sums.count == 330 * 70 * 2
+            answers.append(
+                [moments.measure, *moments.second.ravel(), *again.second.ravel(), *sums.low, *sums.high]
+                + [
+                    again.measure,
+                    *sums.closure,
+                    *sums.squares,
+                    *again.second_error.ravel(),
+                    *moments.second_error.ravel(),
+                ]
+            )
+        assert answers[0] == answers[1]
+
+    def test_a_faulty_corner_is_named_whichever_core_reads_it(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        corners = torus(330, 70)
+        corners[30_000, 1, 2] = math.nan
+        corners[40_000, 0, 0] = math.inf
+        monkeypatch.setattr(forms, "SPAN", BLOCK)
+        monkeypatch.setattr(passes, "_cores", lambda: 4)
+        with pytest.raises(InadmissibleError, match="coordinate z of corner 2 of triangle 30001 is nan"):
+            first_pass(open_mesh(write_array(tmp_path / "torus.stl", corners)), shell=False, prove=True)
 
     def test_the_second_pass_is_for_thin_and_for_small(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(reading, "SMALL", 10)

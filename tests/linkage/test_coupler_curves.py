@@ -37,6 +37,7 @@ def curve(lengths: tuple[float, ...] = LENGTHS, point: tuple[float, float] = POI
 def test_length_against_forty_digits() -> None:
     made = curve()
     exact = curve_length(*(mpf(x) for x in LENGTHS), mpf(POINT[0]) + 1j * mpf(POINT[1]), 240)
+    assert made.length == pytest.approx(0.24703160182511789857, rel=1e-14)  # type: ignore[attr-defined]
     assert abs(made.length - exact) <= made.numerics.bounds[0].bound + 1e-15 * exact  # type: ignore[attr-defined]
 
 
@@ -127,7 +128,12 @@ def test_a_point_on_the_moving_centrode_has_a_cusp() -> None:
     place = -complex(*made.crank_pin) / made.coupler_ratio * exp(-1j * made.coupler_angle)
     found = curve(point=(place.real, place.imag))
     assert [round(one.crank_angle, 6) for one in found.cusps] == [1.0]  # type: ignore[attr-defined]
-    assert found.shape.outlines[0].pieces[0].points  # type: ignore[attr-defined]
+    pieces = found.shape.outlines[0].pieces  # type: ignore[attr-defined]
+    # straight away from the cusp and up to it, arcs between
+    assert hasattr(pieces[0], "points")
+    assert hasattr(pieces[-1], "points")
+    assert len([piece for piece in pieces if hasattr(piece, "bulge")]) > 10
+    assert found.deviation <= 1e-5  # type: ignore[attr-defined]
     assert curve(point=(place.real + 1e-3, place.imag)).cusps is None  # type: ignore[attr-defined]
 
 
@@ -138,6 +144,13 @@ def test_hoeken() -> None:
     assert y.value.min() == pytest.approx(4.0, abs=1e-9)
     assert y.value.max() == pytest.approx(4.009753733086360005765, abs=1e-9)
     assert made.top >= float(y.value.max())  # type: ignore[attr-defined]
+    # the peak over the straight part
+    peak = four_bar(crank=1.0, coupler=2.5, rocker=2.5, ground=2.0, crank_angle=radians(128.68218745348944),
+                    speed=1.0, point=(5.0, 0.0))  # fmt: skip
+    assert peak.position is not None
+    assert peak.velocity is not None
+    assert peak.position[1] == pytest.approx(4.009753733086360005765, rel=1e-15)
+    assert peak.velocity[1] == pytest.approx(0.0, abs=1e-14)
 
 
 def test_crossings_lie_on_the_curve_twice() -> None:

@@ -10,6 +10,7 @@ import pytest
 from harness import answer, run
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mpmath import mp, mpf
 
 from dynamics_cli import cli
 from dynamics_cli.errors import InadmissibleError
@@ -199,3 +200,38 @@ def test_plain_calls_load_no_numpy() -> None:
     code = LEAN.format(root=str(Path(__file__).parents[2]), calls=plain)
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_extremes_of_a_crank_rocker_beside_forty_digits() -> None:
+    lengths = (0.04, 0.12, 0.08, 0.1)
+    a, b, c, d = (mpf(x) for x in lengths)
+    made = classify(crank=0.04, coupler=0.12, rocker=0.08, ground=0.1)
+    # the angle between coupler and rocker, by the cosine rule in the triangle over the diagonal
+    wanted = [mp.acos((b**2 + c**2 - f**2) / (2 * b * c)) for f in (d - a, d + a)]
+    assert (made.least_transmission_angle, made.greatest_transmission_angle) == pytest.approx(
+        tuple(map(float, wanted)), rel=1e-15
+    )
+    # where the coupler stands still for a moment: its instant centre is at infinity, O₂A and O₄B are parallel
+    at = 69.512684885277336533
+    still = pose(lengths, radians(at))
+    assert still.coupler_ratio == pytest.approx(0.0, abs=1e-15)  # type: ignore[attr-defined]
+    assert still.rocker_ratio == pytest.approx(0.5, rel=1e-14)  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize(("branch", "rocker", "speed"), [("open", 126.8698976458440213, 2.4), ("crossed", 180.0, -2.0)])
+def test_where_the_quotient_of_half_angles_is_indeterminate(branch: str, rocker: float, speed: float) -> None:
+    made = pose((3.0, 5.0, 2.0, 6.0), 0.5 * pi, branch, speed=1.0)
+    assert abs(degrees(made.rocker_angle)) == pytest.approx(rocker, rel=1e-15)  # type: ignore[attr-defined]
+    assert made.rocker_speed == pytest.approx(speed, rel=1e-14)  # type: ignore[attr-defined]
+
+
+def test_a_crank_of_a_micrometre_and_a_near_parallelogram() -> None:
+    tiny = pose((1e-6, 1.0, 0.8, 0.9), radians(70.0), speed=1.0)
+    # by the first order of the crank: ω₄ = ω₂·a·sin(θ₂ − θ₃)/(c·sin(θ₄ − θ₃))
+    angles = tiny.rocker_angle - tiny.coupler_angle, radians(70.0) - tiny.coupler_angle  # type: ignore[attr-defined]
+    assert tiny.rocker_speed == pytest.approx(1e-6 * sin(angles[1]) / (0.8 * sin(angles[0])), rel=1e-14)  # type: ignore[attr-defined]
+    assert degrees(tiny.rocker_angle) == pytest.approx(108.2098784177582294926, rel=1e-15)  # type: ignore[attr-defined]
+    for branch, rocker in (("open", 0.23547903488196945135), ("crossed", 0.26452096511793679865)):
+        near = pose((1.0, 3.0, 1.000000001, 3.0), pi + 1e-6, branch)
+        # θ₂ as a double is off by 1e-16, which the gap of 1e-9 multiplies
+        assert near.rocker_ratio == pytest.approx(rocker, rel=1e-6)  # type: ignore[attr-defined]

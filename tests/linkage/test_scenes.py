@@ -248,3 +248,73 @@ def test_pictures_follow_the_linkage() -> None:
     swinging = Scene(LINKS, (Driver("rocker", angle=1.2),), (), (Side("A", Way("left")), LEFT[1]))
     there = motion(swinging, {pin.name: complex(*pin.position) for pin in solve(swinging).pins}, 90)
     assert 4 < len(there) < 180
+
+
+def four_bar_scene(a: float, b: float, c: float, d: float, angle: float, **driver: Any) -> Scene:
+    members = (link("ground", O2=(0.0, 0.0), O4=(d, 0.0)), link("crank", O2=(0.0, 0.0), A=(a, 0.0)),
+               link("coupler", A=(0.0, 0.0), B=(b, 0.0)), link("rocker", O4=(0.0, 0.0), B=(c, 0.0)))  # fmt: skip
+    own: dict[str, Any] = {"link": "crank", "angle": angle, "speed": 1.0} | driver
+    return Scene(members, (Driver(**own),), (), (Side("B", Way("left")),))
+
+
+def rows_of(made: Solution) -> list[tuple[float, float]]:
+    return [(degrees(row.driver_angle), degrees(row.angle)) for row in made.motion or ()]  # type: ignore[arg-type]
+
+
+def test_a_parallelogram_is_followed_through_its_change_point() -> None:
+    made = solve(four_bar_scene(1.0, 3.0, 1.0, 3.0, 0.5), follow="rocker", steps=12)
+    # by the side of B alone it would turn into the antiparallelogram at 180 deg
+    assert all(driver == pytest.approx(angle, abs=1e-9) for driver, angle in rows_of(made))
+    assert [one.code for one in made.advice] == ["change-point"]
+    assert "but for the change point" in str(made.followed_by)
+
+
+@pytest.mark.parametrize("excess", [1e-3, 1e-6, 1e-9])
+def test_beside_a_change_point_the_motion_is_proved_and_turns_into_the_other(excess: float) -> None:
+    made = solve(four_bar_scene(1.0, 3.0, 1.0 + excess, 3.0, 0.5), follow="rocker", steps=12)
+    assert made.followed_by is not None
+    assert made.followed_by.startswith("proved to be one motion, in")
+    assert not made.advice
+    for driver, angle in rows_of(made):
+        exact = four_bar(crank=1.0, coupler=3.0, rocker=1.0 + excess, ground=3.0, crank_angle=radians(driver))
+        assert cos(radians(angle)) == pytest.approx(cos(exact.rocker_angle or 0.0), abs=1e-9)
+
+
+def test_a_driver_is_followed_to_its_limits() -> None:
+    made = solve(four_bar_scene(3.0, 2.0, 2.5, 4.0, 0.1), follow="rocker", steps=24)
+    limits = degrees(made.driver_from or 0.0), degrees(made.driver_to or 0.0)
+    assert limits == pytest.approx((-78.584842257269508863, 78.584842257269508863), abs=1e-6)
+    assert [one.code for one in made.advice] == ["limit"]
+    assert len(rows_of(made)) == 10
+    part = solve(four_bar_scene(3.0, 2.0, 2.5, 4.0, 0.1), follow="rocker", steps=4, turn=-radians(40.0))
+    assert len(rows_of(part)) == 5
+    assert not part.advice
+
+
+def test_a_pushed_slider_is_followed_along_its_slide() -> None:
+    push = Driver(point="B", position=0.15, velocity=-4.0)
+    scene = Scene(SLIDER, (push,), RAIL, (Side("A", Way("left")),))
+    made = solve(scene, follow="crank", steps=6, travel=0.06)
+    # stretched out: √((0.05 + 0.15)² − 0.02²)
+    assert [one.code for one in made.advice] == ["limit"]
+    assert [row.driver_position for row in made.motion or ()] == pytest.approx([0.15, 0.16, 0.17, 0.18, 0.19])
+    with pytest.raises(InadmissibleError, match="say how far"):
+        solve(scene, follow="crank")
+    with pytest.raises(InadmissibleError, match="no travel"):
+        solve(six_bar(), follow="six", travel=0.1)
+    with pytest.raises(InadmissibleError, match="no link or pin"):
+        solve(six_bar(), follow="seven")
+
+
+def test_repeated_conditions_and_relative_drivers_are_followed() -> None:
+    made = solve(Scene(PARALLEL, (Driver("one", angle=1.0, speed=2.0),)), follow="two", steps=12)
+    assert all(driver == pytest.approx(angle, abs=1e-9) for driver, angle in rows_of(made))
+    assert "without a proof" in str(made.followed_by)
+    elbow = (
+        link("ground", O=(0.0, 0.0)),
+        link("one", O=(0.0, 0.0), A=(0.3, 0.0)),
+        link("two", A=(0.0, 0.0), E=(0.2, 0.0)),
+    )
+    drivers = (Driver("two", "one", 0.8, 1.0), Driver("one", angle=0.5))
+    made = solve(Scene(elbow, drivers), follow="two", steps=8)
+    assert [angle - driver for driver, angle in rows_of(made)] == pytest.approx([degrees(0.5)] * 9, abs=1e-9)

@@ -163,3 +163,13 @@ def test_rows_uncertainty_and_unknown_units() -> None:
     )
     assert made["std"] == pytest.approx(abs(degrees(one - other)) / 2.0, rel=1e-3)
     assert "without" not in run("linkage", "four-bar", *arm, "--crank-angle", "40").out
+
+
+def test_pairs_of_many_turns_are_met() -> None:
+    """Differences of angles of 1e8 turns lose eight digits; the linkage is that of the angles within a turn."""
+    turn = 2.0 * pi * 1e8
+    plain = (Pair(0.5, 1.0), Pair(1.0, 1.25), Pair(1.5, 1.6))
+    many = (Pair(0.5, 1.0), Pair(1.0 + turn, 1.25), Pair(1.5, 1.6))
+    made = synthesize(task=AnglePairs(many, 0.1))
+    assert all(check.passed for check in made.checks)
+    assert made.crank == pytest.approx(synthesize(task=AnglePairs(plain, 0.1)).crank, rel=1e-5)

@@ -2,11 +2,16 @@
 
 import random
 from itertools import product
+from typing import Any
 
+import numpy as np
 import pytest
 from mpmath import eigsy, matrix, mp, mpf
 
+from dynamics_cli.numerics.eigen3 import quotients_lanes
 from dynamics_cli.numerics.eigen3.jacobi import eigen
+from dynamics_cli.numerics.eigen3.residual import quotients
+from dynamics_cli.numerics.lanes import Lanes
 
 Rows = tuple[tuple[float, float, float], ...]
 
@@ -94,3 +99,31 @@ def test_only_finite_numbers(bad: float) -> None:
         rows[i][j] = bad
         with pytest.raises(OverflowError):
             eigen(tuple(map(tuple, rows)))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-160, 1e150, 1e-290])
+def test_quotients_of_lanes_have_the_bits_of_single_ones(size: float) -> None:
+    generator = random.Random(11)
+    cases = [symmetric(generator, grade, 1.0) for grade in (0.0, 4.0, 12.0) for _ in range(60)]
+    # whole numbers have quotients between which none need be rounded, zeros none that pairs can judge
+    cases += [((2.0, 1.0, 0.0), (1.0, 2.0, 0.0), (0.0, 0.0, 5.0)), ((0.0, 0.0, 0.0),) * 3, ((1.0, 1.0, 1.0),) * 3]
+    cases = [tuple(tuple(size * x for x in row) for row in rows) for rows in cases]
+    turned = [eigen(rows).vectors for rows in cases]
+    wanted = [quotients(rows, lines) for rows, lines in zip(cases, turned, strict=True)]
+    asked = []
+
+    def exact(*given: Any) -> Any:
+        asked.append(given)
+        return quotients(*given)
+
+    lanes, vectors = (
+        tuple(tuple(np.array([case[i][j] for case in given]).view(Lanes) for j in range(3)) for i in range(3))
+        for given in (cases, turned)
+    )
+    found = quotients_lanes.quotients(lanes, vectors, exact)  # type: ignore[arg-type]
+    assert isinstance(found[0], Lanes)
+    assert list(zip(*(row.tolist() for row in found), strict=True)) == wanted  # type: ignore[attr-defined]
+    # whole numbers are the way out, not the way
+    assert len(asked) < 20 or size == 1e-290
+    if size == 1e-290:
+        assert len(asked) == len(cases)

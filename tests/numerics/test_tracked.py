@@ -133,3 +133,15 @@ def test_a_sum_that_is_exact_adds_nothing_to_the_bound() -> None:
         assert 0 < left <= Fraction((one + two).error)
     one, two = Tracked.inputs([1e308, 1e308])
     assert (one + two).error == math.inf
+
+
+@pytest.mark.parametrize("value", [0.0, -0.0, 1.0, -1.0])
+@pytest.mark.parametrize("other", [0.0, -0.0])
+def test_zeros_have_the_signs_of_doubles(value: float, other: float) -> None:
+    """An arc tangent turns by 2π with the sign of a zero: a heading of exactly 180 degrees came out as −180."""
+    (x,) = Tracked.inputs([value])
+    pairs = [(x + other, value + other), (other + x, other + value), (x - other, value - other), (abs(x), abs(value))]
+    pairs += [(other - x, other - value), (-x, -value), (x * other, value * other)]
+    for tracked, plain in pairs:
+        assert (tracked.value, math.copysign(1.0, tracked.value)) == (plain, math.copysign(1.0, plain))
+    assert el.atan2(x + 0.0, Tracked.inputs([-1.0])[0]).value == math.atan2(value + 0.0, -1.0)

@@ -173,3 +173,24 @@ def test_a_scalar_call_loads_no_numpy() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.splitlines()[-1] == "[]"
+
+
+def test_no_column_of_rows_has_the_name_of_another() -> None:
+    rows = "quaternion[0],quaternion[1],quaternion[2],quaternion[3]\n1,0,0,0.5\n"
+    head = run("orient", "convert", "--rows", "-", stdin=rows).out.splitlines()[0].split(",")
+    assert len(set(head)) == len(head)
+    assert "results.quaternion[0]" in head
+
+
+def test_yaw_pitch_and_roll_are_the_angles_zyx() -> None:
+    named = answer("orient", "convert", "--yaw", "30 deg", "--pitch", "20 deg", "--roll", "-40 deg")["results"]
+    listed = answer("orient", "convert", "--euler-angles", "30, 20, -40 deg", "--euler-order", "zyx")["results"]
+    assert named == listed
+
+
+def test_the_point_whose_velocity_is_told_is_the_base() -> None:
+    told = "position=(1, 0, 0 m), velocity=(1, 0, 0 m/s)"
+    turning = ("--angular-velocity", "0, 0, 3 rad/s", "--body-point", "position=(1, 2, 0 m)")
+    one = answer("orient", "points", *turning, "--body-point", told)["results"]
+    other = answer("orient", "points", *turning, "--base", "1, 0, 0 m", "--base-velocity", "1, 0, 0 m/s")["results"]
+    assert one["points"][0]["velocity"] == other["points"][0]["velocity"] == {"value": [-5, 0, 0], "unit": "m/s"}

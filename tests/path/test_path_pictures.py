@@ -48,8 +48,13 @@ def test_the_circle_of_curvature_touches_the_path() -> None:
     made = curve(shape=Cycloid(0.3), start=1.0, end=3.0)
     drawn = pictures.curve(made, shape=Cycloid(0.3))
     ring = next(item for item in items(drawn, Curve) if item.label)
-    centre = sum(ring.x[:-1]) / 120, sum(ring.y[:-1]) / 120
+    # the centre of the circle through three of its points
+    one, two, three = (complex(ring.x[k], ring.y[k]) for k in (0, len(ring.x) // 2, -1))
+    a, b = two - one, three - one
+    away = one - 1j * (b * abs(a) ** 2 - a * abs(b) ** 2) / (2.0 * (a.conjugate() * b).imag)
+    centre = away.real, away.imag
     assert math.dist(centre, made.position[:2]) == pytest.approx(made.radius_of_curvature)
+    assert abs(two - complex(*made.position[:2])) < 0.05 * made.radius_of_curvature
     assert (centre[0] - made.position[0]) * made.acceleration[0] + (centre[1] - made.position[1]) * made.acceleration[
         1
     ] > 0

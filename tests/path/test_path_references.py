@@ -16,6 +16,7 @@ from dynamics_cli.path.straight import task as straight
 
 TASKS = {
     "rectilinear": straight.rectilinear,
+    "rectilinear_law": straight.rectilinear_law,
     "circle": circle.circle,
     "polar": coordinates.polar,
     "cylindrical": coordinates.cylindrical,

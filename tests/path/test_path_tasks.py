@@ -8,6 +8,7 @@ import pytest
 from harness import answer, run
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from mpmath import mp, mpf
 
 from dynamics_cli.errors import DynamicsError, InadmissibleError
 from dynamics_cli.path.circle import Running, Turning, circle
@@ -197,10 +198,10 @@ def test_circle_reaches_its_stop_and_comes_back() -> None:
 
 def test_cylindrical_in_the_plane_is_polar_and_the_equator_too() -> None:
     flat = polar(
-        radius=0.3, angle=0.4, radial_speed=0.8, angular_velocity=5.0, radial_rate=0.1, angular_acceleration=2.0
+        radius=0.3, angle=0.4, radial_speed=0.8, angular_velocity=5.0, radial_speed_rate=0.1, angular_acceleration=2.0
     )
     round_ = cylindrical(
-        radius=0.3, angle=0.4, radial_speed=0.8, angular_velocity=5.0, radial_rate=0.1, angular_acceleration=2.0
+        radius=0.3, angle=0.4, radial_speed=0.8, angular_velocity=5.0, radial_speed_rate=0.1, angular_acceleration=2.0
     )
     pole = spherical(
         radius=0.3,
@@ -208,7 +209,7 @@ def test_cylindrical_in_the_plane_is_polar_and_the_equator_too() -> None:
         azimuth=0.4,
         radial_speed=0.8,
         azimuth_rate=5.0,
-        radial_rate=0.1,
+        radial_speed_rate=0.1,
         azimuth_second=2.0,
     )
     assert flat.radius_of_curvature == round_.radius_of_curvature
@@ -349,7 +350,7 @@ def test_hard_cases_with_known_digits() -> None:
     slow = rectilinear(phases=Phase(start_speed=20.0, acceleration=1e-14, distance=100.0))
     assert slow.time == pytest.approx(4.99999999999999375, rel=2e-16)
     angles = {"polar_angle": math.radians(50.0), "azimuth": math.radians(20.0), "polar_rate": 0.4, "azimuth_rate": -0.7}
-    seconds = {"radial_rate": 0.05, "polar_second": -0.2, "azimuth_second": 0.6}
+    seconds = {"radial_speed_rate": 0.05, "polar_second": -0.2, "azimuth_second": 0.6}
     made = spherical(radius=2.0, radial_speed=0.3, **angles, **seconds)
     parts = (made.radial_acceleration, made.polar_acceleration, made.azimuth_acceleration, made.radius_of_curvature)
     wanted = (-0.84508760705679587094, -0.64255579897598194909, -0.12240745721612117802, 1.9531206754748342100)
@@ -450,3 +451,65 @@ def test_bad_formulas_are_told_with_their_option(option: str, text: str, words: 
     outcome = run("path", "curve", option, text, *more, "--at", "1 s")
     assert outcome.status == 2
     assert words in outcome.err
+
+
+def test_a_time_beyond_the_doubles_is_refused_by_name() -> None:
+    outcome = run("path", "rectilinear", "--start-speed", "3 m/s", "--distance", "1e308 m", "--acceleration", "1 m/s^2",
+                  "--json")  # fmt: skip
+    assert outcome.status == 3
+    assert outcome.error["code"] == "range"
+    assert "nan" not in outcome.err
+
+
+def test_relative_motion_of_formulas_agrees_with_constant_accelerations() -> None:
+    plain = Mover((0.0, 9.0, 0.0), (0.8, -1.0, 0.0), (0.0, 0.3, 0.1))
+    typed = Mover(x=metres("0.8*t"), y=metres("9 - t + 0.15*t^2"), z=metres("0.05*t^2"))
+    first = Mover(velocity=(2.0, 1.0, 0.0))
+    one, other = relative(first=first, second=plain, time=1.0), relative(first=first, second=typed, time=1.0, end=20.0)
+    for name in ("closest_distance", "closest_time", "closest_speed", "distance", "closing_speed", "position",
+                 "velocity", "acceleration", "first_position", "second_position"):  # fmt: skip
+        assert getattr(other, name) == pytest.approx(getattr(one, name), rel=1e-12, abs=1e-12), name
+
+
+def test_relative_motion_of_formulas_beside_more_digits() -> None:
+    circle = Mover(x=metres("4*cos(0.5*t)"), y=metres("4*sin(0.5*t)"))
+    line = Mover((0.0, 9.0, 0.0), (0.8, -1.0, 0.0))
+    made = relative(first=circle, second=line, end=12.0)
+    with mp.workdps(40):
+
+        def gap(t: Any) -> Any:
+            return mp.hypot(mpf(4) / 5 * t - 4 * mp.cos(t / 2), 9 - t - 4 * mp.sin(t / 2))
+
+        when = mp.findroot(lambda t: mp.diff(gap, t), 2.7)
+        assert made.closest_time == pytest.approx(float(when), rel=1e-14)
+        assert made.closest_distance == pytest.approx(float(gap(when)), rel=1e-14)
+    assert all(check.passed for check in made.checks)
+    # before the minimum the end of the search is the nearest
+    early = relative(first=circle, second=line, end=1.0)
+    assert (early.closest_time, [one.code for one in early.advice]) == (1.0, ["edge"])
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"first": Mover(x=metres("t"))}, "needs an end"),
+        ({"first": Mover(x=metres("1/(t-2)")), "end": 5.0}, "pole"),
+        ({"first": Mover((1.0, 0.0, 0.0), x=metres("t")), "end": 5.0}, "both are given"),
+        ({"first": Mover(x=metres("t")), "end": 5.0, "time": 6.0}, "does not hold"),
+    ],
+)
+def test_relative_motion_of_formulas_is_refused(given: dict[str, Any], words: str) -> None:
+    with pytest.raises(InadmissibleError, match=words):
+        relative(second=Mover(), **given)
+
+
+def test_parts_of_spherical_velocity_and_the_ellipse_by_other_formulas() -> None:
+    made = spherical(radius=2.0, polar_angle=math.radians(50.0), azimuth=math.radians(20.0), radial_speed=0.3,
+                     polar_rate=0.4, azimuth_rate=-0.7)  # fmt: skip
+    parts = (made.radial_velocity, made.polar_velocity, made.azimuth_velocity)  # type: ignore[attr-defined]
+    assert parts == pytest.approx((0.3, 0.8, -1.0724622203665692493), rel=1e-15)
+    # ρ of an ellipse at its parameter u: (a² sin² u + b² cos² u)^(3/2)/(ab)
+    sine, cosine = mp.sin(mpf(0.5)), mp.cos(mpf(0.5))
+    wanted = (9 * sine**2 + 4 * cosine**2) ** mpf("1.5") / 6
+    assert curve(shape=Ellipse(3.0, 2.0), at=0.5).radius_of_curvature == pytest.approx(float(wanted), rel=1e-15)
+    assert float(wanted) == pytest.approx(1.9474395548949149862, rel=1e-15)

@@ -144,3 +144,11 @@ def test_the_command_answers_and_draws(tmp_path: Path) -> None:
     assert len(document["results"]["points"]) == 40
     assert (tmp_path / "track.svg").stat().st_size > 1000
     assert run("path", "table", file, "--smoothing", "none").status == 3
+
+
+def test_the_noise_of_a_track_takes_no_distribution_of_its_own() -> None:
+    """It says itself how uncertain positions are; thousands of smoothings would take hours."""
+    outcome = run("path", "table", "examples/gps_track/track.csv", "--sigma", "2..3 cm", "--json")
+    assert outcome.status == 2
+    assert outcome.error["code"] == "uncertain"
+    assert outcome.error["parameter"] == "sigma"

@@ -19,6 +19,7 @@ DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data
 Case = tuple[str, str, dict[str, Any], dict[str, str]]
 # At these lengths are what was typed, not the doubles nearest to it: the difference decides.
 TYPED = "limit: nearly a change point, of the decimals as typed"
+CHANGE = "limit: both motions through a change point all but meet"
 DEGREE = 0.017453292519943295
 MOTION = {"speed": 10.0, "angular_acceleration": 5.0, "point": [0.06, 0.04], "load_torque": 12.0}
 
@@ -71,6 +72,12 @@ def four_bars(generator: random.Random) -> Iterator[Case]:
     for branch in ("open", "crossed"):
         near = links(1.0, 3.0, 1.000000001, 3.0) | {"crank_angle": float(pi) + 1e-6} | MOTION
         yield f"1e-9 from a parallelogram, {branch}", TYPED, near, {"branch": branch}
+    for step in (1e-3, 1e-6, 1e-9):
+        for branch in ("open", "crossed"):
+            change = links(2.0, 5.0, 4.0, 3.0) | {"crank_angle": step} | MOTION
+            yield f"{step:g} past a change point, {branch}", CHANGE, change, {"branch": branch}
+    decimals = links(0.1, 0.5, 0.3, 0.7) | {"crank_angle": 3.1415926} | MOTION
+    yield "beside a change point of decimals", TYPED, decimals, {"branch": "open"}
     for step in (1e-3, 1e-6, 1e-8):
         near = links(3.0, 2.0, 2.5, 4.0) | {"crank_angle": 1.3715642395497258 - step} | MOTION
         yield f"{step:g} before the limit", "limit: coupler and rocker nearly stretched", near, {"branch": "open"}
@@ -133,9 +140,44 @@ def chains(generator: random.Random) -> Iterator[Case]:
         yield f"{count} links", "", {"links": group}, {}
 
 
+def yokes(generator: random.Random) -> Iterator[Case]:
+    more = {"speed": 31.0, "angular_acceleration": -20.0, "load_force": 500.0}
+    for _ in range(8):
+        own = {"crank": round(generator.uniform(0.02, 0.2), 3), "crank_angle": generator.uniform(-3.0, 6.0)}
+        yield "drawn", "", own | {"slot_angle": round(generator.uniform(-1.2, 1.2), 2)} | more, {}
+    steep = {"crank": 0.04, "crank_angle": 0.7, "slot_angle": 1.5707}
+    yield "a slot all but along the stroke", "limit: reach over a cosine that vanishes", steep | more, {}
+
+
+def couplings(generator: random.Random) -> Iterator[Case]:
+    for _ in range(6):
+        own = {"offset": round(generator.uniform(0.001, 0.02), 4), "speed": round(generator.uniform(-300, 300), 1)}
+        yield "drawn", "", own | {"shaft_angle": generator.uniform(-3.0, 6.0), "mass": 0.2}, {}
+    yield (
+        "slot along the line of the shafts",
+        "",
+        {"offset": 0.003, "speed": 157.0, "shaft_angle": 0.0, "mass": 0.2},
+        {},
+    )
+
+
+def bars(generator: random.Random) -> Iterator[Case]:
+    for index in range(12):
+        bar = round(generator.uniform(0.2, 6.0), 2)
+        own = {"bar": bar, "point": round(generator.uniform(-1.0, 2.0) * bar, 2), "angle": generator.uniform(0.2, 1.5)}
+        turning = {
+            "speed": round(generator.uniform(-3, 3), 2),
+            "angular_acceleration": round(generator.uniform(-9, 9), 2),
+        }
+        pulled = {"pull": round(generator.uniform(0.1, 2), 2), "pull_acceleration": round(generator.uniform(-9, 9), 2)}
+        yield "drawn", "", own | (turning if index % 2 else pulled), {}
+    flat = {"bar": 5.0, "point": 2.0, "angle": 1e-6, "pull": -0.5, "pull_acceleration": 0.1}
+    yield "a bar all but along its slide", "limit: the rates grow without bound there", flat, {}
+
+
 TASKS = {
     "four_bar": four_bars, "classify": classes, "slider_crank": sliders, "quick_return": returns, "body": bodies,
-    "chain": chains,
+    "chain": chains, "scotch_yoke": yokes, "oldham": couplings, "trammel": bars,
 }  # fmt: skip
 
 

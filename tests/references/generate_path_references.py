@@ -109,6 +109,42 @@ def _phase(given: dict[str, str]) -> dict[str, Any]:
     return {"phases": {"record": "Phase", **given}}
 
 
+def laws() -> Iterator[Case]:
+    """Motions under laws of the acceleration, whose closed forms are not how the program goes."""
+    g = exact("9.80665")
+
+    def fall(k: Any, t: Any) -> tuple[Any, Any]:
+        top, rate = sqrt(g / k), sqrt(g * k)
+        return top * mp.tanh(rate * t), mp.log(mp.cosh(rate * t)) / k
+
+    square = "drag with the square of the speed"
+    yield _law("hard", f"fall with {square}", "the speed approaches its limit", "9.80665 - 0.004*v^2", "0.0", "3.0",
+               fall(exact("0.004"), mpf(3)))  # fmt: skip
+    for k in ("1e-09", "0.01", "3.0"):
+        u, t, drag = mpf(40), exact("2.5"), exact(k)
+        answer = u / (1 + drag * u * t), mp.log(1 + drag * u * t) / drag
+        yield _law("hard", f"{square}, k = {k}", "log(1 + ku·t)/k cancels for little drag", f"-{k}*v^2", "40.0", "2.5",
+                   answer)  # fmt: skip
+    for k in ("1e-07", "0.05", "4.0"):
+        u, t, drag = mpf(20), mpf(3), exact(k)
+        answer = u * mp.exp(-drag * t), u * (1 - mp.exp(-drag * t)) / drag
+        why = "1 − e^(−kt) cancels for little drag"
+        yield _law("hard", f"drag with the speed, k = {k}", why, f"-{k}*v", "20.0", "3.0",
+                   answer)  # fmt: skip
+    w = sqrt(mpf(40))
+    spring = 2 * mp.cos(w), 2 * mp.sin(w) / w
+    yield _law("ordinary", "spring", "", "-40*x", "2.0", "1.0", spring)
+    yield _law(
+        "ordinary", "law of the time", "", "3 - t^2", "5.0", "2.0", (mpf(5) + 6 - mpf(8) / 3, mpf(16) - mpf(4) / 3)
+    )
+
+
+def _law(kind: str, name: str, why: str, text: str, speed: str, time: str, answer: tuple[Any, Any]) -> Case:
+    law = {"record": "Formula", "text": {"word": text}, "factor": 1.0, "unit": {"word": "m/s^2"}}
+    inputs = {"phases": {"record": "Phase", "start_speed": speed, "time": time}, "law": law}
+    return "rectilinear_law", kind, name, why, inputs, {"end_speed": answer[0], "distance": answer[1]}
+
+
 def solved(given: dict[str, Any]) -> dict[str, Any] | None:
     """The earliest motion, by the quadratic formula; None where time is negative or nothing fits."""
     g = given.get
@@ -203,9 +239,9 @@ def quadratic(inputs: dict[str, str], value: str, rate: str, second: str) -> Cal
 
 
 def around(inputs: dict[str, str]) -> dict[str, Any]:
-    r = quadratic(inputs, "radius", "radial_speed", "radial_rate")
+    r = quadratic(inputs, "radius", "radial_speed", "radial_speed_rate")
     q = quadratic(inputs, "angle", "angular_velocity", "angular_acceleration")
-    z = quadratic(inputs, "height", "axial_speed", "axial_rate")
+    z = quadratic(inputs, "height", "axial_speed", "axial_speed_rate")
     _, v, a, _ = derivatives(lambda t: [r(t) * cos(q(t)), r(t) * sin(q(t)), z(t)], mpf(0))
     c, s = cos(q(mpf(0))), sin(q(mpf(0)))
     out, beside = [c, s, mpf(0)], [-s, c, mpf(0)]
@@ -226,10 +262,10 @@ def coordinates() -> Iterator[Case]:
         "angle": (-3, 3),
         "radial_speed": (-3, 3),
         "angular_velocity": (-6, 6),
-        "radial_rate": (-4, 4),
+        "radial_speed_rate": (-4, 4),
         "angular_acceleration": (-5, 5),
     }
-    more = {"height": (-3, 3), "axial_speed": (-3, 3), "axial_rate": (-5, 5)}
+    more = {"height": (-3, 3), "axial_speed": (-3, 3), "axial_speed_rate": (-5, 5)}
     for nth in range(8):
         inputs = {name: drawn(*ends) for name, ends in ranges.items()}
         yield "polar", "ordinary", f"drawn {nth}", "", inputs, around(inputs)
@@ -237,7 +273,7 @@ def coordinates() -> Iterator[Case]:
         yield "cylindrical", "ordinary", f"drawn {nth}", "", inputs, around(inputs)
     tube = {"radius": "0.3", "radial_speed": "0.8", "angular_velocity": "5.0", "angular_acceleration": "2.0"}
     yield "polar", "ordinary", "turning tube", "", tube, around(tube)
-    straight = {"radius": "1.0", "radial_speed": "300.0", "radial_rate": "9.8", "angular_velocity": "1e-9"}
+    straight = {"radius": "1.0", "radial_speed": "300.0", "radial_speed_rate": "9.8", "angular_velocity": "1e-9"}
     yield (
         "polar",
         "hard",
@@ -253,7 +289,7 @@ def coordinates() -> Iterator[Case]:
         "radial_speed": (-3, 3),
         "polar_rate": (-4, 4),
         "azimuth_rate": (-4, 4),
-        "radial_rate": (-4, 4),
+        "radial_speed_rate": (-4, 4),
         "polar_second": (-5, 5),
         "azimuth_second": (-5, 5),
     }
@@ -272,7 +308,7 @@ def coordinates() -> Iterator[Case]:
 
 
 def poled(inputs: dict[str, str]) -> dict[str, Any]:
-    r = quadratic(inputs, "radius", "radial_speed", "radial_rate")
+    r = quadratic(inputs, "radius", "radial_speed", "radial_speed_rate")
     f = quadratic(inputs, "polar_angle", "polar_rate", "polar_second")
     q = quadratic(inputs, "azimuth", "azimuth_rate", "azimuth_second")
     _, v, a, _ = derivatives(
@@ -443,7 +479,7 @@ def frames() -> Iterator[Case]:
 
 
 def every() -> Iterator[Case]:
-    for part in (straight, circles, coordinates, states, curves, pairs, frames):
+    for part in (straight, laws, circles, coordinates, states, curves, pairs, frames):
         yield from part()
 
 

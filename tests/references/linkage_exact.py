@@ -115,7 +115,14 @@ def slider_crank(
     start, end = asin(offset / (crank + rod)), pi + asin(offset / (rod - crank))
     part = abs(end - start)
     ratio = part / (2 * pi - part)
+
+    def place(t: Any) -> Any:
+        return crank * cos(t) + sqrt(rod**2 - (offset - crank * sin(t)) ** 2)
+
+    guess = max((2 * pi * k / 360 for k in range(360)), key=lambda t: abs(mp.diff(place, t)))
+    top = mp.findroot(lambda t: mp.diff(place, t, 2), guess)
     return {
+        "top_at": top, "top_slope": abs(mp.diff(place, top)), "top_speed": abs(speed * mp.diff(place, top)),
         "position": (a + bar).real, "travel": far - (a + bar).real, "velocity": v, "acceleration": acceleration,
         "slope": v / speed, "rod_angle": tilt, "rod_speed": w3, "rod_acceleration": a3,
         "crank_torque": load_force * v / speed, "stroke": far - near, "time_ratio": max(ratio, 1 / ratio),
@@ -189,3 +196,75 @@ def curve_length(a: Any, b: Any, c: Any, d: Any, point: Any, count: int) -> Any:
         w3, _ = solve_two(j * two, -j * three, -j * one)
         total += abs(j * one + w3 * j * point * two / b)
     return total * 2 * pi / count
+
+
+def rates(place: Any) -> tuple[Any, Any, Any]:
+    """Value, first and second derivative by time of a function of it, at time zero."""
+    return place(mpf(0)), mp.diff(place, 0), mp.diff(place, 0, 2)
+
+
+def scotch_yoke(
+    crank: Any, crank_angle: Any, slot_angle: Any, speed: Any, angular_acceleration: Any, load_force: Any
+) -> dict[str, Any]:
+    """Where the slot's line through the pin meets the stroke; rates by differentiation over time."""
+
+    def pin(t: Any) -> Any:
+        return crank * turn(crank_angle + speed * t + angular_acceleration * t * t / 2)
+
+    def yoke(t: Any) -> Any:
+        return pin(t).real - pin(t).imag * mp.tan(slot_angle)
+
+    x, v, a = rates(yoke)
+    slip = mp.diff(lambda t: pin(t).imag / cos(slot_angle), 0)
+    return {
+        "position": x, "velocity": v, "acceleration": a, "slip": slip, "crank_torque": load_force * v / speed,
+        "stroke": 2 * crank / cos(slot_angle), "top_speed": crank * abs(speed) / cos(slot_angle),
+        "top_acceleration": crank * speed**2 / cos(slot_angle),
+    }  # fmt: skip
+
+
+def oldham(offset: Any, speed: Any, shaft_angle: Any, mass: Any) -> dict[str, Any]:
+    """The disc's centre where the lines of both slots meet; rates by differentiation over time."""
+
+    def shares(t: Any) -> tuple[Any, Any]:
+        way = turn(shaft_angle + speed * t)
+        return solve_two(way, -mpc(0, 1) * way, mpc(offset, 0))
+
+    def centre(t: Any) -> Any:
+        return shares(t)[0] * turn(shaft_angle + speed * t)
+
+    here, v, a = rates(centre)
+    return {
+        "disc_speed": speed, "largest_slip": offset * abs(speed), "slide": 2 * offset,
+        "first_slip": mp.diff(lambda t: shares(t)[0], 0), "second_slip": mp.diff(lambda t: shares(t)[1], 0),
+        "centre[0]": here.real, "centre[1]": here.imag, "centre_speed": abs(v), "centre_acceleration": abs(a),
+        "shaking_force": mass * abs(a),
+    }  # fmt: skip
+
+
+def trammel(
+    bar: Any, angle: Any, point: Any, speed: Any = None, angular_acceleration: Any = 0, pull: Any = None,
+    pull_acceleration: Any = 0,
+) -> dict[str, Any]:  # fmt: skip
+    """The bar between its ends, which slide; rates by differentiation over time."""
+
+    def turned_by(t: Any) -> Any:
+        if pull is None:
+            return angle + speed * t + angular_acceleration * t * t / 2
+        return acos((bar * cos(angle) + pull * t + pull_acceleration * t * t / 2) / bar)
+
+    def place(t: Any) -> Any:
+        foot, top = mpc(bar * cos(turned_by(t)), 0), mpc(0, bar * sin(turned_by(t)))
+        return foot + (top - foot) * point / bar
+
+    here, v, a = rates(place)
+    _, rate, bend = rates(turned_by)
+    found = {
+        "bar_speed": rate, "bar_acceleration": bend, "foot": bar * cos(angle), "top": bar * sin(angle),
+        "foot_velocity": mp.diff(lambda t: bar * cos(turned_by(t)), 0),
+        "top_velocity": mp.diff(lambda t: bar * sin(turned_by(t)), 0), "centre[0]": bar * cos(angle),
+        "centre[1]": bar * sin(angle), "along_x": abs(bar - point), "along_y": abs(point),
+    }  # fmt: skip
+    for name, value in (("position", here), ("velocity", v), ("acceleration", a)):
+        found[f"{name}[0]"], found[f"{name}[1]"] = value.real, value.imag
+    return found

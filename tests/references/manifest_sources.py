@@ -72,22 +72,22 @@ FILES: dict[str, Origin] = {
     ),
     "skid": Origin(
         "skid",
-        _same("speed", "distance", "friction", "drag_factor", "stop", "yaw", "pedestrian", "avoid", "spin")
-        | {"vault_least_speed": "vault", "vault_known_angle": "vault"},
+        _same("speed", "distance", "friction", "drag_factor", "stop", "yaw", "avoid", "spin")
+        | {"vault_least_speed": "vault", "vault_known_angle": "vault", "pedestrian": "throw"},
         "laws of motion: work and energy marched from surface to surface, angles for slopes, forces for drag factors",
         "60 digits", BOUNDS, ".",
     ),
     "path": Origin(
         "path",
         _same("rectilinear", "circle", "polar", "cylindrical", "spherical", "components", "curve", "relative")
-        | {"moving_frame": "moving-frame"},
+        | {"rectilinear_law": "rectilinear", "moving_frame": "moving-frame"},
         "positions as functions of time in fixed axes, differentiated; Gram determinants; roots of polynomials",
         "90 digits", BOUNDS, "drawn|motion",
     ),
     "linkage": Origin(
         "linkage",
         _same("four_bar", "slider_crank", "quick_return", "body", "chain") | {"classify": "class"},
-        "angles by the cosine rule, velocities and accelerations by linear loop equations",
+        "angles by the cosine rule, rates by linear loop equations; of double sliders by differentiation over time",
         "60 digits", "", "drawn|\\d links",
     ),
     "inertia_bodies": Origin(

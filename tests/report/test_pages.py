@@ -158,6 +158,23 @@ def test_every_formula_is_typeset() -> None:
                 assert formula.typst(filled(text, {})).count("lr(") == formula.typst(filled(text, {})).count("lr(\\")
 
 
+def test_every_symbol_of_a_formula_names_an_input_or_a_result() -> None:
+    """Brackets of another kind, as in e^{iφ}, would be taken for such a name."""
+    unknown = []
+    for family in cli.FAMILIES:
+        for task in cli.family(family).tasks.values():
+            for text in (text for model in task.models for text in model.formulas):
+                names = [piece.partition("}")[0].partition("|")[0] for piece in text.split("{")[1:]]
+                unknown += [f"{task.path}: {name}" for name in names if not re.fullmatch(r"[a-z0-9_.]+", name)]
+    assert unknown == []
+
+
+@pytest.mark.parametrize("text", ["x = e^", "x = a/", "x = √", "x = -", "x = sin ", "x = (a", "x = {", ""])
+def test_a_formula_that_breaks_off_is_still_typeset(text: str) -> None:
+    Structure(formula.mathml(text))
+    formula.typst(text)
+
+
 def test_a_formula_reads_roots_fractions_scripts_and_units() -> None:
     number = formula.quantity("15.2", "m/s")
     assert formula.plain(f"v = √({number}² + 2·a)") == "v = √((15.2 m/s)² + 2·a)"

@@ -116,7 +116,7 @@ def test_a_triad_is_right_handed_and_keeps_lengths(x: Any, y: Any, v: Any) -> No
         made = frame(x=x, y=y, vector=v)
     except InadmissibleError:
         reject()
-    rows = made.matrix
+    rows = list(zip(*made.rotation_matrix, strict=True))
     third = rows[0][1] * rows[1][2] - rows[0][2] * rows[1][1]
     assert third == pytest.approx(rows[2][0], abs=1e-14)
     assert math.hypot(*made.components.value) == pytest.approx(math.hypot(*v), rel=1e-14)
@@ -256,3 +256,11 @@ def test_determinants_change_sign_with_their_rows() -> None:
 )  # fmt: skip
 def test_refusals(argv: tuple[str, ...], expected: tuple[int, str]) -> None:
     assert code(*argv) == expected
+
+
+def test_directions_of_many_turns_still_close_the_polygon() -> None:
+    """The difference of such angles is rounded by more than a check of closure allows; their sines are not."""
+    made = answer("vec", "polygon", "0, -500 N", "--directions", "36000000030, 135 deg")["results"]["solutions"]
+    near = answer("vec", "polygon", "0, -500 N", "--directions", "30, 135 deg")["results"]["solutions"]
+    assert made[0]["first_magnitude"]["value"] == pytest.approx(near[0]["first_magnitude"]["value"], rel=1e-6)
+    assert run("vec", "polygon", "0, -500 N", "--directions", "3e10..3.9e10, 135 deg").status == 0

@@ -158,6 +158,8 @@ def test_refusals(argv: tuple[str, ...], status: int, code: str) -> None:
     [
         ("20 N @ 90 deg", [0.0, 20.0]),
         ("30 N along 1, 2, 2", [10.0, 20.0, 20.0]),
+        ("30 N @ (1, 2, 2)", [10.0, 20.0, 20.0]),
+        ("70 N @ (60, 45, 60 deg)", [35.0, 49.49747468305833, 35.0]),
         ("30 N along 3, 4", [18.0, 24.0]),
         ("30 N from 1, 0, 0 ft to 2, 2, 2 ft", [10.0, 20.0, 20.0]),
         ("10 N @ 60, 60, 45 deg", [5.0, 5.0, 10.0 / math.sqrt(2.0)]),
@@ -241,3 +243,11 @@ def test_other_families_read_the_vectors(tmp_path: Any) -> None:
     names = ("inertia_torque", "angular_momentum")
     for name in names:
         assert given_["results"][name]["value"] == pytest.approx(typed["results"][name]["value"], rel=1e-15)
+
+
+def test_two_and_three_forces_of_the_book() -> None:
+    """15 and 12 N at 60 deg, then 10 N square to both: √549 and √649."""
+    two = resultant(15.0, 12.0, between=math.pi / 3.0)
+    assert two.magnitude.value == pytest.approx(math.sqrt(549.0), rel=1e-15)
+    flat = (21.0, 12.0 * math.sin(math.pi / 3.0), 0.0)
+    assert resultant(flat, (0.0, 0.0, 10.0)).magnitude.value == pytest.approx(math.sqrt(649.0), rel=1e-15)

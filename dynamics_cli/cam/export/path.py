@@ -36,6 +36,7 @@ class Path:
         self.start_angle = start_angle
         self.starts, self.ends = pieces(motion)
         self.still = np.array([zone.dwell for zone in motion.zones])
+        self.straight: tuple[int, ...] = ()
         self.slip = start_slip(geometry)
 
     def at(self, theta: "Any", piece: "int | None" = None) -> "tuple[Any, ...]":

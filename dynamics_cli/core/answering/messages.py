@@ -43,7 +43,7 @@ def in_written_units(text: str, bound: Bound) -> str:
             if si == value and isinstance(shown, int | float):
                 return f"{shown:.9g} {pretty(shown_in.text)}".rstrip()
         unit = alike[0][2] if alike else parse_unit(kind.si, unit)
-        return f"{value / factor(unit):.{digits}g} {pretty(unit.text)}".rstrip()
+        return f"{value / factor(unit) + 0.0:.{digits}g} {pretty(unit.text)}".rstrip()
 
     return filled(text.template, text.values, write)
 

@@ -81,10 +81,13 @@ def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, An
         ) from None
 
 
-def answer(task: Task, bound: Fields, asked: str = "", uncertain: "Mapping[str, Any] | None" = None) -> Answer:
+def answer(
+    task: Task, bound: Fields, asked: str = "", uncertain: "Mapping[str, Any] | None" = None, *, seen: bool = True
+) -> Answer:
     """Answer one case, with derivatives and rounding bounds where the model can carry them.
 
-    `uncertain` has the distributions of measured inputs by address, for physics that judges a gap by them.
+    `uncertain` has the distributions of measured inputs by address, for physics that judges a gap by them. Bounds
+    that are not `seen` need not be tight.
     """
     model, why = choose(task, bound, asked)
     leaves = [(address, si) for address, _, si in bound.leaves()] if task.tracked else []
@@ -103,7 +106,7 @@ def answer(task: Task, bound: Fields, asked: str = "", uncertain: "Mapping[str, 
     measured = uncertain if uncertain and sloped else {}
     with Measured(tuple(measured[name].std if name in measured else 0.0 for name, _ in leaves) if measured else ()):
         record = call(Tracked.inputs(doubles) if sloped else [Tracked(si, 0.0, ()) for si in doubles])
-    tighten(record, doubles, call)
+    tighten(record, doubles, call, seen=seen)
     return Answer(record, model, why, leaves if sloped else [])
 
 

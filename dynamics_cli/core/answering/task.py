@@ -75,7 +75,8 @@ class Task:
     task takes --column. `listing` says that the table is what is asked for: CSV writes it. `notes` stands behind the
     examples of the help: the language of an option. `scene` gives the values that a template shows, by address, where
     its required fields alone are no case with an answer: {"bodies[1].mass": "2 kg"}. `verdict` says that the checks are
-    what was asked for: one that fails is in the document, and the status tells.
+    what was asked for: one that fails is in the document, and the status tells. `also` are further names that a call
+    may use; help and listings show the first.
     """
 
     def __init__(
@@ -98,8 +99,10 @@ class Task:
         listing: bool = False,
         notes: str = "",
         scene: "dict[str, str] | None" = None,
+        also: "tuple[str, ...]" = (),
     ) -> None:
         self.name = name
+        self.also = also
         self.summary = summary
         self.plot = plot
         self.notes = notes
@@ -162,13 +165,30 @@ def _labelled(entry: str) -> "tuple[str, str]":
     return address.strip(), label.strip()
 
 
+class Tasks(dict[str, Task]):
+    """Tasks by name; looked up, further names of a task lead to it too, and are not listed."""
+
+    def __missing__(self, name: str) -> Task:
+        for task in self.values():
+            if name in task.also:
+                return task
+        raise KeyError(name)
+
+    def get(self, name: str, default: "Task | None" = None) -> "Task | None":  # type: ignore[override]
+        """The task of a name, or of a further name."""
+        try:
+            return self[name]
+        except KeyError:
+            return default
+
+
 class Family:
     """A family of tasks, or a command that is one task."""
 
     def __init__(self, name: str, summary: str, *tasks: Task) -> None:
         self.name = name
         self.summary = summary
-        self.tasks = {task.name: task for task in tasks}
+        self.tasks = Tasks((task.name, task) for task in tasks)
         for task in tasks:
             task.family = name
 

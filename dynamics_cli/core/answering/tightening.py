@@ -16,16 +16,20 @@ if TYPE_CHECKING:
 
 # How many half last bits a bound may be of before it is worth a second pass.
 ROOM = 100.0
+# In an answer that shows its bounds only where fewer than nine digits are left.
+ROOM_UNSEEN = 1e6
 # Bounds below this are of underflow, which a measured error would fall under itself.
 _UNDERFLOW = 1e-290
 
 
-def tighten(record: "Any", numbers: "list[float]", again: "Callable[[list[Any]], Any]") -> None:
+def tighten(record: "Any", numbers: "list[float]", again: "Callable[[list[Any]], Any]", *, seen: bool = True) -> None:
     """Make the bounds in `record` tight where any is loose; `again` gives the record of other numbers for `numbers`.
 
+    Where bounds are not `seen`, they may be looser before a second pass is worth its time.
     Where many digits go another way (to a refusal, to a gap, to a table of another length) the bounds stay.
     """
-    if not any(_is_loose(number) for number, _ in _beside(record, record)):
+    room = ROOM if seen else ROOM_UNSEEN
+    if not any(_is_loose(number, room) for number, _ in _beside(record, record)):
         return
     from dynamics_cli.numerics.exact.many_digits import ManyDigits, measured_error, run
 
@@ -38,8 +42,8 @@ def tighten(record: "Any", numbers: "list[float]", again: "Callable[[list[Any]],
             number.error = measured_error(number.value, own, number.error)
 
 
-def _is_loose(number: Tracked) -> bool:
-    return number.error > max(ROOM * UNIT_ROUNDOFF * abs(number.value), _UNDERFLOW)
+def _is_loose(number: Tracked, room: float = ROOM) -> bool:
+    return number.error > max(room * UNIT_ROUNDOFF * abs(number.value), _UNDERFLOW)
 
 
 def _beside(first: "Any", second: "Any") -> "Iterator[tuple[Tracked, Tracked | ManyDigits]]":

@@ -72,6 +72,7 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
                         break
                 if stream is None:
                     return ExitStatus.DONE
+                source.expect(len(case.layout.parts))
                 every = itertools.chain([lines], blocks)
                 rows = cleared(records(every) if isinstance(stream.source, CsvInput) else every)
                 pieces = _pieces(rows, settings.jobs, singly=stream.singly)

@@ -11,6 +11,7 @@ from dynamics_cli.errors import ExitStatus, FaultError, InadmissibleError, Usage
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Any
 
     from dynamics_cli.core.answering.models import Answer
@@ -120,7 +121,7 @@ def answered_case(
     display = Display(settings.units, settings.to)
     start = _clock() if settings.timing else 0.0
     try:
-        answered = answer(task, bound, settings.model, reader.uncertain)
+        answered = answer(task, bound, settings.model, reader.uncertain, seen=_shows_bounds(settings, reader.uncertain))
     except InadmissibleError as error:
         if error.judged and reader.uncertain:
             from dynamics_cli.core.uncertainty.undetermined import add_intervals
@@ -252,6 +253,13 @@ def _with_picture(
     data, entry = drawn(picture, settings)
     document["files"] = [*document.get("files", ()), entry]
     return [*files, (settings.plot, data, "plot")], picture
+
+
+def _shows_bounds(settings: Settings, uncertain: "Mapping[str, Any]") -> bool:
+    """Whether more is made of bounds than to see which digits are left."""
+    short = settings.format == "table" and not settings.output
+    more = settings.all or settings.bounds or settings.explain or settings.limit or settings.only or uncertain
+    return not short or bool(more)
 
 
 def _clock() -> float:

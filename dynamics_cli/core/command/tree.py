@@ -154,6 +154,9 @@ def build_family(family: Family, terminal: "Terminal") -> "TyperCommand | TyperG
     group = _Group(terminal, name=family.name, help=family.summary)
     for name, task in family.tasks.items():
         group.commands[name] = _TaskCommand(task, terminal)
+        for other in task.also:
+            group.commands[other] = _TaskCommand(task, terminal)
+            group.commands[other].hidden = True
     return group
 
 

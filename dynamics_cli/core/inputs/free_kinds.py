@@ -2,7 +2,8 @@
 
 A vector is written by components (`3, 4 N`, `1, 2, 3 m`), or by its magnitude with the angle from x in the plane
 (`20 N @ 30 deg`), with its three direction angles (`20 N @ 60, 45, 60 deg`), with any numbers along its direction
-(`20 N along 1, 2, 2`) or with two points on it (`20 N from 0, 0, 0 to 1, 2, 2 m`). A number alone is a magnitude.
+(`20 N along 1, 2, 2`, `20 N @ (1, 2, 2)`) or with two points on it (`20 N from 0, 0, 0 to 1, 2, 2 m`). A number alone
+is a magnitude.
 """
 
 from dynamics_cli.core.inputs import leaves
@@ -122,6 +123,10 @@ def _read(raw: "Any", address: str, context: "Context") -> VectorValue:
     if isinstance(raw, str):
         if "@" in raw:
             size, _, way = (part.strip() for part in raw.partition("@"))
+            if way[:1] + way[-1:] == "()":
+                way = way[1:-1].strip()
+                if not _unit_of(split_list(way)[-1].strip()):
+                    return _directed(size, _certain(way, address, context).si, address, context)
             if len(split_list(way)) == 1:
                 return _planar(size, way, address, context)
             return _directed(size, _from_angles(way, address, context), address, context)

@@ -10,7 +10,7 @@ from dynamics_cli.core.inputs.quantity_text import (
     split_list,
     total,
 )
-from dynamics_cli.core.inputs.values import Bound, Constant, PolarVector, Value, VectorValue
+from dynamics_cli.core.inputs.values import Bound, Constant, PolarVector, TypedPolar, Value, VectorValue
 from dynamics_cli.core.units.conversion import nearest
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Count, Kind
@@ -94,13 +94,9 @@ def _text_of(kind: Kind, raw: "Any") -> str:
         if raw["value"] is None:
             raise UsageError("read null: that earlier result does not exist", code="no-value")
         if isinstance(raw["value"], list) and ";" in str(raw.get("unit")):
-            units = str(raw["unit"]).split(";")
-            if len(units) != len(raw["value"]):
-                raise UsageError(
-                    f"read {len(raw['value'])} numbers of {len(units)} units", hint="one number for each unit"
-                )
-            parts = zip(raw["value"], units, strict=True)
-            return " ".join(f"{number} {unit}" for number, unit in parts)
+            from dynamics_cli.core.units.compound import listed_text
+
+            return listed_text(raw["value"], str(raw["unit"]))
         unit = str(raw.get("unit") or "")
         if isinstance(raw["value"], dict) or (unit[:1].isdigit() and not unit.startswith("1/")):
             raise UsageError(f"read {_brief(raw)}, wanted a number and its unit")
@@ -127,8 +123,7 @@ def _brief(raw: object) -> str:
 
 def _default_unit(kind: Kind, raw: "Any", context: "Context") -> str:
     """The scene's unit for a bare number; text says its unit itself, on the command line above all."""
-    numbers = raw if isinstance(raw, list) else [raw]
-    bare = all(isinstance(number, Token | list) for number in numbers)
+    bare = all(isinstance(number, Token | list) for number in (raw if isinstance(raw, list) else [raw]))
     return context.default_unit(kind) if bare else ""
 
 
@@ -138,13 +133,13 @@ def _scalar(kind: Kind, raw: "Any", address: str, context: "Context") -> Value:
 
 def read_number_of(kind: Kind, raw: "Any", address: str, context: "Context", default_unit: str) -> Value:
     """A number or, where these are taken, a distribution."""
-    if isinstance(raw, list | dict) and context.uncertain is not None and _is_distribution(raw):
+    if isinstance(raw, list | dict) and context.uncertain is not None and _is_distribution(raw) and not kind.certain:
         return _uncertain(kind, raw, address, context, default_unit)
     text = _text_of(kind, raw)
     try:
         reading = read_scalar(text, kind, default_unit)
     except UsageError as error:
-        if error.code != "uncertain" or context.uncertain is None:
+        if error.code != "uncertain" or context.uncertain is None or kind.certain:
             raise
         return _uncertain(kind, text, address, context, default_unit)
     context.note(address, reading.notes)
@@ -270,8 +265,7 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
             from dynamics_cli.core.inputs.uncertain.vectors import component_items
 
             return component_items(raw, kind.size)
-        unit = str(raw.get("unit") or "")
-        return [f"{_text_of(kind, item)} {unit}".strip() for item in raw["value"]]
+        return [f"{_text_of(kind, item)} {raw.get('unit') or ''}".strip() for item in raw["value"]]
     if isinstance(raw, list):
         return raw
     text = _text_of(kind, raw).strip()
@@ -282,12 +276,13 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
 def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
     """A vector by its components."""
     items = components_of(kind, raw)
+    if kind.flat and len(items) == 2:
+        items = [*items, share_unit(["0", items[1]])[0] if isinstance(items[1], str) else 0]
     if len(items) != kind.size:
         raise UsageError(f"read {len(items)} components, wanted {kind.size}", hint=f"for example {kind.example!r}")
     default_unit = _default_unit(kind, raw, context)
     parts = [read_number_of(kind, item, f"{address}[{i}]", context, default_unit) for i, item in enumerate(items)]
-    units = {part.unit for part in parts}
-    si = tuple(part.si for part in parts)
+    units, si = {part.unit for part in parts}, tuple(part.si for part in parts)
     shown, unit = ([part.shown for part in parts], units.pop()) if len(units) == 1 else (list(si), kind.unit)
     if all(type(part) is Value for part in parts):
         return VectorValue(address, kind, si, shown, unit)
@@ -315,8 +310,7 @@ def read_planar(kind: Kind, raw: "Any", address: str, context: "Context") -> Vec
     if type(magnitude) is not Value or type(angle) is not Value:
         return PolarVector(address, kind, magnitude, angle)
     cosine, sine = turned(angle.si)
-    components = (magnitude.si * cosine, magnitude.si * sine)
-    return VectorValue(address, kind, components, list(components), kind.unit)
+    return TypedPolar(address, kind, (magnitude.si * cosine, magnitude.si * sine), magnitude, angle)
 
 
 def _tensor(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:

@@ -121,6 +121,20 @@ class PolarVector(VectorValue):
         return {**super().echo(), "magnitude": self._magnitude.echo(), "direction": self._direction.echo()}
 
 
+class TypedPolar(VectorValue):
+    """Certain components of a planar vector that was written by magnitude and direction, and is shown so."""
+
+    def __init__(
+        self, address: str, kind: "Kind", si: "tuple[float, float]", magnitude: Value, direction: Value
+    ) -> None:
+        super().__init__(address, kind, si, list(si), kind.unit)
+        self._written = {"magnitude": magnitude.echo(), "direction": direction.echo()}
+
+    def echo(self) -> "Any":
+        """The JSON form, which reads back: components, and what was written."""
+        return {**super().echo(), **self._written}
+
+
 class Constant(Bound):
     """Anything that is not a real number: words, choices, counts, flags, files, exact quantities."""
 

@@ -20,8 +20,10 @@ from dynamics_cli.core.output.answer_words import (
     deviation,
     headline_labels,
     in_words,
+    is_in_parts,
     listed,
     node_at,
+    parts_in_words,
     percent,
     value_in_words,
     with_name,
@@ -118,6 +120,9 @@ class _Answer:
     def _text(self, address: str) -> str:
         """A result with its unit, in the digits that it deserves."""
         value, unit = self.flat[address]
+        node = node_at(self.results, address)
+        if isinstance(node, dict) and "interval" in node and is_in_parts(node):
+            return parts_in_words(value, node, self.digits, asked=self.asked)
         std = 0.0 if self.asked else deviation(self.results, address)
         if std and not isinstance(value, list):
             return f"{decimals(value, std)} {unit}".rstrip()
@@ -136,7 +141,10 @@ class _Answer:
         """The interval of an uncertain result, and what each limit says of it."""
         remarks = []
         node = node_at(self.results, address)
-        if isinstance(node, dict) and "interval" in node and not isinstance(node["value"], list):
+        if isinstance(node, dict) and "interval" in node and is_in_parts(node):
+            low, high = (parts_in_words(end, node, self.digits, asked=self.asked) for end in node["interval"])
+            remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
+        elif isinstance(node, dict) and "interval" in node and not isinstance(node["value"], list):
             std = 0.0 if self.asked else deviation(self.results, address)
             low, high = (decimals(end, std) if std else number(end, self.digits) for end in node["interval"])
             remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")

@@ -1,5 +1,7 @@
 """The words and digits of short answers: labels, names of bodies, numbers to the place that their deviation leaves."""
 
+from math import floor, log10
+
 from dynamics_cli.core.documents import is_quantity, quantity
 
 TYPE_CHECKING = False
@@ -11,6 +13,7 @@ if TYPE_CHECKING:
 
 # How many results are shown where a task declares no headline.
 MOST_UNDECLARED = 8
+MOST_DIGITS = 15
 
 
 # Beside the largest component of a vector, what is smaller is rounding.
@@ -88,6 +91,23 @@ def deviation(results: "Any", address: str) -> float:
         return float(node["std"])
     low, high = node.get("interval") or (0.0, 0.0)
     return 0.25 * (high - low) if not isinstance(low, list) else 0.0
+
+
+def is_in_parts(node: "dict[str, Any]") -> bool:
+    """Whether a result is shown in the parts of compound units, as 5 ft 6 in."""
+    return ";" in str(node.get("unit"))
+
+
+def parts_in_words(parts: "list[float]", node: "dict[str, Any]", digits: int, *, asked: bool = False) -> str:
+    """A number in parts, to the place that its deviation deserves unless its digits are asked for."""
+    from dynamics_cli.core.units.compound import in_last_unit, rounded_parts
+
+    unit, std = node["unit"], node["std"]
+    spread = in_last_unit(std, unit) if std else 0.0
+    if asked or not spread:
+        return quantity(parts, unit, digits)
+    place = 1 - floor(log10(float(f"{spread:.1e}")))
+    return quantity(rounded_parts(parts, unit, place), unit, MOST_DIGITS)
 
 
 def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":

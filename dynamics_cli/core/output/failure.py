@@ -1,6 +1,7 @@
 """Errors for people, or as one JSON object, on standard error."""
 
 from dynamics_cli.core.documents import to_json
+from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.errors import DynamicsError, MissingError
 
 TYPE_CHECKING = False
@@ -27,8 +28,11 @@ def as_object(error: DynamicsError) -> "dict[str, Any]":
     return {"code": error.code, "parameter": error.parameter, "message": error.message, "hint": error.hint}
 
 
-def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = ()) -> str:
-    """What goes to standard error; a parameter is named as it was typed, --roller-radius."""
+def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = (), columns: int = 0) -> str:
+    """What goes to standard error; a parameter is named as it was typed, --roller-radius.
+
+    On a terminal of so many columns lines are no longer than that; elsewhere a message is one line.
+    """
     if json:
         body = as_object(error)
         if len(error.all()) > 1:
@@ -39,9 +43,11 @@ def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = ())
         name = one.named or _as_typed(one.parameter or "", typed)
         named = not name or one.message.startswith((name, f"--{name}", one.parameter or "")) or name in one.message
         named = named or (isinstance(one, MissingError) and bool(one.hint))
-        lines.append("dynamics: " + _printable(one.message if named else f"{name}: {one.message}"))
-        if one.hint:
-            lines.append(f"  {_printable(one.hint)}")
+        message = "dynamics: " + _printable(one.message if named else f"{name}: {one.message}")
+        hint = _printable(one.hint or "")
+        lines += wrapped(message, columns, 4) if columns else [message]
+        if hint:
+            lines += [f"  {line}" for line in (wrapped(hint, columns - 2, 2) if columns else [hint])]
     return "\n".join(lines) + "\n"
 
 

@@ -4,6 +4,7 @@ from dynamics_cli.core.documents import quote
 from dynamics_cli.core.inputs.specification import Leaf, Many, Record
 from dynamics_cli.core.output.soundness import check_numbers
 from dynamics_cli.core.units.display import Display, Shown
+from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.records import Advice, Check, Measured, Numerics, Quantity
 
@@ -196,6 +197,18 @@ class Layout:
         self.parts = list(self._record(result, (), ()))
         display.check(self._known)
 
+    def narrow(self, names: "list[str]") -> None:
+        """Keep the results of these names, or within them, in their order; refuses a name that no row has."""
+        kept: dict[int, Part] = {}
+        for name in names:
+            chosen = {id(part): part for part in self.parts if name in _names_of(part)}
+            if not chosen:
+                known = dict.fromkeys(".".join(part.keys) for part in self.parts)
+                hint = f"results of rows are {', '.join(known)}"
+                raise UsageError(f"rows have no result {name!r}", parameter="only", code="unknown-result", hint=hint)
+            kept.update(chosen)
+        self.parts = list(kept.values())
+
     def _record(self, spec: Record, keys: "tuple[str, ...]", steps: "tuple[str | int, ...]") -> "Iterator[Part]":
         for field in spec.fields:
             node = field.node
@@ -286,6 +299,11 @@ class Layout:
             else:
                 _place(inner, part, value)
         return made
+
+
+def _names_of(part: Part) -> "set[str]":
+    """The names that a result goes by: its own, that of a vector for each component, those of the records it is in."""
+    return {".".join(part.keys[:end]) for end in range(1, len(part.keys) + 1)}
 
 
 def _use(parts: "Iterator[Part]") -> None:

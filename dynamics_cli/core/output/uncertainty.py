@@ -1,10 +1,10 @@
 """Uncertain inputs and results as a table for people shows them."""
 
-from dynamics_cli.core.documents import number
+from dynamics_cli.core.documents import number, quantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
     from typing import Any
 
 # A mean further than this share of the deviation from the middle of the interval makes it lopsided.
@@ -26,10 +26,12 @@ def spread_tails(results: "dict[str, Any]", digits: int) -> "dict[str, str]":
     """What stands beside an uncertain result: the interval and its probability, and the deviation."""
     made = {}
     for address, node in _spreads(results):
-        low, high = (number(end, digits) for end in node["interval"])
+        unit = str(node.get("unit") or "")
+        parts = unit if ";" in unit else ""
+        low, high = (quantity(end, parts, digits) for end in node["interval"])
         chance = f"{100.0 * node['coverage']:.6g} %"
-        chance += " each" if isinstance(node["value"], list) else ""
-        deviation = f", σ {number(node['std'], 3)}" if node["std"] is not None else ""
+        chance += " each" if isinstance(node["value"], list) and not parts else ""
+        deviation = f", σ {quantity(node['std'], parts, 3)}" if node["std"] is not None else ""
         made[address] = f"{chance} within {low} to {high}{deviation}{_lean(node)}"
     return made
 
@@ -62,14 +64,20 @@ def driver_lines(document: "dict[str, Any]", digits: int) -> "list[str]":
             share = row.get("total", row["share"])
             low, high = row["alone"]
             none = low is None and high is None
-            alone = "" if none else f"alone {number(low, digits)} to {number(high, digits)} {unit}".rstrip()
+            alone = "" if none else f"alone {_range((low, high), unit, digits)}"
             lines.append(f"    {row['input']:<{width}}  {100.0 * share:5.1f} %  {alone}".rstrip())
         if len(rows) > MOST_DRIVERS:
             lines.append(f"    and {len(rows) - MOST_DRIVERS} more")
         if "worst_case" in entry:
-            low, high = (number(end, digits) for end in entry["worst_case"])
-            lines.append(f"    worst case, all inputs at their limits: {low} to {high} {unit}".rstrip() + "")
+            lines.append(f"    worst case, all inputs at their limits: {_range(entry['worst_case'], unit, digits)}")
     return lines
+
+
+def _range(ends: "Sequence[Any]", unit: str, digits: int) -> str:
+    """Two numbers with their unit, or each in the parts of compound units."""
+    if ";" in unit:
+        return " to ".join(quantity(end, unit, digits) for end in ends)
+    return f"{' to '.join(number(end, digits) for end in ends)} {unit}".rstrip()
 
 
 def with_spreads(plain: "list[tuple[str, Any, str]]", results: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
@@ -81,7 +89,8 @@ def with_spreads(plain: "list[tuple[str, Any, str]]", results: "dict[str, Any]")
         figures = {"mean": node["mean"], "median": node.get("median"), "std": node["std"], "low": low, "high": high}
         for name, figure in figures.items():
             for place, value in _cells(figure):
-                spreads.setdefault(f"{address}{place}", []).append((f"{address}{place}.{name}", value, unit))
+                own = unit.split(";")[int(place[1:-1])].strip() if ";" in unit else unit
+                spreads.setdefault(f"{address}{place}", []).append((f"{address}{place}.{name}", value, own))
     return [cell for entry in plain for cell in (entry, *spreads.get(entry[0], ()))]
 
 

@@ -87,7 +87,14 @@ def add_uncertainty(
 
 
 def _chosen(task: "Task", settings: "Settings", kinds: "Mapping[str, Kind]", named: "set[str]") -> "tuple[str, ...]":
-    """The results that a short answer shows, and those named by limits and quantiles; none for all of them."""
+    """The results that the answer shows, and those named by limits and quantiles; none for all of them."""
+    if settings.only and not settings.plot:
+        asked = (*settings.only, *named)
+        return tuple(
+            name
+            for name in kinds
+            if any(f"{one}.".startswith(f"{name.partition('[')[0]}.") or name.startswith(f"{one}.") for one in asked)
+        )
     if settings.format != "table" or settings.all or settings.plot or not task.headline:
         return ()
     shown = {address for address, _ in task.headline} | named | set(settings.only)
@@ -113,18 +120,20 @@ def spread_of(
     asked = read_correlations(settings.correlate, list(distributions))
     come = carried(reader.origins, list(distributions)) if len(reader.origins) > 1 else {}
     come = {(a, b): rho for (a, b), rho in come.items() if (a, b) not in asked and (b, a) not in asked}
-    made = propagate(
-        sampled,
-        distributions,
-        {**come, **asked},
-        coverage=read_coverage(settings.coverage),
-        method=read_method(settings.method),
-        accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
-        samples=settings.samples or (0 if task.arrays else SLOW_POINTS),
-        seed=settings.seed or DEFAULT_SEED,
-        shares=shares,
-        **(more or {}),
-    )
+    # what leaves the range of a double somewhere in a distribution is no word for the terminal
+    with np.errstate(all="ignore"):
+        made = propagate(
+            sampled,
+            distributions,
+            {**come, **asked},
+            coverage=read_coverage(settings.coverage),
+            method=read_method(settings.method),
+            accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
+            samples=settings.samples or (0 if task.arrays else SLOW_POINTS),
+            seed=settings.seed or DEFAULT_SEED,
+            shares=shares,
+            **(more or {}),
+        )
     for spread in made.spreads.values():
         drop_moments(spread, made.coverage)
     return made
@@ -168,7 +177,7 @@ def _add_results(results: "dict[str, Any]", made: Propagation, shown: "Mapping[s
         figures = {
             "mean": _finite(unit.value(spread.mean)) if math.isfinite(spread.mean) else None,
             "median": unit.value(spread.median),
-            "std": unit.width(spread.std) if math.isfinite(spread.std) else None,
+            "std": unit.deviation(spread.std) if math.isfinite(spread.std) else None,
         }
         if not indices:
             node |= {**figures, "interval": [low, high], "coverage": made.coverage}

@@ -192,6 +192,7 @@ def _distribute(
     sample = Sample(space, samples, goal.seed) if method == "monte-carlo" else None
     limits, levels = wanted
     straight = Straight(space, probe, goal.seed)
+    space.whole = set(np.flatnonzero((probe == np.rint(probe)).all(axis=1)).tolist())
     for row, name in enumerate(space.results):
         # A curve is looked at of the limited results, or of the first that varies.
         curve = goal.curve and (name in limits if limits else not made.varying())

@@ -54,6 +54,10 @@ class Space:
         self._known: dict[bytes, Array] | None = {} if self.slow else None
         # The sample that results share, once one of them needs it.
         self.pool: Any = None
+        # A smaller one, for results that are counted.
+        self.few: Any = None
+        # The results, by row, that are whole numbers at every point looked at.
+        self.whole: set[int] = set()
         # The lines that results share.
         self.shared: list[Any] = []
 
@@ -77,8 +81,12 @@ class Space:
         """Every result at points z (inputs, n): an array (results, n), NaN where inadmissible."""
         count = z.shape[1]
         if count > LARGEST_BLOCK:
-            parts = [self.evaluate(z[:, i : i + LARGEST_BLOCK]) for i in range(0, count, LARGEST_BLOCK)]
-            return np.concatenate(parts, axis=1)
+            first = self.evaluate(z[:, :LARGEST_BLOCK])
+            whole = np.empty((len(first), count))
+            whole[:, :LARGEST_BLOCK] = first
+            for start in range(LARGEST_BLOCK, count, LARGEST_BLOCK):
+                whole[:, start : start + LARGEST_BLOCK] = self.evaluate(z[:, start : start + LARGEST_BLOCK])
+            return whole
         if self._known is None:
             return self.evaluate_inputs(self.inputs(z), count)
         key = z.tobytes()

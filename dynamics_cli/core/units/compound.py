@@ -9,6 +9,10 @@ from dynamics_cli.core.units.lookup import parse_unit
 from dynamics_cli.core.units.unit import Unit, conformable
 from dynamics_cli.errors import FaultError, UsageError
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
 ANGLE = (0, 0, 0, 0, 0, 0, 0, 1)
 TIME = (0, 0, 1, 0, 0, 0, 0, 0)
 # After degrees, these are parts of a degree and not of an hour.
@@ -123,6 +127,40 @@ def from_exact_compound(numerator: int, denominator: int, source: Unit, units: t
     if pi:
         up, down = _with_pi_to(up, down, pi)
     return _split(up, down, units)
+
+
+def in_last_unit(parts: "Sequence[float]", text: str) -> float:
+    """What the parts of `ft;in` make in inches.
+
+    >>> in_last_unit([5, 6.5], "ft;in")
+    66.5
+    """
+    units = parse_compound(text)
+    total = 0.0
+    for part, unit in zip(parts, units, strict=True):
+        up, down = _size(unit, units[-1])
+        total += part * up / down
+    return total
+
+
+def rounded_parts(parts: "Sequence[float]", text: str, place: int) -> "list[float]":
+    """The parts rounded to so many decimals of the last, which may make a whole of the one before.
+
+    >>> rounded_parts([5, 11.7], "ft;in", 0)
+    [6, 0.0]
+    """
+    tens = 10 ** abs(place)
+    total = in_last_unit(parts, text)
+    whole = round(total * tens) if place >= 0 else round(total / tens)
+    return list(_split(whole if place >= 0 else whole * tens, tens if place >= 0 else 1, parse_compound(text)))
+
+
+def listed_text(parts: "Sequence[object]", text: str) -> str:
+    """The parts of a compound quantity with their units, as they are typed: 5 ft 6.5 in."""
+    units = text.split(";")
+    if len(units) != len(parts):
+        raise UsageError(f"read {len(parts)} numbers of {len(units)} units", hint="one number for each unit")
+    return " ".join(f"{number} {unit.strip()}" for number, unit in zip(parts, units, strict=True))
 
 
 def _times_inverse(numerator: int, denominator: int, unit: Unit) -> tuple[int, int]:

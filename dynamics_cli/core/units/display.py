@@ -79,6 +79,10 @@ class Shown:
             return si
         return si * (unit.denominator / unit.numerator) / math.pi**unit.pi
 
+    def deviation(self, si: float) -> "float | list[float]":
+        """A standard deviation as a document shows it: of compound units in parts, as the value is."""
+        return self.value(si) if self.compound else self.width(si)
+
     def spread(self, si: float, error: float) -> float:
         """What an error of the SI value, and showing it, may add up to in the unit shown."""
         if self.unit is None and not self.compound:

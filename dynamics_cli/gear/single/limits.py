@@ -3,18 +3,21 @@
 from math import ceil, pi
 
 from dynamics_cli.gear.single.gear import Gear
-from dynamics_cli.numerics.elementary import absolute, atan, cos, sin, sqrt, tan
+from dynamics_cli.numerics.elementary import absolute, atan, cos, maximum, sin, sqrt, tan, where
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.numerics.number import is_array, like, plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
 # Tips thinner than this share of a module are usually avoided, and in hardened gears thinner than twice that.
 LEAST_TIP = 0.2
 # A number of teeth that is whole but for rounding counts as whole.
 ROUNDING = 1e-13
+# Newton's steps that any gear may take: six or seven are usual.
+STEPS = 60
 
 
 def bare(gear: Gear) -> Gear:
@@ -59,23 +62,36 @@ def pointed_shift(gear: Gear) -> float:
     widening, reach = 2.0 * tan(doubles.rack.pressure_angle) / doubles.teeth, 2.0 * doubles.module
     tip = doubles.reference_diameter + reach * (doubles.rack.addendum + doubles.tip_change)
 
-    def half(shift: float) -> float:
+    def half(shift: float) -> tuple[float, float]:
         ratio = (tip + reach * shift) / base
         roll = sqrt((ratio - 1.0) * (ratio + 1.0))
-        return angle + widening * shift - (roll - atan(roll))
+        return angle + widening * shift - (roll - atan(roll)), widening - roll / ratio * reach / base
 
     low = -doubles.rack.addendum - doubles.tip_change
     high = low + 1.0
-    while half(high) > 0.0:
+    while half(high)[0] > 0.0:
         low, high = high, 2.0 * high - low + 1.0
     # the lower end may be pointed itself when the rack is; among tracked numbers, so that rounding of its sums counts
-    found: float = like(bisect(half, low, high), gear.module)
+    found: float = like(_root_left_of(high, low, half), gear.module)
     shifted = _shifted(gear, found)
     tip = shifted.tip_diameter
     remaining = shifted.tip_thickness / tip
     slope = 2.0 * tan(doubles.rack.pressure_angle) / doubles.teeth
     slope -= 2.0 * plain(shifted.tip_roll) * doubles.module / plain(tip)
     return found - remaining / slope
+
+
+def _root_left_of(start: float, least: float, function: "Callable[[float], tuple[float, float]]") -> float:
+    """Where a function of downward curvature, with its slope, comes down to zero: Newton's steps stay beyond it."""
+    at = start
+    for _ in range(STEPS):
+        value, slope = function(at)
+        step = maximum(at - value / slope, least)
+        moving: Any = step < at
+        at = where(moving, step, at)
+        if not (moving.any() if is_array(moving) else moving):
+            break
+    return at
 
 
 def bisect(function: "Callable[[float], float]", low: float, high: float) -> float:

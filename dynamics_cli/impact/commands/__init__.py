@@ -1,7 +1,7 @@
 """The tasks of `dynamics impact`."""
 
 from dynamics_cli.core.answering.task import Family
-from dynamics_cli.impact.commands import crash, evidence, particles, rigid, slide
+from dynamics_cli.impact.commands import crash, evidence, light, particles, rigid, slide
 
 FAMILIES = {
     "impact": Family(
@@ -12,5 +12,6 @@ FAMILIES = {
         *crash.TASKS,
         *slide.TASKS,
         *evidence.TASKS,
+        *light.TASKS,
     )
 }

@@ -14,7 +14,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.numerics.road.phases import Leg, Phase
+    from dynamics_cli.numerics.road.leg import Leg
+    from dynamics_cli.numerics.road.phases import Phase
 
 # Friction is known to a tenth where it was measured on the road; to three hundredths nowhere.
 GOOD_FRICTION, CAUTION_FRICTION = 0.1, 0.03

@@ -8,7 +8,8 @@ from dynamics_cli.impact.crash.spinning import Spinning
 from dynamics_cli.impact.diagnostics import balance
 from dynamics_cli.numerics.elementary import maximum, sqrt
 from dynamics_cli.numerics.road.drag import drag_advice
-from dynamics_cli.numerics.road.phases import Leg, Phase, legs
+from dynamics_cli.numerics.road.leg import Leg
+from dynamics_cli.numerics.road.phases import Phase, legs
 from dynamics_cli.numerics.road.slide import SurfaceCrossed, crossed_back
 from dynamics_cli.records import Advice, Check
 

@@ -1,6 +1,8 @@
 """Least squares of approach velocities and impulse to the motion after the impact."""
 
-from dynamics_cli.errors import FaultError, require
+import math
+
+from dynamics_cli.errors import require
 from dynamics_cli.quantities import Ratio
 
 TYPE_CHECKING = False
@@ -62,7 +64,7 @@ class Fit:
 
     def speed(self, side: int) -> float:
         """Size of an approach velocity."""
-        return float((self.state[2 * side] ** 2 + self.state[2 * side + 1] ** 2) ** 0.5)
+        return math.hypot(self.state[2 * side], self.state[2 * side + 1])
 
     def sigma(self, row: "Sequence[float]") -> float:
         """Standard deviation of a linear combination of the state."""
@@ -94,8 +96,15 @@ def solve(sides: "tuple[Side, Side]") -> Fit:
             break
         unknowns = unknowns - step
         steps += 1
-    if moved > 1e-6 * (1.0 + float(np.linalg.norm(residuals))):
-        raise FaultError(f"the fit of approach speeds does not settle: its last step is {moved:.2g} deviations")
+    require(
+        moved <= 1e-6 * (1.0 + float(np.linalg.norm(residuals))),
+        "no approach fits these measurements best: after {steps} steps the fit still moves by {moved:2} standard "
+        "deviations",
+        steps=steps,
+        moved=(moved, Ratio),
+        code="undetermined",
+        hint="look for headings or spins that are wrong, or give their standard deviations larger",
+    )
     half = jacobian @ inverse
     fit = Fit(_state(sides, unknowns), half @ half.T, list(zip(names, map(float, residuals), strict=True)), size)
     fit.steps, fit.gradient = steps, moved

@@ -43,7 +43,7 @@ class Frame:
         x, lost, lead, out = (
             room[: 9 * size].reshape(3, 3, size) for room in (self._x, self._lost, self._lead, self._seen)
         )
-        a, b, c = corners.astype(np.float64, copy=False).reshape(3, 3, size)
+        a, b, c = corners.reshape(3, 3, size)
         for vector, (end, start) in enumerate(((a, self._point), (b, a), (c, a))):
             _difference(end, start, x[:, vector], lost[:, vector])
         np.add(x, self._grid, out=lead)

@@ -31,7 +31,7 @@ class Measured:
 
     def __init__(self, source: "Source", *, shell: bool, diagnosed: bool = False) -> None:
         from dynamics_cli.inertia.mesh.exact_integrals import WholeMoments
-        from dynamics_cli.inertia.mesh.integrals import first_pass, second_pass
+        from dynamics_cli.inertia.mesh.passes import first_pass, second_pass
 
         self.form = source.form
         self.unit = source.unit

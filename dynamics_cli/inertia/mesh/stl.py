@@ -9,15 +9,16 @@ from dynamics_cli.errors import require
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
     from typing import Any, BinaryIO, TypeAlias
 
     Block: TypeAlias = np.ndarray[Any, np.dtype[Any]]
 
 # Triangles a block; smaller ones pay for calls, larger ones leave the cache.
 BLOCK = 8192
+# Triangles that one thread goes through at a time.
+SPAN = 16 * BLOCK
 HEADER, RECORD = 84, 50
-_READ = 8 * BLOCK
 _TEXT = 1 << 20
 _END = b"endfacet"
 _BOM = b"\xef\xbb\xbf"
@@ -27,8 +28,8 @@ class Source:
     """Triangles that can be gone through more than once.
 
     `count` is how many there are (None until a text has been read through), `single` whether coordinates are stored in
-    single precision. `blocks` gives arrays of rows ax, ay, az, bx, … cz without minus zeros; each is overwritten by the
-    next.
+    single precision. `blocks` gives arrays of rows ax, ay, az, bx, … cz without minus zeros, contiguous doubles that
+    may be overwritten, and are by the next.
     """
 
     name = ""
@@ -39,15 +40,21 @@ class Source:
     caution = ""
     # the unit of length that the file itself says
     unit = ""
+    # the number of triangles of the file before these
+    first = 0
 
     @property
     def room(self) -> int:
         """Triangles of the largest block."""
         return BLOCK if self.count is None else min(self.count, BLOCK)
 
-    def blocks(self) -> "Iterator[Block]":
-        """Blocks of corner coordinates in order."""
+    def blocks(self, into: "Block | None" = None) -> "Iterator[Block]":
+        """Blocks of corner coordinates in order; `into` is room for the largest, which may be used."""
         raise NotImplementedError
+
+    def spans(self) -> "Sequence[Source]":
+        """Sources of consecutive triangles that together are this one, to be gone through side by side."""
+        return (self,)
 
 
 class BinaryStl(Source):
@@ -56,28 +63,33 @@ class BinaryStl(Source):
     form = "binary STL"
     single = True
 
-    def __init__(self, name: str, count: int) -> None:
+    def __init__(self, name: str, count: int, first: int = 0) -> None:
         self.name = name
         self.count: int = count
+        self.first = first
 
-    def blocks(self) -> "Iterator[Block]":
-        """Blocks of corner coordinates in order."""
-        buffer = bytearray(min(_READ, self.count) * RECORD)
-        rows = np.empty((9, self.room), dtype=np.float32)
-        zero = np.float32(0.0)
+    def blocks(self, into: "Block | None" = None) -> "Iterator[Block]":
+        """Blocks of corner coordinates in order; `into` is room for the largest, which may be used."""
+        rows = np.empty((9, self.room)) if into is None else into
+        buffer = bytearray(self.room * RECORD)
         with open(self.name, "rb", buffering=0) as file:
-            file.seek(HEADER)
+            file.seek(HEADER + RECORD * self.first)
             left = self.count
             while left:
-                size = min(_READ, left)
+                size = min(self.room, left)
                 _fill(file, memoryview(buffer)[: size * RECORD])
                 corners = np.ndarray((size, 9), "<f4", buffer, offset=12, strides=(RECORD, 4))
-                for start in range(0, size, BLOCK):
-                    part = corners[start : start + BLOCK]
-                    block = rows[:, : len(part)]
-                    np.add(part.T, zero, out=block)
-                    yield block
+                block = rows if size == rows.shape[1] else rows.reshape(-1)[: 9 * size].reshape(9, size)
+                block[:] = corners.T
+                # no minus zeros
+                np.add(block, 0.0, out=block)
+                yield block
                 left -= size
+
+    def spans(self) -> "Sequence[Source]":
+        """Sources of consecutive triangles that together are this one, to be gone through side by side."""
+        starts = range(0, self.count, SPAN)
+        return [BinaryStl(self.name, min(SPAN, self.count - start), self.first + start) for start in starts]
 
 
 class TextStl(Source):
@@ -88,7 +100,7 @@ class TextStl(Source):
     def __init__(self, name: str) -> None:
         self.name = name
 
-    def blocks(self) -> "Iterator[Block]":
+    def blocks(self, into: "Block | None" = None) -> "Iterator[Block]":
         """Blocks of corner coordinates in order."""
         done = 0
         rest = last = pending = b""
@@ -169,7 +181,7 @@ class Corners(Source):
         self.faces = faces
         self.count = len(faces)
 
-    def blocks(self) -> "Iterator[Block]":
+    def blocks(self, into: "Block | None" = None) -> "Iterator[Block]":
         """Blocks of corner coordinates in order."""
         for start in range(0, len(self.faces), BLOCK):
             part = self.vertices[self.faces[start : start + BLOCK]]

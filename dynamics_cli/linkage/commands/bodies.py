@@ -22,7 +22,7 @@ BODY = Task(
         "distance: distance A–P",
         "zero_acceleration: zero acceleration at J",
         "inflection_diameter: inflection circle, diameter",
-        "parting: points part at",
+        "parting: departure from rigidity",
         "points: point | position, velocity, acceleration, radius_of_curvature=ρ",
     ),
     examples=(

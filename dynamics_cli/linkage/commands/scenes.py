@@ -43,7 +43,11 @@ SOLVE = Task(
     headline=(
         "assembly: assembly",
         "pin_error: pins proved to",
-        "motion: motion | driver_angle=driver, angle, speed=ω, acceleration=α, position, velocity, pin_acceleration=a",
+        "driver_from: driver from",
+        "driver_to: driver to",
+        "followed_by: this motion is",
+        "motion: motion | driver_angle=driver, driver_position=driver at, angle, speed=ω, acceleration=α, position, "
+        "velocity, pin_acceleration=a",
         "links: link | name, angle, speed=ω, acceleration=α",
         "pins: pin | name, position, velocity, acceleration",
         "every_assembly: assembly | number, sides, pin, position",

@@ -4,6 +4,8 @@ A crank that turns fully is its own parameter. Between limits θ₂ runs to and 
 vanishes at the limits is 2√(ad)·S·cos u exactly, so that both branches are one smooth closed curve in u.
 """
 
+from itertools import pairwise
+
 import numpy as np
 
 from dynamics_cli.linkage.fourbar.closure import Frame
@@ -130,12 +132,30 @@ class CouplerPath:
     sharp = "the point nearly stops there: allow a wider tolerance, or draw lines"
     turn = 1.0
 
-    def __init__(self, circuit: Circuit, point: complex, cuts: "Sequence[float]" = ()) -> None:
+    def __init__(self, circuit: Circuit, point: complex, cusps: "Sequence[float]" = (), tolerance: float = 0.0) -> None:
         self.circuit = circuit
         self.point = point
-        self.starts = np.array(sorted(cuts) or [0.0])
+        places = sorted(cusps)
+        starts = list(places or [0.0])
+        for place, after in pairwise([*places, *(cusp + FULL for cusp in places[:1])]):
+            room = 0.2 * (after - place)
+            starts += [place + self._short(place, room, tolerance), after - self._short(after, -room, tolerance)]
+        self.starts = np.array(sorted(starts))
         self.ends = np.append(self.starts[1:], self.starts[0] + FULL)
         self.still = np.zeros(self.starts.size, dtype=bool)
+        # from each cusp on: a line away from it, the smooth piece, a line up to the next
+        self.straight = [index for index in range(self.starts.size) if places and index % 3 != 1]
+
+    def _short(self, cusp: float, room: float, tolerance: float) -> float:
+        """Width beside a cusp over which a straight line keeps half the tolerance; `room` is negative before it."""
+        shares = np.linspace(0.0, 1.0, 17)
+        while True:
+            x, y = self.circuit.place(cusp + room * shares, self.point)
+            z = x.value + 1j * y.value
+            way = z[-1] - z[0]
+            if np.abs(((z - z[0]) * way.conj()).imag).max() <= 0.5 * tolerance * abs(way):
+                return abs(room)
+            room *= 0.5
 
     def at(self, theta: "Any", piece: "int | None" = None) -> "tuple[Any, ...]":
         """Point, unit direction of travel and speed."""

@@ -95,7 +95,8 @@ def coupler(
     -----
     Where the crank swings between limits, both branches are one curve. The trapezoid rule over a closed analytic curve
     converges geometrically; it is doubled until two results agree. The drawing's deviation is proved by disc
-    arithmetic on cells. A curve with a cusp is drawn as lines.
+    arithmetic on cells. Beside a cusp, whose
+    curvature has no limit, the drawing has a line.
 
     References
     ----------
@@ -126,12 +127,8 @@ def coupler(
     # samples of an uncertain curve are not drawn
     sampled = drawing()
     sharp = [] if sampled else cusp_places(circuit, place, length)
-    lines = bool(sharp)
-    outline = None if sampled else drawn(circuit, place, "lines" if lines else str(form), tolerance, sharp)
+    outline = None if sampled else drawn(circuit, place, str(form), tolerance, sharp)
     (left, right), (bottom, top) = extremes(circuit, place)
-    advice = closeness(lengths, kind)
-    if lines:
-        advice += (Advice("cusp", "the curve has a cusp: it is drawn as lines", severity="note"),)
     return CouplerCurve(
         length=length,
         area=abs(area),
@@ -149,7 +146,7 @@ def coupler(
         shape=Drawing((outline,), "coupler curve") if outline else None,
         points=columns(circuit, place, points),
         checks=_within(outline, tolerance) if outline else (),
-        advice=advice,
+        advice=closeness(lengths, kind),
         numerics=Numerics(
             "trapezoid rule doubled until it settles; extremes by Newton; deviation by disc arithmetic",
             (ErrorBound("length", error, relative=False),),

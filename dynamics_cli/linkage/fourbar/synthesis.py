@@ -129,11 +129,14 @@ def synthesize(
     return _by_angles(task) if isinstance(task, AnglePairs) else _by_poses(task)
 
 
+def _within_a_turn(angle: float) -> float:
+    """An angle of many turns as one of half a turn at the most: differences of such angles lose digits."""
+    return angle if abs(angle) <= 4.0 * PI else atan2(sin(angle), cos(angle))
+
+
 def _by_angles(task: AnglePairs) -> Synthesis:
-    rows = [
-        (cos(pair.rocker_angle), -cos(pair.crank_angle), cos(pair.crank_angle - pair.rocker_angle))
-        for pair in task.pairs
-    ]
+    met = [(_within_a_turn(pair.crank_angle), _within_a_turn(pair.rocker_angle)) for pair in task.pairs]
+    rows = [(cos(rocker), -cos(crank), cos(crank - rocker)) for crank, rocker in met]
     (a, b, c), (d, e, f), (g, h, i) = rows
     # differences take R₃ out
     one, two = (a - d, b - e, c - f), (a - g, b - h, c - i)
@@ -157,9 +160,9 @@ def _by_angles(task: AnglePairs) -> Synthesis:
     square = crank * crank + rocker * rocker + ground * ground - 2.0 * crank * rocker * third
     require(square > 0.0, "these pairs want a coupler without length", code="no-linkage", hint="change a pair a little")
     # a negative length is one turned by half a turn
-    met = [(pair.crank_angle, pair.rocker_angle) for pair in task.pairs]
     met = [(t + (PI if crank < 0.0 else 0.0), r + (PI if rocker < 0.0 else 0.0)) for t, r in met]
-    words = "crank or rocker measured from its other end; " if crank < 0.0 or rocker < 0.0 else ""
+    back = [name for name, length in (("crank", crank), ("rocker", rocker)) if length < 0.0]
+    words = f"{' and '.join(back)} 180 deg from the angles asked for; " if back else ""
     return _judged((absolute(crank), sqrt(square), absolute(rocker), ground), met, words)
 
 

@@ -64,7 +64,7 @@ def centres(
 
     solved = solve(_moving(scene))
     require(
-        solved.links[0].speed is not None,
+        solved.links is not None and solved.links[0].speed is not None,
         "velocities are not determined at this pose: it has no instant centres",
         code="singular",
         hint="move the driver a little",
@@ -109,10 +109,10 @@ def _moving(scene: Scene) -> Scene:
 
 def _motions(scene: Scene, solved: "Solution") -> "dict[str, tuple[float, complex]]":
     """Every link's angular velocity, and the velocity of its point at the origin."""
-    pins = {pin.name: pin for pin in solved.pins}
+    pins = {pin.name: pin for pin in solved.pins or ()}
     motions: dict[str, tuple[float, complex]] = {GROUND: (0.0, 0j)}
     names = {link.name: link.points[0].name for link in scene.links}
-    for link in solved.links:
+    for link in solved.links or ():
         pin = pins[names[link.name]]
         speed = link.speed or 0.0
         motions[link.name] = (speed, complex(*(pin.velocity or (0.0, 0.0))) - 1j * speed * complex(*pin.position))

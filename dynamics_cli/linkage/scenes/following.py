@@ -1,83 +1,145 @@
-"""What one link or pin does while the first driver goes through a turn."""
+"""What one link or pin does while the first driver goes through its range."""
 
 from math import pi
 
-from dynamics_cli.errors import InadmissibleError, require
-from dynamics_cli.linkage.scenes.records import Driver, Scene
+from dynamics_cli.errors import require, worded
+from dynamics_cli.linkage.scenes.pose import is_free, posed
 from dynamics_cli.quantities import (
     Angle,
     AngularAcceleration,
     Annotated,
+    Coordinate,
     PartAcceleration,
     PartPoint,
     PartVelocity,
     TurnRate,
 )
-from dynamics_cli.records import record
+from dynamics_cli.records import Advice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.linkage.scenes.continuation import Continuation
+    from dynamics_cli.linkage.scenes.system import System
+
 MANY = 2_000
+TURN = 2.0 * pi
 
 
 @record
 class Followed:
     """One position of the driver."""
 
-    driver_angle: Annotated[Angle, "Angle of the first driver [rad]."]
-    angle: Annotated[Angle | None, "Angle of the link [rad]."]
-    speed: Annotated[TurnRate | None, "Its angular velocity [rad/s]."]
-    acceleration: Annotated[AngularAcceleration | None, "Its angular acceleration [rad/s^2]."]
-    position: Annotated[PartPoint | None, "Where the pin is [m]."]
-    velocity: Annotated[PartVelocity | None, "Its velocity [m/s]."]
-    pin_acceleration: Annotated[PartAcceleration | None, "Its acceleration [m/s^2]."]
+    driver_angle: Annotated[Angle | None, "Angle of the first driver, of a link that is turned [rad]."] = None
+    driver_position: Annotated[Coordinate | None, "Its position, of a pin that is pushed [m]."] = None
+    angle: Annotated[Angle | None, "Angle of the link [rad]."] = None
+    speed: Annotated[TurnRate | None, "Its angular velocity [rad/s]."] = None
+    acceleration: Annotated[AngularAcceleration | None, "Its angular acceleration [rad/s^2]."] = None
+    position: Annotated[PartPoint | None, "Where the pin is [m]."] = None
+    velocity: Annotated[PartVelocity | None, "Its velocity [m/s]."] = None
+    pin_acceleration: Annotated[PartAcceleration | None, "Its acceleration [m/s^2]."] = None
 
 
-def driven(scene: Scene, angle: float) -> Scene:
-    """The scene with its first driver at another angle."""
-    first = scene.drivers[0]
-    given = {name: getattr(first, name) for name in Driver.fields} | {"angle": angle}  # type: ignore[attr-defined]
-    return Scene(scene.links, (Driver(**given), *scene.drivers[1:]), scene.slides, scene.sides, scene.near)
+class Motion:
+    """The rows, the range that the driver went through, and what is to be said of it."""
+
+    def __init__(self, rows: "list[Followed]", ends: "tuple[float | None, float | None]", words: str) -> None:
+        self.rows = tuple(rows)
+        self.start, self.end = ends
+        self.words = words
+        self.advice: tuple[Advice, ...] = ()
 
 
-def followed(scene: Scene, name: str, steps: int, solved: "Callable[[Scene], Any]") -> "tuple[Followed, ...]":
-    """Rows over a turn of the first driver; positions that cannot be reached are left out.
+def followed(system: "System", q: "Any", name: str, steps: int, turn: "float | None", travel: "float | None") -> Motion:
+    """Rows over the first driver's range from the pose q on, each joined to the last without a jump.
 
-    Parameters
-    ----------
-    scene : Scene
-        The linkage, its assembly named by sides.
-    name : str
-        A link or a pin.
-    steps : int
-        Steps of the turn.
-    solved : callable
-        Solves a scene.
-
-    Returns
-    -------
-    tuple
-        The rows.
+    Without a range the driver goes through a turn, or to its limits either way. A range beyond a limit ends there, with
+    a caution.
     """
-    first = scene.drivers[0]
-    require(not first.point, "a motion is followed over an angle: let the first driver turn a link", code="driver")
-    require(1 <= steps <= MANY, "steps: {count}; a turn has 1 to {most}", count=steps, most=MANY, code="steps")
-    rows = []
-    for index in range(steps + 1):
-        angle = first.angle + 2.0 * pi * index / steps
-        try:
-            result = solved(driven(scene, angle))
-        except InadmissibleError as error:
-            if error.code != "cannot-be-closed":
-                raise
-            continue
-        link = next((one for one in result.links if one.name == name), None)
-        pin = next((one for one in result.pins if one.name == name), None)
-        require(link is not None or pin is not None, "no link or pin is called {name}", name=repr(name), code="name")
-        turning = (link.angle, link.speed, link.acceleration) if link else (None, None, None)
-        moving = (pin.position, pin.velocity, pin.acceleration) if pin and not link else (None, None, None)
-        rows.append(Followed(angle, *turning, *moving))
-    return tuple(rows)
+    from dynamics_cli.linkage.scenes.continuation import Continuation
+
+    first = system.scene.drivers[0]
+    require(1 <= steps <= MANY, "steps: {count}; a range has 1 to {most}", count=steps, most=MANY, code="steps")
+    require(
+        (travel is None) if not first.point else (turn is None and travel is not None),
+        "the first driver pushes a pin: say how far"
+        if first.point
+        else "the first driver turns a link: it has no travel",
+        code="range",
+        hint="--travel '80 mm'" if first.point else "--turn '90 deg'",
+    )
+    known = {*system.shapes, *system.known, *system.unknown}
+    require(name in known, "no link or pin is called {name}", name=repr(name), code="name")
+    span = travel or (TURN if turn is None else turn)
+    ahead = Continuation(system, q)
+    rows = [_row(ahead, name)]
+    whole = _along(ahead, rows, name, [span * (k + 1) / steps for k in range(steps)])
+    parts = [ahead]
+    if not whole and turn is None and not first.point:
+        back = Continuation(system, q)
+        behind: list[Followed] = []
+        _along(back, behind, name, [-span * (k + 1) / steps for k in range(steps)])
+        rows = [*behind[::-1], *rows]
+        parts.append(back)
+    return _told(parts, _unwrapped(rows), whole)
+
+
+def _along(walk: "Continuation", rows: "list[Followed]", name: str, shifts: "list[float]") -> bool:
+    for shift in shifts:
+        if not walk.to(shift):
+            return False
+        rows.append(_row(walk, name))
+    return True
+
+
+def _row(walk: "Continuation", name: str) -> Followed:
+    jacobian = walk.system.jacobian(walk.q)
+    links, pins = posed(walk.system, walk.q, jacobian, is_free(walk.system, jacobian))
+    driver = walk.system.scene.drivers[0]
+    given: dict[str, Any] = {"driver_position": driver.position} if driver.point else {"driver_angle": driver.angle}
+    for one in links:
+        if one.name == name:
+            return Followed(**given, angle=one.angle, speed=one.speed, acceleration=one.acceleration)
+    pin = next(one for one in pins if one.name == name)
+    return Followed(**given, position=pin.position, velocity=pin.velocity, pin_acceleration=pin.acceleration)
+
+
+def _unwrapped(rows: "list[Followed]") -> "list[Followed]":
+    """Angles that go on past half a turn, as the link does."""
+    out, last = [], None
+    for row in rows:
+        if row.angle is not None and last is not None:
+            angle = row.angle + TURN * round((last - row.angle) / TURN)
+            given = {key: getattr(row, key) for key in Followed.fields} | {"angle": angle}  # type: ignore[attr-defined]
+            row = Followed(**given)
+        last = row.angle
+        out.append(row)
+    return out
+
+
+def _told(parts: "list[Continuation]", rows: "list[Followed]", whole: bool) -> Motion:
+    first = parts[0].start.scene.drivers[0]
+    kind = Coordinate if first.point else Angle
+    base = first.position if first.point else first.angle
+    shifts = [0.0, *(part.shift for part in parts)]
+    ends = (base + min(shifts), base + max(shifts))
+    count = sum(part.steps for part in parts)
+    crossed = sorted({round(base + at, 6) for part in parts for at in part.crossed})
+    way = "proved to be one motion" if parts[0].proves else "followed by small steps, without a proof"
+    way = "proved to be one motion but for the change point" if crossed and parts[0].proves else way
+    motion = Motion(rows, (None, None) if first.point else ends, f"{way}, in {count} steps")
+    if crossed:
+        words = worded(
+            "at {at:4} the linkage passes a change point, where it can go on in two ways: the smooth one is shown",
+            at=(crossed[0], kind),
+        )
+        motion.advice += (Advice("change-point", words, remedy="a second driver there decides which way it goes"),)
+    if not whole:
+        words = worded(
+            "the linkage follows its driver from {low:8} to {high:8} only",
+            low=(ends[0], kind),
+            high=(ends[1], kind),
+        )
+        motion.advice += (Advice("limit", words, severity="note"),)
+    return motion

@@ -3,8 +3,7 @@
 from math import pi
 
 from dynamics_cli.linkage.animation import animated
-from dynamics_cli.linkage.scenes.following import driven
-from dynamics_cli.linkage.scenes.records import GROUND, Driver, Scene
+from dynamics_cli.linkage.scenes.records import GROUND, Scene
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle, Coordinate, TurnRate
 
@@ -17,55 +16,34 @@ if TYPE_CHECKING:
 FRAMES = 90
 GHOSTS = 8
 ARROW = 0.25
-# A pin that jumps by this share of the linkage from one frame to the next has changed its assembly.
-JUMP = 0.35
+# How far a pushed pin goes in a picture, in sizes of the linkage.
+PUSH = 0.5
 # Centres this near one another have their labels on different sides.
 CLOSE = 0.12
 ASIDE = ((5.0, 5.0), (5.0, -12.0), (-36.0, 5.0), (-36.0, -12.0), (5.0, 17.0))
 
 
-def _driven(scene: Scene, share: float) -> Scene:
-    """The scene with its first driver moved on by a share of a turn, or of its position."""
-    first = scene.drivers[0]
-    given = {name: getattr(first, name) for name in Driver.fields}  # type: ignore[attr-defined]
-    if first.point:
-        given["position"] = first.position * (1.0 + 0.5 * share)
-    else:
-        return driven(scene, first.angle + 2.0 * pi * share)
-    return Scene(scene.links, (Driver(**given), *scene.drivers[1:]), scene.slides, scene.sides, scene.near)
-
-
 def motion(scene: Scene, start: "Pins", count: int) -> "list[Pins]":
-    """Poses over a turn of the first driver, or as far as it goes either way, each by Newton from the one before."""
-    forward = _run(scene, start, count, 1)
-    if len(forward) == count:
-        return forward
-    back = _run(scene, start, count, -1)
-    there = [*back[:0:-1], *forward]
-    return there + there[-2:0:-1] if len(there) > 2 else there
-
-
-def _run(scene: Scene, start: "Pins", count: int, sense: int) -> "list[Pins]":
-    import numpy as np
-
-    from dynamics_cli.linkage.scenes.dyads import SAME, refined
+    """Poses over a turn of the first driver, or as far as it goes either way and back."""
+    from dynamics_cli.linkage.scenes.continuation import Continuation
     from dynamics_cli.linkage.scenes.system import System
 
-    poses = [start]
-    for index in range(1, count):
-        system = System(_driven(scene, sense * index / count))
-        before = {pin: at / system.scale for pin, at in poses[-1].items()}
-        if len(poses) > 1:
-            last = {pin: at / system.scale for pin, at in poses[-2].items()}
-            before = {pin: 2.0 * at - last[pin] for pin, at in before.items()}
-        q, gap = refined(system, system.vector(before))
-        step = float(
-            np.abs(q - system.vector({pin: at / system.scale for pin, at in poses[-1].items()})).max(initial=0)
-        )
-        if gap > SAME or step > JUMP:
-            break
-        poses.append({pin: at * system.scale for pin, at in system.positions(q).items()})
-    return poses
+    system = System(scene)
+    first = scene.drivers[0]
+    q = system.vector({pin: at / system.scale for pin, at in start.items()})
+    range_ = PUSH * system.scale if first.point else 2.0 * pi
+
+    def run(sense: int) -> "list[Pins]":
+        walk, poses = Continuation(system, q), [start]
+        while len(poses) < count and walk.to(sense * range_ * len(poses) / count):
+            poses.append({pin: at * system.scale for pin, at in walk.system.positions(walk.q).items()})
+        return poses
+
+    forward = run(1)
+    if len(forward) == count:
+        return forward if not first.point else [*forward, *forward[-2:0:-1]]
+    there = [*run(-1)[:0:-1], *forward]
+    return there + there[-2:0:-1] if len(there) > 2 else there
 
 
 def _shape(scene: Scene, name: str, at: "Pins") -> "list[complex]":
@@ -75,8 +53,17 @@ def _shape(scene: Scene, name: str, at: "Pins") -> "list[complex]":
     return [*points, points[0]] if len(points) > 2 else points
 
 
+def _posed(result: "Any", scene: Scene) -> "Any":
+    """The result with its pins, which one that follows a motion leaves out."""
+    from dynamics_cli.linkage.scenes.solve import solve
+
+    return result if result.pins is not None else solve(scene)
+
+
 def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     """The linkage, ghosts of it over the driver's range, the paths of its pins, and their velocities."""
+    curves = _curves(result)
+    result = _posed(result, scene)
     at = {pin.name: complex(*pin.position) for pin in result.pins}
     poses = motion(scene, at, FRAMES)
     moving = [link.name for link in scene.links if link.name != GROUND]
@@ -99,17 +86,20 @@ def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
             items.append(Arrow(place.real, place.imag, way.real, way.imag, "", 6))
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     words = "with velocities" if longest else "paths of its pins"
-    return Picture((panel, *_curves(result)), f"linkage of {len(scene.links)} links, {words}")
+    return Picture((panel, *curves), f"linkage of {len(scene.links)} links, {words}")
 
 
 def _curves(result: "Any") -> "tuple[Panel, ...]":
     """What was followed, over the driver's angle: a link's angle and speed, or a pin's coordinates."""
     if not result.motion:
         return ()
-    way = Axis(
-        "driver angle", Angle, ends=(result.motion[0].driver_angle, result.motion[-1].driver_angle), step=pi / 6.0
+    pushed = result.motion[0].driver_angle is None
+    at = [row.driver_position if pushed else row.driver_angle for row in result.motion]
+    way = (
+        Axis("driver position", Coordinate, ends=(min(at), max(at)))
+        if pushed
+        else Axis("driver angle", Angle, ends=(min(at), max(at)), step=pi / 6.0)
     )
-    at = [row.driver_angle for row in result.motion]
     if result.motion[0].angle is None:
         x, y = ([row.position[i] for row in result.motion] for i in (0, 1))
         curves = (Curve(at, x, "x", role=0), Curve(at, y, "y", "dashed", 1))
@@ -126,7 +116,7 @@ def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     from dynamics_cli.linkage.scenes.solve import solve
 
     solved = solve(scene)
-    at = {pin.name: complex(*pin.position) for pin in solved.pins}
+    at = {pin.name: complex(*pin.position) for pin in solved.pins or ()}
     size = max(abs(one - other) for one in at.values() for other in at.values())
     middle = sum(at.values()) / len(at)
     moving = [link.name for link in scene.links if link.name != GROUND]
@@ -151,6 +141,7 @@ def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
 
 def moving_scene(result: "Any", scene: Scene, **_: "Any") -> str:
     """The linkage over its driver's range as an SVG that moves by itself."""
+    result = _posed(result, scene)
     at = {pin.name: complex(*pin.position) for pin in result.pins}
     poses = motion(scene, at, FRAMES)
     moving = [link.name for link in scene.links if link.name != GROUND]

@@ -2,53 +2,18 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.scenes.following import Followed, followed
-from dynamics_cli.linkage.scenes.records import GROUND, Scene
-from dynamics_cli.quantities import (
-    Angle,
-    AngularAcceleration,
-    Annotated,
-    Count,
-    PartAcceleration,
-    PartPoint,
-    PartVelocity,
-    Ratio,
-    Size,
-    Text,
-    TurnRate,
-)
+from dynamics_cli.linkage.scenes.pose import LinkMotion, PinMotion, is_free, pair, posed
+from dynamics_cli.linkage.scenes.records import Scene
+from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, PartPoint, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
-
     from dynamics_cli.linkage.scenes.dyads import Assembly
     from dynamics_cli.linkage.scenes.system import System
 
-# Below this the smallest singular value over the largest means a pose that can move without its drivers.
-SINGULAR = 1e-9
 LISTED = 8
 CLOSES = 1e-12
-
-
-@record
-class LinkMotion:
-    """One link."""
-
-    name: Annotated[Text, "The link."]
-    angle: Annotated[Angle, "Angle of its own axes [rad]."]
-    speed: Annotated[TurnRate | None, "Angular velocity [rad/s]."]
-    acceleration: Annotated[AngularAcceleration | None, "Angular acceleration [rad/s^2]."]
-
-
-@record
-class PinMotion:
-    """One pin."""
-
-    name: Annotated[Text, "The pin."]
-    position: Annotated[PartPoint, "Where it is [m]."]
-    velocity: Annotated[PartVelocity | None, "Its velocity [m/s]."]
-    acceleration: Annotated[PartAcceleration | None, "Its acceleration [m/s^2]."]
 
 
 @record
@@ -65,8 +30,8 @@ class AssemblyPin:
 class Solution:
     """The linkage in one pose."""
 
-    links: Annotated[tuple[LinkMotion, ...], "The links that move."]
-    pins: Annotated[tuple[PinMotion, ...], "The pins."]
+    links: Annotated[tuple[LinkMotion, ...] | None, "The links that move; left out where a motion is followed."]
+    pins: Annotated[tuple[PinMotion, ...] | None, "The pins; left out where a motion is followed."]
     assembly: Annotated[Text, "The assembly that was taken."]
     assemblies: Annotated[Count, "How many there are at this position of the drivers."]
     solved_by: Annotated[Text, "What it was solved by."]
@@ -75,7 +40,10 @@ class Solution:
         Size | None, "No other assembly is nearer than this, all pins together, as proved [m]."
     ] = None
     kantorovich: Annotated[Ratio | None, "Kantorovich's h: at most one half proves the pose."] = None
-    motion: Annotated[tuple[Followed, ...] | None, "What was followed over a turn of the first driver."] = None
+    driver_from: Annotated[Angle | None, "Where the range of a driver that turns begins [rad]."] = None
+    driver_to: Annotated[Angle | None, "Where it ends [rad]."] = None
+    followed_by: Annotated[Text | None, "How the poses of the motion are joined to each other."] = None
+    motion: Annotated[tuple[Followed, ...] | None, "What was followed over the first driver's range."] = None
     every_assembly: Annotated[tuple[AssemblyPin, ...] | None, "All assemblies, where they are asked for."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -87,8 +55,12 @@ def solve(
     /,
     *,
     assemblies: Annotated[bool, "List every assembly."] = False,
-    follow: Annotated[Text, "A link or pin to follow over a turn of the first driver, e.g. six."] = "",
-    steps: Annotated[Count, "Steps of that turn."] = 24,
+    follow: Annotated[Text, "A link or pin to follow over the first driver's range, e.g. six."] = "",
+    steps: Annotated[Count, "Steps of that range."] = 24,
+    turn: Annotated[
+        Angle | None, "How far the driver turns from its angle on, e.g. -90 deg; else a turn, or to its limits."
+    ] = None,
+    travel: Annotated[Coordinate | None, "How far a pushed pin goes from its position on, e.g. 80 mm."] = None,
 ) -> Solution:
     """Position, velocity and acceleration of a planar linkage from a scene of links, pins, slides and drivers.
 
@@ -113,6 +85,9 @@ def solve(
     Dyads (two links and a pin or slide between what is placed) are solved in closed form, what no dyad makes by Newton
     from 240 starts: assemblies of such linkages are those found, and the scene names one by `near`.
 
+    A motion is followed from pose to pose: between two of them every position of the driver has one solution near by,
+    which the same theorem proves, so that the linkage cannot change its assembly unnoticed.
+
     References
     ----------
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 5.2 and 5.6; Ortega & Rheinboldt,
@@ -124,8 +99,7 @@ def solve(
     require_driven(system)
     possible, newton = assembled(system)
     choice = chosen(system, possible, assemblies)
-    motion = followed(scene, follow, steps, solve) if follow else None
-    return solution(system, choice, possible, newton, assemblies, motion)
+    return solution(system, choice, possible, newton, assemblies, (follow, steps, turn, travel))
 
 
 def require_driven(system: "System") -> None:
@@ -205,9 +179,9 @@ def solution(
     possible: "list[Assembly]",
     newton: bool,
     listed: bool,
-    motion: "tuple[Followed, ...] | None",
+    wanted: "tuple[str, int, float | None, float | None]",
 ) -> Solution:
-    """The record of one assembly."""
+    """The record of one assembly, followed over its driver's range where a name is wanted."""
     import numpy as np
 
     from dynamics_cli.linkage.scenes.dyads import refined
@@ -215,33 +189,31 @@ def solution(
 
     q = refined(system, system.vector(choice.at))[0]
     jacobian = system.jacobian(q)
-    values = np.linalg.svd(jacobian, compute_uv=False)
-    free = bool(values.min(initial=1.0) <= SINGULAR * values.max(initial=1.0)) or len(values) < system.size
+    free = is_free(system, jacobian)
     proof = None if free or len(system.rows) != system.size else Certificate(system, q, jacobian)
     sure = proof if proof and proof.proved else None
-    velocity, acceleration = (None, None) if free else system.rates(q, jacobian)
-    moving, bending, at = _spread(system, velocity), _spread(system, acceleration), system.positions(q)
+    links, pins = posed(system, q, jacobian, free)
+    motion = followed(system, q, *wanted) if wanted[0] else None
     gap = float(np.abs(system.residuals(q)).max(initial=0.0))
     return Solution(
-        links=tuple(
-            _link(shape, at, moving, bending, system.scene.drivers)
-            for shape in system.shapes.values()
-            if shape.name != GROUND
-        ),
-        pins=tuple(PinMotion(pin, *(_pair(part, pin, system.scale) for part in (at, moving, bending))) for pin in at),
+        links=None if motion else links,
+        pins=None if motion else pins,
         assembly=choice.text,
         assemblies=len(possible),
         solved_by=_method(choice.dyads, newton),
         pin_error=sure.error if sure else None,
         nearest_other=sure.apart if sure else None,
         kantorovich=proof.share if proof else None,
-        motion=motion,
+        driver_from=motion.start if motion else None,
+        driver_to=motion.end if motion else None,
+        followed_by=motion.words if motion else None,
+        motion=motion.rows if motion else None,
         every_assembly=_listed(system, possible) if listed else None,
         checks=(
             Check("links keep their lengths", gap <= CLOSES, gap, CLOSES),
             *((Check("the pose is proved (Kantorovich)", proof.proved, proof.share, 0.5),) if proof else ()),
         ),
-        advice=_singular() if free else (),
+        advice=(_singular() if free else ()) + (motion.advice if motion else ()),
         numerics=Numerics("dyads in closed form, then Newton's method with Kantorovich's certificate"),
     )
 
@@ -263,40 +235,9 @@ def _method(dyads: int, newton: bool) -> str:
     return f"{words}, the rest by Newton" if newton else words
 
 
-def _spread(system: "System", vector: "Any") -> "dict[str, complex] | None":
-    """Rates of every pin; fixed ones have none."""
-    if vector is None:
-        return None
-    half = len(system.unknown)
-    return dict.fromkeys(system.known, 0j) | {
-        pin: complex(vector[i], vector[half + i]) for pin, i in system.place.items()
-    }
-
-
-def _link(shape: "Any", at: "Any", moving: "Any", bending: "Any", drivers: "Any") -> LinkMotion:
-    from cmath import phase
-
-    base = at[shape.last] - at[shape.first]
-    square = abs(base) ** 2
-    angle = phase(base / shape.base) + 0.0
-    if moving is None or bending is None:
-        return LinkMotion(shape.name, angle, None, None)
-    for driver in drivers:
-        if driver.link == shape.name and driver.against == GROUND:
-            # what is given is what is said
-            return LinkMotion(shape.name, angle, driver.speed, driver.angular_acceleration)
-    turn = (base.conjugate() * (moving[shape.last] - moving[shape.first])).imag / square
-    bend = (base.conjugate() * (bending[shape.last] - bending[shape.first])).imag / square
-    return LinkMotion(shape.name, angle, turn, bend)
-
-
-def _pair(values: "Any", pin: str, scale: float) -> "Any":
-    return None if values is None else (float(values[pin].real) * scale, float(values[pin].imag) * scale)
-
-
 def _listed(system: "System", possible: "list[Assembly]") -> "tuple[AssemblyPin, ...]":
     return tuple(
-        AssemblyPin(number, one.text, pin, _pair(one.at, pin, system.scale))
+        AssemblyPin(number, one.text, pin, pair(one.at, pin, system.scale))
         for number, one in enumerate(possible, 1)
         for pin in system.unknown
     )

@@ -5,6 +5,8 @@ of its base (two of its points) and every further point as an affine function of
 product; a driver the direction of a base, or a position along a line.
 """
 
+from copy import copy
+
 import numpy as np
 
 from dynamics_cli.errors import require
@@ -105,6 +107,19 @@ class System:
         self._build()
         self.size = 2 * len(self.unknown)
         self.linear, self.curved = self._quadratic()
+
+    def moved(self, shift: float) -> "System":
+        """The same with its first driver moved on by an angle, or along its slide."""
+        first = self.scene.drivers[0]
+        given = {name: getattr(first, name) for name in Driver.fields}  # type: ignore[attr-defined]
+        given["position" if first.point else "angle"] += shift
+        scene, other = self.scene, copy(self)
+        other.scene = Scene(scene.links, (Driver(**given), *scene.drivers[1:]), scene.slides, scene.sides, scene.near)
+        other.rows, other.names = [], []
+        other._build()
+        if not first.point and first.against != GROUND:
+            other.linear, other.curved = other._quadratic()
+        return other
 
     def turned_against(self, driver: Driver) -> "tuple[Shape, Shape, float]":
         """The driven link, what it is turned against, and the angle between their bases."""
@@ -257,6 +272,7 @@ class Certificate:
         rounding = 16.0 * UNIT * (1.0 + float(np.abs(q).max(initial=0.0)) ** 2) * beta * len(q) ** 0.5
         step = float(np.linalg.norm(inverse @ system.residuals(q))) + rounding
         curve = float(np.sqrt(sum(np.linalg.norm(one, 2) ** 2 for one in system.curved)))
+        self.step, self.curve = step, curve
         self.share = beta * curve * step
         root = max(0.0, 1.0 - 2.0 * self.share) ** 0.5
         self.proved = self.share <= 0.5

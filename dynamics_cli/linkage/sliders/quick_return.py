@@ -1,6 +1,7 @@
 """Quick returns: a crank whose pin slides along a lever, oscillating (crank shorter) or turning (Whitworth)."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.linkage.sliders.double_slider import require_long
 from dynamics_cli.numerics.elementary import absolute, atan2, hypot, pi_beside, sqrt
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.turns import turned
@@ -78,12 +79,7 @@ def quick_return(
     1.753317372194
     """
     for name, length in (("crank", crank), ("ground link", ground)):
-        require(
-            length > 0.0,
-            f"the {name} has a length of {{length}}: a link needs more than zero",
-            length=(length, Size),
-            code="no-length",
-        )
+        require_long(name, length)
     known = _ratio(crank, ground, lever)
     if crank_angle is None:
         require(speed is None, "a speed needs a crank angle", code="no-angle", hint="give --crank-angle")

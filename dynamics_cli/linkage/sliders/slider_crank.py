@@ -1,8 +1,9 @@
 """The slider-crank, in line or offset: one pose with velocity and acceleration, its stroke, or a table."""
 
-from math import isfinite
+from math import isfinite, tau
 
 from dynamics_cli.errors import require
+from dynamics_cli.linkage.sliders.double_slider import require_long
 from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.turns import turned
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
     from typing import Any
 
 MANY = 20_000
+# Places of a turn among which the largest speed is looked for, and the step of a difference there.
+SAMPLES, STEP = 180, 1e-4
 CLOSES = 1e-12
 
 
@@ -72,6 +75,9 @@ class SliderCrank:
     outer_at: Annotated[Angle | None, "Crank angle at the outer dead centre [rad]."] = None
     inner_at: Annotated[Angle | None, "Crank angle at the inner dead centre [rad]."] = None
     largest_rod_angle: Annotated[Angle | None, "Largest angle of the rod to the slide [rad]."] = None
+    top_speed: Annotated[Speed | None, "Largest speed of the slider in a turn at this ω [m/s]."] = None
+    top_slope: Annotated[CamVelocity | None, "Largest |dx/dθ| in a turn [m/rad]."] = None
+    top_at: Annotated[Angle | None, "Crank angle at which it is reached first [rad]."] = None
     table: Annotated[tuple[SliderStep, ...] | None, "A full turn of the crank, where no angle was given."] = None
     checks: tuple[Check, ...] = ()
 
@@ -116,13 +122,10 @@ def slider_crank(
     0.173179117
     """
     for name, length in (("crank", crank), ("rod", rod)):
-        require(
-            length > 0.0,
-            f"the {name} has a length of {{length}}: a link needs more than zero",
-            length=(length, Size),
-            code="no-length",
-        )
+        require_long(name, length)
     stroke = _stroke(crank, rod, offset)
+    if stroke and single(crank, rod, offset):
+        stroke |= _fastest(crank, rod, offset, end, speed)
     if crank_angle is None:
         require(
             single(crank, rod, offset),
@@ -225,6 +228,35 @@ def _stroke(a: float, b: float, e: float) -> "dict[str, Any]":
         "inner_at": pi + atan2(e, near),
         "largest_rod_angle": asin((a + size) / b),
     }
+
+
+def _slopes(a: float, b: float, e: float, side: float, turn: "tuple[float, float]") -> "tuple[float, float]":
+    """dx/dθ and d²x/dθ²."""
+    height = e - a * turn[1]
+    reach = side * sqrt((b - height) * (b + height))
+    lean = -(a * turn[0] / reach)
+    bend = (a * turn[1] + lean * lean * height) / reach
+    return -(a * turn[1]) - lean * height, -(a * turn[0]) - lean * lean * reach - bend * height
+
+
+def _fastest(a: float, b: float, e: float, end: End, speed: "float | None") -> "dict[str, Any]":
+    """The largest |dx/dθ| of a crank that turns fully, where the acceleration vanishes, and its angle."""
+    lengths = plain(a), plain(b), plain(e)
+    side = 1.0 if end == RIGHT else -1.0
+    at = max(
+        (tau * k / SAMPLES for k in range(SAMPLES)),
+        key=lambda t: round(abs(_slopes(*lengths, side, turned(t))[0]) / lengths[0], 9),
+    )
+    low, high = at - tau / SAMPLES, at + tau / SAMPLES
+    first = _slopes(*lengths, side, turned(low))[1]
+    while low < (middle := 0.5 * (low + high)) < high:
+        same = (_slopes(*lengths, side, turned(middle))[1] < 0.0) == (first < 0.0)
+        low, high = (middle, high) if same else (low, middle)
+    ahead, behind = (_slopes(*lengths, side, turned(low + step))[1] for step in (STEP, -STEP))
+    slope, bend = _slopes(a, b, e, side, turned(low + 0.0 * a))
+    # one step of Newton carries bounds and derivatives by the lengths into the angle
+    known = {"top_slope": absolute(slope), "top_at": low - bend / ((ahead - behind) / (2.0 * STEP))}
+    return known if speed is None else known | {"top_speed": absolute(slope) * absolute(speed)}
 
 
 def _checks(a: float, b: float, e: float, turn: "tuple[float, float]", x: float) -> "tuple[Check, ...]":

@@ -150,9 +150,9 @@ def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
     (3.0, 1.0, 5.0)
     """
     if any(is_array(x) for row in matrix for x in row):
-        from dynamics_cli.numerics.lanes import each_lane
+        from dynamics_cli.numerics.eigen3.quotients_lanes import quotients as of_lanes
 
-        return each_lane(quotients, matrix, vectors)
+        return of_lanes(matrix, vectors, quotients)
     rows, unit = whole(matrix)
     lines, _ = whole(vectors)
     a, b, c = (_dot(line, [_dot(row, line) for row in rows]) / (_dot(line, line) * unit) for line in lines)

@@ -4,7 +4,7 @@ import numpy as np
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.fitting.deviation import proved
-from dynamics_cli.numerics.fitting.pieces import controls, fit
+from dynamics_cli.numerics.fitting.pieces import controls, fit, form_of
 from dynamics_cli.outlines import Arc, Cubic, Outline, Points
 from dynamics_cli.quantities import Size
 
@@ -77,18 +77,18 @@ def _fitted(path: "Path", form: str, aim: float, tolerance: float, joints: "Any"
     pieces: list[Any] = []
     bounds: list[float] = []
     for index, places, shape in fit(path, form, aim):
-        own = path.on(index)
+        own, made_of = path.on(index), form_of(path, index, form)
         points = np.stack(own.at(places)[:2], axis=1)
         points[0], points[-1] = joints[index], joints[(index + 1) % len(joints)]
-        if form == "cubics":
+        if made_of == "cubics":
             cx, cy = controls(own, places, shape)
             shape = np.stack((cx[:, 1:3], cy[:, 1:3]), axis=2)
         # what is proved is what is written, to the bit
-        bounds.append(float(proved(path, index, places, shape, form, points, tolerance).max()))
+        bounds.append(float(proved(path, index, places, shape, made_of, points, tolerance).max()))
         ends = points.tolist()
-        if form == "arcs":
+        if made_of == "arcs":
             pieces += [Arc(a, b, bulge) for a, b, bulge in zip(ends, ends[1:], shape.tolist(), strict=False)]
-        elif form == "cubics":
+        elif made_of == "cubics":
             inner = shape.tolist()
             pieces += [Cubic(a, p, q, b) for a, b, (p, q) in zip(ends, ends[1:], inner, strict=False)]
         else:

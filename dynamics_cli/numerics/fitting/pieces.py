@@ -32,6 +32,11 @@ def angle_between(ax: "Any", ay: "Any", bx: "Any", by: "Any") -> "Any":
     return np.arctan2(ax * by - ay * bx, ax * bx + ay * by)
 
 
+def form_of(path: "Path", piece: int, form: str) -> str:
+    """What a piece is made of: lines where the curve comes to a point, whose curvature has no limit."""
+    return "lines" if piece in path.straight else form
+
+
 def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]]":
     """Places of the pieces' ends on every smooth piece of the curve, and what stands between them.
 
@@ -46,7 +51,8 @@ def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]
             places = np.linspace(start, end, count + 1)
             made.append((index, places, np.full(count, -path.turn * np.tan(0.25 * (end - start) / count))))
             continue
-        made.append((index, *_spread(path.on(index), form, float(start), float(end), tolerance)))
+        own = form_of(path, index, form)
+        made.append((index, *_spread(path.on(index), own, float(start), float(end), tolerance)))
     return made
 
 

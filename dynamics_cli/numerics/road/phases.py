@@ -4,6 +4,8 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, hypot, maximum, sqrt, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import drag_along, require_drag
+from dynamics_cli.numerics.road.leg import Leg
+from dynamics_cli.numerics.road.start_up import start_up
 from dynamics_cli.quantities import (
     Acceleration,
     Annotated,
@@ -12,6 +14,7 @@ from dynamics_cli.quantities import (
     Friction,
     RoadSpeed,
     Slope,
+    SpeedFade,
     Time,
 )
 from dynamics_cli.records import Choice, record
@@ -24,8 +27,14 @@ if TYPE_CHECKING:
 class Kind(Choice):
     """What a party does in a phase."""
 
-    names = ("waiting", "constant", "reaction", "build-up", "braking", "coasting", "accelerating")
-    aliases = {"steady": "constant", "standing": "waiting", "sliding": "braking", "build": "build-up"}  # noqa: RUF012
+    names = ("waiting", "constant", "reaction", "build-up", "braking", "coasting", "accelerating", "start-up")
+    aliases = {  # noqa: RUF012
+        "steady": "constant",
+        "standing": "waiting",
+        "sliding": "braking",
+        "build": "build-up",
+        "startup": "start-up",
+    }
 
 
 # Speed does not change in these.
@@ -37,7 +46,8 @@ class Phase:
     """One phase of a motion; of its duration, distance, speed and acceleration it needs two, or one when even."""
 
     kind: Annotated[
-        Kind, "What it does: waiting, constant, reaction, build-up, braking, coasting or accelerating; e.g. braking."
+        Kind,
+        "What it does: waiting, constant, reaction, build-up, braking, coasting, accelerating, start-up; e.g. braking.",
     ]
     duration: Annotated[Time | None, "How long it takes, e.g. 1.2 s [s]."] = None
     distance: Annotated[Distance | None, "How far it goes, e.g. 14 m [m]."] = None
@@ -52,31 +62,9 @@ class Phase:
         Acceleration | None,
         "Change of speed in its amount: lost while braking or coasting, won while accelerating, e.g. 2 m/s^2 [m/s^2].",
     ] = None
-
-
-class Leg:
-    """A phase whose every number is known: speeds at its ends, duration, distance, and the rate it ends with.
-
-    `rate` is the acceleration along the path, less than zero while braking; in a build-up it is the one reached.
-    """
-
-    __slots__ = ("distance", "duration", "end", "kind", "rate", "start")
-
-    def __init__(self, kind: str, start: float, end: float, duration: float, distance: float, rate: float) -> None:
-        self.kind = kind
-        self.start = start
-        self.end = end
-        self.duration = duration
-        self.distance = distance
-        self.rate = rate
-
-    def at(self, time: "Any") -> "tuple[Any, Any]":
-        """Distance and speed so long after the phase began."""
-        if self.kind == "build-up":
-            lost = 0.5 * self.rate * time * time / self.duration
-            return time * (self.start + lost / 3.0), self.start + lost
-        gained = self.rate * time
-        return time * (self.start + 0.5 * gained), self.start + gained
+    fade: Annotated[
+        SpeedFade | None, "How much of a start-up's acceleration each m/s takes: a = α − βv, e.g. 0.12 1/s [1/s]."
+    ] = None
 
 
 def legs(phases: "tuple[Phase, ...]", gravity: float, *, start: "float | None", end: "float | None") -> "list[Leg]":
@@ -99,8 +87,15 @@ def _leg(phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, 
     """One phase, from the speed at the side where the chain comes from."""
     phase = phases[index]
     name = f"phases[{index}]: " if len(phases) > 1 else ""
+    require(
+        phase.fade is None or phase.kind == "start-up", "{name}fade has no meaning in a phase of {kind}",
+        code="surplus", hint="kind=start-up is the phase whose acceleration falls with the speed",
+        name=name, kind=str(phase.kind),
+    )  # fmt: skip
     if phase.kind in EVEN:
         return _even(phase, speed, name, forward=forward)
+    if phase.kind == "start-up":
+        return start_up(phase, speed, name, forward=forward)
     if phase.kind == "build-up":
         return _build_up(phases, index, speed, gravity, name, forward=forward)
     amount = rate_of(phase, gravity, name)

@@ -71,7 +71,7 @@ def bearing(
         (cone_angle >= 0.0) & (cone_angle < RIGHT_ANGLE_HALF),
         "a cone of half-angle {angle} has no circle of rolling without spin",
         code="cone",
-        hint="below 45 deg",
+        hint="give a half-angle below 45 deg",
         angle=(cone_angle if single(cone_angle) else 0.0, Angle),
     )
     require(ball_radius > 0.0, "a ball of radius 0 does not roll", code="size")

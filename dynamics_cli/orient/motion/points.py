@@ -82,6 +82,8 @@ def points(
 ) -> Points:
     """Velocities and accelerations of points of a rigid body, or the body's motion from velocities of three or more.
 
+    Where the angular velocity is given and the velocity of one point, that point is the base.
+
     Equation
     --------
     v_Q = v_P + ω × r, a_Q = a_P + α × r + ω × (ω × r); from n points (tr S·1 − S)·ω = Σ d × u with S = Σ d dᵀ of
@@ -112,6 +114,9 @@ def points(
     velocity, alpha, omega = base_velocity, angular_acceleration, angular_velocity
     if omega is None:
         base, velocity, omega = _from_velocities(each)
+    elif len(told := [point for point in each if point.velocity is not None]) == 1 and _at_rest(base, base_velocity):
+        # the one point whose velocity is told is the base that was meant
+        base, velocity = told[0].position, told[0].velocity or velocity
     moved, total = [], 0.0
     for nth, point in enumerate(each, 1):
         r = subtract(point.position, base)
@@ -145,6 +150,11 @@ def points(
     )
 
 
+def _at_rest(base: Vector, velocity: Vector) -> bool:
+    """Whether nothing is said of a base: the origin, at rest."""
+    return single(*base, *velocity) and not any(plain(part) for part in (*base, *velocity))
+
+
 def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, Vector]":
     """Mean position and velocity, and the angular velocity that fits all velocities best."""
     given = [point.velocity for point in points if point.velocity is not None]
@@ -152,7 +162,8 @@ def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, 
         len(given) == len(points) and len(points) >= 3,
         "the body's motion is not given, and velocities of {count} points do not tell it",
         code="missing",
-        hint="give --angular-velocity, or velocities of 3 or more points that are not on one line",
+        hint="give --angular-velocity, or velocities of 3 or more points that are not on one line; of two points of a "
+        "plane motion: dynamics linkage body",
         count=len(given),
     )
     share = 1.0 / len(points)

@@ -31,7 +31,7 @@ from dynamics_cli.numerics.orientation.sequences import (
     quaternion_of_angles,
     sequence_of,
 )
-from dynamics_cli.quantities import Annotated, Direction, Vector
+from dynamics_cli.quantities import Angle, Annotated, Direction, Vector
 from dynamics_cli.quantities import RotationVector as RotationVectorKind
 from dynamics_cli.records import record
 
@@ -58,7 +58,16 @@ class TwoDirections:
     to_direction: Annotated[Direction, "The same direction after the shortest turn, e.g. 1, 1, 0."]
 
 
-Attitude = ByQuaternion | Euler | AxisAngle | RotationVector | ByMatrix | Rodrigues | TwoDirections
+@record
+class YawPitchRoll:
+    """Yaw, pitch and roll: turns about the body's z, then its y, then its x axis."""
+
+    yaw: Annotated[Angle, "Turn about the body's z axis, the first, e.g. 30 deg."]
+    pitch: Annotated[Angle, "Then about its y axis, e.g. 5 deg."] = 0.0
+    roll: Annotated[Angle, "Then about its x axis, e.g. -10 deg."] = 0.0
+
+
+Attitude = ByQuaternion | Euler | YawPitchRoll | AxisAngle | RotationVector | ByMatrix | Rodrigues | TwoDirections
 
 
 @record
@@ -88,6 +97,8 @@ def orientation(turn: Attitude) -> Orientation:
     """
     if isinstance(turn, ByMatrix):
         return _of_matrix(turn)
+    if isinstance(turn, YawPitchRoll):
+        return _of_angles(Euler((turn.yaw, turn.pitch, turn.roll), "zyx"))
     if isinstance(turn, Euler):
         return _of_angles(turn)
     if isinstance(turn, AxisAngle):

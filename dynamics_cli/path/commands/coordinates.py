@@ -57,7 +57,7 @@ POLAR = Task(
         "polar coordinates",
         "dynamics_cli.path.coordinates:polar",
         source=BOOK + "3.8",
-        formula="{radial_acceleration|a_r} = {radial_rate|r̈} − {radius|r}·{angular_velocity|θ̇}²; "
+        formula="{radial_acceleration|a_r} = {radial_speed_rate|r̈} − {radius|r}·{angular_velocity|θ̇}²; "
         "{transverse_acceleration|a_θ} = {radius|r}·{angular_acceleration|θ̈} + 2·{radial_speed|ṙ}·{angular_velocity|θ̇}",
         assumptions=(RIGHT_HANDED,),
     ),
@@ -77,9 +77,9 @@ CYLINDRICAL = Task(
         "cylindrical coordinates",
         "dynamics_cli.path.coordinates:cylindrical",
         source=BOOK + "3.8",
-        formula="{radial_acceleration|a_r} = {radial_rate|r̈} − {radius|r}·{angular_velocity|θ̇}²; "
+        formula="{radial_acceleration|a_r} = {radial_speed_rate|r̈} − {radius|r}·{angular_velocity|θ̇}²; "
         "{transverse_acceleration|a_θ} = {radius|r}·{angular_acceleration|θ̈} + 2·{radial_speed|ṙ}·"
-        "{angular_velocity|θ̇}; {axial_acceleration|a_z} = {axial_rate|z̈}",
+        "{angular_velocity|θ̇}; {axial_acceleration|a_z} = {axial_speed_rate|z̈}",
         assumptions=(RIGHT_HANDED,),
     ),
     arrays=False,
@@ -87,7 +87,7 @@ CYLINDRICAL = Task(
     examples=(
         'dynamics path cylindrical --radius "3 m" --angular-velocity "1 rad/s" --axial-speed "4 m/s"',
         'dynamics path cylindrical --radius "1.2 m" --angle "30 deg" --radial-speed "0.5 m/s" '
-        '--angular-velocity "20 rpm" --axial-rate "-2 m/s^2"',
+        '--angular-velocity "20 rpm" --axial-speed-rate "-2 m/s^2"',
     ),
     plot="dynamics_cli.path.pictures:around",
 )
@@ -160,11 +160,14 @@ RELATIVE = Task(
     "relative",
     "Relative motion of two points, and their closest approach.",
     Model(
-        "constant accelerations",
+        "two motions",
         "dynamics_cli.path.relative:relative",
         source=BOOK + "3.4",
         formula="{closest_time|t} = −Δr·Δv/‖Δv‖²; {closest_distance|d} = ‖Δr×Δv‖/‖Δv‖ (without relative acceleration)",
-        assumptions=("both accelerations are constant", "seen from the first, which does not turn"),
+        assumptions=(
+            "accelerations are constant, or positions formulas of t",
+            "seen from the first, which does not turn",
+        ),
     ),
     arrays=False,
     headline=(
@@ -180,6 +183,8 @@ RELATIVE = Task(
     examples=(
         'dynamics path relative --first-velocity "15, 0, 0 m/s" --second-position "120, -80, 0 m" '
         '--second-velocity "0, 11, 0 m/s"',
+        'dynamics path relative --first-x "4*cos(0.5*t) m" --first-y "4*sin(0.5*t) m" --second-position "0, 9, 0 m" '
+        '--second-velocity "0.8, -1, 0 m/s" --end "12 s"',
     ),
     plot="dynamics_cli.path.pictures:relative",
 )

@@ -79,6 +79,12 @@ def solutions(phase: Phase) -> list[Solution]:
     later = [one for one in found if plain(one.time) >= 0.0]
     if not later:
         require(
+            all(plain(one.time) < 0.0 for one in found),
+            "the time of this motion leaves the range of a double",
+            code="range",
+            hint="check the sizes of speed, acceleration and distance",
+        )
+        require(
             False,
             "the motion would have to end {time} before it starts",
             code="negative-time",

@@ -231,7 +231,7 @@ def _total(parts: "list[float]") -> float:
 
 def _stop(one: Solution) -> "tuple[float, float] | None":
     """When and where it is first at rest, if it ever is from its start on."""
-    if plain(one.acceleration) == 0.0 or plain(one.start_speed) * plain(one.acceleration) > 0.0:
+    if plain(one.acceleration) == 0.0 or plain(one.start_speed) * plain(one.acceleration) >= 0.0:
         return None
     time = -one.start_speed / one.acceleration
     return time, time * (0.5 * one.start_speed)

@@ -11,6 +11,7 @@ from dynamics_cli.quantities import (
     Distance,
     InputFile,
     Length,
+    Noise,
     Ratio,
     Speed,
     Time,
@@ -91,7 +92,7 @@ def table(
     /,
     *,
     sigma: Annotated[
-        Length | None, "Standard deviation of a measured coordinate; estimated unless given, e.g. 3 cm."
+        Noise | None, "Standard deviation of a measured coordinate; estimated unless given, e.g. 3 cm."
     ] = None,
     smoothing: Annotated[Smoothing, "spline; or none, which is refused with the noise it would have."] = SPLINE,
 ) -> TrackMotion:

@@ -3,6 +3,7 @@
 from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10"
+RANGES = "Published ranges with their sources: dynamics skid values friction"
 SLIDES = "every braked wheel slides the whole way"
 POINT = "the vehicle is a point mass; air drag and wheel inertia are neglected"
 
@@ -24,6 +25,7 @@ SPEED = Task(
         '--segment "distance=20 ft, friction=0.35" --end-speed "10 mph" --units us',
     ),
     plot="dynamics_cli.skid.pictures:speed",
+    notes=RANGES,
 )
 
 DISTANCE = Task(
@@ -40,6 +42,7 @@ DISTANCE = Task(
     headline=("distance", "time", "deceleration", "drag_factor: drag factor f"),
     examples=('dynamics skid distance --speed "50 mph" --friction 0.7 --grade "-3 %"',),
     plot="dynamics_cli.skid.pictures:distance",
+    notes=RANGES,
 )
 
 FRICTION = Task(
@@ -123,6 +126,7 @@ STOP = Task(
     examples=('dynamics skid stop --speed "50 km/h" --friction 0.75 --reaction-time "1.0 s" --build-up-time "0.2 s"',),
     table="timeline",
     plot="dynamics_cli.skid.pictures:stop",
+    notes=RANGES,
 )
 
 YAW = Task(
@@ -136,13 +140,25 @@ YAW = Task(
         "/(1 − {friction|f}·{superelevation|e}))",
         assumptions=("the mark is the path of a vehicle sliding sideways at its limit", POINT),
     ),
-    headline=("speed: critical speed", "path_radius: path radius R", "mark_radius", "lateral_acceleration"),
+    headline=(
+        "speed: critical speed",
+        "speed_deviation: σ by the points alone",
+        "path_radius: path radius R",
+        "mark_radius",
+        "radius_deviation: its σ by the points",
+        "point_scatter: scatter of the points",
+        "first_half_radius: radius of the first half",
+        "second_half_radius: radius of the second half",
+        "lateral_acceleration",
+    ),
     examples=(
         'dynamics skid yaw --chord "100 ft" --middle-ordinate "3.5 ft" --friction 0.72 --superelevation "2 %" '
         '--track-width "5 ft" --units us',
-        'dynamics skid yaw --radius "110 m" --friction 0.7',
+        'dynamics skid yaw --points "0, 0, 10, 4.30, 20, 7.53, 30, 9.65, 40, 10.70 m" --point-deviation "3 cm" '
+        '--friction 0.72 --track-width "1.5 m"',
     ),
     plot="dynamics_cli.skid.pictures:yaw",
+    notes=RANGES,
 )
 
 VAULT = Task(
@@ -172,13 +188,15 @@ VAULT = Task(
     plot="dynamics_cli.skid.pictures:vault",
 )
 
-PEDESTRIAN = Task(
-    "pedestrian",
-    "Projection speed of a pedestrian from the throw distance: bounds, or the speed at a known launch angle.",
+SEARLE = "Searle & Searle (SAE 831622, 1983) and Searle (1993), as commonly published"
+
+THROW = Task(
+    "throw",
+    "Speed from the throw of a pedestrian or rider: bounds, a known launch, the vehicle.",
     Model(
         "Searle's throw",
         "dynamics_cli.skid.pedestrian:pedestrian",
-        source="Searle & Searle (SAE 831622, 1983) and Searle (1993), as commonly published; launch height derived",
+        source=SEARLE + "; launch height derived",
         formula=(
             "{speed|v} = √(2·{friction|μ}·{gravity|g}·({throw_distance|s} − {friction|μ}·{launch_height|H}))"
             "/(cos{launch_angle|α} + {friction|μ}·sin{launch_angle|α}); for s ≤ μ·H: "
@@ -192,6 +210,16 @@ PEDESTRIAN = Task(
             "friction acts on the landing as on the slide",
             "the upper bound holds to greatest_angle",
         ),
+        suffices="dynamics_cli.skid.throw:level_suffices",
+    ),
+    Model(
+        "Searle's throw on a grade",
+        "dynamics_cli.skid.throw:on_grade",
+        source=SEARLE + "; grade and launch height derived",
+        formula="{speed|v} = √(2·{gravity|g}·({friction|μ}·cosφ + sinφ)·({throw_distance|s}/cosφ − "
+        "{launch_height|h}·(sinφ + {friction|μ}·cosφ)))/(cosα + {friction|μ}·sinα), tanφ = {grade|G}, "
+        "α = {launch_angle|launch} − φ",
+        assumptions=("one grade along the whole throw", "friction acts on the landing as on the slide"),
     ),
     headline=(
         "speed: projection speed",
@@ -200,13 +228,17 @@ PEDESTRIAN = Task(
         "greatest_angle: upper bound holds to",
         "flight_distance",
         "slide_distance",
+        "vehicle_speed: speed of the vehicle",
+        "least_vehicle_speed: lower bound of the vehicle's",
     ),
     examples=(
-        'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66',
-        'dynamics skid pedestrian --throw-distance "25 m" --friction 0.66 '
-        '--launch-angle "12 deg" --launch-height "1 m"',
+        'dynamics skid throw --throw-distance "25 m" --friction 0.66',
+        'dynamics skid throw --throw-distance "25 m" --friction 0.66 '
+        '--launch-angle "12 deg" --launch-height "1 m" --grade "-4 %" --efficiency "80 %"',
     ),
-    plot="dynamics_cli.skid.pictures:pedestrian",
+    plot="dynamics_cli.skid.pictures:throw",
+    notes="Published ranges with their sources: dynamics skid values slide",
+    also=("pedestrian",),
 )
 
 AVOID = Task(
@@ -236,6 +268,7 @@ AVOID = Task(
     ),
     table="approaches",
     plot="dynamics_cli.skid.pictures:avoid",
+    notes=RANGES,
 )
 
 SPIN = Task(
@@ -250,6 +283,7 @@ SPIN = Task(
         assumptions=("the vehicle turns uniformly along its path", "a quarter turn or more", POINT),
     ),
     plot="dynamics_cli.skid.pictures:spin",
+    notes=RANGES,
     headline=(
         "speed",
         "speed_lost",
@@ -265,4 +299,4 @@ SPIN = Task(
 )
 
 
-TASKS = (SPEED, DISTANCE, FRICTION, DRAG_FACTOR, STOP, YAW, VAULT, PEDESTRIAN, AVOID, SPIN)
+TASKS = (SPEED, DISTANCE, FRICTION, DRAG_FACTOR, STOP, YAW, VAULT, THROW, AVOID, SPIN)

@@ -3,17 +3,23 @@
 from itertools import pairwise
 from math import inf, isfinite
 
+from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.polynomials import derivative, roots_between, shifted, value
+from dynamics_cli.numerics.road.leg import faded
 from dynamics_cli.numerics.road.slide import require_kept
+from dynamics_cli.quantities import Time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from dynamics_cli.numerics.road.phases import Leg
+    from dynamics_cli.numerics.road.leg import Leg
+
+# A start-up is cut where half of a fade is over: so many terms leave 1e-17 of a piece.
+TERMS, MOST_PIECES = 14, 400
 
 
 class Stretch:
@@ -36,6 +42,9 @@ class Course:
         """`begin` is when the first phase begins, `distance` where the party then is."""
         self.stretches = [Stretch("constant", -inf, plain(begin), begin, [distance, motion[0].start])]
         for leg in motion:
+            if leg.kind == "start-up":
+                begin, distance = self._starts_up(leg, begin, distance)
+                continue
             rise = [distance, leg.start]
             if leg.kind != "build-up":
                 rise.append(0.5 * leg.rate)
@@ -46,6 +55,30 @@ class Course:
             begin, distance = after, distance + leg.distance
         kind = "constant" if plain(motion[-1].end) > 0.0 else "waiting"
         self.stretches.append(Stretch(kind, plain(begin), inf, begin, [distance, motion[-1].end]))
+
+    def _starts_up(self, leg: "Leg", begin: "Any", distance: "Any") -> "tuple[Any, Any]":
+        """A start-up in pieces so short that its series ends within a rounding; where and when it ends."""
+        count = 1 + int(2.0 * plain(leg.fade) * plain(leg.duration))
+        require(
+            count <= MOST_PIECES, "a start-up of {time} is over long before: its speed no longer changes",
+            time=(leg.duration, Time), code="too-long", hint="end it and go on with kind=constant",
+        )  # fmt: skip
+        step, speed, rate = leg.duration / count, leg.start, leg.rate
+        for _ in range(count):
+            terms, share = [distance, speed], 0.5 * rate
+            for term in range(3, 3 + TERMS):
+                terms.append(share)
+                share = -share * leg.fade / term
+            after = begin + step
+            self.stretches.append(Stretch(leg.kind, plain(begin), plain(after), begin, terms))
+            gained, more = faded(step, leg.fade)
+            distance, speed, rate = (
+                distance + speed * step + rate * more,
+                speed + rate * gained,
+                rate - leg.fade * rate * gained,
+            )
+            begin = after
+        return begin, distance
 
     def on(self, time: "Any") -> Stretch:
         """The piece that a time falls on; at a corner the earlier one."""
@@ -91,3 +124,23 @@ def _settled(whole: "list[Any]", root: float, steep: float) -> "Any":
     left = value(whole, root)
     only_in_doubles(left)
     return root - left / steep
+
+
+def crossings(
+    courses: "list[Course]", decisive: "Callable[..., list[list[Any]]]", begin: float, end: float
+) -> "list[Any]":
+    """The times within [begin, end], in order, at which one of several combinations of courses changes its sign."""
+    ends = {piece.end for course in courses for piece in course.stretches}
+    corners = sorted({begin, end, *(corner for corner in ends if begin < corner < end)})
+    found: list[Any] = []
+    for low, high in pairwise(corners):
+        pieces = [course.on(0.5 * (low + high)) for course in courses]
+        for whole in decisive(*(shifted(piece.coefficients, low - piece.origin) for piece in pieces)):
+            require_kept(all(isfinite(plain(part)) for part in whole), "a speed or an acceleration, or their product,")
+            slope = derivative(whole)
+            for root in roots_between([plain(part) for part in whole], 0.0, high - low):
+                steep = plain(value(slope, root))
+                if steep != 0.0:
+                    found.append(low + _settled(whole, root, steep))
+    found.sort(key=plain)
+    return found

@@ -4,7 +4,7 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import sqrt, total
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.road.drag import HIGHEST_FRICTION
-from dynamics_cli.numerics.road.phases import Leg, Phase, legs
+from dynamics_cli.numerics.road.phases import Phase, legs
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -19,6 +19,11 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, record
 from dynamics_cli.skid.timing.courses import Course
 from dynamics_cli.skid.timing.timeline import MOST_STEPS, EndSpeed, StartSpeed, summed
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.numerics.road.leg import Leg
+    from dynamics_cli.skid.timing.hidden import Obstruction
 
 
 @record
@@ -173,7 +178,7 @@ def _beyond_tyres(needed: "float | None", gravity: float) -> "tuple[Advice, ...]
     return (Advice(code="beyond-tyres", message=message, severity="note"),)
 
 
-def motion_of(party: Party, gravity: float) -> "list[Leg]":
+def motion_of(party: "Party | Obstruction", gravity: float) -> "list[Leg]":
     """A party's phases with all their numbers."""
     known = party.known
     return legs(

@@ -3,7 +3,7 @@
 import math
 from itertools import pairwise
 
-from dynamics_cli.numerics.road.phases import Leg, legs
+from dynamics_cli.numerics.road.phases import legs
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Acceleration, Length, RoadSpeed, Time
 from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
@@ -12,6 +12,8 @@ from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed, summed
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from dynamics_cli.numerics.road.leg import Leg
 
 POINTS = 41
 LEFT = Axis("distance to the end", Length)
@@ -109,18 +111,26 @@ def follow(
 
 
 def sight(
-    made: "Any", *, corner_before: float, corner_aside: float, eye_behind: float = 0.0,
-    crossing: float = 0.5 * math.pi, **_: "Any",
+    made: "Any", *, corner_before: float, corner_aside: float, eye_behind: float = 0.0, crossing: float = 0.5 * math.pi,
+    obstruction: "Any" = None, obstruction_length: "float | None" = None, gravity: float = STANDARD_GRAVITY, **_: "Any",
 ) -> Picture:  # fmt: skip
-    """The plan at the opening of the sight: ways, corner, eye, target and the line between them."""
+    """The plan at the opening of the sight: ways, obstruction, eye, target and the line between them."""
     eye = -(made.first_distance + eye_behind)
     target = (-made.second_distance * math.cos(crossing), -made.second_distance * math.sin(crossing))
     depth = max(2.0 * made.second_distance * math.sin(crossing), 3.0 * corner_aside)
     back = 1.1 * eye
-    block = ([back, -corner_before, -corner_before, back], [-corner_aside, -corner_aside, -depth, -depth])
     span = depth / math.tan(crossing) if abs(crossing - 0.5 * math.pi) > 1e-9 else 0.0
-    items = (
-        Curve(*block, style="fill", role=6),
+    corner, heading = (-corner_before, -corner_aside), 0.0
+    if obstruction is not None:
+        heading = obstruction.heading
+        left = -course_to_impact(motion_of(obstruction, gravity)).at(-made.time_left)[0]
+        corner = (corner[0] - left * math.cos(heading), corner[1] - left * math.sin(heading))
+    if obstruction is None and obstruction_length is None:
+        x, y = [back, corner[0], corner[0], back], [corner[1], corner[1], -depth, -depth]
+    else:
+        x, y = _block(corner, heading, abs(back) if obstruction_length is None else obstruction_length)
+    items: list[Any] = [
+        Curve(x, y, style="fill", role=6),
         Curve([back, 0.15 * -back], [0.0, 0.0], style="centre", role=0),
         Curve([-span, 0.4 * span], [-depth, 0.4 * depth], style="centre", role=1),
         Curve([eye, target[0]], [0.0, target[1]], "line of sight", "dashed", role=2),
@@ -128,12 +138,27 @@ def sight(
         Mark(eye, 0.0, "eye", aside=(0.0, 8.0), role=0),
         Mark(*target, "target", role=1),
         Mark(0.0, 0.0, "impact"),
-        Label(0.5 * (back - corner_before), -0.5 * (corner_aside + depth), "obstruction"),
-    )
+        Label(0.5 * (min(x) + max(x)), 0.5 * (min(y) + max(y)), "obstruction"),
+    ]
+    if obstruction is not None:
+        items.append(Arrow(*corner, 2.0 * math.cos(heading), 2.0 * math.sin(heading), role=6))
     return Picture(
-        (Panel(Axis("along the way of the first", Length), Axis("aside", Length), items, equal=True),),
+        (Panel(Axis("along the way of the first", Length), Axis("aside", Length), tuple(items), equal=True),),
         "where the sight opens",
     )
+
+
+# An obstruction of some length is drawn as wide as a van, on the side away from the first.
+WIDE = 2.0
+
+
+def _block(corner: "tuple[float, float]", heading: float, length: float) -> "tuple[list[float], list[float]]":
+    """A body back from its corner, on the far side of the line that hides."""
+    back = (-length * math.cos(heading), -length * math.sin(heading))
+    side = -1.0 if math.cos(heading) >= 0.0 else 1.0
+    out = (-side * WIDE * math.sin(heading), side * WIDE * math.cos(heading))
+    places = [(0.0, 0.0), back, (back[0] + out[0], back[1] + out[1]), out]
+    return [corner[0] + x for x, _ in places], [corner[1] + y for _, y in places]
 
 
 def record(

@@ -3,7 +3,6 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import cos, hypot, sin
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.polynomials import product
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -17,6 +16,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, record
 from dynamics_cli.skid.timing.courses import Course, changes
+from dynamics_cli.skid.timing.hidden import Obstruction, Wall, openings, past_corner
 from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
 from dynamics_cli.skid.timing.timeline import summed
 
@@ -65,6 +65,12 @@ def sight(
     crossing: Annotated[
         Angle, "Angle between the directions of travel: 90 deg for a crossing, 180 deg head on, e.g. 70 deg [rad]."
     ] = RIGHT_ANGLE,
+    obstruction: Annotated[
+        Obstruction | None, "How the obstruction moves; its corner is then where it is at the moment of the impact."
+    ] = None,
+    obstruction_length: Annotated[
+        Distance | None, "Length of the obstruction back from its corner; without end unless given, e.g. 12 m [m]."
+    ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Sight:
     """When two parties on crossing ways could see one another past the corner of an obstruction.
@@ -86,8 +92,9 @@ def sight(
 
     Notes
     -----
-    A plan view: points, and an obstruction that fills everything behind its corner. Both are looked at as far back as
-    the longer of the two timelines; before its first phase a party keeps its speed.
+    A plan view: points, and an obstruction that fills everything behind its corner, or a line of some length back from
+    it, along its own direction of travel. All are looked at as far back as the longer of the two timelines; before its
+    first phase each keeps its speed.
 
     References
     ----------
@@ -112,25 +119,20 @@ def sight(
         code="no-crossing", crossing=(crossing, Angle),
     )  # fmt: skip
     across, along = sin(crossing), cos(crossing)
+    mover = None if obstruction is None else course_to_impact(motion_of(obstruction, gravity))
     motions = [motion_of(party, gravity) for party in (first, second)]
     one, other = (course_to_impact(motion) for motion in motions)
 
-    def cleared(eye: "list[float]", target: "list[float]") -> "list[float]":
-        """Above zero where the line of sight passes the corner; distances still to go are less than zero in courses."""
-        back = [eye_behind - eye[0], *(-part for part in eye[1:])]
-        left = [-part for part in target]
-        beyond = [back[0] - corner_before, *back[1:]]
-        hidden = product(beyond, left)
-        seen = [0.0] * len(hidden)
-        for index, part in enumerate(back):
-            seen[index] = seen[index] + corner_aside * part
-        for index, part in enumerate(left):
-            seen[index] = seen[index] - corner_aside * along * part
-        return [a - across * b for a, b in zip(seen, hidden, strict=True)]
-
     start = max((summed(motion)[0].begins for motion in motions), key=plain)
+    if obstruction is None and obstruction_length is None:
+        cleared = past_corner(corner_before, corner_aside, eye_behind, crossing)
+        all_times = changes(one, other, cleared, -plain(start), 0.0)
+    else:
+        heading = 0.0 if obstruction is None else obstruction.heading
+        wall = Wall(corner_before, corner_aside, heading, obstruction_length, crossing)
+        all_times = openings(wall, one, other, mover, eye_behind, -plain(start))
     # where eye and target meet, at the impact, is no opening
-    times = [entry for entry in changes(one, other, cleared, -plain(start), 0.0) if plain(entry[0]) < -AT_IMPACT]
+    times = [entry for entry in all_times if plain(entry[0]) < -AT_IMPACT]
     rows = tuple(_change(time, opens, one, other) for time, opens in times)
     opening = next((time for time, opens in reversed(times) if opens), None)
     advice: tuple[Advice, ...] = ()

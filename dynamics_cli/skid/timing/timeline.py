@@ -1,7 +1,7 @@
 """A motion in phases, forward from its first speed or back from its last: where it was, how fast, and when."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.road.phases import Leg, Phase, legs
+from dynamics_cli.numerics.road.phases import Phase, legs
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -13,6 +13,10 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.numerics.road.leg import Leg
 
 MOST_STEPS = 10000
 
@@ -43,7 +47,8 @@ class PhaseTravelled:
     duration: Annotated[Time, "How long it takes [s]."]
     distance: Annotated[Distance, "How far it goes [m]."]
     acceleration: Annotated[
-        Acceleration, "Change of speed, less than zero where it slows; reached, in a build-up [m/s^2]."
+        Acceleration,
+        "Change of speed, less than zero where it slows; reached in a build-up, at first in a start-up [m/s^2].",
     ]
 
 
@@ -83,7 +88,8 @@ def timeline(
     Equation
     --------
     Uniform: v₂ = v₁ + a t, d = (v₁ + v₂) t/2, v₂² = v₁² + 2a d. Build-up over t_b to a deceleration a:
-    v₂ = v₁ − a t_b/2, d = v₂ t_b + a t_b²/3.
+    v₂ = v₁ − a t_b/2, d = v₂ t_b + a t_b²/3. Start-up with a = α − βv from rest: v = (α/β)(1 − e^(−βt)),
+    d = (α/β)t − v/β.
 
     Returns
     -------
@@ -104,6 +110,7 @@ def timeline(
     References
     ----------
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3 (straight-line motion), section 10.10.
+    The start-up's form is the one that Long (2000) recommends; its constants are inputs.
 
     Examples
     --------

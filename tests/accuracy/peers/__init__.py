@@ -36,7 +36,7 @@ METHODS: dict[str, tuple[Method, ...]] = {
     "coords, spherical to cylindrical": (_single("cylindrical_from_spherical"),),
     **{f"skid {task}": (_single(task),) for task in ("speed", "distance", "friction", "stop", "yaw", "avoid")},
     "skid drag-factor": (_single("drag_factor"),),
-    "skid pedestrian": (_single("pedestrian"),),
+    "skid throw, Searle's throw": (_single("pedestrian"),),
     "skid vault, known take-off angle": (_single("vault"),),
     "skid vault, least speed over all angles": (
         _single("least_vault"),

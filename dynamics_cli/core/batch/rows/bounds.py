@@ -3,6 +3,7 @@
 from dynamics_cli.core.answering.models import answer
 from dynamics_cli.core.output.document import build
 from dynamics_cli.core.output.row_layout import Part
+from dynamics_cli.core.units.compound import in_last_unit
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,7 +40,9 @@ def largest_bound(document: "dict[str, Any]", parts: "Sequence[Part]") -> float 
         node: Any = document["results"]
         for step in steps:
             node = _within(node, step)
-        size = max(map(abs, _numbers(node)), default=0.0)
+        unit = _unit(document["results"], steps)
+        # the bound of a result in parts, as of ft;in, is in the last of their units
+        size = abs(in_last_unit(node, unit)) if ";" in unit and node else max(map(abs, _numbers(node)), default=0.0)
         if "absolute" in stated:
             bound = stated["absolute"] / size if size > stated["absolute"] else None
         else:
@@ -66,6 +69,13 @@ def _within(node: "Any", step: "str | int") -> "Any":
     if isinstance(step, int):
         return node[step] if isinstance(node, list) and step < len(node) else None
     return node.get(step) if isinstance(node, dict) else None
+
+
+def _unit(results: "dict[str, Any]", steps: "tuple[str | int, ...]") -> str:
+    node: Any = results
+    for step in steps[: steps.index("value")]:
+        node = _within(node, step)
+    return str(node.get("unit") or "") if isinstance(node, dict) else ""
 
 
 def _numbers(value: "Any") -> "Iterator[float]":

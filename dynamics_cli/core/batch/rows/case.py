@@ -49,6 +49,8 @@ class Case:
 
     def _layout(self, display: Display, targets: "list[str] | None" = None, *, spread: bool = False) -> Layout:
         layout = Layout(self.task.specification.result, display, targets, spread=spread)
+        if self.settings.only:
+            layout.narrow(self.settings.only)
         if self.settings.bounds:
             from dynamics_cli.core.batch.rows.bounds import BoundPart
 
@@ -165,7 +167,10 @@ class Case:
             )
         from dynamics_cli.core.uncertainty.document import spread_of
 
-        made = spread_of(self.task, model, bound, record, self.reader, self.settings)
+        only = tuple(part.of_result for part in self.layout.parts if isinstance(part, SpreadPart))
+        made = spread_of(
+            self.task, model, bound, record, self.reader, self.settings, only=only if self.settings.only else ()
+        )
         vary = made.varying()
         for place, part in enumerate(self.layout.parts):
             if isinstance(part, SpreadPart) and part.of_result.partition("[")[0] in vary:

@@ -82,7 +82,7 @@ class CsvOutput(Output):
 
     def __init__(self, source: Input, layout: Layout) -> None:
         super().__init__(source, layout)
-        taken = {head.rpartition("[")[0] if head.endswith("]") else head for head in source.heads}
+        taken = {head.rpartition("[")[0] if head.endswith("]") else head for head in source.heads} | set(source.heads)
         self.columns = [header(_free(name, taken), unit) for part in layout.parts for name, unit in part.names]
         self.error_column = _free("error", taken)
 

@@ -4,8 +4,11 @@ Every number is read as a certain value of its parameter would be, with its unit
 difference. A unit written last belongs to the numbers before it that have none.
 """
 
+from math import inf
+
 from dynamics_cli.core.inputs.quantity_text import ANGLE, read_amount, read_number, read_scalar, split_list, total
 from dynamics_cli.core.inputs.uncertain import distributions as d
+from dynamics_cli.core.inputs.uncertain.parts import without_parts
 from dynamics_cli.core.inputs.values import Value
 from dynamics_cli.core.units.conversion import nearest
 from dynamics_cli.core.units.lookup import parse_unit
@@ -21,6 +24,8 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.inputs.quantity_text import Reading
 
+# Variances are squares, which leave the range of a double beyond.
+LARGEST = 1e150
 PLUS_MINUS = ("±", "+/-", "+-")
 FORMS = (
     "0.72 ± 0.04, 0.65..0.75, 0.6..0.7..0.8, uniform(0.65, 0.75), triangular(0.6, 0.7, 0.8), beta(2, 3, 0.6, 0.8), "
@@ -122,6 +127,7 @@ def read_uncertain(kind: Kind, raw: "Any", address: str, default_unit: str) -> "
     """Read a distribution from text or JSON: the bound value and what had to be decided."""
     try:
         if isinstance(raw, dict):
+            raw = without_parts(raw) if ";" in str(raw.get("unit")) else raw
             name, parts, scale = _from_object(kind, raw, default_unit)
         elif isinstance(raw, list):
             scale = Scale(kind, default_unit)
@@ -146,7 +152,12 @@ def _bind(
     nominal: "tuple[float, float] | None",
 ) -> UncertainValue:
     made = d.KINDS[name]
-    si = made(*_column(parts, 0))
+    try:
+        si = made(*_column(parts, 0))
+    except OverflowError:  # of readings: squared, the differences leave the range
+        raise _too_large(address) from None
+    if abs(si.mean) > LARGEST or LARGEST < si.std < inf:
+        raise _too_large(address)
     units = set(scale.units)
     shown, unit = si, "rad" if scale.angular else kind.unit
     if len(units) == 1:
@@ -156,6 +167,11 @@ def _bind(
         own = tan(nominal[0]) if scale.angular else nominal[0]
         nominal = own, nominal[1] if shown is not si else own
     return UncertainValue(address, kind, distribution, shown, unit, nominal)
+
+
+def _too_large(address: str) -> UsageError:
+    message = f"an uncertain value beyond {LARGEST:g} has no variance in the range of a double"
+    return UsageError(message, parameter=address, code="range", hint="use a larger unit")
 
 
 def _column(parts: "list[Any]", which: int) -> "list[Any]":

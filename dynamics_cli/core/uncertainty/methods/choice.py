@@ -16,7 +16,7 @@ from dynamics_cli.core.uncertainty.methods.listed_grids import suits as suits_li
 from dynamics_cli.core.uncertainty.methods.nested import nested
 from dynamics_cli.core.uncertainty.methods.nested import suits as suits_nested
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR, GOOD, Goal, Outcome
-from dynamics_cli.core.uncertainty.methods.pooled import pooled
+from dynamics_cli.core.uncertainty.methods.pooled import counted, pooled
 from dynamics_cli.core.uncertainty.methods.scanned_lines import alone, scanned, scanned_grids
 from dynamics_cli.core.uncertainty.methods.shared_lines import ACCURACY, shared_lines, turns
 from dynamics_cli.core.uncertainty.methods.shared_lines import suits as suits_shared_lines
@@ -43,12 +43,13 @@ ANY = float("inf")
 class Problem:
     """One result of a model, and what is asked of it."""
 
-    def __init__(self, space: Space, goal: Goal, asked: str) -> None:
+    def __init__(self, space: Space, goal: Goal, asked: str, result: int) -> None:
         self.space = space
         self.goal = goal
         self.asked = asked
         self.narrow = space.size <= MOST_DIMENSIONS
         self.several = len(space.results) > FEW_RESULTS
+        self.counted = asked == "auto" and result in space.whole and not (space.slow or space.heavy or goal.limits)
         # Calls one by one, for many results: points must be shared.
         self.dear = self.several and space.slow
         self.sharing = self.several and not goal.limits and asked == "auto" and suits_shared_lines(space)
@@ -82,6 +83,8 @@ def _nested(space: Space, result: int, direction: "Array", across: "Array", goal
 
 # What a method costs, in evaluations of the model for one result.
 WAYS = (
+    # 3e4, once for all results: whole numbers; jumps leave nothing to be had from other points
+    Way(counted, lambda p: p.counted),
     # 1e3 to 1e5: two or three bounded or triangular inputs
     Way(_nested, lambda p: p.asked == "auto" and suits_nested(p.space, p.goal)),
     # 1e2 to 1e5: results that rise along every line; exact to many digits where they are smooth
@@ -107,7 +110,7 @@ WAYS = (
 def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: str) -> Outcome:
     """The best outcome for one result within the goal's points."""
     own = goal.own(space)
-    problem = Problem(space, own, asked)
+    problem = Problem(space, own, asked, result)
     across = complement(direction)
     if space.size == 1:
         if problem.sharing and not space.slow and turns(space, result, direction, own):
@@ -121,7 +124,7 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
         made = way.method(space, result, direction, across, goal if way.whole else own)
         if made is not None and (best is None or made.estimate < best.estimate):
             best = made
-        if best is not None and way.method is grids and asked == "quadrature":
+        if best is not None and (way.method is counted or (way.method is grids and asked == "quadrature")):
             break
     assert best is not None
     return best

@@ -34,20 +34,22 @@ MOST_BYTES = 100_000_000
 MOST_SHIFTS = 4 * SHIFTS
 MOST_TIMES = 10.0
 FEWEST_POINTS = 64
+# Points that whole numbers are counted at: a share of the cases is then known to about a thousandth.
+COUNTED = 1 << 15
 
 
 class Pool:
     """Values of every result (results, replicates, points) at the points of a lattice, evaluated once."""
 
-    def __init__(self, space: Space, goal: Goal) -> None:
+    def __init__(self, space: Space, goal: Goal, points: int = 0) -> None:
         results = len(space.results)
         # Where every point is a call of its own, a quarter of them serves all results.
-        most = goal.points // 4 if space.slow else goal.points
+        most = points or (goal.points // 4 if space.slow else goal.points)
         self.count = min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, FEWEST_POINTS), MOST_POINTS)
         more = min(max(most / DEFAULT_POINTS, 1.0), MOST_TIMES)
         room = int(min(MOST_BYTES // (8 * results * self.count), MOST_SHIFTS) * more)
         # Lines that results share have left few of them poor.
-        self.shifts = SHIFTS if space.slow or space.shared else max(min(most // self.count, room), SHIFTS)
+        self.shifts = SHIFTS if space.slow or space.shared or points else max(min(most // self.count, room), SHIFTS)
         total = self.shifts * self.count
         if space.size <= MOST_DIMENSIONS:
             uniform = lattice(space.size, self.count, self.shifts, goal.seed)
@@ -80,6 +82,17 @@ class Pool:
         error = REPLICATE_FACTOR * max(scatter) / float(np.sqrt(self.shifts))
         made.estimate = max(float(error) / width, FLOOR) if width > 0.0 else FLOOR
         return made
+
+
+def counted(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
+    """A whole number or a label by counting: the sample that results share if there is one, else a smaller one."""
+    if space.pool is not None:
+        return pooled(space, result, direction, across, goal)
+    if space.few is None:
+        space.few = Pool(space, goal, COUNTED)
+    centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
+    few: Pool = space.few
+    return few.outcome(result, goal, centre)
 
 
 def pooled(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:

@@ -39,7 +39,8 @@ def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome:
         made = _with_moments(Outcome("the input's own quantiles through the model", quantiles, lines), scan)
         made.estimate = _coarser(scan, made) if made.std > 0.0 and not space.heavy else FLOOR
         return made
-    fine = Goal(goal.p, goal.scores, 1e-9, goal.points, goal.seed)
+    # where every point is a call of its own, no finer than is asked
+    fine = goal if space.slow else Goal(goal.p, goal.scores, 1e-9, goal.points, goal.seed)
     return _scan_outcome(scan, fine, 1, "monotone pieces of the only input")
 
 

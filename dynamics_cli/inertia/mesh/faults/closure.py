@@ -7,8 +7,6 @@ directed edges u → v vanishes, modulo 2⁶⁴, when the boundary of the triang
 
 import numpy as np
 
-from dynamics_cli.inertia.mesh.stl import BLOCK
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
@@ -27,32 +25,34 @@ _THIRD = np.uint64(29)
 class Boundary:
     """The running sum over directed edges."""
 
-    def __init__(self, *, single: bool, room: int = BLOCK) -> None:
-        self.single = single
+    def __init__(self) -> None:
         self.total = 0
-        self._words = np.empty((9, room), dtype=np.uint64)
-        self._hash = np.empty((3, room), dtype=np.uint64)
-        self._spare = np.empty((3, room), dtype=np.uint64)
 
-    def add(self, corners: "Array") -> None:
-        """Add the edges of a block of corner coordinates, as contiguous doubles without minus zeros."""
-        count = corners.shape[1]
-        words, h, m = self._words[:, :count], self._hash[:, :count], self._spare[:, :count]
-        vertex_hashes(corners, words, h, m, single=self.single)
-        other = words[0:3]
-        np.multiply(h, _SECOND, out=m)
-        np.right_shift(m, _HALF, out=other)
-        np.bitwise_xor(m, other, out=m)
-        np.subtract(m[1], m[2], out=other[0])
-        np.subtract(m[2], m[0], out=other[1])
-        np.subtract(m[0], m[1], out=other[2])
-        np.multiply(other, h, out=other)
-        self.total = (self.total + int(other.sum(dtype=np.uint64))) % (1 << 64)
+    def add(self, edges: int) -> None:
+        """Add the sum over the edges of a block."""
+        self.total = (self.total + edges) % (1 << 64)
 
     @property
     def empty(self) -> bool:
         """Whether every directed edge was met by one the other way."""
         return self.total == 0
+
+
+def edge_sum(corners: "Array", words: "Array", h: "Array", m: "Array", *, single: bool) -> int:
+    """The sum over the directed edges of a block of corner coordinates, contiguous doubles without minus zeros.
+
+    The other arrays are room to work in, nine rows and twice three rows of 64-bit numbers.
+    """
+    vertex_hashes(corners, words, h, m, single=single)
+    other = words[0:3]
+    np.multiply(h, _SECOND, out=m)
+    np.right_shift(m, _HALF, out=other)
+    np.bitwise_xor(m, other, out=m)
+    np.subtract(m[1], m[2], out=other[0])
+    np.subtract(m[2], m[0], out=other[1])
+    np.subtract(m[0], m[1], out=other[2])
+    np.multiply(other, h, out=other)
+    return int(other.sum(dtype=np.uint64))
 
 
 def vertex_hashes(corners: "Array", words: "Array", h: "Array", spare: "Array", *, single: bool) -> None:

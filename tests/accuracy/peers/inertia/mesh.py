@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def once(case: "Case") -> "Callable[[], dict[str, Any]]":
     """One pass by edges and centroids in the axes of the file, Jacobi on the second moments."""
     from dynamics_cli.inertia.bodies.principal import principal
-    from dynamics_cli.inertia.mesh.integrals import first_pass
+    from dynamics_cli.inertia.mesh.passes import first_pass
     from dynamics_cli.inertia.mesh.stl import Corners
 
     found, shell = corners(case), case.inputs["shell"]

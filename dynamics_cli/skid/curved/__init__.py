@@ -1,0 +1,1 @@
+"""Curved ways: yaw marks from surveyed points, and swerves."""

@@ -1,0 +1,138 @@
+"""Sight past an obstruction that moves, or that has an end: when the line from eye to target crosses it."""
+
+from itertools import pairwise
+
+from dynamics_cli.errors import require_given
+from dynamics_cli.numerics.elementary import cos, sin
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.polynomials import product
+from dynamics_cli.numerics.road.phases import Phase
+from dynamics_cli.quantities import Angle, Annotated, RoadSpeed
+from dynamics_cli.records import record
+from dynamics_cli.skid.timing.courses import Course, crossings
+from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
+    Poly = list[Any]
+
+
+@record
+class Obstruction:
+    """What stands or moves between the two: its motion up to the moment of the impact, and its size."""
+
+    phases: Annotated[Phase | tuple[Phase, ...], "Its phases up to the moment of the impact, in order of time."]
+    start_speed: Annotated[RoadSpeed | None, "Its speed where the first phase begins [m/s]."] = None
+    end_speed: Annotated[RoadSpeed | None, "Its speed at the moment of the impact, in place of it [m/s]."] = None
+    heading: Annotated[
+        Angle,
+        "Its direction of travel from that of the first, toward the second's: 0 deg the same, 180 deg oncoming [rad].",
+    ] = 0.0
+
+    @property
+    def known(self) -> StartSpeed | EndSpeed:
+        """The speed that is given."""
+        require_given(
+            (self.start_speed is None) != (self.end_speed is None), "the obstruction needs one speed",
+            ("obstruction.end_speed",), ("obstruction.start_speed",),
+        )  # fmt: skip
+        if self.start_speed is not None:
+            return StartSpeed(self.start_speed)
+        assert self.end_speed is not None
+        return EndSpeed(self.end_speed)
+
+
+class Wall:
+    """An obstruction as a line back from its corner; all places as polynomials of the time."""
+
+    def __init__(self, before: float, aside: float, heading: float, length: "float | None", crossing: float) -> None:
+        self.before = before
+        self.aside = aside
+        self.along, self.across = cos(heading), sin(heading)
+        self.length = length
+        self.target = cos(crossing), sin(crossing)
+
+    def terms(self, eye: "Poly", target: "Poly", mover: "Poly") -> "tuple[Poly, Poly, Poly, Poly, Poly]":
+        """What decides: distances still to go of eye, target and obstruction give five determinants.
+
+        Sides of eye and target to the wall's line; how the line of sight runs to the wall; its two ends to the line.
+        """
+        before = added([self.before], mover, self.along)
+        aside = added([self.aside], mover, self.across)
+        beyond = added(eye, before, -1.0)
+        first = added(
+            scaled(product(beyond, target), -self.target[1]), product(aside, added(eye, target, -self.target[0])), 1.0
+        )
+        run = added(scaled(target, -self.along * self.target[1]), added(eye, target, -self.target[0]), -self.across)
+        eye_side = added(scaled(aside, self.along), beyond, self.across)
+        target_side = added(eye_side, run, 1.0)
+        last = first if self.length is None else added(first, run, -self.length)
+        return eye_side, target_side, run, first, last
+
+    def hides(self, eye: float, target: float, mover: float) -> bool:
+        """Whether the line of sight crosses the wall, eye, target and obstruction being so far from the impact."""
+        terms = self.terms([eye], [target], [mover])
+        eye_side, target_side, run, first, last = (float(plain(part[0])) for part in terms)
+        return eye_side * target_side < 0.0 and first * run >= 0.0 and (self.length is None or last * run <= 0.0)
+
+
+def scaled(poly: "Poly", by: "Any") -> "Poly":
+    """A polynomial times a number."""
+    return [by * part for part in poly]
+
+
+def added(poly: "Poly", other: "Poly", by: "Any") -> "Poly":
+    """Poly + by·other, coefficients from the constant up."""
+    size = max(len(poly), len(other))
+    both = [[*part, *[0.0] * (size - len(part))] for part in (poly, other)]
+    return [a + by * b for a, b in zip(*both, strict=True)]
+
+
+def openings(
+    wall: Wall, one: Course, other: Course, mover: "Course | None", eye_behind: float, begin: float
+) -> "list[tuple[Any, bool]]":
+    """Times before the impact at which the sight opens or closes, and which it does."""
+    courses = [one, other] if mover is None else [one, other, mover]
+
+    def decisive(*places: "Poly") -> "list[Poly]":
+        eye, target = added([eye_behind], places[0], -1.0), scaled(places[1], -1.0)
+        eye_side, target_side, _, first, last = wall.terms(
+            eye, target, scaled(places[2], -1.0) if mover is not None else [0.0]
+        )
+        return [eye_side, target_side, first, last][: 3 if wall.length is None else 4]
+
+    def hidden(time: float) -> bool:
+        eye, target, *rest = (-course.at(time)[0] for course in courses)
+        return wall.hides(eye + eye_behind, target, rest[0] if rest else 0.0)
+
+    times = crossings(courses, decisive, begin, 0.0)
+    if not times:
+        return []
+    edges = [begin, *(plain(time) for time in times), 0.0]
+    states = [hidden(0.5 * (low + high)) for low, high in pairwise(edges)]
+    return [(time, was) for time, (was, now) in zip(times, pairwise(states), strict=True) if was != now]
+
+
+def past_corner(before: float, aside: float, eye_behind: float, crossing: float) -> "Callable[[Poly, Poly], Poly]":
+    """How far the line of sight passes a corner that stands, above zero where it is free.
+
+    The function takes the courses' polynomials, in which distances still to go are less than zero.
+    """
+    across, along = sin(crossing), cos(crossing)
+
+    def cleared(eye: "Poly", target: "Poly") -> "Poly":
+        back = [eye_behind - eye[0], *(-part for part in eye[1:])]
+        left = [-part for part in target]
+        beyond = [back[0] - before, *back[1:]]
+        hidden = product(beyond, left)
+        seen = [0.0] * len(hidden)
+        for index, part in enumerate(back):
+            seen[index] = seen[index] + aside * part
+        for index, part in enumerate(left):
+            seen[index] = seen[index] - aside * along * part
+        return [a - across * b for a, b in zip(seen, hidden, strict=True)]
+
+    return cleared

@@ -1,0 +1,1 @@
+"""Published ranges of what a reconstruction has to assume, with their sources."""
