@@ -1,6 +1,6 @@
 """Approach speeds from rest positions: impact and slides driven forward, least squares to where the vehicles ended."""
 
-from dynamics_cli.errors import FaultError, require, worded
+from dynamics_cli.errors import require, worded
 from dynamics_cli.impact.conventions import Axes, direction_of
 from dynamics_cli.impact.inverse.fit import SETTLED, Fit, Side, stepped
 from dynamics_cli.impact.inverse.records import Departing, InverseResult, KnownContact, RestAfter, TurningAfter
@@ -204,8 +204,12 @@ def solve_rest(problem: Problem) -> Fit:
             best = tried
         if best is not None and problem.smooth:
             break
-    if best is None:
-        raise FaultError("the fit to the rest positions does not settle")
+    require(
+        best is not None,
+        "no approach leads to these rest positions: after {steps} steps the fit still moves", steps=MOST_STEPS,
+        code="undetermined", hint="look for a rest position, heading or drag that is wrong",
+    )  # fmt: skip
+    assert best is not None
     _, unknowns, moved, (count, inverse) = best
     residuals = problem.residuals(unknowns)
     require(
