@@ -111,11 +111,13 @@ FAMILIES: "dict[str, Entry]" = {
         "dynamics_cli.pendulum.commands",
         GROUPS[5],
         "Pendulums: periods, forces, turning round, running down.",
+        references=("pendulum.json",),
     ),
     "particle": Entry(
         "dynamics_cli.particle.commands",
         GROUPS[5],
         "A particle: flights, falls, tubes, inclines, bends.",
+        references=("particle.json",),
     ),
     "stability": Entry(
         "dynamics_cli.stability.commands",

@@ -126,15 +126,15 @@ def projectile(
     least = other = None
     if isinstance(aim, Target):
         x, y = aim.target
-        elevation, other, least = _to_target(speed, x, y, gravity)
+        flat, steep, least = _to_target(speed, x, y, gravity)
+        # by the slope itself, which an angle near 90 degrees has lost
+        scale = speed / sqrt(1.0 + flat * flat)
+        elevation, other = atan(flat), atan(steep)
+        flight = Vacuum(scale, scale * flat, gravity)
     else:
         elevation = aim.elevation
-
-    def launch(angle: float) -> Vacuum:
-        cosine, sine = turned(angle)
-        return Vacuum(speed * cosine, speed * sine, gravity)
-
-    flight = launch(elevation)
+        cosine, sine = turned(elevation)
+        flight = Vacuum(speed * cosine, speed * sine, gravity)
     best = greatest = None
     if not isinstance(aim, Target):
         reach = speed * speed + 2.0 * gravity * height
@@ -237,7 +237,7 @@ def _check(speed: float, aim: "Elevation | Target", height: float, steps: int) -
 
 
 def _to_target(speed: float, x: float, y: float, gravity: float) -> "tuple[float, float, float]":
-    """The flatter and the steeper angle, and the least speed."""
+    """The slopes of the flatter and the steeper launch, and the least speed."""
     least = sqrt(gravity * (y + hypot(x, y))) if plain(y) >= 0.0 else sqrt(gravity * x * x / (hypot(x, y) - y))
     square = speed * speed
     rest = square * square - gravity * (gravity * x * x + 2.0 * y * square)
@@ -247,7 +247,7 @@ def _to_target(speed: float, x: float, y: float, gravity: float) -> "tuple[float
     )  # fmt: skip
     steep = (square + sqrt(rest)) / (gravity * x)
     flat = (gravity * x * x + 2.0 * y * square) / (gravity * x * x) / steep
-    return atan(flat), atan(steep), least
+    return flat, steep, least
 
 
 def _end(flight: "Flight", aim: "Elevation | Target", height: float) -> "tuple[float, ...]":

@@ -116,7 +116,7 @@ def compound(
     slow = 1.0 / mean(1.0 + 0.0 * complement, complement)
     rate = along = across = pin = None
     if angle is not None:
-        rate, along, across = _forces(mass, distance, inertia, amplitude, angle, gravity)
+        rate, along, across = _forces(mass, distance, inertia, gyration, amplitude, angle, gravity)
         pin = sqrt(along * along + across * across)
     return Compound(
         period=small * slow,
@@ -194,7 +194,7 @@ def _inertia(body: "PivotInertia | CentralInertia | Gyration", mass: float, dist
 
 
 def _forces(
-    mass: float, distance: float, inertia: float, amplitude: float, angle: float, gravity: float
+    mass: float, distance: float, inertia: float, gyration: float, amplitude: float, angle: float, gravity: float
 ) -> "tuple[float, float, float]":
     """Angular velocity, and the forces of the pivot along the body and across it, after a start from rest."""
     require(
@@ -205,5 +205,5 @@ def _forces(
     fallen = 2.0 * sin(0.5 * (amplitude + angle)) * sin(0.5 * (amplitude - angle))
     rate = sqrt(2.0 * mass * gravity * distance * abs(fallen) / inertia)
     along = mass * gravity * cos(angle) + mass * distance * rate * rate
-    across = mass * gravity * sin(angle) * ((inertia - mass * distance * distance) / inertia)
+    across = mass * gravity * sin(angle) * (mass * gyration * gyration / inertia)
     return rate, along, across

@@ -1,142 +1,181 @@
-"""Writes tests/pendulum/pendulum.json and tests/particle/particle.json, to 25 digits and more.
+"""Writes pendulum.json: pendulums to 40 digits, for ordinary and hard inputs.
 
-Other formulas than the program's: periods by mpmath's elliptic integrals, states and flights with drag by its Taylor
-integration of the equations of motion, best angles by root finding on the derivative, tubes by their closed forms at 60
-digits.
-
-Run: python tests/references/generate_pendulum_references.py [FOLDER]. The same bytes every time.
+Periods are complete elliptic integrals of the first kind from their hypergeometric series, speeds come from energies,
+forces from Newton's law, cones from the force polygon; the program has arithmetic–geometric means and half angles.
+Run: python tests/references/generate_pendulum_references.py [FILE]. The same bytes every time.
 """
 
 import json
+import random
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
-from mpmath import acos, atan, cos, cosh, ellipk, findroot, mp, mpf, nstr, odefun, pi, sin, sinh, sqrt, tan
+from mpmath import acos, cos, ellipk, mp, mpf, nstr, pi, sin, sqrt
 
-mp.dps = 50
-TESTS = Path(__file__).resolve().parents[1]
-G = mpf("9.80665")
-DEGREE = pi / 180
-
-
-def text(value):
-    return nstr(value, 25, min_fixed=1, max_fixed=0)
-
-
-def pendulums():
-    slow = {}
-    for degrees in ("10", "90", "179", "179.999"):
-        slow[degrees] = text(2 * ellipk(sin(mpf(degrees) * DEGREE / 2) ** 2) / pi)
-    near_top = {}
-    for degrees in ("1e-7", "1e-11", "0.001"):
-        complement = sin(mpf(degrees) * DEGREE / 2) ** 2
-        with mp.workdps(80):
-            near_top[degrees] = text(2 * ellipk(1 - complement) / pi)
-    whirl = mpf("6.5")
-    # a turn: 2∫dθ/ω from 0 to π with ω² = ω_b² − 4g/L·sin²(θ/2)
-    turn = 4 / whirl * ellipk(4 * G / whirl**2)
-    with mp.workdps(30):
-        state = odefun(lambda _, y: [y[1], -G * sin(y[0])], 0, [mpf(2), mpf(0)])(mpf("1.5"))
-        around = odefun(lambda _, y: [y[1], -G * sin(y[0])], 0, [mpf(0), whirl])(mpf("2.7"))
-    rod_length, mass, start, at = mpf("1.2"), mpf(2), 60 * DEGREE, 20 * DEGREE
-    small = 2 * pi * sqrt(2 * rod_length / (3 * G))
-    gyration = rod_length / sqrt(mpf(12))
-    return {
-        "slowdown": slow,
-        "near_top": near_top,
-        "whirl": text(turn),
-        "state": [text(value) for value in state],
-        "around": [text(value) for value in around],
-        "rod": {
-            "small": text(small),
-            "period": text(small * 2 * ellipk(sin(start / 2) ** 2) / pi),
-            "least": text(2 * pi * sqrt((gyration**2 + gyration**2) / (G * gyration))),
-            "along": text(mass * G * (5 * cos(at) - 3 * cos(start)) / 2),
-            "across": text(mass * G * sin(at) / 4),
-        },
-        "cone": {
-            "disturbance": text(sqrt(1 + 3 * cos(40 * DEGREE) ** 2)),
-            "angle": text(acos(G / mpf("2.5") ** 2 / 2)),
-        },
-        "damped": damped(),
-    }
+mp.dps = 90
+DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
+ABOUT = (
+    "Written by generate_pendulum_references.py: SI inputs as doubles, results to 40 digits from 90-digit arithmetic."
+)
+Case = tuple[str, str, str, str, dict[str, Any], dict[str, Any]]
+RANDOM = random.Random(1656)
+GRAVITY = mpf(9.80665)
 
 
-def damped():
-    """The first turning points of θ̈ + 2ζω₀θ̇ + β|θ̇|θ̇ + ω₀²·sin θ = 0 from 60 degrees, L = 1."""
-    own = sqrt(G)
-    out = {}
-    for name, zeta, beta in (("linear", mpf("0.05"), mpf(0)), ("quadratic", mpf(0), mpf("0.1"))):
-        with mp.workdps(25):
-
-            def motion(_, y, zeta=zeta, beta=beta):
-                # on the first half swing the rate is negative
-                return [y[1], -2 * zeta * own * y[1] + beta * y[1] * y[1] - own**2 * sin(y[0])]
-
-            path = odefun(motion, 0, [60 * DEGREE, mpf(0)])
-            time = findroot(lambda t, path=path: path(t)[1], mpf("1.05"), tol=1e-36, verify=False)
-            out[name] = [text(time), text(-path(time)[0])]
-    return out
+def exact(text: str) -> Any:
+    return mpf(float(text))
 
 
-def flight(speed, degrees, drop, force):
-    """Time, distance, speed and angle at the landing, by Taylor integration."""
-    with mp.workdps(25):
-        angle = mpf(degrees) * DEGREE
-
-        def motion(_, y):
-            ax, ay = force(y[2], y[3])
-            return [y[2], y[3], ax, ay - G]
-
-        path = odefun(motion, 0, [mpf(0), mpf(0), mpf(speed) * cos(angle), mpf(speed) * sin(angle)])
-        guess = 2 * mpf(speed) * sin(angle) / G * mpf("0.8")
-        time = findroot(lambda t: path(t)[1] + mpf(drop), guess, tol=1e-38, verify=False)
-        end = path(time)
-        return [text(time), text(end[0]), text(sqrt(end[2] ** 2 + end[3] ** 2)), text(atan(-end[3] / end[2]))]
+def drawn(low: float, high: float, digits: int = 3) -> str:
+    return repr(round(RANDOM.uniform(low, high), digits))
 
 
-def particles():
-    tau = mpf(3)
-
-    def square(terminal, wind=0):
-        def force(vx, vy):
-            through = vx - wind
-            pull = G * sqrt(through**2 + vy**2) / mpf(terminal) ** 2
-            return -pull * through, -pull * vy
-
-        return force
-
-    v, x, y = mpf(30), mpf(80), mpf(5)
-    low, high = (
-        findroot(lambda a, s=s: x * tan(a) - G * x**2 / (2 * v**2 * cos(a) ** 2) - y, s) for s in (mpf("0.63"), mpf(1))
-    )
-    u = mpf("1e-4")
-    stiff = mpf(40) / mpf("0.5") - (2 * pi) ** 2
-    with mp.workdps(30):
-        turning = 2 * pi
-        spring = odefun(
-            lambda t, s: [s[1], -stiff * s[0] + mpf(80) * mpf("0.2") - G * sin(turning * t)], 0, [mpf("0.2"), mpf(0)]
-        )(mpf("0.7"))
-    return {
-        "drop": flight(30, 45, 2, lambda vx, vy: (mpf(0), mpf(0))),
-        "linear": flight(30, 45, 0, lambda vx, vy: (-vx / tau, -vy / tau)),
-        "quadratic": flight(30, 45, 0, square(25)),
-        "steep": flight(50, 35, 1, square(40)),
-        "wind": flight(30, 45, 0, square(25, mpf(-6))),
-        "fast": flight(200, 45, 0, square(40)),
-        "target": [text(low), text(high)],
-        "tube": text(mpf("0.1") * cosh(u) + G / (2 * u**2) * (sin(u) - sinh(u))),
-        "spring": [text(value) for value in spring],
-        "hoop": [text(acos(G / (mpf("0.25") * 64))), text(8 * sqrt(1 - (G / 16) ** 2))],
-    }
+def slow(amplitude: Any) -> Any:
+    """T/T₀ of a swing."""
+    return 2 * ellipk(sin(amplitude / 2) ** 2) / pi
 
 
-def main():
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else TESTS
-    for name, made in (("pendulum", pendulums), ("particle", particles)):
-        target = folder / name / f"{name}.json" if len(sys.argv) < 2 else folder / f"{name}.json"
-        target.write_text(json.dumps(made(), indent=1) + "\n", encoding="utf-8")
+def simple() -> Iterator[Case]:
+    hard = [
+        ("Amplitude", "3.141592653589", "the period grows without bound towards the top"),
+        ("Amplitude", "1e-08", "the slowdown differs from one by less than a last bit"),
+        ("FromTop", "1e-09", "the amplitude in radians has lost this angle"),
+        ("FromTop", "1e-150", "its square leaves the range of doubles"),
+        ("BottomSpeed", "6.26", "just below the speed that reaches the top of one metre"),
+        ("BottomSpeed", "6.27", "just above the speed that reaches the top of one metre"),
+        ("BottomSpeed", "1e6", "gravity hardly counts: speeds at bottom and top all but agree"),
+    ]
+    for name, text, why in hard:
+        yield one_simple("hard", f"{name} {text}", why, name, "1.0", text)
+    for nth in range(6):
+        yield one_simple("ordinary", f"swing {nth}", "", "Amplitude", drawn(0.1, 3.0), drawn(0.05, 3.0))
+        yield one_simple("ordinary", f"by speed {nth}", "", "BottomSpeed", drawn(0.1, 3.0), drawn(0.5, 15.0))
+
+
+def one_simple(kind: str, name: str, why: str, start: str, length_text: str, text: str) -> Case:
+    length, value, mass = exact(length_text), exact(text), mpf(2)
+    field = {"Amplitude": "amplitude", "FromTop": "from_top", "BottomSpeed": "bottom_speed"}[start]
+    small = 2 * pi * sqrt(length / GRAVITY)
+    if start == "BottomSpeed":
+        half_energy = value * value / (4 * GRAVITY * length)
+    else:
+        half_energy = sin(value / 2) ** 2 if start == "Amplitude" else cos(value / 2) ** 2
+    speed = sqrt(4 * GRAVITY * length * half_energy)
+    results = {"small_period": small, "bottom_speed": speed, "bottom_tension": mass * (GRAVITY + speed**2 / length)}
+    if half_energy < 1 or start == "FromTop":
+        complement = 1 - half_energy
+        if start == "FromTop":
+            complement = sin(value / 2) ** 2
+        # K by the complement where the modulus is all but one
+        with mp.workdps(420):
+            quarter = ellipk(1 - mpf(complement)) if complement > mpf(10) ** -60 else _near_one(complement)
+        results |= {"period": small * 2 * quarter / pi, "slowdown": 2 * quarter / pi}
+        results["end_tension"] = mass * GRAVITY * (1 - 2 * half_energy)
+    else:
+        top = sqrt(speed**2 - 4 * GRAVITY * length)
+        results |= {
+            "period": 4 * length / speed * ellipk(1 / half_energy),
+            "top_speed": top,
+            "end_tension": mass * (top**2 / length - GRAVITY),
+        }
+    inputs = {"length": length_text, "start": {"record": start, field: text}, "mass": "2.0"}
+    return "simple", kind, name, why, inputs, results
+
+
+def _near_one(complement: Any) -> Any:
+    """K for a modulus so near one that the next term of its series is nothing."""
+    return mp.log(4 / sqrt(complement))
+
+
+def bodies() -> Iterator[Case]:
+    given = [(drawn(0.5, 9), drawn(0.05, 2), drawn(0.05, 1.5), drawn(0.1, 2.9), drawn(0.0, 0.09)) for _ in range(6)]
+    hard = [
+        ("2.0", "1e-06", "0.3", "0.5", "0.1", "the pivot lies all but at the centre of mass"),
+        (
+            "2.0",
+            "0.6",
+            "1e-07",
+            "1.0",
+            "0.9999999",
+            "almost all of the moment is that of the distance; near the turning point",
+        ),
+    ]
+    for nth, row in enumerate([*((*row, "") for row in given), *hard]):
+        mass_text, distance_text, gyration_text, amplitude_text, angle_text, why = row
+        mass, d, k, start, at = (exact(text) for text in row[:5])
+        inertia = mass * (k * k + d * d)
+        small = 2 * pi * sqrt((k * k + d * d) / (d * GRAVITY))
+        rate = sqrt(2 * mass * GRAVITY * d * (cos(at) - cos(start)) / inertia)
+        # Newton's law for the centre: along, centripetal; across, by the angular acceleration
+        across = mass * GRAVITY * sin(at) - mass * d * (mass * GRAVITY * d * sin(at) / inertia)
+        inputs = {
+            "mass": mass_text, "distance": distance_text, "body": {"record": "Gyration", "gyration": gyration_text},
+            "amplitude": amplitude_text, "angle": angle_text,
+        }  # fmt: skip
+        yield (
+            "compound", "hard" if why else "ordinary", f"body {nth}", why, inputs,
+            {
+                "small_period": small, "period": small * slow(start), "equivalent_length": (k * k + d * d) / d,
+                "conjugate_distance": k * k / d, "least_period": 2 * pi * sqrt(2 * k / GRAVITY), "inertia": inertia,
+                "rate": rate, "along_force": mass * GRAVITY * cos(at) + mass * d * rate**2, "across_force": across,
+            },
+        )  # fmt: skip
+    for nth in range(4):
+        inputs = {"length": drawn(0.1, 3), "mass": drawn(0.5, 9), "amplitude": drawn(0.5, 3), "angle": drawn(0, 0.49)}
+        length, mass, start, at = (exact(text) for text in inputs.values())
+        small = 2 * pi * sqrt(2 * length / (3 * GRAVITY))
+        yield (
+            "rod", "ordinary", f"rod {nth}", "", inputs,
+            {
+                "small_period": small, "period": small * slow(start),
+                "along_force": mass * GRAVITY * (5 * cos(at) - 3 * cos(start)) / 2,
+                "across_force": mass * GRAVITY * sin(at) / 4,
+            },
+        )  # fmt: skip
+
+
+def cones() -> Iterator[Case]:
+    hard = [
+        ("ConeSpeed", "3.1315571207", "just above the rotation at which it hangs: the arc cosine has lost the angle"),
+        ("ConeSpeed", "1000.0", "all but level: cosine and height are nearly nothing"),
+        ("ConeAngle", "1e-07", "a cone so thin that its cosine is one"),
+    ]
+    drawn_ones = [("ConeSpeed", drawn(3.3, 12.0), "") for _ in range(4)] + [
+        ("ConeAngle", drawn(0.1, 1.5), "") for _ in range(4)
+    ]
+    for nth, (record, text, why) in enumerate([*hard, *drawn_ones]):
+        value = exact(text)
+        angle = acos(GRAVITY / value**2) if record == "ConeSpeed" else value
+        rotation = value if record == "ConeSpeed" else sqrt(GRAVITY / cos(value))
+        disturbed = sqrt(1 + 3 * cos(angle) ** 2)
+        field = "rotation" if record == "ConeSpeed" else "angle"
+        inputs = {"length": "1.0", "cone": {"record": record, field: text}, "mass": "0.5"}
+        yield (
+            "conical", "hard" if why else "ordinary", f"{record} {nth}", why, inputs,
+            {
+                "angle": angle, "rotation": rotation, "period": 2 * pi / rotation, "radius": sin(angle),
+                "speed": rotation * sin(angle), "height": cos(angle), "tension": mpf("0.5") * GRAVITY / cos(angle),
+                "disturbance": rotation * disturbed / (2 * pi), "apsidal_angle": pi / disturbed,
+            },
+        )  # fmt: skip
+
+
+def every() -> Iterator[Case]:
+    for part in (simple, bodies, cones):
+        yield from part()
+
+
+def main(target: Path) -> None:
+    cases = []
+    for task, kind, name, why, inputs, results in every():
+        texts = {key: nstr(value, 40, min_fixed=-8, max_fixed=18) for key, value in results.items()}
+        said = {"why": why} if why else {}
+        cases.append({"task": task, "kind": kind, "name": name, **said, "inputs": inputs, "results": texts})
+    lines = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
+    target.write_text(f'{{"about": {json.dumps(ABOUT)},\n"cases": [\n{lines}\n]}}\n', encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main()
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "pendulum.json")

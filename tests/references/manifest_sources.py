@@ -84,6 +84,16 @@ FILES: dict[str, Origin] = {
         "positions as functions of time in fixed axes, differentiated; Gram determinants; roots of polynomials",
         "90 digits", BOUNDS, "drawn|motion",
     ),
+    "pendulum": Origin(
+        "pendulum", _same("simple", "compound", "rod", "conical"),
+        "periods by hypergeometric series, speeds by energies, forces by Newton's law, cones by the polygon of forces",
+        "90 digits", "", "swing|by speed|rod|body",
+    ),
+    "particle": Origin(
+        "particle", _same("projectile", "fall", "tube", "hoop", "incline", "circle"),
+        "flights and targets by roots of polynomials, tubes by the exponential of their matrix, slopes by polygons",
+        "90 digits", "", ".",
+    ),
     "linkage": Origin(
         "linkage",
         _same("four_bar", "slider_crank", "quick_return", "body", "chain") | {"classify": "class"},
