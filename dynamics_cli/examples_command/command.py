@@ -41,6 +41,27 @@ WORKED = (
         "dynamics impact crash crash_scene/crash.toml",
         "crash_scene/crash.toml",
     ),
+    Example(
+        "slide",
+        "A car that turned to rest on a jammed wheel: its motion at the separation, and the crash with it.",
+        "cd slide && sh slide.sh",
+        "slide/slide.sh",
+        "slide/turned.toml",
+    ),
+    Example(
+        "recorder",
+        "A recorder's five seconds and pulse: speed, ΔV with the turn taken out, the other vehicle.",
+        "cd recorder && sh recorder.sh",
+        "recorder/recorder.sh",
+    ),
+    Example(
+        "exit_motion",
+        "Approach speeds from exit motion with spins, and from rest positions alone.",
+        "cd exit_motion && sh exit_motion.sh",
+        "exit_motion/exit_motion.sh",
+        "exit_motion/cars.toml",
+        "exit_motion/rests.toml",
+    ),
     Example("crash_momentum", "The same in two steps, in a few lines.", "sh crash_momentum.sh", "crash_momentum.sh"),
     Example(
         "skid_chain",

@@ -32,7 +32,7 @@ def agreements(scene: CrashScene, names: "list[str]", courses: "list[CrashCourse
     gaps: list[Gap] = []
     for name, side, course in zip(names, ("first", "second"), courses, strict=True):
         given = getattr(scene, side)
-        if given.rest is not None and course.rest_position is not None:
+        if given.slide is None and given.rest is not None and course.rest_position is not None:
             gaps.append(_place(name, course.rest_position, given.rest))
         for what, link, value, recorded in (
             ("speed into the impact", "momentum", course.approach_speed, given.recorded_speed),

@@ -4,9 +4,11 @@ import math
 
 from dynamics_cli.impact.conventions import direction_of
 from dynamics_cli.impact.crash.scene import LENGTH, WIDTH, named
+from dynamics_cli.impact.crash.spinning import swept
 from dynamics_cli.impact.scene_labels import Words
 from dynamics_cli.impact.scene_pictures import about, apart, finished, lane, outline
 from dynamics_cli.pictures import Arrow, Curve, Mark, Picture
+from dynamics_cli.quantities import STANDARD_GRAVITY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,9 +26,9 @@ ABEAM = 0.8
 WIDE, HIGH = 7.2, 4.6
 
 
-def crash(result: "Any", scene: "Any", **_: "Any") -> Picture:
+def crash(result: "Any", scene: "Any", *, gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
     """Both vehicles through the crash, seen from above."""
-    drawn = _Scene(result, scene)
+    drawn = _Scene(result, scene, gravity)
     north = (0.0, 1.0) if scene.axes == "compass" else None
     size = "outlines of common size where none is given" if drawn.neutral else "outlines as given"
     note = f"{size}; lanes 3.5 m wide along the approach headings"
@@ -40,7 +42,7 @@ def crash(result: "Any", scene: "Any", **_: "Any") -> Picture:
 class _Scene:
     """What is drawn of both vehicles."""
 
-    def __init__(self, result: "Any", scene: "Any") -> None:
+    def __init__(self, result: "Any", scene: "Any", gravity: float) -> None:
         self.given = (scene.first, scene.second)
         self.axes = scene.axes
         self.courses = (result.first, result.second)
@@ -55,12 +57,30 @@ class _Scene:
         self.fastest = max(speeds) or 1.0
         self.scale = max(ARROW_SHARE * max(reach), 1.3 * LENGTH) / self.fastest
         self.words: list[Words] = []
+        self.swept = [
+            self._swept(scene, role, gravity) if one.slide is not None else None for role, one in enumerate(self.given)
+        ]
         self.neutral = any(one.length == LENGTH and one.width == WIDTH for one in self.given)
 
     def _way(self, heading: float) -> "Pair":
         """A direction as seen from above on the page; the y axis of sae points down."""
         x, y = direction_of(heading, self.axes)
         return (x, -y) if self.axes == "sae" else (x, y)
+
+    def _swept(self, scene: "Any", role: int, gravity: float) -> "list[tuple[float, float, Pair]]":
+        """Places on the page and directions of the nose along a slide with spin."""
+        flip, centre = -1.0 if self.axes == "sae" else 1.0, self.centres[role]
+        return [
+            (centre[0] + x, centre[1] + flip * y, (math.cos(nose), flip * math.sin(nose)))
+            for x, y, nose in swept(scene, ("first", "second")[role], self.courses[role], gravity)
+        ]
+
+    def _ended(self, role: int) -> "tuple[Pair, Pair]":
+        """Where a vehicle ends on the page, and where its nose points."""
+        way = self.swept[role]
+        if way is not None:
+            return (way[-1][0], way[-1][1]), way[-1][2]
+        return self._shifted(role, self._after(role), self.courses[role].slide_distance), self._after(role)
 
     def items(self) -> "list[Any]":
         """Marks beneath, then outlines, then arrows."""
@@ -100,8 +120,9 @@ class _Scene:
                 y = [point[1] + side * way[0] for point in (begin, end)]
                 items.append(Curve(x, y, "", "track", 6))
         if course.slide_distance:
-            end = self._shifted(role, self._after(role), course.slide_distance)
-            items.append(Curve([self.centres[role][0], end[0]], [self.centres[role][1], end[1]], "", "dotted", role))
+            begin, (end, _) = self.centres[role], self._ended(role)
+            path = self.swept[role] or [(*begin, begin), (*end, end)]
+            items.append(Curve([one[0] for one in path], [one[1] for one in path], "", "dotted", role))
         return items
 
     def _outlines(self, role: int) -> "list[Any]":
@@ -115,8 +136,11 @@ class _Scene:
             away = -self.ways[role][0], -self.ways[role][1]
             self.words.append(Words(back, away, f"{self.names[role]} at its start\n{about(course.start.speed)}", role))
         if course.slide_distance:
-            at = self._shifted(role, self._after(role), course.slide_distance)
-            items += outline(at, self._after(role), role, **size)
+            at, facing = self._ended(role)
+            items += outline(at, facing, role, **size)
+            for x, y, nose in (self.swept[role] or ())[15:-1:15]:
+                body = outline((x, y), nose, role, **size)
+                items += [Curve(one.x, one.y, "", "outline", role) for one in (body[0], body[2])]
             ahead = self._after(role)
             front = at[0] + 0.5 * given.length * ahead[0], at[1] + 0.5 * given.length * ahead[1]
             self.words.append(Words(front, ahead, f"{self.names[role]} at rest", role))

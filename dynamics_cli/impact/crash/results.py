@@ -3,6 +3,7 @@
 from dynamics_cli.impact.conventions import Conventions
 from dynamics_cli.quantities import (
     Angle,
+    AngularSpeed,
     Annotated,
     Distance,
     Energy,
@@ -55,6 +56,7 @@ class CrashCourse:
     approach_heading: Annotated[Angle, "Direction of travel just before the impact [rad]."]
     exit_speed: Annotated[RoadSpeed, "Speed just after the impact, where it separates [m/s]."]
     exit_heading: Annotated[Angle, "Direction of travel just after the impact [rad]."]
+    exit_spin: Annotated[AngularSpeed | None, "Yaw rate just after, from a slide with spin; none without [rad/s]."]
     delta_v: Annotated[CrashDeltaV, "Change of velocity in the impact, and where the force came from."]
     slide_distance: Annotated[Distance | None, "Length of the slide; none without one [m]."]
     rest_position: Annotated[PlanarPosition | None, "Where the slide ends, straight along its exit heading [m]."]
@@ -91,12 +93,15 @@ class LinkVerdict:
     link: Annotated[Text, "The step: a slide, the impact as one vehicle sees it, or the braking before."]
     verdict: Annotated[Text, "good, caution or undetermined."]
     decided_by: Annotated[Text, "The input that it depends on most."]
-    friction_tolerance: Annotated[
+    friction: Annotated[
         Fraction | None, "Relative error of friction that changes its speed by a tenth; none in the impact [-]."
     ]
-    heading_tolerance: Annotated[
+    heading: Annotated[
         Angle | None, "Error of the worst heading that changes its speed by a tenth; only in the impact [rad]."
     ]
+    per_degree: Annotated[
+        RoadSpeed | None, "What one degree of that heading changes the speed by; only in the impact [m/s]."
+    ] = None
 
 
 @record

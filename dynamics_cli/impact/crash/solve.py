@@ -136,7 +136,9 @@ def _met(scene: CrashScene, slide: After) -> Vehicle:
     """A vehicle in the form that the impact takes."""
     given = getattr(scene, slide.side)
     heading = given.exit_heading
-    if heading is None and given.rest is not None:
+    if slide.spinning is not None:
+        heading = slide.spinning.heading
+    elif heading is None and given.rest is not None:
         away = given.rest[0] - scene.impact.point[0], given.rest[1] - scene.impact.point[1]
         require(
             (away[0] != 0.0) | (away[1] != 0.0),
@@ -153,13 +155,16 @@ def _met(scene: CrashScene, slide: After) -> Vehicle:
 
 def _course(scene: CrashScene, body: Reconstructed, slide: After, way: Before) -> CrashCourse:
     slid = bool(slide.surfaces)
+    spun = slide.spinning
+    rest = along(scene, body.exit_heading, slide.distance) if slid else None
+    if spun is not None:
+        rest = getattr(scene, slide.side).rest
     start: BeforeImpact | None = way.summary(scene, body.approach_heading)
     change = body.delta_v
     return CrashCourse(
         start, body.approach_speed, body.approach_heading, body.exit_speed, body.exit_heading,
-        CrashDeltaV(change.magnitude, change.pdof),
-        slide_distance=slide.distance if slid else None,
-        rest_position=along(scene, body.exit_heading, slide.distance) if slid else None,
+        None if spun is None else spun.spin, CrashDeltaV(change.magnitude, change.pdof),
+        slide_distance=slide.distance if slid or spun is not None else None, rest_position=rest,
     )  # fmt: skip
 
 
@@ -175,7 +180,7 @@ def _energy(
         start = start + 0.5 * mass * (way.start_speed * way.start_speed)
         before = before + mass * way.work
         after = after + mass * (slide.gravity * slide.work)
-        left = slide.end_speed if slide.surfaces else body.exit_speed
+        left = slide.end_speed if slide.surfaces or slide.spinning is not None else body.exit_speed
         remaining = remaining + 0.5 * mass * (left * left)
     energy = CrashEnergy(start, before, meeting.energy_lost, after, remaining)
     spent = before + meeting.energy_lost + after + remaining

@@ -4,6 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import direction_of
 from dynamics_cli.impact.crash.results import BeforeImpact, Course
 from dynamics_cli.impact.crash.scene import CrashScene, Ground, grounds, phases
+from dynamics_cli.impact.crash.spinning import Spinning
 from dynamics_cli.impact.diagnostics import balance
 from dynamics_cli.numerics.elementary import maximum, sqrt, summed
 from dynamics_cli.numerics.road.drag import drag_advice
@@ -33,7 +34,12 @@ class After:
         self.end_speed: float = given.end_speed
         self.gravity = gravity
         self.work: float = 0.0
-        if self.grounds:
+        self.spinning: Spinning | None = None
+        if given.slide is not None:
+            self.spinning = Spinning(scene, side, gravity)
+            self.speed = self.spinning.speed
+            self.work = 0.5 * self.spinning.speed * self.spinning.speed / gravity
+        elif self.grounds:
             require(
                 given.exit_speed is None,
                 "{side}: the exit speed is given, and the slide after the impact determines it too",
@@ -47,13 +53,22 @@ class After:
 
     @property
     def distance(self) -> float:
-        """Length of the slide."""
+        """Length of the slide; straight to the rest of one with spin."""
+        if self.spinning is not None:
+            return self.spinning.distance
         total: float = summed([surface.distance for surface in self.surfaces])
         return total
 
     def rows(self, name: str, mass: float, scene: CrashScene) -> "list[Course]":
         """Its surfaces as rows of the course."""
         parts = getattr(scene, self.side).after
+        if self.spinning is not None:
+            assert self.speed is not None
+            energy = mass * (self.gravity * self.work)
+            name_of = getattr(scene, self.side).slide.surface
+            what = f"slide with spin, {name_of}" if name_of else "slide with spin"
+            row = Course(name, what, self.speed, 0.0 * self.speed, self.spinning.time, self.distance, energy)
+            return [row]
         return [
             Course(
                 name, f"slide, {part.surface}" if part.surface else "slide", surface.entry_speed, surface.exit_speed,

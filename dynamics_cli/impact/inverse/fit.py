@@ -87,11 +87,11 @@ def solve(sides: "tuple[Side, Side]") -> Fit:
     linear = [column for column in range(size) if column not in free]
     unknowns = np.zeros(size)
     _, residuals, matrix, _ = _rows(sides, unknowns)
-    unknowns[linear] -= _step(matrix[:, linear], residuals)[0]
+    unknowns[linear] -= stepped(matrix[:, linear], residuals)[0]
     steps = 1
     while True:
         names, residuals, matrix, jacobian = _rows(sides, unknowns)
-        step, inverse, moved = _step(matrix, residuals)
+        step, inverse, moved = stepped(matrix, residuals)
         if moved <= SETTLED * (1.0 + float(np.linalg.norm(residuals))) or steps == MOST_STEPS:
             break
         unknowns = unknowns - step
@@ -182,7 +182,7 @@ def _rows(sides: "tuple[Side, Side]", unknowns: "Any") -> "tuple[list[str], Any,
     return names, np.array(residuals), np.array(rows), jacobian
 
 
-def _step(matrix: "Any", residuals: "Any") -> "tuple[Any, Any, float]":
+def stepped(matrix: "Any", residuals: "Any") -> "tuple[Any, Any, float]":
     """Solution of the linear problem, the inverse of R in units of the unknowns, the solution's size in deviations."""
     import numpy as np
 

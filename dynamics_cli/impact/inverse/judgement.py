@@ -17,6 +17,10 @@ GOOD_SINE, SMALLEST_SINE = 0.5, 0.1
 # Cotangent of half the angle between the approach paths, as for momentum.
 GOOD_ANGLE, LARGEST_ANGLE = 4.0, 12.0
 HIGHEST_RESTITUTION = 0.4
+DEGREE = 0.017453292519943295
+GOOD_TOLERANCE, HALF_TURN = 3.0 * DEGREE, 180.0 * DEGREE
+ROOT_PI = 1.7724538509055161
+SMALL_SHARE = 0.05
 
 
 class Contact:
@@ -104,10 +108,43 @@ class Contact:
 
 
 def chance(chi_squared: float, freedom: int) -> float | None:
-    """Probability of an equal or larger sum of squares, for one or two degrees of freedom, which is all that occurs."""
+    """Probability of a sum of squares as large or larger, by its recurrence from one or two degrees of freedom."""
     if freedom <= 0:
         return None
-    return 2.0 * upper(sqrt(chi_squared)) if freedom == 1 else exp(-0.5 * chi_squared)
+    half = 0.5 * chi_squared
+    at = 2 - freedom % 2
+    total = 2.0 * upper(sqrt(chi_squared)) if at == 1 else exp(-half)
+    # half^(ν/2) e^(-half)/Γ(ν/2 + 1)
+    term = 2.0 * sqrt(half) * exp(-half) / ROOT_PI if at == 1 else half * exp(-half)
+    while at < freedom:
+        total += term
+        at += 2
+        term *= half / (0.5 * at)
+    return total
+
+
+def least_certain(fit: Fit, names: "tuple[str, str]") -> "tuple[str, float] | None":
+    """The direction of both speeds that is known least, in words, and its standard deviation."""
+    import numpy as np
+
+    ways = []
+    for index in (0, 1):
+        speed = fit.speed(index)
+        if speed == 0.0:
+            return None
+        row = np.zeros(6)
+        row[2 * index : 2 * index + 2] = fit.state[2 * index : 2 * index + 2] / speed
+        ways.append(row)
+    rows = np.array(ways)
+    values, vectors = np.linalg.eigh(rows @ fit.covariance @ rows.T)
+    x, y = (float(part) for part in vectors[:, 1])
+    main, other = (0, 1) if abs(x) >= abs(y) else (1, 0)
+    share = (y / x) if main == 0 else (x / y)
+    sigma = float(max(values[1], 0.0) ** 0.5)
+    if abs(share) < SMALL_SHARE:
+        return f"{names[main]} faster, the other unchanged", sigma
+    word = "faster" if share > 0.0 else "slower"
+    return f"{names[main]} faster and {names[other]} {word} by {abs(share):.2f} of it", sigma
 
 
 def agreement(probability: float | None, residuals: "list[tuple[str, float]]") -> "tuple[Advice, ...]":
@@ -178,6 +215,28 @@ def judge_crossing(one: Pair, two: Pair) -> str:
         results=("first.approach_speed", "second.approach_speed"),
     )
     return GOOD if condition <= GOOD_ANGLE else CAUTION
+
+
+def by_heading(fit: Fit, sides: "tuple[Side, Side]", index: int) -> "tuple[str, float, str, float]":
+    """By momentum alone, of one vehicle's speed: verdict, tolerance of the worst heading, its name, m/s a degree."""
+    side, other = sides[index], sides[1 - index]
+    assert side.way is not None
+    assert other.way is not None
+    names = ("first", "second")[index], ("second", "first")[index]
+    (x, y), (a, b) = side.way, other.way
+    sine, cosine = abs(x * b - y * a), x * a + y * b
+    ratio = other.mass / side.mass
+    speeds = fit.speed(index), fit.speed(1 - index)
+    slopes = [
+        (abs(speeds[0] * cosine), f"{names[0]}.approach_heading"),
+        (ratio * speeds[1], f"{names[1]}.approach_heading"),
+        (abs(a * side.velocity[0] + b * side.velocity[1]), f"{names[0]}.exit_heading"),
+        (ratio * abs(a * other.velocity[0] + b * other.velocity[1]), f"{names[1]}.exit_heading"),
+    ]
+    steepest, worst = max(slopes)
+    tolerance = min(0.1 * speeds[0] * sine / steepest, HALF_TURN) if steepest > 0.0 else HALF_TURN
+    verdict = GOOD if tolerance >= GOOD_TOLERANCE else CAUTION if tolerance >= DEGREE else UNDETERMINED
+    return verdict, tolerance, worst, DEGREE * steepest / sine
 
 
 def judge_levers(one: Pair, two: Pair) -> "tuple[float, str]":

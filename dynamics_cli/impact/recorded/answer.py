@@ -11,7 +11,7 @@ from dynamics_cli.quantities import AngularSpeed, Energy, Ratio, RoadSpeed, Spee
 from dynamics_cli.records import Advice, Check, record
 
 # Three degrees of tolerance are good, as for momentum.
-GOOD = 0.05235987755982989
+GOOD, CAUTION = 0.05235987755982989, 0.017453292519943295
 # The rule's resolution of ΔV: 1 km/h.
 RESOLUTION = 0.2777777777777778
 # Relative to the slip before: below this the contact points reach a common velocity.
@@ -31,6 +31,9 @@ class Found:
     other: "tuple[float, float, float] | None"
     in_line: bool = False
     bearing: "float | None" = None
+    worst: "str | None" = None
+    per_degree: "float | None" = None
+    bend: bool = False
 
 
 class Contact:
@@ -80,7 +83,8 @@ def answer(
     first = _first(crash, tolerance, zero)
     verdict = None
     if values.bearing is not None:
-        verdict = where(plain(values.bearing) >= GOOD, "good", "caution")  # type: ignore[arg-type]
+        angle = plain(values.bearing)
+        verdict = where(angle >= GOOD, "good", where(angle >= CAUTION, "caution", "undetermined"))  # type: ignore[arg-type]
     low, high = values.speeds or (None, None)
     return RecordResult(
         first=first,
@@ -96,6 +100,8 @@ def answer(
         slip_after=contact.after,
         energy_lost=contact.lost,
         heading_tolerance=values.bearing,
+        worst_heading=values.worst,
+        per_degree=values.per_degree,
         verdict=verdict,  # type: ignore[arg-type]
         conventions=conventions(crash.axes, zero),
         checks=_energy(crash, values, contact),
@@ -222,7 +228,7 @@ def _contact_advice(values: Found, contact: Contact, stated: "tuple[float, float
             )
             cautions.append(Advice(code="slip-reversed", message=text, remedy="check normal, nose and headings"))
     bounce = values.restitution
-    if values.bearing is not None and bounce is not None:
+    if values.bend and bounce is not None:
         value = plain(bounce)
         low, high = (0.0, 1.0) if stated is None else (plain(stated[0]), plain(stated[1]))
         if not low <= value <= high:

@@ -109,7 +109,9 @@ class RecordResult:
     heading_tolerance: Annotated[
         Angle | None, "Error of a heading of the other vehicle that changes its speed before by a tenth [rad]."
     ]
-    verdict: Annotated[Text | None, "How well the headings determine that speed: good, caution."]
+    worst_heading: Annotated[Text | None, "The heading that this is of, as the parameter is called."]
+    per_degree: Annotated[RoadSpeed | None, "What one degree of it changes that speed by [m/s]."]
+    verdict: Annotated[Text | None, "How well the headings determine that speed: good, caution, undetermined."]
     conventions: Annotated[Conventions, "Axes, headings and the zero of PDOF."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()

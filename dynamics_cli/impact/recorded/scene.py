@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import Axes, ByVelocity, direction_of, mass_of
 from dynamics_cli.impact.planar.bodies import OnBody, RigidBody, Solid, solid
 from dynamics_cli.impact.recorded.records import Partner, Recorder
-from dynamics_cli.numerics.elementary import hypot
+from dynamics_cli.numerics.elementary import absolute, hypot
 
 Pair = tuple[float, float]
 
@@ -115,3 +115,18 @@ def _solid(
     )
     body = RigidBody(vehicle.bulk, vehicle.turning, vehicle.arm, ByVelocity((0.0, 0.0)), spin, nose)
     return solid(body, contact_point, axes, gravity, name)
+
+
+def slopes(
+    crash: Crash, inward: Pair, course: Pair, before: Pair, restitution: float, speed: float
+) -> "tuple[float, float]":
+    """Sizes of the derivatives of the second's speed by its heading and by the normal: v₂ = (W·n)/(d₂·n)."""
+    whole = plus(
+        plus(crash.contact(crash.one, before), crash.contact(crash.two, (0.0, 0.0)), -1.0),
+        crash.gained(), 1.0 / (1.0 + restitution),
+    )  # fmt: skip
+    facing = dot(course, inward)
+    turned = 0.0 - inward[1], inward[0]
+    by_heading = absolute(speed * cross(course, inward) / facing)
+    by_normal = absolute((dot(whole, turned) - speed * dot(course, turned)) / facing)
+    return by_heading, by_normal

@@ -4,8 +4,9 @@ from dynamics_cli.errors import judge, require
 from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, PdofZero, direction_of
 from dynamics_cli.impact.recorded.answer import Found, answer
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
-from dynamics_cli.impact.recorded.scene import Crash, Pair, cross, dot, plus
-from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, sin
+from dynamics_cli.impact.recorded.scene import Crash, Pair, cross, dot, plus, slopes
+from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, sin, where
+from dynamics_cli.numerics.number import single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 # Sine of 5 degrees: nearly perpendicular to the normal, restitution does not determine a speed.
 ALONG_THE_SURFACE = 0.08715574274765817
 DEGREE = 0.017453292519943295
+HALF_TURN = 3.141592653589793
 
 
 def head_on(
@@ -163,7 +165,12 @@ def by_restitution(
     speeds = _limits(lambda scale, k: scale * ends[k], tolerance)
     others = _limits(lambda scale, k: (lone + scale * ends[k]) / facing, tolerance)
     velocity = speed * course[0], speed * course[1]
-    values = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others))
+    approach, tilt = slopes(crash, inward, course, before, restitutions[0], speed)
+    steepest = maximum(maximum(approach, tilt), 1e-12 * (1.0 + speed))
+    worst = where(approach >= tilt, "second.approach_heading", "normal")  # type: ignore[arg-type]
+    bearing = minimum(0.1 * speed / steepest, HALF_TURN)
+    values = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others), bearing=bearing,
+                   worst=str(worst) if single(worst) else None, per_degree=DEGREE * steepest)  # fmt: skip
     return answer(crash, values, tolerance, final_change, pdof_zero)
 
 
@@ -217,23 +224,23 @@ def by_headings(
     require(
         alpha is not None and beta is not None,
         "this needs the directions of travel of the second vehicle before and after",
-        code="not-enough",
-        hint="give its approach heading and exit heading",
-    )
+        code="not-enough", hint="give its approach heading and exit heading",
+    )  # fmt: skip
     course, leaving = direction_of(alpha, axes), direction_of(beta, axes)  # type: ignore[arg-type]
     sine = cross(course, leaving)
     require(
         absolute(sine) > 1e-12,
-        "the second vehicle kept its direction: its headings do not give its speed",
-        code="undetermined",
+        "the second vehicle kept its direction: its headings do not give its speed", code="undetermined",
         hint="give the contact normal and a range of restitution instead of its exit heading",
-    )
+    )  # fmt: skip
     speed = 0.0 - cross(crash.second_change, leaving) / sine
     after = 0.0 - cross(crash.second_change, course) / sine
     _require_forward(speed)
     _require_forward(after, "leave")
     bend = beta - alpha  # type: ignore[operator]
-    steepest = maximum(after, absolute(speed * cos(bend))) / absolute(sin(bend))
+    leaving_slope, coming_slope = after / absolute(sin(bend)), absolute(speed * cos(bend)) / absolute(sin(bend))
+    steepest = maximum(leaving_slope, coming_slope)
+    worst = where(leaving_slope >= coming_slope, "second.exit_heading", "second.approach_heading")  # type: ignore[arg-type]
     bearing = 0.1 * speed / steepest
     judge(
         bearing >= DEGREE,
@@ -255,10 +262,11 @@ def by_headings(
         lone = dot(relative, inward) + speed * dot(course, inward)
         facing = dot(course, inward)
         speeds = _limits(lambda scale, _: scale * speed * facing - lone, tolerance)
-    values = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing)
-    stated = (
-        None if least_restitution is None or greatest_restitution is None else (least_restitution, greatest_restitution)
-    )
+    values = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing,
+                   worst=str(worst) if single(worst) else None, per_degree=DEGREE * steepest, bend=True)  # fmt: skip
+    stated = None
+    if least_restitution is not None and greatest_restitution is not None:
+        stated = least_restitution, greatest_restitution
     return answer(crash, values, tolerance, final_change, pdof_zero, stated)
 
 
