@@ -143,8 +143,16 @@ class _Families(_Group):
             if name not in self._families
         ]
         for group, rows in groups.items():
-            with formatter.section(group):
+            formatter.write(f"{group}:\n")
+            with formatter.indentation():
                 formatter.write_dl(rows)
+
+    def format_options(self, ctx: "Any", formatter: "Any") -> None:
+        """The families first, then the few options on one line: the help of a call without words fits a screen."""
+        formatter.write_paragraph()
+        self.format_commands(ctx, formatter)
+        formatter.write_paragraph()
+        formatter.write(f"Options: --version, --help, --show-completion {'|'.join(SHELLS)}\n")
 
 
 def build_family(family: Family, terminal: "Terminal") -> "TyperCommand | TyperGroup":

@@ -52,6 +52,8 @@ MOST_DRIVERS = 5
 LEAST_SHARE = 0.005
 # A bound is mentioned when it leaves fewer digits than this.
 WORTH_SAYING = 1e-9
+# An error bound below this share of the standard deviation does not show.
+NEGLIGIBLE = 0.02
 SEVERITIES = ("serious", "caution", "note")
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 MARGIN = 6
@@ -178,10 +180,15 @@ class _Answer:
             value = self.flat.get(address, (None, ""))[0]
             if isinstance(value, float) and value and address in self.bounds:
                 share = self._absolute_bound(address, value) / abs(value)
-                if WORTH_SAYING < share < 1.0:
+                if self._worth_saying(address, value) < share < 1.0:
                     kept = max(int(-log10(share)), 0)
                     lines.append(f"{label}: accurate to {kept} digits")
         return ["", *lines] if lines else []
+
+    def _worth_saying(self, address: str, value: float) -> float:
+        """The relative error bound from which a line is due: one that hides in the deviation is not worth it."""
+        std = 0.0 if self.asked else deviation(self.results, address)
+        return max(WORTH_SAYING, NEGLIGIBLE * std / abs(value))
 
     def drivers(self) -> "list[str]":
         """Which inputs drive the headline results, in one line for results with the same drivers."""
