@@ -169,8 +169,11 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
             hint = f"write for example {kind.example}" if kind.example else "write the number with its unit"
             raise UsageError(f"{_show(text)} has no unit", code=error.code, hint=hint) from None
         article = "an" if kind.name[:1] in tuple("aeiou") else "a"
+        wanted = f"{article} {kind.name}: {error.message}"
+        if kind.form == "whole":
+            wanted = "a whole number" if error.code in ("whole", "number") else f"{kind.about}: {error.message}"
         raise UsageError(
-            f"{_show(text)} is not {article} {kind.name}: {error.message}",
+            f"{_show(text)} is not {wanted}",
             code=error.code,
             hint=f"{error.hint}; example: {kind.example}" if error.hint else f"example: {kind.example}",
         ) from None
