@@ -232,6 +232,7 @@ if TYPE_CHECKING:
     PartLengths = tuple[float, float, float]
     InertiaTriple = tuple[float, float, float]
     TorqueVector = tuple[float, float, float]
+    LoadPoint = tuple[float, float, float]
     ForceVector = tuple[float, float, float]
     AngularMomentumVector = tuple[float, float, float]
     Quaternion = tuple[float, float, float, float]
@@ -491,6 +492,10 @@ else:
     Position = Kind(
         "position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point", flat=True
     )
+    LoadPoint = Kind(
+        "point", "m", form="vector", size=3, si="m", us="ft", example="1, 2 m", about="a point, in the x–y plane or in space",
+        exact=True, flat=True,
+    )  # fmt: skip
     Direction = Kind("direction", "", form="vector", size=3, example="0, 0, 1", about="a direction")
     Velocity = Kind(
         "velocity",

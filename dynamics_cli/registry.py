@@ -107,6 +107,11 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[5],
         "Balancing of rotors and engines, balance grades, flywheels.",
     ),
+    "force": Entry(
+        "dynamics_cli.force.commands",
+        GROUPS[5],
+        "Forces: resultants, moments, reactions of supports, springs.",
+    ),
     "pendulum": Entry(
         "dynamics_cli.pendulum.commands",
         GROUPS[5],
