@@ -233,6 +233,7 @@ if TYPE_CHECKING:
     InertiaTriple = tuple[float, float, float]
     TorqueVector = tuple[float, float, float]
     LoadPoint = tuple[float, float, float]
+    MassMoment = tuple[float, float, float]
     ForceVector = tuple[float, float, float]
     AngularMomentumVector = tuple[float, float, float]
     Quaternion = tuple[float, float, float, float]
@@ -495,6 +496,10 @@ else:
     LoadPoint = Kind(
         "point", "m", form="vector", size=3, si="m", us="ft", example="1, 2 m", about="a point, in the x–y plane or in space",
         exact=True, flat=True,
+    )  # fmt: skip
+    MassMoment = Kind(
+        "first moment", "kg*m", form="vector", size=3, si="kg*m", us="lb*ft", example="1, 2, 0 kg*m",
+        about="mass times position",
     )  # fmt: skip
     Direction = Kind("direction", "", form="vector", size=3, example="0, 0, 1", about="a direction")
     Velocity = Kind(

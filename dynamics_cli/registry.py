@@ -110,7 +110,7 @@ FAMILIES: "dict[str, Entry]" = {
     "force": Entry(
         "dynamics_cli.force.commands",
         GROUPS[5],
-        "Forces: resultants, moments, reactions of supports, springs.",
+        "Forces: resultants, moments, reactions, springs, friction.",
     ),
     "pendulum": Entry(
         "dynamics_cli.pendulum.commands",

@@ -104,8 +104,94 @@ EQUILIBRIUM = Task(
     plot=f"{PICTURES}:equilibrium",
 )  # fmt: skip
 
+SPRING = Task(
+    "spring",
+    "Force and energy of a spring, with a damper, between two points.",
+    Model(
+        "linear spring",
+        "dynamics_cli.force.spring:spring",
+        source=BOOK + "section 6.7",
+        formula="{tension|T} = {stiffness|k}·({length|ℓ} − {free_length|ℓ₀}) + {damping|c}·{rate|ℓ̇}",
+        assumptions=("force in proportion to stretch, and to its rate", "the spring pushes as well as pulls"),
+    ),
+    headline=(
+        "state", "tension: tension T", "spring_force: of the spring", "damper_force: of the damper", "stretch",
+        "energy: energy stored", "first_force: on the first end", "second_force: on the second end",
+    ),
+    examples=(
+        'dynamics force spring --length "120 mm" --free-length "100 mm" --stiffness "20 N/mm"',
+        'dynamics force spring --first-end "0, 0 m" --second-end "0.3, 0.4 m" --free-length "450 mm" '
+        '--stiffness "2 kN/m" --damping "50 N*s/m" --rate "0.2 m/s"',
+    ),
+    arrays=False,
+)  # fmt: skip
+
+GRAVITY = Task(
+    "gravity",
+    "Weight at an altitude; attraction of two masses.",
+    Model(
+        "inverse square",
+        "dynamics_cli.force.masses:gravity",
+        source=BOOK + "section 6.7; CODATA 2018",
+        formula="g = {gravity|g₀}·(R/(R + h))², F = m·g, or F = G·m₁·m₂/r²",
+        assumptions=("round bodies, each a mass at its centre", "the earth does not turn; its mean radius is 6371 km"),
+    ),
+    headline=("force: force F", "acceleration: acceleration g", "share: of that on the ground"),
+    examples=(
+        'dynamics force gravity --mass "80 kg" --altitude "400 km"',
+        'dynamics force gravity --mass "1000 kg" --other-mass "5.972e24 kg" --distance "7000 km"',
+    ),
+)
+
+FRICTION = Task(
+    "friction",
+    "A pushed block on an incline: holds, slides or tips; least and largest push.",
+    Model(
+        "Coulomb friction and tipping",
+        "dynamics_cli.force.friction:friction",
+        source=BOOK + "section 6.7",
+        formula="{normal_force|N} = {mass|m}·{gravity|g}·cos {angle|α}",
+        assumptions=(
+            "the block is rigid and at rest", "the push is along the incline",
+            "its centre is above the middle of its base",
+        ),
+    ),
+    headline=(
+        "verdict", "margin", "least_push: least push", "below: below that it", "largest_push: largest push",
+        "above: above that it", "needed_friction: friction needed", "pressure_point: normal force off the middle",
+    ),
+    examples=(
+        'dynamics force friction --mass "80 kg" --friction 0.4 --width "0.5 m" --centre-height "0.6 m" '
+        '--push "200 N" --push-height "1 m"',
+        'dynamics force friction --mass "300 lb" --angle "15 deg" --friction 0.5 --width "20 in" '
+        '--centre-height "18 in" --push-height "10 in" --units us',
+    ),
+    arrays=False,
+)  # fmt: skip
+
+FIRST_MOMENT = Task(
+    "first-moment",
+    "First moment of mass and mass centre of particles.",
+    Model(
+        "first moment",
+        "dynamics_cli.force.masses:first_moment",
+        source=BOOK + "section 6.8",
+        formula="S = Σ m·(r − Q), centre = Q + S/Σ m",
+        assumptions=("products are exact for the numbers as typed, to 15 digits",),
+    ),
+    headline=("first_moment: first moment S", "mass: total mass", "centre: mass centre"),
+    examples=(
+        'dynamics force first-moment --particle "mass=2 kg, at=1, 0 m" --particle "mass=3 kg, at=0, 2 m"',
+        'dynamics force first-moment --particle "mass=4 lb, at=1, 2, 0 ft" --particle "mass=6 lb, at=0, 1, 3 ft" '
+        '--about "1, 1, 1 ft" --units us',
+    ),
+    arrays=False,
+)
+
 FAMILIES = {
     "force": Family(
-        "force", "Forces: resultants, moments, reactions of supports, springs.", RESULTANT, MOMENT, EQUIVALENT, EQUILIBRIUM
+        "force",
+        "Forces: resultants, moments, reactions, springs, friction.",
+        RESULTANT, MOMENT, EQUIVALENT, EQUILIBRIUM, SPRING, GRAVITY, FRICTION, FIRST_MOMENT,
     )
-}
+}  # fmt: skip

@@ -17,6 +17,21 @@ REFUSED = {
     "couple as a number": ('resultant --moment "5"', "kind"),
     "axis of a couple": ('equivalent --moment "5 N*m" --form wrench', "couple"),
     "axis without direction": ('moment --force "1, 0 N" --at "0, 1 m" --axis "0, 0, 0"', "zero-vector"),
+    "spring of no length": (
+        'spring --first-end "1, 0 m" --second-end "1, 0 m" --free-length "1 m" --stiffness "1 N/m"',
+        "no-length",
+    ),
+    "damper without rate": (
+        'spring --length "1 m" --free-length "1 m" --stiffness "1 N/m" --damping "1 N*s/m"',
+        "missing",
+    ),
+    "no mass": ('first-moment --mass "0 kg" --at "1, 0 m"', "no-mass"),
+    "underground": ('gravity --mass "1 kg" --altitude "-1 m"', "altitude"),
+    "one place": ('gravity --mass "1 kg" --other-mass "1 kg" --distance "0 m"', "distance"),
+    "a wall": (
+        'friction --mass "1 kg" --angle "90 deg" --friction 1 --width "1 m" --centre-height "1 m" --push-height "1 m"',
+        "angle",
+    ),
     "one pin": (f"equilibrium {DOWN} {PIN}", "mechanism"),
     "rollers in parallel": (f"equilibrium {SIDE} {PARALLEL}", "mechanism"),
     "two pins": (f"equilibrium {DOWN} {PIN} {PIN.replace('at=0', 'at=5')}", "indeterminate"),
@@ -62,6 +77,26 @@ def test_a_body_that_only_these_loads_leave_at_rest() -> None:
     made = answer(*shlex.split(f"force equilibrium {DOWN} {ROLLER} {ROLLER.replace('5', '0')}"))
     assert made["results"]["verdict"] == "held for these loads alone"
     assert [warning["code"] for warning in made["warnings"]] == ["partial"]
+
+
+BLOCK = 'force friction --mass "80 kg" --friction 0.4 --width "0.5 m" --centre-height "0.6 m"'
+
+
+@pytest.mark.parametrize(
+    ("more", "verdict"),
+    [
+        ('--push "200 N" --push-height "1 m"', "tips uphill"),
+        ('--push "-200 N" --push-height "1 m"', "tips downhill"),
+        ('--push "190 N" --push-height "1 m"', "holds"),
+        ('--push "320 N" --push-height "0.2 m"', "slides up"),
+        ('--push "0 N" --push-height "0.2 m" --angle "22 deg"', "slides down"),
+        ('--push "0 N" --push-height "0 m" --angle "21 deg"', "holds"),
+        ('--push "0 N" --push-height "0 m" --angle "23 deg"', "tips downhill"),
+    ],
+)
+def test_blocks(more: str, verdict: str) -> None:
+    """Sliding sets in at 21.8 degrees, tipping at 22.6."""
+    assert answer(*shlex.split(f"{BLOCK} {more}"))["results"]["verdict"] == verdict
 
 
 def test_uncertain_forces() -> None:

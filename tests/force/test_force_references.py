@@ -11,8 +11,11 @@ from hypothesis import strategies as st
 
 from dynamics_cli.force.equilibrium import equilibrium
 from dynamics_cli.force.equivalent import Form, equivalent
+from dynamics_cli.force.friction import friction
+from dynamics_cli.force.masses import AtAltitude, Beside, Particle, first_moment, gravity
 from dynamics_cli.force.moment import moment
 from dynamics_cli.force.resultant import resultant
+from dynamics_cli.force.spring import Ends, spring
 from dynamics_cli.force.supports import Holding, Support
 from dynamics_cli.force.system import Couple, Load
 from dynamics_cli.numerics.exact.typed import TypedNumber
@@ -122,6 +125,40 @@ def test_reactions_of_a_shaft_in_space_put_back_give_zero(loads: Any) -> None:
     size = sum(abs(x) for load in everything for x in load.force) + 1.0
     assert max(map(abs, whole.force)) <= 1e-14 * size
     assert max(map(abs, whole.moment)) <= 1e-12 * size
+
+
+def test_a_spring_stretched_by_less_than_its_length_resolves() -> None:
+    """√(1 + 1e-16) − 1 is zero in doubles."""
+    made = spring(place=Ends((0.0, 0.0, 0.0), (1.0, 1e-8, 0.0)), stiffness=1e6, free_length=1.0)
+    near(made.stretch, "4.999999999999999875e-17", FEW)
+    near(made.tension, "4.999999999999999875e-11", 6e-16)
+
+
+def test_first_moment_about_the_mass_centre_is_zero() -> None:
+    those = Particle(0.1, (0.7, 0.1, 0.0)), Particle(0.2, (0.1, 0.4, 0.0)), Particle(0.5, (0.3, 0.3, 8.0))
+    centre = first_moment(particles=those).centre
+    near(centre[0], "0.3", FEW)
+    near(centre[2], "5.0", FEW)
+    assert max(map(abs, first_moment(particles=those, about=centre).first_moment)) < 1e-16
+
+
+def test_gravity_of_the_earth_both_ways() -> None:
+    """The earth's mass and mean radius give standard gravity to two parts in a thousand."""
+    one = gravity(mass=2.0, place=AtAltitude(1e6))
+    assert one.force == pytest.approx(2.0 * 9.80665 * (6371.0 / 7371.0) ** 2, rel=1e-15)
+    other = gravity(mass=2.0, place=Beside(5.972e24, 7371e3))
+    assert other.force == pytest.approx(one.force, rel=2e-3)
+
+
+def test_a_block_at_its_limits_is_in_equilibrium_with_the_normal_force_at_the_edge_or_full_friction() -> None:
+    call = {"mass": 30.0, "angle": 0.2, "width": 0.4, "centre_height": 0.5, "push_height": 0.9}
+    tips = friction(friction=2.0, **call)
+    assert tips.largest_push is not None
+    assert friction(friction=2.0, push=tips.largest_push, **call).pressure_point == pytest.approx(0.2, rel=1e-14)
+    up = friction(friction=0.3, push=10.0, **call | {"push_height": 0.1})
+    assert up.largest_push is not None
+    edge = friction(friction=0.3, push=up.largest_push, **call | {"push_height": 0.1})
+    assert edge.needed_friction == pytest.approx(0.3, rel=1e-14)
 
 
 def test_generating_again_gives_the_same_bytes(tmp_path: Path) -> None:
