@@ -86,7 +86,7 @@ def equilibrium(
     >>> [reaction.force[1] for reaction in made.reactions]
     [600.0, 400.0]
     """
-    system = System(loads, couples)
+    system = System(loads, couples, needed=False)
     require(len(supports) > 0, "no support is given", code="missing", hint=f"such as {EXAMPLE}")
     planar = system.planar and lie_in_a_plane(supports)
     held = [Read(one, index, planar=planar) for index, one in enumerate(supports)]
@@ -105,7 +105,7 @@ def equilibrium(
         margin=None if free else stretch * spread,
         numerics=Numerics(METHOD),
         checks=(_put_back(system, balance),),
-        advice=(*_on_supports(balance, stretch, spread, planar=planar), *_on_senses(held, balance)),
+        advice=(*_on_loads(system), *_on_supports(balance, stretch, spread, planar=planar), *_on_senses(held, balance)),
     )
 
 
@@ -160,6 +160,13 @@ def _sense(one: Read, force: "Ratios") -> "str | None":
     if one.type in ("link", "cable"):
         return "tension" if along > 0 else "compression"
     return "pushes" if along > 0 else "pulls"
+
+
+def _on_loads(system: System) -> "tuple[Advice, ...]":
+    if system.forces or system.couples:
+        return ()
+    message = worded("no force and no couple is given: there is nothing to hold")
+    return (Advice("no-load", message, remedy='add such as --load "force=0, -500 N, at=2, 0 m"'),)
 
 
 def _on_senses(held: "Sequence[Read]", balance: Balance) -> "list[Advice]":

@@ -4,7 +4,7 @@ A component that was worked out, as of `20 N @ 120 deg`, is taken to 15 digits o
 cosines of simple angles cancel as they do on paper.
 """
 
-from math import floor, frexp, isfinite
+from math import floor, frexp, isfinite, lcm
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot
@@ -56,6 +56,26 @@ def plus(*those: "Ratios") -> "Ratios":
     """The exact sum."""
     x, y, z = (total(one[axis] for one in those) for axis in range(3))
     return x, y, z
+
+
+def turning(points: "Sequence[Ratios]", forces: "Sequence[Ratios]") -> "tuple[Ratios, Ratios]":
+    """The sum of forces and of their moments about the origin, in whole numbers over common denominators."""
+    of_points, of_forces = _denominator(points), _denominator(forces)
+    total_force, total_moment = [0, 0, 0], [0, 0, 0]
+    for point, force in zip(points, forces, strict=True):
+        x, y, z = (top * (of_points // bottom) for top, bottom in point)
+        u, v, w = (top * (of_forces // bottom) for top, bottom in force)
+        for i, part in enumerate((u, v, w)):
+            total_force[i] += part
+        for i, part in enumerate((y * w - z * v, z * u - x * w, x * v - y * u)):
+            total_moment[i] += part
+    a, b, c = (lowest(part, of_forces) for part in total_force)
+    d, e, f = (lowest(part, of_forces * of_points) for part in total_moment)
+    return (a, b, c), (d, e, f)
+
+
+def _denominator(those: "Sequence[Ratios]") -> int:
+    return lcm(*{bottom for one in those for _, bottom in one})
 
 
 def times(factor: "Pair", a: "Ratios") -> "Ratios":

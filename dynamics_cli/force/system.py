@@ -83,9 +83,8 @@ class System:
             vector(one.moment, Torque, f"couple {n}", "'5 N*m', or '2, -3, 0.5 N*m' in space")
             for n, one in enumerate(turns, 1)
         ]
-        self.force = ratios.plus(*self.forces)
-        turning = [ratios.cross(p, f) for p, f in zip(self.points, self.forces, strict=True)]
-        self.moment = ratios.plus(*turning, *self.couples)
+        self.force, turning = ratios.turning(self.points, self.forces)
+        self.moment = ratios.plus(turning, *self.couples)
         self.flow = sum(ratios.size(one) for one in self.forces)
 
     def moment_about(self, point: "Ratios") -> "Ratios":

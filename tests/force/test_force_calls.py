@@ -73,6 +73,11 @@ def test_a_cable_in_compression_is_said_and_not_clipped() -> None:
     assert [warning["code"] for warning in made["warnings"]] == ["slack"]
 
 
+def test_a_body_without_loads_is_said_to_have_none() -> None:
+    made = answer(*shlex.split(f"force equilibrium {PIN} {ROLLER}"))
+    assert [warning["code"] for warning in made["warnings"]] == ["no-load"]
+
+
 def test_a_body_that_only_these_loads_leave_at_rest() -> None:
     made = answer(*shlex.split(f"force equilibrium {DOWN} {ROLLER} {ROLLER.replace('5', '0')}"))
     assert made["results"]["verdict"] == "held for these loads alone"
