@@ -2,10 +2,13 @@
 
 import json
 import runpy
+import shlex
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import pytest
+from harness import answer
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -26,8 +29,6 @@ ONE_ROUNDING, FEW = 2.0**-53, 4e-16
 
 
 def typed(text: str) -> Any:
-    from fractions import Fraction
-
     return tuple(TypedNumber(*Fraction(part).as_integer_ratio()) for part in text.split())
 
 
@@ -36,8 +37,6 @@ def loads_of(case: Any) -> tuple[Load, ...]:
 
 
 def near(value: Any, text: str, tolerance: float) -> None:
-    from fractions import Fraction
-
     reference = Fraction(text)
     assert abs(Fraction(value) - reference) <= Fraction(tolerance) * abs(reference) * (1 + Fraction(1, 10**12))
 
@@ -132,6 +131,18 @@ def test_a_spring_stretched_by_less_than_its_length_resolves() -> None:
     made = spring(place=Ends((0.0, 0.0, 0.0), (1.0, 1e-8, 0.0)), stiffness=1e6, free_length=1.0)
     near(made.stretch, "4.999999999999999875e-17", FEW)
     near(made.tension, "4.999999999999999875e-11", 6e-16)
+
+
+@pytest.mark.parametrize("case", REFERENCES["bounded"], ids=lambda case: str(case["call"])[:60])
+def test_errors_are_within_stated_bounds(case: Any) -> None:
+    made = answer("force", *shlex.split(case["call"]), "--units", "base")
+    for name, text in case["results"].items():
+        bound = made["numerics"]["error_bound"][name]
+        value = Fraction(made["results"][name]["value"])
+        allowed = Fraction(bound.get("relative", 0.0)) * abs(value) + Fraction(bound.get("absolute", 0.0))
+        error = abs(value - Fraction(text))
+        assert error <= allowed, name
+        assert allowed <= 100 * max(error, Fraction(2.0**-54) * abs(value)), name
 
 
 def test_first_moment_about_the_mass_centre_is_zero() -> None:

@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import permutations
 from pathlib import Path
 
-from mpmath import mp, mpf, nstr, sqrt
+from mpmath import cos, mp, mpf, nstr, sin, sqrt, tan
 
 mp.dps = 60
 FILE = Path(__file__).resolve().parents[1] / "force" / "force.json"
@@ -152,6 +152,44 @@ def drawn():
     }
 
 
+def bounded():
+    """Calls whose numbers are doubles exactly, with results from other forms: chords and roots for springs, moments
+    about the edges of the base for blocks."""
+    out = []
+    for end, free, stiffness in (("1 1e-8", "1", "1048576"), ("3 4", "5.25", "1024"), ("0.5 0", "0.25", "4096")):
+        x, y = map(mpf, end.split())
+        stretch = sqrt(x * x + y * y) - mpf(free)
+        ends = ", ".join(end.split())
+        sizes = f'--free-length "{free} m" --stiffness "{stiffness} N/m"'
+        call = f'spring --first-end "0, 0 m" --second-end "{ends} m" {sizes}'
+        pull = mpf(stiffness) * stretch
+        out.append({"call": call, "results": {"tension": text(pull), "energy": text(pull * stretch / 2)}})
+    for angle, friction, push, height in (
+        ("0.25", "0.5", "64", "0.125"),
+        ("0.25", "2", "-16", "1.5"),
+        ("-0.5", "1", "8", "1"),
+    ):
+        weight = mpf(16) * mpf("9.8125")
+        down, normal = weight * sin(mpf(angle)), weight * cos(mpf(angle))
+        at = mpf(height)
+        # about the uphill and the downhill edge of a base of 0.5 m, the centre 0.75 m above it
+        uphill, downhill = (mpf("0.75") * down + side * normal / 4 for side in (1, -1))
+        results = {
+            "largest_push": text(min(uphill / at, down + mpf(friction) * normal)),
+            "least_push": text(max(downhill / at, down - mpf(friction) * normal)),
+            "needed_friction": text(abs(tan(mpf(angle)) - mpf(push) / normal)),
+        }
+        call = (
+            f'friction --mass "16 kg" --angle "{angle} rad" --friction {friction} --width "0.5 m" '
+            f'--centre-height "0.75 m" --push "{push} N" --push-height "{height} m" --gravity "9.8125 m/s^2"'
+        )
+        out.append({"call": call, "results": results})
+    share = mpf(6371000) / mpf(6771000)
+    out.append({"call": 'gravity --mass "80 kg" --altitude "400000 m" --gravity "9.8125 m/s^2"',
+                "results": {"force": text(80 * mpf("9.8125") * share * share)}})  # fmt: skip
+    return out
+
+
 def main(file=FILE):
     systems = [
         {"name": name, "loads": loads, "couples": couples, "results": resultant(loads, couples)}
@@ -161,7 +199,9 @@ def main(file=FILE):
         {"name": name, "loads": loads, "supports": supports, "reactions": reactions(loads, supports)}
         for name, (loads, supports) in SUPPORTED.items()
     ]
-    file.write_text(json.dumps({"systems": systems, "supported": held}, indent=1) + "\n", encoding="utf-8")
+    file.write_text(
+        json.dumps({"systems": systems, "supported": held, "bounded": bounded()}, indent=1) + "\n", encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":
