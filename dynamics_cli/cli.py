@@ -31,10 +31,10 @@ def find_task(words: "list[str]") -> "tuple[Task, int] | None":
     """The task the first words name, and how many words that took."""
     if not words or words[0] not in FAMILIES:
         return None
-    found = family(words[0])
-    if found.alone is not None:
-        return found.alone, 1
-    task = found.tasks.get(words[1]) if len(words) > 1 else None
+    members = family(words[0])
+    if members.alone is not None:
+        return members.alone, 1
+    task = members.tasks.get(words[1]) if len(words) > 1 else None
     return (task, 2) if task is not None else None
 
 
@@ -140,18 +140,16 @@ def answer(command: str, parameters: "dict[str, object]") -> "dict[str, Any]":
     from dynamics_cli.core.inputs.settings import Settings
 
     words = command.split()
-    found = find_task(words)
-    if found is None or found[1] != len(words):
+    task = find_task(words)
+    if task is None or task[1] != len(words):
         raise UsageError(f"there is no command {command!r}", code="unknown-command")
     terminal = Terminal()
     raw = plain_parameters(parameters)
     settings = Settings(options_of(raw), terminal.environ)
     gathered = (
-        over_file(found[0], raw, settings.input, terminal)
-        if settings.input
-        else Gathered(raw, Reader(terminal.environ))
+        over_file(task[0], raw, settings.input, terminal) if settings.input else Gathered(raw, Reader(terminal.environ))
     )
-    return document_of(found[0], gathered, settings)
+    return document_of(task[0], gathered, settings)
 
 
 def answer_rows(command: str, rows: bytes, words: "tuple[str, ...]") -> bytes:

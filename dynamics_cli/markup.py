@@ -10,8 +10,8 @@ def markdown(text: str, marks: str = MARKS) -> str:
     >>> markdown("a <b> | [c](d)")
     'a \\<b> \\| [c]\\(d)'
     """
-    made = "".join(f"\\{mark}" if mark in marks else mark for mark in text)
-    return " ".join(made.replace("](", "]\\(").replace("][", "]\\[").split())
+    escaped = "".join(f"\\{mark}" if mark in marks else mark for mark in text)
+    return " ".join(escaped.replace("](", "]\\(").replace("][", "]\\[").split())
 
 
 def fenced(text: str) -> str:

@@ -8,12 +8,25 @@ from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
     from typing import Any, Literal
 
     Numbers = Sequence[float]
     Style = Literal[
-        "solid", "dashed", "dotted", "thin", "points", "steps", "filled", "fill", "outline", "centre", "dots", "thick"
+        "solid",
+        "dashed",
+        "dotted",
+        "thin",
+        "points",
+        "steps",
+        "filled",
+        "fill",
+        "outline",
+        "centre",
+        "dots",
+        "thick",
+        "ground",
+        "track",
     ]
 
 
@@ -38,7 +51,8 @@ class Curve:
     """A line through points; a non-finite y breaks it. `filled` closes it and fills it faintly.
 
     Of shapes, `outline` is the line alone and `fill` the area alone; `centre` is the dash-dotted line of axes and pitch
-    circles, `dots` a fine dotted one, `thick` a line that stands out.
+    circles, `dots` a fine dotted one, `thick` a line that stands out. Of scenes, `ground` is a pale area beneath all
+    else, `track` the grey mark of a wheel.
     """
 
     x: "Numbers"
@@ -175,3 +189,32 @@ class Picture:
     subtitle: str = ""
     views: bool = False
     notes: "tuple[tuple[str, float, Any], ...]" = ()
+
+
+@record
+class Listing:
+    """A table of a data sheet: a heading, the heads of its columns, and rows of words; values may be `worded`.
+
+    Under an axis in the head stand numbers in SI; infinity is written as a dash.
+    """
+
+    title: str
+    head: "tuple[str | Axis, ...]"
+    rows: "tuple[tuple[str | float, ...], ...]"
+
+
+@record
+class Sheet:
+    """A result on one page, to go with a drawing: `left` and `right` side by side, then `foot` over the whole width."""
+
+    title: str
+    subtitle: str
+    left: "tuple[Picture | Listing, ...]"
+    right: "tuple[Picture | Listing, ...]"
+    foot: "tuple[Picture | Listing, ...]" = ()
+
+
+def complex_curve(points: "Iterable[complex]", label: str, style: "Any", role: int) -> Curve:
+    """A curve through points given as complex numbers."""
+    points = list(points)
+    return Curve([point.real for point in points], [point.imag for point in points], label, style, role)

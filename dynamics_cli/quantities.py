@@ -1,7 +1,7 @@
 """The vocabulary of signatures: what a number is, which unit it is in inside the program, and what it may be.
 
-For a type checker `Length` is plain `float`; at run time it is a `Kind` that says: a length, in metres, shown in m or ft.
-Importing this module must cost nothing a shell user can feel, so it uses neither typing nor dataclasses.
+For a type checker `Length` is plain `float`; at run time it is a `Kind` that says: a length, in metres, shown in m or
+ft. Importing this module must cost nothing a shell user can feel, so it uses neither typing nor dataclasses.
 """
 
 TYPE_CHECKING = False
@@ -11,10 +11,10 @@ class Kind:
     """What a leaf of a signature means: its name, SI unit, bounds, the units it is shown in, and an example.
 
     `form` says how it is read: "scalar", "slope" (rise over run, or an angle), "vector", "planar" (a planar vector),
-    "tensor", "free vector" and "free" (a vector or a number of any kind, held by a `Quantity`), "matrix" (exact ratios),
-    "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio), "exact" (an
-    exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at its end),
-    "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
+    "tensor", "free vector" and "free" (a vector or a number of any kind, held by a `Quantity`), "matrix" (exact
+    ratios), "whole" (a whole number), "range" (the first and last of whole numbers), "fraction" (an exact ratio),
+    "exact" (an exact rational with its unit), "unit", "text", "file", "flag", "formula" (an expression with its unit at
+    its end), "let" (a variable of formulas and its value) or "measured" (a result with a unit of its own).
 
     A vector of a `flat` kind may leave out z, which is zero then: a motion in the x–y plane.
 
@@ -216,14 +216,23 @@ if TYPE_CHECKING:
     Eccentricity = float
     BalanceGrade = float
     BalanceMass = float
+    DampingRatio = float
+    ViscousDamping = float
+    TorsionDamping = float
+    SpringRate = float
+    Receptance = float
+    VibrationSpeed = float
+    SagGravity = float
     # read in a way of their own
     Slope = float
     Count = int
     Teeth = int
     Vector = tuple[float, float, float]
     Position = tuple[float, float, float]
+    SpacePosition = tuple[float, float, float]
     Direction = tuple[float, float, float]
     Velocity = tuple[float, float, float]
+    SpaceVelocity = tuple[float, float, float]
     AngularVelocity = tuple[float, float, float]
     AngularAccelerationVector = tuple[float, float, float]
     AccelerationVector = tuple[float, float, float]
@@ -483,6 +492,23 @@ else:
         about="eccentricity times angular velocity: G 6.3 is 6.3 mm/s",
     )  # fmt: skip
     BalanceMass = Kind("mass", "kg", si="g", us="oz", low=0.0, example="20 g", about="a small mass")
+    # vibration; what is negative is refused by physics, which says what becomes of the motion
+    DampingRatio = Kind("damping ratio", "", example="0.05", about="damping over critical damping")
+    ViscousDamping = Kind("damping", "N*s/m", si="N*s/m", us="lbf*s/in", example="50 N*s/m", about="force per speed")
+    TorsionDamping = Kind(
+        "torsion damping", "N*m*s/rad", si="N*m*s/rad", us="lbf*in*s/rad", low=0.0, example="2 N*m*s/rad",
+        about="torque per angular velocity",
+    )  # fmt: skip
+    SpringRate = Kind("stiffness", "N/m", si="N/mm", us="lbf/in", example="20 N/mm", about="force per deflection")
+    Receptance = Kind("receptance", "m/N", si="um/N", us="in/lbf", example="5 um/N", about="amplitude per force")
+    SagGravity = Kind(
+        "acceleration", "m/s^2", si="m/s^2", us="ft/s^2", above=0.0, example="32.2 ft/s^2",
+        about="the acceleration of gravity", default=STANDARD_GRAVITY_TEXT, variable="DYNAMICS_GRAVITY",
+        needs="static_deflection",
+    )  # fmt: skip
+    VibrationSpeed = Kind(
+        "vibration velocity", "m/s", si="mm/s", us="in/s", example="4.5 mm/s", about="a velocity of vibration"
+    )
     # read in a way of their own
     Slope = Kind(
         "slope", "", form="slope", si="%", us="%", example="-3 %", about="rise over run, or an angle; uphill positive"
@@ -501,6 +527,11 @@ else:
         "first moment", "kg*m", form="vector", size=3, si="kg*m", us="lb*ft", example="1, 2, 0 kg*m",
         about="mass times position",
     )  # fmt: skip
+    # of bodies in space, where a missing z is a mistake
+    SpacePosition = Kind("position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point")
+    SpaceVelocity = Kind(
+        "velocity", "m/s", form="vector", size=3, si="m/s", us="ft/s", example="3, 0, 1 m/s", about="a velocity"
+    )
     Direction = Kind("direction", "", form="vector", size=3, example="0, 0, 1", about="a direction")
     Velocity = Kind(
         "velocity",

@@ -107,6 +107,13 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[5],
         "Balancing of rotors and engines, balance grades, flywheels.",
     ),
+    "vibration": Entry(
+        "dynamics_cli.vibration.commands",
+        GROUPS[5],
+        "Vibration of machines, rotors, shafts, beams; shocks, isolation.",
+        references=("vibration.json",),
+        questions="dynamics_cli.accuracy.alternatives.vibration",
+    ),
     "force": Entry(
         "dynamics_cli.force.commands",
         GROUPS[5],

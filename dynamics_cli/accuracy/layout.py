@@ -55,12 +55,12 @@ def lines(results: "Entry", digits: int, width: int) -> "list[str]":
     if "cases" in results:
         return listing.lines(results["cases"], _wrapped, width)
     columns = _fitting(_columns(rows, digits), rows, width)
-    made = [*_own(rows, width), "", *_legend(columns, rows, width), *_about(results, width)]
+    text = [*_own(rows, width), "", *_legend(columns, rows, width), *_about(results, width)]
     longest = max(len(row["method"].removesuffix(CHOSEN)) for row in rows)
     room = min(width - 4 - sum(2 + size for _, size in columns), longest)
     for block in _blocks(rows):
-        made += ["", *_block(block, columns, room, width)]
-    return made
+        text += ["", *_block(block, columns, room, width)]
+    return text
 
 
 def _own(rows: "list[Entry]", width: int) -> "list[str]":
@@ -211,18 +211,18 @@ def _block(rows: "list[Entry]", columns: "list[tuple[Column, int]]", room: int, 
     measure = rows[0]["measure"]
     title = rows[0]["question"] + (f", errors in {measure}" if measure != "relative" else "")
     heads = "".join(f"  {column.title:>{size}}" for column, size in columns)
-    made = [f"  {title:<{room + 2}}{heads}" if len(title) <= room + 2 else f"  {title}\n{'':{room + 4}}{heads}"]
+    text = [f"  {title:<{room + 2}}{heads}" if len(title) <= room + 2 else f"  {title}\n{'':{room + 4}}{heads}"]
     for row in rows:
         name = row["method"].removesuffix(CHOSEN)
         mark = "▸ " if name != row["method"] else "* " if row["front"] else "  "
         figures = "".join(f"  {column.text(row):>{size}}" for column, size in columns)
         first, *rest = _wrapped(name, room)
-        made.append(f"  {mark}{first:<{room}}{figures}".rstrip())
-        made += [f"      {part}" for part in rest]
+        text.append(f"  {mark}{first:<{room}}{figures}".rstrip())
+        text += [f"      {part}" for part in rest]
         if row["worst_case"] and row["worst"]["value"]:
             truly = _truly(row)
-            made.append(_clipped(f"      worst: {row['worst_case']}", width - len(truly)) + truly)
-    return made
+            text.append(_clipped(f"      worst: {row['worst_case']}", width - len(truly)) + truly)
+    return text
 
 
 def _truly(row: "Entry") -> str:

@@ -21,7 +21,7 @@ class ReferenceCase:
     """A reference case."""
 
     command: Annotated[Text, "The command whose task it is a case of."]
-    name: Annotated[Text, "Its name, which no other case of the task has."]
+    name: Annotated[Text, "Its name, unique within the task."]
     difficulty: Annotated[Text, "ordinary, or hard: chosen, or found by search, for being difficult."]
     why: Annotated[Text | None, "Why it is hard."]
     source: Annotated[
@@ -29,8 +29,8 @@ class ReferenceCase:
         "Where it comes from: drawn at random, chosen by hand, made up for a limit, or found by a search for the "
         "largest error, for the error nearest to its bound, or for the loosest bound.",
     ]
-    file: Annotated[Text, "The file of references that it stands in."]
-    task: Annotated[Text, "The file's own word for what is calculated."]
+    file: Annotated[Text, "The file of references that contains it."]
+    task: Annotated[Text, "The file's name for the calculation."]
 
 
 @cache
@@ -63,19 +63,19 @@ def lines(cases: "list[dict[str, Any]]", wrapped: "Any", width: int) -> "list[st
     """The cases for people: a block for each command, its hard cases with their reasons; `wrapped` breaks lines."""
     sources = {case["source"] for case in cases}
     meaning = "; ".join(f"{word}: {words}" for word, words in manifest()["sources"].items() if word in sources)
-    made = ["", *(f"  {line}" for line in wrapped(meaning, width - 2))]
+    text = ["", *(f"  {line}" for line in wrapped(meaning, width - 2))]
     before = ""
     for case in cases:
         if case["command"] != before:
             before = case["command"]
             own = [one for one in cases if one["command"] == before]
             hard = sum(one["difficulty"] == HARD for one in own)
-            made += ["", f"  {before}: {len(own)} reference cases, {hard} hard"]
+            text += ["", f"  {before}: {len(own)} reference cases, {hard} hard"]
         mark = "▸ " if case["difficulty"] == HARD else "  "
-        made += [f"  {mark}{line}" for line in wrapped(f"{case['name']} ({case['source']})", width - 4)]
+        text += [f"  {mark}{line}" for line in wrapped(f"{case['name']} ({case['source']})", width - 4)]
         if case.get("why"):
-            made += [f"      {line}" for line in wrapped(case["why"], width - 6)]
-    return made
+            text += [f"      {line}" for line in wrapped(case["why"], width - 6)]
+    return text
 
 
 def counted(cases: tuple[ReferenceCase, ...]) -> Picture:

@@ -11,7 +11,7 @@ PACKAGES = {"py_gearworks": "py-gearworks"}
 class Machine:
     """What times depend on."""
 
-    processor: Annotated[Text, "The processor, as it calls itself."]
+    processor: Annotated[Text, "Name of the processor."]
     system: Annotated[Text, "Operating system and architecture."]
     python: Annotated[Text, "The interpreter and its version."]
     numpy: Annotated[Text, "The version of numpy."]
@@ -21,12 +21,12 @@ class Machine:
 class Peer:
     """Another library that answers some of the questions asked."""
 
-    name: Annotated[Text, "The library, as it is imported."]
+    name: Annotated[Text, "Import name of the library."]
     version: Annotated[
         Text,
         'Its version where it is installed, "" where it is not, and why not where it is there but cannot be imported.',
     ]
-    installed: Annotated[bool, "Whether it took part."]
+    installed: Annotated[bool, "Whether it was measured."]
 
 
 def this_machine() -> Machine:

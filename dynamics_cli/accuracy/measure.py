@@ -93,7 +93,7 @@ def errors_of(
 ) -> Errors:  # fmt: skip
     """The errors of a method over its cases; a `foreign` one, of another library, may fail in any way it likes."""
     refusals = Exception if foreign else (DynamicsError, ArithmeticError, ValueError)
-    made = Errors()
+    errors = Errors()
     for index, case in enumerate(cases):
         numbers: list[Any] = list(leaves(case.inputs))
         if tracked:
@@ -107,7 +107,7 @@ def errors_of(
         try:
             answer = call(numbers)
         except refusals:
-            made.refused += 1
+            errors.refused += 1
             continue
         if tracked:
             from dynamics_cli.core.answering.tightening import tighten
@@ -118,15 +118,15 @@ def errors_of(
             name: float(getattr(results[name], "value", results[name])) for name in case.results if name in results
         }
         if not all(map(math.isfinite, shown.values())):
-            made.refused += 1
+            errors.refused += 1
             continue
-        made.cases += 1
+        errors.cases += 1
         for name, value in shown.items():
             bound = getattr(results[name], "error", 0.0 if tracked else None)
             if name in stated:
                 bound = stated[name].bound * (abs(value) if stated[name].relative else 1.0)
-            made.add(f"{case.name}: {name}", value, case.results[name], bound, f"{index} {name}")
-    return made
+            errors.add(f"{case.name}: {name}", value, case.results[name], bound, f"{index} {name}")
+    return errors
 
 
 def results_of(answer: "Any") -> "dict[str, Any]":

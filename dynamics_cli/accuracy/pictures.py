@@ -39,13 +39,13 @@ PAGE = 8
 ERROR = "worst error (1: no digit is right)"
 
 
-def work_precision(made: "Accuracy", *_: "Any", **__: "Any") -> Picture:
+def work_precision(accuracy: "Accuracy", *_: "Any", **__: "Any") -> Picture:
     """A panel for every question with several methods, one of all of them, and one of each family's other questions."""
-    if made.cases is not None:
-        return counted(made.cases)
-    questions = by_question(made)
+    if accuracy.cases is not None:
+        return counted(accuracy.cases)
+    questions = by_question(accuracy)
     if not questions:
-        return errors_alone(made)
+        return errors_alone(accuracy)
     several = [rows for rows in questions if len(rows) > 1]
     alone: dict[str, list[Row]] = {}
     for rows in questions:
@@ -59,19 +59,19 @@ def work_precision(made: "Accuracy", *_: "Any", **__: "Any") -> Picture:
     return Picture(tuple(panels), TITLE, 1 if len(panels) == 1 else 2, PAGE)
 
 
-def by_question(made: "Accuracy") -> "list[list[Row]]":
+def by_question(accuracy: "Accuracy") -> "list[list[Row]]":
     """The methods that have a time and an error, question by question."""
     questions: dict[tuple[str, str], list[Row]] = {}
-    for row in made.methods:
+    for row in accuracy.methods:
         if row.time and row.cases:
             questions.setdefault((row.family, row.question), []).append(row)
     return list(questions.values())
 
 
-def errors_alone(made: "Accuracy") -> Picture:
+def errors_alone(accuracy: "Accuracy") -> Picture:
     """Where there are no times: every method's worst error as a bar, a panel for every question."""
     questions: dict[tuple[str, str], list[Row]] = {}
-    for row in made.methods:
+    for row in accuracy.methods:
         questions.setdefault((row.family, row.question), []).append(row)
     panels = []
     for (_, question), rows in questions.items():
@@ -84,9 +84,9 @@ def errors_alone(made: "Accuracy") -> Picture:
     return Picture(tuple(panels), "worst errors: shorter is more exact", 1 if len(panels) == 1 else 2, PAGE)
 
 
-def chosen_overview(made: "Accuracy", most: int = 11) -> Picture:
+def chosen_overview(accuracy: "Accuracy", most: int = 11) -> Picture:
     """All methods in one panel, and the questions that tell most: of each family those with the most methods."""
-    questions = by_question(made)
+    questions = by_question(accuracy)
     ranked: dict[str, list[list[Row]]] = {}
     for rows in questions:
         if len(rows) > 1 and rows[0].entities is None:

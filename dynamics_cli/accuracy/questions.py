@@ -85,13 +85,13 @@ class Comparison:
 
 def groups_of(task: "Task") -> "dict[str, type]":
     """The record classes of a task's inputs: by the name of their group, and by their own name."""
-    made: dict[str, type] = {}
+    groups: dict[str, type] = {}
     for field in task.specification.fields:
-        _groups(field.key, field.node, made)
-    return made
+        _groups(field.key, field.node, groups)
+    return groups
 
 
-def _groups(key: str, node: "Any", made: "dict[str, type]") -> None:
+def _groups(key: str, node: "Any", groups: "dict[str, type]") -> None:
     item = node.item if isinstance(node, Many) else node
     members: list[Record] = [item] if isinstance(item, Record) else []
     if isinstance(item, OneOf):
@@ -99,13 +99,13 @@ def _groups(key: str, node: "Any", made: "dict[str, type]") -> None:
     elif isinstance(item, Tagged):
         members = list(item.members.values())
     if isinstance(item, Record):
-        made[key] = item.cls
+        groups[key] = item.cls
     for member in members:
-        if made.get(member.cls.__name__) is member.cls:
+        if groups.get(member.cls.__name__) is member.cls:
             continue
-        made[member.cls.__name__] = member.cls
+        groups[member.cls.__name__] = member.cls
         for field in member.fields:
-            _groups(field.key, field.node, made)
+            _groups(field.key, field.node, groups)
 
 
 def own_questions(family: "Family", file: str, cases: "set[str]") -> "list[Question]":

@@ -37,7 +37,7 @@ class Accuracy:
     looseness: Annotated[
         Ratio | None, "The program's stated bounds over its true errors: the median over its methods of their medians."
     ]
-    machine: Annotated[Machine | None, "What times were measured on."]
+    machine: Annotated[Machine | None, "The machine that times were measured on."]
     peers: Annotated[
         tuple[Peer, ...] | None, "Libraries of others that answer some of these questions, where they were asked for."
     ]

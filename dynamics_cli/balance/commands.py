@@ -3,7 +3,7 @@
 from dynamics_cli.core.answering.task import Family, Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
-SENSE = "angles of masses and unbalances are counted in one sense from one mark on the rotor"
+SENSE = "angles of masses and unbalances are measured in one sense from one mark on the rotor"
 RIGID = "the rotor is rigid: it runs well below its first critical speed"
 PICTURES = "dynamics_cli.balance.pictures"
 
@@ -65,7 +65,7 @@ SPLIT = Task(
     ),
     headline=(
         "first_mass: first mass", "first_hole: in hole", "first_angle: at", "second_mass: second mass",
-        "second_hole: in hole", "second_angle: at", "residual: left of the correction", "residual_share: share of it",
+        "second_hole: in hole", "second_angle: at", "residual: remainder", "residual_share: share of it",
     ),
     examples=(
         'dynamics balance split --mass "10 g" --angle "37 deg" --first-angle "20 deg" --second-angle "65 deg"',
@@ -127,8 +127,8 @@ TRIAL = Task(
     examples=(
         'dynamics balance trial --sensor "initial=6 mil @ 40 deg, first=8 mil @ 110 deg" --first-trial-mass "5 g" '
         '--first-trial-angle "0 deg"',
-        'dynamics balance trial --sensor "initial=170 um @ 112 deg, first=235 um @ 94 deg, second=186 um @ 115 deg" '
-        '--sensor "initial=53 um @ 78 deg, first=58 um @ 68 deg, second=77 um @ 104 deg" '
+        'dynamics balance trial --sensor "initial=170um@112deg, first=235um@94deg, second=186um@115deg" '
+        '--sensor "initial=53um@78deg, first=58um@68deg, second=77um@104deg" '
         '--first-trial-mass "1.15 g" --first-trial-angle "0 deg" --second-trial-mass "1.15 g" '
         '--second-trial-angle "0 deg"',
     ),
@@ -150,7 +150,8 @@ ENGINE = Task(
         "backward with −n; A₁ = 1, A₂ = λ + λ³/4 + …, λ = {crank_radius|r}/{rod_length|l}",
         assumptions=(
             DRAWN_ROD,
-            "crank and bank angles are counted in the sense of rotation; a piston is on top where both agree",
+            "crank and bank angles are measured in the sense of rotation; a piston is at top dead centre where both "
+            "are equal",
             "couples are about the middle of the shaft, or of the places given",
         ),
     ),
@@ -210,7 +211,7 @@ FLYWHEEL = Task(
         "dynamics_cli.balance.flywheel:flywheel",
         source=BOOK + "chapter 15",
         formula="{inertia|I} = ΔE/({fluctuation|C_s}·{speed|ω}²)",
-        assumptions=("the load is steady, equal to the mean torque", "the torque runs straight from point to point"),
+        assumptions=("the load is steady, equal to the mean torque", "the torque is linear between points"),
     ),
     headline=(
         "mean_torque: mean torque", "energy: energy fluctuation ΔE", "inertia: moment of inertia I",

@@ -38,7 +38,7 @@ class Flywheel:
 
     mean_torque: Annotated[Torque, "Mean torque, that of a steady load [N·m]."]
     energy: Annotated[Energy, "Energy between the slowest and the fastest angle [J]."]
-    inertia: Annotated[Inertia, "Moment of inertia wanted of all that turns [kg·m²]."]
+    inertia: Annotated[Inertia, "Moment of inertia required of all rotating parts [kg·m²]."]
     fastest: Annotated[Angle, "Angle of the largest speed [rad]."]
     slowest: Annotated[Angle, "Angle of the smallest speed [rad]."]
     rim_mass: Annotated[Mass | None, "Mass of a thin rim of the radius given with that inertia [kg]."]
@@ -47,7 +47,7 @@ class Flywheel:
 
 def flywheel(
     *,
-    points: Annotated[tuple[Point, ...], "Torque over one cycle, straight from point to point."],
+    points: Annotated[tuple[Point, ...], "Torque over one cycle, linear between points."],
     speed: Annotated[ShaftSpeed, "Mean speed, e.g. 300 rpm."],
     fluctuation: Annotated[Fraction, "Coefficient of fluctuation: largest less smallest speed over the mean."] = 0.02,
     rim_radius: Annotated[Size | None, "Mean radius of the rim, e.g. 0.6 m."] = None,
@@ -82,7 +82,7 @@ def flywheel(
     """
     _require_cycle(points)
     require(abs(plain(speed)) > 0.0, "a shaft at rest needs no flywheel", code="at-rest")
-    require(fluctuation > 0.0, "no flywheel keeps the speed wholly even", code="even", hint="for example 2 %")
+    require(fluctuation > 0.0, "no flywheel keeps the speed perfectly constant", code="even", hint="for example 2 %")
     require(rim_radius is None or rim_radius > 0.0, "the radius of the rim is zero", code="no-radius")
     work: Any = 0.0
     for one, other in pairwise(points):
@@ -107,7 +107,7 @@ def flywheel(
 def _require_cycle(points: "tuple[Point, ...]") -> None:
     require(
         len(points) >= 3,
-        "{count} points are no cycle of torque",
+        "{count} points do not make a cycle of torque",
         code="too-few",
         hint='give --point "angle=0 deg, torque=-80 N*m" for each, three or more',
         count=str(len(points)),
@@ -115,7 +115,7 @@ def _require_cycle(points: "tuple[Point, ...]") -> None:
     for one, other in pairwise(points):
         require(
             other.angle > one.angle,
-            "the angle {other} does not lie beyond the one before, {one}",
+            "the angle {other} is not larger than the one before, {one}",
             code="order",
             hint="list the points by increasing angle",
             one=(one.angle, Angle),

@@ -40,7 +40,7 @@ def grade(
     mass: Annotated[Mass, "Mass of the rotor, e.g. 120 kg."],
     first_distance: Annotated[Distance | None, "First plane (or bearing) to the centre of mass, e.g. 200 mm."] = None,
     second_distance: Annotated[Distance | None, "Centre of mass to the second plane, e.g. 300 mm."] = None,
-    measured: Annotated[Unbalance | None, "Unbalance that was measured, to be judged, e.g. 1800 g*mm."] = None,
+    measured: Annotated[Unbalance | None, "Measured unbalance, to be compared, e.g. 1800 g*mm."] = None,
 ) -> Permitted:
     """Residual unbalance permitted by a balance grade, its shares by plane, and the grade reached.
 

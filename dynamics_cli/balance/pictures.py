@@ -61,7 +61,7 @@ def _at(size: "Any", angle: "Any") -> "Plane":
     return (0.0, 0.0) if angle is None else (size * math.cos(angle), size * math.sin(angle))
 
 
-def trial(made: "Any", *, sensors: "Any", **_: "Any") -> Picture:
+def trial(result: "Any", *, sensors: "Any", **_: "Any") -> Picture:
     """For each sensor the readings of all runs, and the corrections."""
     rows = sensors if isinstance(sensors, tuple) else (sensors,)
     first = rows[0].initial.kind
@@ -76,30 +76,30 @@ def trial(made: "Any", *, sensors: "Any", **_: "Any") -> Picture:
                 change = (reading.value[0] - start[0], reading.value[1] - start[1])
                 arrows.append((start, change, "", role))
         panels.append(_polar(arrows, kind, f"readings of sensor {nth}"))
-    masses = [((0.0, 0.0), _at(made.first_mass, made.first_angle), "1st plane", 1)]
-    if made.second_mass is not None:
-        masses.append(((0.0, 0.0), _at(made.second_mass, made.second_angle), "2nd plane", 2))
+    masses = [((0.0, 0.0), _at(result.first_mass, result.first_angle), "1st plane", 1)]
+    if result.second_mass is not None:
+        masses.append(((0.0, 0.0), _at(result.second_mass, result.second_angle), "2nd plane", 2))
     panels.append(_polar(masses, BalanceMass, "masses to add"))
     return Picture(tuple(panels), "balance run", columns=2)
 
 
-def planes(made: "Any", *, unbalances: "Any", **_: "Any") -> Picture:
+def planes(result: "Any", *, unbalances: "Any", **_: "Any") -> Picture:
     """The unbalances and the corrections."""
     rows = unbalances if isinstance(unbalances, tuple) else (unbalances,)
     zero = (0.0, 0.0)
     given = [(zero, _at(one.amount, one.angle), str(nth), 0) for nth, one in enumerate(rows, 1)]
     added = [
-        (zero, _at(made.first_unbalance, made.first_angle), "1st plane", 1),
-        (zero, _at(made.second_unbalance, made.second_angle), "2nd plane", 2),
+        (zero, _at(result.first_unbalance, result.first_angle), "1st plane", 1),
+        (zero, _at(result.second_unbalance, result.second_angle), "2nd plane", 2),
     ]
     panels = (_polar(given, Unbalance, "unbalances"), _polar(added, Unbalance, "corrections, mass added"))
     return Picture(panels, "two-plane balance", columns=2)
 
 
-def engine(made: "Any", *, speed: float, **_: "Any") -> Picture:
+def engine(result: "Any", *, speed: float, **_: "Any") -> Picture:
     """Force over the turn of the crank, and the path of its tip by order."""
     angles = [2.0 * math.pi * i / (STEPS - 1) for i in range(STEPS)]
-    paths = [[_turned(row, angle) for angle in angles] for row in made.orders]
+    paths = [[_turned(row, angle) for angle in angles] for row in result.orders]
     whole = [(sum(path[i][0] for path in paths), sum(path[i][1] for path in paths)) for i in range(STEPS)]
     crank = Axis("crank angle", Angle, step=math.pi / 3.0)
     over: list[Any] = [
@@ -109,23 +109,23 @@ def engine(made: "Any", *, speed: float, **_: "Any") -> Picture:
     ]
     ellipses: list[Any] = [
         Curve([x for x, _ in path], [y for _, y in path], f"order {row.order}", role=nth)
-        for nth, (row, path) in enumerate(zip(made.orders, paths, strict=True))
-        if row.force > 1e-3 * max(one.force for one in made.orders)
+        for nth, (row, path) in enumerate(zip(result.orders, paths, strict=True))
+        if row.force > 1e-3 * max(one.force for one in result.orders)
     ]
     tips = Panel(
         Axis("at bank angle 0", Force), Axis("across it", Force), tuple(ellipses), "force by order", equal=True
     )
-    names = tuple(f"order {row.order}" for row in made.orders)
+    names = tuple(f"order {row.order}" for row in result.orders)
     panels: list[Panel] = (
         [Panel(crank, Axis("force", Force), tuple(over), "inertia force on the frame")] if ellipses else []
     )
     if ellipses:
         panels.append(tips)
-    if any(row.couple for row in made.orders):
+    if any(row.couple for row in result.orders):
         couples: list[Any] = [
             Curve(angles, [_couple(row, angle) for angle in angles], name, role=nth)
-            for nth, (row, name) in enumerate(zip(made.orders, names, strict=True))
-            if row.couple > 1e-3 * made.orders[0].couple or made.orders[0].couple == 0.0
+            for nth, (row, name) in enumerate(zip(result.orders, names, strict=True))
+            if row.couple > 1e-3 * result.orders[0].couple or result.orders[0].couple == 0.0
         ]
         panels.append(Panel(crank, Axis("couple", Torque), (*couples, Band(0.0, 0.0, "", vertical=False)), "couple"))
     return Picture(tuple(panels), worded("inertia forces at {speed}", speed=(speed, ShaftSpeed)))
@@ -148,15 +148,15 @@ def _couple(row: "Any", angle: float) -> float:
     return together
 
 
-def flywheel(made: "Any", *, points: "Any", **_: "Any") -> Picture:
+def flywheel(result: "Any", *, points: "Any", **_: "Any") -> Picture:
     """Torque over the cycle, its mean, and where the shaft is fastest and slowest."""
     x, y = [one.angle for one in points], [one.torque for one in points]
-    mean = made.mean_torque
+    mean = result.mean_torque
     items = (
         Curve(x, y, "torque", role=0),
         Curve([x[0], x[-1]], [mean, mean], "mean", "dashed", role=1),
-        Mark(made.fastest, mean, "fastest"),
-        Mark(made.slowest, mean, "slowest", (6.0, -12.0)),
+        Mark(result.fastest, mean, "fastest"),
+        Mark(result.slowest, mean, "slowest", (6.0, -12.0)),
     )
     panel = Panel(Axis("angle", Angle, step=math.pi / 3.0), Axis("torque", Torque), items)
     return Picture((panel,), "torque and its mean")

@@ -85,7 +85,7 @@ def split(
     (0.008, 0.006)
     """
     wanted = polar(mass, angle)
-    require(mass > 0.0, "the correction is zero: nothing is to be split", code="zero")
+    require(mass > 0.0, "the correction is zero: there is nothing to split", code="zero")
     holes: tuple[int | None, int | None] = (None, None)
     if isinstance(places, Holes):
         first, second, holes = _beside(angle, places)

@@ -43,8 +43,8 @@ class StaticBalance:
 def static(
     *,
     weights: Annotated[Weight | tuple[Weight, ...], "Masses on the rotor; one may be given by its plain fields."],
-    correction_radius: Annotated[Size | None, "Radius at which mass is added or taken away, e.g. 150 mm."] = None,
-    rotor_mass: Annotated[Mass | None, "Mass of the whole rotor, e.g. 12 kg."] = None,
+    correction_radius: Annotated[Size | None, "Radius at which mass is added or removed, e.g. 150 mm."] = None,
+    rotor_mass: Annotated[Mass | None, "Mass of the complete rotor, e.g. 12 kg."] = None,
     speed: Annotated[ShaftSpeed | None, "Speed of the rotor, e.g. 3000 rpm."] = None,
 ) -> StaticBalance:
     """Unbalance of masses in one plane of a rotor and the mass that balances it.

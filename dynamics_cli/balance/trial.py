@@ -54,8 +54,8 @@ class Sensor:
     initial: Annotated[FreeVector, "Reading without weights, e.g. 170 um @ 112 deg."]
     first: Annotated[FreeVector, "Reading with the weight in the first plane, e.g. 235 um @ 94 deg."]
     second: Annotated[FreeVector | None, "Reading with the weight in the second plane, e.g. 186 um @ 115 deg."] = None
-    runout: Annotated[FreeVector | None, "Slow-roll reading, taken off all others, e.g. 4 um @ 20 deg."] = None
-    weight: Annotated[Positive, "How much its residual counts beside the others."] = 1.0
+    runout: Annotated[FreeVector | None, "Slow-roll reading, subtracted from all others, e.g. 4 um @ 20 deg."] = None
+    weight: Annotated[Positive, "Weight of its residual relative to the others."] = 1.0
 
 
 @record
@@ -74,7 +74,7 @@ class Predicted:
 
     sensor: Annotated[int, "Number of the sensor (or speed) [-]."]
     initial: Annotated[FreeNumber, "Amount before."]
-    residual: Annotated[FreeNumber, "Amount expected after."]
+    residual: Annotated[FreeNumber, "Expected amount afterwards."]
     share: Annotated[Fraction, "After over before [-]."]
 
 
@@ -86,9 +86,9 @@ class TrialBalance:
     first_angle: Annotated[Angle | None, "Where to add it; none of nothing [rad]."]
     second_mass: Annotated[BalanceMass | None, "Mass to add in the second plane; none without one [kg]."]
     second_angle: Annotated[Angle | None, "Where to add it; none of nothing [rad]."]
-    condition: Annotated[Ratio | None, "How well the planes are told apart: 1 is best, above 10 is poor [-]."]
+    condition: Annotated[Ratio | None, "How well the readings separate the planes: 1 is best, above 10 is poor [-]."]
     coefficients: Annotated[tuple[Coefficient, ...], "Influence coefficients."]
-    predicted: Annotated[tuple[Predicted, ...], "Readings before and expected after."]
+    predicted: Annotated[tuple[Predicted, ...], "Readings before, and those expected afterwards."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -101,8 +101,8 @@ def trial(
         TrialWeight | None, "The weight in the second plane; without it one plane is balanced."
     ] = None,
     left_on: Annotated[bool, "The first weight stayed on during the second trial run."] = False,
-    phase: Annotated[Phase, "lead: phases are counted in the sense of the weights' angles; lag: against it."] = LEAD,
-    largest_condition: Annotated[Ratio, "Planes told apart worse than this are refused."] = 100.0,
+    phase: Annotated[Phase, "lead: phases are measured in the sense of the weights' angles; lag: against it."] = LEAD,
+    largest_condition: Annotated[Ratio, "A worse condition of the planes than this is refused."] = 100.0,
 ) -> TrialBalance:
     """Corrections in one or two planes from readings with trial weights, by influence coefficients.
 
@@ -182,7 +182,7 @@ def _require_apart(apart: float, largest: float) -> None:
     """Refuse planes that the readings do not tell apart."""
     hint = "balance in one plane, or add a sensor or a speed at which the planes act differently"
     require(
-        apart < BEYOND, "the two planes act alike on every reading: no masses follow from them",
+        apart < BEYOND, "the two planes act alike on every reading: the masses are not determined",
         code="dependent-planes", hint=hint,
     )  # fmt: skip
     require(
@@ -199,12 +199,12 @@ def _advice(
 ) -> "list[Advice]":
     out = []
     if apart > POOR:
-        text = "the planes are told apart poorly (condition {apart}): errors of readings grow in the masses"
+        text = "the readings separate the planes poorly (condition {apart}): reading errors are magnified"
         out.append(Advice("condition", worded(text, apart=(apart, Ratio)), remedy="add a sensor or a speed"))
     for nth, (column, one) in enumerate(zip(columns, weights, strict=True), 1):
         share = plain(norm(column)) * plain(one.mass) / plain(norm(initial))
         if share < WEAK:
-            text = "trial weight {nth} changed the readings by {share} of them: what is read is mostly scatter"
+            text = "trial weight {nth} changed the readings by {share} of them: the change is mostly scatter"
             message = worded(text, nth=str(nth), share=(share, Fraction))
             out.append(Advice("weak-trial", message, remedy="take a heavier trial weight"))
     return out
@@ -272,7 +272,9 @@ def _influence(
     slow = [None if row.runout is None else _reading(row.runout, phase) for row in rows]
     still = [v if roll is None else v - roll for v, roll in zip(initial, slow, strict=True)]
     require(
-        plain(norm(still)) > 0.0, "the initial readings are zero: nothing is to be balanced", code="nothing-to-balance"
+        plain(norm(still)) > 0.0,
+        "the initial readings are zero: there is nothing to balance",
+        code="nothing-to-balance",
     )
     return still, columns
 
@@ -288,7 +290,7 @@ def _column(runs: "list[Phasor]", before: "list[Phasor]", weight: TrialWeight, n
         plain(norm(changes)) > 0.0,
         "the {name} trial weight changed no reading",
         code="no-response",
-        hint="take a heavier trial weight, or look at the readings",
+        hint="take a heavier trial weight, or check the readings",
         name=name,
     )
     put = polar(weight.mass, weight.angle)

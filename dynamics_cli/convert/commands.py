@@ -42,7 +42,7 @@ FAMILIES = {
                     "{results.value|y} = {inputs.value|x}·{factor|k} (exactly {exact_value|y})",
                     "{results.value|y} = f({inputs.value|x}) (exactly {exact_value|y})",
                 ),
-                assumptions=("lb is read as a mass or a force by what is wanted", "a conversion rounds once"),
+                assumptions=("lb is a mass or a force, as the target unit requires", "a conversion rounds once"),
                 method="exact rational arithmetic",
             ),
             headline=("value:-", "values:-"),

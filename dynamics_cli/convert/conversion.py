@@ -44,14 +44,14 @@ STANDARD_GRAVITY = ExactQuantity(980665, 100000, "m/s^2")
 class Conversion:
     """A quantity in other units."""
 
-    value: Annotated[Measured | None, "The quantity in the one unit asked for."]
-    values: Annotated[tuple[Measured, ...] | None, "The quantity in each unit asked for, when several are."]
+    value: Annotated[Measured | None, "The quantity in the requested unit."]
+    values: Annotated[tuple[Measured, ...] | None, "The quantity in each requested unit, when there are several."]
     exact: Annotated[bool, "Whether every number given is the exact result."]
     exact_value: Annotated[Text | tuple[Text, ...], "The exact result as a rational, with π where the factor has it."]
     factor: Annotated[
-        Text | tuple[Text, ...] | None, "The exact factor from the unit read to the unit asked for, where there is one."
+        Text | tuple[Text, ...] | None, "The exact factor from the unit read to the requested unit, where there is one."
     ]
-    offset: Annotated[Text | None, "What is added after the factor, for temperatures."]
+    offset: Annotated[Text | None, "Offset added after the factor, for temperatures."]
     numerics: Numerics
     advice: tuple[Advice, ...]
 
@@ -59,7 +59,7 @@ class Conversion:
 def convert(
     value: Annotated[ExactQuantity, "The number and its unit, as one word or two."],
     /,
-    *targets: Annotated[UnitName, "The units wanted, SI without any; `ft;in` gives feet and inches."],
+    *targets: Annotated[UnitName, "The target units, SI if none is given; `ft;in` gives feet and inches."],
     weight: Annotated[bool, "Take a mass for its weight, or a weight for its mass, by gravity."] = False,
     gravity: Annotated[WeightGravity | None, "The gravity that --weight uses [m/s²]."] = None,
 ) -> Conversion:
@@ -250,8 +250,8 @@ def _in_si(text: str) -> str:
         raise UsageError(f"{text} may be electrical or a temperature", code="ambiguous-unit", hint=hint)
     from dynamics_cli.core.units.names import kind_name, si_name
 
-    found = candidates(text)
-    return si_name(next((unit for unit in found if not kind_name(unit).startswith("quantity in")), found[0]))
+    readings = candidates(text)
+    return si_name(next((unit for unit in readings if not kind_name(unit).startswith("quantity in")), readings[0]))
 
 
 def _mismatch(read: Unit, wanted: Unit) -> tuple[str, str]:

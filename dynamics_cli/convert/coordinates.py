@@ -61,7 +61,7 @@ def coords(
     /,
     *,
     from_: Annotated[System, "The system the point is given in."],
-    into: Annotated[System, "The system wanted."],
+    into: Annotated[System, "The system to convert to."],
 ) -> Coordinates:
     """Convert a point between Cartesian, cylindrical and spherical coordinates.
 
@@ -111,13 +111,13 @@ def coords(
 
 def _units(components: tuple[tuple[str, ExactQuantity], ...]) -> Unit:
     """The unit of the lengths, the first one's; pure numbers where none has one."""
-    found = [(name, given) for name, given in components if name not in ANGLES]
-    bare = [name for name, given in found if not given.unit]
-    if bare and len(bare) < len(found):
+    lengths = [(name, given) for name, given in components if name not in ANGLES]
+    bare = [name for name, given in lengths if not given.unit]
+    if bare and len(bare) < len(lengths):
         raise UsageError(
             f"{bare[0]} has no unit, the others have one", parameter=bare[0], hint="give all a length unit, or none"
         )
-    return parse_unit(found[0][1].unit, METRE) if not bare else NUMBER
+    return parse_unit(lengths[0][1].unit, METRE) if not bare else NUMBER
 
 
 def _in_turns(components: tuple[tuple[str, ExactQuantity], ...]) -> bool:

@@ -56,9 +56,9 @@ class TableRow:
     from_unit: Annotated[Text, "Unit converted from, as printed."]
     to_unit: Annotated[Text, "Unit converted to, as printed."]
     printed: Annotated[Text, "The factor as printed."]
-    factor: Annotated[Ratio, "The right factor, correctly rounded."]
-    exact: Annotated[Text, "The right factor exactly."]
-    note: Annotated[Text, "What is wrong with the printed one, or what it rests on."]
+    factor: Annotated[Ratio, "The correct factor, correctly rounded."]
+    exact: Annotated[Text, "The correct factor exactly."]
+    note: Annotated[Text, "What is wrong with the printed factor, or what it is based on."]
 
 
 @record
@@ -72,7 +72,7 @@ class BookTable:
 
 
 def list_units(
-    *, kind: Annotated[Text | None, "The kind wanted: length, speed, torque, moment of inertia, …"] = None
+    *, kind: Annotated[Text | None, "Kind of quantity to list: length, speed, torque, moment of inertia, …"] = None
 ) -> UnitList:
     """List the common units, all or of one kind.
 
@@ -103,15 +103,15 @@ def show_unit(name: Annotated[Text, "A unit or an expression of units: slug, lbf
     UsageError
         When it is unknown.
     """
-    found = candidates(name)
+    readings = candidates(name)
     spelled = {symbol: names for symbol, names, _, _ in all_units()}
     return UnitShown(
-        tuple(_entry(unit, spelled.get(unit.text, ()), name) for unit in found),
-        ", ".join(dict.fromkeys(other for unit in found for other in conformable_names(unit))),
+        tuple(_entry(unit, spelled.get(unit.text, ()), name) for unit in readings),
+        ", ".join(dict.fromkeys(other for unit in readings for other in conformable_names(unit))),
     )
 
 
-def search_units(text: Annotated[Text, "What to look for."], /) -> UnitList:
+def search_units(text: Annotated[Text, "Text to look for."], /) -> UnitList:
     """Search the common units by any part of a name, a description or a kind.
 
     Raises

@@ -1,4 +1,4 @@
-"""`--time-limit "30 s"`: an alarm ends a calculation wherever it is, and the answer holds what was reached by then."""
+"""`--time-limit "30 s"`: an alarm ends a calculation wherever it is; the answer holds the results obtained by then."""
 
 from dynamics_cli.errors import InadmissibleError, UsageError
 
@@ -7,19 +7,19 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-# The alarm is repeated, in case the first comes where exceptions are lost (a destructor) or while it is put off.
+# The alarm repeats, in case the first occurs where exceptions are lost (a destructor) or while it is deferred.
 AGAIN = 0.2
 LONGEST = 1e8
-# Not empty while something is written. A mask of signals would not do: other threads take those that this one blocks.
+# Not empty during a write. A signal mask would not work: other threads receive signals that this one blocks.
 _held: list[bool] = []
 
 
 class Reached(BaseException):
-    """The time limit was reached. No Exception: whatever turns errors into rows or cases must let it through."""
+    """The time limit was reached. Not an Exception: code that turns errors into rows or cases must let it through."""
 
 
 def read_time_limit(text: str) -> float:
-    """Seconds."""
+    """The limit in seconds."""
     from dynamics_cli.core.inputs.quantity_text import read_scalar
     from dynamics_cli.quantities import Kind
 
@@ -31,7 +31,7 @@ def read_time_limit(text: str) -> float:
 
 
 def within(text: str, work: "Callable[[], Any]") -> "Any":
-    """What `work` gives, or an error if that takes longer than the time limit; without a limit just the work."""
+    """The result of `work`, or an error if it exceeds the time limit; without a limit just the result."""
     if not text:
         return work()
     import signal
@@ -61,14 +61,14 @@ def _ring(number: int, frame: object) -> None:
 
 
 def stop() -> None:
-    """End the limit: what comes now is short, and must not be cut in half."""
+    """Cancel the limit: what follows is short and must not be interrupted."""
     import signal
 
     signal.setitimer(signal.ITIMER_REAL, 0.0)
 
 
 def held(write: "Callable[[bytes], Any]") -> "Callable[[bytes], None]":
-    """`write` with the alarm put off until it is done."""
+    """`write`, with the alarm deferred until it is done."""
 
     def whole(data: bytes) -> None:
         _held.append(True)
@@ -84,3 +84,10 @@ def reached(text: str, where: str) -> InadmissibleError:
     """The error of a call that ends at its time limit."""
     hint = "raise --time-limit, or ask for less"
     return InadmissibleError(f"the time limit of {text} was reached {where}", code="time-limit", hint=hint)
+
+
+def clock() -> float:
+    """Seconds of a clock that only goes forward."""
+    from time import perf_counter
+
+    return perf_counter()

@@ -2,7 +2,7 @@
 
 try:
     from _json import encode_basestring
-except ImportError:  # another Python than CPython
+except ImportError:  # a Python other than CPython
     from json.encoder import encode_basestring
 
 from math import floor, isfinite, log10
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 quote = encode_basestring
-# What a certain input consists of.
+# Keys of a certain input.
 PLAIN = {"value", "unit"}
 
 
@@ -115,7 +115,7 @@ def columns(table: "Any") -> "list[tuple[str, str, list[Any]]]":
         if len(units) == 1:
             made.append((name, units.pop(), [value for value, _ in found]))
         else:
-            # Rows written in several units keep each its own.
+            # Rows written in several units each keep their own.
             made.append((name, "", [f"{to_json(value)} {unit}".rstrip() if unit else value for value, unit in found]))
     return made
 
@@ -125,7 +125,7 @@ def number(value: "Any", digits: int) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
-        # Nobody means anything by a negative zero.
+        # A negative zero carries no meaning.
         text = repr(value + 0.0) if digits >= 17 else f"{value + 0.0:.{digits}g}"
         if "e+0" in text and abs(value) < PLAIN_BELOW:
             text = f"{float(text):.0f}"
@@ -208,3 +208,8 @@ def bound_text(entry: "dict[str, Any] | None") -> str:
     if "relative" in entry:
         return f"{entry['relative']:.1e} relative"
     return f"{entry['absolute']:.1e} {entry.get('unit', '')}".rstrip()
+
+
+def quantity_node(value: "Any", unit: str) -> "dict[str, Any]":
+    """A number (or numbers) with its unit, if it has one."""
+    return {"value": value, "unit": unit} if unit else {"value": value}

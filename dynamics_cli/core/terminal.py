@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def encoded(text: str) -> bytes:
-    """Text as bytes; half characters, which no encoding has, are escaped."""
+    """Text as bytes; lone surrogates, which no encoding has, are escaped."""
     return text.encode(errors="backslashreplace")
 
 
@@ -56,7 +56,7 @@ class Terminal:
         self.stdout.write(encoded(text))
 
     def tell(self, text: str) -> None:
-        """Write words for people to standard error; if nobody can read them there, there is nowhere else."""
+        """Write a message to standard error; if that fails, there is nowhere else to write it."""
         if self._stderr is None and sys.stderr is None:
             return
         try:
@@ -104,5 +104,5 @@ class Terminal:
 
     @property
     def shows_progress(self) -> bool:
-        """Whether words for people go to a terminal."""
+        """Whether standard error is a terminal."""
         return sys.stderr is not None and self.stderr.isatty()

@@ -1,4 +1,4 @@
-"""What is tidied up when a signal ends the process."""
+"""Clean-up when a signal ends the process."""
 
 # `signal` brings `enum`, whose import costs more than a calculation: the builtin module itself.
 import _signal  # type: ignore[import-not-found]
@@ -22,7 +22,7 @@ def leave(*_: object) -> None:
 
 
 def leave_quietly() -> None:
-    """Let Ctrl-C and a request to end the process do just that, unless the process was started with them ignored."""
+    """Let Ctrl-C and a termination request end the process, unless it was started with them ignored."""
     for number in (_signal.SIGINT, _signal.SIGTERM):
         if _signal.getsignal(number) != _signal.SIG_IGN:
             _signal.signal(number, leave)
@@ -47,13 +47,13 @@ class Tidy:
                 continue
             try:
                 _signal.signal(number, self._end)
-            except ValueError:  # not in the main thread, which alone may say what a signal does
+            except ValueError:  # not in the main thread, which alone may set signal handlers
                 break
             self._before[number] = before
         return self
 
     def hold(self) -> None:
-        """Let signals wait until the end of the block: what follows must be done whole."""
+        """Defer signals until the end of the block, which must not be interrupted."""
         self._held = True
 
     def __exit__(self, *_: object) -> None:
@@ -82,7 +82,7 @@ def _is_tidy(handler: "Any") -> bool:
 
 
 def forget() -> None:
-    """In a process just forked: what the parent tidies up is not this one's to touch."""
+    """For a process just forked: it must not clean up its parent's files."""
     for number in ENDING:
         if callable(_signal.getsignal(number)):
             _signal.signal(number, _signal.SIG_DFL)

@@ -41,6 +41,27 @@ WORKED = (
         "dynamics impact crash crash_scene/crash.toml",
         "crash_scene/crash.toml",
     ),
+    Example(
+        "slide",
+        "A car that turned to rest on a jammed wheel: its motion at the separation, and the crash with it.",
+        "cd slide && sh slide.sh",
+        "slide/slide.sh",
+        "slide/turned.toml",
+    ),
+    Example(
+        "recorder",
+        "A recorder's five seconds and pulse: speed, ΔV with the turn taken out, the other vehicle.",
+        "cd recorder && sh recorder.sh",
+        "recorder/recorder.sh",
+    ),
+    Example(
+        "exit_motion",
+        "Approach speeds from exit motion with spins, and from rest positions alone.",
+        "cd exit_motion && sh exit_motion.sh",
+        "exit_motion/exit_motion.sh",
+        "exit_motion/cars.toml",
+        "exit_motion/rests.toml",
+    ),
     Example("crash_momentum", "The same in two steps, in a few lines.", "sh crash_momentum.sh", "crash_momentum.sh"),
     Example(
         "skid_chain",
@@ -58,9 +79,21 @@ WORKED = (
     ),
     Example(
         "pump_balance",
-        "A pump balanced in two planes from trial weights, its corrections onto holes, and its grade.",
+        "A pump balanced in two planes from trial weights; corrections split between holes; its grade.",
         "cd pump_balance && sh pump_balance.sh",
         "pump_balance/pump_balance.sh",
+    ),
+    Example(
+        "machine_mounts",
+        "A fan on mounts: isolation, unbalance, a shock of the floor, the block below.",
+        "cd machine_mounts && sh machine_mounts.sh",
+        "machine_mounts/machine_mounts.sh",
+    ),
+    Example(
+        "shaft_line",
+        "Motor, gearbox and drum: torsional frequencies, critical speeds; inertias from shapes.",
+        "cd shaft_line && sh shaft_line.sh",
+        "shaft_line/shaft_line.sh",
     ),
     Example(
         "pid_loop",
@@ -126,6 +159,12 @@ WORKED = (
         "A six-bar linkage: every pin's motion from a scene.",
         "dynamics linkage solve six_bar.toml",
         "six_bar.toml",
+    ),
+    Example(
+        "peaucellier",
+        "Peaucellier's cell: a linkage that draws an exact straight line.",
+        "dynamics linkage solve peaucellier.toml --follow Q --steps 12",
+        "peaucellier.toml",
     ),
     Example(
         "flywheel",

@@ -1,8 +1,8 @@
-"""A flank of a gear as tangent arcs: as few as the tolerance allows, with their distance from the exact curve proved.
+"""A flank of a gear as tangent arcs, as few as the tolerance allows, with proved distance from the exact curve.
 
-Between two close points of a curve that turns one way, curve and chord are apart by no more than the triangle of the
-chord and the end tangents; arc and chord by the arc's rise. So the distance of the points from their arc, with both
-added, bounds that of the curve.
+Between two close points of a curve that turns one way, curve and chord differ by no more than the height of the
+triangle of chord and end tangents; arc and chord by the arc's rise. So the distance of the points from their arc plus
+both bounds that of the curve.
 """
 
 from math import pi
@@ -16,7 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# What the fit leaves to the proof.
+# Share of the tolerance used by the fit; the proof needs the rest.
 SHARE = 0.9
 TRIES = 4
 # Points of the proof on every arc.
@@ -24,7 +24,7 @@ POINTS = 65
 
 
 class _Curve:
-    """A smooth piece of a flank over one parameter, as fitting asks for it."""
+    """A smooth piece of a flank over one parameter, with the interface that fitting uses."""
 
     still = (False,)
     straight = ()
@@ -81,7 +81,7 @@ class _Trochoid(_Curve):
 
 
 def flank_arcs(form: ToothForm, tolerance: float) -> "Chain | None":
-    """Give a flank as arcs within the tolerance; None where none are found.
+    """Give a flank as arcs within the tolerance; None if there are none.
 
     The ends of the flank, and its joint of root curve and involute, are the radii that the form states.
     """

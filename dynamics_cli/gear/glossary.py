@@ -1,4 +1,4 @@
-"""The words of gearing with their symbols, other names and formulas."""
+"""The terms of gearing with their symbols, other names and formulas."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.terms import TERMS
@@ -13,18 +13,18 @@ class Entry:
     term: Annotated[Text, "The term."]
     symbol: Annotated[Text, "Its symbol in ISO 21771, or AGMA's."]
     also: Annotated[Text, "Other names."]
-    formula: Annotated[Text, "A formula in which it stands."]
-    meaning: Annotated[Text, "What it is."]
+    formula: Annotated[Text, "A formula in which it occurs."]
+    meaning: Annotated[Text, "Its definition."]
 
 
 @record
 class Glossary:
     """Terms of gearing."""
 
-    entries: Annotated[tuple[Entry, ...], "The terms asked for, in alphabetical order."]
+    entries: Annotated[tuple[Entry, ...], "The requested terms, in alphabetical order."]
 
 
-def glossary(*terms: Annotated[Text, "Terms, or parts of terms; all of them unless any is given."]) -> Glossary:
+def glossary(*terms: Annotated[Text, "Terms, or parts of terms; all terms if left out."]) -> Glossary:
     """Explain the terms of gearing, with symbol, other names and a formula.
 
     Equation
@@ -39,7 +39,7 @@ def glossary(*terms: Annotated[Text, "Terms, or parts of terms; all of them unle
     Raises
     ------
     InadmissibleError
-        When a term is not known; the message names those that sound alike.
+        When a term is not known; the message lists similar ones.
 
     Notes
     -----
@@ -56,22 +56,22 @@ def glossary(*terms: Annotated[Text, "Terms, or parts of terms; all of them unle
     """
     chosen = []
     for term in terms:
-        found = _matching(" ".join(term.lower().replace("-", " ").split()))
+        entries = _matching(" ".join(term.lower().replace("-", " ").split()))
         require(
-            bool(found),
+            bool(entries),
             "the glossary has no term {term}; similar terms: {near}",
             term=repr(term),
             near=", ".join(_near(term)),
             code="unknown-term",
             hint="dynamics gear glossary lists all",
         )
-        chosen += [entry for entry in found if entry not in chosen]
+        chosen += [entry for entry in entries if entry not in chosen]
     rows = sorted(chosen) if terms else list(TERMS)
     return Glossary(tuple(Entry(*row) for row in rows))
 
 
 def _matching(term: str) -> "list[tuple[str, ...]]":
-    """The entry of that very name, else those whose name, symbol or other names hold the words."""
+    """The entry of exactly that name, else those whose name, symbol or other names contain the words."""
     if not term:
         return []
     names = [entry for entry in TERMS if term == entry[0] or term in entry[2].lower().split(", ")]
@@ -82,7 +82,7 @@ def _matching(term: str) -> "list[tuple[str, ...]]":
 
 
 def _near(term: str) -> list[str]:
-    """Three terms that share the most letters in pairs."""
+    """The three terms that share the most pairs of letters."""
     own = {term.lower()[i : i + 2] for i in range(len(term) - 1)}
 
     def shared(entry: "tuple[str, ...]") -> float:

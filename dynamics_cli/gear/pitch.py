@@ -10,7 +10,7 @@ from dynamics_cli.records import Advice, record
 
 # Modules between these [m] keep every length of a gear within the range of doubles.
 SMALLEST, LARGEST = 1e-12, 1e3
-# ISO 54, in mm: the series to prefer, and the second.
+# ISO 54, in mm: the preferred series, and the second.
 SERIES_I = (1, 1.25, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25, 32, 40, 50)
 SERIES_II = (1.125, 1.375, 1.75, 2.25, 2.75, 3.5, 4.5, 5.5, 6.5, 7, 9, 11, 14, 18, 22, 28, 36, 45)
 
@@ -96,7 +96,7 @@ Pitch = (
 
 
 def module_of(pitch: "Pitch", helix_angle: float) -> float:
-    """The normal module of what was given; refuses a size no gear has, where doubles would leave their range."""
+    """The normal module of the given size; refuses sizes for which doubles would leave their range."""
     lean = absolute(helix_angle)
     require(
         lean < 0.5 * pi,
@@ -110,7 +110,7 @@ def module_of(pitch: "Pitch", helix_angle: float) -> float:
 
 
 def require_module(module: float) -> None:
-    """Refuse a size of teeth that no gear has."""
+    """Refuse a size of teeth outside the range for gears."""
     require(
         (module > SMALLEST) & (module < LARGEST),
         "the module {module:6} is outside the range for gears",
@@ -121,7 +121,7 @@ def require_module(module: float) -> None:
 
 
 def module_advice(pitch: object, module: float) -> tuple[Advice, ...]:
-    """Name the standard module when the one asked for is off the series of ISO 54."""
+    """Advice with the standard module when the given one is not in the series of ISO 54."""
     if not isinstance(pitch, NormalModule):
         return ()
     size = getattr(module, "value", module)

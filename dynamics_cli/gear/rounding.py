@@ -1,4 +1,4 @@
-"""Numbers that carry rounding bounds through tasks that work on arrays: put in, taken out, tightened and stated."""
+"""Numbers with rounding bounds for tasks that work on arrays: conversion to and from them, tightening, statement."""
 
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.numerics.number import is_carrier
@@ -35,7 +35,7 @@ def bare(part: "Any") -> "Any":
 
 
 def in_digits(call: "Callable[[], Any]") -> "Any":
-    """What a call gives in arithmetic of 60 digits; None where that leads to a refusal."""
+    """The result of a call in 60-digit arithmetic; None where that leads to a refusal."""
     from dynamics_cli.numerics.exact.many_digits import run
 
     try:
@@ -45,31 +45,31 @@ def in_digits(call: "Callable[[], Any]") -> "Any":
 
 
 def measured(value: float, exact: "Any", bound: float) -> float:
-    """The error of a value beside the same number in many digits; its bound where there is none."""
+    """The error of a value against the same number in many digits; its bound if there is none."""
     from dynamics_cli.numerics.exact.many_digits import ManyDigits, measured_error
 
     return measured_error(value, exact, bound) if isinstance(exact, ManyDigits) else bound
 
 
 def tighten(numbers: "Iterable[Any]", exact: "Iterable[Any]") -> None:
-    """Replace the bounds of numbers by what the same numbers in many digits tell of their errors."""
+    """Replace the bounds of numbers by their errors as measured against the same numbers in many digits."""
     for one, other in zip(numbers, exact, strict=True):
         if isinstance(one, Tracked):
             one.error = measured(one.value, other, one.error)
 
 
 def error_of(number: "Any") -> float:
-    """What rounding may have done to a number."""
+    """The rounding bound of a number."""
     return number.error if isinstance(number, Tracked) else 0.0
 
 
 def with_error(number: "Any", error: float) -> "Any":
-    """A number with another bound; one that carries none as it is."""
+    """A number with another bound; one without a bound is unchanged."""
     return Tracked(number.value, error, number.slopes) if isinstance(number, Tracked) else number
 
 
 def share(name: str, number: "Any") -> ErrorBound:
-    """The bound of a result as a share of it; as it is where the result is zero."""
+    """The bound of a result relative to it; absolute where the result is zero."""
     size = abs(bare(number))
     if size == 0.0:
         return ErrorBound(name, error_of(number), relative=False)

@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 GREEN, BLACK = 2, 6
 STEPS = 180
-# What a line on paper can show, of a module and of a gear's diameter.
+# Resolution of a printed line, relative to the module and to a gear's diameter.
 FINE, FINE_OF_GEAR = 2e-3, 5e-5
-# Gears of more teeth are drawn as their tip circle: the teeth would run together.
+# Gears with more teeth are drawn as their tip circle: the teeth would merge.
 MOST_DRAWN = 400
 # How far a ring is drawn beyond its root circle, in modules.
 RIM = 2.0
@@ -67,7 +67,7 @@ def body(form: "ToothForm", at: "Place", tooth: float, role: int) -> "list[Curve
 
 
 def tooth_line(form: "ToothForm", at: "Place", tooth: float) -> "Line":
-    """The closed line of all teeth; the tip circle where they would run together."""
+    """The closed line of all teeth; the tip circle where they would merge."""
     if form.teeth > MOST_DRAWN:
         around = circle(at, form.tip, "", "solid", 0)
         return tuple(around.x), tuple(around.y)
@@ -114,7 +114,12 @@ def contact_points(along: "list[tuple[str, float]]", radius: float, angle: float
 
 
 def contact_panel(
-    gears: "list[Curve]", points: "list[tuple[str, float, float]]", module: float, *, wide: bool = False
+    gears: "list[Curve]",
+    points: "list[tuple[str, float, float]]",
+    module: float,
+    *,
+    wide: bool = False,
+    titled: bool = True,
 ) -> Panel:
     """The teeth about the pitch point with the path of contact from the first of the points to the last."""
     (_, x0, y0), (_, x1, y1) = points[0], points[-1]
@@ -133,7 +138,7 @@ def contact_panel(
         Axis("x", Coordinate, ends=(middle[0] - across, middle[0] + across)),
         Axis("y", Coordinate, ends=(middle[1] - reach, middle[1] + reach)),
         items,
-        "" if wide else f"Path of contact, {points[0][0]} to {points[-1][0]}",
+        "" if wide or not titled else f"Path of contact, {points[0][0]} to {points[-1][0]}",
         equal=True,
         bare=True,
         wide=wide,
@@ -142,15 +147,15 @@ def contact_panel(
 
 def outline_points(outline: "Outline") -> "Line":
     """A line through an outline, its arcs as chords."""
-    found: list[Place] = []
+    points: list[Place] = []
     for piece in outline.pieces:
         if isinstance(piece, Points):
-            found += piece.points
+            points += piece.points
         elif isinstance(piece, Arc):
-            found += _arc_points(piece)
+            points += _arc_points(piece)
         else:
-            found += [piece.start, piece.end]
-    return tuple(x for x, _ in found), tuple(y for _, y in found)
+            points += [piece.start, piece.end]
+    return tuple(x for x, _ in points), tuple(y for _, y in points)
 
 
 def _arc_points(piece: Arc) -> "list[Any]":

@@ -1,4 +1,4 @@
-"""The terms of gearing: a table of words."""
+"""The terms of gearing as a table."""
 
 # term; symbol; other names; formula; meaning
 TERMS: tuple[tuple[str, ...], ...] = (
@@ -48,7 +48,7 @@ TERMS: tuple[tuple[str, ...], ...] = (
         "c",
         "tip clearance, bottom clearance",
         "c = a_w − r_a1 − r_f2",
-        "room between a tip and the root it turns in",
+        "clearance between a tip and the opposite root circle",
     ),
     (
         "conjugate action",

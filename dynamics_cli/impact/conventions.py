@@ -1,6 +1,6 @@
-"""Conventions all impacts share: axes and headings, how a body states mass and velocity, ΔV, and the zero of PDOF.
+"""Conventions shared by all impacts: axes and headings, mass and velocity of a body, ΔV, and the zero of PDOF.
 
-Everything here takes single numbers, arrays and tracked numbers. Every result names the conventions it is written in.
+Everything here takes single numbers, arrays and tracked numbers. Every result names its conventions.
 """
 
 from dynamics_cli.errors import require
@@ -22,12 +22,12 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Choice, record
 
 PI = 3.141592653589793
-# Adding and taking this away rounds a number below 2^50 to the nearest whole one.
+# Adding and subtracting this rounds a number below 2^50 to the nearest integer.
 ROUNDER = 6755399441055744.0
 
 
 class Axes(Choice):
-    """The plane's axes, from which headings and spins are counted; the default is mathematical.
+    """Axes of the plane, from which headings and spins are measured; the default is mathematical.
 
     mathematical: x right (east), y up (north), headings counterclockwise from x.
     compass: x east, y north, headings clockwise from north, spins counterclockwise.
@@ -40,7 +40,7 @@ class Axes(Choice):
 
 
 class PdofZero(Choice):
-    """What a force comes from whose PDOF is zero; PDOF grows clockwise seen from above, to ±180 degrees.
+    """Direction from which a force has PDOF zero; PDOF grows clockwise seen from above, to ±180 degrees.
 
     heading: straight ahead of the vehicle's nose (12 o'clock). travel: the direction of travel before the impact.
     scene: the direction of heading zero of the scene's axes. The default is heading.
@@ -74,7 +74,7 @@ class Conventions:
     """The conventions a result is written in."""
 
     axes: Annotated[Text, "The axes of vectors."]
-    headings: Annotated[Text, "How headings and spins are counted."]
+    headings: Annotated[Text, "How headings and spins are measured."]
     pdof: Annotated[Text | None, "The zero and the sense of PDOF."] = None
 
 
@@ -105,7 +105,7 @@ class ByWeight:
 class Fixed:
     """A body that does not give way: a wall, a floor, a barrier."""
 
-    fixed: Annotated[bool, "Yes for a body that keeps its velocity whatever strikes it."]
+    fixed: Annotated[bool, "True for a body that keeps its velocity whatever strikes it."]
 
 
 def side_of(name: str) -> str:
@@ -169,7 +169,7 @@ class DeltaV:
     vector: Annotated[PlanarVelocity, "Change of velocity along the scene's axes [m/s]."]
     magnitude: Annotated[RoadSpeed, "Size of the change of velocity [m/s]."]
     longitudinal: Annotated[RoadVelocity, "Its part along the nose of the body, ahead positive [m/s]."]
-    lateral: Annotated[RoadVelocity, "Its part across: to the left positive, in SAE axes to the right [m/s]."]
+    lateral: Annotated[RoadVelocity, "Its lateral component: positive to the left, in SAE axes to the right [m/s]."]
     pdof: Annotated[
         Angle, "Principal direction of force: where the force came from, clockwise from the zero that is named [rad]."
     ]
@@ -210,7 +210,7 @@ def pdof(impulse: tuple[float, float], zero: tuple[float, float], axes: Axes = A
 
 
 def clock(angle: float) -> float:
-    """Nearest hour, 1 to 12, of a PDOF counted from the nose."""
+    """Nearest hour, 1 to 12, of a PDOF measured from the nose."""
     hours = getattr(angle, "value", angle) * (6.0 / PI)
     whole = (hours + ROUNDER) - ROUNDER
     return where(whole <= 0.0, whole + 12.0, whole)
@@ -225,7 +225,7 @@ class Restituted:
 
 @record
 class Energetic:
-    """A contact that may give energy: an explosive, a spring let go, a bumper under pressure."""
+    """A contact that may add energy: an explosive, a released spring, a bumper under pressure."""
 
     energetic_contact: Annotated[
         Positive, "Separation speed over closing speed; above 1 the contact adds energy, e.g. 1.2 [-]."

@@ -1,4 +1,4 @@
-"""Checks of an answer of an impact, and refusal of numbers that leave the range of a double."""
+"""Checks of impact results, and refusal of numbers that leave the range of a double."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain, single
@@ -7,7 +7,7 @@ from dynamics_cli.records import Check
 
 # Between these, products and quotients of several numbers keep all their digits.
 SMALLEST, LARGEST = 1e-40, 1e40
-# Angles and ratios of speeds may be as small as they like.
+# Angles and ratios of speeds may be arbitrarily small.
 ANY_SMALLNESS = ("heading", "nose", "angle", "swing", "normal", "restitution")
 # A residual check that fails is an internal error, so it allows for sums of many roundings.
 TOLERANCE = 1e-12
@@ -16,7 +16,7 @@ TOLERANCE = 1e-12
 def balance(name: str, left: float, right: float, scale: float, least: float = TOLERANCE) -> tuple[Check, ...]:
     """Check that two sides agree relative to `scale`, or within the rounding bounds that they carry.
 
-    Nothing for arrays, nor where the sides are so small or large that digits may be lost.
+    No check for arrays, nor for sides so small or large that digits may be lost.
     """
     if not single(left, right, scale):
         return ()
@@ -66,7 +66,7 @@ def _require_size(name: str, value: object) -> None:
     if fields is not None:
         for field in fields:
             part = getattr(value, field)
-            # the fields of an alternative are given beside those of its body
+            # the fields of an alternative appear beside those of its body
             _require_size(name if hasattr(part, "fields") else f"{name}.{field}", part)
     elif isinstance(value, tuple):
         for index, part in enumerate(value):
@@ -79,5 +79,5 @@ def _require_size(name: str, value: object) -> None:
             name=name,
             value=(value, Ratio),
             code="range",
-            hint="check the size of the number and its unit",
+            hint="check the number and its unit",
         )

@@ -6,7 +6,7 @@ from dynamics_cli.impact.conventions import AXES, direction_of
 from dynamics_cli.impact.planar.bodies import solid
 from dynamics_cli.impact.planar.impact import meeting_of
 from dynamics_cli.impact.planar.path import travel
-from dynamics_cli.impact.scene_pictures import LENGTH, NEUTRAL, outline, velocities
+from dynamics_cli.impact.scene_pictures import LENGTH, collision, velocities
 from dynamics_cli.impact.spatial.bodies import frame_about, mobility, unit
 from dynamics_cli.impact.spatial.hodograph import STRIDE, series, value
 from dynamics_cli.impact.spatial.hodograph import reach as reach_of
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 # A lighter body is drawn by its mass centre, not as a vehicle.
 LIGHTEST_VEHICLE = 300.0
 POINTS = 24
+PLANAR = "planar impact: velocities before (dashed) and after"
 
 
 def planar(
@@ -49,36 +50,35 @@ def planar(
     m = meeting_of(body, two, inward, closing_speed, friction, contact.restitution, 1.0)
     at = (0.0, 0.0) if contact_point is None else contact_point
     names = _names(first, second)
-    panels = (
-        _bodies((body, two), at, towards, result.impulse, names),
-        velocities(names, [body.velocity, two.velocity], [result.first.velocity, result.second.velocity]),
-        _routh(m, result, result.law),
-    )
-    return Picture(panels, "planar impact", columns=2)
+    before, after = [body.velocity, two.velocity], [result.first.velocity, result.second.velocity]
+    contact_detail = _bodies((body, two), at, towards, result.impulse, names)
+    centres = [(at[0] - one.lever[0], at[1] - one.lever[1]) for one in (body, two)]
+    road = all(one.mass is not None and one.mass >= LIGHTEST_VEHICLE for one in (body, two))
+    if road and math.dist(*centres) <= LENGTH:
+        north = (0.0, 1.0) if str(axes) == "compass" else None
+        scene = collision(names, (body.nose, two.nose), before, after, north, (centres[0], centres[1]), (7.2, 3.9))
+        return Picture((scene, contact_detail, _routh(m, result, result.law)), PLANAR, columns=2, scene=True)
+    panels = contact_detail, velocities(names, before, after), _routh(m, result, result.law)
+    return Picture(panels, PLANAR, columns=2)
 
 
 def _names(first: "Any", second: "Any") -> "tuple[str, str]":
-    """What the bodies are called."""
+    """Names of the bodies."""
     return getattr(first, "name", None) or "first", getattr(second, "name", None) or "second"
 
 
 def _bodies(bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pair", names: "tuple[str, str]") -> Panel:
-    """Vehicles as outlines, other bodies by their mass centres with levers; the tangent, and the impulse on each."""
+    """The mass centres with their levers and headings, the tangent at the contact, and the impulse on each."""
     levers = [body.lever for body in bodies if body.mass is not None]
     size = max([math.hypot(*lever) for lever in levers] or [1.0]) or 1.0
     items: list[Any] = []
-    note = ""
     for role, (body, name) in enumerate(zip(bodies, names, strict=True)):
         if body.mass is None:
             continue
         centre = at[0] - body.lever[0], at[1] - body.lever[1]
-        if body.mass >= LIGHTEST_VEHICLE and size <= LENGTH:
-            items += outline(centre, body.nose, role)
-            note = f"; {NEUTRAL}"
-        else:
-            nose = 0.4 * size * body.nose[0], 0.4 * size * body.nose[1]
-            ends = [centre[0], centre[0] + nose[0]], [centre[1], centre[1] + nose[1]]
-            items.append(Curve(*ends, style="thin", role=role))
+        nose = 0.4 * size * body.nose[0], 0.4 * size * body.nose[1]
+        ends = [centre[0], centre[0] + nose[0]], [centre[1], centre[1] + nose[1]]
+        items.append(Curve(*ends, style="thin", role=role))
         items += [
             Curve([centre[0], at[0]], [centre[1], at[1]], style="dotted", role=role),
             Mark(*centre, name, role=role),
@@ -91,7 +91,9 @@ def _bodies(bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pa
     for role, way in ((0, -1.0), (1, 1.0)):
         dx, dy = way * scale * impulse[0], way * scale * impulse[1]
         items.append(Arrow(*at, dx, dy, "", role))
-    return Panel(Axis("x", Length), Axis("y", Length), tuple(items), f"contact and impulses{note}", equal=True)
+    return Panel(
+        Axis("x", Length), Axis("y", Length), tuple(items), "contact: levers, tangent and impulses", equal=True
+    )
 
 
 def _routh(m: "Any", result: "Any", law: str) -> Panel:

@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 VIEWS = ((0, 1, "top view"), (0, 2, "front view"), (1, 2, "side view"))
 STEPS = 64
-# Marks closer than these shares of the body's size, along and across a name, would be written over one another.
+# Labels of marks closer than these shares of the body's size, along and across the text, would overlap.
 CROWDED = 0.3, 0.1
-# An axis that is seen nearly end on has no arrow.
+# An axis seen nearly end on has no arrow.
 SEEN = 0.08
 # Free space around a body, and the least extent of a view, as shares of the largest extent.
 ROOM, LEAST = 0.08, 0.3
@@ -66,7 +66,7 @@ def _picture(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", t
 
 
 def _ends(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]") -> "list[tuple[float, float]]":
-    """From where to where the views reach along x, y and z."""
+    """The ranges of the views along x, y and z."""
     reach = [sqrt(_seen(answer, k, k)) for k in range(3)]
     low = [at - size for at, size in zip(answer.centroid, reach, strict=True)]
     high = [at + size for at, size in zip(answer.centroid, reach, strict=True)]

@@ -1,4 +1,4 @@
-"""A linkage that moves by itself: an SVG without script (SMIL); still, it shows the first frame."""
+"""An animated linkage: an SVG without script (SMIL); a still print shows the first frame."""
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -1,1 +1,1 @@
-"""Mathematics without physics: the elementary functions every formula uses, and what proves their error."""
+"""Mathematics without physics: the elementary functions of every formula, and the bounds of their errors."""

@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-# what an operation rounded to nearest is off, as a share of what it gives
+# relative error of an operation rounded to nearest
 EPS = 2.0**-53
 # four units in the last place and a little
 LIBRARY = 2.0**-50
-# of so many numbers functions are taken one by one, within one unit in the last place
+# up to this many numbers functions are evaluated one by one, within one unit in the last place
 FEW = 64
 UP = 1.0 + 2.0**-48
 # more than a product or quotient loses to underflow
@@ -36,8 +36,13 @@ TINY = 1e-300
 class Disc:
     """Complex numbers within `radius` of the real `centre`, both arrays or floats.
 
-    `radius`: radii, not negative; infinite or not a number where nothing is known. The centre is then what plain
-    arithmetic gives.
+    `radius`: radii, not negative; infinite or NaN where nothing is known. The centre is then the value of plain
+    arithmetic.
+
+    References
+    ----------
+    I. Gargantini, P. Henrici, Circular arithmetic and the determination of polynomial zeros, Numer. Math. 18
+    (1972) 305; S. M. Rump, Fast and parallel interval arithmetic, BIT 39 (1999) 534.
     """
 
     __slots__ = ("centre", "radius")
@@ -49,12 +54,12 @@ class Disc:
 
     @property
     def size(self) -> "Any":
-        """At least the largest magnitude."""
+        """Upper bound of the magnitudes."""
         return (np.abs(self.centre) + self.radius) * UP
 
     @property
     def least(self) -> "Any":
-        """At most the least real part."""
+        """Lower bound of the real parts."""
         low = self.centre - self.radius
         return low - EPS * np.abs(low)
 
@@ -64,7 +69,7 @@ class Disc:
         return np.shape(self.centre)
 
     def widened(self, more: "Any") -> "Disc":
-        """The disc with that much more radius."""
+        """The disc with its radius increased."""
         return Disc(self.centre, (self.radius + more) * UP)
 
     def __getitem__(self, key: "Any") -> "Disc":
@@ -176,7 +181,7 @@ class Disc:
         return Disc(centre, (self.arc_cosine().radius + LIBRARY * np.abs(centre)) * UP)
 
     def clipped(self, low: float, high: float) -> "Disc":
-        """Numbers held between two ends; nothing is known where an end is among them."""
+        """Numbers clipped to two limits; nothing is known where a limit is among them."""
         within = (self.centre - self.radius > low) & (self.centre + self.radius < high)
         outside = (self.centre + self.radius < low) | (self.centre - self.radius > high)
         return Disc(np.clip(self.centre, low, high), np.where(within, self.radius, np.where(outside, 0.0, inf)))
@@ -189,7 +194,7 @@ def arc_tangent(y: "Any", x: "Any") -> Disc:
     magnitude ρ, moves by d: by d/ρ, and (d/ρ)²/(2(1 − d/ρ)) at most beyond the first order, which is
     (x dy − y dx)/ρ² of both together.
     """
-    y, x = _disc(y), _disc(x)
+    y, x = as_disc(y), as_disc(x)
     away = np.hypot(x.centre, y.centre) * (1.0 - LIBRARY)
     share = (x.radius + y.radius) * UP / np.where(away > 0.0, away, 1.0)
     moved = share == 0.0
@@ -199,22 +204,22 @@ def arc_tangent(y: "Any", x: "Any") -> Disc:
     wide = -np.log1p(-share * UP) * (1.0 + LIBRARY)
     first = (np.abs(x.centre) * y.radius + np.abs(y.centre) * x.radius) / np.where(away > 0.0, away * away, 1.0)
     wide = np.minimum(wide, first * UP + 0.5 * share * share * UP / np.where(share < 0.9, 1.0 - share, TINY))
-    # along the axis there is nothing to turn by
+    # along the axis the angle does not change
     wide = np.where((y.centre == 0.0) & (y.radius == 0.0), 0.0, wide)
     return Disc(centre, np.where(clear, (wide + slip) * UP + TINY, inf))
 
 
 def _library(name: str, *arguments: "Any") -> "tuple[Any, Any]":
-    """A function of the C library on a few numbers, of NumPy on many, and what it may be off."""
+    """A function of the C library on a few numbers, of NumPy on many, with its error."""
     if np.size(arguments[0]) <= FEW and all(np.isfinite(one).all() for one in arguments):
         whole = np.broadcast_arrays(*arguments)
         if whole[0].size <= FEW:
             function = getattr(math, name)
             values = [function(*numbers) for numbers in zip(*(one.ravel().tolist() for one in whole), strict=True)]
-            made = np.array(values).reshape(whole[0].shape)
-            return made, np.spacing(np.abs(made))
-    made = {"sin": np.sin, "cos": np.cos, "atan2": np.arctan2}[name](*arguments)
-    return made, LIBRARY * np.abs(made)
+            value = np.array(values).reshape(whole[0].shape)
+            return value, np.spacing(np.abs(value))
+    value = {"sin": np.sin, "cos": np.cos, "atan2": np.arctan2}[name](*arguments)
+    return value, LIBRARY * np.abs(value)
 
 
 def _wave(centre: "Any", slope: "Any", radius: "Any", slip: "Any") -> Disc:
@@ -224,28 +229,29 @@ def _wave(centre: "Any", slope: "Any", radius: "Any", slip: "Any") -> Disc:
     return Disc(centre, (wide * (1.0 + 4.0 * LIBRARY) + slip) * UP + TINY)
 
 
-def _disc(value: "Any") -> Disc:
+def as_disc(value: "Any") -> Disc:
+    """A number as a disc of radius zero; a disc unchanged."""
     return value if isinstance(value, Disc) else Disc(value, 0.0)
 
 
 def _stack(parts: "Any", axis: int = 0) -> Disc:
-    whole = [_disc(part) for part in parts]
+    whole = [as_disc(part) for part in parts]
     centres = np.broadcast_arrays(*(part.centre for part in whole))
     radii = np.broadcast_arrays(*(part.radius for part in whole))
     return Disc(np.stack(centres, axis), np.stack(radii, axis))
 
 
 def _together(*parts: "Any") -> "tuple[Disc, ...]":
-    whole = [_disc(part) for part in parts]
+    whole = [as_disc(part) for part in parts]
     shape = np.broadcast_shapes(*(np.shape(part.centre) for part in whole), *(np.shape(part.radius) for part in whole))
     return tuple(Disc(np.broadcast_to(part.centre, shape), np.broadcast_to(part.radius, shape)) for part in whole)
 
 
 _UFUNCS: "dict[Any, Callable[..., Any]]" = {
-    np.add: lambda a, b: _disc(a) + b,
-    np.subtract: lambda a, b: _disc(a) - b,
-    np.multiply: lambda a, b: _disc(a) * b,
-    np.true_divide: lambda a, b: _disc(a) / b,
+    np.add: lambda a, b: as_disc(a) + b,
+    np.subtract: lambda a, b: as_disc(a) - b,
+    np.multiply: lambda a, b: as_disc(a) * b,
+    np.true_divide: lambda a, b: as_disc(a) / b,
     np.negative: lambda a: -a,
     np.square: Disc.square,
     np.sqrt: Disc.root,
@@ -256,7 +262,7 @@ _UFUNCS: "dict[Any, Callable[..., Any]]" = {
     np.arccos: Disc.arc_cosine,
     np.arcsin: Disc.arc_sine,
     np.arctan2: arc_tangent,
-    np.hypot: lambda a, b: (_disc(a).square() + _disc(b).square()).root(),
+    np.hypot: lambda a, b: (as_disc(a).square() + as_disc(b).square()).root(),
 }
 _FUNCTIONS: "dict[Any, Callable[..., Any]]" = {
     np.stack: _stack,

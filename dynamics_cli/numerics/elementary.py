@@ -11,12 +11,12 @@ from dynamics_cli.numerics.number import is_array, is_carrier, is_many
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Sequence
     from typing import Any
 
 
 def pi_beside(*numbers: "Any") -> float:
-    """π as the numbers it stands beside know it: a double, or with what a double leaves out of it."""
+    """π to the precision of the accompanying numbers: a double, or with the digits that a double omits."""
     for number in numbers:
         operation = getattr(number, "apply", None)
         if operation is not None:
@@ -25,7 +25,7 @@ def pi_beside(*numbers: "Any") -> float:
 
 
 def only_in_doubles(*numbers: "Any") -> None:
-    """Refuse a number of many digits: what follows iterates in doubles, and would pass its error off as none."""
+    """Refuse a number of many digits: the code that follows iterates in doubles, and would hide its error."""
     if any(is_many(number) for number in numbers):
         raise ArithmeticError("known in doubles only")
 
@@ -41,7 +41,7 @@ def over_array(function: "Callable[..., float]", *arguments: "Any") -> "Any":
 
 
 def in_class_of_first(array: "Any", *arguments: "Any") -> "Any":
-    """An array as one of the class of the first array it came from, which numpy's functions forget."""
+    """An array in the class of the first array it came from, which numpy's functions drop."""
     for argument in arguments:
         if hasattr(argument, "dtype") and hasattr(argument, "__array_finalize__"):
             return array.view(type(argument))
@@ -191,7 +191,12 @@ _SPLIT_LIMIT = 6e299
 
 
 def product_error(a: float, b: float, product: float) -> float:
-    """What `product`, the rounded a·b, is short of the exact one (Dekker 1971), unless a part leaves the range."""
+    """The exact a·b less its rounded value `product` (Dekker 1971), unless a part leaves the range.
+
+    References
+    ----------
+    T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971) 224.
+    """
     big_a = _SPLITTER * a
     high_a = big_a - (big_a - a)
     low_a = a - high_a
@@ -216,7 +221,12 @@ def _multiply_add(a: float, b: float, c: float) -> float:
 
 
 def multiply_add(a: float, b: float, c: float) -> float:
-    """a·b + c as if in twice the precision: within one rounding (and a hair) of exact, also where it cancels."""
+    """a·b + c as if in twice the precision: within little more than one rounding of exact, even where it cancels.
+
+    References
+    ----------
+    T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971) 224.
+    """
     if type(a) is float and type(b) is float and type(c) is float:
         return _multiply_add(a, b, c)
     if any(is_carrier(x) for x in (a, b, c)) or not any(is_array(x) for x in (a, b, c)):
@@ -226,13 +236,29 @@ def multiply_add(a: float, b: float, c: float) -> float:
     with np.errstate(all="ignore"):
         product = a * b
         large = np.maximum(np.maximum(abs(a), abs(b)), abs(product)) > _SPLIT_LIMIT
-        made = np.where(large, product + c, _compensated(a, b, c, product))
-        return in_class_of_first(made, product)  # type: ignore[no-any-return]
+        value = np.where(large, product + c, _compensated(a, b, c, product))
+        return in_class_of_first(value, product)  # type: ignore[no-any-return]
 
 
 def total(numbers: "Iterable[float]") -> float:
-    """The sum from the first to the last, of any kind of number; Python's own rounds doubles otherwise since 3.12."""
+    """The sum from first to last, of any sort of number; Python's `sum` rounds differently since 3.12."""
     added: float = 0.0
     for number in numbers:
         added = added + number
     return added
+
+
+def summed(parts: "Sequence[float]") -> float:
+    """The sum of one number or more, of any sort, without a leading zero."""
+    result = parts[0]
+    for part in parts[1:]:
+        result = result + part
+    return result
+
+
+def horner(coefficients: "Sequence[float]", x: float) -> float:
+    """Σ c_k x^k by Horner's rule, coefficients from the constant up."""
+    result = coefficients[-1]
+    for coefficient in coefficients[-2::-1]:
+        result = result * x + coefficient
+    return result

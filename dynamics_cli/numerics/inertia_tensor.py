@@ -1,4 +1,4 @@
-"""Whether a body can have a tensor of inertia."""
+"""Test whether a tensor can be the inertia of a body."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import where
@@ -10,15 +10,20 @@ if TYPE_CHECKING:
     Triple: TypeAlias = tuple[float, float, float]
     Matrix: TypeAlias = tuple[Triple, Triple, Triple]
 
-# Written tensors are rounded: this part of the trace is overlooked.
+# Written tensors are rounded: violations below this part of the trace are tolerated.
 OVERLOOKED = 10**9
 
 
 def possible(inertia: "Matrix") -> bool:
     """Whether no principal moment exceeds the sum of the other two; of the upper triangle.
 
-    That is: the second moments of the mass, ½ tr(I)·1 − I, have no direction in which they are negative. Pivots of
-    elimination tell it, without eigenvalues, of floats, arrays and decimals alike.
+    Equivalently: the second moments of the mass, ½ tr(I)·1 − I, are negative in no direction. Pivots of
+    elimination show this, without eigenvalues, of floats, arrays and decimals alike.
+
+    References
+    ----------
+    P. M. Wensing, S. Kim, J.-J. E. Slotine, Linear matrix inequalities for physically consistent inertial
+    parameter identification, IEEE Robot. Autom. Lett. 3 (2018) 60.
     """
     (a, d, e), (_, b, f), (_, _, c) = inertia
     room = (a + b + c) / OVERLOOKED
@@ -33,7 +38,7 @@ def possible(inertia: "Matrix") -> bool:
 
 
 def require_inertia_of_body(inertia: "Matrix", name: str) -> None:
-    """Refuse a tensor that no body has; `name` says whose it is."""
+    """Refuse a tensor that no body can have; `name` says whose it is."""
     (a, _, _), (_, b, _), (_, _, c) = inertia
     require(a + b + c > 0, name + " has no inertia", code="no-inertia")
     require(

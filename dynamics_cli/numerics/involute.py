@@ -1,14 +1,14 @@
 """The involute function inv φ = tan φ − φ and its inverse, to the last bit or two, without iteration.
 
 φ(inv φ) is perfectly conditioned, but tan φ − φ is not: every method that solves it by its residual loses 3/φ² ulp.
-So nothing is solved. Below 60° φ = s·P(s²) with s = ∛(3 inv φ); above, with c = inv φ + π/2, the complement
+So no equation is solved. Below 60° φ = s·P(s²) with s = ∛(3 inv φ); above, with c = inv φ + π/2, the complement
 ψ = π/2 − φ obeys cot ψ + ψ = c, and is a series in 1/c. The polynomials interpolate 60-digit values at Chebyshev
 points. Floats, arrays and tracked numbers get the same bits: arrays see only + − × ÷ and integer arithmetic.
 """
 
 import math
 
-from dynamics_cli.numerics.elementary import in_class_of_first, tan
+from dynamics_cli.numerics.elementary import horner, in_class_of_first, tan
 from dynamics_cli.numerics.number import is_array
 
 TYPE_CHECKING = False
@@ -30,7 +30,7 @@ _THIRD = 3071306047985483769
 _CUBIC = (1.7282232526369756, -1.294492162305515, 0.7376538587082156, -0.17138635967982363)
 # Leaves 17 bits, whose cube is exact.
 _SPLITTER = 68719476737.0
-# What Halley's step lacks, by the cube of the step.
+# Remaining error of Halley's step, relative to the cube of the step.
 _FOURTH_ORDER = 2.0 / 3.0
 # Below this the cube root is taken of a number scaled by 2³⁰⁰.
 _SMALL = 1e-280
@@ -60,13 +60,6 @@ _FORWARD = (
 )  # fmt: skip
 
 
-def _horner(coefficients: "tuple[float, ...]", x: float) -> float:
-    total = coefficients[-1]
-    for coefficient in coefficients[-2::-1]:
-        total = total * x + coefficient
-    return total
-
-
 def involute(phi: float) -> float:
     """Involute function tan φ − φ of an angle below 90°.
 
@@ -77,6 +70,10 @@ def involute(phi: float) -> float:
     Equation
     --------
     inv φ = tan φ − φ; below 0.98 rad φ³/3 + φ⁵ times a polynomial in φ².
+
+    References
+    ----------
+    Definition: ISO 21771. The series is derived; its polynomial interpolates 60-digit values.
 
     Examples
     --------
@@ -100,7 +97,7 @@ def _near(phi: float) -> float:
     high = scaled - (scaled - phi)
     low = phi - high
     square = phi * phi
-    rest = low * (high * high + low * (high + low / 3.0)) + phi * square * square * _horner(_FORWARD, square)
+    rest = low * (high * high + low * (high + low / 3.0)) + phi * square * square * horner(_FORWARD, square)
     return high * high * high / 3.0 + rest
 
 
@@ -123,7 +120,7 @@ def _involute_in_other_numbers(phi: "Any") -> "Any":
     from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
 
     if not isinstance(phi, Tracked):
-        # numbers with functions of their own
+        # numbers that bring their own functions
         return phi.apply("involute", phi)
     value = involute(phi.value)
     end = abs(phi.value) + phi.error
@@ -145,6 +142,10 @@ def inverse_involute(value: float) -> float:
     --------
     inv φ ≤ inv 60°: φ = s·P(s²), s = ∛(3 inv φ). Above: φ = π/2 − ψ, cot ψ + ψ = inv φ + π/2.
 
+    References
+    ----------
+    Derived: see the module. Definition of the function: ISO 21771.
+
     Examples
     --------
     >>> round(math.degrees(inverse_involute(0.014904383867336446)), 12)
@@ -165,13 +166,13 @@ def _inverse(value: float) -> float:
     if value > MEETING:
         c = value + _HALF_PI
         x = 1.0 / (c * c)
-        return (_HALF_PI - (1.0 + x * _horner(_HIGH, x)) / c) + _HALF_PI_REST
+        return (_HALF_PI - (1.0 + x * horner(_HIGH, x)) / c) + _HALF_PI_REST
     if value < _SMALL:
         return _DOWN * _inverse(_UP * value) if value else 0.0
     high, low = _cube_root(3.0 * value)
     s = high + low
     w = s * s
-    bend = w * _horner(_LOW, w)
+    bend = w * horner(_LOW, w)
     return high + (low + s * bend)
 
 
@@ -186,7 +187,7 @@ def _cube_root(y: float) -> tuple[float, float]:
 
 def _polished(guess: float, y: float) -> tuple[float, float]:
     ratio = guess * guess * (guess / y)
-    root = guess * _horner(_CUBIC, ratio)
+    root = guess * horner(_CUBIC, ratio)
     scaled = _SPLITTER * root
     high = scaled - (scaled - root)
     cube = high * high * high
@@ -217,7 +218,7 @@ def _inverse_of_block(value: "Array", out: "Array", room: "Array") -> None:
     if above.all():
         _high_block(value, out, room)
         return
-    # both forms everywhere cost less than picking places out and putting them back
+    # evaluating both forms everywhere costs less than selecting and merging
     _low_block(value, out, room)
     other = room[6][: value.size]
     _high_block(value, other, room)
@@ -245,7 +246,7 @@ def _low_block(value: "Array", out: "Array", room: "Array") -> None:
 
     small = value < _SMALL
     if small.any():
-        # negative ones and NaN come out as NaN
+        # negative values and NaN give NaN
         scaled = np.where(value == 0.0, 0.0, _UP * value)
         scaled[~(scaled >= 0.0)] = np.nan
         part = np.where(small, np.where(scaled == 0.0, 1.0, scaled), value)
@@ -296,11 +297,11 @@ def _horner_block(coefficients: "tuple[float, ...]", x: "Array", total: "Array")
 
 
 def _inverse_in_other_numbers(value: "Any") -> "Any":
-    """Tracked numbers: concave, so what an error does is most on the side of zero; the rounding is 1.5 ulp."""
+    """Tracked numbers: concave, so an error has its largest effect on the side of zero; the rounding is 1.5 ulp."""
     from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
 
     if not isinstance(value, Tracked):
-        # numbers with functions of their own
+        # numbers that bring their own functions
         return value.apply("inverse_involute", value)
     phi = _inverse(value.value)
     spread = phi - _inverse(max(value.value - value.error, 0.0)) if value.error else 0.0
@@ -309,7 +310,7 @@ def _inverse_in_other_numbers(value: "Any") -> "Any":
     tangent = math.tan(phi)
     slope = 1.0 / (tangent * tangent) if tangent > 1e-150 else math.inf
     if value.error and value.error < 1e-6 * value.value:
-        # the difference of two roots has no digits here; the slope has
+        # the difference of two roots has no correct digits here; the slope has
         spread = slope * value.error * (1.0 + 2.0 * value.error / value.value)
     error = (spread + 3.0 * UNIT_ROUNDOFF * phi) * (1.0 + 1e-9)
     return Tracked(phi, error, tuple(slope * own if own else 0.0 for own in value.slopes))

@@ -1,7 +1,7 @@
 """Arrays that go through formulas written for one case, branches included: many cases side by side, one in each lane.
 
-A formula may ask a number for its truth (`if depth > tip:`). A lane array answers where all its lanes agree; where they
-do not, the cases are parted by what they would have answered, and each part runs again from the start. So every lane
+A formula may branch on a number (`if depth > tip:`). A lane array answers if all its lanes agree; if they do not, the
+cases are split by their answers, and each part runs again from the start. So every lane
 takes exactly the steps that its case would take alone, and gives the same bits.
 """
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
     Rows = NDArray[np.int64]
 
-# Fewer lanes than this cost more together than one by one.
+# Fewer lanes than this are cheaper one by one.
 FEWEST = 12
 # Parts of one call: beyond this its cases hardly have steps in common.
 MOST_PARTS = 400
@@ -35,12 +35,12 @@ class Diverged(BaseException):
 
 
 class Lanes(np.ndarray):
-    """Numbers of as many cases; what they decide is noted in `trail`, so that calls of the same steps are known."""
+    """Numbers of several cases; their decisions are recorded in `trail`, which identifies calls with the same steps."""
 
     trail: "list[Any]" = []  # noqa: RUF012  one for all, as there is one call at a time
 
     def __bool__(self) -> bool:
-        """What all lanes say."""
+        """The common answer of all lanes."""
         if not self.ndim:
             return bool(self.item())
         truth = np.asarray(self, dtype=bool)
@@ -51,7 +51,7 @@ class Lanes(np.ndarray):
         raise Diverged(truth)
 
     def _whole(self, rounded: "Array") -> int:
-        """The whole number that all lanes come to."""
+        """The integer common to all lanes."""
         first = rounded.flat[0]
         same = np.asarray(rounded == first)
         if same.all():
@@ -85,7 +85,7 @@ class Lanes(np.ndarray):
         raise TypeError("lanes hold several numbers")
 
     def __pow__(self, power: "Any", modulus: None = None) -> "Any":
-        """As Python raises a double, which numpy does in other bits."""
+        """Power as Python calculates it; numpy's differs in the last bits."""
         return _raised(self, power)
 
     def __rpow__(self, base: "Any", modulus: None = None) -> "Any":
@@ -99,7 +99,7 @@ def _raised(base: "Any", power: "Any") -> "Any":
 
 
 class Part:
-    """Cases that went the same way: which they are, what came of them, and by which steps."""
+    """Cases that took the same branches: their indices, the result, and the steps."""
 
     __slots__ = ("outcome", "rows", "trail")
 
@@ -116,9 +116,9 @@ def parts(
     refused: "Callable[[Exception], Any]",
     kind: "type[Lanes]" = Lanes,
 ) -> "Iterator[Part]":
-    """What `call` gives for all cases, part by part; cases that it refuses are left out.
+    """The results of `call` for all cases, part by part; refused cases are left out.
 
-    `refused` is asked about what the call raised: the mask of cases that the formula refuses, True for all of them,
+    `refused` is called with the error raised: the mask of cases that the formula refuses, True for all of them,
     or None when it cannot be told which, so that they are halved until those are few. What it raises ends the search.
     """
     waiting = [rows]
@@ -148,7 +148,7 @@ def parts(
 
 
 def bisected(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "Any":
-    """Where a function that is positive at `low` and not at `high` changes its sign, lane by lane.
+    """Sign change of a function that is positive at `low` and not at `high`, lane by lane.
 
     Each lane takes the steps that `gear.single.limits.bisect` takes alone, and stays where these end.
     """

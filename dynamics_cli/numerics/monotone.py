@@ -17,11 +17,16 @@ STEPS = 60
 def solve(
     along: "Callable[[Array], Array]", cuts: "Array", v: "Array", *, rising: bool, near: float
 ) -> "tuple[Array, Array]":
-    """Where a monotone function of a coordinate between the first cut and the last reaches v, and its slope there.
+    """The coordinate between the first and the last cut at which a monotone function reaches v, and its slope there.
 
     Each root is known to `near` widths of the cuts before a last secant step, which squares that. Where v lies beyond
     an end the end is given, its slope infinite. The function may be −∞ (if rising, at its lower end; else at its
     upper one).
+
+    References
+    ----------
+    M. Dowell, P. Jarratt, A modified regula falsi method for computing the root of an equation, BIT 11 (1971) 168
+    (Illinois' method).
     """
     v = v if rising else -v
 
@@ -31,7 +36,7 @@ def solve(
     a, b, f_a, f_b = _bracket(up, cuts, v)
     inside = (f_a < v) & (v <= f_b)
     t, slope = np.where(v <= f_a, a, b), np.full(v.size, np.inf)
-    # The ends' distances from v as they are, and as halved to keep false position moving.
+    # The ends' residuals as they are, and as halved by the Illinois rule.
     true_a, true_b = f_a - v, f_b - v
     low, high = true_a, true_b
     side = np.zeros(v.size)
@@ -42,7 +47,7 @@ def solve(
             middle = a + np.where((share > 0.0) & (share <= 1.0), share, 0.5) * (b - a)
             f = up(middle) - v
             left = f < 0.0
-            # The secant through the last two points, or the chord to the end that stays: near the root, the slope.
+            # The secant through the last two points, or the chord to the retained end: near the root, the slope.
             secant = (f - f_before) / (middle - before)
             chord = np.where(left, (true_b - f) / (b - middle), (f - true_a) / (middle - a))
             chord = np.where(np.isfinite(secant) & (secant > 0.0), secant, chord)

@@ -1,6 +1,6 @@
-"""The one protocol of numbers: what arrived (double, array, tracked, of many digits), and the double in it.
+"""The one protocol of numbers: which sort it is (double, array, tracked, many digits), and the double in it.
 
-A formula is written once for all of them. Where a branch needs to know, it asks here.
+A formula is written once for all sorts. Where a branch depends on the sort, it is asked here.
 """
 
 TYPE_CHECKING = False
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 def plain(x: "Any") -> float:
-    """The double inside a number that carries more than it; anything else as it is.
+    """The double inside a tracked or many-digit number; anything else unchanged.
 
     >>> plain(2.5)
     2.5
@@ -18,7 +18,7 @@ def plain(x: "Any") -> float:
 
 
 def is_array(x: object) -> bool:
-    """Whether this is numpy's: an array, or a scalar taken from one."""
+    """Whether this is a numpy array, or a scalar taken from one."""
     return hasattr(x, "dtype")
 
 
@@ -43,7 +43,7 @@ def is_many(x: object) -> bool:
 
 
 def like(number: float, beside: "Any") -> "Any":
-    """A double, exact as it is, as a number like the one it stands beside; other numbers stay as they are."""
+    """A double as an exact number of the same sort as another; other numbers unchanged."""
     if is_carrier(number) or not is_carrier(beside):
         return number
     if is_tracked(beside):

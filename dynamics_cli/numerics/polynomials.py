@@ -31,7 +31,13 @@ def derivative(coefficients: "Sequence[Any]") -> "list[Any]":
 
 
 def shifted(coefficients: "Sequence[Any]", by: "Any") -> "list[Any]":
-    """The coefficients of p(x + by), by repeated synthetic division."""
+    """The coefficients of p(x + by), by repeated synthetic division.
+
+    References
+    ----------
+    Repeated synthetic division (Horner): W. H. Press et al., Numerical Recipes, 3rd ed., Cambridge 2007, section
+    5.1.
+    """
     moved = list(coefficients)
     for low in range(len(moved) - 1):
         for k in range(len(moved) - 2, low - 1, -1):
@@ -40,33 +46,37 @@ def shifted(coefficients: "Sequence[Any]", by: "Any") -> "list[Any]":
 
 
 def roots_between(coefficients: "Sequence[float]", low: float, high: float) -> "list[float]":
-    """The real roots within [low, high], in doubles, from the least up; each crossing once, touching roots left out.
+    """The real roots within [low, high], in doubles, in increasing order; each crossing once, double roots left out.
 
     Between two neighbouring roots of the derivative a polynomial is monotone and has a root where its sign changes.
 
     >>> roots_between([-6.0, 1.0, 1.0], 0.0, 4.0)
     [2.0]
+
+    References
+    ----------
+    Rolle's theorem: between neighbouring roots of the derivative a polynomial is monotone.
     """
     while len(coefficients) > 1 and coefficients[-1] == 0.0:
         coefficients = coefficients[:-1]
     if len(coefficients) < 2 or not high > low:
         return []
     places = [low, *roots_between(derivative(coefficients), low, high), high]
-    found: list[float] = []
+    roots: list[float] = []
     for left, right in pairwise(places):
         at_left, at_right = value(coefficients, left), value(coefficients, right)
         if at_left == 0.0:
-            if not found or found[-1] != left:
-                found.append(left)
+            if not roots or roots[-1] != left:
+                roots.append(left)
         elif at_right == 0.0:
-            found.append(right)
+            roots.append(right)
         elif (at_left < 0.0) != (at_right < 0.0):
-            found.append(_halved(coefficients, left, right, rising=at_left < 0.0))
-    return found
+            roots.append(_halved(coefficients, left, right, rising=at_left < 0.0))
+    return roots
 
 
 def _halved(coefficients: "Sequence[float]", left: float, right: float, *, rising: bool) -> float:
-    """The root between two places of unlike signs, by halving to the last bit."""
+    """The root between two places of opposite signs, by bisection to the last bit."""
     while True:
         middle = 0.5 * (left + right)
         if not left < middle < right:

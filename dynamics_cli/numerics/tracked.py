@@ -1,7 +1,7 @@
-"""A number that carries its derivatives and a rounding bound through the very formula that computes it.
+"""A number that carries its derivatives and a rounding bound through the formula that computes it.
 
 Sent through a physics function in place of floats, it does the same floating-point operations in the same order, so
-its `value` is the answer to the bit; `error` bounds what rounding did to it (given the doubles that went in), and
+its `value` is the answer to the bit; `error` bounds its rounding error (for the doubles that went in), and
 `slopes` are its derivatives by the inputs.
 
 Running error analysis: with unit roundoff u = 2⁻⁵³ an operation turns bounds into |f'|·e + second order + u·|result|
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
 UNIT_ROUNDOFF = 2.0**-53
-# What gradual underflow can add to any result.
+# Error that gradual underflow can add to any result.
 TINY = 5e-324
 _UNDERFLOWS = 1e-290
 # A product with one of these is exact.
@@ -28,7 +28,12 @@ if TYPE_CHECKING:
 
 
 class Tracked:
-    """A value with a bound on its rounding error and its derivatives by the tracked inputs."""
+    """A value with a bound on its rounding error and its derivatives by the tracked inputs.
+
+    References
+    ----------
+    N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., SIAM 2002, section 3.3.
+    """
 
     __slots__ = ("error", "slopes", "value")
 
@@ -151,7 +156,7 @@ class Tracked:
             spread += 4.0 * TINY
         slopes = tuple(
             [
-                # a slope without bound, as of a root at zero, is of the inputs that the argument depends on
+                # an infinite slope, as of a root at zero, applies to the inputs that the argument depends on
                 sum([partial * slope for partial, slope in zip(partials, column, strict=True) if slope], 0.0)
                 for column in zip(*[argument.slopes for argument in tracked], strict=True)
             ]
@@ -160,19 +165,19 @@ class Tracked:
 
 
 def _exact_sum(a: float, b: float) -> bool:
-    """Whether nothing of a sum is rounded away (Knuth's error of it is zero), as of nearly equal numbers subtracted."""
+    """Whether a sum is exact (Knuth's error of it is zero), as when nearly equal numbers are subtracted."""
     total = a + b
     part = total - a
     return (a - (total - part)) + (b - part) == 0.0
 
 
 def _lost(value: float, *factors: float) -> float:
-    """What a product or quotient that underflowed to zero may really be."""
+    """Bound of a product or quotient that underflowed to zero."""
     return TINY if value == 0.0 and all(factors) else 0.0
 
 
 def _faint(a: Tracked, b: Tracked) -> float:
-    """What underflow may have taken from the bound of a product."""
+    """Amount that underflow may have removed from the bound of a product."""
     uncertain = (a.error and (b.value or b.error)) or (b.error and a.value)
     return 4.0 * TINY if uncertain else 0.0
 
@@ -189,7 +194,7 @@ def _sqrt(x: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
     value = math.sqrt(x.value)
     low = math.sqrt(max(x.value - x.error, 0.0))
     spread = x.error / (value + low) if value > 0.0 else math.sqrt(x.error)
-    # at zero the slope has no bound, and no condition number means anything
+    # at zero the slope is infinite, and a condition number is meaningless
     return value, spread, (0.5 / value if value > 0.0 else math.inf,), 1.0
 
 

@@ -1,9 +1,9 @@
-"""Cosine, sine and tangent of an angle as a user wrote it: exact at multiples of 30 and 45 degrees.
+"""Cosine, sine and tangent of an angle as the user wrote it: exact at multiples of 30 and 45 degrees.
 
-An angle reaches physics in radians. The double nearest to a multiple of π/6 is what such a multiple was read as: 90
-degrees have no cosine of 6e-17. The bounds of tracked numbers, which are of the double, allow for the difference, and
-numbers of many digits, which check those bounds, keep to the double. Use this where an angle is an input; what a
-formula calculated has no such meaning.
+An angle reaches physics in radians. The double nearest to a multiple of π/6 stands for that multiple: the cosine of
+90 degrees is not 6e-17. The bounds of tracked numbers, which are of the double, allow for the difference, and
+numbers of many digits, which check those bounds, keep to the double. Use this where an angle is an input; a
+calculated angle has no such meaning.
 """
 
 from dynamics_cli.numerics.elementary import cos, product_error, sin, tan
@@ -13,13 +13,13 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# π/6, and what the double leaves out of it.
+# π/6, and the rounding error of the double.
 SIXTH, REST = 0.5235987755982989, -5.360408832255455e-17
 # π/4.
 EIGHTH = 0.7853981633974483
-# Multiples beyond these are too close to one another's doubles to mean anything.
+# Multiples beyond this are not distinguishable from neighbouring doubles.
 MOST = 1e6
-# What rounding may have made of an angle and of a sine, relatively.
+# Relative rounding errors of an angle and of a sine.
 OFF = 2.0**-53
 HALF, ROOT = 0.5, 0.8660254037844386
 # Sines of multiples of 30 degrees: sign and size.
@@ -28,12 +28,17 @@ _SINES = ((0, 0.0), (1, HALF), (1, ROOT), (1, 1.0), (1, ROOT), (1, HALF), (0, 0.
 
 
 def turned(angle: float) -> tuple[float, float]:
-    """Cosine and sine of an angle in radians."""
+    """Cosine and sine of an angle in radians.
+
+    References
+    ----------
+    Derived: sines of multiples of 30 degrees are 0, ½, ½√3 and 1; of 45 degrees ½√2.
+    """
     if getattr(angle, "ndim", 0):
         return _of_array(angle)
     value: float = getattr(angle, "value", angle)
     multiple = multiple_of(value)
-    # numbers of many digits are taken at their word
+    # numbers of many digits are taken as they are
     if multiple is None or (is_carrier(angle) and not hasattr(angle, "error")):
         return cos(angle), sin(angle)
     return _exact(angle, value, multiple + 3), _exact(angle, value, multiple)
@@ -67,7 +72,7 @@ def _tangents(angles: "Any") -> "Any":
 
 
 def multiple_of(value: float) -> int | None:
-    """How many times 30 degrees an angle is, if its double is the nearest to such a multiple."""
+    """The multiple of 30 degrees whose nearest double the angle is, if any."""
     if not abs(value) <= MOST * SIXTH:
         return None
     count = round(value / SIXTH)

@@ -37,7 +37,12 @@ def times(tensor: Tensor, a: Vector) -> Vector:
 
 
 def moved(tensor: Tensor, mass: float, way: Vector) -> Tensor:
-    """Inertia about a point that is `way` from the mass centre: I + m(r² − r rᵀ)."""
+    """Inertia about a point that is `way` from the mass centre: I + m(r² − r rᵀ).
+
+    References
+    ----------
+    Parallel axis theorem: Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 7.
+    """
     square = dot(way, way)
     rows = []
     for i in range(3):
@@ -48,7 +53,12 @@ def moved(tensor: Tensor, mass: float, way: Vector) -> Tensor:
 
 
 def solve(tensor: Tensor, right: Vector, what: str) -> Vector:
-    """Solve a symmetric positive definite system by LDLᵀ; refuse one without inertia about some direction."""
+    """Solve a symmetric positive definite system by LDLᵀ; refuse one without inertia about some direction.
+
+    References
+    ----------
+    G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed., Johns Hopkins 2013, chapter 4 (LDLᵀ).
+    """
     a, b, c = tensor[0]
     d, e = tensor[1][1], tensor[1][2]
     trace = a + d + tensor[2][2]

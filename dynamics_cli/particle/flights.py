@@ -2,6 +2,7 @@
 
 import math
 
+from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.quadrature.gauss import legendre
 
@@ -189,9 +190,7 @@ class Quadratic:
         """The state at a time."""
         if time <= 0.0:
             return self._state(self.slope, (0.0, 0.0, 0.0))
-        found = self._solved(0, time)
-        assert found is not None
-        return found
+        return _followed(self._solved(0, time))
 
     def apex(self) -> "State":
         """The highest place after the launch."""
@@ -206,13 +205,18 @@ class Quadratic:
         """The state where it comes down to a level so far below the launch."""
         if drop == 0.0 and self.slope <= 0.0:
             return self.at(0.0)
-        found = self._solved(2, drop)
-        assert found is not None
-        return found
+        return _followed(self._solved(2, drop))
 
     def passing(self, distance: float) -> "State | None":
         """The state at a distance, where it comes there."""
         return self._solved(1, distance)
+
+
+def _followed(state: "State | None") -> "State":
+    require(state is not None, "the flight goes on farther than can be followed", code="range",
+            hint="check the speed, the drag and the height")  # fmt: skip
+    assert state is not None
+    return state
 
 
 class Upright:

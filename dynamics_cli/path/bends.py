@@ -63,6 +63,10 @@ def bend(velocity: Vector, acceleration: Vector, jerk: "Vector | None" = None) -
     """Tangential and normal acceleration, curvature, directions and torsion at one point.
 
     Equation: a_t = v·a/‖v‖, a_n = ‖v×a‖/‖v‖, κ = ‖v×a‖/‖v‖³, τ = (v×a)·j/‖v×a‖², T = v/‖v‖, B = v×a/‖v×a‖, N = B×T.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3.
     """
     speed, size = norm(velocity), norm(acceleration)
     if vanishes(speed, 1.0):
@@ -83,31 +87,31 @@ def bend(velocity: Vector, acceleration: Vector, jerk: "Vector | None" = None) -
 
 
 REST = (
-    "the point is at rest: direction, curvature and the parts of the acceleration do not exist; it moves off, or turns "
-    "back, along the acceleration"
+    "the point is at rest: direction, curvature and the parts of the acceleration do not exist; it starts or reverses "
+    "along the acceleration"
 )
 STRAIGHT = "velocity and acceleration are parallel: the curvature is zero and the radius of curvature infinite"
 
 
-def advice_of(made: Bend, *names: str) -> tuple[Advice, ...]:
+def advice_of(motion: Bend, *names: str) -> tuple[Advice, ...]:
     """Why results do not exist, for each of the names that is None."""
-    if not made.reason:
+    if not motion.reason:
         return ()
-    message = REST if made.reason == "rest" else STRAIGHT
-    return tuple(Advice(f"at-{made.reason}", message, "note", result=name) for name in names)
+    message = REST if motion.reason == "rest" else STRAIGHT
+    return tuple(Advice(f"at-{motion.reason}", message, "note", result=name) for name in names)
 
 
-def centre_of(position: Vector, made: Bend) -> "Vector | None":
+def centre_of(position: Vector, motion: Bend) -> "Vector | None":
     """The centre of curvature."""
-    if made.radius is None or made.normal_direction is None:
+    if motion.radius is None or motion.normal_direction is None:
         return None
-    offset = scale(made.radius, made.normal_direction)
+    offset = scale(motion.radius, motion.normal_direction)
     return position[0] + offset[0], position[1] + offset[1], position[2] + offset[2]
 
 
-def balanced(made: Bend) -> "tuple[float, float] | None":
+def balanced(motion: Bend) -> "tuple[float, float] | None":
     """How far a_t and a_n are from making up the acceleration, and what rounding allows."""
-    if made.tangential is None or made.normal is None:
+    if motion.tangential is None or motion.normal is None:
         return None
-    apart = abs(plain(hypot(made.tangential, made.normal)) - plain(made.magnitude))
-    return apart, 1e-12 * plain(made.magnitude) + 1e-300
+    apart = abs(plain(hypot(motion.tangential, motion.normal)) - plain(motion.magnitude))
+    return apart, 1e-12 * plain(motion.magnitude) + 1e-300

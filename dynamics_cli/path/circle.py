@@ -59,7 +59,7 @@ class Circle:
     inclination: Annotated[Angle, "Angle of the acceleration from the inward radius, forwards positive [rad]."]
     time: Annotated[Time | None, "Time taken [s]."]
     angle: Annotated[Angle | None, "Angle turned, counter-clockwise positive [rad]."]
-    turns: Annotated[Ratio | None, "Turns made [-]."]
+    turns: Annotated[Ratio | None, "Number of turns [-]."]
     arc: Annotated[Length | None, "Length along the circle [m]."]
     start: Annotated[OnCircle, "The state at the start."]
     checks: tuple[Check, ...] = ()
@@ -71,7 +71,7 @@ def circle(
     radius: Annotated[Distance, "Radius of the circle, e.g. 0.5 m."],
     state: Annotated[Turning | Running, "Angular velocity and acceleration, or speed and its rate, at the start."],
     time: Annotated[
-        Time | None, "Time of constant angular acceleration after which the state is wanted, e.g. 3 s."
+        Time | None, "Time after which the state is calculated, at constant angular acceleration, e.g. 3 s."
     ] = None,
     angle: Annotated[Angle | None, "Angle turned, in place of the time, e.g. 90 deg."] = None,
     arc: Annotated[Length | None, "Length along the circle, in place of the time, e.g. 3 m."] = None,
@@ -104,7 +104,7 @@ def circle(
     """
     require(plain(radius) > 0.0, "the radius of {radius} is not above zero", code="radius", radius=(radius, Length))
     given = [name for name, value in (("time", time), ("angle", angle), ("arc", arc)) if value is not None]
-    require(len(given) <= 1, "{names} are given: one of them is enough", code="exclusive", names=" and ".join(given))
+    require(len(given) <= 1, "{names} are given: give only one of them", code="exclusive", names=" and ".join(given))
     if isinstance(state, Running):
         omega, alpha = state.speed / radius, state.speed_rate / radius
     else:
@@ -154,7 +154,7 @@ def _speed_after(omega: float, alpha: float, swept: float) -> float:
     turned_back = not forward and plain(alpha) * plain(swept) > 0.0
     require(
         forward or turned_back,
-        "it turns the other way, and does not reach {angle}",
+        "it turns the other way and does not reach {angle}",
         code="not-reached",
         hint="check the signs",
         angle=(plain(swept), Angle),

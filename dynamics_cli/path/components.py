@@ -62,7 +62,7 @@ def components(
         JerkVector | None, "Rate of change of the acceleration, for the torsion, e.g. 0, 1, 0 m/s^3."
     ] = None,
     axes: Annotated[
-        Axes, "What the components are along: cartesian, cylindrical (r, θ, z), spherical (ρ, φ, θ)."
+        Axes, "Directions of the components: cartesian, cylindrical (r, θ, z), spherical (ρ, φ, θ)."
     ] = Axes("cartesian"),  # noqa: B008
 ) -> Components:
     """Velocity and acceleration along x, y, z; r, θ, z; ρ, φ, θ; and along and across the path.
@@ -102,32 +102,32 @@ def components(
     if given is not None:
         velocity, acceleration = combined(given, velocity), combined(given, acceleration)
         jerk = None if jerk is None else combined(given, jerk)
-    made = bend(velocity, acceleration, jerk)
+    motion = bend(velocity, acceleration, jerk)
     round_axis, round_pole = frames.get("cylindrical"), frames.get("spherical")
-    advice = list(advice_of(made, *_absent(made.reason, jerk is not None, position is not None)))
+    advice = list(advice_of(motion, *_absent(motion.reason, jerk is not None, position is not None)))
     if round_axis is None and position is not None:
         names = [f"{system}_{what}" for system in ("cylindrical", "spherical") for what in ("velocity", "acceleration")]
         said = "on the Z-axis the directions of cylindrical and spherical coordinates are not determined"
         advice += [Advice("on-axis", said, "note", "give a position off the Z-axis", result=name) for name in names]
     return Components(
-        speed=made.speed,
-        acceleration_size=made.magnitude,
-        tangential=made.tangential,
-        normal=made.normal,
-        radius_of_curvature=made.radius,
-        curvature=made.curvature,
-        torsion=made.torsion,
-        tangent=made.tangent,
-        normal_direction=made.normal_direction,
-        binormal=made.binormal,
-        centre=None if position is None else centre_of(position, made),
+        speed=motion.speed,
+        acceleration_size=motion.magnitude,
+        tangential=motion.tangential,
+        normal=motion.normal,
+        radius_of_curvature=motion.radius,
+        curvature=motion.curvature,
+        torsion=motion.torsion,
+        tangent=motion.tangent,
+        normal_direction=motion.normal_direction,
+        binormal=motion.binormal,
+        centre=None if position is None else centre_of(position, motion),
         cartesian_velocity=velocity,
         cartesian_acceleration=acceleration,
         cylindrical_velocity=_along(round_axis, velocity),
         cylindrical_acceleration=_along(round_axis, acceleration),
         spherical_velocity=_along(round_pole, velocity),
         spherical_acceleration=_along(round_pole, acceleration),
-        checks=parts_check(made),
+        checks=parts_check(motion),
         advice=tuple(advice),
     )
 

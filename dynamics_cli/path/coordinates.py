@@ -166,28 +166,28 @@ def _around(
     def turned(along: float, beside: float, up: float) -> Vector:
         return along * cosine - beside * sine, along * sine + beside * cosine, up
 
-    made = bend((rates[0], across, vz), (outward, sideward, az))
+    motion = bend((rates[0], across, vz), (outward, sideward, az))
     flat = axial[0] is None
     return AroundAxis(
         radial_velocity=rates[0],
         transverse_velocity=across,
         axial_velocity=None if flat else vz,
-        speed=made.speed,
+        speed=motion.speed,
         radial_acceleration=outward,
         transverse_acceleration=sideward,
         axial_acceleration=None if flat else az,
-        acceleration=made.magnitude,
+        acceleration=motion.magnitude,
         centripetal=centripetal,
         angular_part=angular,
         coriolis=coriolis,
-        tangential=made.tangential,
-        normal=made.normal,
-        radius_of_curvature=made.radius,
+        tangential=motion.tangential,
+        normal=motion.normal,
+        radius_of_curvature=motion.radius,
         position=(radius * cosine, radius * sine, z),
         cartesian_velocity=turned(rates[0], across, vz),
         cartesian_acceleration=turned(outward, sideward, az),
-        checks=parts_check(made),
-        advice=missing(made),
+        checks=parts_check(motion),
+        advice=missing(motion),
     )
 
 
@@ -207,7 +207,8 @@ def spherical(
 
     Equation
     --------
-    v = (ρ̇, ρφ̇, ρθ̇ sinφ); a = (ρ̈ − ρφ̇² − ρθ̇² sin²φ, ρφ̈ + 2ρ̇φ̇ − ρθ̇² sinφ cosφ, (ρθ̈ + 2ρ̇θ̇) sinφ + 2ρφ̇θ̇ cosφ).
+    v = (ρ̇, ρφ̇, ρθ̇ sinφ); a = (ρ̈ − ρφ̇² − ρθ̇² sin²φ, ρφ̈ + 2ρ̇φ̇ − ρθ̇² sinφ cosφ, (ρθ̈ + 2ρ̇θ̇) sinφ + 2ρφ̇θ̇
+    cosφ).
 
     Returns
     -------
@@ -244,24 +245,24 @@ def spherical(
         + 2.0 * (rho * polar_rate * azimuth_rate) * down,
     )
     axes = local_axes(down, across, cos(azimuth), sin(azimuth))
-    made = bend(velocity, acceleration)
+    motion = bend(velocity, acceleration)
     return FromPole(
         radial_velocity=velocity[0],
         polar_velocity=velocity[1],
         azimuth_velocity=velocity[2],
-        speed=made.speed,
+        speed=motion.speed,
         radial_acceleration=acceleration[0],
         polar_acceleration=acceleration[1],
         azimuth_acceleration=acceleration[2],
-        acceleration=made.magnitude,
-        tangential=made.tangential,
-        normal=made.normal,
-        radius_of_curvature=made.radius,
+        acceleration=motion.magnitude,
+        tangential=motion.tangential,
+        normal=motion.normal,
+        radius_of_curvature=motion.radius,
         position=scale(rho, axes[0]),
         cartesian_velocity=combined(axes, velocity),
         cartesian_acceleration=combined(axes, acceleration),
-        checks=parts_check(made),
-        advice=missing(made),
+        checks=parts_check(motion),
+        advice=missing(motion),
     )
 
 
@@ -279,13 +280,13 @@ def combined(axes: tuple[Vector, Vector, Vector], parts: Vector) -> Vector:
     return add(add(scale(parts[0], axes[0]), scale(parts[1], axes[1])), scale(parts[2], axes[2]))
 
 
-def parts_check(made: Bend) -> tuple[Check, ...]:
+def parts_check(motion: Bend) -> tuple[Check, ...]:
     """That a_t and a_n make up the acceleration."""
-    both = balanced(made)
+    both = balanced(motion)
     return () if both is None else (Check("a_t and a_n make up a", both[0] <= both[1], both[0], both[1]),)
 
 
-def missing(made: Bend) -> tuple[Advice, ...]:
+def missing(motion: Bend) -> tuple[Advice, ...]:
     """Why a_t, a_n and the radius of curvature do not exist."""
-    names = ("tangential", "normal", "radius_of_curvature") if made.reason == "rest" else ("radius_of_curvature",)
-    return advice_of(made, *names)
+    names = ("tangential", "normal", "radius_of_curvature") if motion.reason == "rest" else ("radius_of_curvature",)
+    return advice_of(motion, *names)

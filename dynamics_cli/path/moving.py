@@ -60,7 +60,8 @@ def moving_frame(
     origin_velocity: Annotated[Velocity, "Velocity v_O of the frame's origin, e.g. 1, 0, 0 m/s."] = ZERO,
     origin_acceleration: Annotated[AccelerationVector, "Acceleration a_O of the origin, e.g. 0, 0, 1 m/s^2."] = ZERO,
     orientation: Annotated[
-        Quaternion | None, "Turns the frame's components into fixed ones, scalar first, e.g. 0.92388, 0, 0, 0.382683."
+        Quaternion | None,
+        "Quaternion from the frame's components to fixed ones, scalar first, e.g. 0.92388, 0, 0, 0.382683.",
     ] = None,
 ) -> InMovingFrame:
     """Velocity and acceleration of a point moving in a frame that moves and turns; all vectors in the frame's axes.
@@ -120,9 +121,9 @@ def _fixed(turn: "tuple[float, float, float, float]", vector: Vector) -> Vector:
     square = w * w + dot(q, q)
     require(
         absolute(square - 1.0) <= UNIT,
-        "the quaternion has length {length:6}: one of a rotation has length 1",
+        "the quaternion has length {length:6}; a rotation needs length 1",
         code="quaternion",
-        hint="four numbers w, x, y, z whose squares add up to 1",
+        hint="give four numbers w, x, y, z whose squares add up to 1",
         length=str(round(plain(square) ** 0.5, 6)) if single(square) else "",
     )
     across = cross(q, vector)
@@ -130,12 +131,14 @@ def _fixed(turn: "tuple[float, float, float, float]", vector: Vector) -> Vector:
     return add(vector, scale(2.0 / square, change))
 
 
-def _coriolis_check(omega: Vector, relative: Vector, found: Vector) -> tuple[Check, ...]:
+def _coriolis_check(omega: Vector, relative: Vector, coriolis: Vector) -> tuple[Check, ...]:
     """That the Coriolis term is square to ω and to v_rel."""
     if not single(*omega, *relative):
         return ()
-    size = plain(norm(found)) * max(plain(norm(omega)), plain(norm(relative)))
-    apart = max(abs(plain(dot(found, omega))), abs(plain(dot(found, relative))))
+    size = plain(norm(coriolis)) * max(plain(norm(omega)), plain(norm(relative)))
+    apart = max(abs(plain(dot(coriolis, omega))), abs(plain(dot(coriolis, relative))))
     # lengths of different kinds: each product is a share of its own size
-    allowed = 1e-12 * max(size, plain(norm(found)) * plain(norm(omega)), plain(norm(found)) * plain(norm(relative)))
-    return (Check("Coriolis term square to ω and v_rel", apart <= allowed, apart, allowed),)
+    allowed = 1e-12 * max(
+        size, plain(norm(coriolis)) * plain(norm(omega)), plain(norm(coriolis)) * plain(norm(relative))
+    )
+    return (Check("Coriolis term perpendicular to ω and v_rel", apart <= allowed, apart, allowed),)

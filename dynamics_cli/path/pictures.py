@@ -24,13 +24,13 @@ LARGE = 3.0
 VELOCITY, ACCELERATION, PART = 0, 1, 2
 
 
-def rectilinear(made: "Any", **_: "Any") -> Picture:
+def rectilinear(result: "Any", **_: "Any") -> Picture:
     """Displacement, velocity and acceleration over time."""
-    times, distances, speeds, rates = _smooth(made.motion)
+    times, distances, speeds, rates = _smooth(result.motion)
     zero = Band(0.0, 0.0, "", vertical=False)
     panels = [
-        Panel(TIME, Axis("displacement", Length), (Curve(times, distances, role=0), *_marked(made, "distance"))),
-        Panel(TIME, Axis("velocity", Speed), (Curve(times, speeds, role=0), *_marked(made, "speed"))),
+        Panel(TIME, Axis("displacement", Length), (Curve(times, distances, role=0), *_marked(result, "distance"))),
+        Panel(TIME, Axis("velocity", Speed), (Curve(times, speeds, role=0), *_marked(result, "speed"))),
         Panel(TIME, Axis("acceleration", Acceleration), (Curve(times, rates, role=0), zero)),
     ]
     return Picture(tuple(panels), "straight motion")
@@ -38,16 +38,16 @@ def rectilinear(made: "Any", **_: "Any") -> Picture:
 
 def _smooth(rows: "Sequence[Any]") -> "tuple[list[float], ...]":
     """Cubics through displacements and velocities of the table, from row to row, and the slope of the latter."""
-    made: tuple[list[float], ...] = ([], [], [], [])
+    track: tuple[list[float], ...] = ([], [], [], [])
     for one, other in pairwise(rows):
         span = other.time - one.time
         for u in (i / 12 for i in range(13)) if span > 0.0 else ():
             place = _cubic(u, one.distance, other.distance, span * one.speed, span * other.speed)
             speed = _cubic(u, one.speed, other.speed, span * one.acceleration, span * other.acceleration)
             now = one.time + u * span, place[0], speed[0], speed[1] / span
-            for column, value in zip(made, now, strict=True):
+            for column, value in zip(track, now, strict=True):
                 column.append(value)
-    return made
+    return track
 
 
 def _cubic(u: float, first: float, last: float, slope: float, end: float) -> "tuple[float, float]":
@@ -57,20 +57,20 @@ def _cubic(u: float, first: float, last: float, slope: float, end: float) -> "tu
     return value, 6.0 * u * w * rise + w * (1 - 3 * u) * slope + u * (1 - 3 * w) * end
 
 
-def _marked(made: "Any", what: str) -> "list[Mark]":
-    last = made.motion[-1]
+def _marked(result: "Any", what: str) -> "list[Mark]":
+    last = result.motion[-1]
     marks = [Mark(last.time, getattr(last, what), "end", (6.0, 6.0))]
-    if made.stop_time is not None and 0.0 < made.stop_time < last.time:
-        marks.append(Mark(made.stop_time, made.stop_distance if what == "distance" else 0.0, "at rest"))
+    if result.stop_time is not None and 0.0 < result.stop_time < last.time:
+        marks.append(Mark(result.stop_time, result.stop_distance if what == "distance" else 0.0, "at rest"))
     return marks
 
 
-def circle(made: "Any", *, radius: float, **_: "Any") -> Picture:
+def circle(result: "Any", *, radius: float, **_: "Any") -> Picture:
     """The circle with velocity and acceleration at the start and at the end."""
     items: list[Any] = [_ring((0.0, 0.0), radius, "centre"), Mark(0.0, 0.0, "")]
-    ends = [("start" if made.angle is not None else "", 0.0, made.start)]
-    if made.angle is not None:
-        ends.append(("end", made.angle, made))
+    ends = [("start" if result.angle is not None else "", 0.0, result.start)]
+    if result.angle is not None:
+        ends.append(("end", result.angle, result))
     fastest = max(abs(end.speed) for _, _, end in ends)
     hardest = max(end.acceleration for _, _, end in ends)
     for name, angle, end in ends:
@@ -98,15 +98,15 @@ def _arrow(place: "Plane", vector: "Plane", largest: float, size: float, label: 
     return Arrow(place[0], place[1], factor * vector[0], factor * vector[1], label, role=colour)
 
 
-def around(made: "Any", *, radius: float, angle: float = 0.0, **_: "Any") -> Picture:
+def around(result: "Any", *, radius: float, angle: float = 0.0, **_: "Any") -> Picture:
     """The radius, velocity and acceleration with its parts, in the plane square to the axis."""
-    place = (made.position[0], made.position[1])
+    place = (result.position[0], result.position[1])
     out, beside = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
     size = radius or 0.5
-    rate = (made.cartesian_acceleration[0], made.cartesian_acceleration[1])
+    rate = (result.cartesian_acceleration[0], result.cartesian_acceleration[1])
     parts = [
-        ("aᵣ", (made.radial_acceleration * out[0], made.radial_acceleration * out[1])),
-        ("aθ", (made.transverse_acceleration * beside[0], made.transverse_acceleration * beside[1])),
+        ("aᵣ", (result.radial_acceleration * out[0], result.radial_acceleration * out[1])),
+        ("aθ", (result.transverse_acceleration * beside[0], result.transverse_acceleration * beside[1])),
     ]
     largest = max(math.hypot(*rate), 1e-300)
     items: list[Any] = [
@@ -116,7 +116,7 @@ def around(made: "Any", *, radius: float, angle: float = 0.0, **_: "Any") -> Pic
     for name, part in parts:
         if math.hypot(*part) > 0.02 * largest:
             items.append(Arrow(*place, *_scaled(part, largest, size), name, role=PART, dashed=True))
-    velocity = (made.cartesian_velocity[0], made.cartesian_velocity[1])
+    velocity = (result.cartesian_velocity[0], result.cartesian_velocity[1])
     items += [
         _arrow(place, velocity, math.hypot(*velocity), size, "v"),
         _arrow(place, rate, largest, size, "a"),
@@ -130,16 +130,16 @@ def _scaled(vector: "Plane", largest: float, size: float) -> "Plane":
     return factor * vector[0], factor * vector[1]
 
 
-def in_space(made: "Any", **_: "Any") -> Picture:
+def in_space(result: "Any", **_: "Any") -> Picture:
     """Velocity and acceleration seen in the plane of both, with the circle of curvature."""
-    speed = made.speed
-    tangential, normal = made.tangential, made.normal
+    speed = result.speed
+    tangential, normal = result.tangential, result.normal
     if tangential is None or normal is None:
         items: tuple[Any, ...] = (Arrow(0.0, 0.0, 1.0, 0.0, "a", role=ACCELERATION), Mark(0.0, 0.0, "at rest"))
         return Picture((Panel(Axis("along a"), Axis("across"), items, equal=True),), "acceleration")
-    size = made.radius_of_curvature if made.radius_of_curvature is not None else 1.0
+    size = result.radius_of_curvature if result.radius_of_curvature is not None else 1.0
     items = (
-        *(() if made.radius_of_curvature is None else (
+        *(() if result.radius_of_curvature is None else (
             Curve(*_arc(size), "path (circle of curvature)", "thin", role=6),
             Mark(0.0, size, "centre of curvature"),
         )),
@@ -156,20 +156,20 @@ def _arc(radius: float) -> "tuple[list[float], list[float]]":
     return [radius * math.sin(angle) for angle in angles], [radius * (1.0 - math.cos(angle)) for angle in angles]
 
 
-def curve(made: "Any", *, x: "Any" = None, y: "Any" = None, z: "Any" = None, shape: "Any" = None, let: "Any" = (),
+def curve(result: "Any", *, x: "Any" = None, y: "Any" = None, z: "Any" = None, shape: "Any" = None, let: "Any" = (),
           angle_law: "Any" = None, length_law: "Any" = None, **_: "Any") -> Picture:  # fmt: skip
     """The path with velocity, acceleration and circle of curvature; speed and acceleration over time."""
     from dynamics_cli.path.curves.moving_point import MovingPoint
 
     law = angle_law if angle_law is not None else length_law
     motion = MovingPoint({"x": x, "y": y, "z": z}, shape, law, let).plainly()
-    rows = made.points
+    rows = result.points
     if not rows:
-        return in_space(made)
+        return in_space(result)
     first, last = rows[0].time, rows[-1].time
     times = [first + (last - first) * i / DRAWN for i in range(DRAWN + 1)]
     states = [motion.state(time) for time in times]
-    path = _path_panel(made, states)
+    path = _path_panel(result, states)
     rates = [
         Curve(times, [_or_gap(state.bend.tangential) for state in states], "aₜ", role=ACCELERATION),
         Curve(times, [_or_gap(state.bend.normal) for state in states], "aₙ", "dashed", role=PART),
@@ -183,23 +183,26 @@ def _or_gap(value: "float | None") -> float:
     return math.nan if value is None else value
 
 
-def _path_panel(made: "Any", states: "Sequence[Any]") -> Panel:
+def _path_panel(result: "Any", states: "Sequence[Any]") -> Panel:
     xs, ys = [state.position[0] for state in states], [state.position[1] for state in states]
     size = 0.5 * max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
-    place = (made.position[0], made.position[1])
+    place = (result.position[0], result.position[1])
     items: list[Any] = [Curve(xs, ys, role=3, style="thick")]
-    flat = abs(made.velocity[2]) + abs(made.acceleration[2]) == 0.0
-    radius = made.radius_of_curvature
-    if flat and radius is not None and radius < LARGE * size and made.speed > 0.0:
-        v, turn = made.velocity, made.velocity[0] * made.acceleration[1] - made.velocity[1] * made.acceleration[0]
-        side = math.copysign(radius / made.speed, turn)
+    flat = abs(result.velocity[2]) + abs(result.acceleration[2]) == 0.0
+    radius = result.radius_of_curvature
+    if flat and radius is not None and radius < LARGE * size and result.speed > 0.0:
+        v, turn = (
+            result.velocity,
+            result.velocity[0] * result.acceleration[1] - result.velocity[1] * result.acceleration[0],
+        )
+        side = math.copysign(radius / result.speed, turn)
         centre = place[0] - side * v[1], place[1] + side * v[0]
         # as much of a large circle as the path is long: the path fills the picture
         half, at = min(math.pi, size / radius), math.atan2(place[1] - centre[1], place[0] - centre[0])
         around = [at + half * (2.0 * i / (ROUND - 1) - 1.0) for i in range(ROUND)]
         xs, ys = ([c + radius * wave(t) for t in around] for c, wave in zip(centre, (math.cos, math.sin), strict=True))
         items.append(Curve(xs, ys, "circle of curvature", "dotted", role=6))
-    velocity, rate = (made.velocity[0], made.velocity[1]), (made.acceleration[0], made.acceleration[1])
+    velocity, rate = (result.velocity[0], result.velocity[1]), (result.acceleration[0], result.acceleration[1])
     if math.hypot(*velocity):
         items.append(_arrow(place, velocity, math.hypot(*velocity), size, "v"))
     if math.hypot(*rate):
@@ -208,9 +211,9 @@ def _path_panel(made: "Any", states: "Sequence[Any]") -> Panel:
     return Panel(X, Y, tuple(items), equal=True)
 
 
-def table(made: "Any", _file: str = "", **_: "Any") -> Picture:
+def table(result: "Any", _file: str = "", **_: "Any") -> Picture:
     """The smoothed track, its speed, and its accelerations within their noise."""
-    rows = made.points
+    rows = result.points
     times = [row.time for row in rows]
     panels = []
     if rows[0].y is not None:
@@ -232,36 +235,36 @@ def table(made: "Any", _file: str = "", **_: "Any") -> Picture:
     return Picture(tuple(panels), "the measured track", subtitle="dotted: one standard deviation of the noise")
 
 
-def relative(made: "Any", *, first: "Any", second: "Any", end: "Any" = None, let: "Any" = (), **_: "Any") -> Picture:
+def relative(result: "Any", *, first: "Any", second: "Any", end: "Any" = None, let: "Any" = (), **_: "Any") -> Picture:
     """Both paths, seen along z, and where they are closest."""
     from dynamics_cli.path.relative import Pair
 
-    span = (end if first.curved or second.curved else 1.5 * made.closest_time) or 1.0
+    span = (end if first.curved or second.curved else 1.5 * result.closest_time) or 1.0
     pair = Pair(first, second, let)
     items: list[Any] = []
-    for which, (name, place) in enumerate((("first", made.first_position), ("second", made.second_position))):
+    for which, (name, place) in enumerate((("first", result.first_position), ("second", result.second_position))):
         at = [pair.of(which, span * i / DRAWN)[0] for i in range(DRAWN + 1)]
         items += [
             Curve([r[0] for r in at], [r[1] for r in at], name, role=which),
             Mark(at[0][0], at[0][1], "", role=which),
             Mark(place[0], place[1], "", role=which),
         ]
-    ends = made.first_position, made.second_position
+    ends = result.first_position, result.second_position
     items.append(Curve([ends[0][0], ends[1][0]], [ends[0][1], ends[1][1]], "closest approach", "dashed", role=6))
     return Picture((Panel(X, Y, tuple(items), equal=True),), "two paths and their closest approach")
 
 
-def moving_frame(made: "Any", **_: "Any") -> Picture:
+def moving_frame(result: "Any", **_: "Any") -> Picture:
     """The five terms of the acceleration head to tail, seen along z of the frame, and their sum."""
     at = (0.0, 0.0)
     items: list[Any] = []
     names = (("a of O", "origin_part"), ("α×r", "angular_part"), ("ω×(ω×r)", "centripetal"), ("2ω×v", "coriolis"),
              ("a in frame", "relative_part"))  # fmt: skip
     for role, (label, name) in enumerate(names, 1):
-        x, y, _z = getattr(made, name)
+        x, y, _z = getattr(result, name)
         if math.hypot(x, y):
             items.append(Arrow(*at, x, y, label, role=role))
             at = (at[0] + x, at[1] + y)
-    items.append(Arrow(0.0, 0.0, made.acceleration[0], made.acceleration[1], "a", role=0, dashed=True))
+    items.append(Arrow(0.0, 0.0, result.acceleration[0], result.acceleration[1], "a", role=0, dashed=True))
     panel = Panel(Axis("acceleration along x", Acceleration), Axis("along y", Acceleration), tuple(items), equal=True)
     return Picture((panel,), "the terms of the acceleration, head to tail")

@@ -74,7 +74,7 @@ def relative(
     *,
     first: Annotated[Mover, "The point from which the other is seen."],
     second: Annotated[Mover, "The point that is seen."],
-    time: Annotated[Time, "When relative position and velocity are wanted, e.g. 2 s."] = 0.0,
+    time: Annotated[Time, "Time of the relative position and velocity shown, e.g. 2 s."] = 0.0,
     end: Annotated[Time | None, "Until when the closest approach of formulas is searched, e.g. 60 s."] = None,
     let: Annotated[tuple[Variable, ...], "Variables of formulas, e.g. r=3 m, w=2 rad/s."] = (),
 ) -> Relative:
@@ -122,7 +122,11 @@ def relative(
     closing = None if plain(apart) == 0.0 else -(dot(here, now) / apart)
     advice: tuple[Advice, ...] = ()
     if closing is None:
-        advice = (Advice("touching", "they are at one place: nothing closes", "note", result="closing_speed"),)
+        advice = (
+            Advice(
+                "touching", "they are at the same place: there is no closing direction", "note", result="closing_speed"
+            ),
+        )
     if plain(when) == 0.0 and not any(map(plain, a)) and not any(map(plain, v)):
         advice += (Advice("at-rest", "they do not move relative to each other: their distance never changes", "note"),)
     elif plain(when) == 0.0:
@@ -213,7 +217,11 @@ def _of_curves(first: Mover, second: Mover, time: float, end: "float | None", le
     size = max(norm(pair.of(which, when)[0]) for which in (0, 1))
     advice: tuple[Advice, ...] = ()
     if apart == 0.0:
-        advice += (Advice("touching", "they are at one place: nothing closes", "note", result="closing_speed"),)
+        advice += (
+            Advice(
+                "touching", "they are at the same place: there is no closing direction", "note", result="closing_speed"
+            ),
+        )
     if when in (0.0, last):
         where = "start" if when == 0.0 else "end"
         advice += (Advice("edge", f"they are closest at the {where} of the times that were searched", "note"),)
@@ -223,7 +231,7 @@ def _of_curves(first: Mover, second: Mover, time: float, end: "float | None", le
         closest_distance=gap, closest_time=when, closest_speed=there, distance=apart,
         closing_speed=-dot(r, v) / apart if apart else None, position=r, velocity=v, acceleration=a, speed=norm(v),
         acceleration_size=norm(a), first_position=pair.of(0, when)[0], second_position=pair.of(1, when)[0],
-        checks=(Check("no closer just before or after", short <= 1e-12 * size, short, 1e-12 * size),), advice=advice,
+        checks=(Check("not closer just before or after", short <= 1e-12 * size, short, 1e-12 * size),), advice=advice,
         numerics=Numerics(
             "exact derivatives of the formulas; minima of the distance bisected, its rounding estimated",
             (ErrorBound("closest_distance", 1e-15 * size, relative=False),),
@@ -305,4 +313,4 @@ def _nearest_check(r: Vector, v: Vector, a: Vector, when: float, gap: float) -> 
     step = 1e-3 * when or 1e-6
     around = [math.hypot(*_at(r, v, a, time)) for time in (max(when - step, 0.0), when + step)]
     short = max(0.0, gap - min(around))
-    return (Check("no closer just before or after", short <= 1e-12 * size, short, 1e-12 * size),)
+    return (Check("not closer just before or after", short <= 1e-12 * size, short, 1e-12 * size),)

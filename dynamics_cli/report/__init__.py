@@ -9,7 +9,8 @@ REPORT = Command(
     "FILE...",
     "Gather result documents into one report: HTML, PDF or Markdown.",
     "Each FILE is a result document (or several, as NDJSON; - is standard input). Each is calculated again from the "
-    "inputs it holds: the report shows what was calculated now, and everything in which the document differs.",
+    "inputs it holds: the report shows what was calculated now, and everything in which the document differs. "
+    "A gear pair or a cam alone is a data sheet of one page.",
     "dynamics report skid.json crash.json --output report.html",
     (
         Option("format", "FORMAT", "markdown (the default), html or pdf; else by the ending of --output.", FORMS),
@@ -20,6 +21,7 @@ REPORT = Command(
         Option("date", "TEXT", "Date of the report, for the title block (today)."),
         Option("paper", "SIZE", "Paper of the PDF: a4 (the default) or letter.", PAPERS),
         Option("digits", "N", "Significant digits of certain results (6)."),
+        Option("full", "", "Sections and appendices also where there is a data sheet (gear pairs, cams)."),
     ),
     "dynamics_cli.report.command:carry_out",
 )

@@ -32,14 +32,14 @@ READING = (
 )
 
 
-def appendices(made: "Sequence[Calculation]") -> "list[Block]":
+def appendices(calculations: "Sequence[Calculation]") -> "list[Block]":
     """All of them."""
-    return [*_numbers(made), *_reproduction(made), *_files(made)]
+    return [*_numbers(calculations), *_reproduction(calculations), *_files(calculations)]
 
 
-def _numbers(made: "Sequence[Calculation]") -> "list[Block]":
+def _numbers(calculations: "Sequence[Calculation]") -> "list[Block]":
     blocks: list[Block] = [Heading(2, "Appendix A: Complete numbers and error bounds")]
-    for one in made:
+    for one in calculations:
         if one.document is None:
             continue
         blocks += _complete(one)
@@ -109,14 +109,14 @@ def _propagation(told: "Document") -> "list[str]":
     return lines
 
 
-def _reproduction(made: "Sequence[Calculation]") -> "list[Block]":
+def _reproduction(calculations: "Sequence[Calculation]") -> "list[Block]":
     """The inputs as data: what `--input` takes to calculate everything again."""
     text = (
         "Each block is what --input reads: save it in a file and give the command above it to calculate the section "
         "again (the ranges of a sweep are given with --sweep instead). dynamics report also repeats every calculation."
     )
     blocks: list[Block] = [Heading(2, "Appendix B: How to reproduce"), Paragraph(text)]
-    for one in made:
+    for one in calculations:
         document = one.source.document
         version = document.get("version")
         command = f"dynamics {document['command']} --input FILE{_options(one.document or {})}"
@@ -138,14 +138,14 @@ def _options(document: "Document") -> str:
     return asked + "".join(limits) + (f" --seed {seed}" if seed != 1 else "")
 
 
-def _files(made: "Sequence[Calculation]") -> "list[Block]":
+def _files(calculations: "Sequence[Calculation]") -> "list[Block]":
     """Every file that the report rests on with its SHA-256, and which section read it."""
-    digests = {one.source.digest: one.section for one in made}
+    digests = {one.source.digest: one.section for one in calculations}
     rows: dict[tuple[str, str], list[str]] = {}
-    for one in made:
+    for one in calculations:
         name = "standard input" if one.source.file == "-" else os.path.basename(one.source.file)
         rows.setdefault((name, one.source.digest), []).append(f"document of section {one.section}")
-    for one in made:
+    for one in calculations:
         here = read_files(one.document or {})
         listed = read_files(one.source.document)
         for name, digest in [*here, *(file for file in listed if file[0] not in dict(here))]:

@@ -1,5 +1,7 @@
 """A report as a list of blocks; `html`, `markdown` and `typst` write them."""
 
+import re
+
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -50,7 +52,8 @@ class Items:
 class Table:
     """Rows of text under a head; tables are numbered as they come. `right` names the columns of numbers.
 
-    The first column names the row; `small` is for appendices.
+    The first column names the row; `small` is for appendices, whose names stand as they are typed; `tight` fills its
+    column on a data sheet, under its caption as a heading without a number.
     """
 
     head: "Sequence[str]"
@@ -58,6 +61,7 @@ class Table:
     caption: str
     right: "Sequence[int]" = ()
     small: bool = False
+    tight: bool = False
 
     @property
     def short(self) -> bool:
@@ -100,8 +104,15 @@ class Beside:
     right: "Sequence[Block]"
 
 
-Block = Title | Heading | Paragraph | Items | Table | Code | Formula | Image | Beside
+@record
+class Break:
+    """What follows begins a page."""
 
+
+Block = Title | Heading | Paragraph | Items | Table | Code | Formula | Image | Beside | Break
+
+# A symbol of one letter with a subscript.
+SUBSCRIPT = re.compile(r"(?<![^\W\d_])([^\W\d_])_(\w+)")
 # Control characters would command the terminal that shows the report, and half characters cannot be written.
 _UNPRINTABLE = {**dict.fromkeys(range(0x20)), 0x09: " ", 0x0A: "\n", **dict.fromkeys(range(0x7F, 0xA0))}
 
@@ -120,10 +131,10 @@ def pieces(text: "Text") -> "Iterator[tuple[str, bool]]":
 
 def images(blocks: "Sequence[Block]") -> "list[Image]":
     """The pictures of a report in their order."""
-    found: list[Image] = []
+    pictures: list[Image] = []
     for block in blocks:
         if isinstance(block, Beside):
-            found += images([*block.left, *block.right])
+            pictures += images([*block.left, *block.right])
         elif isinstance(block, Image):
-            found.append(block)
-    return found
+            pictures.append(block)
+    return pictures

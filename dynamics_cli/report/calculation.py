@@ -92,10 +92,10 @@ class Calculation:
             return {}
         flat = {name: (value, unit) for name, value, unit in flatten(self.results)}
         tables = [name for name, node in self.results.items() if is_table(node)]
-        made = headline_labels(self.task, flat, tables)
+        labels_shown = headline_labels(self.task, flat, tables)
         for entry in self.document.get("limits", ()):
-            made.setdefault(entry["result"], entry["result"].replace("_", " ").replace(".", " "))
-        return {address: self.named(label) for address, label in made.items() if address in flat}
+            labels_shown.setdefault(entry["result"], entry["result"].replace("_", " ").replace(".", " "))
+        return {address: self.named(label) for address, label in labels_shown.items() if address in flat}
 
     def named(self, label: str) -> str:
         """A label with the body's own name where the scene gives it one."""
@@ -132,15 +132,15 @@ class Calculation:
 
     def given(self) -> "list[tuple[str, str]]":
         """Every input that is not in a table: what it is called and its value, as found by an earlier section."""
-        made = []
+        entries = []
         for address, node in leaves(self.document["inputs"] if self.document else {}):
             if address.partition(".")[0] == SWEEP or address.endswith(".name") or is_table(node):
                 continue
-            made.append((self.named(words(address)), self.input_text(address, node)))
+            entries.append((self.named(words(address)), self.input_text(address, node)))
         for axis in (self.document or {}).get("inputs", {}).get(SWEEP, ()):
             ends = [quantity(axis[end]["value"], axis[end].get("unit", ""), 17) for end in ("from", "to")]
-            made.append((words(axis["parameter"]), f"{ends[0]} to {ends[1]}, {axis['count']} values"))
-        return made
+            entries.append((words(axis["parameter"]), f"{ends[0]} to {ends[1]}, {axis['count']} values"))
+        return entries
 
     def input_text(self, address: str, node: "Any") -> str:
         """An input as given, or as an earlier section found it."""

@@ -17,8 +17,9 @@ from dynamics_cli.report.calculation import Calculation, Source
 from dynamics_cli.report.front import description, front, intervals, own_picture
 from dynamics_cli.report.html import html
 from dynamics_cli.report.markdown import markdown
-from dynamics_cli.report.recalculation import Again, calculate
+from dynamics_cli.report.recalculation import Again, calculate, system_of
 from dynamics_cli.report.sections import section
+from dynamics_cli.report.sheet import file_title, sheets
 from dynamics_cli.version import __version__
 
 TYPE_CHECKING = False
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answering.task import Family, Task
     from dynamics_cli.core.output.files import File
     from dynamics_cli.core.terminal import Terminal
+    from dynamics_cli.report.blocks import Block
 
     Document = dict[str, Any]
 
@@ -60,18 +62,13 @@ def carry_out(
         if not output:
             raise UsageError("a PDF is written to a file", parameter="output", hint="for example: --output report.pdf")
     digits = _digits(options.get("digits", ""))
-    title = options.get("title") or "Calculations"
     made: list[Calculation] = []
     for source in _named([one for name in words for one in _read(name, terminal)]):
         task = _task(source.document, families, find)
         again = _again(source, task, terminal)
         made.append(Calculation(len(made) + 1, source, again, task, tuple(made)))
         made[-1].digits = digits
-    pictures = _drawn(made, terminal)
-    blocks = front(title, _facts(options), made, pictures.pop(0, []))
-    for one in made:
-        blocks += section(one, pictures.get(one.section, ()))
-    blocks += appendices(made)
+    blocks, title = _blocks(made, options, terminal)
     if form == "pdf":
         from dynamics_cli.report.typst import pdf
 
@@ -82,6 +79,23 @@ def carry_out(
         stem = os.path.splitext(output)[0]
         beside = [(f"{stem}-{nth}.svg", one.svg) for nth, one in enumerate(images(blocks), 1)] if output else []
         _put(markdown(blocks, [os.path.basename(name) for name, _ in beside]), output, beside, terminal)
+
+
+def _blocks(made: "list[Calculation]", options: "Mapping[str, str]", terminal: "Terminal") -> "tuple[list[Block], str]":
+    """The report and its title: data sheets where every result has one, else sections and appendices."""
+    asked = options.get("title", "")
+    if "full" not in options and all(one.again.sheet is not None for one in made):
+        try:
+            return sheets(made, asked, _facts(options)), asked or file_title(made)
+        except UsageError as error:
+            if error.code != "not-installed":
+                raise
+    title = asked or "Calculations"
+    pictures = _drawn(made, terminal)
+    blocks = front(title, _facts(options), made, pictures.pop(0, []))
+    for one in made:
+        blocks += section(one, pictures.get(one.section, ()))
+    return [*blocks, *appendices(made)], title
 
 
 def _facts(options: "Mapping[str, str]") -> "list[str]":
@@ -157,7 +171,7 @@ def _drawn(made: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, li
 
 def _image(one: Calculation, picture: Picture, part: Picture, width: float) -> Image:
     text = f"Section {one.section}, {one.name}: {picture.title or one.source.document['command']}"
-    return Image(draw(part, "svg", "si"), text, description(part), width)
+    return Image(draw(part, "svg", system_of(one.source.document)), text, description(part), width)
 
 
 def _form(options: "Mapping[str, str]") -> str:

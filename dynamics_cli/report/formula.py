@@ -137,15 +137,15 @@ class _Parser:
         if letter == "√" and start + 1 < len(text):
             self.at += 1
             return "root", _bare(self.factor())
-        if found := _NUMBER.match(text, start):
-            self.at = found.end()
-            return "number", found[0]
-        if found := _FUNCTION.match(text, start):
-            self.at = found.end()
-            return "function", found[0]
-        if found := _NAME.match(text, start):
-            self.at = found.end()
-            return "word" if len(found[0].rstrip("′″‴*")) > _LONGEST_NAME else "name", found[0]
+        if number := _NUMBER.match(text, start):
+            self.at = number.end()
+            return "number", number[0]
+        if number := _FUNCTION.match(text, start):
+            self.at = number.end()
+            return "function", number[0]
+        if number := _NAME.match(text, start):
+            self.at = number.end()
+            return "word" if len(number[0].rstrip("′″‴*")) > _LONGEST_NAME else "name", number[0]
         self.at += 1
         return ("space", " ") if letter == " " else ("operator", letter)
 

@@ -15,13 +15,15 @@ MOST_FOUND = 4
 MOST_COMPARED = 2
 
 
-def front(title: str, facts: "Sequence[str]", made: "Sequence[Calculation]", drawn: "Sequence[Image]") -> "list[Block]":
+def front(
+    title: str, facts: "Sequence[str]", calculations: "Sequence[Calculation]", drawn: "Sequence[Image]"
+) -> "list[Block]":
     """Title block, picture beside findings, and whether everything came out the same."""
     findings: list[Block] = [Heading(2, "Findings")]
-    findings.append(Items([finding(one) for one in made], ordered=True))
-    findings += [Paragraph(text, small=True) for text in _decided(made)]
-    findings.append(Paragraph(verdict(made), small=True))
-    cautions = _cautions(made)
+    findings.append(Items([finding(one) for one in calculations], ordered=True))
+    findings += [Paragraph(text, small=True) for text in _decided(calculations)]
+    findings.append(Paragraph(verdict(calculations), small=True))
+    cautions = _cautions(calculations)
     if cautions:
         findings.append(Paragraph(cautions))
     return [Title(title, facts), *([Beside(drawn, findings)] if drawn else findings)]
@@ -59,18 +61,18 @@ def _found(one: Calculation) -> "list[tuple[str, str]]":
     limited = [address for address in labels if one.limits(address)]
     inputs = [value for _, value in one.given()]
     first = ""
-    made = list(limited)
+    findings = list(limited)
     for address in labels:
         node = node_at(one.results, address)
-        if not isinstance(node, dict) or isinstance(node.get("value"), list | str | None) or address in made:
+        if not isinstance(node, dict) or isinstance(node.get("value"), list | str | None) or address in findings:
             continue
         if any(text.startswith(one.value(address).whole) for text in inputs):
             continue
         unit = node.get("unit", "-")
         first = first or (unit if not limited else "none")
-        if unit == first and len(made) < MOST_FOUND:
-            made.append(address)
-    return [(address, labels[address]) for address in made]
+        if unit == first and len(findings) < MOST_FOUND:
+            findings.append(address)
+    return [(address, labels[address]) for address in findings]
 
 
 def _owned(address: str, label: str) -> str:
@@ -83,9 +85,9 @@ def _owned(address: str, label: str) -> str:
     return label
 
 
-def _decided(made: "Sequence[Calculation]") -> "list[str]":
+def _decided(calculations: "Sequence[Calculation]") -> "list[str]":
     """What decides the findings with limits, or those of the last calculation."""
-    for one in reversed(made):
+    for one in reversed(calculations):
         for address, label in sorted(_found(one), key=lambda item: not one.limits(item[0])):
             drivers = one.drivers(address)
             if drivers:
@@ -93,11 +95,11 @@ def _decided(made: "Sequence[Calculation]") -> "list[str]":
     return []
 
 
-def _cautions(made: "Sequence[Calculation]") -> str:
+def _cautions(calculations: "Sequence[Calculation]") -> str:
     """Which sections warn of something."""
     warned = [
         one.section
-        for one in made
+        for one in calculations
         if any(item["severity"] != "note" for item in (one.document or {}).get("warnings", ()))
     ]
     if not warned:
@@ -118,11 +120,11 @@ def verdict(made: "Sequence[Calculation]") -> str:
     return f"{text}{others}. {failed or 'No'} check{'s' * (failed != 1)} of the program on its own results failed."
 
 
-def intervals(made: "Sequence[Calculation]", width: float) -> "Picture | None":
+def intervals(calculations: "Sequence[Calculation]", width: float) -> "Picture | None":
     """The findings of one unit with their intervals and limits on one axis; two at least."""
     grouped: dict[str, list[tuple[str, float, float, float]]] = {}
     limits: dict[str, list[tuple[float, str]]] = {}
-    for one in made:
+    for one in calculations:
         for address, label in _found(one)[:MOST_COMPARED]:
             node = node_at(one.results, address)
             if not isinstance(node, dict) or "interval" not in node or isinstance(node["value"], list):
@@ -138,8 +140,8 @@ def intervals(made: "Sequence[Calculation]", width: float) -> "Picture | None":
     if len(rows) < 2:
         return None
     names, low, high, at = (tuple(column) for column in zip(*rows, strict=True))
-    shown = {document["results"] and _coverage(document["results"]) for document in (one.document or {} for one in made)
-             if document}  # fmt: skip
+    documents = [item.document for item in calculations if item.document]
+    shown = {document["results"] and _coverage(document["results"]) for document in documents}
     coverage = ", ".join(sorted(text for text in shown if text))
     axis = Axis(f"[{unit}], {coverage} intervals" if unit else f"{coverage} intervals")
     items = (Ranges(names, low, high, at, tuple(dict.fromkeys(limits.get(unit, ())))),)

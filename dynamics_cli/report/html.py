@@ -3,7 +3,9 @@
 from html import escape as escaped
 
 from dynamics_cli.report.blocks import (
+    SUBSCRIPT,
     Beside,
+    Break,
     Code,
     Formula,
     Heading,
@@ -31,7 +33,7 @@ STYLE = (
     "header,h1,h2,h3,table,figcaption,.small,.findings h2{font-family:'Segoe UI','DejaVu Sans',Arial,sans-serif}"
     "header{display:flex;flex-wrap:wrap;gap:.3rem 2rem;align-items:end;justify-content:space-between;"
     "border-bottom:2px solid #1a1a1a;padding-bottom:.5rem;margin-bottom:1rem}"
-    "h1{font-size:20pt;line-height:1.15;margin:0}"
+    "h1{font-size:20pt;line-height:1.15;margin:0;flex:1 1 60%}"
     "header ul{list-style:none;margin:0;padding:0;font-size:8.5pt;color:#444;text-align:right}"
     "h2{font-size:13pt;margin:1.5rem 0 .3rem}h3{font-size:10.5pt;margin:1rem 0 .2rem}p{margin:.35rem 0}"
     "ol,ul{padding-left:1.4rem;margin:.35rem 0}li{margin:.25rem 0}"
@@ -47,13 +49,17 @@ STYLE = (
     "caption,figcaption{caption-side:top;text-align:left;font-size:8pt;color:#444;padding:.1rem 0}"
     "pre{background:#f4f4f4;padding:.5em;font-size:7.5pt;line-height:1.3;white-space:pre-wrap;"
     "overflow-wrap:anywhere}figure{margin:.4rem 0}figure svg{width:100%;height:auto}"
+    "sub{line-height:0;font-size:.75em}.page{break-before:page}table.tight{width:100%;margin:.2rem 0 .3rem}"
+    ".tight td,.tight th{padding:.1em 0 .1em .6em}"
+    ".tight tr>:first-child{padding-left:0}.tight caption{font-weight:bold;color:#1a1a1a;font-size:8.5pt}"
     ".dense td:nth-child(3){white-space:nowrap;overflow-wrap:normal}"
     "math{font-size:11.5pt;margin:.5rem 0;"
     "font-family:'Cambria Math','STIX Two Math','STIX Math',STIX,'Latin Modern Math',math}"
-    "@page{margin:15mm 16mm 17mm;@bottom-right{content:'page ' counter(page) ' of ' counter(pages);"
+    "@page{margin:11mm 16mm 14mm;@bottom-right{content:'page ' counter(page) ' of ' counter(pages);"
     "font:8pt sans-serif}}@media (max-width:40rem){.beside{display:block}}"
-    "@media print{body{margin:0;padding:0;max-width:none;font-size:9pt;line-height:1.35}"
-    ".small{font-size:7.5pt}table{font-size:7.5pt}table.dense{font-size:5.8pt}"
+    "@media print{h1{font-size:15pt}header{margin-bottom:.5rem}"
+    "body{margin:0;padding:0;max-width:none;font-size:9pt;line-height:1.35}"
+    ".small{font-size:7.5pt}table{font-size:7.5pt}table.dense{font-size:5.8pt}table.dense.tight{font-size:6.5pt}"
     "pre{font-size:6.2pt;columns:2;column-gap:1.5em}"
     "math{font-size:10pt;margin:.3rem 0}.dense td,.dense th{padding:.1em .8em .1em 0}h2{margin-top:1rem}"
     "h2,h3,caption{break-after:avoid}tr,figure,math,header,li,table.short{break-inside:avoid}"
@@ -99,19 +105,21 @@ class _Writer:
             return mathml(clean(block.text))
         if isinstance(block, Code):
             return f"<pre>{_escape(block.text)}</pre>"
+        if isinstance(block, Break):
+            return '<div class="page"></div>'
         if isinstance(block, Beside):
             sides = ["".join(self.parts(side)) for side in (block.left, block.right)]
             return '<div class="beside">' + "".join(f"<div>{side}</div>" for side in sides) + "</div>"
         return self._image(block)
 
     def _table(self, block: Table) -> str:
-        self.tables += 1
-        caption = f"<caption>Table {self.tables}. {_escape(block.caption)}</caption>"
-        head = "".join(
-            f'<th scope="col"{_side(block, nth)}>{_escape(text)}</th>' for nth, text in enumerate(block.head)
-        )
+        self.tables += not block.tight
+        number = "" if block.tight else f"Table {self.tables}. "
+        caption = f"<caption>{number}{_symbols(block.caption)}</caption>"
+        write = _symbols if block.tight or not block.small else _escape
+        head = "".join(f'<th scope="col"{_side(block, nth)}>{write(text)}</th>' for nth, text in enumerate(block.head))
         rows = "".join(f"<tr>{_cells(block, row)}</tr>" for row in block.rows)
-        classes = " ".join(["dense"] * block.small + ["short"] * block.short)
+        classes = " ".join(["dense"] * block.small + ["tight"] * block.tight + ["short"] * block.short)
         kind = f' class="{classes}"' if classes else ""
         return f"<table{kind}>{caption}<thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
 
@@ -124,8 +132,9 @@ class _Writer:
 
 
 def _cells(block: Table, row: "Sequence[str]") -> str:
-    first = f'<th scope="row"{_side(block, 0)}>{_escape(row[0])}</th>' if row else ""
-    return first + "".join(f"<td{_side(block, nth)}>{_escape(text)}</td>" for nth, text in enumerate(row[1:], 1))
+    write = _symbols if block.tight or not block.small else _escape
+    first = f'<th scope="row"{_side(block, 0)}>{write(row[0])}</th>' if row else ""
+    return first + "".join(f"<td{_side(block, nth)}>{write(text)}</td>" for nth, text in enumerate(row[1:], 1))
 
 
 def _side(block: Table, column: int) -> str:
@@ -134,6 +143,11 @@ def _side(block: Table, column: int) -> str:
 
 def _words(text: "Text") -> str:
     return "".join(f"<strong>{_escape(piece)}</strong>" if bold else _escape(piece) for piece, bold in pieces(text))
+
+
+def _symbols(text: str) -> str:
+    """Text with the subscripts of its symbols: a_w."""
+    return SUBSCRIPT.sub(r"\1<sub>\2</sub>", _escape(text))
 
 
 def _escape(text: str) -> str:

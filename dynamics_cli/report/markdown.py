@@ -4,6 +4,7 @@ from dynamics_cli.markup import fenced
 from dynamics_cli.markup import markdown as in_markdown
 from dynamics_cli.report.blocks import (
     Beside,
+    Break,
     Code,
     Formula,
     Heading,
@@ -51,14 +52,17 @@ class _Writer:
             marks = [f"{nth}." if block.ordered else "-" for nth in range(1, len(block.texts) + 1)]
             return ["\n".join(f"{mark} {_words(text)}" for mark, text in zip(marks, block.texts, strict=True))]
         if isinstance(block, Table):
-            self.tables += 1
+            self.tables += not block.tight
+            number = "" if block.tight else f"Table {self.tables}. "
             rule = "|" + "".join("--:|" if nth in block.right else "---|" for nth in range(len(block.head)))
             lines = [_row(block.head), rule, *map(_row, block.rows)]
-            return [f"*Table {self.tables}. {_words(block.caption)}*", "\n".join(lines)]
+            return [f"*{number}{_words(block.caption)}*", "\n".join(lines)]
         if isinstance(block, Formula):
             return [fenced(clean(plain(block.text)))]
         if isinstance(block, Code):
             return [fenced(clean(block.text))]
+        if isinstance(block, Break):
+            return ["---"]
         if isinstance(block, Beside):
             return self.parts([*block.left, *block.right])
         return self._image(block)

@@ -1,6 +1,10 @@
 """A document calculated again from the inputs it holds, and whether it gives the same results."""
 
+import re
+
 from dynamics_cli.core.answering.gather import Gathered
+from dynamics_cli.core.answering.models import arguments
+from dynamics_cli.core.answering.task import load
 from dynamics_cli.core.command.execute import answered_case
 from dynamics_cli.core.documents import number, to_json
 from dynamics_cli.core.inputs.reader import Reader
@@ -15,7 +19,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.answering.task import Task
     from dynamics_cli.core.terminal import Terminal
-    from dynamics_cli.pictures import Picture
+    from dynamics_cli.pictures import Picture, Sheet
 
     Document = dict[str, Any]
     # Numbers and words by their address.
@@ -26,6 +30,8 @@ if TYPE_CHECKING:
 MOST_TOLD = 12
 # An uncertain figure is known no worse than this, in standard deviations, or it does not count as the same.
 ROUGHEST = 0.1
+# Units that tell of US customary ones.
+US = {"in", "ft", "mi", "mph", "lb", "lbf", "slug", "psi", "hp"}
 # What a call says of itself, and what is compared apart or is the calculation's own input.
 NOT_COMPARED = ("schema", "command", "version", "inputs", "results", "timing", "files")
 # How much work it was depends on what else was asked for.
@@ -39,11 +45,18 @@ class Again:
     """
 
     def __init__(
-        self, words: str, document: "Document | None" = None, picture: "Picture | None" = None, *, short: str = ""
+        self,
+        words: str,
+        document: "Document | None" = None,
+        picture: "Picture | None" = None,
+        *,
+        short: str = "",
+        sheet: "Sheet | None" = None,
     ) -> None:
         self.words = words
         self.document = document
         self.picture = picture
+        self.sheet = sheet
         # In a few words.
         self.short = short or ("the same" if document is not None else "not repeated")
 
@@ -69,7 +82,27 @@ def calculate(task: "Task", document: "Document", folder: str, terminal: "Termin
     except DynamicsError as error:
         return Again(f"not calculated again: {'; '.join(one.message for one in error.all())}")
     words, short = _compared(document, made)
-    return Again(words, made, picture, short=short)
+    return Again(words, made, picture, short=short, sheet=_sheet(task, document, folder, terminal))
+
+
+def _sheet(task: "Task", document: "Document", folder: str, terminal: "Terminal") -> "Sheet | None":
+    """The data sheet of a task that has one; an uncertain case and a sweep are no single thing to be drawn."""
+    if not task.sheet or "sweep" in document["inputs"]:
+        return None
+    gathered = _gathered(document, folder, terminal)
+    gathered.reader.uncertain = {}
+    bound = gathered.reader.read(task.specification.fields, gathered.raw)
+    if gathered.reader.uncertain:
+        return None
+    words, options = arguments(task, bound)
+    made: Sheet = load(task.sheet)(task.models[0].call()(*words, **options), *words, **options)
+    return made
+
+
+def system_of(document: "Document") -> str:
+    """The units of a document's pictures: us where a result of it is in feet, pounds or their like."""
+    units = " ".join(_units(document["results"]).values())
+    return "us" if not US.isdisjoint(re.findall("[a-z]+", units.lower())) else "si"
 
 
 def _gathered(document: "Document", folder: str, terminal: "Terminal") -> Gathered:

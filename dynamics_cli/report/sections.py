@@ -39,7 +39,7 @@ def section(one: "Calculation", drawn: "Sequence[Image]" = ()) -> "list[Block]":
         blocks += _formula(steps)
     blocks += _where(one)
     blocks += _results(one)
-    blocks += [*_warnings(one.document), *drawn, Paragraph(_basis(one), small=True)]
+    blocks += [*warnings_of(one.document), *drawn, Paragraph(basis(one), small=True)]
     return [*blocks, Paragraph(_sentence(one.again.words), small=one.again.same)]
 
 
@@ -80,7 +80,7 @@ def _given_table(one: "Calculation", given: "list[tuple[str, str]]") -> "list[Bl
         blocks.append(Table(["given", *sides], [[label, *pair] for label, pair in paired.items()], "Given"))
     if len(rest) <= MOST_IN_A_SENTENCE:
         text = "; ".join(f"{label} {value}" for label, value in rest)
-        return [*blocks, *([Paragraph(("", "Given besides: " if paired else "Given: ", f"{text}."))] if rest else [])]
+        return [*blocks, *([Paragraph(("", "Other inputs: " if paired else "Given: ", f"{text}."))] if rest else [])]
     return [*blocks, Table(["given", "value"], [list(row) for row in rest], "Given")]
 
 
@@ -130,14 +130,20 @@ def _aligned(value: "Value") -> str:
 
 def _table(node: "Any", caption: str, digits: int, *, small: bool = False) -> Table:
     """A table of a document, its middle left out where it is long."""
-    made = columns(node)
-    rows = [[number(cell, digits) for cell in row] for row in zip(*(values for _, _, values in made), strict=True)]
+    table_columns = columns(node)
+    rows = [
+        [number(cell, digits) for cell in row] for row in zip(*(values for _, _, values in table_columns), strict=True)
+    ]
     if len(rows) > MOST_ROWS:
         half = MOST_ROWS // 2
         caption += f"; {len(rows)} rows, of which the first and the last {half} are shown"
-        rows = [*rows[:half], ["…"] * len(made), *rows[-half:]]
-    heads = [f"{label.replace('_', ' ')} [{unit}]" if unit else label.replace("_", " ") for label, unit, _ in made]
-    right = [nth for nth, (_, _, values) in enumerate(made) if not any(isinstance(value, str) for value in values)]
+        rows = [*rows[:half], ["…"] * len(table_columns), *rows[-half:]]
+    heads = [
+        f"{label.replace('_', ' ')} [{unit}]" if unit else label.replace("_", " ") for label, unit, _ in table_columns
+    ]
+    right = [
+        nth for nth, (_, _, values) in enumerate(table_columns) if not any(isinstance(value, str) for value in values)
+    ]
     return Table(heads, rows, caption, right, small)
 
 
@@ -146,7 +152,8 @@ def table(node: "Any", caption: str, digits: int) -> Table:
     return _table(node, caption, digits, small=True)
 
 
-def _warnings(document: "Document") -> "list[Block]":
+def warnings_of(document: "Document") -> "list[Items]":
+    """Warnings with their remedies, worst first."""
     lines = []
     for item in sorted(document["warnings"], key=lambda item: item["severity"] == "note"):
         remedy = f" Remedy: {item['remedy']}." if item.get("remedy") else ""
@@ -154,7 +161,7 @@ def _warnings(document: "Document") -> "list[Block]":
     return [Items(lines)] if lines else []
 
 
-def _basis(one: "Calculation") -> str:
+def basis(one: "Calculation") -> str:
     """Assumptions, source and checks."""
     document = one.document
     assert document is not None

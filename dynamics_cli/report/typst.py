@@ -8,6 +8,7 @@ import tempfile
 from dynamics_cli.errors import UsageError
 from dynamics_cli.report.blocks import (
     Beside,
+    Break,
     Code,
     Formula,
     Heading,
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
 PAPERS = {"a4": "a4", "letter": "us-letter"}
 # A cell of more letters than this may be broken into lines.
 _LONGEST_CELL = 24
+# A data sheet's table of no more columns has the first as wide as there is room.
+MOST_COLUMNS = 5
 _STYLE = """
 #set text(font: ("Libertinus Serif", "DejaVu Sans Mono"), size: 10pt, lang: "en", fill: rgb("#1a1a1a"))
 #set par(leading: 0.55em, spacing: 0.75em)
@@ -75,8 +78,8 @@ def pdf(blocks: "Sequence[Block]", title: str, author: str, paper: str) -> bytes
         name = os.path.join(folder, "report.typ")
         with open(name, "w", encoding="utf-8") as file:
             file.write(markup(blocks, title, author, paper))
-        made: bytes = library.compile(name, format="pdf", ignore_system_fonts=True)
-    return made
+        pdf_bytes: bytes = library.compile(name, format="pdf", ignore_system_fonts=True)
+    return pdf_bytes
 
 
 def markup(blocks: "Sequence[Block]", title: str, author: str, paper: str) -> str:
@@ -122,6 +125,8 @@ class _Writer:
             return f"$ {mathematics(clean(block.text))} $"
         if isinstance(block, Code):
             return f"#raw(block: true, {_string(clean(block.text))})"
+        if isinstance(block, Break):
+            return "#pagebreak()"
         if isinstance(block, Beside):
             sides = ["\n".join(self.parts(side)) for side in (block.left, block.right)]
             return f"#grid(columns: (11fr, 9fr), gutter: 16pt, [{sides[0]}], [{sides[1]}])"
@@ -134,19 +139,25 @@ class _Writer:
 
 
 def _table(block: Table) -> str:
-    size = "6.5pt" if block.small else "8.5pt"
+    size = "7pt" if block.small and block.tight else "6.5pt" if block.small else "8pt" if block.tight else "8.5pt"
     widths = [max((len(row[nth]) for row in block.rows), default=0) for nth in range(len(block.head))]
     columns = ["auto" if nth in block.right or width <= _LONGEST_CELL else "1fr" for nth, width in enumerate(widths)]
-    columns[0] = "auto"
+    columns[0] = "1fr" if block.tight and len(block.head) <= MOST_COLUMNS else "auto"
+    if block.tight and columns[0] == "auto":
+        columns = ["1fr"] * len(columns)
+    write = _symbols if block.tight or not block.small else _escape
     sides = ["right" if nth in block.right else "left" for nth in range(len(block.head))]
-    head = ", ".join(f"[*{_escape(text)}*]" for text in block.head)
-    rows = "\n".join("  " + ", ".join(f"[{_breakable(_escape(text))}]" for text in row) + "," for row in block.rows)
-    whole = "#show figure: set block(breakable: false)\n" if block.short else ""
-    return (
-        f"#[{whole}#figure(kind: table, caption: [{_escape(block.caption)}], text(size: {size}, table(columns: "
-        f"({', '.join(columns)},), align: ({', '.join(sides)},),\n  table.header({head}), "
-        f"table.hline(stroke: 0.9pt),\n{_ruled(rows)}\n)))]"
+    head = ", ".join(f"[*{write(text)}*]" for text in block.head)
+    rows = "\n".join("  " + ", ".join(f"[{_breakable(write(text))}]" for text in row) + "," for row in block.rows)
+    inset = ", inset: (x: 0pt, y: 2.5pt), column-gutter: 5pt" if block.tight else ""
+    table = (
+        f"text(size: {size}, table(columns: ({', '.join(columns)},), align: ({', '.join(sides)},){inset},\n"
+        f"  table.header({head}), table.hline(stroke: 0.9pt),\n{_ruled(rows)}\n))"
     )
+    if block.tight:
+        return f"#block(above: 0.8em, below: 0.4em, strong(text(size: 9pt)[{_symbols(block.caption)}]))\n#{table}"
+    whole = "#show figure: set block(breakable: false)\n" if block.short else ""
+    return f"#[{whole}#figure(kind: table, caption: [{_escape(block.caption)}], {table})]"
 
 
 def _ruled(rows: str) -> str:
@@ -167,6 +178,11 @@ def _escape(text: str) -> str:
     return "".join(
         f"\\{letter}" if letter.isascii() and not letter.isalnum() and letter != " " else letter for letter in shown
     )
+
+
+def _symbols(text: str) -> str:
+    """Text with the subscripts of its symbols: a_w."""
+    return re.sub(r"(?<![^\W\d_])([^\W\d_])\\_(\w+)", r"\1#sub[\2]", _escape(text))
 
 
 def _breakable(text: str) -> str:

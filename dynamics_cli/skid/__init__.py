@@ -1,1 +1,1 @@
-"""Skid-speed reconstruction: what marks on the road say of speeds, times and distances."""
+"""Skid-speed reconstruction: speeds, times and distances from marks on the road."""

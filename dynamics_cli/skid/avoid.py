@@ -1,4 +1,4 @@
-"""Avoidability: could the driver have stopped from where the hazard was first visible, and what speed sufficed."""
+"""Avoidability: whether the driver could have stopped, and what speed would have sufficed."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import hypot, maximum, minimum, multiply_add, sqrt, where
@@ -31,7 +31,7 @@ class Approach:
     reaction_distance: Annotated[Distance, "Distance travelled before the brakes act [m]."]
     braking_distance: Annotated[Distance, "Distance that braking to rest takes [m]."]
     stopping_distance: Annotated[Distance, "Reaction and braking distance together [m]."]
-    margin: Annotated[Length, "Distance to spare before the hazard, negative when it is short of it [m]."]
+    margin: Annotated[Length, "Distance to spare before the hazard, negative when it falls short [m]."]
     impact_speed: Annotated[RoadSpeed, "Speed at the hazard, zero when the vehicle stops before [m/s]."]
     time: Annotated[Time, "Time until the vehicle stops or reaches the hazard [s]."]
 
@@ -41,15 +41,15 @@ class Avoidance:
     """Whether the hazard could have been avoided by stopping."""
 
     avoidable: Annotated[bool, "Whether the vehicle stops before the hazard at the speed travelled [-]."]
-    margin: Annotated[Length, "Distance to spare at the speed travelled, negative when it is short [m]."]
+    margin: Annotated[Length, "Distance to spare at the speed travelled, negative when it falls short [m]."]
     impact_speed: Annotated[RoadSpeed, "Speed at the hazard at the speed travelled [m/s]."]
-    sufficient_speed: Annotated[RoadSpeed, "Greatest speed from which the vehicle stops before the hazard [m/s]."]
+    sufficient_speed: Annotated[RoadSpeed, "Highest speed from which the vehicle stops before the hazard [m/s]."]
     stopping_distance: Annotated[Distance, "Distance that the speed travelled needs to stop [m]."]
     avoidable_at_limit: Annotated[
         bool | None, "Whether the vehicle stops before the hazard at the speed limit; needs the speed limit [-]."
     ]
     margin_at_limit: Annotated[
-        Length | None, "Distance to spare at the speed limit, negative when it is short; needs the speed limit [m]."
+        Length | None, "Distance to spare at the speed limit, negative when it falls short; needs the speed limit [m]."
     ]
     impact_speed_at_limit: Annotated[
         RoadSpeed | None, "Speed at the hazard at the speed limit; needs the speed limit [m/s]."
@@ -69,14 +69,14 @@ def avoid(
     sight_distance: Annotated[Distance, "Distance along the road from there to the hazard [m]."],
     reaction_time: Annotated[Time, "Time from the hazard becoming visible until the brakes act [s]."],
     friction: Annotated[Friction, "Coefficient of friction between tyre and road [-]."],
-    speed_limit: Annotated[RoadSpeed | None, "Speed allowed or held to be prudent there [m/s]."] = None,
+    speed_limit: Annotated[RoadSpeed | None, "Speed limit, or a speed considered prudent there [m/s]."] = None,
     grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0,
     braking: Annotated[
         Fraction, "Share of the full friction that the brakes use, 1 when all wheels are locked [-]."
     ] = 1.0,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Avoidance:
-    """Whether the driver could have stopped before the hazard, travelled or at the limit, and what speed sufficed.
+    """Whether the driver could have stopped before the hazard, as travelled or at the limit, and the sufficient speed.
 
     Equation
     --------
@@ -96,8 +96,9 @@ def avoid(
     Notes
     -----
     A point mass that keeps its speed during the reaction and is then slowed uniformly. The hazard stays where it is.
-    The sufficient speed has no cancellation. The margin is a difference, as good as the inputs allow near zero; whether
-    the vehicle stops and the speed at the hazard follow from it, so the three never contradict one another.
+    The sufficient speed has no cancellation. The margin is a difference, near zero only as accurate as the inputs
+    allow; whether the vehicle stops and the speed at the hazard follow from it, so the three never contradict each
+    other.
 
     References
     ----------
@@ -155,7 +156,7 @@ def _approach(case: str, speed: float, sight: float, reaction_time: float, decel
     before_braking = multiply_add(-speed, reaction_time, sight)
     margin = before_braking - braking
     root = sqrt(2.0 * deceleration * maximum(-margin, 0.0))
-    # within the reaction the speed is kept; maximum and minimum keep the root's error where rounding decides
+    # during the reaction the speed is constant; maximum and minimum keep the root's error where rounding decides
     impact = minimum(speed, maximum(root, where(before_braking <= 0.0, speed, 0.0)))
     available = maximum(before_braking, 0.0)
     covered = minimum(reaction, sight)

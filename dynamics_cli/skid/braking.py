@@ -1,7 +1,7 @@
 """Speed from skid marks on one or several surfaces, and the distance a given change of speed takes."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import maximum, multiply_add, sqrt
+from dynamics_cli.numerics.elementary import maximum, multiply_add, sqrt, summed
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import drag_advice, drag_along, require_drag, secant
 from dynamics_cli.numerics.road.slide import SurfaceCrossed, crossed_back, crossing_time
@@ -41,7 +41,7 @@ class Segment:
 
 @record
 class SkidSpeed:
-    """Speed at the start of the marks, and what happened on the way."""
+    """Speed at the start of the marks, and the slide along them."""
 
     speed: Annotated[RoadSpeed, "Speed where the marks begin [m/s]."]
     time: Annotated[Time, "Time from the beginning of the marks to their end [s]."]
@@ -60,7 +60,7 @@ def speed(
         "The surfaces in the order they were crossed; one may be given by its plain fields.",
     ],
     end_speed: Annotated[RoadSpeed, "Speed where the marks end: zero when the vehicle came to rest there [m/s]."] = 0.0,
-    mass: Annotated[Mass | None, "Mass of the vehicle; wanted for the energies only [kg]."] = None,
+    mass: Annotated[Mass | None, "Mass of the vehicle; needed for the energies only [kg]."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SkidSpeed:
     """Speed at the start of skid marks, from the work of friction and grade over every surface crossed.
@@ -82,8 +82,7 @@ def speed(
     Notes
     -----
     A point mass slowed uniformly on each surface; distances are measured along the road. The numerator ημ + G is
-    rounded once, so a drag factor near zero keeps all its digits; what it does not forgive is an error of friction or
-    grade.
+    rounded once, so a drag factor near zero keeps all its digits; but it magnifies errors of friction or grade.
 
     References
     ----------
@@ -107,8 +106,8 @@ def speed(
         advice = drag_advice(stretch.friction, stretch.grade, stretch.braking, name) + advice
     return SkidSpeed(
         speed=crossed[0].entry_speed,
-        time=_total([surface.time for surface in crossed]),
-        total_distance=_total([surface.distance for surface in crossed]),
+        time=summed([surface.time for surface in crossed]),
+        total_distance=summed([surface.distance for surface in crossed]),
         energy=None if mass is None else mass * (0.5 * end_speed * end_speed + gravity * work),
         friction_work=None if mass is None else mass * (gravity * heat),
         surfaces=crossed,
@@ -117,17 +116,10 @@ def speed(
     )
 
 
-def _total(parts: list[float]) -> float:
-    total = parts[0]
-    for part in parts[1:]:
-        total = total + part
-    return total
-
-
 def _energy_check(crossed: tuple[SurfaceCrossed, ...], gravity: float) -> tuple[Check, ...]:
-    """Squares of the speeds against work, summed surface by surface from the speeds that were returned."""
+    """Check squared speeds against work, summed surface by surface from the returned speeds."""
     first, last = crossed[0].entry_speed, crossed[-1].exit_speed
-    gained = _total([2.0 * gravity * one.drag_factor * one.distance for one in crossed])
+    gained = summed([2.0 * gravity * one.drag_factor * one.distance for one in crossed])
     operands = [x for one in crossed for x in (one.drag_factor, one.distance)]
     return balance("energy balance", (first - last) * (first + last), gained, first * first, first, gravity, *operands)
 
@@ -140,7 +132,7 @@ class SkidDistance:
     time: Annotated[Time, "Time from speed to end speed [s]."]
     drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
     deceleration: Annotated[Acceleration, "Deceleration along the road [m/s^2]."]
-    exit_speed: Annotated[RoadSpeed | None, "Speed left at the end of the mark; needs the mark [m/s]."] = None
+    exit_speed: Annotated[RoadSpeed | None, "Speed remaining at the end of the mark; needs the mark [m/s]."] = None
     exit_time: Annotated[Time | None, "Time until the end of the mark; needs the mark [s]."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -155,7 +147,7 @@ def distance(
         Fraction, "Share of the full friction that the brakes use, 1 when all wheels are locked [-]."
     ] = 1.0,
     end_speed: Annotated[RoadSpeed, "Speed to slow down to [m/s]."] = 0.0,
-    mark: Annotated[Distance | None, "Length of a mark after which the speed left is wanted [m]."] = None,
+    mark: Annotated[Distance | None, "Length of a mark at whose end the remaining speed is calculated [m]."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SkidDistance:
     """Distance and time in which a braked vehicle slows down, and the speed left after a given mark.
@@ -177,8 +169,8 @@ def distance(
     Notes
     -----
     A point mass slowed uniformly. Differences of speeds are taken before squaring, so nearly equal speeds lose no
-    digit; v² − 2 g f m is formed in twice the precision. At the very end of the stop the speed left grows like the
-    root of what the mark is short of it: the least change of an input decides.
+    digit; v² − 2 g f m is formed in twice the precision. Close to the end of the stop the remaining speed varies
+    as the root of the remaining distance: the smallest change of an input decides.
 
     References
     ----------
@@ -238,7 +230,7 @@ def distance(
 
 
 def _speed_left_squared(speed: float, gravity: float, drag: float, mark: float) -> float:
-    """v² − 2 g f m, its products made good for their rounding."""
+    """v² − 2 g f m, with its products corrected for rounding."""
     deceleration, more = split_product(gravity, drag)
     shed, rest = split_product(2.0 * deceleration, mark)
     return multiply_add(speed, speed, -shed) - (rest + 2.0 * more * mark)
@@ -248,7 +240,7 @@ def _stop_advice(left: float, mark: float) -> tuple[Advice, ...]:
     if not single(left, mark) or plain(left) > 0.0 or plain(mark) == 0.0:
         return ()
     message = (
-        "the mark ends where the vehicle stops, within rounding: the speed left is taken as zero, and no "
-        "condition number describes how it and the time there depend on the inputs"
+        "the mark ends where the vehicle stops, within rounding: the remaining speed is taken as zero, "
+        "and no condition number describes how it and the time there depend on the inputs"
     )
     return (Advice(code="mark-at-stop", message=message, remedy="read distance and time of the stop instead"),)

@@ -1,10 +1,10 @@
-"""What every skid calculation says about its own answer: checks, numbers no road has, and what leaves the range."""
+"""Diagnostics of skid calculations: checks, and numbers beyond the range of doubles."""
 
 from dynamics_cli.numerics.elementary import multiply_add
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.records import Check
 
-# A residual check that fails is a fault of the program, so it leaves room for long sums of roundings.
+# A failed residual check is an internal error, so the tolerance allows for long sums of roundings.
 TOLERANCE = 1e-12
 # Between these, products and quotients of a few numbers keep all their digits.
 SMALLEST, LARGEST = 1e-70, 1e70
@@ -32,6 +32,6 @@ def balance(name: str, left: float, right: float, scale: float, *operands: float
 
 
 def split_product(x: float, y: float) -> tuple[float, float]:
-    """The product as a constant and the rest it lacks, which alone carries derivatives: their sum is exact to u²."""
+    """The product as a constant plus its rounding error, which alone carries derivatives: their sum is exact to u²."""
     head = plain(x * y)
     return head, multiply_add(x, y, -head)

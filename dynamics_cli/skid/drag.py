@@ -34,7 +34,7 @@ RIGHT_ANGLE = 1.5707963267948966
 
 @record
 class Surface:
-    """A vehicle braking alike on all wheels."""
+    """A vehicle braking equally on all wheels."""
 
     friction: Annotated[Friction, "Coefficient of friction between tyre and road [-]."]
     grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0
@@ -117,7 +117,7 @@ class Sled:
 
 @record
 class DragFactors:
-    """A drag factor and what stands behind it."""
+    """A drag factor and its origin."""
 
     drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
     deceleration: Annotated[Acceleration, "Deceleration along the road [m/s^2]."]
@@ -235,8 +235,8 @@ def _examine(
             measurement.weight,
             measurement.grade,
         )
-        found = friction_advice(friction, "the friction found", "check pull, weight and their units")
-        return checks, found + grade_advice(measurement.grade)
+        advice = friction_advice(friction, "the friction found", "check pull, weight and their units")
+        return checks, advice + grade_advice(measurement.grade)
     return (), drag_advice(measurement.friction, measurement.grade, measurement.braking)
 
 

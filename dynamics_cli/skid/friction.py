@@ -1,7 +1,7 @@
-"""Coefficient of friction from test skids: each one's value, their mean and how far they scatter."""
+"""Coefficient of friction from test skids: the value of each, their mean and scatter."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt, where
+from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt, summed, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import drag_along, friction_advice, grade_advice, secant
 from dynamics_cli.quantities import (
@@ -33,7 +33,7 @@ class TestSkid:
 
 @record
 class SkidTested:
-    """What one test skid showed."""
+    """The result of one test skid."""
 
     friction: Annotated[Friction, "Coefficient of friction [-]."]
     drag_factor: Annotated[DragFactor, "Deceleration along the road over gravity [-]."]
@@ -75,7 +75,7 @@ def friction(
     ------
     InadmissibleError
         When a skid has no length, no speed or no braking, or when the grade alone would have stopped the vehicle
-        shorter.
+        sooner.
 
     Notes
     -----
@@ -91,42 +91,35 @@ def friction(
     >>> round(friction(skids=(TestSkid(speed=13.4, distance=12.9), TestSkid(speed=13.4, distance=13.3))).friction, 4)
     0.699
     """
-    made = skids if isinstance(skids, tuple) else (skids,)
-    require(len(made) > 0, "no test skid is given", code="no-skid")
-    drags = [_drag(one, gravity, f"skids[{index}]: " if len(made) > 1 else "") for index, one in enumerate(made)]
-    found = [
-        _friction(one, drag, f"skids[{index}]: " if len(made) > 1 else "")
-        for index, (one, drag) in enumerate(zip(made, drags, strict=True))
+    several = skids if isinstance(skids, tuple) else (skids,)
+    require(len(several) > 0, "no test skid is given", code="no-skid")
+    drags = [_drag(one, gravity, f"skids[{index}]: " if len(several) > 1 else "") for index, one in enumerate(several)]
+    values = [
+        _friction(one, drag, f"skids[{index}]: " if len(several) > 1 else "")
+        for index, (one, drag) in enumerate(zip(several, drags, strict=True))
     ]
-    lowest = highest = mean = found[0]
-    for one in found[1:]:
+    lowest = highest = mean = values[0]
+    for one in values[1:]:
         lowest, highest = minimum(lowest, one), maximum(highest, one)
     spread: float | None = None
     error: float | None = None
-    if len(found) > 1:
-        mean = _sum(found) / float(len(found))
-        # the mean of equal numbers is that number, to the bit
+    if len(values) > 1:
+        mean = summed(values) / float(len(values))
+        # the mean of equal numbers is that number, exactly
         mean = where(lowest == highest, mean + (lowest - mean), mean)
-        variance = _sum([(one - mean) * (one - mean) for one in found]) / float(len(found) - 1)
+        variance = summed([(one - mean) * (one - mean) for one in values]) / float(len(values) - 1)
         spread = sqrt(variance)
-        error = spread / sqrt(float(len(found)))
+        error = spread / sqrt(float(len(values)))
     return FrictionFound(
         friction=mean,
         standard_deviation=spread,
         standard_error=error,
         lowest=lowest,
         highest=highest,
-        tests=tuple(SkidTested(*row) for row in zip(found, drags, strict=True)),
-        checks=_check(made, found, drags),
-        advice=_absurd(made, found) + _advice(spread, mean),
+        tests=tuple(SkidTested(*row) for row in zip(values, drags, strict=True)),
+        checks=_check(several, values, drags),
+        advice=_absurd(several, values) + _advice(spread, mean),
     )
-
-
-def _sum(parts: list[float]) -> float:
-    total = parts[0]
-    for part in parts[1:]:
-        total = total + part
-    return total
 
 
 def _drag(skid: TestSkid, gravity: float, name: str) -> float:
@@ -151,10 +144,10 @@ def _friction(skid: TestSkid, drag: float, name: str) -> float:
     return grip / skid.braking
 
 
-def _check(made: tuple[TestSkid, ...], found: list[float], drags: list[float]) -> tuple[Check, ...]:
-    """Send every friction found back through the drag factor."""
+def _check(several_skids: tuple[TestSkid, ...], frictions: list[float], drags: list[float]) -> tuple[Check, ...]:
+    """Check every friction by recalculating the drag factor from it."""
     checks: tuple[Check, ...] = ()
-    for skid, one, drag in zip(made, found, drags, strict=True):
+    for skid, one, drag in zip(several_skids, frictions, drags, strict=True):
         back = drag_along(one, skid.grade, skid.braking)
         operands = (skid.speed, skid.distance, skid.braking, one, drag)
         checks += balance("drag factor from the friction found", back, drag, drag + abs(skid.grade), *operands)
@@ -162,10 +155,10 @@ def _check(made: tuple[TestSkid, ...], found: list[float], drags: list[float]) -
     return () if worst is None else (worst,)
 
 
-def _absurd(made: tuple[TestSkid, ...], found: list[float]) -> tuple[Advice, ...]:
+def _absurd(several_skids: tuple[TestSkid, ...], frictions: list[float]) -> tuple[Advice, ...]:
     advice: tuple[Advice, ...] = ()
-    for index, (skid, one) in enumerate(zip(made, found, strict=True)):
-        name = f"skids[{index}]: " if len(made) > 1 else ""
+    for index, (skid, one) in enumerate(zip(several_skids, frictions, strict=True)):
+        name = f"skids[{index}]: " if len(several_skids) > 1 else ""
         advice += grade_advice(skid.grade, name + "grade")
         advice += friction_advice(one, name + "the friction found", "check speed, distance, grade and their units")
     return advice

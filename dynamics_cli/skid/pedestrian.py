@@ -1,4 +1,4 @@
-"""Pedestrian throw: the speed at which a body was projected, from how far it came to rest (Searle)."""
+"""Pedestrian throw: the projection speed of a body from the distance to its rest position (Searle)."""
 
 from dynamics_cli.errors import UsageError, require, worded
 from dynamics_cli.numerics.elementary import (
@@ -50,7 +50,7 @@ def pedestrian(
     vehicle_mass: Annotated[Mass | None, "Mass of the vehicle; with that of the body, e.g. 1300 kg [kg]."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Throw:
-    """Projection speed of a pedestrian or rider from the throw: its bounds, and itself when the launch angle is known.
+    """Projection speed of a pedestrian or rider from the throw: its bounds, and its value if the launch angle is known.
 
     Equation
     --------
@@ -63,7 +63,7 @@ def pedestrian(
     Returns
     -------
     Throw
-        Least and greatest speed; with the launch angle also the speed, and the flight and slide it is made of.
+        Least and greatest speed; with the launch angle also the speed, and its flight and slide.
 
     Raises
     ------

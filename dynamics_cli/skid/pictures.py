@@ -1,4 +1,4 @@
-"""What there is to look at in a skid: speed along the road, flights, test skids and curves, as data."""
+"""Pictures of skids: speed along the road, flights, test skids and curves, as data."""
 
 import math
 from itertools import pairwise
@@ -24,30 +24,32 @@ def slowing(first: float, last: float, start: float, length: float) -> "tuple[li
     return [start + share * length for share in shares], speeds
 
 
-def speed(made: "Any", **_: "Any") -> Picture:
+def speed(result: "Any", **_: "Any") -> Picture:
     """Speed along the marks, surface by surface."""
     items: list[Any] = []
     at = 0.0
-    for nth, one in enumerate(made.surfaces, 1):
+    for nth, one in enumerate(result.surfaces, 1):
         x, y = slowing(one.entry_speed, one.exit_speed, at, one.distance)
         items.append(Curve(x, y, f"surface {nth}, drag factor {one.drag_factor:.3g}"))
         at += one.distance
-    items.append(Mark(0.0, made.speed, "marks begin"))
+    items.append(Mark(0.0, result.speed, "marks begin"))
     return Picture((Panel(DISTANCE, SPEED, tuple(items)),), "speed along the marks")
 
 
-def distance(made: "Any", *, speed: float, end_speed: float = 0.0, mark: "float | None" = None, **_: "Any") -> Picture:
+def distance(
+    result: "Any", *, speed: float, end_speed: float = 0.0, mark: "float | None" = None, **_: "Any"
+) -> Picture:
     """Speed over the distance of braking."""
-    x, y = slowing(speed, end_speed, 0.0, made.distance)
-    items: list[Any] = [Curve(x, y, role=0), Mark(made.distance, end_speed, "slowed")]
-    if mark is not None and made.exit_speed is not None:
-        items.append(Mark(mark, made.exit_speed, "mark ends"))
+    x, y = slowing(speed, end_speed, 0.0, result.distance)
+    items: list[Any] = [Curve(x, y, role=0), Mark(result.distance, end_speed, "slowed")]
+    if mark is not None and result.exit_speed is not None:
+        items.append(Mark(mark, result.exit_speed, "mark ends"))
     return Picture((Panel(DISTANCE, SPEED, tuple(items)),), "speed while braking")
 
 
-def stop(made: "Any", **_: "Any") -> Picture:
+def stop(result: "Any", **_: "Any") -> Picture:
     """Speed over distance and over time, phase by phase."""
-    rows = made.timeline
+    rows = result.timeline
     phases = list(dict.fromkeys(row.phase for row in rows))
     panels = []
     for axis, key in ((DISTANCE, "distance"), (Axis("time", Time), "time")):
@@ -73,21 +75,21 @@ def _along(rows: "list[Any]", key: str) -> "tuple[list[float], list[float]]":
 
 
 def avoid(
-    made: "Any", *, speed: float, sight_distance: float, reaction_time: float, speed_limit: "float | None" = None,
+    result: "Any", *, speed: float, sight_distance: float, reaction_time: float, speed_limit: "float | None" = None,
     **_: "Any",
 ) -> Picture:  # fmt: skip
     """Speed over distance at the speed travelled and at the limit, with the hazard."""
     items: list[Any] = []
-    for one in made.approaches:
+    for one in result.approaches:
         x, y = slowing(one.approach_speed, 0.0, one.reaction_distance, one.braking_distance)
         items.append(Curve([0.0, *x], [one.approach_speed, *y], str(one.case)))
     items.append(Band(sight_distance, sight_distance, "hazard"))
     return Picture((Panel(DISTANCE, SPEED, tuple(items)),), "could it have stopped?")
 
 
-def vault(made: "Any", *, distance: float, rise: float = 0.0, **_: "Any") -> Picture:
+def vault(result: "Any", *, distance: float, rise: float = 0.0, **_: "Any") -> Picture:
     """The flight."""
-    slope = math.tan(made.launch_angle)
+    slope = math.tan(result.launch_angle)
     # Through take-off and landing: what gravity takes is all that the line of departure is above the landing.
     drop = distance * slope - rise
     shares = [i / (POINTS - 1) for i in range(POINTS)]
@@ -98,13 +100,13 @@ def vault(made: "Any", *, distance: float, rise: float = 0.0, **_: "Any") -> Pic
     return Picture((panel,), "flight")
 
 
-def yaw(made: "Any", *, path: "Any", friction: float, **_: "Any") -> Picture:
+def yaw(result: "Any", *, path: "Any", friction: float, **_: "Any") -> Picture:
     """The mark as an arc with its chord, or the surveyed points with their circle."""
     if hasattr(path, "points"):
         from dynamics_cli.skid.curved.pictures import surveyed
 
-        return surveyed(made, path)
-    radius = made.mark_radius if made.mark_radius is not None else made.path_radius
+        return surveyed(result, path)
+    radius = result.mark_radius if result.mark_radius is not None else result.path_radius
     chord = getattr(path, "chord", radius)
     half = math.asin(min(1.0, chord / (2.0 * radius)))
     angles = [half * (2.0 * i / (POINTS - 1) - 1.0) for i in range(POINTS)]
@@ -114,14 +116,14 @@ def yaw(made: "Any", *, path: "Any", friction: float, **_: "Any") -> Picture:
     return Picture((Panel(Axis("along", Length), Axis("across", Length), items, equal=True),), "yaw mark")
 
 
-def friction(made: "Any", **_: "Any") -> Picture:
+def friction(result: "Any", **_: "Any") -> Picture:
     """Every test skid's coefficient, with their mean and its standard error."""
-    numbers = [float(nth) for nth in range(1, len(made.tests) + 1)]
-    items: list[Any] = [Curve(numbers, [test.friction for test in made.tests], "test skids", "points")]
-    items.append(Band(made.friction, made.friction, "mean", vertical=False))
-    if made.standard_error:
-        spread = made.standard_error
-        items.append(Band(made.friction - spread, made.friction + spread, "standard error", vertical=False))
+    numbers = [float(nth) for nth in range(1, len(result.tests) + 1)]
+    items: list[Any] = [Curve(numbers, [test.friction for test in result.tests], "test skids", "points")]
+    items.append(Band(result.friction, result.friction, "mean", vertical=False))
+    if result.standard_error:
+        spread = result.standard_error
+        items.append(Band(result.friction - spread, result.friction + spread, "standard error", vertical=False))
     return Picture(
         (Panel(Axis("test skid", Count, ends=(0.5, len(numbers) + 0.5)), Axis("friction", Friction), tuple(items)),),
         "friction from test skids",
@@ -155,33 +157,33 @@ def throw(
     return Picture((Panel(Axis("launch angle", Angle), SPEED, tuple(items)),), "projection speed of the throw")
 
 
-def drag_factor(made: "Any", *, measurement: "Any", **_: "Any") -> Picture:
+def drag_factor(result: "Any", *, measurement: "Any", **_: "Any") -> Picture:
     """Drag factor over the grade of the road, everything else as it is; the load of each axle where axles are known."""
     grades = [STEEPEST * (2.0 * i / (POINTS - 1) - 1.0) for i in range(POINTS)]
     # Work along the road: f = (m + G)/√(1 + G²), m being what the tyres do on a level road.
-    own = float(made.effective_friction)
+    own = float(result.effective_friction)
     factors = [(own + grade) / math.sqrt(1.0 + grade * grade) for grade in grades]
     items: list[Any] = [
         Curve(grades, factors, role=0),
-        Mark(measurement.grade, float(made.drag_factor), "here"),
+        Mark(measurement.grade, float(result.drag_factor), "here"),
     ]
     if own <= STEEPEST:
         items.append(Band(0.0, 0.0, "no drag", vertical=False))
     panels = [Panel(Axis("grade, uphill positive", Slope), Axis("drag factor", DragFactor), tuple(items))]
-    if made.front_share is not None and made.rear_share is not None:
-        shares = [float(made.front_share), float(made.rear_share)]
+    if result.front_share is not None and result.rear_share is not None:
+        shares = [float(result.front_share), float(result.rear_share)]
         bars = Bars(("front axle", "rear axle"), [0.0, 0.0], shares)
         panels.append(Panel(Axis("share of the weight while braking", Fraction), Axis(""), (bars,)))
     return Picture(tuple(panels), "drag factor")
 
 
 def spin(
-    made: "Any", *, drag: "Any", distance: float, friction: float, grade: float = 0.0, end_speed: float = 0.0,
+    result: "Any", *, drag: "Any", distance: float, friction: float, grade: float = 0.0, end_speed: float = 0.0,
     gravity: float, **_: "Any",
 ) -> Picture:  # fmt: skip
-    """How much of the friction acts while the vehicle turns, and its speed along the way."""
+    """The share of friction acting while the vehicle turns, and its speed along the path."""
     shares = [i / (POINTS - 1) for i in range(POINTS)]
-    mean = float(made.mean_share)
+    mean = float(result.mean_share)
     rotation = getattr(drag, "rotation", None)
     panels = []
     local = [mean] * POINTS
@@ -194,15 +196,15 @@ def spin(
             Band(mean, mean, "mean", vertical=False),
         )
         panels.append(Panel(Axis("rotation since the impact", Angle), Axis("share of the friction", Fraction), items))
-    # From the end back: what each stretch takes from v², scaled so that the whole is what the answer says.
+    # From the end back: the decrease of v² in each stretch, scaled so that the total agrees with the answer.
     slope = math.sqrt(1.0 + grade * grade)
     squares = [end_speed * end_speed]
     for one, other in pairwise(reversed(local)):
         drag_here = (0.5 * (one + other) * friction + grade) / slope
         squares.append(squares[-1] + 2.0 * gravity * drag_here * distance / (POINTS - 1))
-    top = float(made.speed) ** 2 - squares[0]
+    top = float(result.speed) ** 2 - squares[0]
     scale = top / (squares[-1] - squares[0]) if squares[-1] != squares[0] else 1.0
     speeds = [math.sqrt(max(0.0, squares[0] + scale * (square - squares[0]))) for square in reversed(squares)]
     road = Curve([share * distance for share in shares], speeds, role=0)
-    panels.append(Panel(DISTANCE, SPEED, (road, Mark(0.0, float(made.speed), "after the impact"))))
+    panels.append(Panel(DISTANCE, SPEED, (road, Mark(0.0, float(result.speed), "after the impact"))))
     return Picture(tuple(panels), "a spin to rest" if end_speed == 0.0 else "a spin")

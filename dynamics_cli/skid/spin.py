@@ -1,4 +1,4 @@
-"""Spin: the speed a rotating vehicle loses after an impact, its tyres dragging more the more they point across."""
+"""Spin: the speed lost by a rotating vehicle after an impact, by tyre drag that grows with the slip angle."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import hypot, multiply_add, sin, sqrt, where
@@ -29,7 +29,7 @@ HALF_TURN_REST = 1.2246467991473532e-16
 
 @record
 class Rotation:
-    """Drag found from how far the vehicle turned while it travelled."""
+    """Drag from the rotation of the vehicle along its path."""
 
     rotation: Annotated[Angle, "Angle the vehicle turned through, whole turns included [rad]."]
     start_angle: Annotated[
@@ -60,7 +60,7 @@ class Share:
 
 @record
 class SpinLoss:
-    """Speed at the start of a spin, and what it lost."""
+    """Speed at the start of a spin, and the loss."""
 
     speed: Annotated[RoadSpeed, "Speed of the mass centre where the spin begins [m/s]."]
     speed_lost: Annotated[RoadSpeed, "Speed lost over the distance [m/s]."]
@@ -89,7 +89,7 @@ def mean_across(start: float, rotation: float) -> float:
 
 
 def _beyond(angle: float, turns: float) -> float:
-    """What an angle exceeds a whole number of half-turns by."""
+    """The remainder of an angle beyond whole half-turns."""
     return multiply_add(-turns, HALF_TURN, angle) - turns * HALF_TURN_REST
 
 
@@ -125,7 +125,7 @@ def spin(
     Model "mean sine of the slip angle": a tyre at slip angle ψ drags with the share r + (1 − r)|sin ψ| of the full
     friction, and the vehicle turns uniformly along its path. Tyres are taken as sliding at once, so for rotations of
     a few degrees from straight ahead, where a tyre still grips, the model does not hold; it is meant for spins of a
-    quarter turn and more. The energy of the rotation is not counted: it is small beside that of the path.
+    quarter turn and more. The energy of rotation is neglected: it is small beside that of translation.
 
     References
     ----------
@@ -155,7 +155,7 @@ def spin(
     if isinstance(drag, Rotation):
         rate = drag.rotation / time
     both = speed + end_speed
-    # crossing_time has refused speeds that underflowed, so both is zero only where there is no way
+    # crossing_time has refused speeds that underflowed, so both are zero only without a distance
     lost = shed / where(both > 0.0, both, 1.0)
     return SpinLoss(
         speed=speed,

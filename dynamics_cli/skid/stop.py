@@ -1,4 +1,4 @@
-"""A whole stop: reaction, rise of the deceleration, steady braking, and where the vehicle is at any time of it."""
+"""A whole stop: reaction, rise of the deceleration, steady braking, and the position of the vehicle over time."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import maximum, minimum, multiply_add, sqrt

@@ -24,7 +24,7 @@ class Vault:
 
     speed: Annotated[RoadSpeed, "Speed at take-off [m/s]."]
     launch_angle: Annotated[
-        Angle, "Angle of the take-off above the horizontal, given or that of the least speed [rad]."
+        Angle, "Angle of the take-off above the horizontal: as given, or that of the minimum speed [rad]."
     ]
     flight_time: Annotated[Time, "Time in the air [s]."]
     landing_speed: Annotated[RoadSpeed, "Speed at landing [m/s]."]
@@ -37,7 +37,7 @@ def least_speed_suffices(**inputs: object) -> str | None:
     """Why the least speed over all angles answers, or None when a take-off angle is given."""
     if inputs.get("take_off") is not None:
         return None
-    return "no take-off angle is given: no smaller speed could have reached the landing point"
+    return "no take-off angle is given: no lower speed could have reached the landing point"
 
 
 def vault_least_speed(
@@ -45,11 +45,11 @@ def vault_least_speed(
     distance: Annotated[Distance, "Horizontal distance from take-off to landing [m]."],
     rise: Annotated[Length, "Height of the landing above the take-off, negative when lower [m]."] = 0.0,
     take_off: Annotated[
-        Angle | None, "Angle of the take-off above the horizontal; given, it decides the speed, e.g. 6 deg [rad]."
+        Angle | None, "Angle of the take-off above the horizontal; if given, it determines the speed, e.g. 6 deg [rad]."
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Vault:
-    """Least take-off speed, over all take-off angles, with which a vehicle reaches where it landed.
+    """Minimum take-off speed, over all take-off angles, with which a vehicle reaches the landing point.
 
     Equation
     --------
@@ -93,7 +93,7 @@ def vault_least_speed(
         advice = (
             Advice(
                 code="take-off-unused",
-                message="the least speed is over all take-off angles: the one given was not used",
+                message="the minimum speed is taken over all take-off angles: the angle given was not used",
                 severity="note",
             ),
         )
@@ -190,7 +190,7 @@ def _require_way(distance: float) -> None:
 
 
 def _sight_advice(take_off: float, over: float, slant: float) -> tuple[Advice, ...]:
-    """Say so when the take-off hardly points above the line of sight, where the speed has no limit."""
+    """Advice when the take-off points only slightly above the line of sight, where the speed grows without limit."""
     if not single(take_off, over, slant) or plain(over) > 0.02 * plain(slant):
         return ()
     message = worded(
@@ -198,7 +198,7 @@ def _sight_advice(take_off: float, over: float, slant: float) -> tuple[Advice, .
         "the speed by 5 %",
         above=(plain(over) / plain(slant), Angle),
     )
-    remedy = "measure the take-off angle more closely, or leave it out for the least speed"
+    remedy = "measure the take-off angle more closely, or leave it out for the minimum speed"
     return (Advice(code="near-line-of-sight", message=message, severity="serious", remedy=remedy),)
 
 

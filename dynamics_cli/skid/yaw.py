@@ -1,4 +1,4 @@
-"""Critical speed: what a vehicle did that left yaw marks at the limit of side friction."""
+"""Critical speed of a vehicle that left yaw marks at the limit of side friction."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, multiply_add, sqrt
@@ -77,7 +77,8 @@ def yaw(
     ] = 0.0,
     track_width: Annotated[
         Distance | None,
-        "Track width, where the outer tyres left the mark and the path of the mass centre is wanted, e.g. 1.5 m [m].",
+        "Track width, if the outer tyres left the mark and the speed is that of the mass centre's path, e.g. 1.5 m "
+        "[m].",
     ] = None,
     braking_drag: Annotated[
         DragFactor | None, "Part of the friction that braking used up along the path, e.g. 0.25 [-]."
@@ -111,7 +112,7 @@ def yaw(
     Notes
     -----
     A point mass on a circle in a horizontal plane, neither braking nor driven; 1 − f e is rounded once. Speed grows as
-    √R, and R from a chord as 1/M: a short middle ordinate decides everything. The deviation by the points is theirs
+    √R, and R from a chord as 1/M: a short middle ordinate dominates the error. The deviation by the points is theirs
     alone; for an interval of everything give the radius with its deviation, or every coordinate with its own.
 
     References
@@ -245,6 +246,7 @@ def _bank_advice(lean: float) -> tuple[Advice, ...]:
     if not single(lean) or plain(lean) > 0.2:
         return ()
     message = worded(
-        "1 - friction × superelevation is only {lean:3}: as it vanishes the speed has no limit", lean=(lean, Ratio)
+        "1 - friction × superelevation is only {lean:3}: as it approaches zero the speed grows without limit",
+        lean=(lean, Ratio),
     )
     return (Advice(code="near-self-holding-bank", message=message, severity="serious"),)

@@ -164,7 +164,7 @@ def _crossings(p: "Sequence[int]", q: "Sequence[int]") -> "list[Crossing]":
     common = common_divisor(p, q)
     # without delay there may be roots on the axis, from where the least delay moves them
     touches = count(plus(p, q)).axis > 0
-    found = []
+    crossings_met = []
     for interval in isolated(simple):
         low, high = narrowed(simple, interval, DIGITS)
         if high[0] <= 0:
@@ -180,7 +180,7 @@ def _crossings(p: "Sequence[int]", q: "Sequence[int]") -> "list[Crossing]":
         turn = phase % (2.0 * pi)
         if touches and min(turn, 2.0 * pi - turn) < NOTHING:
             turn = 0.0
-        found.append(
+        crossings_met.append(
             Crossing(
                 frequency=omega,
                 first=turn / omega,
@@ -188,7 +188,7 @@ def _crossings(p: "Sequence[int]", q: "Sequence[int]") -> "list[Crossing]":
                 direction="leaves" if after > before else "returns",
             )
         )
-    return found[::-1]
+    return crossings_met[::-1]
 
 
 def _shared(common: "Sequence[int]", low: "Pair", high: "Pair") -> bool:

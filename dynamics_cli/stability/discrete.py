@@ -79,15 +79,15 @@ def discrete(
         inside, outside = inside + multiplicity * counts.left, outside + multiplicity * counts.right
         circle += multiplicity * on_circle
         repeated = max(repeated, multiplicity) if on_circle else repeated
-    found = _roots(p)
+    roots_proved = _roots(p)
     return Discrete(
         verdict=_verdict(outside, circle, repeated),
         inside=inside,
         outside=outside,
         circle=circle,
         repeated=repeated or None,
-        largest=max(root.size for root in found),
-        roots=found,
+        largest=max(root.size for root in roots_proved),
+        roots=roots_proved,
         numerics=Numerics(METHOD),
     )
 
@@ -112,11 +112,11 @@ def on_the_plane(p: "Sequence[int]") -> "tuple[int, ...]":
 
 
 def _roots(p: "Sequence[int]") -> "tuple[CircleRoot, ...]":
-    found = []
+    proved = []
     for factor, multiplicity in square_free(p):
         for x, y, size, angle in circle_discs(factor):
             if y >= 0.0:
-                found.append(
+                proved.append(
                     CircleRoot(real=x, imaginary=y, size=size, angle=angle, multiplicity=multiplicity, pair=y > 0.0)
                 )
-    return tuple(sorted(found, key=lambda root: (-root.size, root.angle)))
+    return tuple(sorted(proved, key=lambda root: (-root.size, root.angle)))

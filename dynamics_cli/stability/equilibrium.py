@@ -144,10 +144,10 @@ def _taylor(potential: EnergyFormula, let: "tuple[Variable, ...]", name: str) ->
     def parts(at: float, order: int) -> "list[float]":
         """Taylor coefficients of the potential; nothing where it has none."""
         try:
-            made = law(**{name: Jet.variable(at, order)})
+            taylor = law(**{name: Jet.variable(at, order)})
         except (ArithmeticError, ValueError):
             return [math.nan] * (order + 1)
-        return [float(part) for part in made.parts]
+        return [float(part) for part in taylor.parts]
 
     return parts
 

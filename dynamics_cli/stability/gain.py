@@ -223,12 +223,12 @@ def _value_of_determinant(p: "Sequence[int]", order: int) -> int:
 
 def _frequencies(p: "Sequence[int]") -> "list[float]":
     """Frequencies of the roots on the axis, those within rounding of it among them."""
-    found = set()
+    frequencies = set()
     for factor, _ in square_free(p):
         for x, y, _ in discs(factor):
             if y >= 0 and abs(x) <= ON_AXIS * max(y, ON_AXIS):
-                found.add(float(y))
-    return sorted(found)
+                frequencies.add(float(y))
+    return sorted(frequencies)
 
 
 def _crossing(family: "Family", mark: "tuple[Pair, Pair]") -> bool:

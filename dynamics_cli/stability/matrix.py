@@ -94,18 +94,18 @@ def matrix(
                       ("matrix",), ("mass", "stiffness"))  # fmt: skip
         system = _first_order(mass, damping, gyroscopic, stiffness)
     counts, judged, p, denominator = _judged(system)
-    found = roots(p)
+    roots_proved = roots(p)
     plain = None
     if gyroscopic is not None:
         plain = _judged(_first_order(mass, damping, None, stiffness))[1]
     return MatrixStability(
         verdict=judged,
-        growth=_growth(found),
+        growth=_growth(roots_proved),
         left=counts.left,
         right=counts.right,
         axis=counts.axis,
-        rightmost=found[0].real,
-        roots=found,
+        rightmost=roots_proved[0].real,
+        roots=roots_proved,
         polynomial=", ".join(written((c, denominator)) for c in reversed(p)),
         without_gyroscopic=plain,
         numerics=Numerics(METHOD),
@@ -113,8 +113,8 @@ def matrix(
     )
 
 
-def _growth(found: "Sequence[Root]") -> "str | None":
-    growing = [root for root in found if root.real > 0.0]
+def _growth(roots_proved: "Sequence[Root]") -> "str | None":
+    growing = [root for root in roots_proved if root.real > 0.0]
     if not growing:
         return None
     kinds = {FLUTTER if root.pair else DIVERGENCE for root in growing}

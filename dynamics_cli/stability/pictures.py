@@ -17,10 +17,10 @@ CURVE_POINTS = 400
 STABLE, UNSTABLE, GREY = 2, 1, 6
 
 
-def _both(found: "Sequence[Any]") -> "list[tuple[float, float, int]]":
+def _both(roots_shown: "Sequence[Any]") -> "list[tuple[float, float, int]]":
     """Roots and their conjugates."""
     out = []
-    for root in found:
+    for root in roots_shown:
         out.append((root.real, root.imaginary, root.multiplicity))
         if root.pair:
             out.append((root.real, -root.imaginary, root.multiplicity))
@@ -44,29 +44,29 @@ def _plane(roots: "Sequence[tuple[float, float, int]]", title: str) -> Panel:
     )  # fmt: skip
 
 
-def routh(made: "Any", *_: "Any", **__: "Any") -> Picture:
+def routh(result: "Any", *_: "Any", **__: "Any") -> Picture:
     """The roots in the plane."""
-    return Picture((_plane(_both(made.roots), made.verdict),), "roots of the characteristic polynomial")
+    return Picture((_plane(_both(result.roots), result.verdict),), "roots of the characteristic polynomial")
 
 
 matrix = routh
 
 
-def gain(made: "Any", polynomial: str, **_: "Any") -> Picture:
+def gain(result: "Any", polynomial: str, **_: "Any") -> Picture:
     """The root locus, its stable stretches apart, with the critical gains."""
     import numpy as np
 
     from dynamics_cli.numerics.exact.polynomial_text import read, whole
 
     family, below = whole(read(polynomial, gain="K"))
-    marks = [one.gain for one in made.critical or ()]
+    marks = [one.gain for one in result.critical or ()]
     reach = 2.0 * max([abs(mark) for mark in marks] + [abs(marks[0]) if marks else 1.0]) or 10.0
     low = min([0.0, *[1.2 * mark for mark in marks]])
     gains = np.unique(
         np.concatenate([np.linspace(low, reach, LOCUS_POINTS), np.geomspace(reach * 1e-6, reach, LOCUS_POINTS)])
     )
     tracks = _tracks([_roots_at(family, below, value) for value in gains.tolist()])
-    steady = [_stable_at(made.ranges, value) for value in gains.tolist()]
+    steady = [_stable_at(result.ranges, value) for value in gains.tolist()]
     items: list[Any] = []
     for track in tracks:
         for is_stable, role in ((False, UNSTABLE), (True, STABLE)):
@@ -79,13 +79,13 @@ def gain(made: "Any", polynomial: str, **_: "Any") -> Picture:
             y = [root.imag if show else math.nan for root, show in zip(track, shown, strict=True)]
             label = ("stable" if is_stable else "unstable") if track is tracks[0] else ""
             items.append(Curve(x, y, label, "solid" if is_stable else "dashed", role=role))
-    frequencies = [one.frequency for one in made.critical or () if one.frequency]
+    frequencies = [one.frequency for one in result.critical or () if one.frequency]
     width = _reach([abs(root.real) for track in tracks for root in track])
     size = 1.2 * max([_reach([abs(root.imag) for track in tracks for root in track]), *frequencies])
     items.append(Curve([0.0, 0.0], [-size, size], "", "thin", role=GREY))
     items += [
         Mark(0.0, one.frequency, worded("K = {gain:5}", gain=(one.gain, Gain)), role=GREY)
-        for one in made.critical or ()
+        for one in result.critical or ()
         if one.frequency is not None
     ]
     panel = Panel(
@@ -93,7 +93,7 @@ def gain(made: "Any", polynomial: str, **_: "Any") -> Picture:
         Axis("imaginary part", AngularRate, ends=(-size, size)), tuple(items),
         f"{polynomial}, K from {low:.4g} to {reach:.4g}",
     )  # fmt: skip
-    return Picture((panel,), f"root locus: stable for {made.stable}")
+    return Picture((panel,), f"root locus: stable for {result.stable}")
 
 
 def _reach(sizes: "Sequence[float]") -> float:
@@ -109,11 +109,11 @@ def _roots_at(family: "Sequence[Sequence[int]]", below: int, gain: float) -> "li
     return np.roots(coefficients[::-1]).tolist()  # type: ignore[no-any-return]
 
 
-def _tracks(found: "Sequence[list[complex]]") -> "list[list[complex]]":
+def _tracks(roots_at_gains: "Sequence[list[complex]]") -> "list[list[complex]]":
     """Each root followed from gain to gain by the nearest one."""
-    most = max(map(len, found))
+    most = max(map(len, roots_at_gains))
     tracks: list[list[complex]] = [[] for _ in range(most)]
-    for roots in found:
+    for roots in roots_at_gains:
         free = roots + [complex(math.nan, math.nan)] * (most - len(roots))
         for track in tracks:
             last = track[-1] if track else free[0]
@@ -133,25 +133,25 @@ def _stable_at(ranges: "Sequence[Any]", value: float) -> bool:
     )
 
 
-def interval(made: "Any", *_: "Any", **__: "Any") -> Picture:
+def interval(result: "Any", *_: "Any", **__: "Any") -> Picture:
     """The roots of the four polynomials in the plane."""
     from dynamics_cli.numerics.exact.polynomial_text import read, whole
     from dynamics_cli.stability.roots import roots
 
     panels = []
-    for corner in made.corners:
-        found = roots(whole(read(corner.coefficients))[0][0])
-        panels.append(_plane(_both(found), f"{corner.coefficients}: {corner.verdict}"))
-    return Picture(tuple(panels), f"the four polynomials: {made.verdict}", columns=2)
+    for corner in result.corners:
+        roots_proved = roots(whole(read(corner.coefficients))[0][0])
+        panels.append(_plane(_both(roots_proved), f"{corner.coefficients}: {corner.verdict}"))
+    return Picture(tuple(panels), f"the four polynomials: {result.verdict}", columns=2)
 
 
-def delay(made: "Any", *_: "Any", **__: "Any") -> Picture:
+def delay(result: "Any", *_: "Any", **__: "Any") -> Picture:
     """Unstable roots over the delay."""
-    last = made.ranges[-1].low or 1.0
+    last = result.ranges[-1].low or 1.0
     x: list[float] = []
     y: list[float] = []
     items: list[Any] = []
-    for one in made.ranges:
+    for one in result.ranges:
         high = one.high if one.high is not None else 1.15 * last
         x += [one.low, high]
         y += [float(one.right)] * 2
@@ -159,13 +159,13 @@ def delay(made: "Any", *_: "Any", **__: "Any") -> Picture:
             items.append(Band(one.low, high, "stable" if one.low == 0.0 else ""))
     items.append(Curve(x, y, "roots on the right", "thick"))
     panel = Panel(Axis("delay", Time, ends=(0.0, 1.15 * last)), Axis("roots on the right"), tuple(items))
-    return Picture((panel,), "roots on the right over the delay", subtitle=f"stable for {made.stable}")
+    return Picture((panel,), "roots on the right over the delay", subtitle=f"stable for {result.stable}")
 
 
-def discrete(made: "Any", *_: "Any", **__: "Any") -> Picture:
+def discrete(result: "Any", *_: "Any", **__: "Any") -> Picture:
     """Roots and the unit circle."""
     turns = [2.0 * math.pi * k / (CIRCLE_POINTS - 1) for k in range(CIRCLE_POINTS)]
-    roots = _both(made.roots)
+    roots = _both(result.roots)
     reach = 1.15 * max([1.0, *[max(abs(x), abs(y)) for x, y, _ in roots]])
     items: list[Any] = [
         Curve([math.cos(t) for t in turns], [math.sin(t) for t in turns], "", "fill", role=STABLE),
@@ -176,20 +176,20 @@ def discrete(made: "Any", *_: "Any", **__: "Any") -> Picture:
         items.append(Mark(x, y, f"× {multiplicity}" if multiplicity > 1 else "", role=UNSTABLE if outside else 0))
     side = (-reach, reach)
     panel = Panel(
-        Axis("real part", ends=side), Axis("imaginary part", ends=side), tuple(items), made.verdict, equal=True
+        Axis("real part", ends=side), Axis("imaginary part", ends=side), tuple(items), result.verdict, equal=True
     )
     return Picture((panel,), "roots in z and the unit circle")
 
 
 def equilibrium(
-    made: "Any", *, potential: "Any", let: "Any" = (), lowest: "float | None" = None, highest: "float | None" = None,
+    result: "Any", *, potential: "Any", let: "Any" = (), lowest: "float | None" = None, highest: "float | None" = None,
     **_: "Any",
 ) -> Picture:  # fmt: skip
     """The potential with its equilibria."""
     from dynamics_cli.numerics.expressions import parse
     from dynamics_cli.numerics.expressions.laws import law_of
 
-    angular = made.places[0].angle is not None
+    angular = result.places[0].angle is not None
     name = "x" if not angular else next(name for name in ("theta", "θ") if name in parse(potential.text).names)
     law = law_of(potential, let, (name,))
     low, high = (-math.pi, math.pi) if angular else (lowest, highest)
@@ -203,7 +203,7 @@ def equilibrium(
         except (ArithmeticError, ValueError):
             y.append(math.nan)
     items: list[Any] = [Curve(x, y, "potential")]
-    for place in made.places:
+    for place in result.places:
         at = place.angle if angular else place.position
         stable = place.verdict.startswith("stable")
         items.append(Mark(at, place.energy, "stable" if stable else "unstable", role=STABLE if stable else UNSTABLE))

@@ -44,10 +44,10 @@ class Root:
 
 def roots(p: "Sequence[int]") -> "tuple[Root, ...]":
     """The roots, those of a pair as one, the rightmost first."""
-    found: list[tuple[Disc, int]] = []
+    proved: list[tuple[Disc, int]] = []
     for factor, multiplicity in square_free(p):
-        found += [(disc, multiplicity) for disc in discs(factor)]
-    upper = [(disc, multiplicity) for disc, multiplicity in found if disc[1] >= 0]
+        proved += [(disc, multiplicity) for disc in discs(factor)]
+    upper = [(disc, multiplicity) for disc, multiplicity in proved if disc[1] >= 0]
     upper.sort(key=lambda item: (-item[0][0], item[0][1]))
     return tuple(_root(disc, multiplicity) for disc, multiplicity in upper)
 
@@ -74,12 +74,12 @@ def discs(p: "Sequence[int]") -> "list[Disc]":
     Roots in pairs ±s are the square roots of those of a polynomial in s², so that what is on the axis has no real part.
     """
     at_zero, pairs, rest = parted(p)
-    found: list[Disc] = [(ZERO, ZERO, ZERO)] * at_zero
+    proved: list[Disc] = [(ZERO, ZERO, ZERO)] * at_zero
     for u, v, radius in _simple(pairs):
         x, y, error = _square_root(u, v, radius)
-        found += [(x, y, error), (-x, -y, error)]
+        proved += [(x, y, error), (-x, -y, error)]
         # a pair of conjugates in s² gives both signs of the imaginary part by itself
-    return found + _simple(rest)
+    return proved + _simple(rest)
 
 
 def circle_discs(p: "Sequence[int]") -> "list[tuple[float, float, float, float]]":
@@ -125,9 +125,9 @@ def _simple(p: "Sequence[int]") -> "list[Disc]":
                 places = [(x - a, y - b) for (x, y), (a, b) in zip(places, steps, strict=True)]
                 if all(_small(step, place, digits) for step, place in zip(steps, places, strict=True)):
                     break
-            found = _proved(coefficients, places)
-            if found is not None:
-                return found
+            proved = _proved(coefficients, places)
+            if proved is not None:
+                return proved
         digits *= 2
     raise ArithmeticError("the roots did not part")
 

@@ -71,18 +71,18 @@ def routh(
     p = rows[0]
     require_variable(p, polynomial)
     counts = count(p)
-    found = roots(p)
+    roots_proved = roots(p)
     return Routh(
         verdict=verdict(counts),
         left=counts.left,
         right=counts.right,
         axis=counts.axis,
         repeated=counts.repeated or None,
-        rightmost=found[0].real,
-        roots=found,
+        rightmost=roots_proved[0].real,
+        roots=roots_proved,
         array=array(p, denominator) if len(p) <= MOST_DEGREE + 1 else None,
         numerics=Numerics(METHOD),
-        checks=(_check(p, counts, found),),
+        checks=(_check(p, counts, roots_proved),),
         advice=advice_on(counts),
     )
 
@@ -103,10 +103,10 @@ def advice_on(counts: Counts) -> "tuple[Advice, ...]":
     return ()
 
 
-def _check(p: "Sequence[int]", counts: Counts, found: "Sequence[Root]") -> Check:
+def _check(p: "Sequence[int]", counts: Counts, roots_proved: "Sequence[Root]") -> Check:
     """The signs of the roots, calculated apart from the counts, must agree with them."""
     by_side = [0, 0, 0]
-    for root in found:
+    for root in roots_proved:
         side = 0 if root.real < 0.0 else 1 if root.real > 0.0 else 2
         by_side[side] += root.multiplicity * (2 if root.pair else 1)
     apart = sum(abs(a - b) for a, b in zip(by_side, (counts.left, counts.right, counts.axis), strict=True))

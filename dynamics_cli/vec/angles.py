@@ -24,7 +24,7 @@ class AngleBetween:
     """The angle between two vectors."""
 
     angle: Annotated[Angle, "From 0 to 180 degrees, or signed about the axis [rad]."]
-    supplement: Annotated[Angle, "180 degrees less the angle, computed by itself [rad]."]
+    supplement: Annotated[Angle, "180 degrees less the angle, calculated directly [rad]."]
     relation: Annotated[Text, "Whether they are parallel, opposite, perpendicular or oblique, and how that is known."]
     cosine: Annotated[Ratio, "Cosine of the angle [-]."]
     sine: Annotated[Ratio, "Sine of the angle [-]."]
@@ -36,7 +36,7 @@ class AngleBetween:
 
 def angle(
     first: Annotated[FreeVector, 'A vector, such as "1, 2, 3" or "20 N @ 30 deg".'],
-    second: Annotated[FreeVector, "Another one, of the same kind or not."],
+    second: Annotated[FreeVector, "The second vector, of the same kind or not."],
     /,
     *,
     axis: Annotated[FreeVector | None, "The axis about which the angle from the first to the second is signed."] = None,
@@ -111,7 +111,7 @@ def _about(axis: kinds.Vector, a: "Vector", b: "Vector") -> "tuple[float, float]
             name=name,
             sine=(share, Ratio),
             code="parallel-axis",
-            hint="give an axis across both vectors, such as 0, 0, 1 for vectors in the x–y plane",
+            hint="give an axis perpendicular to both vectors, such as 0, 0, 1 for vectors in the x–y plane",
         )
     return norm(n) * triple(n, a, b), dot(p, q)
 

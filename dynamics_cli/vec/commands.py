@@ -120,7 +120,7 @@ RESOLVE = Task(
 
 POLYGON = Task(
     "polygon",
-    "Planar vector polygon with two unknowns, every solution.",
+    "Planar vector polygon with two unknowns: every solution.",
     Model(
         "vector triangle",
         "dynamics_cli.vec.polygon:polygon",
@@ -145,11 +145,11 @@ FRAME = Task(
     "frame",
     "Right-handed triad from two or three directions, or three points.",
     Model(
-        "one kept, the others square to it",
+        "one kept, the others perpendicular to it",
         "dynamics_cli.vec.frame:frame",
         source=BOOK + "section 2.11",
         formula="e₁ = a/|a|, e₃ = (a×b)/|a×b|, e₂ = e₃×e₁",
-        assumptions=("the first direction given is kept, the second keeps its plane with it", TYPED),
+        assumptions=("the first given direction is kept, the second stays in its plane with the first", TYPED),
     ),
     headline=(
         "x_axis: x-axis", "y_axis: y-axis", "z_axis: z-axis", "kept", "departure: departure from right angles",
@@ -171,7 +171,7 @@ LINES = Task(
         "dynamics_cli.vec.lines:lines",
         source=BOOK + "sections 2.7 and 2.8",
         formula="{distance|d} = |(q − p)·(u×v)|/|u×v|, parallel |(q − p)×u|/|u|, from a plane |n·(q − p)|/|n|",
-        assumptions=("lines and planes have no end", TYPED),
+        assumptions=("lines and planes are infinite", TYPED),
     ),
     headline=(
         "relation", "distance", "angle", "first_foot: foot on the first", "second_foot: foot on the second",

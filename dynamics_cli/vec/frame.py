@@ -29,7 +29,7 @@ class Frame:
     x_axis: Annotated[FreeVector, "Its first axis."]
     y_axis: Annotated[FreeVector, "Its second axis."]
     z_axis: Annotated[FreeVector, "Its third axis."]
-    kept: Annotated[Text, "Which input kept its direction, and which kept its plane."]
+    kept: Annotated[Text, "Which input kept its direction, and which one its plane."]
     departure: Annotated[Angle, "How far the directions given were from right angles, at most [rad]."]
     handedness: Annotated[Text | None, "Of three directions: right-handed or left-handed."]
     rotation_matrix: Annotated[
@@ -118,14 +118,14 @@ def _directions(points: "tuple[Any, ...]", x: "Any", y: "Any", z: "Any") -> "dic
     if points:
         require(
             len(points) == 3 and not given,
-            "a triad is of three points, or of two or three directions; {points} points and {given} directions given",
+            "a triad needs three points, or two or three directions; {points} points and {given} directions are given",
             points=str(len(points)),
             given=str(len(given)),
             code="points",
             hint="give origin, a point on the x-axis and a point in the x-y plane, without --x, --y, --z",
         )
         those = kinds.vectors(points, ("the origin", "the second point", "the third point"))
-        kinds.require_same_kind(those, "points of unlike kinds")
+        kinds.require_same_kind(those, "points of different kinds")
         for name, one in zip("xy", those[1:], strict=True):
             one.parts = difference(one.parts, those[0].parts)
             given[name] = one
@@ -161,8 +161,8 @@ def _handedness(given: "dict[str, kinds.Vector]") -> "tuple[str | None, tuple[Ad
     require_spanning(those, value)
     if value > 0.0:
         return "right-handed", ()
-    message = worded("the three directions are left-handed: the z-axis of the triad is against the one given")
-    return "left-handed", (Advice("left-handed", message, remedy="exchange two of them, or turn one round"),)
+    message = worded("the three directions are left-handed: the z-axis of the triad is opposite to the given one")
+    return "left-handed", (Advice("left-handed", message, remedy="exchange two of them, or reverse one"),)
 
 
 def _seen(one: kinds.Vector, rows: "tuple[Vector, Vector, Vector]") -> FreeVector:
@@ -176,4 +176,4 @@ def _square(rows: "tuple[Vector, Vector, Vector]") -> Check:
         for i in range(3)
         for j in range(3)
     )
-    return Check("axes are square to one another and of length one", off <= SQUARE, off, SQUARE)
+    return Check("axes are perpendicular and of unit length", off <= SQUARE, off, SQUARE)

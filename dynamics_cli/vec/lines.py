@@ -23,7 +23,7 @@ FEET = 1e-9
 class Item:
     """A point; with a direction or a second point a line, with a normal a plane."""
 
-    point: Annotated[FreeVector, "A point, or one on the line or the plane, e.g. 1, 2, 3 m."]
+    point: Annotated[FreeVector, "The point, or a point on the line or plane, e.g. 1, 2, 3 m."]
     direction: Annotated[FreeVector | None, "The direction of a line, e.g. 1, 1, 1."] = None
     to: Annotated[FreeVector | None, "A second point of a line, e.g. 4, 0, 1 m."] = None
     normal: Annotated[FreeVector | None, "The normal of a plane, e.g. 0, 0, 1."] = None
@@ -33,13 +33,13 @@ class Item:
 class Lines:
     """How two points, lines or planes lie to one another."""
 
-    relation: Annotated[Text, "Skew, intersecting, parallel, coincident, apart, and how that is known."]
+    relation: Annotated[Text, "Skew, intersecting, parallel, coincident or apart, and how that is known."]
     distance: Annotated[FreeNumber, "The shortest distance."]
     angle: Annotated[Angle | None, "The angle between them, from 0 to 90 degrees [rad]."]
-    first_foot: Annotated[FreeVector | None, "Where the shortest connection ends on the first."]
-    second_foot: Annotated[FreeVector | None, "Where it ends on the second."]
-    intersection: Annotated[FreeVector | None, "Where they meet: a point, or one of the line common to two planes."]
-    common_direction: Annotated[FreeVector | None, "The direction of the line common to two planes."]
+    first_foot: Annotated[FreeVector | None, "Foot of the shortest connection on the first."]
+    second_foot: Annotated[FreeVector | None, "Foot on the second."]
+    intersection: Annotated[FreeVector | None, "Where they meet: a point, or a point of two planes' common line."]
+    common_direction: Annotated[FreeVector | None, "Direction of the two planes' common line."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -68,7 +68,7 @@ class _Read:
             self.shape = "plane" if given[0] == "normal" else "line"
             way = kinds.Vector(getattr(item, given[0]), f"the {given[0]} of the {name}")
             if given[0] == "to":
-                kinds.require_same_kind((point, way), f"the two points of the {name} are of unlike kinds")
+                kinds.require_same_kind((point, way), f"the two points of the {name} are of different kinds")
                 way.parts = difference(way.parts, point.parts)
             kinds.require_direction(way, f"the direction of the {name}" if self.shape == "line" else f"the normal of "
                                     f"the {name}")  # fmt: skip
@@ -90,7 +90,7 @@ def lines(*, first: Item, second: Item) -> Lines:
     Raises
     ------
     InadmissibleError
-        When a direction or a normal is zero, or points are of unlike kinds.
+        When a direction or a normal is zero, or points are of different kinds.
 
     References
     ----------
@@ -105,11 +105,11 @@ def lines(*, first: Item, second: Item) -> Lines:
     one, other = _Read(first, "first"), _Read(second, "second")
     require(
         one.kind.unit == other.kind.unit,
-        "the points are of unlike kinds: a {first} and a {other}",
+        "the points are of different kinds: a {first} and a {other}",
         first=one.kind.name,
         other=other.kind.name,
         code="mixed-kinds",
-        hint="give both points in units of length, or both without",
+        hint="give both points in units of length, or both without units",
     )
     order = ("point", "line", "plane")
     swapped = order.index(one.shape) > order.index(other.shape)
@@ -255,8 +255,8 @@ def _nearly_parallel(pose: "dict[str, Any]") -> "tuple[Advice, ...]":
     sine = pose.get("sine")
     if sine is None or sine > NEARLY:
         return ()
-    message = worded("the two are nearly parallel (sine {sine:2}): where they meet or come nearest moves by "
-                     "{times:2} times an error across", sine=(sine, Ratio), times=(1.0 / sine, Ratio))  # fmt: skip
+    message = worded("the two are nearly parallel (sine {sine:2}): the point where they meet or come "
+                     "nearest magnifies errors {times:2}", sine=(sine, Ratio), times=(1.0 / sine, Ratio))  # fmt: skip
     return (Advice("near-parallel", message, remedy="rely on the distance and the angle rather than on the points"),)
 
 
@@ -265,4 +265,4 @@ def _feet_apart(feet: "Any", distance: float, p: "Vector", q: "Vector") -> "tupl
     apart = sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5
     size = max(map(abs, [*one, *other, *map(plain, p), *map(plain, q)])) or 1.0
     off = abs(apart - plain(distance)) / size
-    return (Check("the feet are the distance apart", off <= FEET, off, FEET),)
+    return (Check("the feet are that distance apart", off <= FEET, off, FEET),)

@@ -19,19 +19,19 @@ ILL_CONDITIONED = 1e6
 class MatrixAnswer:
     """What is asked of one or two matrices, as decimals and exactly."""
 
-    rank: Annotated[Count, "How many rows are independent."]
+    rank: Annotated[Count, "Number of independent rows."]
     determinant: Annotated[Ratio | None, "Determinant of a square matrix [-]."]
-    determinant_exact: Annotated[Text | None, "The same as a ratio of whole numbers."]
-    inverse: Annotated[MatrixOfNumbers | None, "Inverse of a regular matrix."]
-    inverse_exact: Annotated[Text | None, "The same in ratios, rows separated by semicolons."]
+    determinant_exact: Annotated[Text | None, "The determinant as a ratio of whole numbers."]
+    inverse: Annotated[MatrixOfNumbers | None, "Inverse, if the matrix is not singular."]
+    inverse_exact: Annotated[Text | None, "The inverse in ratios, rows separated by semicolons."]
     condition: Annotated[Ratio | None, "Condition number: norm of the matrix times that of its inverse (row sums) [-]."]
     transpose: Annotated[MatrixOfNumbers, "Rows and columns exchanged."]
     sum: Annotated[MatrixOfNumbers | None, "The sum with the matrix to add."]
-    sum_exact: Annotated[Text | None, "The same in ratios."]
-    product: Annotated[MatrixOfNumbers | None, "The product with the matrix to multiply by, on its right."]
-    product_exact: Annotated[Text | None, "The same in ratios."]
+    sum_exact: Annotated[Text | None, "The solution in ratios."]
+    product: Annotated[MatrixOfNumbers | None, "The product, with the second matrix on the right."]
+    product_exact: Annotated[Text | None, "The solution in ratios."]
     solution: Annotated[MatrixOfNumbers | None, "x of A·x = b, one row for each unknown."]
-    solution_exact: Annotated[Text | None, "The same in ratios."]
+    solution_exact: Annotated[Text | None, "The solution in ratios."]
     advice: tuple[Advice, ...] = ()
 
 
@@ -102,7 +102,7 @@ def _advice(square: bool, rank: int, size: int, condition: "float | None") -> "t
     if condition is not None and condition > ILL_CONDITIONED:
         message = f"a relative error in the matrix or the right-hand side may grow {condition:.2g} times"
         return (
-            Advice("condition", message, remedy="the answer is exact for the numbers typed: type all known digits"),
+            Advice("condition", message, remedy="the answer is exact for the numbers as typed: type all known digits"),
         )
     return ()
 
@@ -140,14 +140,14 @@ def _eliminated(left: "Rows", right: "Rows") -> "tuple[Pair, Rows, int]":
 
 def _added(one: "Rows", other: "Rows") -> "Rows":
     fits = len(one) == len(other) and len(one[0]) == len(other[0])
-    require(fits, "a {first} matrix and a {other} matrix have no sum", **_sizes(one, other), code="sizes",
+    require(fits, "a {first} matrix and a {other} matrix cannot be added", **_sizes(one, other), code="sizes",
             hint="give matrices of one size")  # fmt: skip
     return tuple(tuple(total(pair) for pair in zip(a, b, strict=True)) for a, b in zip(one, other, strict=True))
 
 
 def _multiplied(one: "Rows", other: "Rows") -> "Rows":
-    require(len(one[0]) == len(other), "a {first} matrix times a {other} matrix has no product", **_sizes(one, other),
-            code="sizes", hint="the first has as many columns as the second has rows")  # fmt: skip
+    require(len(one[0]) == len(other), "a {first} matrix cannot multiply a {other} matrix", **_sizes(one, other),
+            code="sizes", hint="the first must have as many columns as the second has rows")  # fmt: skip
     columns = tuple(zip(*other, strict=True))
     return tuple(
         tuple(total(product(a, b) for a, b in zip(row, column, strict=True)) for column in columns) for row in one
@@ -165,7 +165,7 @@ def _solution(a: "Rows", b: "Rows") -> "Rows":
             hint="give as many numbers as the matrix has rows")  # fmt: skip
     _, reduced, rank = _eliminated(a, b)
     consistent = not any(cell[0] for row in reduced[rank:] for cell in row)
-    require(consistent, "the equations contradict one another: {rank} of {count} are independent",
+    require(consistent, "the equations contradict each other: {rank} of {count} are independent",
             rank=str(rank), count=str(len(a)), code="inconsistent", hint="check the numbers")  # fmt: skip
     require(rank == len(a[0]), "the equations leave {free} of {count} unknowns free",
             free=str(len(a[0]) - rank), count=str(len(a[0])), code="undetermined",

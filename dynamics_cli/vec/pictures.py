@@ -23,13 +23,13 @@ FORWARD = (-0.5 * math.cos(0.6), -0.5 * math.sin(0.6))
 ARC = 41
 
 
-def resultant(made: "Any", *_: "Any", **__: "Any") -> Picture:
+def resultant(result: "Any", *_: "Any", **__: "Any") -> Picture:
     """The vectors head to tail with their sum; in space, from above and from the front."""
-    values = [row.vector.value for row in made.parts]
-    kind = kinds.scalar(made.resultant.kind)
-    names = [_size(row.magnitude.value, row.angle, kind) for row in made.parts]
-    total = made.resultant.value
-    sum_name = worded("R = {size}", size=(made.magnitude.value, kind))
+    values = [row.vector.value for row in result.parts]
+    kind = kinds.scalar(result.resultant.kind)
+    names = [_size(row.magnitude.value, row.angle, kind) for row in result.parts]
+    total = result.resultant.value
+    sum_name = worded("R = {size}", size=(result.magnitude.value, kind))
     if len(total) == 2:
         panel = _chain(values, names, total, sum_name, kind, ("x", "y"))
         return Picture((panel,), "vectors head to tail and their resultant")
@@ -122,9 +122,9 @@ def _distance(point: "Pair", tail: "Pair", way: "Pair") -> float:
     return math.hypot(point[0] - tail[0] - along * way[0], point[1] - tail[1] - along * way[1])
 
 
-def angle(made: "Any", *_: "Any", **__: "Any") -> Picture:
+def angle(result: "Any", *_: "Any", **__: "Any") -> Picture:
     """The two directions from one point with the angle between, in the plane that they span."""
-    turn = abs(made.angle)
+    turn = abs(result.angle)
     arrows = [((0.0, 0.0), (1.0, 0.0), "first", 0), ((0.0, 0.0), (math.cos(turn), math.sin(turn)), "second", 1)]
     steps = [turn * i / (ARC - 1) for i in range(ARC)]
     arc = Curve([0.3 * math.cos(t) for t in steps], [0.3 * math.sin(t) for t in steps], "", "thin", SUM)
@@ -133,20 +133,20 @@ def angle(made: "Any", *_: "Any", **__: "Any") -> Picture:
     panel = _panel(arrows, kinds.NUMBER, ("", ""), "", (arc, label))
     bare = Panel(panel.x, panel.y, panel.items, equal=True, bare=True)
     return Picture(
-        (bare,), "the angle between two vectors, in their plane", subtitle="directions alone: both of length one"
+        (bare,), "the angle between two vectors, in their plane", subtitle="directions only: both of unit length"
     )
 
 
-def resolve(made: "Any", vector: "Any", **_: "Any") -> Picture:
+def resolve(result: "Any", vector: "Any", **_: "Any") -> Picture:
     """A vector and its parts."""
     value = getattr(vector, "value", vector)
     kind = kinds.scalar(getattr(vector, "kind", kinds.NUMBER))
-    if made.components is not None:
-        parts = [(row.part.value, worded("{size}", size=(row.component.value, kind))) for row in made.components]
+    if result.components is not None:
+        parts = [(row.part.value, worded("{size}", size=(row.component.value, kind))) for row in result.components]
     else:
-        one, other = (made.part_along, made.part_across) if made.component is not None else (
-            made.part_out_of_plane, made.part_in_plane)  # fmt: skip
-        names = ("along", "across") if made.component is not None else ("along the normal", "in the plane")
+        one, other = (result.part_along, result.part_across) if result.component is not None else (
+            result.part_out_of_plane, result.part_in_plane)  # fmt: skip
+        names = ("along", "across") if result.component is not None else ("along the normal", "in the plane")
         parts = [
             (part.value, worded("{size} " + name, size=(math.hypot(*part.value), kind)))
             for part, name in zip((one, other), names, strict=True)
@@ -172,11 +172,11 @@ def resolve(made: "Any", vector: "Any", **_: "Any") -> Picture:
     return Picture(tuple(panels), "a vector and its parts", columns=2)
 
 
-def polygon(made: "Any", *known: "Any", sum_: "Any" = None, **_: "Any") -> Picture:
+def polygon(result: "Any", *known: "Any", sum_: "Any" = None, **_: "Any") -> Picture:
     """Every solution: the known vectors, then the two that were looked for, and what all add up to."""
-    kind = kinds.scalar(made.missing.kind)
+    kind = kinds.scalar(result.missing.kind)
     panels = []
-    for nth, one in enumerate(made.solutions, 1):
+    for nth, one in enumerate(result.solutions, 1):
         values = [getattr(each, "value", each) for each in known]
         names = [_size(math.hypot(*value), math.atan2(value[1], value[0]), kind) for value in values]
         values += [one.first.value, one.second.value]
@@ -184,7 +184,7 @@ def polygon(made: "Any", *known: "Any", sum_: "Any" = None, **_: "Any") -> Pictu
         names += [_size(one.second_magnitude.value, one.second_angle, kind)]
         total = getattr(sum_, "value", sum_) or (0.0, 0.0)
         sum_name = worded("sum {size}", size=(math.hypot(*total), kind))
-        title = f"solution {nth}" if len(made.solutions) > 1 else ""
+        title = f"solution {nth}" if len(result.solutions) > 1 else ""
         panels.append(_chain(values, names, total, sum_name, kind, ("x", "y"), title))
     return Picture(tuple(panels), "vector polygon", columns=len(panels))
 
@@ -228,31 +228,31 @@ def _unit(v: "Sequence[float]") -> "tuple[float, ...]":
     return tuple(part / size for part in v)
 
 
-def direction(made: "Any", *_: "Any", **__: "Any") -> Picture:
+def direction(result: "Any", *_: "Any", **__: "Any") -> Picture:
     """The direction in the axes, over its shadow on the X-Y plane."""
-    v = _unit(_spatial(made.vector.value))
-    name = worded("{size}", size=(made.magnitude.value, kinds.scalar(made.magnitude.kind)))
+    v = _unit(_spatial(result.vector.value))
+    name = worded("{size}", size=(result.magnitude.value, kinds.scalar(result.magnitude.kind)))
     shadow = [(0.0, 0.0, 0.0), (v[0], v[1], 0.0), v]
     steps = [(v[0], 0.0, 0.0), (v[0], v[1], 0.0), (0.0, v[1], 0.0)]
     lines_ = [_line(points, "thin", SUM) for points in (shadow, steps)]
-    return _scene([*_axes(1.0), *lines_, *_arrow(v, name, 0)], "a direction in space", "seen obliquely; length one")
+    return _scene([*_axes(1.0), *lines_, *_arrow(v, name, 0)], "a direction in space", "seen obliquely; unit length")
 
 
-def product(made: "Any", first: "Any", second: "Any", third: "Any" = None, /) -> Picture:
+def product(result: "Any", first: "Any", second: "Any", third: "Any" = None, /) -> Picture:
     """The factors and their vector product, as directions."""
     items = _axes(1.0)
     given = [("a", first), ("b", second), *([("c", third)] if third is not None else [])]
     for role, (name, vector) in enumerate(given):
         items += _arrow(_unit(_spatial(getattr(vector, "value", vector))), name, role)
-    if any(made.vector_product.value):
-        items += _arrow(_unit(made.vector_product.value), "a×b", 3)
-    return _scene(items, "the vectors and their vector product", "seen obliquely; directions alone, of length one")
+    if any(result.vector_product.value):
+        items += _arrow(_unit(result.vector_product.value), "a×b", 3)
+    return _scene(items, "the vectors and their vector product", "seen obliquely; directions only, of unit length")
 
 
-def lines(made: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
+def lines(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
     """Points, lines and planes with their shortest connection, obliquely."""
     known = [_spatial(getattr(one.point, "value", one.point)) for one in (first, second)]
-    ends = [one.value for one in (made.first_foot, made.second_foot, made.intersection) if one is not None]
+    ends = [one.value for one in (result.first_foot, result.second_foot, result.intersection) if one is not None]
     middle = [sum(point[i] for point in (*known, *ends)) / len((*known, *ends)) for i in range(3)]
     reach = max([math.dist(point, middle) for point in (*known, *ends)]) or 1.0
     items: list[Any] = []
@@ -267,18 +267,18 @@ def lines(made: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
         if one.normal is not None:
             items.append(_patch(point, u, reach, role))
         else:
-            feet = (made.first_foot, made.second_foot)[role] or made.intersection
+            feet = (result.first_foot, result.second_foot)[role] or result.intersection
             far = max(1.3 * reach, math.dist(feet.value, point) + 0.3 * reach) if feet is not None else 1.3 * reach
             points = [[p + t * far * q for p, q in zip(point, u, strict=True)] for t in (-1.0, 1.0)]
             items.append(_line(points, "solid", role))
-    if made.first_foot is not None and made.distance.value > 0.0:
-        (x0, y0), (x1, y1) = _seen(made.first_foot.value), _seen(made.second_foot.value)
+    if result.first_foot is not None and result.distance.value > 0.0:
+        (x0, y0), (x1, y1) = _seen(result.first_foot.value), _seen(result.second_foot.value)
         items.append(Curve([x0, x1], [y0, y1], "", "thick", SUM))
-        name = worded("{size}", size=(made.distance.value, kinds.scalar(made.distance.kind)))
+        name = worded("{size}", size=(result.distance.value, kinds.scalar(result.distance.kind)))
         items.append(Mark(0.5 * (x0 + x1), 0.5 * (y0 + y1), name, (6.0, -4.0), dot=False, role=SUM))
-    if made.intersection is not None:
-        items.append(Mark(*_seen(made.intersection.value), "they meet", (6.0, -8.0), role=SUM))
-    return _scene(items, f"how they lie: {made.relation}", "seen obliquely; black: the shortest connection")
+    if result.intersection is not None:
+        items.append(Mark(*_seen(result.intersection.value), "they meet", (6.0, -8.0), role=SUM))
+    return _scene(items, f"relative position: {result.relation}", "seen obliquely; black: the shortest connection")
 
 
 def _way(one: "Any", point: "Sequence[float]") -> "tuple[float, ...] | None":
@@ -300,10 +300,10 @@ def _patch(point: "Sequence[float]", n: "Sequence[float]", reach: float, role: i
     return _line(points, "filled", role)
 
 
-def frame(made: "Any", *_: "Any", x: "Any" = None, y: "Any" = None, z: "Any" = None, **__: "Any") -> Picture:
+def frame(result: "Any", *_: "Any", x: "Any" = None, y: "Any" = None, z: "Any" = None, **__: "Any") -> Picture:
     """The triad in the old axes, seen obliquely, with the directions given as dashed lines."""
     items = _axes(1.0)
-    for role, (name, axis) in enumerate((("x", made.x_axis), ("y", made.y_axis), ("z", made.z_axis))):
+    for role, (name, axis) in enumerate((("x", result.x_axis), ("y", result.y_axis), ("z", result.z_axis))):
         items += _arrow(axis.value, name, role)
     for role, given in enumerate((x, y, z)):
         if given is not None:

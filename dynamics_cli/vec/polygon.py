@@ -26,10 +26,10 @@ class Solution:
     """One way to close the polygon."""
 
     first: Annotated[FreeVector, "The first unknown vector."]
-    first_magnitude: Annotated[FreeNumber, "Its magnitude; below zero when it is against the direction given."]
+    first_magnitude: Annotated[FreeNumber, "Its magnitude; negative when it is opposite to the given direction."]
     first_angle: Annotated[Angle, "Its angle from x, counter-clockwise [rad]."]
     second: Annotated[FreeVector, "The second unknown vector."]
-    second_magnitude: Annotated[FreeNumber, "Its magnitude; below zero when it is against the direction given."]
+    second_magnitude: Annotated[FreeNumber, "Its magnitude; negative when it is opposite to the given direction."]
     second_angle: Annotated[Angle, "Its angle from x, counter-clockwise [rad]."]
 
 
@@ -38,14 +38,14 @@ class Polygon:
     """A planar sum of vectors, two of them in part unknown."""
 
     solutions: Annotated[tuple[Solution, ...], "Every way to close the polygon."]
-    missing: Annotated[FreeVector, "What the two unknown vectors add up to."]
+    missing: Annotated[FreeVector, "Sum of the two unknown vectors."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
 def polygon(
     *known: Annotated[FreeVector, "Known vectors of the sum, planar and of one kind."],
-    sum_: Annotated[FreeVector | None, "What all vectors add up to; zero, a closed polygon, if not given."] = None,
+    sum_: Annotated[FreeVector | None, "Sum of all vectors; zero (a closed polygon) if left out."] = None,
     magnitudes: Annotated[
         FreeVector | None, "Magnitudes of one or two vectors of unknown direction, e.g. 5, 4 kN."
     ] = None,
@@ -88,13 +88,13 @@ def polygon(
     )
     kind, total = _missing(known, sum_)
     for size in sizes:
-        require(size >= 0.0, "a magnitude is below zero", code="negative", hint="turn the vector round")
+        require(size >= 0.0, "a magnitude is below zero", code="negative", hint="reverse the vector")
     if sizes:
         sized = getattr(magnitudes, "kind", kinds.NUMBER)
         kind = sized if kind is None else kind
         require(
             sized.unit == kind.unit,
-            "vectors of unlike kinds have no sum: a {first} and a {other}",
+            "vectors of different kinds cannot be added: a {first} and a {other}",
             first=kind.name,
             other=sized.name,
             code="mixed-kinds",
@@ -109,7 +109,9 @@ def polygon(
         pairs = _two_magnitudes(total, directions[0], directions[1])
     solutions = tuple(_solution(p, q, kind, sizes, directions) for p, q in pairs)
     against = any(plain(s.value) < 0.0 for one in solutions for s in (one.first_magnitude, one.second_magnitude))
-    advice = (Advice("against", "a magnitude below zero is of a vector against the direction given", severity="note"),)
+    advice = (
+        Advice("against", "a negative magnitude means a vector opposite to the given direction", severity="note"),
+    )
     return Polygon(
         solutions=solutions,
         missing=kinds.vector((*total, 0.0), kind, planar=True),
@@ -122,9 +124,9 @@ def _missing(known: "tuple[Any, ...]", sum_: "Any") -> "tuple[Any, Pair]":
     those = [*kinds.vectors(known), *([kinds.Vector(sum_, "the sum")] if sum_ is not None else [])]
     for one in those:
         require(
-            one.planar, "a polygon is of planar vectors", code="planar", hint="give two components, or 5 N @ 30 deg"
+            one.planar, "a polygon needs planar vectors", code="planar", hint="give two components, or 5 N @ 30 deg"
         )
-    kinds.require_same_kind(those, "vectors of unlike kinds have no sum")
+    kinds.require_same_kind(those, "vectors of different kinds cannot be added")
     terms = [(-1.0, one) for one in those[: len(known)]] + [(1.0, one) for one in those[len(known) :]]
     x, y = (sum_of_products((0.0,), *((sign, one.parts[axis]) for sign, one in terms)) for axis in range(2))
     return (those[0].kind if those else None), (x, y)
@@ -140,7 +142,7 @@ def _two_directions(total: "Pair", a: float, b: float, kind: "Any") -> "list[tup
     size = norm((x, y, 0.0))
     require(
         plain(size) > 0.0,
-        "the two vectors add up to zero: they are opposite, in any direction, or unequal and cannot close",
+        "the two vectors must add up to zero: they are opposite in any direction, or unequal and cannot close",
         code="undetermined",
         hint="give one of them a direction",
     )
@@ -156,7 +158,7 @@ def _two_directions(total: "Pair", a: float, b: float, kind: "Any") -> "list[tup
         total=(size, kind),
         gap=(plain(size) - longest, kind),
         code="gap",
-        hint="lengthen one of them by {gap}, or shorten what they add up to",
+        hint="lengthen one of them by {gap}, or shorten their sum",
     )
     require(
         near >= 0.0,
@@ -166,7 +168,7 @@ def _two_directions(total: "Pair", a: float, b: float, kind: "Any") -> "list[tup
         total=(size, kind),
         gap=(shortest - plain(size), kind),
         code="gap",
-        hint="bring them nearer to one another by {gap}",
+        hint="bring them nearer to each other by {gap}",
     )
     square = sum_of_products((x, x), (y, y))
     u = sum_of_products((x, x), (y, y), (a, a), (-1.0, b, b)) / (2.0 * square)
@@ -208,7 +210,7 @@ def _two_magnitudes(total: "Pair", one: float, other: float) -> "list[tuple[Pair
     sine, _ = _sine_of(one, other)
     require(
         abs(plain(sine)) > PARALLEL,
-        "the two directions are parallel: what the vectors add up to does not part between them",
+        "the two directions are parallel: the sum cannot be divided between them",
         code="parallel",
         hint="give two directions that are not parallel",
     )

@@ -21,11 +21,11 @@ class Products:
     scalar_product: Annotated[FreeNumber, "a·b."]
     vector_product: Annotated[FreeVector, "a×b."]
     parallelogram: Annotated[FreeNumber, "|a×b|, the area of the parallelogram of a and b."]
-    triangle: Annotated[FreeNumber, "Half of it, the area of their triangle."]
+    triangle: Annotated[FreeNumber, "Half of |a×b|, the area of the triangle."]
     relation: Annotated[Text, "Whether a and b are parallel, opposite, perpendicular or oblique."]
     triple_product: Annotated[FreeNumber | None, "a·(b×c)."]
-    box: Annotated[FreeNumber | None, "Its size: the volume of the box with the edges a, b and c."]
-    tetrahedron: Annotated[FreeNumber | None, "A sixth of it: the volume of their tetrahedron."]
+    box: Annotated[FreeNumber | None, "Its magnitude: the volume of the parallelepiped with the edges a, b and c."]
+    tetrahedron: Annotated[FreeNumber | None, "A sixth of it: the volume of the tetrahedron."]
     coplanar: Annotated[Text | None, "Whether the three lie in one plane, and how that is known."]
     first_with_product: Annotated[FreeVector | None, "a×(b×c)."]
     product_with_third: Annotated[FreeVector | None, "(a×b)×c."]
@@ -119,7 +119,7 @@ def coplanar(value: float, sizes: float) -> str:
         return "coplanar, exactly as typed"
     share = abs(value) / sizes
     if share <= ROUNDING:
-        return str(worded("coplanar within rounding ({share:2} of the box of their lengths)", share=(share, Ratio)))
+        return str(worded("coplanar within rounding ({share:2} of the product of their lengths)", share=(share, Ratio)))
     return "not coplanar" if value > 0.0 else "not coplanar, left-handed"
 
 
@@ -130,7 +130,7 @@ def require_spanning(those: "tuple[kinds.Vector, ...]", value: float) -> None:
         sizes *= plain(norm(vector.parts))
     require(
         abs(value) > ROUNDING * sizes,
-        "the three directions of the basis lie in one plane ({share:2} of the box of their lengths)",
+        "the three directions of the basis lie in one plane ({share:2} of the product of their lengths)",
         share=(abs(value) / sizes if sizes else 0.0, Ratio),
         code="coplanar-basis",
         hint="give three directions that do not lie in one plane",

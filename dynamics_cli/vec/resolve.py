@@ -48,8 +48,8 @@ class Oblique:
     """What a vector has along one direction of a basis."""
 
     direction: Annotated[FreeVector, "The direction as given."]
-    coefficient: Annotated[FreeNumber, "How many times the direction as given."]
-    component: Annotated[FreeNumber, "The length of that part of the vector, with its sign."]
+    coefficient: Annotated[FreeNumber, "Multiple of the direction as given."]
+    component: Annotated[FreeNumber, "Signed length of that part of the vector."]
     part: Annotated[FreeVector, "That part of the vector."]
     reciprocal: Annotated[FreeVector, "The vector of the reciprocal basis."]
 
@@ -59,7 +59,7 @@ class Resolved:
     """A vector in its parts."""
 
     component: Annotated[FreeNumber | None, "The component along the direction, with its sign."]
-    across: Annotated[FreeNumber | None, "The magnitude of what is across it."]
+    across: Annotated[FreeNumber | None, "Magnitude of the part across it."]
     angle: Annotated[Angle | None, "The angle between the vector and the direction, or the plane [rad]."]
     part_along: Annotated[FreeVector | None, "The part along the direction."]
     part_across: Annotated[FreeVector | None, "The part across it."]
@@ -175,7 +175,7 @@ def _reciprocal_plane(one: kinds.Vector, basis: "list[kinds.Vector]") -> "list[t
     b, c = basis
     require(
         one.planar and b.planar and c.planar,
-        "two directions are a basis of a plane, and not all vectors here are planar",
+        "two directions form a basis of a plane, and not all vectors here are planar",
         code="basis",
         hint="give vectors of two components, or a third direction",
     )

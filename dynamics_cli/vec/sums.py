@@ -40,7 +40,7 @@ class Resultant:
     angle_y: Annotated[Angle | None, "Its angle with the y-axis [rad]."]
     angle_z: Annotated[Angle | None, "Its angle with the z-axis [rad]."]
     direction: Annotated[FreeVector | None, "Its direction cosines."]
-    equilibrant: Annotated[FreeVector, "What balances it."]
+    equilibrant: Annotated[FreeVector, "The vector that balances it."]
     cancellation: Annotated[Ratio | None, "Sum of the magnitudes over the magnitude of the sum [-]."]
     parts: Annotated[tuple[Added, ...], "The vectors added."]
     checks: tuple[Check, ...] = ()
@@ -51,7 +51,7 @@ class Resultant:
 class DirectionOf:
     """Magnitude and direction of a vector."""
 
-    vector: Annotated[FreeVector, "The vector, or from the first point to the second."]
+    vector: Annotated[FreeVector, "The vector, or the one from the first point to the second."]
     magnitude: Annotated[FreeNumber, "Its magnitude."]
     angle: Annotated[Angle | None, "Its angle from x, counter-clockwise, where it is planar [rad]."]
     angle_x: Annotated[Angle, "Its angle with the x-axis [rad]."]
@@ -63,7 +63,7 @@ class DirectionOf:
 
 def resultant(
     *vectors: Annotated[FreeVector, 'Vectors of one kind, such as "20 N @ 30 deg" "3, 4 N".'],
-    between: Annotated[Angle | None, "The angle between two vectors of which only magnitudes are given, e.g. 60 deg."]
+    between: Annotated[Angle | None, "The angle between two vectors given by magnitude only, e.g. 60 deg."]
     = None,
 ) -> Resultant:  # fmt: skip
     """Sum of vectors of one kind, planar or in space, and what it cancels.
@@ -153,12 +153,12 @@ def _of_magnitudes(given: "tuple[Any, ...]", between: float) -> Resultant:
     fits = len(alone) == 2 and not any(isinstance(one, tuple) for one in alone)
     require(
         fits,
-        "an angle between is of two magnitudes",
+        "--between needs two magnitudes",
         code="magnitudes",
         hint='for example "15 N" "12 N" --between "60 deg"',
     )
     a, b = map(as_typed, alone)
-    require(plain(a) >= 0.0 and plain(b) >= 0.0, "a magnitude is below zero", code="negative", hint="turn it round")
+    require(plain(a) >= 0.0 and plain(b) >= 0.0, "a magnitude is below zero", code="negative", hint="reverse it")
     kind = getattr(given[0], "kind", kinds.NUMBER)
     other = getattr(given[1], "kind", kinds.NUMBER)
     require(
@@ -217,7 +217,7 @@ def direction(
     planar = first.planar
     if point is not None:
         second = kinds.Vector(point, "the second point")
-        kinds.require_same_kind((first, second), "a line of sight is between points of one kind")
+        kinds.require_same_kind((first, second), "a line of sight needs two points of one kind")
         parts = difference(second.parts, first.parts)
         planar = planar and second.planar
     size = norm(parts)

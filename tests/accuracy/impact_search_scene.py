@@ -67,7 +67,7 @@ def solid(tree: Tree) -> Solid:
 
 
 def keeps_its_line(tree: Tree) -> bool:
-    """Whether the slip keeps its line: particles, or bodies that stay in the plane of x and y."""
+    """Whether the slip stays on one line: particles, or bodies that stay in the plane of x and y."""
     if tree["contact"]["friction"] == 0.0 or all("turning" not in tree[name] for name in ("first", "second")):
         return True
     if tree["contact"]["normal"][2]:

@@ -55,6 +55,8 @@ COARSE = {
     # points a ten-thousandth of a module apart, beside distances that may be as small
     "distances between points": (0.01, 1.0),
     "50 strips": (1e-15, 1e-4),
+    # a spring that swings through a whole period in its hundred steps
+    "Runge–Kutta, 100 steps": (1e-8, 1e-4),
     "mean depth squared": (1e-15, 0.2),
     "1e-10": (1e-11, 1e-7),
     # it thinks of no slip that turns, so that only some bodies come out right

@@ -15,7 +15,6 @@ LONG_FILES = {
 LONG_FUNCTIONS = {
     "cam/forces/check.py:check",
     "cam/geometry/profile.py:profile",
-    "gear/crossing/worm.py:worm",
     "gear/pair/pair.py:_result",
     "gear/single/cylindrical.py:describe",
     "impact/planar/path.py:travel",

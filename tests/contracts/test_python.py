@@ -76,7 +76,7 @@ def test_partitions_on_a_cluster_give_the_same_numbers(form: str, tmp_path: Path
     "option", [{"output": "a.json"}, {"rows": "-"}, {"format": "json"}, {"json": True}, {"digits": 3}, {"plot": "-"}]
 )
 def test_options_that_a_function_cannot_honour_are_refused(option: dict[str, object]) -> None:
-    with pytest.raises(UsageError, match="option of the command only"):
+    with pytest.raises(UsageError, match="option of the command line only"):
         dynamics_cli.run("skid speed", distance="60 ft", friction=0.7, **option)
 
 

@@ -26,6 +26,10 @@ RUNNABLE = [page for page in PAGES if sessions(page.read_text())]
 PICTURED = [page for page in PAGES if pictures(page.read_text())]
 LINK = re.compile(r"\]\((?!https?:|#)([^)#]+)")
 
+# Drawn by refresh_report_pages.py.
+REPORT_PAGES = ("report_crash.png", "report_gear_pair.png", "report_cam.png")
+MOST_BYTES = 150_000
+
 
 def name(page: Path) -> str:
     return str(page.relative_to(ROOT))
@@ -100,5 +104,12 @@ def test_the_readme_leads_with_its_two_commands() -> None:
 
 
 def test_every_image_is_drawn_by_a_page() -> None:
-    kept = {file for page in PAGES for _, file in pictures(page.read_text())} | {"accuracy.svg"}
+    kept = {file for page in PAGES for _, file in pictures(page.read_text())} | {"accuracy.svg", *REPORT_PAGES}
     assert {path.name for path in IMAGES.iterdir()} == kept
+
+
+def test_pages_of_reports_are_small_and_shown() -> None:
+    shown = "".join(page.read_text() for page in PAGES)
+    for page in REPORT_PAGES:
+        assert f"](images/{page})" in shown
+        assert (IMAGES / page).stat().st_size < MOST_BYTES

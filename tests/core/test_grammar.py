@@ -237,20 +237,20 @@ REFUSED = [
     ("1e17", q.Count, "bounds", "at most 9007199254740992"),
     ("100000000000000000000", q.Teeth, "bounds", "at most 9007199254740992"),
     ("5 ft 6", q.Length, "missing-unit", "a number has no unit"),
-    ("6 ft 2 kg", q.Length, "kind", "cannot be parts of one value"),
+    ("6 ft 2 kg", q.Length, "kind", "cannot both be parts of one value"),
     ("5.5 ft 6 in", q.Length, "syntax", "the number of ft is not whole"),
     ("5 ft 14 in", q.Length, "syntax", "that many in are more than one ft"),
     ("5 ft 12 in", q.Length, "syntax", "that many in are more than one ft"),
     ("6 in 5 ft", q.Length, "syntax", "ft is not smaller than in"),
     ("5 ft 6 ft", q.Length, "syntax", "ft is not smaller than ft"),
     ("5 ft -6 in", q.Length, "syntax", "a sign inside"),
-    ("20 degC 5 K", q.Temperature, "syntax", "a temperature has no parts"),
+    ("20 degC 5 K", q.Temperature, "syntax", "a temperature cannot have several parts"),
     ("1 m 1 m 1 m 1 m 1 m 1 m 1 m", q.Length, "number", "not a decimal number"),
     ("5' 6\"", q.Angle, "kind", "in is a length, rad is an angle"),
-    ("8 3/2 in", q.Length, "number", "3/2 is not less than one"),
+    ("8 3/2 in", q.Length, "number", "3/2 is not less than 1"),
     ("8 1/0 in", q.Length, "number", "divides by zero"),
     ("1/2/3 in", q.Length, "unit-syntax", "cannot read"),
-    ("5 ft + 6 kg", q.Length, "kind", "cannot be parts of one value"),
+    ("5 ft + 6 kg", q.Length, "kind", "cannot both be parts of one value"),
     ("2:30", q.Time, "ambiguous", "may be hours and minutes or minutes and seconds"),
     ("2:70:00", q.Time, "syntax", "are more than one h"),
     ("12,34 m", q.Length, "number", "not a decimal number"),
@@ -308,7 +308,7 @@ def test_refusals_say_what_was_read_what_was_wanted_and_how_to_mend_it(
 def test_uncertain_values_are_recognised_and_refused_where_certain_ones_are_wanted(text: str) -> None:
     assert is_uncertain(text)
     for kind in (q.Friction, q.Length, q.Mass, q.Count):
-        with pytest.raises(UsageError, match="a certain one is wanted here") as refusal:
+        with pytest.raises(UsageError, match="a certain value is wanted here") as refusal:
             read_scalar(text, kind)
         assert refusal.value.code == "uncertain"
 

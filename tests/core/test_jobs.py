@@ -114,7 +114,7 @@ def test_a_process_ended_from_outside_is_told() -> None:
             os.kill(os.getpid(), signal.SIGKILL)
         return piece
 
-    with pytest.raises(FaultError, match="ended from outside"):
+    with pytest.raises(FaultError, match="killed from outside"):
         list(spread(work, range(20), 2))
 
 

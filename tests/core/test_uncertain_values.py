@@ -63,14 +63,14 @@ def test_every_form_is_read(kind: Kind, raw: Any, wanted: tuple[str, float, floa
 @pytest.mark.parametrize(
     ("kind", "text", "fragment"),
     [
-        (Friction, "0.72 ± 5 %", "a share of it or a difference"),
+        (Friction, "0.72 ± 5 %", "a share of the value or a difference"),
         (Friction, "0.7 ± -0.1", "negative"),
         (Friction, "-0.1..0.3", "at least 0"),
         (Length, "20..25", "has no unit"),
         (Length, "25..20 m", "above the upper one"),
         (Mass, "1500 ± 50 m", "is a length"),
-        (Friction, "uniform(0.5)", "does not consist of low, high"),
-        (Friction, "beta(2, 3)", "does not consist of alpha, beta, low, high"),
+        (Friction, "uniform(0.5)", "does not have the form low, high"),
+        (Friction, "beta(2, 3)", "does not have the form alpha, beta, low, high"),
         (Friction, "beta(2, 0, 0.6, 0.8)", "shape of 0"),
         (Friction, "beta(2, 3 m, 0.6, 0.8)", "not a decimal"),
         (Friction, "lognormal(0.7", "closing"),

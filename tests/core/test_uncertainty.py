@@ -135,7 +135,7 @@ def test_a_correlation_that_cannot_be_is_named() -> None:
     rho = {("a", "b"): 0.9, ("b", "c"): 0.9, ("a", "c"): -0.9}
     with pytest.raises(UsageError, match="contradicts the others") as caught:
         only(lambda x: x["a"] + x["b"] + x["c"], inputs, rho)
-    assert "can be from" in str(caught.value.hint)
+    assert "can range from" in str(caught.value.hint)
     with pytest.raises(UsageError, match="is not an uncertain input"):
         only(lambda x: x["a"] + x["b"] + x["c"], inputs, {("a", "x"): 0.5})
 

@@ -151,7 +151,7 @@ def test_the_limits_of_a_pin() -> None:
     words = [serves(size) for size in sizes]
     good = [index for index, text in enumerate(words) if not text]
     assert good == list(range(good[0], good[-1] + 1))
-    assert "does not stand out" in words[good[0] - 1] or "below the form diameter" in words[good[0] - 1]
+    assert "does not protrude" in words[good[0] - 1] or "below the form diameter" in words[good[0] - 1]
     assert "beyond the tip diameter" in words[good[-1] + 1]
     with pytest.raises(InadmissibleError, match="inv α_K would be -"):
         measure(teeth=24, pitch=M3, pin=2 * MM)

@@ -15,9 +15,17 @@ from hypothesis import strategies as st
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.impact.conventions import Axes, ByMass
 from dynamics_cli.impact.inverse.judgement import chance
-from dynamics_cli.impact.inverse.records import Departing, ExitVelocity, InverseResult
-from dynamics_cli.impact.inverse.task import by_momentum, by_spins, least_squares
+from dynamics_cli.impact.inverse.records import (
+    Departing,
+    ExitVelocity,
+    InverseResult,
+    KnownContact,
+    RestAfter,
+    TurningAfter,
+)
+from dynamics_cli.impact.inverse.task import by_momentum, by_rest, by_spins, least_squares
 from dynamics_cli.impact.planar.bodies import ByInertia, Lever
+from dynamics_cli.impact.recorded.pulse import pulse
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
 from dynamics_cli.impact.recorded.task import by_headings, by_restitution, head_on
 from dynamics_cli.numerics.number import plain
@@ -28,6 +36,8 @@ REFERENCE = json.loads((Path(__file__).parent / "evidence.json").read_text(encod
 CLOSE = 1e-12
 # χ² of residuals of a thousandth of what they are differences of.
 SMALL_DIFFERENCE = 1e-9
+# Derivatives by differences of 1e-6.
+FITTED = 1e-9
 DEGREE = math.pi / 180.0
 
 
@@ -70,6 +80,19 @@ def both(exits: str = "agreeing", spread: float = 0.0, headings: bool = True) ->
     return vehicles
 
 
+def rests() -> dict[str, Departing]:
+    vehicles = {}
+    for key, mass, inertia, lever, rest, drag, heading in zip(
+        ("first", "second"), (1500.0, 1200.0), (2500.0, 1800.0), ((1.8, -0.3), (-0.7, 0.9)),
+        ((12.9, 0.8), (5.9, 12.1)), (0.5, 0.45), (0.0, 0.5 * math.pi), strict=True,
+    ):  # fmt: skip
+        vehicles[key] = Departing(
+            ByMass(mass), RestAfter(rest, drag), ByInertia(inertia), Lever(lever), approach_heading=heading,
+            rest_sigma=0.5,
+        )  # fmt: skip
+    return vehicles
+
+
 class TestInverse:
     def test_momentum_alone(self) -> None:
         hold(by_momentum(**both()), "momentum")
@@ -93,6 +116,55 @@ class TestInverse:
         sizes = [abs(one.residual) for one in result.residuals]
         assert sizes == sorted(sizes, reverse=True)
         assert sum(size * size for size in sizes) == pytest.approx(result.chi_squared)
+
+    def test_rest_positions(self) -> None:
+        """The page's case, whose generator drives the impact forward by a linear system and differentiates it."""
+        result = by_rest(**rests(), normal=20.0 * DEGREE, contact=KnownContact(0.1, -0.45))
+        hold(result, "rest positions", FITTED)
+        assert result.degrees_of_freedom == 2
+        assert {one.code for one in result.advice} == {"turned-far"}
+        assert result.least_certain == "the first faster and the second slower by 0.37 of it"
+
+    def test_what_is_uncertain_of_contact_and_drag_is_a_measurement(self) -> None:
+        vehicles = {key: Departing(**{**one.__dict__, "drag_sigma": 0.05}) for key, one in rests().items()}
+        known = KnownContact(0.1, -0.45, 0.05, 0.1)
+        exact = by_rest(**rests(), normal=20.0 * DEGREE, contact=KnownContact(0.1, -0.45))
+        result = by_rest(**vehicles, normal=20.0 * DEGREE, contact=known)
+        assert result.degrees_of_freedom == 2
+        assert len(result.residuals) == 8
+        for one, other in zip((result.first, result.second), (exact.first, exact.second), strict=True):
+            assert one.speed_sigma > 1.3 * other.speed_sigma  # type: ignore[operator]
+
+    def test_rest_positions_through_slides_that_turn(self) -> None:
+        """Two cars driven through an impact and their slides are given back their speeds."""
+        from dynamics_cli.impact.slide.records import Separation
+        from dynamics_cli.impact.slide.task import slide
+
+        wheels = {"front_axle": 1.2, "rear_axle": 1.4, "track": 1.5, "braking": 0.05, "left_front": 1.0}
+        exact = by_rest(**rests(), normal=20.0 * DEGREE, contact=KnownContact(0.1, -0.45))
+        vehicles = {}
+        for key, given_ in rests().items():
+            after = getattr(exact, key)
+            gyration = (given_.turning.inertia / given_.bulk.mass) ** 0.5  # type: ignore[union-attr]
+            heading = given_.approach_heading
+            x, y = after.exit_velocity
+            end = slide(motion=Separation(math.hypot(x, y), math.atan2(y, x), after.exit_spin), friction=0.7,
+                        radius_of_gyration=gyration, nose=heading, **wheels)  # fmt: skip
+            turning = TurningAfter(end.rest_position, end.rest_heading, 0.7, **wheels)
+            vehicles[key] = Departing(**{**given_.__dict__, "motion": turning, "nose": heading})
+        result = by_rest(**vehicles, normal=20.0 * DEGREE, contact=KnownContact(0.1, -0.45))
+        assert result.degrees_of_freedom == 4
+        assert result.first.approach_speed == pytest.approx(exact.first.approach_speed, 1e-4)
+        assert result.second.approach_speed == pytest.approx(exact.second.approach_speed, 1e-4)
+        assert result.chi_squared == pytest.approx(0.0, abs=1e-4)
+
+    def test_rest_positions_that_no_approach_leads_to(self) -> None:
+        vehicles = rests()
+        away = Departing(**{**vehicles["first"].__dict__, "motion": RestAfter((4.0, 9.0), 0.5)})
+        with pytest.raises(InadmissibleError, match=r"is off by \d+ standard deviations"):
+            by_rest(first=away, second=vehicles["second"], normal=20.0 * DEGREE, contact=KnownContact(0.1, -0.45))
+        with pytest.raises(InadmissibleError, match="restitution and ratio of impulses is not given"):
+            by_rest(**vehicles, normal=20.0 * DEGREE)
 
     def test_the_probability_of_one_degree_of_freedom(self) -> None:
         for square, text in REFERENCE["chance"].items():
@@ -384,3 +456,94 @@ def test_the_references_are_those_of_their_generator() -> None:
     from references import generate_impact_evidence_references as generator
 
     assert json.loads(generator.text())["cases"] == REFERENCE
+
+
+class TestPulse:
+    @staticmethod
+    def haversine(count: int) -> dict[str, Any]:
+        """The pulse of the reference: 0.12 s, its yaw rate rising as its integral."""
+        times = [0.12 * index / count for index in range(count + 1)]
+        parts = [t / 0.12 - math.sin(2.0 * math.pi * t / 0.12) / (2.0 * math.pi) for t in times]
+        return {
+            "longitudinal": tuple(-44.6 / 3.6 * part for part in parts),
+            "lateral": tuple(7.2 / 3.6 * part for part in parts),
+            "yaw_rate": tuple(1.9 * part for part in parts),
+            "interval": 0.12 / count,
+        }
+
+    @pytest.mark.parametrize(("count", "close"), [(12, 2e-3), (120, 2e-5)])
+    def test_the_turn_of_the_car_is_taken_out(self, count: int, close: float) -> None:
+        reference = {name: float(text) for name, text in REFERENCE["pulse"].items()}
+        result = pulse(**self.haversine(count))
+        assert result.delta_v_longitudinal == pytest.approx(reference["along"], abs=close * 12.5)
+        assert result.delta_v_lateral == pytest.approx(reference["across"], abs=close * 12.5)
+        assert result.turned == pytest.approx(reference["turn"], abs=close)
+        assert result.direction_shift == pytest.approx(reference["shift"], abs=close)
+        assert result.delta_v == pytest.approx(math.hypot(44.6, 7.2) / 3.6)
+
+    def test_a_pulse_that_had_not_ended(self) -> None:
+        whole = (0.0, -1.0, -4.0, -8.0, -9.0, -9.0, -9.0)
+        assert pulse(longitudinal=whole).final_change == 0.0
+        cut = pulse(longitudinal=whole[:4])
+        assert cut.final_change == 7.0
+        assert cut.advice[0].code == "lower-bound"
+        assert cut.greatest_acceleration == pytest.approx(400.0)
+        assert pulse(longitudinal=whole).duration == pytest.approx(0.04)
+        # a change of exactly the resolution is shown by the record
+        assert pulse(longitudinal=(0.0, -3.0, -3.25), resolution=0.25).duration == pytest.approx(0.02)
+        assert pulse(longitudinal=(0.0, -3.0, -3.25), resolution=0.26).duration == pytest.approx(0.01)
+
+    def test_tyres_and_limits(self) -> None:
+        result = pulse(longitudinal=(0.0, -5.0, -5.0), friction=0.7, interval=0.12)
+        assert result.tyres == pytest.approx(0.7 * 9.80665 * 0.12)
+        assert (result.delta_v_low, result.delta_v_high) == pytest.approx((4.5, 5.5))
+
+    @pytest.mark.parametrize(
+        ("tables", "words"),
+        [
+            ({"longitudinal": (1.0,)}, "1 samples"),
+            ({"longitudinal": (0.0, 0.0)}, "stays zero"),
+            ({"longitudinal": (0.0, 1.0), "yaw_rate": (0.0, 0.1, 0.2)}, "yaw rate has 3 samples"),
+            ({"longitudinal": (0.0, 1.0), "interval": 0.0}, "some time apart"),
+        ],
+    )
+    def test_refusals(self, tables: dict[str, Any], words: str) -> None:
+        with pytest.raises(InadmissibleError, match=words):
+            pulse(**tables)
+
+
+def test_a_degree_of_the_worst_heading() -> None:
+    """Verdicts of each vehicle against differences of the answers themselves."""
+    made = by_momentum(**both())
+    for key, one in (("first", made.first), ("second", made.second)):
+        assert one.worst_heading is not None
+        side, _, which = one.worst_heading.partition(".")
+        ends = []
+        for sign in (0.5, -0.5):
+            vehicles = both()
+            old = vehicles[side]
+            fields = dict(old.__dict__)
+            if which == "approach_heading":
+                fields[which] += sign * DEGREE
+            else:
+                turn = complex(math.cos(sign * DEGREE), math.sin(sign * DEGREE))
+                velocity = complex(*old.motion.exit_velocity) * turn  # type: ignore[union-attr]
+                fields["motion"] = ExitVelocity((velocity.real, velocity.imag))
+            vehicles[side] = Departing(**fields)
+            ends.append(getattr(by_momentum(**vehicles), key).approach_speed)
+        assert one.per_degree == pytest.approx(abs(ends[0] - ends[1]), 1e-3)
+        assert one.heading_tolerance == pytest.approx(0.1 * one.approach_speed / one.per_degree * DEGREE)
+    record: dict[str, Any] = {
+        "first": Recorder(ByMass(1500.0), -8.0, approach_speed=14.0),
+        "second": Partner(ByMass(1200.0), approach_heading=2.9),
+        "least_restitution": 0.0, "greatest_restitution": 0.2, "normal": 0.2,
+    }  # fmt: skip
+    result = by_restitution(**record)
+    assert result.worst_heading == "second.approach_heading"
+    speeds = [
+        by_restitution(
+            **{**record, "second": Partner(ByMass(1200.0), approach_heading=2.9 + sign * DEGREE)}
+        ).second.approach_speed
+        for sign in (0.5, -0.5)
+    ]
+    assert result.per_degree == pytest.approx(abs(speeds[0] - speeds[1]), 1e-3)  # type: ignore[operator]

@@ -49,7 +49,7 @@ class TestChoice:
         assert model(moving, {"fixed": True}, {"friction": 0.1}) == "spatial"
         # without friction the way of the slip does not matter
         assert model(moving, {"fixed": True}, {}) == "planar"
-        # in the plane of lever and normal the slip keeps its line
+        # in the plane of lever and normal the slip stays on one line
         along = {**body, "inertia": "[[0.5, 0, 0], [0, 0.5, 0], [0, 0, 0.5]] kg*m^2", "velocity": "3, 1, 2 m/s"}
         assert model(along, {"fixed": True}, {"friction": 0.1}) == "planar"
 

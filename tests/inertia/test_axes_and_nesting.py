@@ -23,7 +23,7 @@ from dynamics_cli.numerics.orientation.rotations import ByQuaternion
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.records import over_parts
 
-UNKNOWN = "differ by less than is known of them"
+UNKNOWN = "differ by less than the uncertainty"
 QUATERNION = (1.0, 2.0, 3.0, 4.0)
 
 

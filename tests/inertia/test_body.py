@@ -165,7 +165,7 @@ BLOCK = Block(1.0, 1.0, 1.0)
         ((Part(amount=OfMass(1.0), tensor=((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 3.0))),), "exceeds the sum"),
         ((Part(amount=OfMass(1.0), tensor=((1.0, 2.0, 0.0), (2.0, 1.0, 0.0), (0.0, 0.0, 1.0))),), "is negative"),
         ((Part(name="a", amount=OfMass(1.0)), Part(name="a", amount=OfMass(1.0))), "two parts are named 'a'"),
-        ((Part(shape=BLOCK, amount=STEEL, subtract=True),), "nothing is there"),
+        ((Part(shape=BLOCK, amount=STEEL, subtract=True),), "there is no body"),
         ((Part(shape=BLOCK, amount=STEEL), Part(shape=BLOCK, amount=STEEL, subtract=True)), "0 kg remains"),
         (
             (Part(shape=Block(1.0, 1.0, 0.1), amount=STEEL), Part(shape=Rod(3.0), amount=OfMass(300.0), subtract=True)),

@@ -83,11 +83,11 @@ class TestOverlaps:
         """Slivers round an axis are all near one another; twice as many even triangles are not."""
         rim = [(math.cos(t), math.sin(t)) for t in np.linspace(0.0, 2.0 * np.pi, 801)[:-1].tolist()]
         silent = called(tmp_path, prism(rim, 1.0))
-        assert "closure alone" in silent["results"]["surface"]["examined"]
+        assert "only closure" in silent["results"]["surface"]["examined"]
         assert "faults" not in silent["results"]["surface"]
         made = ball(4)
         looked = called(tmp_path, made + moved(made, (0.51, 0.07, 0.03)))
-        assert "were looked for" in looked["results"]["surface"]["examined"]
+        assert "were checked" in looked["results"]["surface"]["examined"]
         assert looked["results"]["surface"]["faults"]["pairs"]["value"] > len(made)
         assert {"crossing", "overlap"} <= set(codes(looked))
         short = prism(rim[::8], 1.0)

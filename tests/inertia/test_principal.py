@@ -82,7 +82,7 @@ def test_an_uncertainty_makes_axes_undetermined() -> None:
     assert principal(second, (0.0005, 0.0005, 0.0)).degeneracy.startswith("none")
     found = principal(second, (0.01, 0.01, 0.0))
     assert found.degeneracy.startswith("axes 1 and 2")
-    assert "less than is known" in found.degeneracy
+    assert "less than the uncertainty" in found.degeneracy
 
 
 def test_what_rounding_made_negative_is_zero() -> None:

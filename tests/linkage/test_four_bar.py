@@ -3,6 +3,7 @@
 import shlex
 import subprocess
 import sys
+from fractions import Fraction
 from math import cos, degrees, hypot, pi, radians, sin
 from pathlib import Path
 
@@ -67,6 +68,8 @@ def test_a_kite_at_its_free_turn_is_refused_and_beside_it_answers() -> None:
         pose((2.0, 3.0, 3.0, 2.0), 0.0)
     made = pose((2.0, 3.0, 3.0, 2.0), 1e-9)
     assert (made.coupler_ratio, made.rocker_ratio) == pytest.approx((1.0 / 6.0, 5.0 / 6.0))  # type: ignore[attr-defined]
+    other = pose((2.0, 3.0, 3.0, 2.0), 1e-9, "crossed")
+    assert (other.coupler_ratio, other.rocker_ratio) == pytest.approx((5.0 / 6.0, 1.0 / 6.0))  # type: ignore[attr-defined]
 
 
 def test_equality_is_of_the_decimals_and_not_of_the_doubles() -> None:
@@ -200,6 +203,19 @@ def test_plain_calls_load_no_numpy() -> None:
     code = LEAN.format(root=str(Path(__file__).parents[2]), calls=plain)
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_ends_of_a_swing_beside_a_change_point() -> None:
+    """In doubles the flat triangle of crank and coupler could not close: its angle came out as 0, known exactly."""
+    lengths = (0.0508, 0.127, 0.1016, 0.07620000000000002)
+    made = classify(crank=lengths[0], coupler=lengths[1], rocker=lengths[2], ground=lengths[3])
+    a, b, c, d = (Fraction(repr(length)) for length in lengths)
+    with mp.workdps(60):
+        near, far = (c - a - b + d) * (c + a + b - d), (a + b + d - c) * (a + b + d + c)
+        exact = 2 * mp.atan2(mp.sqrt(mp.mpf(near.numerator) / near.denominator),
+                             mp.sqrt(mp.mpf(far.numerator) / far.denominator))  # fmt: skip
+    assert made.extended_at == pytest.approx(float(exact), rel=1e-12)
+    assert 1e-8 < made.extended_at < 2e-8  # type: ignore[operator]
 
 
 def test_extremes_of_a_crank_rocker_beside_forty_digits() -> None:

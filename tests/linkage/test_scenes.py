@@ -209,7 +209,7 @@ def test_body_agrees_with_the_solved_coupler() -> None:
     [
         (Scene(LINKS[1:], six_bar().drivers), "ground"),
         (Scene((*LINKS, LINKS[1]), six_bar().drivers), "two links are called"),
-        (Scene((*LINKS[:1], link("crank", O2=(0.0, 0.0), A=(0.0, 0.0))), six_bar().drivers), "length of zero"),
+        (Scene((*LINKS[:1], link("crank", O2=(0.0, 0.0), A=(0.0, 0.0))), six_bar().drivers), "length above zero"),
         (Scene(LINKS, ()), "1 more drivers"),
         (Scene(LINKS, (Driver("crank"), Driver("six"))), "miss by"),
         (Scene(LINKS, (Driver("wheel"),)), "driver of 'wheel'"),
@@ -318,3 +318,10 @@ def test_repeated_conditions_and_relative_drivers_are_followed() -> None:
     drivers = (Driver("two", "one", 0.8, 1.0), Driver("one", angle=0.5))
     made = solve(Scene(elbow, drivers), follow="two", steps=8)
     assert [angle - driver for driver, angle in rows_of(made)] == pytest.approx([degrees(0.5)] * 9, abs=1e-9)
+
+
+def test_peaucellier_draws_a_straight_line() -> None:
+    made = answer("linkage", "solve", "examples/peaucellier.toml", "--follow", "Q", "--steps", "24")["results"]
+    # OP·OQ = 100² − 50², and the crank's circle goes through O: x = 7500/(2·40)
+    assert len(made["motion"]) >= 10
+    assert [row["position"]["value"][0] for row in made["motion"]] == pytest.approx([93.75] * len(made["motion"]))

@@ -61,8 +61,8 @@ def test_three_poses_are_met() -> None:
 @pytest.mark.parametrize(
     ("task", "words"),
     [
-        (AnglePairs((Pair(0.1, 0.2), Pair(0.3, 0.4)), 0.1), "three are wanted"),
-        (AnglePairs((Pair(0.1, 0.2), Pair(0.1, 0.2), Pair(0.3, 0.4)), 0.1), "say the same"),
+        (AnglePairs((Pair(0.1, 0.2), Pair(0.3, 0.4)), 0.1), "three are needed"),
+        (AnglePairs((Pair(0.1, 0.2), Pair(0.1, 0.2), Pair(0.3, 0.4)), 0.1), "are the same"),
         (
             Poses((Pose(0.0, 0.0, 0.0), Pose(0.1, 0.0, 0.0), Pose(0.2, 0.0, 0.0)), (0.0, 0.0), (1.0, 0.0)),
             "lie on a line",
@@ -97,7 +97,7 @@ def test_two_points_of_a_body() -> None:
                 rest=TwoPoints(other.position, other.velocity, other.acceleration))  # fmt: skip
     assert (back.angular_velocity, back.angular_acceleration) == pytest.approx((4.0, -2.0))
     assert back.parting == pytest.approx(0.0, abs=1e-15)
-    with pytest.raises(InadmissibleError, match="part at"):
+    with pytest.raises(InadmissibleError, match="separate at"):
         body(point=(0.0, 0.0), velocity=(1.0, 0.0), rest=TwoPoints((1.0, 0.0), (2.0, 1.0)))
     with pytest.raises(InadmissibleError, match="coincide"):
         body(point=(0.0, 0.0), velocity=(1.0, 0.0), rest=TwoPoints((0.0, 0.0), (1.0, 0.0)))
@@ -119,7 +119,7 @@ def test_the_slider_crank_at_its_dead_centres() -> None:
     assert short.stroke is None
     with pytest.raises(InadmissibleError, match="does not reach the slide"):
         slider_crank(crank=0.05, rod=0.03, crank_angle=1.0)
-    with pytest.raises(InadmissibleError, match="square to the slide"):
+    with pytest.raises(InadmissibleError, match="perpendicular to the slide"):
         slider_crank(crank=0.05, rod=0.05, crank_angle=pi / 2.0, speed=1.0)
     assert moving_slider(None, 0.05, 0.03).count("<animate ") == 7
 

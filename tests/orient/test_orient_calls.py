@@ -48,7 +48,7 @@ REFUSED = [
     ('orient align --pair "before=(1, 0, 0), after=(0, 1, 0)"', 3, "one pair"),
     (
         'orient align --pair "before=(1, 0, 0), after=(0, 1, 0)" --pair "before=(2, 0, 0), after=(0, 1, 0)"', 3,
-        "turns about (1, 0, 0) fit as well",
+        "any turn about (1, 0, 0) fits as well",
     ),
     ('orient screw --rotation-vector "0, 0, 0 rad" --displacement "0, 0, 0 m"', 3, "nothing moves"),
     ('orient rolling --contact "1, 0, 0 m" --normal "0, 0, 0" --first-axis "0, 0, 1"', 3, "normal is the zero vector"),

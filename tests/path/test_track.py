@@ -116,7 +116,7 @@ def test_latitude_and_longitude_are_metres_on_the_ground(tmp_path: Path) -> None
         ("", "empty"),
         ("a,b\n1,2\n", "no columns of a time"),
         ("t,lat\n1,2\n", "no columns of a time"),
-        ("t[s],x[furlong]\n0,1\n", "tracks are not read in"),
+        ("t[s],x[furlong]\n0,1\n", "that tracks cannot have"),
         ("t,x\n0,1\n1,nan\n", "line 3: 'nan' is not a number"),
         ("t,x\n0,1\n1\n", "line 3: '' is not a number"),
         ("t,x\n0,1\n1,2\n1,3\n", "line 4"),

@@ -11,7 +11,28 @@ import json
 import sys
 from pathlib import Path
 
-from mpmath import atan2, conj, erfc, exp, expj, findroot, im, inverse, lu_solve, matrix, mp, mpc, mpf, radians, sqrt
+from mpmath import (
+    arg,
+    atan2,
+    conj,
+    cos,
+    erfc,
+    exp,
+    expj,
+    findroot,
+    im,
+    inverse,
+    lu_solve,
+    matrix,
+    mp,
+    mpc,
+    mpf,
+    pi,
+    quad,
+    radians,
+    sin,
+    sqrt,
+)
 
 mp.dps = 60
 FILE = Path(__file__).resolve().parents[1] / "impact" / "evidence.json"
@@ -194,6 +215,77 @@ def by_restitution(e):
     }
 
 
+def at_rest(x):
+    """Places of rest of both: the impulse of one contact by two linear equations, then straight slides."""
+    n = way(200)
+    t = mpc(0, 1) * n
+    velocities = [x[0] * way(0), x[1] * way(90)]
+    gain = [[mpf(0), mpf(0)], [mpf(0), mpf(0)]]
+    for k, axis in enumerate((n, t)):
+        change = axis / M[0] + axis / M[1]
+        for index in (0, 1):
+            change += mpc(0, 1) * R[index] * cross(R[index], axis) / J[index]
+        gain[0][k], gain[1][k] = dot(change, n), dot(change, t)
+    closing = dot(velocities[0] - velocities[1], n)
+    # along the normal −(1 + e) of the closing; across it the ratio
+    rows = matrix([[gain[0][0], gain[0][1]], [mpf("0.45"), mpf(1)]])
+    along, across = lu_solve(rows, matrix([-(1 + mpf("0.1")) * closing, 0]))
+    p = along * n + across * t
+    places = []
+    for index, (sense, drag) in enumerate(((1, "0.5"), (-1, "0.45"))):
+        out = velocities[index] + sense * p / M[index]
+        places.append(out / abs(out) * abs(out) ** 2 / (2 * mpf(drag) * mpf("9.80665")))
+    return places
+
+
+def rest_positions():
+    """Gauss and Newton by normal equations to the places of rest."""
+    seen = [mpc("12.9", "0.8"), mpc("5.9", "12.1")]
+
+    def rows(y):
+        gaps = [(a - b) / mpf("0.5") for a, b in zip(at_rest(y), seen, strict=True)]
+        return [part for gap in gaps for part in (gap.real, gap.imag)]
+
+    x = [mpf(15), mpf(10)]
+    for _ in range(200):
+        columns = slopes(rows, x, range(2))
+        step = lu_solve(columns.T * columns, columns.T * matrix(rows(x)))
+        x = [a - b for a, b in zip(x, step, strict=True)]
+        if max(abs(one) for one in step) < mpf(10) ** -34:
+            break
+    columns = slopes(rows, x, range(2))
+    covariance = inverse(columns.T * columns)
+    square = sum(one * one for one in rows(x))
+    return {
+        "first.approach_speed": x[0],
+        "second.approach_speed": x[1],
+        "first.speed_sigma": sqrt(covariance[0, 0]),
+        "second.speed_sigma": sqrt(covariance[1, 1]),
+        "correlation": covariance[0, 1] / sqrt(covariance[0, 0] * covariance[1, 1]),
+        "chi_squared": square,
+        "probability": exp(-square / 2),
+    }
+
+
+def pulse():
+    """A haversine of 0.12 s in a car whose yaw rate rises as its integral: ΔV in the axes of the start."""
+    length, spin = mpf("0.12"), mpf("1.9")
+
+    def part(t):
+        return t / length - sin(2 * pi * t / length) / (2 * pi)
+
+    def nose(t):
+        return spin * (t * t / (2 * length) + length * (cos(2 * pi * t / length) - 1) / (4 * pi * pi))
+
+    def turned(t):
+        rate = (1 - cos(2 * pi * t / length)) / length
+        return rate * expj(nose(t))
+
+    share = quad(turned, [0, length / 2, length])
+    change = mpc("-44.6", "7.2") / mpf("3.6") * share
+    return {"along": change.real, "across": change.imag, "turn": nose(length), "shift": arg(share)}
+
+
 def by_headings():
     change, come, leave = -M[0] * recorded() / M[1], way(140), way(82)
     rows = matrix([[come.real, -leave.real], [come.imag, -leave.imag]])
@@ -216,6 +308,8 @@ def cases():
         "both, headings within 2 deg": fit("agreeing", 2),
         "contradicting, headings exact": fit("contradicting", 0),
         "contradicting, headings within 2 deg": fit("contradicting", 2),
+        "rest positions": rest_positions(),
+        "pulse": pulse(),
         "record, e 0": by_restitution(mpf(0)),
         "record, e 0.1": by_restitution(mpf("0.1")),
         "record, e 0.2": by_restitution(mpf("0.2")),

@@ -96,7 +96,8 @@ FILES: dict[str, Origin] = {
     ),
     "linkage": Origin(
         "linkage",
-        _same("four_bar", "slider_crank", "quick_return", "body", "chain") | {"classify": "class"},
+        _same("four_bar", "slider_crank", "quick_return", "scotch_yoke", "oldham", "trammel", "body", "chain")
+        | {"classify": "class"},
         "angles by the cosine rule, rates by linear loop equations; of double sliders by differentiation over time",
         "60 digits", "", "drawn|\\d links",
     ),
@@ -145,6 +146,15 @@ FILES: dict[str, Origin] = {
         "impact", {"spatial": "spatial", "keller": "spatial"},
         "Keller's equations by Taylor series in normal impulse, unit impulses give the contact's matrix",
         "56 digits", IMPACTS, ".",
+    ),
+    "vibration": Origin(
+        "vibration",
+        _same(
+            "free", "forced", "base", "unbalance", "isolator", "decrement", "absorber", "modes", "shaft", "beam",
+            "whirl",
+        ),
+        "exponentials of the state matrix, complex steady states, roots of definitions, eigenvalues",
+        "120 digits", "", r"drawn",
     ),
     "vec": Origin(
         "vec", _same("resultant", "direction", "angle", "product", "resolve", "polygon", "frame", "lines"),

@@ -132,6 +132,21 @@ def test_a_page_is_structured_for_who_cannot_see_it(page: str) -> None:
     assert '<html lang="en">' in page
 
 
+def test_a_data_sheet_is_structured_too(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    name, file = str(tmp_path / "a.json"), tmp_path / "a.html"
+    pair = ("--first-teeth", "17", "--second-teeth", "43", "--module", "3 mm")
+    assert run("gear", "pair", *pair, "--json", "--output", name).status == 0
+    assert run("report", name, "--output", str(file)).status == 0
+    made = Structure(file.read_text())
+    assert made.headings == [1]
+    assert set(made.scopes) == {"col", "row"}
+    assert made.tables == made.captions == 2
+    assert len(made.pictures) == 3
+    assert all(picture.get("role") == "img" and picture.get("aria-label") for picture in made.pictures)
+    assert "a<sub>w</sub>" in file.read_text()
+
+
 def test_text_contrasts_with_its_ground(page: str) -> None:
     style = page.partition("<style>")[2].partition("</style>")[0]
 

@@ -24,7 +24,7 @@ from dynamics_cli.skid.timing.meet import Party
 from dynamics_cli.skid.timing.sight import sight
 from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed, timeline
 from dynamics_cli.skid.values.data import ROWS
-from dynamics_cli.skid.values.task import surfaces, topics, values
+from dynamics_cli.skid.values.task import SURFACES, TOPICS, values
 from dynamics_cli.skid.yaw import Radius, yaw
 
 REFERENCE = json.loads((Path(__file__).parent / "evidence.json").read_text(encoding="utf-8"))
@@ -390,7 +390,7 @@ def test_every_range_has_ends_in_order_and_a_source() -> None:
     assert len(found) == len(ROWS)
     for row in found:
         assert row.source
-        assert row.topic in topics()
+        assert row.topic in TOPICS
         assert row.least is None or row.least <= row.greatest
 
 
@@ -399,7 +399,7 @@ def test_words_and_surfaces_choose() -> None:
     assert {row.topic for row in values("reaction").values} == {"reaction"}
     assert {row.topic for row in values("tire", "friction").values} == {"friction"}
     assert [row.greatest for row in values("roll", "drag").values] == [0.53, 0.6]
-    assert "gravel" in surfaces()
+    assert "gravel" in SURFACES
     for words in (("skid", "values", "frictoin"), ("skid", "values", "--surface", "cobbles")):
         outcome = run(*words)
         assert outcome.status == 3

@@ -22,7 +22,7 @@ def require_rod(ratio: "Any") -> None:
         (plain(ratio) > 0.0) and (plain(ratio) <= LONGEST_CRANK),
         "crank radius over rod length is {ratio}, wanted above 0 and up to 0.9",
         code="rod",
-        hint="look at crank radius and rod length: the rod is measured between the centres of its eyes",
+        hint="check crank radius and rod length: the rod is measured between the centres of its eyes",
         ratio=(ratio, Ratio),
     )
 

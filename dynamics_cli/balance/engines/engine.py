@@ -35,8 +35,8 @@ MOST_ORDER = 40
 class Cylinder:
     """One cylinder."""
 
-    crank: Annotated[Angle, "Where its throw stands on the crankshaft, e.g. 120 deg."]
-    bank: Annotated[Angle, "Where it points, in the sense of rotation, e.g. 30 deg."] = 0.0
+    crank: Annotated[Angle, "Angle of its throw on the crankshaft, e.g. 120 deg."]
+    bank: Annotated[Angle, "Direction of its axis, in the sense of rotation, e.g. 30 deg."] = 0.0
     position: Annotated[Length, "Its place along the crankshaft, e.g. 90 mm."] = 0.0
 
 
@@ -55,8 +55,8 @@ class Order:
     forward_couple_angle: Annotated[Angle | None, "Where the forces of it stand at crank angle zero [rad]."]
     backward_couple: Annotated[Torque | None, "Its part that turns against the crankshaft [N·m]."]
     backward_couple_angle: Annotated[Angle | None, "Where the forces of it stand at crank angle zero [rad]."]
-    force_remedy: Annotated[Text, "What takes the force away."]
-    couple_remedy: Annotated[Text | None, "What takes the couple away."]
+    force_remedy: Annotated[Text, "What balances the force."]
+    couple_remedy: Annotated[Text | None, "What balances the couple."]
     forward_shaft: Annotated[Unbalance, "Unbalance that takes the forward force away, turning at this order [kg·m]."]
     backward_shaft: Annotated[Unbalance, "Unbalance that takes the backward force away, turning at it [kg·m]."]
     forward_couple_shaft: Annotated[CoupleUnbalance | None, "The same for the forward couple [kg·m²]."]
@@ -83,10 +83,12 @@ def engine(
     crank_radius: Annotated[Size, "Half the stroke, e.g. 43 mm."],
     rod_length: Annotated[Size, "Between the centres of the rod's eyes, e.g. 150 mm."],
     speed: Annotated[ShaftSpeed, "Speed of the crankshaft, e.g. 6000 rpm."],
-    preset: Annotated[Preset | None, "A usual engine, e.g. inline-4."] = None,
-    cylinders: Annotated[tuple[Cylinder, ...], "The cylinders, where it is none of these."] = (),
+    preset: Annotated[Preset | None, "A standard layout, e.g. inline-4."] = None,
+    cylinders: Annotated[tuple[Cylinder, ...], "The cylinders, for any other layout."] = (),
     bank_angle: Annotated[Angle | None, "Angle between the banks of a V, e.g. 90 deg."] = None,
-    spacing: Annotated[Size, "From one cylinder (of a V: pair) to the next; without it no couples, e.g. 90 mm."] = 0.0,
+    spacing: Annotated[
+        Size, "Spacing from one cylinder (in a V: pair) to the next; without it there are no couples, e.g. 90 mm."
+    ] = 0.0,
     rotating_mass: Annotated[Mass, "Mass at the crank pin of one cylinder that no counterweight balances."] = 0.0,
     highest_order: Annotated[Count, "Orders above this are left out."] = 6,
 ) -> EngineBalance:
@@ -121,11 +123,11 @@ def engine(
     """
     require(
         (preset is None) != (len(cylinders) == 0),
-        "an engine is given by --preset or by its cylinders" if preset is None else "--preset has its cylinders",
+        "an engine is given by --preset or by its cylinders" if preset is None else "--preset has its own cylinders",
         code="engine",
         hint='for example --preset inline-4, or --cylinder "crank=0 deg, bank=0 deg, position=0 mm" for each',
     )
-    require((highest_order >= 1) and (highest_order <= MOST_ORDER), "orders go from 1 to 40", code="order")
+    require((highest_order >= 1) and (highest_order <= MOST_ORDER), "orders must be from 1 to 40", code="order")
     require(abs(plain(speed)) > 0.0, "an engine at rest has no inertia force", code="at-rest")
     require(rod_length > 0.0, "the rod has no length", code="rod")
     ratio = crank_radius / rod_length

@@ -25,7 +25,7 @@ def lanchester(
     rod_length: Annotated[Size, "Between the centres of the rod's eyes, e.g. 172 mm."],
     speed: Annotated[ShaftSpeed, "Speed of the crankshaft, e.g. 6000 rpm."],
     cylinders: Annotated[Count, "Cylinders whose forces of the order add up."] = 4,
-    order: Annotated[Count, "The order to take away: even."] = 2,
+    order: Annotated[Count, "The order to balance, an even number."] = 2,
     weight_radius: Annotated[Size | None, "Radius of the centre of mass of each shaft's weight, e.g. 15 mm."] = None,
 ) -> Lanchester:
     """Two shafts that take the force of an even order away from an in-line engine.

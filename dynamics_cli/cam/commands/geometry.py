@@ -19,7 +19,7 @@ PROFILE = Task(
         "dynamics_cli.cam.geometry.profile:profile",
         source=BOOK,
         formula="p = centre of the roller, u = p′ − ip, n = iu/|u|: cam = (p − R·n)·e^(−iθ); "
-        "φ = angle from the follower's way to n",
+        "φ = angle from the follower's direction of travel to n",
         assumptions=(RADIAL, RIGID),
         method="closed form; extremes by Chebyshev proxies",
     ),
@@ -50,6 +50,7 @@ PROFILE = Task(
     tracked=False,
     writers={"svg": "dynamics_cli.cam.geometry.animation:animation"},
     plot="dynamics_cli.cam.geometry.pictures:profile_picture",
+    sheet="dynamics_cli.cam.export.sheet:cam_sheet",
 )
 
 SIZE = Task(
@@ -97,7 +98,7 @@ SIZE = Task(
 
 CHECK = Task(
     "check",
-    "Certified verdicts: undercut and the lift it costs, pressure angle, curvature, face width, jump.",
+    "Certified verdicts: undercut and the lift lost to it, pressure angle, curvature, face width, jump.",
     Model(
         "certified extremes",
         "dynamics_cli.cam.forces.check:check",
@@ -166,6 +167,7 @@ EXPORT = Task(
         "st": "dynamics_cli.cam.export.writers:codesys",
         "mc": "dynamics_cli.cam.export.writers:twincat",
     },
+    sheet="dynamics_cli.cam.export.sheet:cam_sheet",
 )
 
 TASKS: "tuple[Task, ...]" = (PROFILE, SIZE, CHECK, EXPORT)

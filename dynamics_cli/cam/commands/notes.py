@@ -1,4 +1,4 @@
-"""What the help says of the language of motion programs."""
+"""Help text about the language of motion programs."""
 
 PROGRAM_NOTES = (
     "--program: clauses separated by semicolons: rise LIFT in ANGLE LAW; dwell ANGLE; return [to LIFT] in ANGLE LAW. "
@@ -6,6 +6,6 @@ PROGRAM_NOTES = (
     "unless named (dynamics cam laws). The whole language: docs/scenes.md."
 )
 
-# What the templates of scenes show.
+# The values that scene templates show.
 PROGRAM_SCENE = {"program": "rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg; dwell"}
 ROLLER_SCENE = {**PROGRAM_SCENE, "follower": "roller", "base_radius": "40 mm", "roller_radius": "8 mm"}

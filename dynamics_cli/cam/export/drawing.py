@@ -1,4 +1,4 @@
-"""Outlines of a cam with the deviation proved for them, and its tables."""
+"""Outlines of a cam with their proved deviation, and its tables."""
 
 from math import pi
 
@@ -24,8 +24,8 @@ def drawn(
 ) -> Outline:
     """The curve as an outline whose proved deviation keeps the tolerance.
 
-    `motion`: the program; `away`: distance of the curve from the contact, into the follower [m]; `start_angle`: angle
-    by which the cam's frame is turned on; `form`: "arcs", "cubics" or "lines"; `tolerance`: largest deviation allowed;
+    `motion`: the program; `away`: distance of the curve from the contact, into the follower [m]; `start_angle`:
+    rotation of the cam's frame; `form`: "arcs", "cubics" or "lines"; `tolerance`: largest deviation allowed;
     `name`: name of the outline. Raises InadmissibleError when the curve is undercut or broken, or the tolerance cannot
     be kept.
     """
@@ -36,7 +36,7 @@ def drawn(
 
 
 def _joints(path: Path) -> "Any":
-    """Where the smooth pieces meet, from either side; one point each, or a refusal where the curve is broken."""
+    """The joints of the smooth pieces, evaluated from both sides; a refusal where the curve is broken."""
     after = np.stack(path.at(path.starts)[:2], axis=1)
     ends = [np.stack(path.at(path.ends[index : index + 1], index)[:2], axis=1) for index in range(path.ends.size)]
     before = np.roll(np.concatenate(ends), 1, axis=0)
@@ -56,8 +56,8 @@ def _joints(path: Path) -> "Any":
 def tables(geometry: Geometry, motion: "Any", away: float, start_angle: float, count: int) -> "tuple[Any, Any, Any]":
     """Exact points in polar coordinates, and the lift for a controller.
 
-    `motion`: the program; `away`: distance of the curve from the contact [m]; `start_angle`: angle by which the cam's
-    frame is turned on; `count`: points of a turn; the controller's table repeats the first at its end. Returns columns
+    `motion`: the program; `away`: distance of the curve from the contact [m]; `start_angle`: rotation of the cam's
+    frame; `count`: points of a turn; the controller's table repeats the first at its end. Returns columns
     of points, of lifts or None, of swings or None.
     """
     theta = np.arange(count + 1) * (2.0 * pi / count)

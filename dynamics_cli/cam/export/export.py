@@ -22,7 +22,7 @@ def export(
     *,
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
     follower: Annotated[Follower, "The follower and where it stands."],
-    rotation: Annotated[Rotation, "Which way the cam turns."] = CCW,
+    rotation: Annotated[Rotation, "Sense of rotation of the cam."] = CCW,
     start_angle: Annotated[Angle, "Angle by which the cam's drawing is turned on anticlockwise [rad]."] = 0.0,
     flank: Annotated[Flank, "The inner surface, that of a disc cam, or the outer flank of a closed track."] = INNER,
     curve: Annotated[Curve, "The cam itself, the path of the roller's centre, or the path of a cutter."] = CAM,
@@ -31,11 +31,11 @@ def export(
     tolerance: Annotated[Size, "Largest deviation allowed [m]."] = 1e-6,
     points: Annotated[Count, "Points of the tables."] = 360,
 ) -> CamExport:
-    """Cam, pitch or cutter curve as few arcs, cubics or lines within a tolerance that is proved.
+    """Cam, pitch or cutter curve in few arcs, cubics or lines within a proved tolerance.
 
     Equation
     --------
-    Between nodes of the cam angle a distance w apart, paired with places of the piece Δt apart:
+    Between nodes of the cam angle a distance w apart, paired with parameters of the piece Δt apart:
     |e| ≤ max(|e₀|, |e₁|) + w²/8 (max|z″| + max|b″| (Δt/w)²), e the error, z the curve, b the piece.
 
     Returns
@@ -51,10 +51,10 @@ def export(
     Notes
     -----
     Pieces end at every joint of the laws; they touch the exact curve there with its direction, and the curve closes to
-    the bit. max|z″| is enclosed on every cell from the laws' own constants, in disc arithmetic with all roundings
-    inside (`cam.proof`, `numerics.discs`); nothing is inferred from samples. Errors of arcs fall with the third power
-    of their number, of cubics with the sixth. `--drawing FILE.dxf`, `.svg` or `.csv` writes the curve; `.polar` a table
-    of radii, `.st` a CODESYS cam, `.mc` points for TwinCAT.
+    the bit. max|z″| is enclosed on every cell from the laws' own constants, in disc arithmetic including all
+    roundings (`cam.proof`, `numerics.discs`); nothing is inferred from samples. Errors of arcs fall with the third
+    power of their number, of cubics with the sixth. `--drawing FILE.dxf`, `.svg` or `.csv` writes the curve; `.polar` a
+    table of radii, `.st` a CODESYS cam, `.mc` points for TwinCAT.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""A curve of the cam to be drawn or cut, at a distance from the contact, with proved enclosures on cells."""
+"""A curve of the cam for drawing or cutting, offset from the contact, with proved enclosures on cells."""
 
 import numpy as np
 
@@ -21,8 +21,8 @@ class Path:
     """Cam, pitch or cutter curve: the contact moved `away` along its normal, in the cam's frame.
 
     z′ = turn·g (n_y, −n_x) with g = run + away·spin, and |z″|² = g′² + (g·spin)². `points` and `acceleration` are
-    enclosures in disc arithmetic, from the laws' own constants, with the rounding of every step inside; a follower's
-    start height or angle counts with eight roundings.
+    enclosures in disc arithmetic, from the laws' own constants, including the rounding of every step; a follower's
+    start height or angle counts as eight roundings.
     """
 
     parameter = "cam angle"
@@ -40,7 +40,7 @@ class Path:
         self.slip = start_slip(geometry)
 
     def at(self, theta: "Any", piece: "int | None" = None) -> "tuple[Any, ...]":
-        """Point, unit direction of travel and speed at cam angles; those of one piece of the motion where it is named.
+        """Point, unit direction of travel and speed at cam angles; those of one piece of the motion if it is named.
 
         At the joint of two pieces each has its own values.
         """
@@ -81,7 +81,7 @@ class Path:
             "the curve is undercut: at a cam angle of {place:6} it runs backwards and cuts itself",
             place=(place, Angle),
             code="undercut",
-            hint="raise the base radius, take a smaller roller, or find the lift that is lost by `dynamics cam check`",
+            hint="raise the base radius, take a smaller roller, or see the lift that is lost with `dynamics cam check`",
         )
 
     def points(self, theta: "Any", piece: int) -> "tuple[Disc, Disc]":
@@ -96,7 +96,7 @@ class Path:
         with np.errstate(all="ignore"):
             s, s1, s2, s3 = about_angles(self.motion, piece, theta, half, 3)
             speed, change, spin = self._enclosed(s.widened(self.slip), turn * s1, s2, turn * s3)
-            # one is along the curve, the other across
+            # one is along the curve, the other perpendicular to it
             return np.hypot(change.size, (speed * spin).size) * (1.0 + 2.0**-49), speed.size
 
     def _enclosed(self, s: Disc, s1: Disc, s2: Disc, s3: Disc) -> "tuple[Disc, Disc, Disc]":

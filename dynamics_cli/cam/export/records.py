@@ -1,4 +1,4 @@
-"""What `cam export` is asked for and gives."""
+"""Inputs and results of `cam export`."""
 
 from dynamics_cli.outlines import Drawing
 from dynamics_cli.quantities import Angle, Annotated, CamAcceleration, CamVelocity, Coordinate, Count, Ratio, Size
@@ -12,7 +12,7 @@ class Curve(Choice):
 
 
 class Form(Choice):
-    """What the curve is made of."""
+    """The kind of pieces of the curve."""
 
     names = ("arcs", "cubics", "lines")
     aliases = {"splines": "cubics", "spline": "cubics", "polyline": "lines", "arc": "arcs"}  # noqa: RUF012
@@ -51,7 +51,7 @@ class SwingPoint:
 
 @record
 class CamExport:
-    """What the drawing is made of and how far it is from the exact curve."""
+    """The pieces of the drawing and its deviation from the exact curve."""
 
     deviation: Annotated[Size, "Largest distance between drawing and exact curve, either way, as proved [m]."]
     pieces: Annotated[Count, "Arcs, cubics or lines of the closed curve."]

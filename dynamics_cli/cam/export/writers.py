@@ -7,17 +7,17 @@ if TYPE_CHECKING:
     from dynamics_cli.cam.export.records import CamExport
 
 
-def polar(made: "CamExport") -> str:
+def polar(cam: "CamExport") -> str:
     """A polar table: angle in degrees and radius in millimetres, in order of cam angle, for a rotary table or a CMM.
 
-    Returns lines of cam angle, polar angle and radius, apart by spaces.
+    Returns lines of cam angle, polar angle and radius, separated by spaces.
     """
-    arrays = made.points.arrays
+    arrays = cam.points.arrays
     lines = [
         "; exact points of the curve: cam angle [deg], polar angle [deg], radius [mm]",
-        f"; {len(made.points)} points",
+        f"; {len(cam.points)} points",
     ]
-    turn = 360.0 / len(made.points)
+    turn = 360.0 / len(cam.points)
     for number, (angle, radius) in enumerate(
         zip(arrays["polar_angle"].tolist(), arrays["radius"].tolist(), strict=True)
     ):
@@ -25,12 +25,12 @@ def polar(made: "CamExport") -> str:
     return "\n".join(lines) + "\n"
 
 
-def _rows(made: "CamExport") -> "tuple[list[tuple[float, float, float, float]], str]":
+def _rows(cam: "CamExport") -> "tuple[list[tuple[float, float, float, float]], str]":
     """Master in degrees; slave, velocity and acceleration in millimetres or degrees per degree."""
-    if made.lifts is not None:
-        columns, key, scale, unit = made.lifts.arrays, "lift", 1e3, "mm"
+    if cam.lifts is not None:
+        columns, key, scale, unit = cam.lifts.arrays, "lift", 1e3, "mm"
     else:
-        columns, key, scale, unit = made.swings.arrays, "swing", degrees(1.0), "deg"  # type: ignore[union-attr]
+        columns, key, scale, unit = cam.swings.arrays, "swing", degrees(1.0), "deg"  # type: ignore[union-attr]
     per = degrees(1.0)
     last = len(columns["cam_angle"]) - 1
     rows = [
@@ -42,12 +42,12 @@ def _rows(made: "CamExport") -> "tuple[list[tuple[float, float, float, float]], 
     return rows, unit
 
 
-def codesys(made: "CamExport") -> str:
+def codesys(cam: "CamExport") -> str:
     """A CODESYS SoftMotion cam in structured text: an array of SMC_CAMXYVA and its MC_CAM_REF.
 
     Returns structured text of a global variable list.
     """
-    rows, unit = _rows(made)
+    rows, unit = _rows(cam)
     points = ",\n".join(
         f"        (dX := {_number(x)}, dY := {_number(y)}, dV := {_number(v)}, dA := {_number(a)})"
         for x, y, v, a in rows
@@ -62,12 +62,12 @@ def codesys(made: "CamExport") -> str:
     )
 
 
-def twincat(made: "CamExport") -> str:
-    """A point list for TwinCAT: master position, slave position, velocity and acceleration, apart by semicolons.
+def twincat(cam: "CamExport") -> str:
+    """A point list for TwinCAT: master position, slave position, velocity and acceleration, separated by semicolons.
 
     Returns a header and a line for each point.
     """
-    rows, unit = _rows(made)
+    rows, unit = _rows(cam)
     head = f"MasterPos [deg];SlavePos [{unit}];SlaveVelo [{unit}/deg];SlaveAcc [{unit}/deg^2]"
     return "\n".join([head, *(";".join(map(_number, row)) for row in rows)]) + "\n"
 

@@ -1,4 +1,4 @@
-"""What a user should know about the forces on a cam: leaving it, being near to, impacts and surge."""
+"""Advice about the forces on a cam: follower jump, small margins, impacts and surge."""
 
 from dynamics_cli.cam.forces.records import ArmOnSpring, Train
 from dynamics_cli.errors import worded
@@ -17,7 +17,7 @@ SURGE_ORDER = 12.0
 
 
 def impacts(motion: "Motion") -> "tuple[Advice, ...]":
-    """Warn of joints at which the velocity jumps: no extreme of a force includes the impact there."""
+    """Warn of joints with a velocity jump: no extreme of a force includes the impact there."""
     from dynamics_cli.cam.program.pieces import joint_jumps
 
     jumps = joint_jumps(motion)[0]
@@ -34,18 +34,18 @@ def impacts(motion: "Motion") -> "tuple[Advice, ...]":
 def advice_of(
     load: "Load", train: Train, omega: float, low: "Found", leaves: "Found | None", order: float | None
 ) -> "tuple[Advice, ...]":
-    """Say when the follower leaves its cam or nearly does, that nothing makes it jump, and that its spring surges.
+    """Advice when the follower leaves its cam or nearly does, cannot jump at all, or its spring surges.
 
-    `load`: inertia, spring and load; `train`: what they came from; `low`: least force, or an arm's torque; `leaves`:
-    the speed of the jump; None where there is none; `order`: the harmonic of the cam at which the spring surges; None
-    without its mass. Returns what a user should know.
+    `load`: inertia, spring and load; `train`: the record that they came from; `low`: least force, or an arm's torque;
+    `leaves`: the speed of the jump; None where there is none; `order`: the harmonic of the cam at which the spring
+    surges; None without its mass. Returns the advice.
     """
-    found = []
+    advice = []
     force: Any = Torque if load.arm else Force
     if low.value < 0.0:
         needed = (load.preload - low.value) / load.spring_radius
         stays = bool(leaves and leaves.value)
-        found.append(
+        advice.append(
             Advice(
                 "follower-leaves",
                 worded(
@@ -61,7 +61,7 @@ def advice_of(
             )
         )  # fmt: skip
     elif leaves is not None and 0.0 < leaves.value < 1.2 * omega:
-        found.append(
+        advice.append(
             Advice(
                 "near-jump",
                 worded(
@@ -73,12 +73,12 @@ def advice_of(
             )
         )  # fmt: skip
     if leaves is None:
-        found.append(Advice("no-jump", "no speed makes the follower jump", "note", result="jump_speed"))
+        advice.append(Advice("no-jump", "no speed makes the follower jump", "note", result="jump_speed"))
     if order is not None and order < SURGE_ORDER:
         message = worded(
             "the spring surges at {order} times the shaft's speed: harmonics of the cam up to the twelfth excite it",
             order=(order, Ratio),
         )
         remedy = "take a lighter or a stiffer spring"
-        found.append(Advice("spring-surge", message, "caution" if order > 0.7 * SURGE_ORDER else "serious", remedy))
-    return tuple(found)
+        advice.append(Advice("spring-surge", message, "caution" if order > 0.7 * SURGE_ORDER else "serious", remedy))
+    return tuple(advice)

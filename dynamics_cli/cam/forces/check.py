@@ -1,4 +1,4 @@
-"""Certified verdicts about a cam: undercut and the lift it costs, pressure angle, curvature, face width, jump."""
+"""Certified verdicts about a cam: undercut and lost lift, pressure angle, curvature, face width, jump."""
 
 from math import isinf, pi
 
@@ -36,13 +36,13 @@ DEGREE = pi / 180.0
 
 @record
 class CamCheck:
-    """Verdicts, each with the number that decides and where."""
+    """Verdicts, each with its decisive number and where it occurs."""
 
     fits: Annotated[bool, "Whether all limits are kept."]
     binding: Annotated[Text, "The limits that are not kept."]
     undercut: Annotated[bool, "Whether the curve of the cam cuts itself or has a cusp."]
     undercut_stretches: Annotated[
-        Count, "How many stretches of the envelope run backwards; none where flanks far apart cut each other."
+        Count, "How many stretches of the envelope run backwards; zero where flanks far apart cut each other."
     ]
     pieces_cut_off: Annotated[Count | None, "Pieces that an undercut cuts off the cam."]
     lift_lost: Annotated[
@@ -61,14 +61,14 @@ class CamCheck:
         Coordinate | None, "Minimum radius of curvature of the cam where it is concave [m]."
     ]
     least_concave_radius_at: Annotated[Angle | None, "Cam angle there [rad]."]
-    curvature_kept: Annotated[bool | None, "Whether the least radius asked for is kept."]
-    largest_pressure_angle: Annotated[Angle, "Largest pressure angle, held against the limit of the rise [rad]."]
+    curvature_kept: Annotated[bool | None, "Whether the given minimum radius is kept."]
+    largest_pressure_angle: Annotated[Angle, "Maximum pressure angle, compared with the limit of the rise [rad]."]
     largest_pressure_angle_at: Annotated[Angle, "Cam angle there [rad]."]
-    least_pressure_angle: Annotated[Angle, "Lowest pressure angle, held against the limit of the return [rad]."]
+    least_pressure_angle: Annotated[Angle, "Minimum pressure angle, compared with the limit of the return [rad]."]
     least_pressure_angle_at: Annotated[Angle, "Cam angle there [rad]."]
     pressure_angle_kept: Annotated[bool, "Whether both limits of pressure angle are kept."]
     face_width: Annotated[Size | None, "Length of the flat face that the cam touches [m]."]
-    face_kept: Annotated[bool | None, "Whether the flat face given is long enough."]
+    face_kept: Annotated[bool | None, "Whether the given flat face is long enough."]
     velocity_jumps: Annotated[Count, "Joints where the follower's velocity jumps: an infinite force."]
     acceleration_jumps: Annotated[Count, "Joints where its acceleration jumps."]
     jump_speed: Annotated[ShaftSpeed | None, "Speed of the cam at which the follower leaves it [rad/s]."]
@@ -103,34 +103,34 @@ def check(
     shaft_speed: Annotated[ShaftSpeed | None, "Speed of the cam to be checked, e.g. 1500 rpm [rad/s]."] = None,
     safety: Annotated[Positive, "Factor by which the jump speed is to exceed the speed."] = 1.0,
 ) -> CamCheck:
-    """Certified verdicts about a cam: what is undercut and the lift it costs, pressure angle, curvature, face, jump.
+    """Certified verdicts about a cam: undercut and lost lift, pressure angle, curvature, face width, jump.
 
     Equation
     --------
     Undercut where ds/dθ = w(1 − R_r κ_p) ≤ 0 (flat: R_b + s + s″ ≤ 0), or the curve crosses itself; lift lost: program
-    less the lift at which the follower rests on the corner that is left; jump: ω² = min k(s + δ)/(−m s″) over s″ < 0,
+    less the lift of the follower resting on the remaining corner; jump: ω² = min k(s + δ)/(−m s″) over s″ < 0,
     for an arm with its inertia and torques.
 
     Returns
     -------
     CamCheck
-        Verdicts with the numbers that decide and their places.
+        Verdicts with their decisive numbers and places.
 
     Raises
     ------
     InadmissibleError
-        When there is no such cam, or the jump lacks some of mass, stiffness and preload, or of an
-        arm's inertia, torsion rate and preload torque.
+        When the cam is impossible, or the jump lacks mass, stiffness or preload (of an arm:
+        inertia, torsion rate or preload torque).
 
     Notes
     -----
     Verdicts do not depend on sampling: extremes come from Chebyshev proxies of every piece of every law, their errors
-    proved on discs of the complex plane, with bounds on derivatives that leave no turning place out. A cusp counts as
-    undercut; where rounding leaves open whether there is one, an advice says so. Corners of an undercut cam are
-    crossings of its envelope, found by halving and Newton's method however small the undercut and however many run into
-    each other; the edge between them is followed from corner to corner, so that a lobe whose neck is cut through is
-    seen to fall off. The lift lost is the largest gap on them, by Chebyshev proxies whose remainder is estimated, to
-    3e-15 of the cam's size (1e-12 where a loop is too small to separate its corner from its ends).
+    proved on discs of the complex plane, with bounds on derivatives that exclude any missed extremum. A cusp counts as
+    undercut; if rounding cannot decide whether there is one, an advice says so. Corners of an undercut cam are
+    crossings of its envelope, found by halving and Newton's method however small the undercut and even where several
+    merge; the edge is followed from corner to corner, so that a lobe cut off at its neck is recognised. The lift lost
+    is the largest gap on them, by Chebyshev proxies whose remainder is estimated, to 3e-15 of the cam's size (1e-12
+    where a loop is too small to separate its corner from its ends).
 
     References
     ----------
@@ -205,7 +205,7 @@ def check(
         jump_kept=None if jump is None or shaft_speed is None else kept["jump speed"],
         advice=(*_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump), *_cusp(loss, forward)),
         numerics=Numerics(
-            "Chebyshev proxies of every piece, every turning place certified",
+            "Chebyshev proxies of every piece, every extreme certified",
             (
                 *pressure_bounds(analysis),
                 *radius_bounds(geometry, analysis),
@@ -220,7 +220,7 @@ def _kept(
     whole: bool, pressure: tuple[float, float], radii: "tuple[float | None, float | None]", face: float | None,
     limits: "tuple[float, float, float, float | None]",
 ) -> "dict[str, bool]":  # fmt: skip
-    """Which limits a cam keeps, to rounding."""
+    """Which limits a cam keeps, within rounding."""
     high, low = pressure
     rise_limit, return_limit, least_radius, face_width = limits
     tightest = min((radius for radius in radii if radius is not None), default=None)
@@ -246,19 +246,19 @@ def _jump_bound(jump: "tuple[float | None, float | None, float] | None") -> tupl
 
 
 def _cusp(loss: "Any", forward: bool) -> tuple[Advice, ...]:
-    """Advice on a curve that is not undercut as computed, but undercut within its error."""
+    """Advice on a curve that is not undercut as computed, but may be within its error."""
     if loss is not None or forward:
         return ()
-    message = "the cam has a cusp at a point, to the accuracy of the calculation"
+    message = "the cam has a cusp, to the accuracy of the calculation"
     return (Advice("cusp", message, "caution", "raise the base radius a little"),)
 
 
 def _undercut(geometry: "Geometry", loss: "Any") -> Advice:
-    """How much lift an undercut costs."""
+    """Advice on the lift lost to an undercut."""
     arm = geometry.oscillating
     remedy = "raise the base radius, take a smaller roller, or give the motion a larger angle"
     if isinf(loss.lift):
-        message = "the cam is undercut: nothing of it is left to support the follower"
+        message = "the cam is undercut: nothing is left of it to support the follower"
         return Advice("undercut", message, "serious", remedy, "swing_lost" if arm else "lift_lost")
     template = "the cam is undercut: it loses {amount:6} of {what}"
     if geometry.side < 0.0:

@@ -1,4 +1,4 @@
-"""How long a valve's follower is above a lift, and its ramps."""
+"""Durations of a valve above given lifts, and its ramps."""
 
 from math import pi
 
@@ -20,12 +20,12 @@ QUOTED = (0.00127, 0.001)
 def durations(
     motion: "Motion", lifts: "tuple[float, ...]", omega: float
 ) -> "tuple[tuple[Duration, ...], tuple[Advice, ...]]":
-    """Give the cam angles above some lifts, and say which are never passed.
+    """Give the cam angles above some lifts, and note the lifts never reached.
 
     `lifts`: lifts above the lowest [m]. Returns one for every time a lift is passed upwards; a note for every lift that
     never is.
     """
-    found = []
+    durations_above = []
     missed = []
     least = motion.stroke[0]
     for lift in lifts:
@@ -41,8 +41,8 @@ def durations(
             closes = min((angle if angle > opens else angle + TURN) for angle in downs)
             span = closes - opens
             speeds = [motion.at(angle, 1)[1] * omega for angle in (opens, closes)]
-            found.append(Duration(lift, opens, closes, span, 2.0 * span, *speeds))
-    return tuple(found), tuple(missed)
+            durations_above.append(Duration(lift, opens, closes, span, 2.0 * span, *speeds))
+    return tuple(durations_above), tuple(missed)
 
 
 def ramps(motion: "Motion", lash: float | None, lifts: "tuple[float, ...]", omega: float) -> "tuple[Ramp, ...] | None":
@@ -64,20 +64,20 @@ def ramps(motion: "Motion", lash: float | None, lifts: "tuple[float, ...]", omeg
     )
     least = motion.stroke[0]
     low, high = crossings(motion, least + lash), crossings(motion, least + top)
-    found = []
+    ramps_between = []
     for angle, up in high:
         side = [other for other, way in low if way == up]
         if side:
             span = min((angle - other if up else other - angle) % TURN for other in side)
             mean = (top - lash) / span * abs(omega) * (1.0 if up else -1.0)
-            found.append(Ramp("opening" if up else "closing", lash, top, span, mean))
-    return tuple(found)
+            ramps_between.append(Ramp("opening" if up else "closing", lash, top, span, mean))
+    return tuple(ramps_between)
 
 
 def crossings(motion: "Motion", level: float) -> "list[tuple[float, bool]]":
     """Cam angles at which the lift passes a level, and whether upwards.
 
-    `level`: the lift [m]. Returns in order of the angle. A touch without passing is none.
+    `level`: the lift [m]. Returns in order of the angle. Touching without passing does not count.
     """
     found = []
     for index, span in enumerate(motion.segments):
@@ -95,7 +95,7 @@ def crossings(motion: "Motion", level: float) -> "list[tuple[float, bool]]":
 
 
 def _passed(motion: "Motion", level: float, low: float, high: float) -> float:
-    """Where a monotone stretch passes a level: Newton's steps, halved where they leave what is left of the stretch."""
+    """Where a monotone stretch passes a level: Newton's method, safeguarded by bisection."""
     below = motion.at(low, 0)[0] < level
     angle = 0.5 * (low + high)
     while low < angle < high:

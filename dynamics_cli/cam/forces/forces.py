@@ -38,13 +38,14 @@ def force(
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
     shaft_speed: Annotated[ShaftSpeed, "Speed of the cam shaft [rad/s]."],
     train: Annotated[
-        Train, "What moves and what presses it: mass and forces of a slide, moment of inertia and torques of an arm."
+        Train,
+        "The moving parts and what loads them: mass and forces of a slide, moment of inertia and torques of an arm.",
     ],
     follower: Annotated[
         DrivenFollower | None, "The follower and where it stands, for the force along the common normal."
     ] = None,
     rotation: Annotated[Rotation, "Which way the cam turns."] = CCW,
-    contact: Annotated[Contact | None, "Width and materials of the contact, for the Hertz stress."] = None,
+    contact: Annotated[Contact | None, "Width and materials of the contact, for the Hertz pressure."] = None,
     at_lifts: Annotated[
         tuple[Size, ...] | None,
         "Lifts of a slide above the lowest at which durations are wanted; 0.050 in and 1 mm when not given [m].",
@@ -68,15 +69,15 @@ def force(
     Raises
     ------
     UsageError
-        When the program moves an arm and what is given moves a slide, or the other way round.
+        When the program moves an arm and the parts given are a slide's, or the reverse.
     InadmissibleError
-        When nothing has inertia, the follower cannot stand or be driven where the program wants it, or a stress is
-        asked for where the cam is undercut.
+        When nothing has inertia, the follower cannot stand or be driven as the program requires, or a stress is
+        requested where the cam is undercut.
 
     Notes
     -----
-    A rigid train without friction. The extremes are certified: Chebyshev proxies of every piece of every law leave no
-    turning place out, and each bound adds what they, the motion and the arithmetic may err by. Least forces and torques
+    A rigid train without friction. The extremes are certified: Chebyshev proxies of every piece of every law miss no
+    extremum, and each bound adds the errors of proxies, motion and arithmetic. Least forces and torques
     pass through zero and are bounded absolutely. Next to a cusp the stress is as ill conditioned as its bound says. The
     torque does no work over a turn; its mean is checked, and so is that it is the moment of the contact force about the
     cam's axis. A spring on an arm is taken to act square to its radius at every swing. Form-closed followers (tracks,
@@ -176,7 +177,7 @@ def _require_slide(motion: Motion, lifts: "tuple[float, ...] | None", lash: floa
 def _contact(
     motion: Motion, geometry: "Geometry", load: Load, contact: Contact | None
 ) -> "tuple[tuple[Found, Found], Found | None]":
-    """Extremes of the force along the common normal, and the greatest pressure where a contact is given."""
+    """Extremes of the force along the common normal, and the maximum pressure if a contact is given."""
     from dynamics_cli.cam.forces.stress import Touching, stress
     from dynamics_cli.cam.proof.extremes import Survey
 
@@ -185,12 +186,12 @@ def _contact(
     return Survey(motion, touching.enclosed().normal).extremes(0), pressed
 
 
-def _ends(found: "tuple[Found, Found] | None") -> "tuple[float | None, float | None, float | None, float | None]":
-    return (None, None, None, None) if found is None else (*_fields(found[0]), *_fields(found[1]))
+def _ends(pair: "tuple[Found, Found] | None") -> "tuple[float | None, float | None, float | None, float | None]":
+    return (None, None, None, None) if pair is None else (*_fields(pair[0]), *_fields(pair[1]))
 
 
-def _fields(found: "Found | None") -> "tuple[float | None, float | None]":
-    return (None, None) if found is None else (found.value, found.at)
+def _fields(extreme: "Found | None") -> "tuple[float | None, float | None]":
+    return (None, None) if extreme is None else (extreme.value, extreme.at)
 
 
 def _bounds(
@@ -198,23 +199,23 @@ def _bounds(
     leaves: "Found | None", stress: "Found | None", omega: float,
 ) -> "tuple[ErrorBound, ...]":  # fmt: skip
     name = "arm_torque" if arm else "force"
-    # a power is its torque times the speed, and rounds once more
-    power = max(abs(found.value) for found in torque) * omega
-    error = max(found.error for found in torque) * omega + 2.0**-52 * power
+    # power is torque times speed, with one more rounding
+    power = max(abs(extreme.value) for extreme in torque) * omega
+    error = max(extreme.error for extreme in torque) * omega + 2.0**-52 * power
     bounds = [
         *_both(name, force_),
         *(() if normal is None else _both("contact_force", normal)),
         *_both("torque", torque),
         *_bound("greatest_power", power, error, relative=True),
     ]
-    for title, found in (("jump_speed", leaves), ("stress", stress)):
-        if found is not None:
-            bounds += _bound(title, found.value, found.error, relative=True)
+    for title, extreme in (("jump_speed", leaves), ("stress", stress)):
+        if extreme is not None:
+            bounds += _bound(title, extreme.value, extreme.error, relative=True)
     return tuple(bounds)
 
 
-def _both(name: str, found: "tuple[Found, Found]") -> "list[ErrorBound]":
-    low, high = found
+def _both(name: str, pair: "tuple[Found, Found]") -> "list[ErrorBound]":
+    low, high = pair
     return [
         *_bound(f"least_{name}", low.value, low.error, relative=False),
         *_bound(f"greatest_{name}", high.value, high.error, relative=high.value > 1e-3 * abs(low.value)),
@@ -241,7 +242,7 @@ def _tables(
     s, s1, s2 = (column.copy() for column in motion.at(angles, 2))
     s[-1], s1[-1], s2[-1] = motion.at(float(angles[-1]), 2, -1)
     pressing = load.force(s, s2)
-    # minus zero is zero
+    # avoids minus zero
     lift, torque = s + 0.0, pressing * s1 + 0.0
     first: tuple[Any, Any]
     if motion.swing:
@@ -264,7 +265,7 @@ def _contacts(geometry: "Geometry", load: Load, angles: "Any", state: "tuple[Any
 
 
 def _mean_torque(motion: Motion, load: Load, survey: "Survey") -> Check:
-    """Spring and inertia give back over a turn what they take; where the velocity jumps, the impact takes the rest."""
+    """Spring and inertia return over a turn what they absorb; at velocity jumps the impact accounts for the rest."""
     work, size = survey.integral(1)
     count = len(motion.zones)
     ends = [(motion.in_zone(i, 0.0, 1)[1], motion.in_zone(i, 1.0, 1)[1]) for i in range(count)]

@@ -25,9 +25,9 @@ def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Fou
 
     ω² = min (k s + P)/(−J s″) over s″ < 0; P is preload and load together, J the mass, or an arm's moment of inertia.
 
-    `load`: inertia, spring and load; `survey`: one of the same motion, when there is one. Returns the speed [rad/s],
-    the cam angle, and the error's bound; zero where the spring is slack, or the velocity drops at a joint; None when
-    nothing slows the follower down.
+    `load`: inertia, spring and load; `survey`: a survey of the same motion, if there is one. Returns the speed [rad/s],
+    the cam angle, and the error's bound; zero where the spring is slack, or the velocity drops at a joint; None if
+    nothing decelerates the follower.
     """
     survey = survey or Survey(motion)
     exact = load.enclosed()
@@ -37,21 +37,21 @@ def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Fou
     drop = dropping(motion)
     if drop is not None:
         return Found(0.0, drop, 0.0)
-    found = survey.greatest_quotient(falling, held)
-    if found.value <= 0.0:
+    quotient = survey.greatest_quotient(falling, held)
+    if quotient.value <= 0.0:
         return None
-    speed = 1.0 / sqrt(found.value)
-    return Found(speed, found.at, (0.5 * found.error / found.value + EXACT) * speed if speed else 0.0)
+    speed = 1.0 / sqrt(quotient.value)
+    return Found(speed, quotient.at, (0.5 * quotient.error / quotient.value + EXACT) * speed if speed else 0.0)
 
 
 def asked_jump(
     motion: "Motion", slide: "Optional", arm: "Optional", *, asked: bool
 ) -> "tuple[float | None, float | None, float] | None":
-    """Give the jump of a follower of which mass (or inertia), spring rate and preload are known, for a verdict.
+    """Give the jump speed of a follower with known mass (or inertia), spring rate and preload, for a verdict.
 
     `slide`: mass, spring rate and preload of a slide; `arm`: moment of inertia, torsion rate and preload torque of an
-    arm; `asked`: whether a verdict is wanted, so that the three must be there. Returns speed, place and the bound of
-    the speed's error, None and None where nothing makes it jump; None alone where nothing was asked. Raises
+    arm; `asked`: whether a verdict is requested, which needs all three. Returns speed, place and the bound of
+    the speed's error, None and None if nothing makes it jump; None alone if nothing was requested. Raises
     InadmissibleError when one of the three is missing, those of the other kind of follower are given, or the spring is
     slack.
     """
@@ -81,8 +81,8 @@ def asked_jump(
         code="slack",
         hint="raise the preload",
     )
-    found = jump(motion, load)
-    return (None, None, 0.0) if found is None else (found.value, found.at, found.error)
+    jumping = jump(motion, load)
+    return (None, None, 0.0) if jumping is None else (jumping.value, jumping.at, jumping.error)
 
 
 def dropping(motion: "Motion") -> float | None:

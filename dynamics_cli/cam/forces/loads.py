@@ -1,4 +1,4 @@
-"""What a follower's inertia, spring and load ask of the cam, in forces for a slide and in torques for an arm."""
+"""The load on the cam from a follower's inertia, spring and external load: a force for a slide, a torque for an arm."""
 
 from math import sqrt
 
@@ -17,7 +17,7 @@ SWINGS = 'write "rise 15 deg in 90 deg …" for an arm'
 
 
 class Load:
-    """Q = k s + P + J ω² s″, which the cam has to give: a force, or for an arm a torque about its pivot.
+    """Q = k s + P + J ω² s″, the load on the cam: a force, or for an arm a torque about its pivot.
 
     `train`: what moves, and what presses it.
     """
@@ -47,21 +47,21 @@ class Load:
         return self.rate * s + self.steady + self.inertial * s2
 
     def enclosed(self) -> "Load":
-        """The same load with what its own constants round by, for discs."""
+        """The same load for discs, including the rounding of its constants."""
         from dynamics_cli.numerics.discs import Disc
 
-        made = Load.__new__(Load)
+        enclosed = Load.__new__(Load)
         for name in self.__slots__:
-            setattr(made, name, getattr(self, name))
+            setattr(enclosed, name, getattr(self, name))
         # k r r, m ω ω and P + L
         for name in ("rate", "inertial", "steady"):
             value = getattr(self, name)
-            setattr(made, name, Disc(value, 2.0**-51 * abs(value)))
-        return made
+            setattr(enclosed, name, Disc(value, 2.0**-51 * abs(value)))
+        return enclosed
 
 
 def load_of(train: Train, motion: "Motion", omega: float = 0.0) -> Load:
-    """Give the load of a train on a motion of its own kind.
+    """Give the load of a train on a motion of the same kind.
 
     `train`: what moves, and what presses it. Raises UsageError when the program slides and the train is an arm's, or
     the other way round. Raises InadmissibleError when nothing moves, a preload pulls, or a spring acts at the pivot

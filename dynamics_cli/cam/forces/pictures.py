@@ -1,4 +1,4 @@
-"""Pictures of the forces on a cam: what the cam gives its follower, the contact force and the torque over the turn."""
+"""Pictures of the forces on a cam: the force on the follower, the contact force and the torque over the turn."""
 
 from dynamics_cli.cam.forces.loads import load_of
 from dynamics_cli.cam.forces.records import Forces, Train
@@ -27,8 +27,9 @@ def forces(
 ) -> Picture:
     """Draw lift, force (or an arm's torque), contact force and shaft torque over the turn; below zero it leaves.
 
-    `train`: what moves and what presses it; `follower`: the follower, where there is one; `rotation`: which way the cam
-    turns. Returns three panels over the cam angle, or four with a follower, with the extremes and the line of no force.
+    `train`: the moving parts and their spring; `follower`: the follower, where there is one; `rotation`: sense of
+    rotation of the cam. Returns three panels over the cam angle, or four with a follower, with the extremes and the
+    line of no force.
     """
     del given
     motion = motion_of(scene, program)

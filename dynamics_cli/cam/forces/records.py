@@ -1,4 +1,4 @@
-"""What `cam force` takes and gives."""
+"""Inputs and results of `cam force`."""
 
 from dynamics_cli.cam.geometry.followers import FlatFace, KnifeEdge, OscillatingFlat, OscillatingRoller, Roller
 from dynamics_cli.quantities import (
@@ -30,7 +30,7 @@ DrivenFollower = KnifeEdge | Roller | FlatFace | OscillatingRoller | Oscillating
 
 @record
 class Slide:
-    """A follower that slides: what it moves, and what presses it on the cam."""
+    """A sliding follower: moved mass, spring and load."""
 
     mass: Annotated[Mass, "Moving mass of a sliding follower, with a third of the spring's, e.g. 0.5 kg [kg]."]
     spring_rate: Annotated[Stiffness, "Rate of the spring [N/m]."] = 0.0
@@ -61,7 +61,7 @@ class ArmOnTorsionSpring:
 
 @record
 class ArmOnSpring:
-    """An arm, and a linear spring that acts square to a radius of the arm."""
+    """An arm with a linear spring that acts perpendicular to a radius of the arm."""
 
     inertia: Annotated[
         Inertia, "Moment of inertia of the arm and what moves with it about the pivot, e.g. 0.002 kg*m^2 [kg*m^2]."

@@ -1,4 +1,4 @@
-"""Force along the common normal of cam and follower, and the Hertz pressure it makes where they touch."""
+"""Force along the common normal of cam and follower, and the Hertz pressure at the contact."""
 
 from math import pi, sqrt
 
@@ -25,7 +25,7 @@ UNIT = 2.0**-53
 
 
 class Touching:
-    """How a follower's load goes into the common normal, and how close cam and follower lie; complex numbers too.
+    """A follower's load along the common normal, and the conformity of the contact; also for complex numbers.
 
     `load`: what the cam has to give: a force, or an arm's torque; `slip`: what the start of the follower may be off,
     where discs are asked for.
@@ -39,7 +39,7 @@ class Touching:
         self.turn, self.start = geometry.turn, geometry.start
 
     def enclosed(self) -> "Touching":
-        """The same for discs: with what the load's constants and the start of the follower round by."""
+        """The same for discs, including the rounding of the load's constants and of the follower's start."""
         return Touching(self.geometry, self.load.enclosed(), start_slip(self.geometry))
 
     def gain(self, s: "Any", s1: "Any", s2: "Any") -> "Any":
@@ -93,7 +93,7 @@ def require_lever(geometry: Geometry, motion: "Motion") -> None:
     if not geometry.oscillating:
         require(
             least > 0.0,
-            "the follower comes down to {least} above the cam's axis: the pressure angle reaches a right angle",
+            "the follower comes down to {least} above the cam's axis: the pressure angle reaches 90 deg",
             least=(least, Coordinate),
             code="through-axis",
             hint="take a larger base circle, or a smaller offset",

@@ -31,11 +31,11 @@ class Analysis:
 def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     """Find every extreme of curvature, pressure angle and contact.
 
-    `motion`: the program. Returns the extremes. Raises InadmissibleError when a centre of the roller passes through the
+    `motion`: the program. Returns the extremes. Raises InadmissibleError when the roller's centre passes through the
     cam's axis, the pressure angle passes 180 degrees, or a flat rocker turns as fast as the cam.
 
     Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane, give the places;
-    the values are those of the formulas there, with their own roundings followed. See `numerics.chebyshev` and
+    the values are those of the formulas there, with bounded rounding. See `numerics.chebyshev` and
     `cam.proof`. No value on the turn is beyond the extremes by more than their errors.
     """
     slip = start_slip(geometry)
@@ -46,36 +46,36 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
 
     try:
         with np.errstate(all="ignore"):
-            made = Cover(motion, functions)
+            cover = Cover(motion, functions)
     except ValueError:
         refuse_size()
         raise
-    found = made.ends()
+    ends = cover.ends()
     require(
-        found[1].error < inf,
+        ends[1].error < inf,
         "the pressure angle passes 180 deg: the cam would have to pull the follower through",
         code="pulled",
         hint="take another base circle, or let an arm start farther from the line of pivot and axis",
     )
-    return Analysis(found[0], found[1], found[2] if geometry.flat else None)
+    return Analysis(ends[0], ends[1], ends[2] if geometry.flat else None)
 
 
 def refuse_size() -> None:
     """Refuse a cam whose proxies are not finite."""
     require(
         False,
-        "there is no cam of this size: the point of contact runs through the cam's axis, or numbers overflow",
+        "a cam of this size is impossible: the point of contact passes through the cam's axis, or numbers overflow",
         code="through-axis",
         hint="take a base radius above zero, of the size of the lift",
     )
 
 
-def runs_forward(geometry: Geometry, found: Analysis) -> bool:
-    """Whether the cam's curve is proved to stand nowhere and to run backwards nowhere within the zones of the motion.
+def runs_forward(geometry: Geometry, analysis: Analysis) -> bool:
+    """Whether the cam's curve provably never stops or runs backwards within the zones of the motion.
 
     1 − R κ > 0 all round (on an outer flank 1 + R κ), or ρ > 0 under a flat face, by more than the proved error.
     """
-    bend = found.curvature
+    bend = analysis.curvature
     if geometry.flat:
         return bend.smallest()[0] > bend.error
     tightest = bend.largest()[0] if geometry.side > 0.0 else -bend.smallest()[0]
@@ -83,10 +83,11 @@ def runs_forward(geometry: Geometry, found: Analysis) -> bool:
 
 
 def start_slip(geometry: Geometry) -> float:
-    """What the height or angle of the follower at zero lift is off by rounding.
+    """Rounding error of the follower's height or angle at zero lift.
 
     Heights are roots of products of two sums that are rounded once: 3 u. Angles are twice arc tangents, within a unit
-    in the last place, of quotients of such roots, 6 u at most. A second follower's is what a distance or angle leaves.
+    in the last place, of quotients of such roots, 6 u at most. For a second follower it follows from the given distance
+    or angle.
     """
     f = geometry.follower
     if isinstance(f, FlatFace):
@@ -96,9 +97,9 @@ def start_slip(geometry: Geometry) -> float:
     return 2.0**-53 * (rounded + (abs(geometry.start) if left else 0.0)) * (1.0 + 2.0**-40)
 
 
-def pressure_bounds(found: Analysis) -> tuple[ErrorBound, ...]:
+def pressure_bounds(analysis: Analysis) -> tuple[ErrorBound, ...]:
     """Proved bounds of the two extremes of the pressure angle, relative to each."""
-    own = found.pressure
+    own = analysis.pressure
     return tuple(
         ErrorBound(name, error / abs(value))
         for name, value, error in (

@@ -1,4 +1,4 @@
-"""One turn of a cam with its follower as an SVG that moves by itself (SMIL, no script); still, it shows the start.
+"""One turn of a cam with its follower as an animated SVG (SMIL, no script); a still print shows the start.
 
 Cam and follower are rigid: the cam only turns, a slide only shifts and an arm only swings, so that each is drawn once.
 """
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
     from typing import Any
 
-# Points of the outline and positions of the follower in a turn, and how long the turn takes.
+# Points of the outline, positions of the follower in a turn, and the duration of a turn.
 STEPS = 720
 FRAMES = 360
 SECONDS = 6
@@ -26,7 +26,7 @@ INNER = Flank("inner")
 
 
 def _moves(geometry: Geometry, shown: "Any", lifts: "list[float]") -> "tuple[str, str, list[str]]":
-    """What moves the follower, as SVG has it, where it stands without, and its steps."""
+    """The follower's motion in SVG terms: type of transform, static position, and steps."""
     if geometry.oscillating:
         pivot = _point(shown.pivot or 0j)
         moves = [f"{degrees(lift):.4f} {pivot}" for lift in lifts]
@@ -48,8 +48,8 @@ def animation(
 ) -> str:
     """One turn of the cam with its follower, in millimetres and in true size.
 
-    `follower`: the follower and where it stands; `rotation`: which way the cam turns; `flank`: which surface. Returns
-    the file.
+    `follower`: the follower and where it stands; `rotation`: which way the cam turns; `flank`: the working surface.
+    Returns the file.
     """
     del given
     geometry, motion = Geometry(follower, rotation, flank), motion_of(scene, program)

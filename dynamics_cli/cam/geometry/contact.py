@@ -1,8 +1,8 @@
 """Where cam and follower touch: exact envelopes in the fixed frame, from the lift and its derivatives by cam angle.
 
-With p the centre of the roller, u = dp/dθ − ip is its velocity as the cam sees it; the outward normal is iu/|u|, and
-the cam's curve is p − R_r n. A flat face touches where the instant centre says. Everything here is exact and works on
-arrays; a cam that turns clockwise is one that turns anticlockwise with the motion run backwards.
+With p the centre of the roller, u = dp/dθ − ip is its velocity relative to the cam; the outward normal is iu/|u|, and
+the cam's curve is p − R_r n. A flat face touches where its normal passes the instant centre. Everything here is exact
+and works on arrays; a clockwise cam is an anticlockwise one with the motion reversed.
 """
 
 from math import pi
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 @record
 class Touch:
-    """Contact at some cam angles, all of it in the fixed frame (arrays)."""
+    """Contact at some cam angles, in the fixed frame (arrays)."""
 
     centre: Annotated["Pair", "Centre of the roller, or the point of contact of other followers [m]."]
     point: Annotated["Pair", "The point of contact [m]."]
@@ -56,7 +56,7 @@ class Touch:
 
 
 class Geometry:
-    """A follower in place over a cam: touches at cam angles, once its lift and derivatives there are known."""
+    """A follower over a cam: gives the contact at cam angles from its lift and derivatives there."""
 
     def __init__(self, follower: Follower, rotation: str = "counter-clockwise", flank: str = "inner") -> None:
         self.follower = follower
@@ -73,7 +73,7 @@ class Geometry:
         sizes = [abs(size) for size in vars(follower).values()]
         require(
             all(size == 0.0 or SMALLEST < size < LARGEST for size in sizes),
-            "a length of the follower is beyond what any cam has",
+            "a length of the follower is larger than any cam could have",
             code="range",
             hint="check the units of its lengths",
         )
@@ -154,7 +154,7 @@ class Geometry:
         return x + share * big_y, y - share * big_x
 
     def bends(self, s: "Any", s1: "Any", s2: "Any") -> "tuple[Any, ...]":
-        """Of a touch only what extremes are wanted of: curvature or radius, pressure angle, and along a face where."""
+        """The quantities that extremes are taken of: curvature or radius, pressure angle, place along a face."""
         if self.flat:
             touch = self._flat(s, self.turn * s1, s2)
             return touch.radius, touch.pressure_angle, self.along(touch)
@@ -202,7 +202,7 @@ class Geometry:
         )
 
     def turned(self, point: "Pair", theta: "Any", start_angle: float = 0.0) -> "Pair":
-        """A point of the fixed frame as a point of the cam: turned back by the cam angle, on by the start angle."""
+        """A point of the fixed frame as one of the cam: back by the cam angle, forward by the start angle."""
         return rotated(point, theta, self.turn, start_angle)
 
 
@@ -250,7 +250,7 @@ def turned_back(count: int, start_angle: float, turn: float) -> "tuple[Any, Any]
 
 
 def check_speed(geometry: Geometry, s1: "Any") -> None:
-    """Refuse a flat rocker that turns back as fast as the cam: it would touch at infinity."""
+    """Refuse a flat rocker that swings back as fast as the cam turns: it would touch at infinity."""
     if isinstance(geometry.follower, OscillatingFlat):
         slowest = float(np.min(1.0 + geometry.turn * np.asarray(s1)))
         require(

@@ -1,7 +1,7 @@
-"""What an undercut leaves of a cam: where the cutter takes the envelope away, and the corners where it crosses itself.
+"""The remainder of an undercut cam: where the cutter removes the envelope, and the corners where it crosses itself.
 
-The cut cam is what no position of the follower covers. Its edge is the envelope where that is left, and corners where
-the envelope crosses itself.
+The cut cam is the region that no position of the follower covers. Its edge is the remaining envelope, with corners
+where the envelope crosses itself.
 """
 
 from math import pi
@@ -22,17 +22,17 @@ if TYPE_CHECKING:
     from typing import Any
 
 TURN = 2.0 * pi
-# A corner that another position of the follower covers by less than this share of the cam's size is on its edge.
+# A corner covered by another position of the follower by less than this share of the cam's size counts as on its edge.
 COVERED = 1e-12
-# Where no corner is found between ends this close, of the cam's size, the undercut is less than its rounding.
+# If no corner exists between ends closer than this (relative to the cam's size), the undercut is below rounding.
 NOTHING = 1e-11
-# How far a corner may be from its place, of the cam's size, where points are too near to separate.
+# Position error of a corner, relative to the cam's size, where points are too near to separate.
 BLURRED = 1e-12
 
 
 @record
 class Corner:
-    """A corner of what is left."""
+    """A corner of the remaining cam."""
 
     leaves: Annotated[float, "Place at which the curve leaves the edge."]
     returns: Annotated[float, "Place at which it comes back to it."]
@@ -45,7 +45,7 @@ class Corner:
 
 @record
 class Left:
-    """What an undercut leaves of a cam."""
+    """The remainder of an undercut cam."""
 
     stretches: Annotated[tuple[tuple[float, float], ...], "Cam angles between which the envelope runs backwards."]
     edge: Annotated[
@@ -57,27 +57,27 @@ class Left:
 
 
 def left_by(curve: Envelope, *, forward: bool = False) -> "Left | None":
-    """What an undercut leaves of a cam, or None where the whole envelope is its edge.
+    """The remainder of an undercut cam, or None where the whole envelope is its edge.
 
     `curve`: the envelope of the follower; `forward`: whether the curve is known to run forwards within every zone
-    (`analysis.runs_forward`). Returns the corners of what is left.
+    (`analysis.runs_forward`). Returns the corners of the remainder.
 
     The envelope runs backwards between certified places. All crossings of its forward arcs are found by halving pairs
-    of arcs and by Newton's method; those that no position of the follower covers are corners, and the way from corner
-    to corner along the curve is the edge of each piece that is left, of which one winds about the axis. How far an
-    arc bends is taken from samples with a quarter to spare; beyond that nothing depends on samples, however small the
-    undercut or however many run into each other. A place where the velocity jumps counts as backwards where its two
-    contacts are in the wrong order.
+    of arcs and by Newton's method; those that no position of the follower covers are corners, and the path from
+    corner to corner along the curve is the edge of each remaining piece, one of which encloses the axis. The
+    turning of an arc is taken from samples with a margin of a quarter; nothing else depends on samples, however small
+    the undercut and even where several merge. A velocity jump counts as backwards if its two contacts are in the wrong
+    order.
     """
     if not curve.geometry.flat and curve.geometry.roller == 0.0:
         return None
     backward = curve.backward(forward=forward)
     arcs = curve.forward(backward)
     size = max((max(abs(arc.first), abs(arc.last)) for arc in arcs), default=0.0)
-    found = _uncovered(curve.geometry, curve.motion, crossings(curve, arcs, size), size)
-    if not backward and not found:
+    corners = _uncovered(curve.geometry, curve.motion, crossings(curve, arcs, size), size)
+    if not backward and not corners:
         return None
-    whole = [_corner(curve, crossing) for crossing in found] + _cusps(curve, backward, found, size)
+    whole = [_corner(curve, crossing) for crossing in corners] + _cusps(curve, backward, corners, size)
     loops = _loops(whole, backward, arcs)
     main = [loop for loop in loops if _winds(loop, arcs)]
     edge = tuple(main[0]) if main else ()
@@ -85,18 +85,18 @@ def left_by(curve: Envelope, *, forward: bool = False) -> "Left | None":
 
 
 def _wrapped(curve: Envelope, backward: "list[tuple[float, float]]") -> "list[tuple[float, float]]":
-    """Stretches as cam angles; one that runs over the end of the turn is one."""
+    """Stretches as cam angles; one that crosses the end of the turn counts once."""
     wrapped = [(curve.angle_at(low), curve.angle_at(high)) for low, high in backward]
     if len(wrapped) > 1 and backward[0][0] == 0.0 and backward[-1][1] == len(curve.parts):
         wrapped[-1] = (wrapped[-1][0], wrapped.pop(0)[1] + TURN)
     return wrapped
 
 
-def _uncovered(geometry: Geometry, motion: "Any", found: "list[Crossing]", size: float) -> "list[Crossing]":
-    """The crossings that no position of the follower takes away, certified."""
-    if not found:
+def _uncovered(geometry: Geometry, motion: "Any", crossings_met: "list[Crossing]", size: float) -> "list[Crossing]":
+    """The crossings that no position of the follower covers, certified."""
+    if not crossings_met:
         return []
-    points = np.array([crossing.point for crossing in found])[:, None, None]
+    points = np.array([crossing.point for crossing in crossings_met])[:, None, None]
     starts = np.array([zone.start for zone in motion.zones])
     widths = np.array([zone.end for zone in motion.zones]) - starts
 
@@ -109,13 +109,13 @@ def _uncovered(geometry: Geometry, motion: "Any", found: "list[Crossing]", size:
     interpolants = proxies(depth, np.zeros(count), np.ones(count))
     return [
         crossing
-        for index, crossing in enumerate(found)
+        for index, crossing in enumerate(crossings_met)
         if extremes(interpolants, index).smallest()[0] >= -COVERED * size * (size if geometry.roller else 1.0)
     ]
 
 
 def clearance(geometry: Geometry, s: "Any", point: "Any") -> "Any":
-    """How far a point of the fixed frame is from being covered by the follower at lift s.
+    """Clearance of a point of the fixed frame from the follower at lift s.
 
     `s`: lifts; `point`: points as complex numbers [m]. Returns square of the distance from the roller's centre less
     that of its radius [m²], or distance from a flat face towards the cam [m]; negative where covered.
@@ -137,19 +137,19 @@ def _centre(geometry: Geometry, level: "Any") -> "Any":
 
 
 def _corner(curve: Envelope, crossing: Crossing) -> Corner:
-    """Which of the two passages leaves the edge: the cam is within the sides of both."""
+    """The corner, with the passage that leaves the edge: the cam is on the inner side of both."""
     if curve.sense * crossing.turn < 0.0:
         return Corner(crossing.first, crossing.second, crossing.point, crossing.exact)
     return Corner(crossing.second, crossing.first, crossing.point, crossing.exact)
 
 
 def _cusps(
-    curve: Envelope, backward: "list[tuple[float, float]]", found: "list[Crossing]", size: float
+    curve: Envelope, backward: "list[tuple[float, float]]", crossings_met: "list[Crossing]", size: float
 ) -> "list[Corner]":
-    """Backward stretches that are too short for a corner of their own: the curve stands there."""
+    """Backward stretches too short for a corner: the curve stops there."""
     cusps = []
     for low, high in backward:
-        if any(crossing.first <= low and high <= crossing.second for crossing in found):
+        if any(crossing.first <= low and high <= crossing.second for crossing in crossings_met):
             continue
         ends = []
         for place in (low, high):
@@ -161,7 +161,7 @@ def _cusps(
 
 
 def _loops(corners: "list[Corner]", backward: "list[tuple[float, float]]", arcs: "list[Arc]") -> "list[list[Corner]]":
-    """The closed ways along the curve from each corner to the next: edges of the pieces left."""
+    """The closed paths along the curve from each corner to the next: edges of the remaining pieces."""
     if not corners:
         return []
     # the curve leaves the edge at a corner, at last where it turns back
@@ -183,7 +183,7 @@ def _loops(corners: "list[Corner]", backward: "list[tuple[float, float]]", arcs:
 
 
 def _winds(loop: "list[Corner]", arcs: "list[Arc]") -> bool:
-    """Whether a way along the curve goes round the cam's axis, or through it."""
+    """Whether a path along the curve encloses the cam's axis, or passes through it."""
     points: list[complex] = []
     for index, corner in enumerate(loop):
         last = loop[(index + 1) % len(loop)].leaves

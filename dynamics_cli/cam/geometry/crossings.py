@@ -1,4 +1,4 @@
-"""Where a curve of many arcs crosses itself: boxes round halved arcs leave few pairs, and Newton ends each."""
+"""Self-crossings of a curve of many arcs: boxes around halved arcs leave few pairs, which Newton's method decides."""
 
 from cmath import phase
 from itertools import pairwise
@@ -10,9 +10,9 @@ from dynamics_cli.cam.geometry.envelope import MARGIN, Arc, Envelope
 from dynamics_cli.quantities import Annotated
 from dynamics_cli.records import record
 
-# A curve that turns by less than half a turn in all does not meet itself.
+# A curve that turns by less than half a turn in total does not cross itself.
 APART = 2.8
-# Shares of the cam's size: points so close are one to rounding, and arcs so short cross where they come so close.
+# Relative to the cam's size: points this close coincide within rounding; arcs this short cross if they come this close.
 CLOSE = 1e-14
 TINY = 1e-12
 
@@ -31,16 +31,16 @@ class Crossing:
 
 
 def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing]":
-    """Every point that forward arcs share, but for those where one goes on as the next.
+    """Every common point of forward arcs, except where one continues as the next.
 
     `arcs`: its forward arcs, in order; `size`: size of the cam, for rounding [m].
 
     An arc whose tangent turns by β lies within ½·tan β of its chord's length from the chord: pairs whose boxes are
     apart share no point. Pairs whose tangents never point alike share one point at most, found by Newton's method;
-    others are halved, to 1e-12 of the size at most. The result depends on no sampling of the curve but that of how far
-    an arc turns, which is taken a quarter larger.
+    others are halved, to 1e-12 of the size at most. The result depends on sampling only for the turning of an arc,
+    which is increased by a quarter.
     """
-    found: list[Crossing] = []
+    points: list[Crossing] = []
     stack = [(arcs[i], arcs[j]) for i, j in _pairs(arcs, len(curve.parts), size)]
     while stack:
         one, two = stack.pop()
@@ -50,18 +50,18 @@ def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing
         short, point = length <= TINY * size, length <= CLOSE * size
         crossing = _newton(curve, one, two, size) if not point and (short or _cross_once(one, two)) else None
         if crossing is not None:
-            found.append(crossing)
+            points.append(crossing)
         elif short:
             middles = 0.5 * (one.low + one.high), 0.5 * (two.low + two.high)
-            found.append(_made(curve, one, middles[0], two, middles[1], exact=False))
+            points.append(_made(curve, one, middles[0], two, middles[1], exact=False))
         else:
             tiny = TINY * size
             stack += [(a, b) for a in _split(curve, one, tiny) for b in _split(curve, two, tiny)]
-    return _distinct(found)
+    return _distinct(points)
 
 
 def _pairs(arcs: "list[Arc]", parts: int, size: float) -> "list[tuple[int, int]]":
-    """Arcs whose boxes overlap and between which the curve breaks off or turns far."""
+    """Arcs whose boxes overlap and between which the curve is interrupted or turns far."""
     count = len(arcs)
     if not count:
         return []
@@ -86,7 +86,7 @@ def _pairs(arcs: "list[Arc]", parts: int, size: float) -> "list[tuple[int, int]]
 
 
 def _apart(one: Arc, two: Arc, size: float) -> bool:
-    """Whether boxes along the chord of either keep the two apart."""
+    """Whether boxes along the chord of either separate the two."""
     for a, b in ((one, two), (two, one)):
         chord = a.last - a.first
         length = abs(chord)
@@ -104,7 +104,7 @@ def _apart(one: Arc, two: Arc, size: float) -> bool:
 
 
 def _cross_once(one: Arc, two: Arc) -> bool:
-    """Whether tangents of the two never are parallel."""
+    """Whether tangents of the two are never parallel."""
     a, b = one.last - one.first, two.last - two.first
     if not a or not b:
         return True
@@ -113,7 +113,7 @@ def _cross_once(one: Arc, two: Arc) -> bool:
 
 
 def _split(curve: Envelope, arc: Arc, tiny: float) -> "tuple[Arc, ...]":
-    """The halves of an arc that has a length worth halving."""
+    """The halves of an arc, if it is long enough to halve."""
     return (arc,) if abs(arc.last - arc.first) <= tiny else _halves(curve, arc)
 
 
@@ -147,7 +147,7 @@ def _newton(curve: Envelope, one: Arc, two: Arc, size: float) -> "Crossing | Non
         before = a, b
         a = min(max(a + min(max(step[0], -most[0]), most[0]), one.low), one.high)
         b = min(max(b + min(max(step[1], -most[1]), most[1]), two.low), two.high)
-        # places met before come again and again: at a point the last bits', where there is none those of the ends
+        # the iteration repeats: at a crossing in the last bits, without one at the ends
         if max(abs(a - before[0]), abs(b - before[1])) <= 2e-16 or (a, b) in seen:
             break
         seen.add((a, b))
@@ -169,10 +169,10 @@ def _single(curve: Envelope, part: int, share: float) -> "tuple[complex, complex
     return complex(point[0]), complex(velocity[0])
 
 
-def _distinct(found: "list[Crossing]") -> "list[Crossing]":
-    """Neighbouring arcs may both end in one crossing."""
+def _distinct(points: "list[Crossing]") -> "list[Crossing]":
+    """Merge crossings found twice at the common end of neighbouring arcs."""
     kept: list[Crossing] = []
-    for crossing in sorted(found, key=lambda one: (one.first, one.second)):
+    for crossing in sorted(points, key=lambda one: (one.first, one.second)):
         if not any(
             abs(other.first - crossing.first) <= 1e-11 and abs(other.second - crossing.second) <= 1e-11
             for other in kept[-4:]

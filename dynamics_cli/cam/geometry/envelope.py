@@ -1,6 +1,6 @@
-"""The envelope of a follower as one curve of smooth parts: where it runs forwards, and arcs of it that bend little.
+"""The envelope of a follower as one curve of smooth parts: where it runs forwards, and its arcs of small curvature.
 
-A part is a zone of the motion, or the bridge that one position of the follower leaves where its velocity jumps: an arc
+A part is a zone of the motion, or the bridge cut by one position of the follower where its velocity jumps: an arc
 of the roller or a length of the flat face. A place of the curve is a part and a share of it; as one number, their sum.
 """
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 # A step of the velocity below this share of its peak is rounding.
 JUMP = 1e-9
-# Arcs are halved until the curve turns by less than this on each; what was sampled of the turning is trusted so far.
+# Arcs are halved until the curve turns by less than this on each, the range in which the sampled turning is trusted.
 BEND = 0.35
 MARGIN = 1.25
 SAMPLES = 7
@@ -27,7 +27,7 @@ DEPTH = 60
 
 @record
 class Bridge:
-    """What one position of the follower leaves of the cam where its velocity jumps."""
+    """The part of the cam cut by one position of the follower where its velocity jumps."""
 
     angle: Annotated[float, "Cam angle [rad]."]
     first: Annotated[complex, "Its ends in the cam's frame [m]."]
@@ -135,7 +135,7 @@ class Envelope:
             every = extremes(speed, every=True)
             for zone, part in enumerate(self.zone_part):
                 here = np.flatnonzero(every.owner == zone)
-                # a dwell on the axis stands still within its error: it is a point, and loses nothing
+                # a dwell on the axis is a point within its error, and loses nothing
                 if np.abs(every.values[here]).max() > every.error:
                     stretches += self._backward(part, zone, every.places[here], every.values[here])
         for number, piece in enumerate(self.parts):
@@ -176,7 +176,7 @@ class Envelope:
     def forward(self, backward: "list[tuple[float, float]]") -> "list[Arc]":
         """Arcs of the forward parts in order, each bending little.
 
-        `backward`: what `backward` found.
+        `backward`: the result of `backward`.
         """
         arcs: list[Arc] = []
         zones: list[tuple[int, float, float]] = []
@@ -191,7 +191,7 @@ class Envelope:
         return sorted(arcs + self._bent(zones), key=lambda arc: arc.start)
 
     def _stretches(self, backward: "list[tuple[float, float]]") -> "list[tuple[int, float, float]]":
-        """What is left of every part between the backward stretches."""
+        """The rest of every part between the backward stretches."""
         stretches = []
         for part in range(len(self.parts)):
             low = 0.0

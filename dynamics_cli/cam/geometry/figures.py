@@ -16,7 +16,7 @@ CIRCLE = tuple(exp(2j * pi * k / 90) for k in range(91))
 
 @record
 class Figure:
-    """What is drawn of a follower."""
+    """The drawn parts of a follower."""
 
     shape: Annotated[tuple[complex, ...], "The line that touches: the roller's circle, the face, the knife-edge."]
     name: Annotated[str, "What it is."]

@@ -1,7 +1,7 @@
-"""Followers of a radial cam and where they stand: knife-edge, roller and flat, translating and oscillating.
+"""Followers of a radial cam and their positions: knife-edge, roller and flat, translating and oscillating.
 
 The frame is fixed: the cam's axis at the origin, a translating follower along +y, an arm's pivot on +x. The cam turns
-anticlockwise unless said otherwise; its own points are those of this frame turned back by the cam angle.
+anticlockwise unless said otherwise; points of the cam are those of this frame rotated back by the cam angle.
 """
 
 from math import atan2, fsum, pi, sqrt
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 
 class Rotation(Choice):
-    """Which way the cam turns."""
+    """Sense of rotation of the cam."""
 
     names = ("counter-clockwise", "clockwise")
     aliases = {"ccw": "counter-clockwise", "anticlockwise": "counter-clockwise", "cw": "clockwise"}  # noqa: RUF012
 
 
 class Flank(Choice):
-    """Which surface: of a disc or the inner one of a closed track, or the outer one of a closed track."""
+    """Working surface: of a disc or the inner one of a closed track, or the outer one of a closed track."""
 
     names = ("inner", "outer")
 
@@ -50,7 +50,7 @@ class Roller:
 @tagged("follower")
 @record
 class FlatFace:
-    """A translating follower with a flat face square to its way."""
+    """A translating follower with a flat face perpendicular to its motion."""
 
     base_radius: Annotated[Size, "Radius of the base circle, e.g. 25 mm [m]."]
 
@@ -108,7 +108,7 @@ MATES = (ConjugateRoller, ConjugateOscillatingRoller)
 
 
 def require_lift(motion: "Any", oscillating: bool) -> None:
-    """Refuse a lift that is an angle for a slide, one that is a length for an arm, and an arm that goes right round."""
+    """Refuse an angular lift of a slide, a linear one of an arm, and an arm that swings all the way round."""
     require(
         bool(motion.swing) == oscillating,
         "an arm's lift is an angle, and this program's lift is a length"
@@ -120,7 +120,7 @@ def require_lift(motion: "Any", oscillating: bool) -> None:
     most = max(map(abs, motion.stroke)) if oscillating else 0.0
     require(
         most < 2.0 * pi,
-        "a swing of {swing} takes the arm right round its pivot",
+        "a swing of {swing} takes the arm all the way round its pivot",
         swing=(most, Angle),
         turn=(2.0 * pi, Angle),
         code="swing",
@@ -177,7 +177,7 @@ def start_height(base_radius: float, roller_radius: float, offset: float) -> flo
         code="offset",
         hint="take an offset below {prime}",
     )
-    # sums of three are rounded once: next to the limit the difference is all there is
+    # sums of three are rounded once: next to the limit only the difference matters
     return sqrt(max(fsum((base_radius, roller_radius, -offset)) * fsum((base_radius, roller_radius, offset)), 0.0))
 
 
@@ -206,8 +206,8 @@ def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, piv
     prime, difference, both = base_radius + roller_radius, abs(pivot_distance - arm), pivot_distance + arm
     require(
         difference <= prime <= both and prime > 0.0 and arm > 0.0 and pivot_distance > 0.0,
-        "arm {arm}, pivot distance {pivot} and start radius {prime} make no triangle: the roller cannot touch the base "
-        "circle",
+        "arm {arm}, pivot distance {pivot} and start radius {prime} do not form a triangle: the roller cannot touch "
+        "the base circle",
         arm=(arm, Size), pivot=(pivot_distance, Size), prime=(prime, Size),
         code="no-triangle",
         hint="take a base radius of {least:6} to {most:6}"
@@ -224,7 +224,7 @@ def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, piv
 def start_angle_of_face(base_radius: float, face_offset: float, pivot_distance: float) -> float:
     """Angle of a flat rocker from the line pivot–axis where the lift is zero: sin ψ₀ = (R_b + f)/c.
 
-    `base_radius`: radius of the base circle, e.g. 25 mm [m]; `face_offset`: how far the face stands from the pivot
+    `base_radius`: radius of the base circle, e.g. 25 mm [m]; `face_offset`: offset of the face from the pivot
     towards the cam [m]; `pivot_distance`: distance of the pivot from the cam's axis, e.g. 100 mm [m]. Returns the
     angle, between 0 and π/2. Raises InadmissibleError when the pivot lies inside the circle the face has to touch.
 

@@ -152,7 +152,7 @@ def _items(
         items.append(_line((shown.base * step for step in CIRCLE), "base circle", "thin", 6))
     items += [
         _line((on * point for point in shown.shape), shown.name, "solid", 1),
-        _line((on * point for point in shown.holder), shown.holder_name, "thin", 1),
+        _line((on * point for point in shown.holder), "", "thin", 1),
         _line(turning_arrow(geometry.turn, 0.3 * (shown.base or _size(arrays))), "", "thin", 6),
         Mark(0.0, 0.0, ""),
         Mark(arrays["x"][0], arrays["y"][0], ""),

@@ -1,4 +1,4 @@
-"""What the plate of a cam weighs: area, perimeter, centroid and polar second moment of what its edge encloses."""
+"""Mass properties of a cam's plate: area, perimeter, centroid and polar second moment within its edge."""
 
 from functools import lru_cache
 from itertools import pairwise
@@ -23,24 +23,24 @@ GAUSS = 16
 """Nodes of a quadrature on a piece of 15 degrees at most and its halves."""
 
 PIECE = pi / 12.0
-# Roundings of a quadrature, as a share of a size that does not cancel.
+# Rounding of a quadrature, relative to a size without cancellation.
 QUADRATURE = 8e-15
-# A piece is short enough when halving it moves the whole by this share at most; so often at most, and so many.
+# A piece is short enough when halving it changes the total by at most this share; limits of halvings and of pieces.
 GOOD = 4e-17
 DEPTH = 24
-# What places of a crossing are rounded by, of the sizes of cam and roller.
+# Rounding of a crossing's position, relative to the sizes of cam and roller.
 ROUNDED = 2.0**-50
 MOST = 4096
-# A centroid nearer to the axis than this share of the perimeter is less than its own rounding.
+# A centroid nearer to the axis than this share of the perimeter is below its rounding.
 SETTLED = 1e-15
 UNIT = 2.0**-53
-# What a plate has; the last three need its thickness and density.
+# Properties of a plate; the last three need its thickness and density.
 NAMES = ("area", "perimeter", "centroid_x", "centroid_y", "mass", "inertia", "inertia_about_centroid")
 
 
 @record
 class Plate:
-    """Area, perimeter, centroid and polar second moment of what the cam's curve encloses, by quadrature."""
+    """Area, perimeter, centroid and polar second moment within the cam's curve, by quadrature."""
 
     area: Annotated[float, "Area [m²]."]
     perimeter: Annotated[float, "Length of the curve [m]."]
@@ -48,18 +48,20 @@ class Plate:
     y: Annotated[float, "Centroid in the cam's frame [m]."]
     polar: Annotated[float, "Second moment of the area about the cam's axis [m⁴]."]
     area_error: Annotated[
-        float, "Twice what halving the last pieces of the quadrature moved, and rounding, as shares of the sizes."
+        float,
+        "Twice the change that halving the last pieces of the quadrature made, plus rounding, relative to each size.",
     ]
     perimeter_error: Annotated[
-        float, "Twice what halving the last pieces of the quadrature moved, and rounding, as shares of the sizes."
+        float,
+        "Twice the change that halving the last pieces of the quadrature made, plus rounding, relative to each size.",
     ]
     centroid_error: Annotated[float, "The same of the centroid [m]."]
-    polar_error: Annotated[float, "The same of the second moment, as a share of it."]
+    polar_error: Annotated[float, "The same for the second moment, relative to it."]
 
 
 @record
 class Weighed:
-    """A plate as `cam profile` gives it, its bounds, and what is to be said of it; None where there is no plate."""
+    """A plate as `cam profile` gives it, with its bounds and advice; None where there is no plate."""
 
     area: Annotated[float | None, "Area [m²]."] = None
     perimeter: Annotated[float | None, "Length of its edge [m]."] = None
@@ -86,9 +88,10 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float, corners: "tuple
     plate, between which the curve is its edge (`undercut.Loss`). Returns the integrals. Raises InadmissibleError when a
     flat rocker turns as fast as the cam.
 
-    Gauss-Legendre of 16 nodes on pieces that are halved until that moves nothing: near the axis, and at the ends of a
+    Gauss–Legendre of 16 nodes on pieces halved until nothing changes: near the axis, and at the ends of a
     short steep rise, a curve turns fast. Where the velocity jumps, the edge is the arc of the roller or the length of
-    the face that joins both contacts. A corner that is off by δ moves every integral by what the curve adds to it on δ.
+    the face that joins both contacts. A corner error δ changes every integral by the contribution of a length δ of the
+    curve.
     """
     curve = Envelope(geometry, motion)
     kept = _kept(curve, corners)
@@ -117,13 +120,13 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float, corners: "tuple
 
 
 def _plate(geometry: Geometry, sums: "Any", left: "Any") -> Plate:
-    """The plate from the integrals and what they are off besides rounding."""
+    """The plate from the integrals and their errors besides rounding."""
     area, perimeter, x, y, polar = sums.tolist()
     third = 1.0 / (3.0 * area) if area else 0.0
     shares = [
         off / abs(whole) + QUADRATURE if whole else 0.0 for off, whole in zip(left.tolist(), sums.tolist(), strict=True)
     ]
-    # an arm's contact is a difference of lengths that reach to its pivot, however small the cam
+    # an arm's contact is a difference of lengths measured from its pivot, however small the cam
     reach = 2.0**-51 * getattr(geometry.follower, "pivot_distance", 0.0)
     if area and perimeter:
         across, along = reach * perimeter / abs(area), reach * 2.0 * pi / perimeter
@@ -135,7 +138,7 @@ def _plate(geometry: Geometry, sums: "Any", left: "Any") -> Plate:
 
 
 def _kept(curve: Envelope, corners: "tuple[Corner, ...]") -> "list[tuple[int, float, float]]":
-    """The edge of the plate: parts of the curve in order, and the shares of each that it reaches from and to."""
+    """The edge of the plate: parts of the curve in order, and the shares of each where it begins and ends."""
     end = float(len(curve.parts))
     ways = [(0.0, end)] if not corners else []
     for corner, after in zip(corners, (*corners[1:], *corners[:1]), strict=True):
@@ -153,7 +156,7 @@ def _kept(curve: Envelope, corners: "tuple[Corner, ...]") -> "list[tuple[int, fl
 def _shares(
     curve: Envelope, kept: "list[tuple[int, float, float]]", spans: "list[float]"
 ) -> "list[tuple[int, float, float]]":
-    """Zones of the edge cut into pieces of 15 degrees or less: zone, and the shares of it each reaches from and to."""
+    """Zones of the edge cut into pieces of 15 degrees or less, each with the shares of the zone at its ends."""
     shares = []
     for part, low, high in kept:
         zone = curve.parts[part]
@@ -166,7 +169,7 @@ def _shares(
 
 
 def _bridged(curve: Envelope, kept: "list[tuple[int, float, float]]", start_angle: float) -> "Any":
-    """The integrals over what single positions of the follower leave where the velocity jumps."""
+    """The integrals over the bridges at velocity jumps."""
     nodes, weights = _gauss(GAUSS)
     turn = curve.geometry.turn
     total = np.zeros(5)
@@ -188,7 +191,7 @@ def _bridged(curve: Envelope, kept: "list[tuple[int, float, float]]", start_angl
 
 
 def _blurred(curve: Envelope, corners: "tuple[Corner, ...]") -> "Any":
-    """What the integrals may be off because the corners are: both arcs end there, each as far off as the corner is."""
+    """Error of the integrals due to that of the corners, where both arcs end."""
     total = np.zeros(5)
     for corner in corners:
         ends, ways = [], []
@@ -199,7 +202,7 @@ def _blurred(curve: Envelope, corners: "tuple[Corner, ...]") -> "Any":
         away = abs(corner.point)
         off = abs(ends[1] - ends[0]) + BLURRED * away
         if corner.exact:
-            # arcs that cross under a small angle leave their crossing open along both
+            # arcs that cross at a small angle leave the position of their crossing uncertain along both
             slope = abs((ways[0].conjugate() * ways[1]).imag)
             gap = abs(ends[1] - ends[0]) + ROUNDED * (away + curve.geometry.roller)
             off = gap / slope if slope else inf
@@ -231,11 +234,11 @@ def weighed(
     geometry: Geometry, motion: "Any", start_angle: float, loss: "Loss | None", thickness: float | None,
     density: float | None,
 ) -> Weighed:  # fmt: skip
-    """Give the plate of a cam; that of an undercut one is what is left about its axis.
+    """Give the plate of a cam; for an undercut one, the remaining piece about its axis.
 
-    `motion`: the program; `start_angle`: angle by which the cam's frame is turned on; `loss`: what an undercut costs;
-    `thickness`: thickness of the plate [m]; `density`: its density [kg/m³]. Returns the plate; without results, and
-    with the reason, where nothing is left about the axis.
+    `motion`: the program; `start_angle`: angle by which the cam's frame is turned on; `loss`: the effect of an
+    undercut; `thickness`: thickness of the plate [m]; `density`: its density [kg/m³]. Returns the plate; without
+    results, but with the reason, if nothing is left about the axis.
     """
     weight = None if thickness is None or density is None else thickness * density
     if loss is not None and not loss.corners:
@@ -259,7 +262,9 @@ def _missing(name: str) -> Advice:
 
 
 def _trimmed(loss: "Loss") -> Advice:
-    message = "area, perimeter, centroid and inertia are those of the plate that is left; the table is of all the curve"
+    message = (
+        "area, perimeter, centroid and inertia are those of the plate that is left; the table covers the whole curve"
+    )
     if loss.pieces:
         message += f"; pieces cut off: {loss.pieces}"
     return Advice("trimmed-plate", message, "note")
@@ -267,13 +272,13 @@ def _trimmed(loss: "Loss") -> Advice:
 
 def _bounds(body: Plate, weight: "float | None") -> tuple[ErrorBound, ...]:
     """Bounds of the quadrature."""
-    made = [ErrorBound("area", body.area_error), ErrorBound("perimeter", body.perimeter_error)]
+    bounds = [ErrorBound("area", body.area_error), ErrorBound("perimeter", body.perimeter_error)]
     off = body.centroid_error
-    made += [ErrorBound(name, off, relative=False) for name in ("centroid_x", "centroid_y")]
+    bounds += [ErrorBound(name, off, relative=False) for name in ("centroid_x", "centroid_y")]
     if weight is not None:
         away = hypot(body.x, body.y)
         about = body.polar_error * body.polar + abs(body.area) * away * (away * body.area_error + 3.0 * off)
-        made.append(ErrorBound("mass", body.area_error + UNIT))
-        made.append(ErrorBound("inertia", body.polar_error + UNIT))
-        made.append(ErrorBound("inertia_about_centroid", weight * (about + 4.0 * UNIT * body.polar), relative=False))
-    return tuple(one for one in made if one.bound < inf)
+        bounds.append(ErrorBound("mass", body.area_error + UNIT))
+        bounds.append(ErrorBound("inertia", body.polar_error + UNIT))
+        bounds.append(ErrorBound("inertia_about_centroid", weight * (about + 4.0 * UNIT * body.polar), relative=False))
+    return tuple(one for one in bounds if one.bound < inf)

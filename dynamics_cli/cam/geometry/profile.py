@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 CCW = Rotation("counter-clockwise")
 INNER = Flank("inner")
-# Beyond this the curve is straight for every purpose, and a document holds no infinity.
+# Beyond this the curve counts as straight: a document cannot hold infinity.
 STRAIGHT = 1e12
 MANY = 10_000_000
 UNIT = 2.0**-53
@@ -53,7 +53,7 @@ class ProfilePoint:
 
 @record
 class CamProfile:
-    """A cam's shape, what it does to its follower, and its plate."""
+    """A cam's shape, its action on the follower, and its plate."""
 
     largest_pressure_angle: Annotated[Angle, "Largest positive pressure angle [rad]."]
     largest_pressure_angle_at: Annotated[Angle, "Cam angle there [rad]."]
@@ -65,7 +65,7 @@ class CamProfile:
     ]
     least_convex_radius_at: Annotated[Angle | None, "Cam angle there [rad]."]
     least_concave_radius: Annotated[
-        Size | None, "Minimum radius of curvature of the cam where it is concave; left out where it is nowhere [m]."
+        Size | None, "Minimum radius of curvature of the cam where it is concave; absent if it is concave nowhere [m]."
     ]
     least_concave_radius_at: Annotated[Angle | None, "Cam angle there [rad]."]
     face_low: Annotated[
@@ -136,9 +136,9 @@ def profile(
     -----
     Radial cams only: barrel (cylindrical) cams are out of scope. Points are the exact envelope, not the radius R_b + s
     of knife-edge textbooks. Errors are a few roundings of the size: the square root of an offset is factored, and
-    extremes come from Chebyshev proxies of every piece of every law, none missed between the points of a table. The
-    table follows the whole envelope of an undercut cam; its plate ends where the envelope crosses itself, and `cam
-    check` gives what the undercut costs.
+    extremes come from Chebyshev proxies of every piece of every law, so that none between the points of a table is
+    missed. The table follows the whole envelope of an undercut cam; its plate ends where the envelope crosses
+    itself, and `cam check` gives the lost lift.
 
     References
     ----------
@@ -206,7 +206,7 @@ def profile(
         checks=_checks(geometry, touch),
         advice=(*_advice(geometry, analysis, loss, joint_jumps(motion)[0]), *body.advice),
         numerics=Numerics(
-            "exact envelope; certified extremes; Gauss quadrature on pieces halved until it stands",
+            "exact envelope; certified extremes; Gauss quadrature on pieces halved until it settles",
             (*body.bounds, *pressure_bounds(analysis), *radius_bounds(geometry, analysis)),
         ),
     )
@@ -218,7 +218,7 @@ def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float
 
     from dynamics_cli.cam.geometry.contact import turned_back
 
-    # a point and what lies along the normal are turned by the same sine and cosine
+    # a point and its offset along the normal are rotated by the same sine and cosine
     cos, sin = turned_back(theta.size, start_angle, geometry.turn)
     (cx, cy), (nx, ny) = touch.point, touch.normal
     # minus zero is zero
@@ -245,29 +245,29 @@ def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float
     )
 
 
-def convex(geometry: "Geometry", found: "Analysis") -> "tuple[float | None, float | None]":
+def convex(geometry: "Geometry", analysis: "Analysis") -> "tuple[float | None, float | None]":
     """Minimum radius of curvature of the cam where the pitch curve is convex, and where."""
     if geometry.flat:
-        return found.curvature.smallest()
-    value, place = found.curvature.largest()
+        return analysis.curvature.smallest()
+    value, place = analysis.curvature.largest()
     return (1.0 / value - geometry.side * geometry.roller, place) if value > 0.0 else (None, None)
 
 
-def concave(geometry: "Geometry", found: "Analysis") -> "tuple[float | None, float | None]":
+def concave(geometry: "Geometry", analysis: "Analysis") -> "tuple[float | None, float | None]":
     """Minimum radius of curvature of the cam where the pitch curve is concave, and where."""
     if geometry.flat:
         return None, None
-    value, place = found.curvature.smallest()
+    value, place = analysis.curvature.smallest()
     return (geometry.side * geometry.roller - 1.0 / value, place) if value < -1e-12 else (None, None)
 
 
-def radius_bounds(geometry: "Geometry", found: "Analysis") -> tuple[ErrorBound, ...]:
-    """Proved bounds of the least radii of curvature: what 1/κ is off where κ is, and two roundings."""
-    bend = found.curvature
-    made = []
+def radius_bounds(geometry: "Geometry", analysis: "Analysis") -> tuple[ErrorBound, ...]:
+    """Proved bounds of the minimum radii of curvature: the error of 1/κ from that of κ, and two roundings."""
+    bend = analysis.curvature
+    bounds = []
     for name, radius, value, error in (
-        ("least_convex_radius", convex(geometry, found)[0], bend.greatest, bend.greatest_error),
-        ("least_concave_radius", concave(geometry, found)[0], bend.least, bend.least_error),
+        ("least_convex_radius", convex(geometry, analysis)[0], bend.greatest, bend.greatest_error),
+        ("least_concave_radius", concave(geometry, analysis)[0], bend.least, bend.least_error),
     ):
         if radius is None:
             continue
@@ -276,12 +276,12 @@ def radius_bounds(geometry: "Geometry", found: "Analysis") -> tuple[ErrorBound, 
             left = abs(value) - error
             off = error / (abs(value) * left) + 2.0 * UNIT / abs(value) if left > 0.0 else inf
         if off < inf:
-            made.append(ErrorBound(name, (off + UNIT * abs(radius)) * (1.0 + 2.0**-40), relative=False))
-    return tuple(made)
+            bounds.append(ErrorBound(name, (off + UNIT * abs(radius)) * (1.0 + 2.0**-40), relative=False))
+    return tuple(bounds)
 
 
 def _checks(geometry: "Geometry", touch: "Touch") -> tuple[Check, ...]:
-    """The roller's centre is where the slide or the arm has it, to rounding."""
+    """Check that the roller's centre is on the slide or the arm, within rounding."""
     import numpy as np
 
     (nx, ny), size = touch.normal, 8e-16
@@ -289,7 +289,7 @@ def _checks(geometry: "Geometry", touch: "Touch") -> tuple[Check, ...]:
     return (Check("normals are of unit length", worst <= size, worst, size),)
 
 
-def _advice(geometry: "Geometry", found: "Analysis", loss: "Loss | None", jumps: int) -> tuple[Advice, ...]:
+def _advice(geometry: "Geometry", analysis: "Analysis", loss: "Loss | None", jumps: int) -> tuple[Advice, ...]:
     advice: list[Advice] = []
     if jumps:
         advice.append(
@@ -301,7 +301,7 @@ def _advice(geometry: "Geometry", found: "Analysis", loss: "Loss | None", jumps:
             )
         )
     if loss is not None:
-        least, _ = convex(geometry, found)
+        least, _ = convex(geometry, analysis)
         message = "the cam is undercut: its curve cuts itself"
         if least is not None and geometry.side > 0.0 and least <= 0.0:
             message = worded(

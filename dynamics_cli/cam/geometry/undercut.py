@@ -1,6 +1,6 @@
-"""What an undercut costs: where the cutter takes away what the follower needs, and the lift that is lost there.
+"""Effect of an undercut: where the cutter removes material that the follower needs, and the lift that is lost there.
 
-Put back on the cut cam, the follower rests on a corner of it wherever its own contact is gone.
+On the cut cam the follower rests on a corner wherever its own contact has been cut away.
 """
 
 from math import inf, isfinite
@@ -21,16 +21,16 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# How far a corner that is found may be from its place, of the cam's size.
+# Position error of a corner, relative to the cam's size.
 FOUND = 2e-15
-# What a gap between lift and seat rounds by, of the sizes of cam and follower.
+# Rounding of the gap between lift and seat, relative to the sizes of cam and follower.
 ROUNDED = 1.2e-15
 SLIPPING = 2049
 
 
 @record
 class Loss:
-    """What an undercut costs."""
+    """The effect of an undercut."""
 
     lift: Annotated[
         float, "Maximum lift lost [m, or rad for an arm]; infinite where nothing is left for the follower to rest on."
@@ -38,18 +38,20 @@ class Loss:
     at: Annotated[float, "Cam angle there [rad]."]
     error: Annotated[float, "Bound of the error of the lift lost [m or rad]."]
     stretches: Annotated[tuple[tuple[float, float], ...], "Cam angles between which the envelope runs backwards."]
-    corners: Annotated[tuple[Corner, ...], "Corners of what is left about the axis; none where nothing is."]
+    corners: Annotated[
+        tuple[Corner, ...], "Corners of the piece that is left about the axis; empty if nothing is left."
+    ]
     pieces: Annotated[int, "Pieces of the cam that are cut off."]
 
 
 def lift_lost(geometry: Geometry, motion: "Any", *, forward: bool = False) -> "Loss | None":
-    """The greatest lift that an undercut costs, or None where there is no undercut.
+    """The maximum lift lost to an undercut, or None where there is no undercut.
 
     `geometry`: the follower in place, on either flank; `motion`: the program; `forward`: whether the curve is known to
     run forwards within every zone (`analysis.runs_forward`). Returns the lift lost; on an outer flank, how far the
     follower can leave its program outwards.
 
-    The greatest gap between the program and a follower that rests on a corner, from proxies whose remainder is
+    The maximum gap between the program and a follower resting on a corner, from proxies whose remainder is
     estimated. For the corners see `corners.left_by`.
     """
     curve = Envelope(geometry, motion)
@@ -93,8 +95,8 @@ def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
             # half the angle by its tangent: nothing cancels where the roller is small beside the arm
             inner, outer = (roller - (arm - far)) * (roller + (arm - far)), (arm + far - roller) * (arm + far + roller)
             opening = 2.0 * np.arctan2(np.sqrt(inner), np.sqrt(outer))
-        found = level + opening - start if drives > 0.0 else start - (level - opening)
-    return np.where(np.isnan(found), -np.inf, found)
+        lift = level + opening - start if drives > 0.0 else start - (level - opening)
+    return np.where(np.isnan(lift), -np.inf, lift)
 
 
 def _worst(curve: Envelope, loop: "tuple[Corner, ...]", size: float, off: float) -> "tuple[float, float, float]":
@@ -122,7 +124,7 @@ def _worst(curve: Envelope, loop: "tuple[Corner, ...]", size: float, off: float)
         made = proxies(lambda share, piece: level + lost(share, piece), np.zeros(count), np.ones(count))
     except ValueError:
         return _slipping(curve, parts, np.array([corner.point for corner in loop]))
-    # their remainder is estimated, and so is its slope: what is left is the rounding of the gap itself
+    # their remainder and its slope are estimated; the rounding of the gap remains
     count = made.coefficients.shape[2]
     left = made.error + ROUNDED * level
     made = Proxies(made.owner, made.starts, made.ends, made.coefficients, left, False, (count + 2.0) ** 2 * left)
@@ -142,17 +144,17 @@ def _worst(curve: Envelope, loop: "tuple[Corner, ...]", size: float, off: float)
 
 
 def _steep(geometry: Geometry, theta: float, point: complex, step: float) -> float:
-    """How far the seat on a point moves for each metre of the point, by differences."""
+    """Sensitivity of the seat to the position of its point, by differences."""
     moved = point + step * np.array([1.0, -1.0, 1.0j, -1.0j])
     rests = seat(geometry, np.full(4, theta), moved.real, moved.imag)
-    # where it slips past, it rests at minus infinity
+    # where it slips past, its seat is at minus infinity
     with np.errstate(invalid="ignore"):
-        found = float(np.hypot(rests[0] - rests[1], rests[2] - rests[3])) / (2.0 * step)
-    return found if isfinite(found) else inf
+        slope = float(np.hypot(rests[0] - rests[1], rests[2] - rests[3])) / (2.0 * step)
+    return slope if isfinite(slope) else inf
 
 
 def _reach(geometry: Geometry) -> float:
-    """Lengths of the follower that decide its seat."""
+    """Lengths of the follower that determine its seat."""
     f: Any = geometry.follower
     if isinstance(f, FlatFace):
         return 0.0
@@ -185,7 +187,7 @@ def _slipping(curve: Envelope, parts: "list[tuple[int, float, float]]", points: 
 
 def _gone(curve: Envelope, loop: "tuple[Corner, ...]") -> "tuple[list[tuple[int, float, float]], Any]":
     """Lengths of zones whose contact is gone, as zone, first share and span, with the corner rested on in each."""
-    found: list[tuple[int, float, float]] = []
+    zones: list[tuple[int, float, float]] = []
     points: list[complex] = []
     for corner in loop:
         over = len(curve.parts) if corner.returns < corner.leaves else 0
@@ -193,6 +195,6 @@ def _gone(curve: Envelope, loop: "tuple[Corner, ...]") -> "tuple[list[tuple[int,
             zone = curve.parts[part % len(curve.parts)]
             low, high = max(corner.leaves - part, 0.0), min(corner.returns + over - part, 1.0)
             if isinstance(zone, int) and low < high:
-                found.append((zone, low, high - low))
+                zones.append((zone, low, high - low))
                 points.append(corner.point)
-    return found, np.array(points)
+    return zones, np.array(points)

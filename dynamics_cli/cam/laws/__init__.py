@@ -1,1 +1,1 @@
-"""Rise laws: normalised functions of one rise, their peaks, and laws made to measure."""
+"""Rise laws: normalised functions of one rise, their peaks, and custom laws."""

@@ -1,8 +1,8 @@
-"""The pieces rise laws are made of: each gives a function that is zero at its end of the rise, with its derivatives.
+"""The pieces of rise laws: each gives a function that is zero at its end of the rise, with its derivatives.
 
 A shape is called with a distance t ≥ 0 from the end of the rise it belongs to (x at the start, 1 − x at the end), so
 that it keeps its digits where the rise begins and ends; t is a float or an array. However a shape is computed, `parts`
-says what it is: a polynomial and waves, `(coefficients, waves, origin, backwards)` as `Mixed` takes them.
+describes it as a polynomial and waves, `(coefficients, waves, origin, backwards)` as `Mixed` takes them.
 """
 
 import math
@@ -29,7 +29,7 @@ def _series(u: "Any") -> "Any":
 
 
 def u_minus_sine(u: "Any", sine: "Any" = None) -> "Any":
-    """U − sin u to a few roundings also where u ≥ 0 is small; `sine` is sin u where it is known."""
+    """U − sin u to a few roundings even where u ≥ 0 is small; `sine` is sin u if known."""
     if type(u) is float:
         return _series(u) if -_SERIES_BELOW < u < _SERIES_BELOW else u - (math.sin(u) if sine is None else sine)
     import numpy as np
@@ -40,7 +40,7 @@ def u_minus_sine(u: "Any", sine: "Any" = None) -> "Any":
         return _series(u)
     direct = u - (np.sin(u) if sine is None else sine)
     if count:
-        # angles in order have the small ones at one end, and a slice is cheaper than a mask
+        # ordered angles have the small ones at one end, and a slice is cheaper than a mask
         part: Any = small
         if u.ndim == 1 and small[0] and small[:count].all():
             part = slice(count)
@@ -104,7 +104,7 @@ class Mixed:
     ) -> None:
         # within how many half units in the last place amplitudes and frequencies of the waves are
         self.near = near
-        # what constants and places may be off by besides rounding, as shares and in t
+        # errors of constants (relative) and of places (in t) besides rounding
         self.off = off
         self.origin = origin
         self.backwards = backwards
@@ -122,16 +122,16 @@ class Mixed:
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
         tau = self.origin - t if self.backwards else t - self.origin if self.origin else t
-        found = [_horner(row, tau) if row else None for row in self._polynomials[: derivatives + 1]]
+        derivatives_at = [_horner(row, tau) if row else None for row in self._polynomials[: derivatives + 1]]
         for amplitude, w, start in self.waves:
             factor = amplitude
             for order, wave in enumerate(_waves(w * tau, start, start + derivatives)):
                 part = factor * wave
-                found[order] = part if found[order] is None else found[order] + part
+                derivatives_at[order] = part if derivatives_at[order] is None else derivatives_at[order] + part
                 factor = factor * w
         if self.backwards:
-            found[1::2] = [None if value is None else -value for value in found[1::2]]
-        return [0.0 * tau if value is None else value for value in found]
+            derivatives_at[1::2] = [None if value is None else -value for value in derivatives_at[1::2]]
+        return [0.0 * tau if value is None else value for value in derivatives_at]
 
 
 class Beta:
@@ -168,7 +168,7 @@ class Beta:
         return found
 
     def size(self, order: int) -> float:
-        """Bound of the magnitudes that a derivative, the first to the fourth, is made of for 0 ≤ t ≤ 1, p ≤ ¼."""
+        """Bound of the sum of magnitudes of a derivative's terms (first to fourth) for 0 ≤ t ≤ 1, p ≤ ¼."""
         n, c = self.n, self.constant
         if order < 3:
             return (c * 0.25**n, c * n * 0.25 ** (n - 1))[order - 1]
@@ -213,17 +213,17 @@ class FourthPowerOfSine:
         """The value and its derivatives with respect to t."""
         u = math.pi * t
         versed = 0.5 * _wave(1, u)
-        found = [versed * versed]
+        orders = [versed * versed]
         sine = _wave(2, u)
         if derivatives >= 1:
-            found.append(math.pi * sine * versed)
+            orders.append(math.pi * sine * versed)
         if derivatives >= 2:
-            found.append(math.pi**2 * _wave(2, 1.5 * u) * _wave(2, 0.5 * u))
+            orders.append(math.pi**2 * _wave(2, 1.5 * u) * _wave(2, 0.5 * u))
         if derivatives >= 3:
-            found.append(0.5 * math.pi**3 * sine * (4.0 * _wave(3, u) - 1.0))
+            orders.append(0.5 * math.pi**3 * sine * (4.0 * _wave(3, u) - 1.0))
         if derivatives >= 4:
-            found.append(0.5 * math.pi**4 * (4.0 * _wave(3, 2.0 * u) - _wave(3, u)))
-        return found
+            orders.append(0.5 * math.pi**4 * (4.0 * _wave(3, 2.0 * u) - _wave(3, u)))
+        return orders
 
 
 class EndOfDoubleHarmonic:
@@ -239,13 +239,13 @@ class EndOfDoubleHarmonic:
         left = 0.5 * _wave(1, u)
         sine = _wave(2, u)
         cosine = _wave(3, u)
-        found = [left * (2.0 - left)]
+        orders = [left * (2.0 - left)]
         if derivatives >= 1:
-            found.append(math.pi * sine * (1.0 - left))
+            orders.append(math.pi * sine * (1.0 - left))
         if derivatives >= 2:
-            found.append(0.5 * math.pi**2 * (cosine + _wave(3, 2.0 * u)))
+            orders.append(0.5 * math.pi**2 * (cosine + _wave(3, 2.0 * u)))
         if derivatives >= 3:
-            found.append(-0.5 * math.pi**3 * sine * (1.0 + 4.0 * cosine))
+            orders.append(-0.5 * math.pi**3 * sine * (1.0 + 4.0 * cosine))
         if derivatives >= 4:
-            found.append(-0.5 * math.pi**4 * (cosine + 4.0 * _wave(3, 2.0 * u)))
-        return found
+            orders.append(-0.5 * math.pi**4 * (cosine + 4.0 * _wave(3, 2.0 * u)))
+        return orders

@@ -1,4 +1,4 @@
-"""Names of rise laws, those of VDI 2143 and of the trade among them."""
+"""Names of rise laws, including those of VDI 2143 and of the trade."""
 
 from dynamics_cli.records import Choice
 

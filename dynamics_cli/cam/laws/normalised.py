@@ -2,7 +2,7 @@
 
 `law_named("cycloidal").at(x)` gives (f, f', f'', f''') for a float or an array; `side=-1` takes the left value where a
 derivative jumps. A law is a few pieces, each measured from the end of the rise it is nearest to, so that f and 1 − f
-both keep their digits; `breaks` are the places inside where some derivative jumps.
+both keep their digits; `breaks` are the inner places where some derivative jumps.
 """
 
 from bisect import bisect_left, bisect_right
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 SMALLEST_SHARE = 1e-12
-# Half units in the last place that amplitudes and frequencies are within: of one wave, of several, of shares.
+# Error of amplitudes and frequencies in half units in the last place: of one wave, of several, of shares.
 ONE_WAVE, SEVERAL, ROUNDED = (1.4, 0.4), (3.4, 1.4), (1.0, 1.0)
 
 
@@ -47,7 +47,7 @@ class Piece:
 
 
 class Law:
-    """A rise law: its pieces in order, the places inside where a derivative jumps, whether its ends rest, and f(1)."""
+    """A rise law: its pieces in order, inner places where a derivative jumps, whether its ends rest, and f(1)."""
 
     __slots__ = ("breaks", "edges", "known", "monotone", "name", "pieces", "rests", "steps", "total")
 
@@ -70,7 +70,7 @@ class Law:
         self.total = total
         # decimal steps that places and lifts of the points are multiples of, where the law goes through points
         self.steps = steps
-        # what was found about the law: extremes by order, peaks, bounds, areas
+        # cached results about the law: extremes by order, peaks, bounds, areas
         self.known: dict[Any, Any] = {}
         self.edges = [piece.high for piece in self.pieces[:-1]]
 
@@ -97,10 +97,10 @@ class Law:
 
     def upright(self, piece: Piece, t: "Any", derivatives: int) -> "list[Any]":
         """F and its derivatives from one piece, t measured from the end that the piece is measured from."""
-        found = piece.shape(t, derivatives)
+        orders = piece.shape(t, derivatives)
         if piece.far:
-            found = [self.total - found[0]] + [-g if order % 2 else g for order, g in enumerate(found[1:])]
-        return found
+            orders = [self.total - orders[0]] + [-g if order % 2 else g for order, g in enumerate(orders[1:])]
+        return orders
 
 
 def symmetric(name: str, shapes: "Sequence[tuple[float, Any]]", *, smooth: bool = True) -> Law:
@@ -179,7 +179,7 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     r, k, g = b * q, c * q, d * q
     still = 0.5 * constant
     top, speed, first, reached, gained, last, rates = constants_of(b, c, d, constant)
-    # doubles that should sum to 1 do so to rounding: which of them is to blame is open
+    # doubles that should sum to 1 do so within rounding: which of them is off is unknown
     off = abs(fsum((b, c, d, -1.0)))
     shapes: list[tuple[float, Any]] = []
     if r:
@@ -258,7 +258,7 @@ _known_laws: "dict[str | tuple[str, float, float, float, float], Law]" = {}
 
 
 def _remembered(name: str, b: float, c: float, d: float, constant: float) -> Law:
-    """The law of these shares, with what was found about it, while there are few of them."""
+    """The law of these shares, cached with its results while there are few of them."""
     shares = (name, b, c, d, constant)
     if shares not in _known_laws:
         law = scca(b, c, d, constant, name)

@@ -20,8 +20,8 @@ def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
 
     `order`: which derivative: 0 for f, 3 for jerk. Returns places and values; a jump gives two values at one place.
 
-    Sign changes of the next derivative g, bisected to the last bit; that there are no others is proved from bounds of
-    the law's derivatives (`cam.proof`). A step of length h with ends of one sign has none where both exceed
+    Sign changes of the next derivative g, bisected to the last bit; bounds of the law's derivatives prove that there
+    are no others (`cam.proof`). A step of length h with ends of one sign has none where both exceed
     h²/8 max|g″|, and at most one where g′ keeps its sign likewise; any other is halved until g equals zero to rounding
     in it, or the function moves by less than 2⁻⁵³ of its size: neighbouring steps of that kind count as one.
     """
@@ -56,10 +56,10 @@ def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "
     slips = [rounding(shape, order + more, reach) for more in (1, 2)]
     grid = [low + (high - low) * i / steps for i in range(steps + 1)]
     values = [slope(t) for t in grid]
-    # the last first: cells are taken from the end
+    # reversed: cells are taken from the end
     cells = list(zip(grid, grid[1:], values, values[1:], strict=False))[::-1]
-    found = [t for t, value in zip(grid[1:-1], values[1:-1], strict=True) if value == 0.0]
-    # neighbouring cells within which rounding decides the sign: together they turn once or not at all
+    turning = [t for t, value in zip(grid[1:-1], values[1:-1], strict=True) if value == 0.0]
+    # adjacent cells whose sign is within rounding: together they contain one extremum or none
     flat: list[list[float]] = []
     while cells:
         start, end, a, b = cells.pop()
@@ -75,19 +75,19 @@ def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "
             else:
                 flat.append([start, end, a, b])
         elif _one_sign(shape, order + 2, start, end, room * bent[1] + slips[1]):
-            if a == 0.0 and start > low and start not in found:
-                found.append(start)
+            if a == 0.0 and start > low and start not in turning:
+                turning.append(start)
             if changes:
-                found.append(_settled(piece, order, _bisected(slope, start, end, a)))
+                turning.append(_settled(piece, order, _bisected(slope, start, end, a)))
         else:
             middle = 0.5 * (start + end)
             here = slope(middle)
             cells += [(middle, end, here, b), (start, middle, a, here)]
     for start, end, a, b in flat:
         root = _settled(piece, order, _bisected(slope, start, end, a)) if a * b < 0.0 else start
-        if a * b < 0.0 and root not in found:
-            found.append(root)
-    return sorted(found)
+        if a * b < 0.0 and root not in turning:
+            turning.append(root)
+    return sorted(turning)
 
 
 def _one_sign(shape: "Any", order: int, start: float, end: float, room: float) -> bool:
@@ -134,7 +134,7 @@ def _peak(law: Law, order: int, step: int) -> tuple[float, float]:
 
 
 def value_error(law: Law, x: float, order: int) -> float:
-    """What an extreme of a derivative at x, as `extremes` gives it, may be off: the more of both sides of a joint.
+    """Error bound of a derivative's extremum at x, as `extremes` gives it: the larger of both sides of a joint.
 
     Its rounding there, and that the function moves by less than a rounding of its size between distinct places.
     """
@@ -142,7 +142,7 @@ def value_error(law: Law, x: float, order: int) -> float:
     for piece in law.pieces:
         if piece.low <= x <= piece.high:
             t = min(max(1.0 - x if piece.far else x, piece.ends[0]), piece.ends[1])
-            # a place nearer than a rounding is as good, and an end may be rounded
+            # a place within a rounding is equivalent, and an end may be rounded
             error = slips(piece.shape, t, 4.0 * STILL * t, order, HALVES_OF_FLOATS)[order]
             value = abs(law.upright(piece, t, order)[order])
             found = max(found, error + 3.0 * STILL * value)
@@ -161,13 +161,13 @@ def _peak_bound(law: Law, order: int) -> float:
     top = max(abs(value) for _, value in values)
     if not top:
         return 0.0
-    # of peaks equal to rounding any may be the true one
+    # of peaks equal within rounding any may be the true one
     alike = {x for x, value in values if abs(value) >= top * (1.0 - 1e-9)}
     return max(value_error(law, x, order) for x in alike) / top
 
 
 def jump(law: Law, x: float, order: int) -> float:
-    """How much that derivative jumps at x, at ends that rest from rest; zero where it only rounds."""
+    """How much that derivative jumps at x, from rest at an end; zero where it is only rounding."""
     if (x == 0.0 and not law.rests[0]) or (x == 1.0 and not law.rests[1]):
         return 0.0
     before = 0.0 if x == 0.0 else _at_end(law, next(piece for piece in law.pieces if piece.high == x), order, 1)

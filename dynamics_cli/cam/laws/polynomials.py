@@ -1,4 +1,4 @@
-"""Polynomial and spline laws made to measure: from conditions at chosen places, solved exactly, and through points."""
+"""Custom polynomial and spline laws: from conditions at chosen places, solved exactly, and through points."""
 
 import itertools
 
@@ -17,7 +17,7 @@ MOST_CONDITIONS = 10
 
 
 def polynomial(conditions: "Sequence[Condition]", name: str = "polynomial") -> Law:
-    """Give the polynomial of least degree that meets conditions (x, order of derivative, value).
+    """Give the polynomial of lowest degree that meets conditions (x, order of derivative, value).
 
     `conditions`: place 0 ≤ x ≤ 1, order 0 to 4, and value of the derivative there; as many as the polynomial has
     coefficients; `name`: name of the law. Returns the law; its total is f(1) − f(0), and f(0) is taken off. Raises
@@ -52,10 +52,10 @@ def polynomial(conditions: "Sequence[Condition]", name: str = "polynomial") -> L
     solved = _solve(rows)
     require(
         solved is not None,
-        "no polynomial of degree {degree}, or more than one, meets these conditions",
+        "these conditions are met by no polynomial of degree {degree}, or by more than one",
         degree=count - 1,
         code="conditions",
-        hint="give the lift at one place at least, and no derivative without those below it",
+        hint="give the lift at one place at least, and with each derivative all lower ones",
     )
     about_start = solved or []
     about_end = _about(about_start, Fraction(1))
@@ -97,11 +97,11 @@ def _solve(rows: "list[list[Fraction]]") -> "list[Fraction] | None":
 
 def _about(coefficients: "list[Fraction]", place: "Fraction") -> "list[Fraction]":
     """The coefficients in powers of x − place, by repeated synthetic division."""
-    found = list(coefficients)
-    for start in range(len(found)):
-        for i in range(len(found) - 2, start - 1, -1):
-            found[i] = found[i] + place * found[i + 1]
-    return found
+    shifted = list(coefficients)
+    for start in range(len(shifted)):
+        for i in range(len(shifted) - 2, start - 1, -1):
+            shifted[i] = shifted[i] + place * shifted[i + 1]
+    return shifted
 
 
 def spline(
@@ -115,7 +115,8 @@ def spline(
     velocity and acceleration are continuous, jerk jumps at the points. Raises InadmissibleError when the places do not
     increase.
 
-    The tridiagonal system for the slopes is dominant: its solution is good to a few roundings for any places.
+    The tridiagonal system for the slopes is diagonally dominant: its solution is good to a few roundings for any
+    places.
 
     Examples
     --------
@@ -125,7 +126,7 @@ def spline(
     places = [x for x, _ in points]
     require(
         all(a < b for a, b in itertools.pairwise(places)),
-        "the places of the points do not increase",
+        "the places of the points are not in increasing order",
         code="points",
         hint="put the points in order, each once",
     )

@@ -32,9 +32,9 @@ ROUNDING = 2.0**-52
 UNIT = 2.0**-53
 UP = 1.0 + 2.0**-40
 MOST_POINTS = 100_000
-# One turn, for spans that rounding makes longer than it.
+# One turn, for spans that rounding makes slightly longer.
 TURN = 2.0 * pi * (1.0 + 2.0**-50)
-METHOD = "closed form from the nearer end, its roundings followed at every place"
+METHOD = "closed form from the nearer end, rounding bounded at every point"
 
 
 @record
@@ -77,7 +77,7 @@ def rise(
         tuple[Angle, ...],
         "Angles from the start of the rise; a table of `count` when not given, e.g. 0, 30, 60 deg [rad].",
     ] = (),
-    count: Annotated[Count, "How many points the table has."] = 19,
+    count: Annotated[Count, "Number of points of the table."] = 19,
     falling: Annotated[
         bool, "A return from the lift to zero that follows the law downwards, h (1 − f(θ/β)): that of `cam motion`."
     ] = False,
@@ -91,7 +91,7 @@ def rise(
     constant: Annotated[
         Fraction | None, "Share of the rise at constant velocity, of modified-constant-velocity or scca, e.g. 50 %."
     ] = None,
-    conditions: Annotated[tuple[Condition, ...], "What a polynomial is to meet, in units of the rise."] = (),
+    conditions: Annotated[tuple[Condition, ...], "Conditions that a polynomial is to meet, in units of the rise."] = (),
     points: Annotated[tuple[SplinePoint, ...], "Points a spline goes through, in units of the rise."] = (),
     start_velocity: Annotated[Ratio, "Slope of a spline at its start, in units of the rise."] = 0.0,
     end_velocity: Annotated[Ratio, "Slope of a spline at its end."] = 0.0,
@@ -152,7 +152,7 @@ def rise(
 
 
 def _require_rise(lift: float, span: float, count: int, *, at: bool, both: bool) -> None:
-    """Refuse what is not a rise within one turn, and a table of too many points."""
+    """Refuse anything but a rise within one turn, and a table of too many points."""
     require(
         lift > 0.0,
         "the lift is {lift}; a rise needs a positive lift",
@@ -172,10 +172,10 @@ def _require_rise(lift: float, span: float, count: int, *, at: bool, both: bool)
         "the span of {span} is more than one turn of the cam",
         span=(span, Angle),
         code="span",
-        hint="give a span of {turn} at most",
+        hint="give a span of at most {turn}",
         turn=(2.0 * pi, Angle),
     )
-    require(1e-100 < lift < 1e100 and span > 1e-50, "lift or span is beyond the range of any cam", code="range")
+    require(1e-100 < lift < 1e100 and span > 1e-50, "lift or span is outside the range of any cam", code="range")
     require(
         at or 2 <= count <= MOST_POINTS,
         "count: {count} points; a table has 2 to {most}",
@@ -187,7 +187,7 @@ def _require_rise(lift: float, span: float, count: int, *, at: bool, both: bool)
         not both,
         "a return is either falling or mirrored",
         code="falling",
-        hint="--falling follows the law downwards, --mirrored runs the rise backwards",
+        hint="--falling follows the law downwards; --mirrored runs the rise backwards",
     )
 
 
@@ -203,7 +203,7 @@ def _peak_bounds(law: Law, peaks: "list[float | None]") -> "list[ErrorBound]":
 def _bounds(
     law: Law, points: "tuple[RisePoint, ...]", span: float, lift: float, omega: float | None, way: str
 ) -> "list[ErrorBound]":
-    """What the values of each column may be off, at the worst of its rows."""
+    """Error bound of each column, the largest of its rows."""
     worst = [0.0] * 4
     for point in points:
         x, rest = point.angle / span, (span - point.angle) / span
@@ -214,10 +214,10 @@ def _bounds(
             if piece.low <= x <= piece.high:
                 t = rest if piece.far else x
                 # the quotient counts two roundings, of a difference and its own
-                found = slips(piece.shape, t, 2.0 * UNIT * t, 3, HALVES_OF_FLOATS)
+                errors = slips(piece.shape, t, 2.0 * UNIT * t, 3, HALVES_OF_FLOATS)
                 sizes = [abs(value) for value in piece.shape(t, 4)]
-                for order, (error, value) in enumerate(zip(found, values, strict=True)):
-                    # less than its change over the rounding of the angle is shown as zero
+                for order, (error, value) in enumerate(zip(errors, values, strict=True)):
+                    # a value below its change over the rounding of the angle is shown as zero
                     still = 2.0 * ROUNDING * x * sizes[order + 1] if order and not value else 0.0
                     scaled = (error + still) * lift / span**order + (2.0 * order + 4.0) * UNIT * abs(value)
                     worst[order] = max(worst[order], scaled)
@@ -265,7 +265,7 @@ def _point(
 
 
 def _measured(law: Law, x: float, rest: float, side: int, *, down: bool) -> "tuple[float, ...]":
-    """The law at x, or how far it is below its end, with 1 − x as its own quotient: both ends keep their digits."""
+    """The law at x, or its distance from the end, with 1 − x as a separate quotient: both ends keep their digits."""
     for piece in law.pieces:
         if x < piece.high or (x == piece.high and side < 0) or piece is law.pieces[-1]:
             t = rest if piece.far else x
@@ -277,7 +277,7 @@ def _measured(law: Law, x: float, rest: float, side: int, *, down: bool) -> "tup
 
 
 def _ways_down(law: Law, way: str) -> "tuple[Advice, ...]":
-    """Which of the two returns of a law that is not symmetric is given."""
+    """Note which of the two returns of an asymmetric law is shown."""
     places = [k / 32.0 for k in range(17)]
     if way == "rising" or all(abs(law.at(x, 0)[0] + law.at(1.0 - x, 0)[0] - law.total) <= 1e-12 for x in places):
         return ()
@@ -288,10 +288,10 @@ def _ways_down(law: Law, way: str) -> "tuple[Advice, ...]":
 
 
 def _infinite(law: Law, peaks: "list[float | None]", places: "list[float]") -> "tuple[Advice, ...]":
-    found: list[Advice] = []
+    advice: list[Advice] = []
     for order, (value, place) in enumerate(zip(peaks, places, strict=True), 1):
         if value is None:
-            found.append(
+            advice.append(
                 Advice(
                     code="infinite-" + DERIVATIVES[order],
                     message=worded(
@@ -305,4 +305,4 @@ def _infinite(law: Law, peaks: "list[float | None]", places: "list[float]") -> "
                     result="peak_" + DERIVATIVES[order],
                 )
             )
-    return tuple(found)
+    return tuple(advice)

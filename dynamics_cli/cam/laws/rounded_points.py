@@ -1,4 +1,4 @@
-"""What the rounding of a spline's points does to its derivatives: points of a table end at some decimal."""
+"""Effect of rounded points on a spline's derivatives: points of a table are rounded to some decimal."""
 
 from itertools import pairwise
 from math import floor, pi
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
     from dynamics_cli.cam.laws.normalised import Law
 
-# Fewer points are chosen, not read from a table.
+# Fewer points than this were chosen, not read from a table.
 FEWEST = 4
 MOST_DECIMALS = 9
-# Below this share of the peak acceleration there is nothing to say; from the next one on it is a caution.
+# Below this share of the peak acceleration there is no advice; from the second one on it is a caution.
 SMALL, LARGE = 1e-4, 1e-2
-# Units that lifts and angles are written in, beside those of SI.
+# Units that lifts and angles may be written in, besides SI.
 LENGTHS = (1.0, 0.0254)
 ANGLES = (1.0, pi / 180.0)
 
@@ -34,25 +34,25 @@ def decimal_step(values: "Sequence[float]", units: "Sequence[float]" = (1.0,)) -
     >>> decimal_step([0.25, 0.5, 0.125]), decimal_step([0.1, 1 / 3])
     (0.001, 0.0)
     """
-    found = 0.0
+    largest = 0.0
     for unit in units:
         for decimals in range(MOST_DECIMALS + 1):
             counts = [value / unit * 10.0**decimals for value in values]
             if all(abs(count - floor(count + 0.5)) <= 1e-5 for count in counts):
-                found = max(found, unit / 10.0**decimals)
+                largest = max(largest, unit / 10.0**decimals)
                 break
-    return found
+    return largest
 
 
 def effects(law: "Law", place_step: float, lift_step: float) -> "tuple[float, float, float]":
-    """How far velocity, acceleration and jerk of a spline can be off at most where its points are rounded.
+    """Maximum errors of velocity, acceleration and jerk of a spline with rounded points.
 
     `law`: a clamped cubic spline; `place_step`, `lift_step`: steps that the places and the lifts of its points are
     rounded to. Returns bounds to first order of the changes at the joints, in units of the rise.
 
-    A spline is linear in its lifts: each counts half a step. A place that is off by δ counts as a lift off by f′δ.
-    Slopes and second derivatives solve systems whose diagonals dominate: with the signs of all else turned to the
-    worse, they give bounds of both. Points off by turns up and down reach them where they are equally spaced.
+    A spline is linear in its lifts: each counts half a step. A place error δ counts as a lift error f′δ.
+    Slopes and second derivatives solve systems whose diagonals dominate: with all other signs at their worst,
+    they give bounds of both. Errors that alternate up and down reach the bounds for equally spaced points.
     """
     places = [0.0, *law.breaks, 1.0]
     wide = [b - a for a, b in pairwise(places)]
@@ -85,17 +85,17 @@ def _dominated(left: "list[float]", middle: "list[float]", right: "list[float]",
 
 
 def rounding_advice(law: "Law", where: str = "") -> "tuple[Advice, ...]":
-    """What to say of a law that goes through points of a table; nothing of any other.
+    """Advice on a law through points of a table; none for any other.
 
     `where`: what to name it by. Returns the largest changes that rounding can have made, as shares of the peaks.
     """
     if law.steps is None or len(law.breaks) < FEWEST or not law.steps[1]:
         return ()
     place_step, lift_step = law.steps
-    # places with as many digits as the lifts are rounded likewise; others are chosen
-    found = effects(law, place_step if place_step <= lift_step else 0.0, lift_step)
+    # places with as few digits as the lifts are rounded too; others were chosen
+    changes = effects(law, place_step if place_step <= lift_step else 0.0, lift_step)
     peaks = [max(abs(value) for _, value in extremes(law, order)) for order in (1, 2, 3)]
-    shares = [change / top if top else 0.0 for change, top in zip(found, peaks, strict=True)]
+    shares = [change / top if top else 0.0 for change, top in zip(changes, peaks, strict=True)]
     if max(shares[:2]) < SMALL:
         return ()
     v, a, j = ((share, Fraction) for share in shares)

@@ -1,4 +1,4 @@
-"""The law a call asks for, by name or made to measure, and the check that its derivatives belong together."""
+"""The law of a call, by name or custom, and the check that its derivatives are consistent."""
 
 from dynamics_cli.cam.laws.names import LawName
 from dynamics_cli.cam.laws.normalised import Law, law_named
@@ -13,7 +13,7 @@ from dynamics_cli.records import Check, record
 
 @record
 class Condition:
-    """What a polynomial law is to be at one place, in units of the rise: place 0 to 1, lift 0 to 1."""
+    """A condition of a polynomial law at one place, in units of the rise: place 0 to 1, lift 0 to 1."""
 
     place: Annotated[Fraction, "Share of the span."]
     lift: Annotated[Ratio | None, "Share of the lift."] = None
@@ -40,7 +40,7 @@ def chosen(
     start_velocity: float = 0.0,
     end_velocity: float = 0.0,
 ) -> Law:
-    """Give the law of a name, with what belongs to it alone: shares, conditions or points.
+    """Give the law of a name, with its particular data: shares, conditions or points.
 
     `shares`: shares of scca; `constant`: share at constant velocity; `conditions`: what a polynomial meets; `points`:
     what a spline goes through; `start_velocity`, `end_velocity`: slopes of a spline at its ends. Raises
@@ -99,12 +99,12 @@ def _area_checks(law: Law) -> "tuple[Check, ...]":
         half = 0.5 * (end - start)
         for node, weight in GAUSS:
             for t in (start + half * (1.0 - node), start + half * (1.0 + node)):
-                found = law.upright(piece, t, 2)
-                area = [area[0] + weight * half * found[1], area[1] + weight * half * found[2]]
-                way += weight * half * abs(found[1])
-                size += weight * half * abs(found[2])
+                orders = law.upright(piece, t, 2)
+                area = [area[0] + weight * half * orders[1], area[1] + weight * half * orders[2]]
+                way += weight * half * abs(orders[1])
+                size += weight * half * abs(orders[2])
     gain = law.at(1.0, 1, -1)[1] - law.at(0.0, 1)[1]
-    # a law that comes back to where it began has a lift of zero: what it covers on the way is its size
+    # a law that returns to its start has zero lift: the total distance covered is its size
     scale = max(abs(law.total) if law.monotone else max(abs(law.total), way), 1e-300)
     worst = max(abs(area[0] - law.total) / scale, abs(area[1] - gain) / max(size, 1e-300) if size else 0.0)
     return (Check(f"areas under {law.name}", worst <= 1e-12, worst, 1e-12),)

@@ -1,4 +1,4 @@
-"""Constants of rise laws made of shares, from whole numbers."""
+"""Constants of rise laws composed of shares, in integer arithmetic."""
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def constants_of(b: float, c: float, d: float, constant: float) -> "tuple[Any, .
     whole += times(2 * still, g, ratio) + times(4 * square, g, g)
     peak = one * one // (2 * whole)
     bent = times(k, peak)
-    found = (
+    constants = (
         peak,
         times(peak, times(2 * (r + g), ratio) + k),
         (times(4 * square, r, r, peak), times(peak, rise), times(peak, swept)),
@@ -61,4 +61,4 @@ def constants_of(b: float, c: float, d: float, constant: float) -> "tuple[Any, .
         times(4 * square, g, g, peak),
         tuple((_PI * one) // (2 * width) if width else 0 for width in (r, g)),
     )
-    return tuple(tuple(value / one for value in part) if isinstance(part, tuple) else part / one for part in found)
+    return tuple(tuple(value / one for value in part) if isinstance(part, tuple) else part / one for part in constants)

@@ -1,4 +1,4 @@
-"""Rise laws by themselves: peak factors, where they occur, and continuity."""
+"""Rise laws: peak factors, where they occur, and continuity."""
 
 from math import inf
 
@@ -22,11 +22,11 @@ class Peaks:
     """Peak factors of one law: what lift/span, lift/span² and lift/span³ are multiplied by."""
 
     law: Annotated[Text, "Its name."]
-    velocity: Annotated[Ratio | None, "C_v, greatest velocity; none where it is infinite."]
-    velocity_at: Annotated[Ratio, "Where first, as a share of the span."]
-    acceleration: Annotated[Ratio | None, "C_a, greatest acceleration; none where it is infinite."]
+    velocity: Annotated[Ratio | None, "C_v, peak velocity; absent where it is infinite."]
+    velocity_at: Annotated[Ratio, "Where it first occurs, as a share of the span."]
+    acceleration: Annotated[Ratio | None, "C_a, peak acceleration; absent where it is infinite."]
     acceleration_at: Annotated[Ratio, "Where first."]
-    jerk: Annotated[Ratio | None, "C_j, greatest jerk; none where it is infinite."]
+    jerk: Annotated[Ratio | None, "C_j, peak jerk; absent where it is infinite."]
     jerk_at: Annotated[Ratio, "Where first."]
     jerk_inside: Annotated[Ratio, "Maximum finite jerk, apart from where the acceleration jumps."]
     continuity: Annotated[Text, "C0 to C4: the highest derivative without a jump between rest and rest."]
@@ -46,7 +46,7 @@ class LawTable:
 
 def laws(
     *,
-    law: Annotated[LawName | None, "One law; all named laws when not given."] = None,
+    law: Annotated[LawName | None, "One law; all named laws if left out."] = None,
     shares: Annotated[
         tuple[Ratio, ...], "Shares b, c, d of sine, constant and cosine acceleration of scca, e.g. 0.25, 0.5, 0.25."
     ] = (),
@@ -54,7 +54,8 @@ def laws(
         Fraction | None, "Share of the rise at constant velocity, of modified-constant-velocity or scca, e.g. 50 %."
     ] = None,
     conditions: Annotated[
-        tuple[Condition, ...], "What a polynomial is to meet; as many values as it has coefficients, to degree 9."
+        tuple[Condition, ...],
+        "Conditions that a polynomial is to meet: as many values as it has coefficients, up to degree 9.",
     ] = (),
     points: Annotated[
         tuple[SplinePoint, ...], "Points a clamped cubic spline goes through between (0, 0) and (1, 1)."
@@ -80,8 +81,8 @@ def laws(
 
     Notes
     -----
-    A peak is infinite where the derivative below it jumps; half rises go on at full speed at one end, which counts as
-    no jump there. Places are bisected to the last bit.
+    A peak is infinite where the derivative below it jumps; half rises continue at full speed at one end, which does
+    not count as a jump. Places are bisected to the last bit.
 
     References
     ----------

@@ -1,1 +1,1 @@
-"""Programs of cam motion: segments read, joined into one revolution, and reported."""
+"""Programs of cam motion: reading segments, joining them into one revolution, reporting."""

@@ -1,4 +1,4 @@
-"""Polynomial and spline segments fitted to the state of their neighbours: the implicit boundaries of a program."""
+"""Polynomial and spline segments fitted to their neighbours: implicit boundary conditions of a program."""
 
 from dynamics_cli.cam.laws.normalised import Law
 from dynamics_cli.cam.laws.polynomials import polynomial, spline
@@ -26,10 +26,11 @@ def fitted(
     """Give the law of a polynomial or spline segment, and the lift its unit stands for.
 
     `index`: which segment; `steps`: all segments; `levels`: lift at every joint; `spans`: spans of all segments [rad];
-    `laws`: laws of the segments that have one of their own; `width`: span of this one [rad]. Returns the law and its
-    scale. Raises InadmissibleError when the degree is not 3, 5, 7 or 9, or a spline's points are outside its segment.
+    `laws`: laws of the segments that do not depend on their neighbours; `width`: span of this one [rad]. Returns the
+    law and its scale. Raises InadmissibleError when the degree is not 3, 5, 7 or 9, or a spline's points are outside
+    its segment.
 
-    Where neither a value is given nor the neighbour has a law of its own, the derivative is zero there.
+    Where neither a value is given nor the neighbour has an independent law, the derivative is zero.
     """
     segment = steps[index].segment
     scale = levels[index + 1] - levels[index]

@@ -1,6 +1,6 @@
 """A whole revolution of lift over cam angle, as segments that join exactly.
 
-Interface (agreed for the whole family)
+Interface for the whole family
 ---------------------------------------
 A task takes the program as its first parameter and one option, `def task(scene: Program, /, *, program: Text = "", …)`,
 and calls `motion = motion_of(scene, program)` (both from `dynamics_cli.cam.program.reading`).
@@ -40,8 +40,8 @@ class Motion:
     `segments`: segments in order, each starting where the one before ends, 360° together; `swing`: whether the lift is
     an angle.
 
-    The table of segments is exact: ends are ratios of whole numbers of degrees, and each is held in radians with what
-    the double is short of, so that no rounding gathers over the turn.
+    The table of segments is exact: ends are ratios of whole numbers of degrees, and each is held in radians with the
+    rounding error of its double, so that no rounding accumulates over the turn.
 
     Examples
     --------
@@ -79,14 +79,14 @@ class Motion:
         inside: list[int] = []
         low = start
         for piece in span.law.pieces:
-            made = Part(span, index, piece)
+            part = Part(span, index, piece)
             if piece.low in span.law.breaks:
                 self._zone_pieces.append(inside)
                 zones.append(Zone(low, self._edges[-1], index, False))
                 low, inside = self._edges[-1], []
             inside.append(len(self._pieces))
-            self._pieces.append(made)
-            edge = end - piece.ends[0] * made.span if piece.far else start + piece.high * made.span
+            self._pieces.append(part)
+            edge = end - piece.ends[0] * part.span if piece.far else start + piece.high * part.span
             self._edges.append(end if piece.high == 1.0 else edge)
         zones.append(Zone(low, end, index, False))
         self._zone_pieces.append(inside)
@@ -124,7 +124,7 @@ class Motion:
         `theta`: cam angles, of any turn [rad]; `derivatives`: how many derivatives, 0 to 4; `side`: which value where
         one jumps. Returns s, ds/dθ, …, each a float or an array of the shape of `theta`.
 
-        Errors within 10⁻¹⁵ of the peak for s and ds/dθ besides what the rounding of `theta` itself moves.
+        Errors within 10⁻¹⁵ of the peak for s and ds/dθ besides the effect of the rounding of `theta`.
         """
         if isinstance(theta, (int, float)):
             theta = self.wrapped(float(theta), side)
@@ -146,7 +146,7 @@ class Motion:
             return tuple(row.reshape(given.shape) for row in out)
         if bool((angle[1:] >= angle[:-1]).all()) and first <= angle[0] and angle[-1] <= last:
             self._over_sorted(angle, derivatives, side, out)
-            # The end of the turn is its start, seen from the other side.
+            # The end of the turn is its start, approached from the other side.
             end = slice(angle.searchsorted(last), None) if side > 0 else slice(angle.searchsorted(first, side="right"))
             if out[0, end].size:
                 out[:, end] = np.reshape(self.at(first if side > 0 else last, derivatives, side), (-1, 1))
@@ -211,7 +211,7 @@ class Motion:
         return tuple(out)
 
     def parts_of(self, index: int) -> "list[Part]":
-        """The pieces of a zone's law in order: one function, each with the end it is measured from."""
+        """The pieces of a zone's law in order, each with the end it is measured from."""
         return [self._pieces[i] for i in self._zone_pieces[index]]
 
     def width(self, segment: int) -> float:

@@ -1,4 +1,4 @@
-"""Segments of a motion between exact ends, and the parts that its laws are made of, in cam angles."""
+"""Segments of a motion between exact ends, and the parts of its laws, in cam angles."""
 
 from dynamics_cli.cam.laws.normalised import Law  # noqa: TC001 (annotations of a record)
 from dynamics_cli.quantities import Annotated
@@ -15,7 +15,7 @@ Exact = tuple[int, int]
 
 
 def radians(angle: "Exact") -> "tuple[float, float]":
-    """An exact number of degrees in radians, as the nearest double and what it is short of."""
+    """An exact number of degrees in radians, as the nearest double and its rounding error."""
     top, bottom = angle[0] * _PI, angle[1] * 180 * _PI_SCALE
     high = top / bottom
     a, b = high.as_integer_ratio()
@@ -29,18 +29,20 @@ def from_radians(angle: "Exact") -> "Exact":
 
 @record
 class Span:
-    """One segment of a motion, ready to be computed."""
+    """One segment of a motion, ready for evaluation."""
 
     start: Annotated["Exact", "Its ends, exactly, in degrees."]
     end: Annotated["Exact", "Its ends, exactly, in degrees."]
     low: Annotated[float, "Lift at its start and end."]
     high: Annotated[float, "Lift at its start and end."]
-    law: Annotated["Law | None", "How it goes from one to the other; None where the lift rests."]
-    name: Annotated[str, "What it is called."] = ""
-    scale: Annotated[
-        float | None, "Lift that the law's unit stands for; the difference of the ends when not given."
-    ] = None
-    off: Annotated["tuple[float, float]", "What the lifts at its ends are off, being sums of those given."] = (0.0, 0.0)
+    law: Annotated["Law | None", "The law from one to the other; None in a dwell."]
+    name: Annotated[str, "Its name."] = ""
+    scale: Annotated[float | None, "Lift that the law's unit stands for; the difference of the ends if left out."] = (
+        None
+    )
+    off: Annotated[
+        "tuple[float, float]", "Rounding error of the lifts at its ends, which are sums of the given ones."
+    ] = (0.0, 0.0)
 
 
 @record
@@ -49,8 +51,8 @@ class Zone:
 
     start: Annotated[float, "Its ends [rad]."]
     end: Annotated[float, "Its ends [rad]."]
-    segment: Annotated[int, "Which segment it belongs to, from 0."]
-    dwell: Annotated[bool, "Whether the lift rests."]
+    segment: Annotated[int, "Index of its segment, from 0."]
+    dwell: Annotated[bool, "Whether it is a dwell."]
 
 
 class Part:
@@ -66,7 +68,7 @@ class Part:
         self.origin, self.origin_low = radians(span.end if far else span.start)
         self.sign = -1.0 if far else 1.0
         self.base = span.high if far else span.low
-        # the lift from one end to the other is off by both
+        # the lift difference has the errors of both ends
         self.off = span.off[0] + span.off[1]
         self.law_piece = piece
         rise = span.high - span.low if span.scale is None else span.scale
@@ -77,11 +79,11 @@ class Part:
 
     def negated(self) -> "Part":
         """The same piece of the motion upside down."""
-        made = Part.__new__(Part)
+        negative = Part.__new__(Part)
         for name in self.__slots__:
-            setattr(made, name, getattr(self, name))
-        made.base, made.scales = -self.base, [-scale for scale in self.scales]
-        return made
+            setattr(negative, name, getattr(self, name))
+        negative.base, negative.scales = -self.base, [-scale for scale in self.scales]
+        return negative
 
     def local(self, theta: "Any") -> "Any":
         """Distance from the end of the segment this piece is measured from, as a share of the segment."""
@@ -93,7 +95,7 @@ class Part:
         return t
 
     def local_of_sorted(self, theta: "Any") -> "Any":
-        """The same for angles in order, of which only the first or the last can be the origin."""
+        """The same for ordered angles, of which only the first or the last can be the origin."""
         t = (theta - self.origin - self.origin_low) * (self.sign / self.span)
         if theta[0] == self.origin:
             t[: theta.searchsorted(self.origin, side="right")] = 0.0
@@ -106,8 +108,8 @@ class Part:
         if self.law_piece is None:
             still = 0.0 * t
             return [still + self.base] + [still] * derivatives
-        found = self.law_piece.shape(t, derivatives)
-        lift = self.scales[0] * found[0]
+        orders = self.law_piece.shape(t, derivatives)
+        lift = self.scales[0] * orders[0]
         out = [self.base + lift if self.base else lift]
-        out.extend(self.scales[order] * found[order] for order in range(1, derivatives + 1))
+        out.extend(self.scales[order] * orders[order] for order in range(1, derivatives + 1))
         return out

@@ -29,12 +29,12 @@ LENGTHS = (("lift", Coordinate), ("velocity", CamVelocity), ("acceleration", Cam
 SWINGS = (("swing", Angle), ("velocity", SwingVelocity), ("acceleration", SwingAcceleration), ("jerk", SwingJerk))
 SYMBOLS = {"lift": "lift s", "velocity": "velocity v", "acceleration": "acceleration a", "jerk": "jerk j"}
 SWING_SYMBOLS = {"swing": "swing ψ", "velocity": "velocity ψ′", "acceleration": "acceleration ψ″", "jerk": "jerk ψ‴"}
-# Where the words of a maximum and of a minimum stand, in points of print.
+# Offsets of the labels of a maximum and of a minimum, in points.
 ABOVE, BELOW, LEFT = (4.0, 4.0), (4.0, -11.0), -4.0
 
 
 def svaj(result: Revolution, scene: Program, program: str = "", **given: "Any") -> Picture:
-    """Draw lift, velocity, acceleration and jerk one below another; a jump is a gap.
+    """Draw lift, velocity, acceleration and jerk, one below the other; a jump is a gap.
 
     Returns four panels over the cam angle, the segments shaded in turn.
     """
@@ -42,17 +42,18 @@ def svaj(result: Revolution, scene: Program, program: str = "", **given: "Any") 
     motion = motion_of(scene, program)
     angles, columns = sampled(motion)
     axes = SWINGS if motion.swing else LENGTHS
-    found: tuple[Any, ...] = (result.lift, result.velocity, result.acceleration, result.jerk)
+    extremes: tuple[Any, ...] = (result.lift, result.velocity, result.acceleration, result.jerk)
     if result.swing is not None:
-        found = _of_swing(motion)
+        extremes = _of_swing(motion)
     symbols = SWING_SYMBOLS if motion.swing else SYMBOLS
     panels = []
     for order, (name, kind) in enumerate(axes):
         items: list[Band | Curve | Mark] = [*bands(motion, order), Curve(angles, columns[order])]
-        ends = found[order]
+        ends = extremes[order]
         if ends is not None:
             items += extreme_mark(ends.greatest_at, ends.greatest, kind, ABOVE)
-            items += extreme_mark(ends.least_at, ends.least, kind, BELOW)
+            # that the follower starts from rest needs no words
+            items += extreme_mark(ends.least_at, ends.least or None, kind, BELOW)
         panels.append(Panel(turn_axis(motion), Axis(symbols[name], kind), tuple(items)))
     title = worded(
         "Cam motion, continuity {continuity}\n{program}",
@@ -84,14 +85,14 @@ def extreme_mark(
 
 
 def named_program(scene: Program, program: str) -> str:
-    """A program as it was written, or how many segments a file has."""
+    """A program as written, or the number of segments in a file."""
     return " ".join(program.split()) or f"{len(scene.segments)} segments"
 
 
 def sampled(motion: Motion, steps: int = STEPS) -> "tuple[list[float], list[list[float]]]":
     """Angles and the four curves, zone by zone, broken between zones where any of them may jump.
 
-    `steps`: steps on each zone. Returns angles, and s, v, a, j at them; NaN parts the zones.
+    `steps`: steps on each zone. Returns angles, and s, v, a, j at them; NaN separates the zones.
     """
     import numpy as np
 
@@ -106,7 +107,7 @@ def sampled(motion: Motion, steps: int = STEPS) -> "tuple[list[float], list[list
 
 
 def bands(motion: Motion, order: int) -> "tuple[Band, ...]":
-    """Every segment that moves; the legend of the first panel says so once."""
+    """Bands for the moving segments; only the first panel has them in its legend."""
     moving = [i for i, span in enumerate(motion.segments) if span.law is not None]
     return tuple(
         Band(motion.joints[i], motion.joints[i + 1], "follower moves" if order == 0 and i == moving[0] else "")
@@ -115,7 +116,7 @@ def bands(motion: Motion, order: int) -> "tuple[Band, ...]":
 
 
 def one_rise(result: Rise, law: LawName, lift: float, span: float, **given: "Any") -> Picture:
-    """Draw one rise: lift, velocity, acceleration and jerk, with the points asked for.
+    """Draw one rise: lift, velocity, acceleration and jerk, with the requested points.
 
     `lift`: the lift [m]; `span`: the span [rad]. Returns four panels over the cam angle.
     """

@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     from dynamics_cli.cam.program.motion import Motion
 
 STEP = pi / 12.0
-# A bound beyond this share is looked into again, on so few pieces at most, each cut so often about its place.
+# A relative bound above this is refined, on at most this many pieces, each cut this often about its place.
 ROUGH = 30.0 * 2.0**-53
 FEW = 8
 FINER = 7
-# So many places of these cuts are computed one by one: about a flat place a proxy errs by its values' rounding.
+# This many places of these cuts are evaluated directly: about a flat place a proxy errs by the rounding of its values.
 SINGLY = 2048
 
 
@@ -62,14 +62,14 @@ def within(motion: "Motion", place: "Any", piece: "Any", derivatives: int = 2) -
 
 @record
 class Ends:
-    """The least and the greatest value of a function over the turn, each the function's own at the place named."""
+    """Minimum and maximum of a function over the turn, each evaluated by the function at the stated place."""
 
     least: Annotated[float, "The value, its cam angle [rad], and the bound of its error."]
     least_at: Annotated[float, "The value, its cam angle [rad], and the bound of its error."]
     least_error: Annotated[float, "The value, its cam angle [rad], and the bound of its error."]
-    greatest: Annotated[float, "The same of the greatest."]
-    greatest_at: Annotated[float, "The same of the greatest."]
-    greatest_error: Annotated[float, "The same of the greatest."]
+    greatest: Annotated[float, "The same for the maximum."]
+    greatest_at: Annotated[float, "The same for the maximum."]
+    greatest_error: Annotated[float, "The same for the maximum."]
     proved: Annotated[bool, "Whether the bounds are proved."] = True
 
     @property
@@ -87,7 +87,7 @@ class Ends:
 
 
 class Cover:
-    """Functions of lift and derivatives over a motion: their proxies, and their own values with their roundings.
+    """Functions of lift and derivatives over a motion: their proxies, and their values with rounding bounds.
 
     `function`: takes lift and derivatives, gives values (q, m, n): arithmetic, roots, sines, arc tangents,
     `numpy.stack` and the like, which work on discs (`numerics.discs`) as on arrays. Comparisons and branches on values
@@ -139,13 +139,13 @@ class Cover:
         return self.function(*discs(self.whole, which, t, radius, self.derivatives, shares=True))
 
     def state(self, pieces_: "Any", units: "Any") -> "tuple[Any, ...]":
-        """Lift and derivatives at places (n,) of the proxies' pieces, with what they round by."""
+        """Lift and derivatives at places (n,) of the proxies' pieces, with their rounding."""
         rows, proxies, row = self.rows, self.proxies, self.owner[pieces_]
         starts, ends = proxies.starts[pieces_], proxies.ends[pieces_]
         share = 0.5 * (starts + ends) + 0.5 * (ends - starts) * units
         share = np.where(units == 1.0, ends, np.where(units == -1.0, starts, share))
         t = rows.first[row] + rows.width[row] * np.where(rows.far[row], 1.0 - share, share)
-        # ends of parts are theirs to the bit
+        # ends of parts are exact
         t = np.where(share == rows.starts[row], rows.opens[row], np.where(share == rows.ends[row], rows.closes[row], t))
         which = rows.which[row]
         return discs(self.whole, which, t, np.zeros(t.shape), self.derivatives, shares=True, exact=True)
@@ -161,7 +161,7 @@ class Cover:
         return np.where(share == 1.0, ends[owner], starts[owner] + share * (ends - starts)[owner])
 
     def values(self, pieces_: "Any", units: "Any") -> "tuple[Any, Any]":
-        """The functions (q, n) at places of the proxies' pieces, and what they round by."""
+        """The functions (q, n) at places of the proxies' pieces, and their rounding."""
         disc = self.function(*self.state(pieces_, units))
         shape = np.broadcast_shapes(disc.centre.shape, (1, np.size(units)))
         return np.broadcast_to(disc.centre, shape), np.broadcast_to(disc.radius, shape)
@@ -190,7 +190,7 @@ class Cover:
         return [Ends(*low_, *high) for high, low_ in zip(ends[::2], ends[1::2], strict=True)]
 
     def cut(self, which: "Any", rows: "Any", units: "Any") -> "Cover":
-        """The same on some of the proxies' pieces alone, cut ever finer about a place (n,) of each of the n."""
+        """The same on some of the proxies' pieces only, cut ever finer about a place (n,) of each of the n."""
         proxies = self.proxies
         starts, ends, owner = [], [], []
         for row, unit in zip(rows.tolist(), units.tolist(), strict=True):
@@ -250,7 +250,7 @@ class Cover:
 
 
 def best_unit(top: "Any", values: "Any", row: int) -> float:
-    """Where on a piece its best place is; its start where none is known."""
+    """The best place of a piece; its start if none is known."""
     places = np.flatnonzero(top.rows == row)
     return float(top.units[places[values[places].argmax()]]) if places.size else -1.0
 

@@ -1,7 +1,7 @@
-"""Programs of cam motion: records read from a file, or one line of words, made into a `Motion`.
+"""Programs of cam motion, from records in a file or from one line of text, converted to a `Motion`.
 
 Conventions: a task's first parameter is `scene: Program, /`, and `program: Text = ""` is one of its options;
-`motion_of(scene, program)` gives the motion of whichever was given.
+`motion_of(scene, program)` gives the motion of the one that was given.
 """
 
 from math import fsum, pi
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 DEGREE = pi / 180.0
 FULL: Exact = (360, 1)
-# Spans in radians, or of many digits, cannot sum to a turn exactly; this close, the last one is stretched to fit.
+# Spans in radians, or with many digits, cannot sum to a turn exactly; within this tolerance the last one is adjusted.
 CLOSED_WITHIN = 1e-9
 SHORTEST = 1e-9
 
@@ -28,15 +28,15 @@ __all__ = ["Move", "Point", "Program", "Segment", "exact_degrees", "motion_of", 
 
 
 def motion_of(scene: Program, program: str = "") -> Motion:
-    """Give the motion of a program, from records or from one line of words.
+    """Give the motion of a program, from records or from one line of text.
 
-    `scene`: records, without segments when there is a line; `program`: segments separated by semicolons: `rise 20 mm in
+    `scene`: records, without segments if a line is given; `program`: segments separated by semicolons: `rise 20 mm in
     90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell`. Returns the motion, closed over one turn. Raises
     InadmissibleError when no program or two are given, its words are not understood, its spans do not make one turn, it
     does not come back to where it began, or a law lacks what it needs.
 
-    Spans are kept as exact numbers of degrees: those of records are read back from radians to the shortest decimal that
-    gives the same double.
+    Spans are kept as exact numbers of degrees: those of records are converted back from radians to the shortest decimal
+    that gives the same double.
 
     Examples
     --------
@@ -86,13 +86,13 @@ def program_of(line: str) -> Program:
 
 
 def exact_degrees(angle: float) -> "Exact":
-    """Degrees that a user wrote for this double of radians: the shortest decimal that gives it."""
+    """The degrees that a user wrote for this double in radians: the shortest decimal that gives it."""
     degrees = angle * (180.0 / pi)
     for parts in (1, 60, 3600):
         for digits in (6, 10, 15):
             top, bottom = _decimal(f"{degrees * parts:.{digits}g}")
             off = abs(radians((top, bottom * parts))[0] - angle)
-            # Up to ten digits, one rounding of whoever converted them is forgiven.
+            # With up to ten digits one rounding of an earlier conversion is tolerated.
             if off == 0.0 or (digits <= 10 and off <= 2.0**-52 * abs(angle)):
                 return top, bottom * parts
     top, bottom = angle.as_integer_ratio()
@@ -116,7 +116,7 @@ def _plus(a: "Exact", b: "Exact", sign: int = 1) -> "Exact":
 
 
 def _spans(steps: "Sequence[Step]") -> "list[Exact]":
-    """Every segment's span, with what is left for the one that gives none."""
+    """Every segment's span; the segment without one gets the rest of the turn."""
     total: Exact = (0, 1)
     for number, step in enumerate(steps, 1):
         if step.span is not None:
@@ -241,7 +241,7 @@ def _next_level(now: float, step: Step, amount: float | None, number: int, swing
     rising = step.segment.move == "rise"
     if amount is not None:
         then = now + amount if rising else now - amount
-        # 20 mm up, 5 mm and 15 mm down must end where it began, whatever the decimals' doubles sum to.
+        # 20 mm up, 5 mm and 15 mm down must end at the start, whatever the sum of the doubles.
         return 0.0 if abs(then) <= 1e-12 * max(now, amount) else then
     then = 0.0 if step.level is None else step.level
     require(
@@ -258,17 +258,17 @@ def _next_level(now: float, step: Step, amount: float | None, number: int, swing
 
 
 def _offs(steps: "Sequence[Step]", levels: "list[float]", swing: bool) -> "list[float]":
-    """What levels are off the sums of the lifts given, which are doubles, and of a lift off that between levels."""
-    found, lifts = [0.0], [0.0]
+    """Errors of levels against the sums of the given lifts, which are doubles, and of lifts against the levels."""
+    offs, lifts = [0.0], [0.0]
     for step, level in zip(steps, levels[1:], strict=True):
         amount = step.segment.swing if swing else step.segment.lift
         if amount is None:
-            # as it was, or a level given: zero where a return gives none
+            # the previous level, or a given one: zero for a return without one
             lifts = [level] if step.segment.move != "dwell" else lifts
         else:
             lifts.append(amount if step.segment.move == "rise" else -amount)
-        found.append(abs(fsum((*lifts, -level))) * (1.0 + 2.0**-50))
-    return found
+        offs.append(abs(fsum((*lifts, -level))) * (1.0 + 2.0**-50))
+    return offs
 
 
 def _level(level: float, swing: bool) -> "tuple[float, Any]":
@@ -278,7 +278,7 @@ def _level(level: float, swing: bool) -> "tuple[float, Any]":
 
 def _require_closed(levels: "list[float]", swing: bool) -> None:
     most = max(abs(level) for level in levels)
-    require(most == 0.0 or SMALLEST < most < LARGEST, "a lift is beyond the range of any cam", code="range")
+    require(most == 0.0 or SMALLEST < most < LARGEST, "a lift is outside the range of any cam", code="range")
     require(
         abs(levels[-1]) <= 1e-12 * most,
         "the program ends {gap:6} from where it began: the cam would have a step",
@@ -289,7 +289,7 @@ def _require_closed(levels: "list[float]", swing: bool) -> None:
 
 
 def _law(segment: Segment, number: int) -> "Law | None":
-    """The law by its name, or None where it depends on the neighbours."""
+    """The law by its name, or None if it depends on the neighbours."""
     if segment.move == "dwell":
         require(segment.law is None, "segment {number} is a dwell and has a law", number=number, code="dwell")
         return None

@@ -1,4 +1,4 @@
-"""A whole revolution of cam motion as a user reads it: table, extremes, joints, the book's singularity functions."""
+"""A whole revolution of cam motion as reported: table, extremes, joints, the book's singularity functions."""
 
 from itertools import pairwise
 
@@ -48,7 +48,7 @@ def motion(
     /,
     *,
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
-    count: Annotated[Count, "Points of the table, both ends of the turn among them."] = 37,
+    count: Annotated[Count, "Points of the table, including both ends of the turn."] = 37,
     shaft_speed: Annotated[ShaftSpeed | None, "Speed of the cam shaft, for values in time [rad/s]."] = None,
     singularity: Annotated[
         bool, "Also write the motion in the book's singularity functions, and show that they agree."
@@ -73,8 +73,8 @@ def motion(
     Notes
     -----
     Where a derivative jumps the table gives the later value, and the joints give the jump. Where the velocity jumps the
-    acceleration is an impulse: it has no extreme in that sense and no mean square; the place of the extreme is that of
-    the first such jump.
+    acceleration is an impulse: it has no extreme in that sense and no mean square; the extreme's place is that of the
+    first such jump.
 
     References
     ----------
@@ -91,20 +91,20 @@ def motion(
         "count: {count} points; a table has 2 to {most}",
         count=count, most=MOST_POINTS, code="count",
     )  # fmt: skip
-    found = motion_of(scene, program)
-    ends = [extreme(found, order) for order in range(4)]
-    steps = jumps(found)
+    turn = motion_of(scene, program)
+    ends = [extreme(turn, order) for order in range(4)]
+    steps = jumps(turn)
     impulse = _impulses(steps)
     finite = impulse == (None, None)
-    rms, rms_error = root_mean_square(found, 2)
+    rms, rms_error = root_mean_square(turn, 2)
     order = order_of_continuity(steps)
-    form = _form(found) if singularity else None
-    checks = [_closing(found)]
+    form = _form(turn) if singularity else None
+    checks = [_closing(turn)]
     if form is not None:
         worst = form.disagreement()
         checks.append(Check("singularity functions agree with the motion", worst <= 1e-10, worst, 1e-10))
-    swing = found.swing
-    tables = _table(found, count)
+    swing = turn.swing
+    tables = _table(turn, count)
     return Revolution(
         f"C{order}",
         None if swing else LiftRange(*_fields(ends[0])),
@@ -126,12 +126,12 @@ def motion(
             *_missing(impulse, swing=swing, timed=shaft_speed is not None),
             *(
                 advice
-                for i, span in enumerate(found.segments, 1)
+                for i, span in enumerate(turn.segments, 1)
                 if span.law
                 for advice in rounding_advice(span.law, f"segment {i}: ")
             ),
         ),
-        numerics=_numerics(found, ends, (rms, rms_error), tables[1 if swing else 0], shaft_speed, impulse),
+        numerics=_numerics(turn, ends, (rms, rms_error), tables[1 if swing else 0], shaft_speed, impulse),
     )
 
 
@@ -146,34 +146,34 @@ def _impulses(steps: "list[tuple[float, str, list[float]]]") -> "Impulses":
 
 
 def _with_impulses(one: Extreme, impulse: "Impulses") -> "tuple[float | None, float, float | None, float]":
-    """Extremes of the acceleration; an impulse has a place and no value."""
+    """Extremes of the acceleration; an impulse has a place but no value."""
     down, up = impulse
     least = (one.least, one.least_at) if down is None else (None, down)
     greatest = (one.greatest, one.greatest_at) if up is None else (None, up)
     return *least, *greatest
 
 
-def _form(found: Motion) -> "Any":
+def _form(turn: Motion) -> "Any":
     from dynamics_cli.cam.program.singularity import Form
 
-    return Form(found)
+    return Form(turn)
 
 
-def _closing(found: Motion) -> Check:
-    """The end of the turn is its start, to the bit."""
-    gap = abs(found.in_zone(len(found.zones) - 1, 1.0, 0)[0] - found.in_zone(0, 0.0, 0)[0])
+def _closing(turn: Motion) -> Check:
+    """Check that the end of the turn equals its start to the bit."""
+    gap = abs(turn.in_zone(len(turn.zones) - 1, 1.0, 0)[0] - turn.in_zone(0, 0.0, 0)[0])
     return Check("the lift closes over the turn", gap == 0.0, gap, 0.0)
 
 
-def angles_of_turn(found: Motion, count: int) -> "tuple[Any, Any]":
-    """Equal steps over one turn, both ends among them; whole degrees land on the joints as the program gives them."""
+def angles_of_turn(turn: Motion, count: int) -> "tuple[Any, Any]":
+    """Equal steps over one turn, including both ends; whole degrees land on the joints as the program gives them."""
     import numpy as np
 
-    top, bottom = found.segments[0].start
+    top, bottom = turn.segments[0].start
     first = top / bottom
     degrees = first + np.arange(count) * 360.0 / (count - 1)
     angles = np.array([_radians(degree) for degree in degrees.tolist()]) if count <= 4000 else np.radians(degrees)
-    angles[0], angles[-1] = found.joints[0], found.joints[-1]
+    angles[0], angles[-1] = turn.joints[0], turn.joints[-1]
     return angles, degrees
 
 
@@ -183,19 +183,19 @@ def _radians(degrees: float) -> float:
     return radians(degrees.as_integer_ratio())[0]
 
 
-def _table(found: Motion, count: int) -> "tuple[Any, Any]":
-    angles, _ = angles_of_turn(found, count)
-    values = [column.copy() for column in found.at(angles, 4)]
-    last = found.at(float(angles[-1]), 4, side=-1)
+def _table(turn: Motion, count: int) -> "tuple[Any, Any]":
+    angles, _ = angles_of_turn(turn, count)
+    values = [column.copy() for column in turn.at(angles, 4)]
+    last = turn.at(float(angles[-1]), 4, side=-1)
     for column, value in zip(values, last, strict=True):
         column[-1] = value
-    # an angle is a double: where a value is less than its change over the angle's rounding, it is zero
+    # an angle is a double: a value below its change over the angle's rounding is zero
     for column, slope in pairwise(values):
         column[abs(column) <= ROUNDING * abs(angles * slope)] = 0.0
-    names = ("swing" if found.swing else "lift", *NAMES[1:])
+    names = ("swing" if turn.swing else "lift", *NAMES[1:])
     # minus zero is zero
     columns = {name: column + 0.0 for name, column in zip(names, values[:4], strict=True)}
-    if found.swing:
+    if turn.swing:
         return None, Columns(SwingPoint, angle=angles, **columns)
     return Columns(MotionPoint, angle=angles, **columns), None
 
@@ -235,7 +235,7 @@ def _missing(impulse: "Impulses", *, swing: bool, timed: bool) -> "tuple[Advice,
     """Which accelerations have no value because the velocity jumps."""
     if impulse == (None, None):
         return ()
-    found: list[tuple[str, str]] = []
+    missing: list[tuple[str, str]] = []
     for name, angle in zip(("least", "greatest"), impulse, strict=True):
         if angle is not None:
             result = f"swing.{name}_acceleration" if swing else f"acceleration.{name}"
@@ -244,14 +244,14 @@ def _missing(impulse: "Impulses", *, swing: bool, timed: bool) -> "tuple[Advice,
                 name="minimum" if name == "least" else "maximum",
                 angle=(angle, Angle),
             )
-            found.append((result, message))
+            missing.append((result, message))
     mean = "the root mean square of the acceleration is infinite: the velocity jumps"
-    found.append(("rms_swing_acceleration" if swing else "rms_acceleration", mean))
+    missing.append(("rms_swing_acceleration" if swing else "rms_acceleration", mean))
     if timed:
         address = "swing_in_time" if swing else "in_time"
-        found.append((f"{address}.acceleration", "the acceleration in time is infinite where the velocity jumps"))
-        found.append((f"{address}.rms_acceleration", mean))
-    return tuple(Advice("infinite-acceleration", message, "serious", result=result) for result, message in found)
+        missing.append((f"{address}.acceleration", "the acceleration in time is infinite where the velocity jumps"))
+        missing.append((f"{address}.rms_acceleration", mean))
+    return tuple(Advice("infinite-acceleration", message, "serious", result=result) for result, message in missing)
 
 
 def _advice(order: int, steps: "list[tuple[float, str, list[float]]]") -> "tuple[Advice, ...]":
@@ -276,36 +276,36 @@ def _advice(order: int, steps: "list[tuple[float, str, list[float]]]") -> "tuple
 
 
 def _numerics(
-    found: Motion, ends: "list[Extreme]", rms: tuple[float, float], table: "Any", omega: float | None,
+    turn: Motion, ends: "list[Extreme]", rms: tuple[float, float], table: "Any", omega: float | None,
     impulse: "Impulses",
 ) -> Numerics:  # fmt: skip
     """Bounds of the extremes, of the mean, and of every column of the table."""
-    if found.swing:
+    if turn.swing:
         names = ["swing.{}", *(f"swing.{{}}_{name}" for name in NAMES[1:])]
     else:
         names = [f"{name}.{{}}" for name in NAMES]
-    made = []
+    bounds = []
     for order, (name, one) in enumerate(zip(names, ends, strict=True)):
         least, greatest = impulse if order == 2 else (None, None)
         if least is None:
-            made.append(ErrorBound(name.format("least"), one.least_error, relative=False))
+            bounds.append(ErrorBound(name.format("least"), one.least_error, relative=False))
         if greatest is None:
-            made.append(ErrorBound(name.format("greatest"), one.greatest_error, relative=False))
+            bounds.append(ErrorBound(name.format("greatest"), one.greatest_error, relative=False))
     finite = impulse == (None, None)
     if finite:
-        name = "rms_swing_acceleration" if found.swing else "rms_acceleration"
-        made.append(ErrorBound(name, rms[1], relative=False))
-    first = ("swing" if found.swing else "lift", *NAMES[1:])
-    address = "swing_table" if found.swing else "table"
-    made += [
+        name = "rms_swing_acceleration" if turn.swing else "rms_acceleration"
+        bounds.append(ErrorBound(name, rms[1], relative=False))
+    first = ("swing" if turn.swing else "lift", *NAMES[1:])
+    address = "swing_table" if turn.swing else "table"
+    bounds += [
         ErrorBound(f"{address}.{name}", error, relative=False)
-        for name, error in zip(first, _column_errors(found, table), strict=True)
+        for name, error in zip(first, _column_errors(turn, table), strict=True)
     ]
     if omega is not None:
-        made += _in_time_bounds(found.swing, ends, rms, abs(omega), finite=finite)
+        bounds += _in_time_bounds(turn.swing, ends, rms, abs(omega), finite=finite)
     return Numerics(
-        "closed form from the nearer end of each segment, its roundings followed; exact table of segments in degrees",
-        tuple(made),
+        "closed form from the nearer end of each segment, rounding bounded; exact table of segments in degrees",
+        tuple(bounds),
     )
 
 
@@ -326,15 +326,15 @@ def _in_time_bounds(
     return [*in_time_bounds, ErrorBound(f"{address}.rms_acceleration", error, relative=False)]
 
 
-def _column_errors(found: Motion, table: "Any") -> "list[float]":
-    """What lift and derivatives of a table may be off, at the worst of its rows."""
+def _column_errors(turn: Motion, table: "Any") -> "list[float]":
+    """Error bounds of lift and derivatives of a table, the largest of all rows."""
     import numpy as np
 
     arrays = table.arrays
     angles = arrays["angle"]
     worst = [0.0] * 4
     values = [arrays[name] for name in arrays if name != "angle"]
-    for part, rows in found.by_parts(angles):
+    for part, rows in turn.by_parts(angles):
         t = np.abs(part.local(angles[rows].copy())) if part.law_piece is not None else np.zeros(rows.shape)
         steep = [np.abs(value) for value in part.give(t, 4)]
         for order, error in enumerate(of_part(part, t)):

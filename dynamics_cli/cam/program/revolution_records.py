@@ -1,4 +1,4 @@
-"""What `cam motion` gives."""
+"""Results of `cam motion`."""
 
 from dynamics_cli.quantities import (
     Acceleration,
@@ -42,7 +42,7 @@ class VelocityRange:
 
 @record
 class AccelerationRange:
-    """Extremes of the acceleration; none in the sense of an impulse, where the velocity jumps."""
+    """Extremes of the acceleration; absent in the sense of an impulse, where the velocity jumps."""
 
     least: Annotated[CamAcceleration | None, "Minimum acceleration [m/rad^2]."]
     least_at: Annotated[Angle, "Where first, as a cam angle [rad]."]
@@ -78,10 +78,10 @@ class SwingRange:
 
 @record
 class Joint:
-    """What jumps where two segments, or two parts of one, meet."""
+    """Jumps at a joint of two segments, or of two parts of one."""
 
     angle: Annotated[Angle, "Cam angle [rad]."]
-    between: Annotated[Text, "What meets there."]
+    between: Annotated[Text, "The two segments that meet there."]
     lift: Annotated[Coordinate, "Jump of the lift [m]."]
     velocity: Annotated[CamVelocity, "Jump of the velocity [m/rad]."]
     acceleration: Annotated[CamAcceleration, "Jump of the acceleration [m/rad^2]."]
@@ -90,10 +90,10 @@ class Joint:
 
 @record
 class SwingJoint:
-    """What jumps where two segments of an arm's motion meet."""
+    """Jumps at a joint of two segments of an arm's motion."""
 
     angle: Annotated[Angle, "Cam angle [rad]."]
-    between: Annotated[Text, "What meets there."]
+    between: Annotated[Text, "The two segments that meet there."]
     swing: Annotated[Angle, "Jump of the arm's angle [rad]."]
     velocity: Annotated[SwingVelocity, "Jump of the first derivative [-]."]
     acceleration: Annotated[SwingAcceleration, "Jump of the second derivative [1/rad]."]
@@ -160,7 +160,7 @@ class Revolution:
     in_time: Annotated[InTime | None, "Maximum magnitudes in time."]
     swing_in_time: Annotated[SwingInTime | None, "Maximum magnitudes of an arm in time."]
     joints: Annotated[
-        tuple[Joint, ...] | None, "Jumps at every joint, that from the end of the turn to its start first."
+        tuple[Joint, ...] | None, "Jumps at every joint; the joint from the end of the turn to its start comes first."
     ]
     swing_joints: Annotated[tuple[SwingJoint, ...] | None, "The same for an arm."]
     singularity_functions: Annotated[Text | None, "The motion in the book's singularity functions."]

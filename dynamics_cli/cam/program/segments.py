@@ -1,4 +1,4 @@
-"""The records a program of cam motion is written in."""
+"""Records of a program of cam motion."""
 
 from dynamics_cli.cam.laws.names import LawName
 from dynamics_cli.quantities import (
@@ -86,8 +86,8 @@ class Program:
 
 @record
 class Step:
-    """A segment as both ways of writing it come to: spans exact, in degrees."""
+    """The common form of a segment from a file or a line: spans exact, in degrees."""
 
-    segment: Annotated[Segment, "What was asked."]
+    segment: Annotated[Segment, "The segment as given."]
     span: Annotated["Exact | None", "Its span in degrees, exactly."]
-    level: Annotated[float | None, "Lift to go to, in place of how far."] = None
+    level: Annotated[float | None, "Lift to reach, in place of the distance."] = None

@@ -1,4 +1,4 @@
-"""Singularity functions as the book writes cam motion with them: section 16.10, with the book's indices.
+"""Cam motion in the book's singularity functions: section 16.10, with the book's indices.
 
 δ₀ is the impulse, δ₁ the step, δ₂ the ramp, δ_{n+1}(x) = xⁿ/n! for x > 0 and 0 for x < 0; δ₁(0) is taken as ½.
 """
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def delta(index: int, x: float) -> float:
-    """Give the book's δ with that index, 1 or more.
+    """Give the book's δ of an index, 1 or more.
 
     `index`: the index, 1 for the step, 2 for the ramp; `x`: where. Returns its value.
 
@@ -67,13 +67,13 @@ class Form:
         self._step(angle, [-value for value in self._value_at(angle)])
 
     def _value_at(self, angle: float) -> "list[float]":
-        """Derivatives that the terms so far give just after an angle."""
-        found = [0.0] * 3
+        """Derivatives of the terms so far just after an angle."""
+        derivatives = [0.0] * 3
         for factor, index, place in self.terms:
             for order in range(index):
                 power = index - 1 - order
-                found[order] += factor * (angle - place) ** power / factorial(power)
-        return found
+                derivatives[order] += factor * (angle - place) ** power / factorial(power)
+        return derivatives
 
     def _step(self, angle: float, steps: "list[float]") -> None:
         size = max((abs(factor) for factor, _, _ in self.terms), default=0.0)
@@ -82,7 +82,7 @@ class Form:
                 self.terms.append((step, order + 1, angle))
 
     def at(self, theta: float) -> float:
-        """The lift by the singularity functions; θ is within the turn and at none of the joints."""
+        """The lift by the singularity functions; θ is within the turn and not at a joint."""
         total = sum(factor * delta(index, theta - place) for factor, index, place in self.terms)
         motion = self.motion
         for index in self.gated:
@@ -100,7 +100,7 @@ class Form:
         return float(max(abs(self.at(angle) - motion.at(angle, 0)[0]) for angle in angles) / size)
 
     def written(self) -> str:
-        """The form in words: millimetres (or degrees) and degrees, as the book writes it."""
+        """The form as text, in millimetres (or degrees) and degrees, as in the book."""
         motion = self.motion
         scale, unit = (180.0 / pi, "deg") if motion.swing else (1e3, "mm")
         parts = []

@@ -1,4 +1,4 @@
-"""What a motion comes to: extremes with their places, jumps at the joints, means over a turn."""
+"""Summary of a motion: extremes with their places, jumps at the joints, means over a turn."""
 
 from functools import partial
 from math import inf, sqrt
@@ -28,14 +28,14 @@ WEIGHTS = [weight for _, weight in GAUSS[::-1]] + [weight for _, weight in GAUSS
 
 @record
 class Extreme:
-    """Minimum and greatest value of one derivative, with their places."""
+    """Minimum and maximum of one derivative, with their places."""
 
     least: Annotated[float, "Values, and cam angles [rad]."]
     least_at: Annotated[float, "Values, and cam angles [rad]."]
     greatest: Annotated[float, "Values, and cam angles [rad]."]
     greatest_at: Annotated[float, "Values, and cam angles [rad]."]
-    least_error: Annotated[float, "What the values may be off."]
-    greatest_error: Annotated[float, "What the values may be off."]
+    least_error: Annotated[float, "Bound of the values' error."]
+    greatest_error: Annotated[float, "Bound of the values' error."]
 
 
 def extreme(motion: "Motion", order: int) -> Extreme:
@@ -43,7 +43,8 @@ def extreme(motion: "Motion", order: int) -> Extreme:
 
     `order`: which derivative. Returns the first place of each.
 
-    From the extremes of the normalised laws, to the last bits; equal values to 10⁻¹² count as one, the first is named.
+    From the extremes of the normalised laws, to the last bits; values equal to 10⁻¹² count as one, and the first is
+    reported.
     """
     found: list[tuple[float, float, Callable[[], float]]] = []
     for index, span in enumerate(motion.segments):
@@ -70,7 +71,7 @@ def extreme(motion: "Motion", order: int) -> Extreme:
 
 
 def _value_error(span: "Span", x: float, order: int, factor: float, value: float) -> float:
-    """What a level, or factor·value on it, may be off; the factor counts a rounding, and two for each division."""
+    """Error of a level, or of factor·value added to it; a factor counts one rounding, and two for each division."""
     level = sum(span.off)
     if order == 0 and x in (0.0, 1.0):
         return level
@@ -85,7 +86,7 @@ def root_mean_square(motion: "Motion", order: int) -> "tuple[float, float]":
     """Root mean square of a derivative over the turn, and its bound.
 
     Gauss's rule of 16 points on parts short enough that no wave of a law turns by more than four radians in half of
-    one: exact to rounding. The root mean square of what the values may be off is all that it may be off by them.
+    one: exact to rounding. Its error is at most the root mean square of the values' errors.
     """
     total = slipped = 0.0
     for index, span in enumerate(motion.segments):
@@ -96,13 +97,13 @@ def root_mean_square(motion: "Motion", order: int) -> "tuple[float, float]":
         mean, off = _mean_square(span.law, order)
         total += width * scale * scale * mean
         slipped += width * scale * scale * off
-    found = sqrt(total / TURN)
+    value = sqrt(total / TURN)
     # weights, sums and factors, of the square
-    return found, (sqrt(slipped / TURN) + (24.0 + 2.0 * order) * UNIT * found) * (1.0 + 2.0**-40)
+    return value, (sqrt(slipped / TURN) + (24.0 + 2.0 * order) * UNIT * value) * (1.0 + 2.0**-40)
 
 
 def _mean_square(law: "Law", order: int) -> "tuple[float, float]":
-    """Mean squares of a derivative and of what its values may be off."""
+    """Mean squares of a derivative and of its error bounds."""
     import numpy as np
 
     total = slipped = 0.0
@@ -123,13 +124,13 @@ def _mean_square(law: "Law", order: int) -> "tuple[float, float]":
 
 
 def jumps(motion: "Motion") -> "list[tuple[float, str, list[float]]]":
-    """Every zone boundary: its angle, what meets there, and how much lift, velocity, acceleration and jerk jump.
+    """Every zone boundary: its angle, its segments, and the jumps of lift, velocity, acceleration and jerk.
 
     Returns angle, words, and the four jumps; a difference that rounding explains is zero.
     """
     zones = motion.zones
     sizes = [max(abs(one.least), abs(one.greatest)) for one in (extreme(motion, order) for order in range(4))]
-    found = []
+    boundaries = []
     for index, zone in enumerate(zones):
         before = zones[index - 1]
         left = motion.in_zone((index - 1) % len(zones), 1.0)
@@ -143,15 +144,15 @@ def jumps(motion: "Motion") -> "list[tuple[float, str, list[float]]]":
             words = f"{_name(motion, before.segment)} to {words}"
         else:
             words = f"within {words}"
-        found.append((zone.start, words, steps))
-    return found
+        boundaries.append((zone.start, words, steps))
+    return boundaries
 
 
 def _name(motion: "Motion", segment: int) -> str:
     return f"{motion.segments[segment].name} {segment + 1}"
 
 
-def order_of_continuity(found: "list[tuple[float, str, list[float]]]") -> int:
-    """The highest derivative that jumps nowhere with none below it jumping; -1 where the lift itself steps."""
-    first = min((next((i for i, step in enumerate(steps) if step), inf) for _, _, steps in found), default=inf)
+def order_of_continuity(boundaries: "list[tuple[float, str, list[float]]]") -> int:
+    """The highest derivative that is continuous together with all lower ones; -1 if the lift itself jumps."""
+    first = min((next((i for i, step in enumerate(steps) if step), inf) for _, _, steps in boundaries), default=inf)
     return 3 if first == inf else int(first) - 1

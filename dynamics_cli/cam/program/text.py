@@ -35,10 +35,10 @@ LONGEST = 40
 
 
 def read_program(text: str) -> "tuple[list[Step], Exact | None]":
-    """Segments of a program written in words, and the angle it starts at when it says one.
+    """Segments of a program written as text, and its start angle if given.
 
     `text`: the program. Returns the segments and the start in degrees. Raises UsageError where a clause is not
-    understood; the message says which and what was wanted.
+    understood; the message names the clause and what was expected.
     """
     steps: list[Step] = []
     start: Exact | None = None
@@ -76,7 +76,7 @@ def _step(words: "_Words") -> Step:
     if words.at_number():
         amount, is_angle = words.amount()
         if absolute:
-            # A level needs the program's dimension too: its kind rides on the lift's name.
+            # A level needs the program's dimension too; its kind is that of the lift.
             fields["swing" if is_angle else "lift"] = None
             level = amount
             fields.update({"swing": abs(amount)} if is_angle else {})
@@ -89,11 +89,11 @@ def _step(words: "_Words") -> Step:
 
 
 def _near_laws(given: str) -> str:
-    """The laws that may be meant, as a question."""
+    """Laws with similar names, as a question."""
     from difflib import get_close_matches
 
     near = get_close_matches(given.lower(), (*LawName.names, *LawName.aliases))
-    # another spelling of a law already named adds no choice
+    # another spelling of a law already listed is not a new choice
     laws = list(dict.fromkeys(str(LawName(name)) for name in near))
     return f"did you mean {' or '.join(laws)}? " if laws else ""
 
@@ -107,7 +107,7 @@ def _read_law(words: "_Words", fields: "dict[str, Any]") -> None:
     try:
         fields["law"] = LawName(given)
     except ValueError:
-        apart = "clauses are parted by semicolons; " if "," in words.clause else ""
+        apart = "clauses are separated by semicolons; " if "," in words.clause else ""
         words.fail(f"there is no law {given!r}: {apart}{_near_laws(given)}`dynamics cam laws` lists them")
     numbers = []
     while words.at_number():
@@ -135,7 +135,7 @@ def _place_numbers(words: "_Words", fields: "dict[str, Any]", numbers: "list[flo
 
 
 class _Words:
-    """The words of one clause, with what to say when they are not understood."""
+    """The words of one clause, and the refusal when they are not understood."""
 
     def __init__(self, clause: str) -> None:
         self.clause = clause.strip()
@@ -156,13 +156,13 @@ class _Words:
         return self.words[0] if self.words else ""
 
     def take(self) -> str:
-        """The next word, which there must be."""
+        """The next word, which must exist."""
         if not self.words:
             self.fail("the clause is not complete")
         return self.words.pop(0)
 
     def skip(self, *fillers: str) -> bool:
-        """Pass over the next word if it is one of these; whether it was."""
+        """Skip the next word if it is one of these; returns whether it was."""
         if self.peek().lower() in fillers:
             self.words.pop(0)
             return True
@@ -173,7 +173,7 @@ class _Words:
         return bool(self.words) and _ratio(self.words[0]) is not None
 
     def end(self) -> None:
-        """Refuse words that are left over."""
+        """Refuse remaining words."""
         if self.words:
             self.fail(f"{self.words[0]!r} is not expected here")
 

@@ -1,1 +1,1 @@
-"""Proofs of what cam answers state: enclosures of laws, their rounding, certified extremes, deviation of drawings."""
+"""Proofs behind the cam results: enclosures of laws, their rounding, certified extremes, deviation of drawings."""

@@ -1,4 +1,4 @@
-"""Certified extremes of functions of a motion, and of quotients of their sums, with bounds of all that they err by."""
+"""Certified extremes of functions of a motion, and of quotients of their sums, with bounds of all errors."""
 
 from math import inf
 
@@ -8,7 +8,7 @@ from dynamics_cli.cam.program.pieces import FEW, ROUGH, Cover, best_unit, widths
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.chebyshev.proxies import Proxies
 from dynamics_cli.numerics.chebyshev.summits import Summits, doubtful, summits
-from dynamics_cli.numerics.discs import Disc
+from dynamics_cli.numerics.discs import Disc, as_disc
 from dynamics_cli.quantities import Annotated
 from dynamics_cli.records import record
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
 
     Law = Callable[[Any, Any, Any], Any]
 
-# quotients that differ by less are one, and the first place of it is named
+# quotients that differ by less are equal, and the first place is reported
 ALIKE = 4e-15
 
 
 @record
 class Found:
-    """A value, the cam angle it was found at, and what it may err by."""
+    """A value, its cam angle, and the bound of its error."""
 
     value: Annotated[float, "The value."]
     at: Annotated[float, "Cam angle [rad]."]
@@ -37,7 +37,7 @@ class Found:
 class Sum:
     """A weighted sum of a survey's rows (s, s′, s″ and its functions) and a constant.
 
-    `weights`: one for each row from the first; what is left out counts nothing. A disc holds what the weight rounds by.
+    `weights`: one for each row from the first; missing ones are zero. A disc includes the rounding of a weight.
     """
 
     __slots__ = ("constant", "weights")
@@ -48,27 +48,23 @@ class Sum:
 
     def of(self, rows: "Disc") -> "Disc":
         """The sum of rows (q, n)."""
-        total = Disc(np.zeros(rows.shape[1:]), np.zeros(rows.shape[1:])) + _disc(self.constant)
+        total = Disc(np.zeros(rows.shape[1:]), np.zeros(rows.shape[1:])) + as_disc(self.constant)
         for index, weight in enumerate(self.weights):
             if not isinstance(weight, float) or weight:
-                total = total + rows[index] * _disc(weight)
+                total = total + rows[index] * as_disc(weight)
         return total
 
     def middles(self, count: int) -> "tuple[Any, float]":
-        """Weights of so many rows, and the constant, without what they round by."""
+        """Weights of the given number of rows, and the constant, without their rounding."""
         padded = np.zeros(count)
-        padded[: len(self.weights)] = [float(_disc(weight).centre) for weight in self.weights]
-        return padded, float(_disc(self.constant).centre)
-
-
-def _disc(value: "float | Disc") -> "Disc":
-    return value if isinstance(value, Disc) else Disc(value, 0.0)
+        padded[: len(self.weights)] = [float(as_disc(weight).centre) for weight in self.weights]
+        return padded, float(as_disc(self.constant).centre)
 
 
 class Survey:
     """Functions of s, s′ and s″ over a motion, ready for their extremes.
 
-    `functions`: each takes s, ds/dθ, d²s/dθ² as discs and gives what it finds there. Raises InadmissibleError when
+    `functions`: each takes s, ds/dθ, d²s/dθ² as discs and gives the value. Raises InadmissibleError when
     numbers overflow.
     """
 
@@ -80,12 +76,12 @@ class Survey:
             with np.errstate(all="ignore"):
                 self.cover = Cover(motion, lambda s, s1, s2: np.stack([row(s, s1, s2) + 0.0 * s for row in rows]))
         except ValueError:
-            require(False, "the forces overflow: the speed or the spring is beyond all bounds", code="overflow")
+            require(False, "the forces overflow: the speed or the spring is far too large", code="overflow")
             raise
         self.proxies = self.cover.proxies
 
     def extremes(self, which: int) -> tuple[Found, Found]:
-        """Give the least and the greatest value of a function over the turn, one-sided values included.
+        """Give the minimum and maximum of a function over the turn, one-sided values included.
 
         `which`: which of the functions. Returns the least and the greatest, each at the first place that is equal to
         the best within rounding.
@@ -101,9 +97,9 @@ class Survey:
         Returns the quotient, its first place and bound; infinite where the lower sum is zero and the upper one is above
         its rounding, zero where the upper one is that nowhere.
 
-        Dinkelbach's iteration: q = top/bottom rises to where top − q·bottom, whose greatest value over the turn is
-        certified, comes to zero. The quotient itself is never interpolated, and may have a pole next to the turn, or be
-        0/0 where a spring of no preload rests.
+        Dinkelbach's iteration: q = top/bottom increases until the certified maximum of top − q·bottom over the
+        turn is zero. The quotient itself is never interpolated, and may have a pole nearby, or be 0/0 where a spring
+        without preload rests.
         """
         tops = self._places(top, None, 0.0)
         above, below = self._sums(top, bottom, tops)
@@ -127,7 +123,7 @@ class Survey:
         return Found(quotient, self._angle(tops, int(alike[0]) if alike.size else index), error)
 
     def _closer(self, top: Sum, bottom: Sum, quotient: float, tops: Summits, loose: "Any") -> float:
-        """The most that top − quotient·bottom is on pieces too flat for their proxies: these are cut about a place."""
+        """The maximum of top − quotient·bottom on pieces too flat for their proxies: these are cut about a place."""
         if loose.size > FEW:
             return inf
 

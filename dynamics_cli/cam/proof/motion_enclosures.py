@@ -19,7 +19,7 @@ def about_angles(motion: "Motion", index: int, theta: "Any", radius: "Any", deri
     t = theta if parts[0].law_piece is None else parts[0].local(theta)
     for number, part in enumerate(parts[1:], 1):
         other = part.local(theta)
-        # measured from the other end, or further along
+        # measured from the other end, or farther along
         here = (1.0 - other if part.law_piece.far else other) >= part.law_piece.low
         which[here], t[here] = number, other[here]
     return discs(Parts(parts), which, t, radius, derivatives)

@@ -1,4 +1,4 @@
-"""How the smallest cam of an arm is found: the angle at which the arm may start, in closed form at every cam angle."""
+"""The smallest cam for an arm: the angle at which the arm may start, in closed form at every cam angle."""
 
 from math import atan2, cos, hypot, inf, pi, sin, sqrt
 
@@ -28,13 +28,13 @@ class Reach:
 
     least: Annotated[float, "The angles [rad]."]
     most: Annotated[float, "The angles [rad]."]
-    binding: Annotated[str, "The limit that decides the least."]
-    error: Annotated[float, "Bound of the error of the least [rad]."]
+    binding: Annotated[str, "The limit that decides the minimum."]
+    error: Annotated[float, "Bound of the error of the minimum [rad]."]
     most_error: Annotated[float, "Bound of the error of the most [rad]."]
 
 
 def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], turn: float) -> Reach:
-    """Between which angles the arm may start.
+    """The range of angles in which the arm may start.
 
     `motion`: the program; `arm`, `pivot`: length of the arm and distance of its pivot [m]; `limits`: the limits of rise
     and return [rad]; `turn`: -1 for a clockwise cam. Returns the angles. Raises InadmissibleError when no angle keeps
@@ -51,7 +51,7 @@ def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], 
         return arm * (1.0 + strain) * cos(limit) / pivot
 
     (speed,) = extremes_of(motion, lambda s, s1, s2: turn * s1)
-    # the quickest way up strains one limit, a way down faster than the cam turns the other
+    # the fastest rise is critical for one limit, a return faster than the cam turns for the other
     for limit, strain in ((up, speed.largest()[0]), (down, -2.0 - speed.smallest()[0])):
         require(
             at_best(strain, limit) < 1.0,
@@ -72,10 +72,10 @@ def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], 
     ends = [(high.greatest, high.greatest_error, names[0]), (low.greatest, low.greatest_error, names[1])]
     least, error, binding = max(ends)
     most, most_error = min((over.least, over.least_error), (pi - lift.greatest, lift.greatest_error + 4.0 * UNIT))
-    # a limit that might decide counts with its own error
+    # a limit that might decide contributes its error
     error = max(slip for value, slip, _ in ends if value + slip >= least - error)
     if error == inf:
-        # an arc cosine is cut off somewhere on the turn, which leaves its proxies unproved there
+        # an arc cosine is clipped somewhere on the turn, where its proxies are not proved
         error = _pressed(motion, (arm, pivot), least, limits, turn)
     floor = max(-lift.least, 0.0)
     return Reach(max(least, floor), most, binding, error if least + error > floor else lift.least_error, most_error)
@@ -98,13 +98,13 @@ def _pressed(
     return sure_about(pressed, 1.0, start, 1e-6)
 
 
-def require_reach(found: Reach, start: float) -> None:
+def require_reach(allowed: Reach, start: float) -> None:
     """Refuse an arm that would have to start beyond what the other limit allows."""
     require(
-        start <= found.most,
+        start <= allowed.most,
         "no base circle keeps both limits: the {binding} needs the arm at {start:6} or more, the other limit at "
         "{most:6} or less",
-        binding=found.binding, start=(start, Angle), most=(found.most, Angle),
+        binding=allowed.binding, start=(start, Angle), most=(allowed.most, Angle),
         code="limits-clash", hint="widen the limits, shorten the arm or move the pivot",
     )  # fmt: skip
 
@@ -112,7 +112,7 @@ def require_reach(found: Reach, start: float) -> None:
 def size_arm(
     motion: "Any", follower: "Any", limits: tuple[float, float], least_radius: "float | None", rotation: str, flank: str
 ) -> CamSize:
-    """Base circle of a rocker: the least angle of the arm that keeps both limits and the curvature."""
+    """Base circle of a rocker: the smallest angle of the arm that keeps both limits and the curvature."""
     arm, pivot, roller = follower.arm, follower.pivot_distance, follower.roller_radius
     turn, side = signs(rotation, flank)
     reached = reach(motion, arm, pivot, limits, turn)
@@ -153,18 +153,18 @@ def distance(arm: float, pivot: float, angle: float) -> float:
 
 
 def moved(arm: float, pivot: float, angle: float, error: float) -> float:
-    """What that distance may be off where the angle may be, its own roundings included."""
+    """Error of that distance from that of the angle, including its own rounding."""
     radius = distance(arm, pivot, angle)
     lever = arm * pivot * (abs(sin(angle)) + error) / radius if radius else arm + pivot
     return min(lever, arm + pivot) * error + 8.0 * UNIT * radius
 
 
-def require_round(found: Reach, start: float) -> None:
-    """Refuse a curvature that wants the arm beyond what the pressure angles allow."""
+def require_round(allowed: Reach, start: float) -> None:
+    """Refuse a curvature that needs the arm beyond the range that the pressure angles allow."""
     require(
-        start <= found.most,
+        start <= allowed.most,
         "the limit of curvature needs the arm at {start:6}, beyond the {most:6} that the pressure angle allows",
-        start=(start, Angle), most=(found.most, Angle),
+        start=(start, Angle), most=(allowed.most, Angle),
         code="limits-clash", hint="allow a smaller radius of curvature or a larger pressure angle",
     )  # fmt: skip
 
@@ -177,15 +177,15 @@ def _best_angle(part: float) -> float:
 def round_start(
     motion: "Any", arm: float, pivot: float, start: float, wanted: float, turn: float, side: float
 ) -> tuple[float, float]:
-    """The least angle of the arm, from `start` on, whose pitch curve is as round as wanted, and what it may be off.
+    """The smallest angle of the arm, from `start` on, with the required curvature, and its error bound.
 
     `motion`: the program; `arm`, `pivot`: length of the arm and distance of its pivot [m]; `start`: the least angle
     [rad]; `wanted`: least radius of curvature of the pitch curve, where it is hollow on an outer flank [m]; `turn`,
     `side`: -1 for a clockwise cam; -1 for an outer flank. Returns the angle, and the bound of its error [rad]. Raises
     InadmissibleError when there is none.
 
-    Bisection on certified extremes, after steps that double. The curvature is surely too large an error below the
-    angle, and surely not an error above it.
+    Bisection on certified extremes, after steps that double. The curvature is certainly too large one error below
+    the angle, and certainly not one error above it.
     """
     prime = distance(arm, pivot, 0.5 * pi)
     geometry = Geometry(followers.OscillatingRoller(prime, 0.0, arm, pivot), "cw" if turn < 0.0 else "ccw")
@@ -215,7 +215,7 @@ def round_start(
 
 
 def _halved(short: "Callable[[float], bool]", low: float, high: float) -> float:
-    """Where it is not short any more, by bisection."""
+    """Where it is no longer too small, by bisection."""
     while True:
         middle = 0.5 * (low + high)
         if not low < middle < high:

@@ -1,4 +1,4 @@
-"""How the smallest conjugate pair is found: both cams keep the limits, each on the stroke that it drives."""
+"""The smallest conjugate pair: both cams keep the limits, each on the stroke that it drives."""
 
 from math import hypot, pi, sqrt
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def size_pair(
     motion: "Any", follower: "Any", limits: tuple[float, float], least_radius: "float | None", rotation: str
 ) -> CamSize:
-    """Two rollers on one slide: the second cam is the first of the motion upside down in the mirror."""
+    """Two rollers on one slide: the second cam is the first one for the inverted motion, mirrored."""
     turn, _ = signs(rotation, "inner")
     roller, offset = follower.roller_radius, follower.offset
     e = turn * offset
@@ -55,7 +55,7 @@ def size_pair(
 def _height(
     motion: "Any", e: float, limits: tuple[float, float], roller: float, least_radius: "float | None", turn: float
 ) -> tuple[float, str, float]:
-    """The least height of one of the rollers, what decides it, and its error."""
+    """The minimum height of one of the rollers, the deciding limit, and its error."""
     wedge = Wedge(motion, limits)
     d, binding, error = wedge.height(e), wedge.binding(e), wedge.slip(e)
     if least_radius is not None:
@@ -90,7 +90,7 @@ def size_arms(
         bindings.append(binding)
         errors.append((error, reached.most_error))
     angle = starts[0] + starts[1] if follower.arm_angle is None else follower.arm_angle
-    # the second arm stands at the rest of the angle, which has a least and a greatest value too
+    # the second arm has the rest of the angle, which is limited on both sides too
     start = max(starts[0], angle - mosts[1])
     require(
         starts[1] <= angle - start + 1e-14 and start <= mosts[0] and 0.0 < angle - start < pi,

@@ -1,4 +1,4 @@
-"""What is asked of the smallest cam, by its follower, and what is answered."""
+"""Inputs of the smallest cam, by its follower, and the results."""
 
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Size, Text
 from dynamics_cli.records import Advice, Check, Numerics, record, tagged
@@ -11,9 +11,7 @@ TYPE_CHECKING = False
 class KnifeEdge:
     """A translating knife-edge."""
 
-    offset: Annotated[
-        Coordinate | None, "Offset of the slide; the best one is found when it is not given, e.g. 4 mm [m]."
-    ] = None
+    offset: Annotated[Coordinate | None, "Offset of the slide; the best one if left out, e.g. 4 mm [m]."] = None
 
 
 @tagged("follower")
@@ -22,9 +20,7 @@ class Roller:
     """A translating roller."""
 
     roller_radius: Annotated[Size, "Radius of the roller, e.g. 6 mm [m]."]
-    offset: Annotated[
-        Coordinate | None, "Offset of the slide; the best one is found when it is not given, e.g. 4 mm [m]."
-    ] = None
+    offset: Annotated[Coordinate | None, "Offset of the slide; the best one if left out, e.g. 4 mm [m]."] = None
 
 
 @tagged("follower")
@@ -32,7 +28,7 @@ class Roller:
 class FlatFace:
     """A translating flat face."""
 
-    face_margin: Annotated[Size, "Length of face wanted beyond the last contact on either side [m]."] = 0.0
+    face_margin: Annotated[Size, "Length of face required beyond the last contact on either side [m]."] = 0.0
 
 
 @tagged("follower")
@@ -52,7 +48,7 @@ class OscillatingFlat:
 
     pivot_distance: Annotated[Size, "Distance of the pivot from the cam's axis, e.g. 100 mm [m]."]
     face_offset: Annotated[Coordinate, "How far the face stands from the pivot towards the cam [m]."] = 0.0
-    face_margin: Annotated[Size, "Length of face wanted beyond the last contact on either side [m]."] = 0.0
+    face_margin: Annotated[Size, "Length of face required beyond the last contact on either side [m]."] = 0.0
 
 
 @tagged("follower")
@@ -63,7 +59,7 @@ class ConjugateRoller:
     roller_radius: Annotated[Size, "Radius of both rollers, e.g. 6 mm [m]."]
     roller_distance: Annotated[
         Size | None,
-        "Distance of the two rollers' centres; the shortest one is found when it is not given, e.g. 75 mm [m].",
+        "Distance between the two rollers' centres; the shortest possible if left out, e.g. 75 mm [m].",
     ] = None
     offset: Annotated[Coordinate, "Offset of the slide [m]."] = 0.0
 
@@ -77,7 +73,7 @@ class ConjugateOscillatingRoller:
     arm: Annotated[Size, "Length of both arms, e.g. 80 mm [m]."]
     pivot_distance: Annotated[Size, "Distance of the pivot from the cam's axis, e.g. 100 mm [m]."]
     arm_angle: Annotated[
-        Angle | None, "Angle between the two arms; the smallest one is found when it is not given, e.g. 60 deg [rad]."
+        Angle | None, "Angle between the two arms; the smallest possible if left out, e.g. 60 deg [rad]."
     ] = None
 
 

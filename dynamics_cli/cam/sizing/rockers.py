@@ -1,4 +1,4 @@
-"""How the smallest cam of a flat-faced rocker is found: certified extremes of closed forms."""
+"""The smallest cam for a flat-faced rocker: certified extremes of closed forms."""
 
 from math import asin, cos, pi, sin, tan
 
@@ -59,7 +59,7 @@ def size_rocker(
 def _start(
     motion: "Any", pivot: float, back: float, limits: tuple[float, float], least_radius: float, turn: float
 ) -> "tuple[float, str, float, float]":
-    """The least angle of the face at zero lift, what decides it, its error, and the least of 1 + dψ/dθ."""
+    """The minimum angle of the face at zero lift, the deciding limit, its error, and the minimum of 1 + dψ/dθ."""
     slowest = 1.0 + extremes_of(motion, lambda s, s1, s2: turn * s1)[0].smallest()[0]
     require(
         slowest > 0.0,
@@ -83,7 +83,7 @@ def _start(
         radius=(least_radius, Size), pivot=(pivot, Size), needed=(pivot * needed.largest()[0], Size),
         code="curvature-binds", hint="move the pivot outwards, or give the motion larger angles",
     )  # fmt: skip
-    # the limit that the face's offset runs against: the normal leans the same way all the time
+    # the limit that the face's offset acts on: the normal always leans to the same side
     limit = limits[1] if turn * back > 0.0 else limits[0]
     lean = abs(back) / tan(limit) / pivot
     lowest, highest, steep, lift = extremes_of(
@@ -98,7 +98,7 @@ def _start(
     most, cap = min(
         (highest.smallest()[0], CURVATURE),
         (steep.smallest()[0], "rise limit" if limit == limits[0] else "return limit"),
-        (0.5 * pi - lift.largest()[0], "the face, which would be touched at its pivot"),
+        (0.5 * pi - lift.largest()[0], "the face, which would be touched at the pivot"),
     )
     require(
         start <= most,

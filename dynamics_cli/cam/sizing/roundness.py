@@ -1,4 +1,4 @@
-"""How high a slide's roller has to start for its cam to be as round as wanted, and the offset where that is lowest.
+"""The start height of a slide's roller for a required radius of curvature, and the offset that minimises it.
 
 At each cam angle the height X of the pitch curve has to exceed the largest root of w³ = ρ·(w² + Y s′ − X s″),
 Y = s′ − e; on an outer flank, where the hollow of the pitch curve binds, of w³ = −ρ·(…).
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-# Nodes of a zone, closer towards its ends; how near the greatest one a peak is looked into.
+# Nodes of a zone, denser towards its ends; how near to the largest one a peak is refined.
 NODES = 49
 NEAR = 0.02
-# Steps of the first look for the best offset to either side, and where the search for it ends, of the whole reach.
+# Steps of the coarse search for the best offset on either side, and its final tolerance, relative to the reach.
 GRID = 16
 FINEST = 1e-9
-# sides of a dip that differ by less in their slopes are one smooth curve; costs that differ by less are alike
+# slopes on both sides of a dip that differ by less belong to one smooth curve; costs that differ by less are equal
 POINTED = 1e-5
 ALIKE = 1e-13
 UNIT = 2.0**-53
@@ -68,20 +68,20 @@ class Round:
         self.nodes = within(motion, np.tile(self.shares, (count, 1)), np.arange(count))
 
     def bend(self, e: float, d: float) -> float:
-        """The greatest curvature that counts, certified, at height d; negative where the curve nowhere bends so."""
+        """The certified maximum of the relevant curvature at height d; negative where the curve never has that sign."""
         return self._bend(e, d)[0]
 
     def _bend(self, e: float, d: float) -> "tuple[float, float]":
         """That curvature and the bound of its error."""
         geometry = Geometry(followers.KnifeEdge(hypot(e, d), self.turn * e), "clockwise" if self.turn < 0.0 else "ccw")
         geometry.start = d
-        found = analyse(geometry, self.motion).curvature
+        curvature = analyse(geometry, self.motion).curvature
         if self.side > 0.0:
-            return found.greatest, found.greatest_error
-        return -found.least, found.least_error
+            return curvature.greatest, curvature.greatest_error
+        return -curvature.least, curvature.least_error
 
     def slip(self, e: float, d: float) -> float:
-        """What a height at which the curvature is just kept may be off: it is broken below and kept above for sure."""
+        """Error bound of a height that just keeps the curvature: certainly violated below and kept above."""
         return sure_about(lambda height: self._bend(e, height), self.wanted, d, 1e-6 * self.wanted)
 
     def kept(self, e: float, d: float) -> bool:
@@ -107,11 +107,11 @@ class Round:
         return np.where(true, x - s[:, None], -np.inf).max(axis=1).reshape(self.nodes[0].shape)
 
     def rough(self, e: float) -> float:
-        """Height that the nodes want, a little below what the cam wants."""
+        """Height required at the nodes, slightly below the true one."""
         return float(self._roots(e).max())
 
     def fine(self, e: float) -> float:
-        """Height that the cam wants: peaks between nodes by Chebyshev proxies."""
+        """Required height: peaks between nodes by Chebyshev proxies."""
         at_nodes = self._roots(e)
         top = float(at_nodes.max())
         if not top > -inf:
@@ -168,7 +168,7 @@ class Round:
         while not self.kept(e, high):
             low, high, step = high, high + step, 2.0 * step
         while low == high and step > 1e-9 * self.wanted:
-            # kept where it begins: back to where it is not
+            # kept at the start: go back to where it is not
             if self.kept(e, high - step):
                 high = low = high - step
             else:
@@ -183,7 +183,7 @@ class Round:
 
 
 def sure_about(bend: "Callable[[float], tuple[float, float]]", wanted: float, place: float, step: float) -> float:
-    """How far from a place a curvature is surely too large below and surely not above.
+    """Distance from a place at which a curvature is certainly too large below and certainly not above.
 
     `bend`: curvature and the bound of its error; it falls as its argument grows; `wanted`: the radius of curvature that
     is to be kept [m]; `place`: where it is just kept, as found; `step`: a step that resolves the slope. Returns the
@@ -209,10 +209,10 @@ def sure_about(bend: "Callable[[float], tuple[float, float]]", wanted: float, pl
 def best_offset(
     rough: "Callable[[float], float]", fine: "Callable[[float], float]", reach: float
 ) -> tuple[float, float]:
-    """The offset of least cost: every dip of a grid, golden section in each, and where two slopes meet in it.
+    """The offset of minimum cost: every dip of a grid by golden section, and the corner where two slopes meet in it.
 
     `rough`, `fine`: cost of an offset, quickly and exactly; `reach`: no offset farther out can do better [m]. Returns
-    the offset, zero where that costs no more, and what another might cost less.
+    the offset, zero where that costs no more, and how much less another might cost.
     """
     step = reach / GRID
     costs = [rough(k * step) for k in range(-GRID, GRID + 1)]
@@ -222,12 +222,14 @@ def best_offset(
         for k in range(2 * GRID + 1)
         if costs[k] <= 1.05 * least and costs[k] <= min(costs[max(k - 1, 0)], costs[min(k + 1, 2 * GRID)])
     ]
-    found = [_dip(fine, (k - 1) * step, (k + 1) * step, FINEST * reach) for k in dips]
-    best = min(cost for cost, _ in found)
-    # of those that may be the least: where they end in a point, it is where their two sides meet
-    ends = [_met(fine, place, 4.0 * FINEST * reach) for cost, place in found if cost <= best + 4.0 * FINEST * reach]
+    candidates = [_dip(fine, (k - 1) * step, (k + 1) * step, FINEST * reach) for k in dips]
+    best = min(cost for cost, _ in candidates)
+    # a candidate that is a corner lies where its two sides meet
+    ends = [
+        _met(fine, place, 4.0 * FINEST * reach) for cost, place in candidates if cost <= best + 4.0 * FINEST * reach
+    ]
     cost, place, loose = min(ends)
-    # where a circle binds all offsets are alike
+    # where a circle binds, all offsets are equivalent
     return (0.0 if fine(0.0) <= cost * (1.0 + ALIKE) else place), loose
 
 

@@ -33,7 +33,7 @@ def size(
     /,
     *,
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
-    follower: Annotated[Wanted, "The follower; its base circle, and the offset if not given, are what is found."],
+    follower: Annotated[Wanted, "The follower; its base circle is calculated, and its offset too unless given."],
     rise_limit: Annotated[Angle, "Largest positive pressure angle allowed: that of the rise [rad]."] = 30.0 * DEGREE,
     return_limit: Annotated[Angle, "Largest negative pressure angle allowed: that of the return [rad]."] = 30.0
     * DEGREE,
@@ -60,7 +60,7 @@ def size(
     Returns
     -------
     CamSize
-        Base radius, offset, the limits that bind, and the extremes of the cam found.
+        Base radius, offset, the binding limits, and the extremes of the resulting cam.
 
     Raises
     ------
@@ -73,8 +73,8 @@ def size(
     Where the apex is not the nearest point, the foot of the perpendicular on the line that binds is. A radius of
     curvature that binds is met by a secant on certified extremes from the largest root in X of w³ = ρ·D; with a free
     offset, every dip of the start radius over a grid of offsets is followed by golden section to 1e-13 of the reach. A
-    conjugate pair keeps the limits on both cams, each of which drives one stroke: the second is the first of the motion
-    upside down in the mirror. In a closed track both flanks share their pressure angles: size it for the inner flank
+    conjugate pair keeps the limits on both cams, each of which drives one stroke: the second is the first one for the
+    inverted motion, mirrored. In a closed track both flanks share their pressure angles: size it for the inner flank
     and for the outer, and take the larger.
 
     References
@@ -100,13 +100,13 @@ def size(
         code="flank",
         hint="leave --flank out; the second cam of a conjugate pair takes the place of an outer flank",
     )
-    made = _sized(motion, follower, (rise_limit, return_limit), least_radius, rotation, flank)
+    answer = _sized(motion, follower, (rise_limit, return_limit), least_radius, rotation, flank)
     jumps = joint_jumps(motion)[0]
     if not jumps:
-        return made
+        return answer
     message = f"the follower's velocity jumps at {jumps} joints: no base circle keeps the cam from an edge there"
     remedy = "choose laws whose velocities join; `dynamics cam check` gives the lift that an edge costs"
-    return CamSize(**{**vars(made), "advice": (*made.advice, Advice("velocity-jump", message, "serious", remedy))})
+    return CamSize(**{**vars(answer), "advice": (*answer.advice, Advice("velocity-jump", message, "serious", remedy))})
 
 
 def _sized(

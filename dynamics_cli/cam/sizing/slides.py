@@ -1,4 +1,4 @@
-"""How the smallest cam of a sliding follower is found: certified extremes of closed forms."""
+"""The smallest cam for a sliding follower: certified extremes of closed forms."""
 
 from math import hypot, inf, sqrt, tan
 
@@ -43,7 +43,7 @@ def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str
     # a base circle has no negative radius, and the lowest face stays above the axis
     floor = max(0.0, -motion.stroke[0])
     binding = CURVATURE if base > floor else "a base circle cannot be negative"
-    # where either might decide it counts
+    # counts where either might decide
     slip = max(both.least_error if base + both.least_error >= floor else 0.0, 4.0 * UNIT * floor)
     slip += UNIT * max(base, floor)
     base = max(base, floor)
@@ -62,7 +62,7 @@ def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str
 
 
 def no_limit(least_radius: float) -> tuple[Advice, ...]:
-    """Advice where no limit keeps the cam round."""
+    """Advice if no limit prevents a sharp cam."""
     if least_radius > 0.0:
         return ()
     return (
@@ -74,7 +74,7 @@ def no_limit(least_radius: float) -> tuple[Advice, ...]:
 
 
 def _searched(wedge: "Wedge", round_: Round, e: float, d: float) -> tuple[float, float]:
-    """The best offset where curvature binds, and what another offset might gain in height."""
+    """The best offset where curvature binds, and how much height another offset might save."""
     # no offset beyond the start radius that this one needs can do better
     reach = hypot(e, max(d, round_.height(e)))
     e, loose = best_offset(
@@ -82,7 +82,7 @@ def _searched(wedge: "Wedge", round_: Round, e: float, d: float) -> tuple[float,
         lambda e: hypot(e, max(wedge.height(e), round_.fine(e))),
         reach,
     )
-    # what lies between the height searched with and the certified one
+    # the difference between the height used in the search and the certified one
     return e, loose + abs(round_.height(e) - round_.fine(e))
 
 
@@ -123,7 +123,7 @@ def size_slide(
     least, _ = convex(Geometry(follows, rotation), analysis)
     hollow, _ = concave(Geometry(follows, rotation, flank), analysis) if side < 0.0 else (None, None)
     in_line, curved = max(wedge.a, wedge.b, wedge.floor) - roller, binding.startswith(CURVATURE)
-    # a base radius and an offset of doubles fix a height far below them no better
+    # a base radius and an offset in doubles determine a much smaller height no better
     lever = 1.0 + 1e-4 * (radius / d) ** 2 if d > 0.0 else inf
     checks = [
         kept("largest pressure angle keeps its limit", high - limits[0], lever),
@@ -162,7 +162,7 @@ class Wedge:
         return float(max(self.a - e * self.cotangents[0], self.b + e * self.cotangents[1], self.floor))
 
     def slip(self, e: float) -> float:
-        """What the least height may be off: the larger of what the limits' may be that might decide."""
+        """Error bound of the minimum height: the largest of the limits that might decide."""
         heights = (self.a - e * self.cotangents[0], self.b + e * self.cotangents[1], self.floor)
         errors = [
             error + 2.0 * COTANGENT * abs(e) * cotangent + UNIT * abs(one)
@@ -172,7 +172,7 @@ class Wedge:
         return max(float(error) for height, error in zip(heights, errors, strict=True) if height + error >= best)
 
     def best(self) -> "tuple[float, float, str, float]":
-        """Offset and height nearest to the axis, the limits that bind, and what the start radius may be off."""
+        """Offset and height nearest to the axis, the binding limits, and the error bound of the start radius."""
         e, d, binding = best_slide(self.a, self.b, *self.cotangents)
         (first, second), (c1, c2) = self.errors, self.cotangents
         whole = c1 + c2
@@ -206,7 +206,7 @@ def signs(rotation: str, flank: str) -> tuple[float, float]:
 
 
 def undercut(least: "float | None", scale: float) -> tuple[Advice, ...]:
-    """Advice on a size that leaves the cam undercut, or with a radius of curvature that is zero to rounding."""
+    """Advice on a size that leaves the cam undercut, or with a radius of curvature of zero within rounding."""
     if least is None or least > ROOM * scale:
         return ()
     if least >= -ROOM * scale:
@@ -218,12 +218,12 @@ def undercut(least: "float | None", scale: float) -> tuple[Advice, ...]:
 
 
 def kept(name: str, excess: float, scale: float) -> Check:
-    """A limit that is kept to rounding."""
+    """A check that a limit is kept within rounding."""
     return Check(name, excess <= ROOM * scale, max(excess, 0.0), ROOM * scale)
 
 
 def stated(error: float, base: float) -> ErrorBound:
-    """The bound of a base radius: a share of it, or absolute where there is no base circle."""
+    """The bound of a base radius: relative, or absolute where there is no base circle."""
     if base > 0.0 and error <= base:
         return ErrorBound("base_radius", error / base)
     return ErrorBound("base_radius", error, relative=False)

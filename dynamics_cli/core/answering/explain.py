@@ -11,12 +11,12 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answering.task import Task
     from dynamics_cli.quantities import Kind
 
-# What is this small beside the largest of a result's sensitivities is rounding: that input does not matter.
+# A sensitivity this small beside a result's largest is rounding: that input does not matter.
 ROUNDING = 1e-12
 
 
 def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") -> "dict[str, Any]":
-    """How the answer came about, in the terms of its formula."""
+    """How the answer was obtained, in terms of its formula."""
     model = answered.model
     out: dict[str, Any] = {}
     numbers = {**_defaults(task), **_numbers(document)}
@@ -61,20 +61,20 @@ def _addresses(formula: str) -> "set[str]":
 
 
 def _fitting(formulas: "tuple[str, ...]", numbers: "dict[str, str]") -> str:
-    """The first of a model's formulas for which every number is there; else the first that has most of them."""
+    """The first of a model's formulas with all its numbers available; else the first with most of them."""
     return max(formulas, key=lambda formula: -len(_addresses(formula) - numbers.keys()), default="")
 
 
 def _symbols(formula: str) -> "list[str]":
-    made: dict[str, str] = {}
+    symbols: dict[str, str] = {}
     for piece in formula.split("{")[1:]:
         address, _, symbol = piece.partition("}")[0].partition("|")
         words = address.removeprefix("inputs.").removeprefix("results.").replace("_", " ")
         table, point, column = words.partition(".")
         plural = point and table.endswith("s")
         words = f"{column} of each {table[:-1]}" if plural else words.replace(".", " ")
-        made.setdefault(f"{symbol} is {words}", symbol)
-    return list(made)
+        symbols.setdefault(f"{symbol} is {words}", symbol)
+    return list(symbols)
 
 
 def _grouped(text: str) -> str:
@@ -83,13 +83,13 @@ def _grouped(text: str) -> str:
 
 def _defaults(task: "Task") -> "dict[str, str]":
     """The numbers of parameters that were not given."""
-    made: dict[str, str] = {}
+    defaults: dict[str, str] = {}
     for name, option in task.options.items():
         if isinstance(option.default, float) and option.leaf is not None:
             kind = option.leaf.kind
             text = default_text(option.default, kind) if kind.unit else f"{option.default:g}"
-            made[name.replace("-", "_")] = _grouped(text)
-    return made
+            defaults[name.replace("-", "_")] = _grouped(text)
+    return defaults
 
 
 def _numbers(document: "dict[str, Any]") -> "dict[str, str]":
@@ -113,7 +113,7 @@ def _numbers(document: "dict[str, Any]") -> "dict[str, str]":
 
 
 def default_text(value: float, kind: "Kind") -> str:
-    """A number of the signature, which is in the unit inside, as a user would write it.
+    """A default from the signature, which is in SI, as a user would write it.
 
     >>> from dynamics_cli.quantities import Angle
     >>> default_text(0.3490658503988659, Angle)
@@ -131,9 +131,9 @@ def default_text(value: float, kind: "Kind") -> str:
 def formulas_with_numbers(
     task: "Task", document: "dict[str, Any]", numbers: "dict[str, str]", piece: "Callable[[str, str], str]"
 ) -> "list[list[str]]":
-    """Each clause of the formula by which a document was made, as its steps: symbols, the numbers given, its result.
+    """Each clause of a document's formula as its steps: symbols, input numbers, result.
 
-    `piece` makes one piece of a number and its unit.
+    `piece` joins a number and its unit.
     """
     model = next((model for model in task.models if model.name == document["model"]["name"]), None)
     if model is None:
@@ -148,7 +148,7 @@ def formulas_with_numbers(
         if sign and result in numbers:
             needed = _addresses(right)
             if needed and needed <= numbers.keys():
-                # numbers stand for a table of one row: there is nothing to add up
+                # lone numbers stand for a table of one row: there is no sum
                 steps.append(filled(right.replace("Σ {", "{"), numbers))
             steps.append(numbers[result])
         lines.append(list(dict.fromkeys(steps)))
@@ -156,7 +156,7 @@ def formulas_with_numbers(
 
 
 def _clauses(formula: str) -> "list[str]":
-    """The parts of a formula between its commas and semicolons, where these stand in no brackets."""
+    """The parts of a formula, split at commas and semicolons outside brackets."""
     clauses, depth, start = [], 0, 0
     for place, letter in enumerate(formula):
         depth += (letter in "([{") - (letter in ")]}")

@@ -1,4 +1,4 @@
-"""From a call to the raw input: words and options put where the signature says, over what files give."""
+"""From a call to the raw input: words and options placed as the signature says, over the values from files."""
 
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.inputs.reader import Reader
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 TEMPERATURES = ("F", "C", "K", "R", "°F", "°C", "degF", "degC")
-# Words between a quantity and the unit it is to be converted to, among the first few.
+# Words that may stand between a quantity and its target unit, among the first few words.
 CONNECTIVES = ("to", "into", "->", "→")
 MOST_WORDS = 4
 
@@ -31,14 +31,14 @@ class Gathered:
 
 
 def gather(task: Task, call: Call, settings: Settings, terminal: "Terminal", *, rows: bool = False) -> Gathered:
-    """Everything a call says about its parameters; with `rows`, words bind only to what the rows do not give."""
+    """All parameters given by a call; with `rows`, words bind only to parameters that the rows do not give."""
     fields = task.specification.fields
     raw, scene = read_words(fields, call.words, rows=rows or bool(settings.input))
     for name, value in call.options.items():
         put(raw, task.options[name].path, value)
     file = settings.input or scene
     if scene and settings.input:
-        raise UsageError("a scene and --input cannot both be given", parameter="input", code="exclusive")
+        raise UsageError("give a scene or --input, not both", parameter="input", code="exclusive")
     gathered = over_file(task, raw, file, terminal) if file else Gathered(raw, Reader(terminal.environ))
     gathered.reader.spell = _spelling(task, call, file=bool(file) or rows)
     return gathered
@@ -79,7 +79,7 @@ def over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal"
 
 
 def merge(task: Task, below: "dict[str, Any]", above: "dict[str, Any]") -> "dict[str, Any]":
-    """Options over the file's parameters, with what they exclude in the file left out."""
+    """The file's parameters overridden by options; those that an option excludes are left out."""
     merged = dict(below)
     for field in task.specification.fields:
         for key in _excluded(field, below, above):
@@ -119,14 +119,14 @@ def keys_of(field: Field) -> "set[str]":
 
 
 def put(raw: "dict[str, Any]", path: "tuple[str, ...]", value: "Any") -> None:
-    """Put a value where its path of keys says."""
+    """Put a value at its path of keys."""
     for key in path[:-1]:
         raw = raw.setdefault(key, {})
     raw[path[-1]] = value
 
 
 def read_words(fields: "tuple[Field, ...]", words: "list[str]", *, rows: bool) -> "tuple[dict[str, Any], str]":
-    """Words put to the positional parameters in order; a number's unit may be a word of its own."""
+    """Words assigned to the positional parameters in order; a number's unit may be a separate word."""
     raw: dict[str, Any] = {}
     rest = list(words)
     scene = ""
@@ -165,7 +165,7 @@ def _at_connective(words: "list[str]") -> "list[str]":
         if found:
             return [quantity, unit, *words[1:]]
     parts = words[0].split()
-    # farad times coulomb is nothing that anyone converts
+    # nobody converts farad times coulomb
     if len(words) == 1 and len(parts) > 1 and all(part in TEMPERATURES for part in parts[-2:]):
         return [" ".join(parts[:-1]), parts[-1]]
     return words

@@ -39,7 +39,7 @@ def add_limits(
 
 
 def _error(numerics: "dict[str, Any]", key: str, size: float) -> float:
-    """What a result of this size may be off by, as the document states it: calculation and rounding of the inputs."""
+    """Error bound of a result of this size, as the document states it: calculation and rounding of the inputs."""
     total = 0.0
     for part in ("error_bound", "input_rounding"):
         stated = numerics.get(part, {}).get(key) or {}
@@ -52,16 +52,16 @@ def read_limits(task: "Task", answered: "Answer", settings: "Settings") -> "list
     there = {name: (kind, value) for name, kind, value in result_leaves(answered.record, task.specification.result)}
     kinds = {name: kind for name, (kind, _) in there.items()}
     if not kinds:
-        raise UsageError(f"{task.path} has no result that a limit could apply to", parameter="limit")
-    found = []
+        raise UsageError(f"{task.path} has no result that a limit can be applied to", parameter="limit")
+    limits = []
     for name, text in settings.limit:
         if name and name not in kinds:
             known = any(field.key == name for field in task.specification.result.fields)
             why = f"{name!r} has no value here" if known else f"there is no result {name!r}"
             raise UsageError(why, parameter="limit", hint=f"results are {', '.join(kinds)}", code="unknown-result")
         key, limit = _limited(text, {name: kinds[name]} if name else kinds)
-        found.append((key, kinds[key], plain(there[key][1]), limit))
-    return found
+        limits.append((key, kinds[key], plain(there[key][1]), limit))
+    return limits
 
 
 def _limited(text: str, kinds: "dict[str, Kind]") -> "tuple[str, Reading]":
@@ -78,7 +78,7 @@ def _limited(text: str, kinds: "dict[str, Kind]") -> "tuple[str, Reading]":
 
 
 def limit_entry(key: str, value: float, reading: "Reading", shown: "Any") -> "dict[str, Any]":
-    """What the document says of one limit."""
+    """The document's entry of one limit."""
     limit = reading.si
     by = abs(shown.width(value - limit))
     unit = {"unit": shown.bound_unit} if shown.bound_unit else {}

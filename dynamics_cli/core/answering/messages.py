@@ -1,8 +1,8 @@
-"""What physics says, with its values in the units the inputs were written in.
+"""Messages of the physics, with their values in the units that the inputs were written in.
 
 A message of physics carries typed values in SI (`errors.Wording`). A value that is one of the inputs is shown as it was
-written; another one in the unit of an input of its kind; one of a kind that no input has, in the kind's own unit.
-Messages without values stand as they are.
+written; another one in the unit of an input of its kind; one of a kind that no input has, in the kind's default unit.
+Messages without values are left as they are.
 """
 
 from dynamics_cli.core.inputs.values import Bound, Fields, Several, Value, VectorValue
@@ -36,7 +36,7 @@ def in_written_units(text: str, bound: Bound) -> str:
 
     def write(value: float, kind: "Kind", digits: int) -> str:
         unit = parse_unit(kind.unit)
-        # pure numbers are alike in nothing but their kind: a grade in % makes no drag factor one
+        # pure numbers share a unit only within their kind: a grade in % does not put a drag factor in %
         alike = [entry for entry in written if conformable(entry[2], unit)] if kind.unit else []
         alike = alike or [entry for name, *entry in shares if name == kind.name]  # type: ignore[misc]
         for si, shown, shown_in in alike:
@@ -49,7 +49,7 @@ def in_written_units(text: str, bound: Bound) -> str:
 
 
 def factor(unit: Unit) -> float:
-    """What a number in this unit is times, in SI."""
+    """The factor from this unit to SI."""
     from math import pi
 
     return unit.numerator / unit.denominator * pi**unit.pi

@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
     from dynamics_cli.quantities import Kind
 
-# More inputs than these have no condition numbers, only bounds.
+# With more inputs than this there are no condition numbers, only bounds.
 MOST_SLOPES = 400
 
 
 class Answer:
-    """What the physics returned, by which model, and which inputs its slopes belong to."""
+    """The record that the physics returned, its model, and the inputs that its derivatives belong to."""
 
     __slots__ = ("leaves", "model", "record", "why")
 
@@ -33,7 +33,7 @@ class Answer:
 
 
 def choose(task: Task, bound: Fields, asked: str) -> "tuple[Model, str]":
-    """The model asked for, or the smallest that suffices, and why."""
+    """The requested model, or the smallest that suffices, and the reason."""
     if asked:
         for model in task.models:
             if asked.lower() == model.key:
@@ -63,7 +63,7 @@ def arguments(
 
 
 def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, Any] | None" = None) -> "Any":
-    """The physics function's record; leaving the range of a double is a refusal, never a traceback."""
+    """The physics function's record; overflow is a refusal, never a traceback."""
     args, kwargs = arguments(task, bound, values)
     try:
         return model.call()(*args, **kwargs)
@@ -101,7 +101,7 @@ def answer(
         return call_model(task, model, bound, values)
 
     doubles = [si for _, si in leaves]
-    # every number carries its slope by every input, which takes the square of their count
+    # every number carries its derivative by every input, so the cost grows with the square of their count
     sloped = len(leaves) <= MOST_SLOPES
     measured = uncertain if uncertain and sloped else {}
     with Measured(tuple(measured[name].std if name in measured else 0.0 for name, _ in leaves) if measured else ()):
@@ -118,7 +118,7 @@ def result_leaves(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind, Any
 def result_components(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind, Any]]":
     """Every component (`velocity[0]`) of a vector or tensor that has a unit and is not within a table.
 
-    Directions and axes are left out: a small change may turn them end for end.
+    Directions and axes are left out: a small change may reverse them.
     """
     for own, kind, value in _leaves(record, spec, ""):
         if kind.unit and kind.form in ("vector", "planar"):

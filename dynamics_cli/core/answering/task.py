@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 
 # No parameter may use the name of an option that every task has.
 UNIVERSAL = (*UNIVERSAL_OPTIONS, "help", "version")
-# Where the files of examples are in a checkout; `dynamics examples NAME --copy` writes them into the current folder.
+# Folder of the example files in a checkout; `dynamics examples NAME --copy` writes them into the current folder.
 EXAMPLES_FOLDER = "examples/"
 
 
 def load(reference: str) -> "Any":
-    """The object that "package.module:name" names, imported now."""
+    """The object named by "package.module:name", imported now."""
     module, _, name = reference.partition(":")
     return getattr(__import__(module, fromlist=[name]), name)
 
@@ -25,7 +25,7 @@ class Model:
     """One way to answer a task, and where it comes from.
 
     A formula writes results and inputs as `{address|symbol}`, so that it can be shown with symbols or with numbers; of
-    several, one for each alternative of the inputs, the one whose numbers are there is shown.
+    several (one for each alternative of the inputs) the one whose numbers are available is shown.
     `suffices` names a function of the same parameters that says, in words, why this model is enough, or None.
     """
 
@@ -61,22 +61,22 @@ class Model:
 class Task:
     """One command: its models in order of size (all of one signature), a line of help, and examples that run.
 
-    `table` names the result table that CSV writes (several, parted by spaces: the one there is); `arrays` says that the
-    function takes arrays for floats; `tracked` that it takes tracked numbers; `digits` is how many a table shows unless
-    asked (17: all there are). `writers` names, for endings of `--drawing` of the task's own, a function of the result
-    record that gives the file's text or bytes: `{"urdf": "module:function"}`; one that takes more is given the task's
-    own parameters by name. `plot` names the function that makes the picture of `--plot`: it takes the result record and
-    then the task's own parameters by name. `layout` names the function that writes the results in a table for people
-    where rows and columns would not be read: it takes the document's results, digits and the terminal's width (0: not a
-    terminal), and gives lines. `names` says where the names are that an option's text may be, for completion:
+    `table` names the result table that CSV writes (of several, separated by spaces, the one present); `arrays` says
+    that the function takes arrays for floats; `tracked` that it takes tracked numbers; `digits` is the number of digits
+    a table shows by default (17: all). `writers` names, for endings of `--drawing` of the task's own, a function of the
+    result record that gives the file's text or bytes: `{"urdf": "module:function"}`; one that takes more is given the
+    task's own parameters by name. `plot` names the function that makes the picture of `--plot`: it takes the result
+    record and then the task's own parameters by name. `layout` names the function that lays out the results where rows
+    and columns would be hard to read: it takes the document's results, digits and the terminal's width (0: not a
+    terminal), and gives lines. `names` says where to find the values that an option may take, for completion:
     `{"material": "module:names"}`. `headline` names the results of the short answer in the order of the trade, tables
-    among them, each with its label where its address is not the word of the trade: "centre_distance: centre distance
+    among them, each with a label where its address is not the trade's term: "centre_distance: centre distance
     a_w"; a table may name the columns that it shows first: "points: motion | angle=θ, lift=s". `columns` says that the
-    task takes --column. `listing` says that the table is what is asked for: CSV writes it. `notes` stands behind the
-    examples of the help: the language of an option. `scene` gives the values that a template shows, by address, where
-    its required fields alone are no case with an answer: {"bodies[1].mass": "2 kg"}. `verdict` says that the checks are
-    what was asked for: one that fails is in the document, and the status tells. `also` are further names that a call
-    may use; help and listings show the first.
+    task takes --column. `listing` says that the table is the answer: CSV writes it. `notes` follows the
+    examples in the help: the language of an option. `scene` gives the values that a template shows, by address, where
+    its required fields alone do not make a case with an answer: {"bodies[1].mass": "2 kg"}. `verdict` says that the
+    checks are the answer: a failed one is in the document, and the exit status shows it. `also` are further names that
+    a call may use; help and listings show the first.
     """
 
     def __init__(
@@ -91,6 +91,7 @@ class Task:
         digits: int = 6,
         writers: "dict[str, str] | None" = None,
         plot: str = "",
+        sheet: str = "",
         layout: str = "",
         verdict: bool = False,
         names: "dict[str, str] | None" = None,
@@ -105,6 +106,7 @@ class Task:
         self.also = also
         self.summary = summary
         self.plot = plot
+        self.sheet = sheet
         self.notes = notes
         self.scene = scene or {}
         self.headline = tuple(_labelled(entry) for entry in headline)
@@ -131,25 +133,25 @@ class Task:
 
     @property
     def shown_examples(self) -> "tuple[str, ...]":
-        """The examples as a user runs them who has copied their files into the current folder."""
+        """The examples as they run once their files are copied into the current folder."""
         return tuple(example.replace(EXAMPLES_FOLDER, "") for example in self.examples)
 
     @property
     def specification(self) -> Specification:
-        """What the signature of the first model says."""
+        """The specification read from the first model's signature."""
         if self._specification is None:
-            made = specification(self.models[0].call())
-            named = options(made.fields)
+            spec = specification(self.models[0].call())
+            named = options(spec.fields)
             taken = sorted(set(named) & set(UNIVERSAL))
             if taken:
                 raise SpecificationError(f"{self.path}: parameters may not be named {', '.join(taken)}")
             if any(option.leaf is not None and option.leaf.kind is DRAWING for option in named.values()):
                 raise SpecificationError(f"{self.path}: a drawing is a result, not a parameter")
-            nodes = [getattr(field.node, "item", field.node) for field in made.result.fields]
+            nodes = [getattr(field.node, "item", field.node) for field in spec.result.fields]
             drawn = any(getattr(node, "kind", None) is DRAWING for node in nodes)
             if drawn and not self.writers.keys().isdisjoint(("dxf", "svg", "csv")):
                 raise SpecificationError(f"{self.path}: dxf, svg and csv have their writers")
-            self._specification = made
+            self._specification = spec
         return self._specification
 
     @property

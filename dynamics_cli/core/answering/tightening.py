@@ -1,7 +1,7 @@
-"""Rounding bounds that came out loose, replaced by what rounding did as a second pass in many digits tells.
+"""Loose rounding bounds, replaced by the error that a second pass in more digits measures.
 
-A running bound is the sum of the worst of every operation. Of a result near zero, or of one whose roundings happened to
-cancel, that is far more than the error; the formula is then run once more in 60 decimal digits, from the same doubles.
+A running bound adds up the worst case of every operation. For a result near zero, or one whose roundings happened to
+cancel, it is far above the error; the formula is then run once more in 60 decimal digits, from the same doubles.
 """
 
 from dynamics_cli.errors import DynamicsError
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 
     from dynamics_cli.numerics.exact.many_digits import ManyDigits
 
-# How many half last bits a bound may be of before it is worth a second pass.
+# Bounds above this many half units in the last place are worth a second pass.
 ROOM = 100.0
 # In an answer that shows its bounds only where fewer than nine digits are left.
 ROOM_UNSEEN = 1e6
-# Bounds below this are of underflow, which a measured error would fall under itself.
+# Bounds below this come from underflow, which would affect a measured error too.
 _UNDERFLOW = 1e-290
 
 
@@ -26,7 +26,7 @@ def tighten(record: "Any", numbers: "list[float]", again: "Callable[[list[Any]],
     """Make the bounds in `record` tight where any is loose; `again` gives the record of other numbers for `numbers`.
 
     Where bounds are not `seen`, they may be looser before a second pass is worth its time.
-    Where many digits go another way (to a refusal, to a gap, to a table of another length) the bounds stay.
+    Where the pass in more digits takes another branch (a refusal, a gap, a table of another length) the bounds stay.
     """
     room = ROOM if seen else ROOM_UNSEEN
     if not any(_is_loose(number, room) for number, _ in _beside(record, record)):
@@ -47,7 +47,7 @@ def _is_loose(number: Tracked, room: float = ROOM) -> bool:
 
 
 def _beside(first: "Any", second: "Any") -> "Iterator[tuple[Tracked, Tracked | ManyDigits]]":
-    """Every tracked number of an answer with what stands in its place in another; nothing where the shapes differ."""
+    """Every tracked number of an answer with its counterpart in another; nothing where the shapes differ."""
     kind = type(first)
     if kind is Tracked:
         yield first, second

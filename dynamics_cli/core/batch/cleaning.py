@@ -1,7 +1,7 @@
 """`convert --rows FILE --column "speed=m/s"`: a table whose cells hold units, with its columns in one unit each.
 
 Units go from cells into the header, `speed[m/s]`; other columns stay as they are. A cell that cannot be read is left
-empty, told in the row's `error` column and on standard error by its row, and the rows after it go on.
+empty and reported in the row's `error` column and, with its row number, on standard error; the rows after it go on.
 """
 
 import csv
@@ -27,13 +27,13 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.terminal import Terminal
 
-# Bad cells that are named one by one on standard error; the `error` column has all.
+# How many bad cells are listed on standard error; the `error` column has all of them.
 MOST_TOLD = 20
 DELIMITERS = ",;\t"
 
 
 class _Column:
-    """A column to be cleaned: its place, its name, the header's unit for bare numbers, and the unit wanted."""
+    """A column to be cleaned: its place, its name, the header's unit for bare numbers, and the target unit."""
 
     __slots__ = ("name", "place", "unit", "wanted")
 
@@ -44,12 +44,12 @@ class _Column:
         self.wanted = wanted
 
     def cleaned(self, cell: str, notes: "dict[str, None]") -> str:
-        """The number of a cell in the unit wanted, rounded once; an empty cell stays empty."""
+        """The number of a cell in the target unit, rounded once; an empty cell stays empty."""
         text = without_guard(cell).strip()
         if not text:
             return ""
         if is_uncertain(text):
-            raise UsageError("is an uncertain value, wanted one number and its unit")
+            raise UsageError("is an uncertain value; wanted one number and its unit")
         if self.unit and text[-1] in "0123456789.":
             text = f"{text} {self.unit}"
         amount = read_amount(text)
@@ -61,13 +61,13 @@ class _Column:
 
             raise UsageError(explain_mismatch(unit, self.wanted)[0])
         if is_offset(unit) and to_si(numerator, denominator, unit) < 0.0:
-            raise UsageError("is below zero of the absolute scale")
+            raise UsageError("is below absolute zero")
         notes.update(dict.fromkeys(f"{self.name}: {note}" for note in unit.notes))
         return repr(nearest(*convert(numerator, denominator, unit, self.wanted)))
 
 
 def clean_columns(task: Task, call: Call, settings: Settings, terminal: "Terminal") -> int:
-    """Clean the columns asked for, `name=unit` each; whether every cell could be read."""
+    """Clean the requested columns, each given as `name=unit`; returns whether every cell could be read."""
     if not task.columns or call.words or call.options:
         hint = 'for example: dynamics convert --rows messy.csv --column "speed=m/s"'
         raise UsageError("--column is for convert --rows alone", parameter="column", code="exclusive", hint=hint)
@@ -116,7 +116,7 @@ def clean_columns(task: Task, call: Call, settings: Settings, terminal: "Termina
 def _row(
     cells: "list[str]", heads: int, columns: "list[_Column]", notes: "dict[str, None]"
 ) -> "tuple[list[str], list[str]]":
-    """A row with its columns cleaned, bad cells empty, and what was wrong with them."""
+    """A row with its columns cleaned and bad cells empty, and the errors of those cells."""
     errors = [] if len(cells) == heads else [f"the row has {len(cells)} cells, wanted {heads}"]
     cells = (cells + [""] * heads)[:heads]
     for column in columns:

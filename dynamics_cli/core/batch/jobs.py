@@ -1,8 +1,8 @@
 """`--jobs`: pieces of work spread over processes, their results in the order of the pieces.
 
-The processes are forked, so that they have what the parent has read; where a system cannot fork, one process does all.
-Each has a pipe of its own and at most one piece, and the parent has no threads: a process that is ended in the middle
-of a result leaves nobody waiting for the rest of it.
+The processes are forked, so that they share what the parent has read; where a system cannot fork, one process does all
+the work. Each has its own pipe and at most one piece, and the parent has no threads: if a process is killed in the
+middle of a result, nothing waits for the rest of it.
 """
 
 import itertools
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     from types import TracebackType
     from typing import Any, Self
 
-# Pieces read but not yet given back for each process: enough to keep it busy, few enough for constant memory.
+# Pieces read but not yet returned, for each process: enough to keep it busy, few enough for constant memory.
 AHEAD = 3
-# How often a process looks whether its parent is still there, in seconds.
+# Seconds between a process's checks that its parent is still alive.
 PARENT_SEEN = 1.0
 
 
@@ -39,7 +39,7 @@ def spread(work: "Callable[[Any], Any]", pieces: "Iterable[Any]", jobs: int) -> 
 
 
 class _Team:
-    """The processes, the pieces that wait for one of them, and the results that wait for their turn."""
+    """The processes, the pieces waiting for a free one, and the results waiting for their turn."""
 
     def __init__(self, work: "Callable[[Any], Any]", jobs: int) -> None:
         self._work = work
@@ -52,7 +52,7 @@ class _Team:
     def __enter__(self) -> "Self":
         import signal
 
-        # A process just forked still has the parent's handlers: what ends a call waits until it has its own.
+        # A process just forked still has the parent's signal handlers: signals wait until it has its own.
         before = signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
         try:
             self._tidy.__enter__()
@@ -70,14 +70,14 @@ class _Team:
         self._tidy.__exit__()
 
     def _end(self) -> None:
-        """End all at once: pieces under way may take minutes."""
+        """Kill all processes at once: pieces in progress may take minutes."""
         for member in self._members:
             member.kill()
         for member in self._members:
             member.bury()
 
     def results(self, pieces: "Iterable[Any]") -> "Iterator[Any]":
-        """What the work makes of every piece, in order."""
+        """The result of every piece, in order."""
         given = count = 0
         for piece in pieces:
             self._waiting.append((count, piece))
@@ -98,7 +98,7 @@ class _Team:
         return result
 
     def _move(self, timeout: float | None) -> None:
-        """Fetch what is done, waiting for it as long as told, and hand out what waits."""
+        """Fetch finished results, waiting up to the given time, and hand out waiting pieces."""
         from multiprocessing.connection import wait
 
         busy = {member.pipe: member for member in self._members if member.place is not None}
@@ -121,7 +121,7 @@ class _Member:
         self.pipe, end = context.Pipe()
         self._process = context.Process(target=_serve, args=(work, end, os.getpid()), daemon=True)
         self._process.start()
-        # The process alone holds its end, so that its death is an end of file here.
+        # Only the process holds its end of the pipe, so that its death is an end of file here.
         end.close()
 
     def hand(self, place: int, piece: "Any") -> None:
@@ -133,7 +133,7 @@ class _Member:
             raise _ended() from None
 
     def fetch(self) -> "tuple[int, tuple[bool, Any]]":
-        """The place of its piece, whether all went well, and the result or the error."""
+        """The index of its piece, whether it succeeded, and the result or the error."""
         place, self.place = self.place, None
         assert place is not None
         try:
@@ -142,22 +142,22 @@ class _Member:
             raise _ended() from None
 
     def kill(self) -> None:
-        """End it, whatever it is doing."""
+        """Kill it, whatever it is doing."""
         self._process.kill()
         self.pipe.close()
 
     def bury(self) -> None:
-        """Wait until it is gone."""
+        """Wait until it has ended."""
         self._process.join()
 
 
 def _ended() -> FaultError:
-    hint = "the system may have been out of memory: fewer --jobs need less"
-    return FaultError("one of the processes of --jobs was ended from outside", code="process", hint=hint)
+    hint = "the system may have run out of memory: use fewer --jobs"
+    return FaultError("one of the --jobs processes was killed from outside", code="process", hint=hint)
 
 
 def _serve(work: "Callable[[Any], Any]", pipe: "Connection", parent: int) -> None:
-    """What a process does: leave interruptions to the parent, which ends it, and answer piece after piece."""
+    """The loop of a process: leave interruptions to the parent, which ends it, and answer one piece after another."""
     import signal
     from threading import Thread
 
@@ -176,7 +176,7 @@ def _serve(work: "Callable[[Any], Any]", pipe: "Connection", parent: int) -> Non
 
 
 def _portable(error: Exception) -> Exception:
-    """The error itself where it survives the way to the parent, else what it says."""
+    """The error itself if it can be sent to the parent, else its message."""
     import pickle
 
     try:

@@ -1,7 +1,7 @@
 """`--rows`: a stream of cases, one row out for each row in, in order and in constant memory.
 
 Each row is answered as one command would answer it (`rows.case`). Blocks of many rows go by arrays (`rows.plan`) or by
-exact factors (`rows.exact`), which give the same bits; whatever these cannot take goes back to the single call.
+exact factors (`rows.exact`), which give the same bits; the rest is left to the single call.
 """
 
 import itertools
@@ -39,17 +39,17 @@ FIRST_ARRAY_ROWS = 300
 ARRAY_ROWS = 64
 # Rows in which bare numbers and uncertain values are looked for.
 LOOKED_AT = 50
-# What uncertain values have in them: ±, +/-, .., a distribution's bracket, a list, an object, an earlier result.
+# Marks of an uncertain value: ±, +/-, .., a distribution's bracket, a list, an object, an earlier result.
 UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
 # Blocks that another process answers at once.
 BLOCKS_A_PIECE = 4
-# Rows answered one by one may take long: so many are written, or sent to another process, at once.
+# Rows answered one by one may take long: this many are written, or sent to another process, at once.
 ROWS_A_PIECE = 64
 TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a row is one line of one case")
 
 
 def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -> int:
-    """Answer every row of a stream; whether all, or not all, could be answered."""
+    """Answer every row of a stream; returns whether all could be answered."""
     form = _format_asked(settings)
     for name in ("explain", "timing", "limit", "quantile"):
         if getattr(settings, name):
@@ -99,7 +99,7 @@ def _without_blank_head(lines: "list[bytes | None]") -> "list[bytes | None]":
 
 
 def _pieces(blocks: "Iterator[list[bytes | None]]", jobs: int, *, singly: bool) -> "Iterator[list[bytes | None]]":
-    """What is answered and written at once: few rows where each is a call of its own, else a block.
+    """Rows that are answered and written at once: a few where each is a separate call, else a block.
 
     For several processes a few blocks, as sending each costs something.
     """
@@ -111,7 +111,7 @@ def _pieces(blocks: "Iterator[list[bytes | None]]", jobs: int, *, singly: bool) 
         yield from blocks
         return
     while several := list(itertools.islice(blocks, BLOCKS_A_PIECE)):
-        # A line too long to read is a block of its own.
+        # A line too long to read makes a block by itself.
         if all(None not in block for block in several):
             yield [line for block in several for line in block]
         else:
@@ -132,7 +132,7 @@ def _format_asked(settings: Settings) -> str:
 def _begin(
     case: Case, lines: "list[bytes | None]", form: str, terminal: "Terminal"
 ) -> "tuple[_Stream, list[bytes | None]]":
-    """The stream that the first line shows, and the rows of the first block."""
+    """The stream, set up from the first line, and the rows of the first block."""
     source: Input
     first = lines[0]
     if first is None:
@@ -140,9 +140,9 @@ def _begin(
     start = first.lstrip()[:1]
     if start == b"[":
         hint = 'one object a line, for example {"distance": "60 ft", "friction": 0.7}'
-        raise UsageError("rows begin with '[': a JSON list is no stream", parameter="rows", code="json", hint=hint)
+        raise UsageError("rows begin with '[': a JSON list is not a stream", parameter="rows", code="json", hint=hint)
     if b"\r" in first and b'"' not in first:
-        message = "the rows' lines end in carriage returns alone"
+        message = "the rows' lines end in bare carriage returns"
         hint = "save them with line feeds, or send them through: tr '\\r' '\\n'"
         raise UsageError(message, parameter="rows", code="line-ends", hint=hint)
     head, rest = first_record(lines)
@@ -173,7 +173,7 @@ def _settle_unit(case: Case, source: Input, lines: "list[bytes | None]") -> None
 
 
 def _readable(source: Input, lines: "list[bytes | None]") -> "Iterator[dict[str, Any]]":
-    """Those of the lines that may hold an uncertain value, read; what is wrong with one is reported in its place."""
+    """The lines that may hold an uncertain value, read; errors of a line are reported in its place."""
     for line in lines:
         if line is not None and any(mark in line for mark in UNCERTAIN_MARKS):
             try:
@@ -183,7 +183,7 @@ def _readable(source: Input, lines: "list[bytes | None]") -> "Iterator[dict[str,
 
 
 def _is_header(case: Case, line: bytes) -> bool:
-    """Whether some cell of a line is the name of a parameter (or of an earlier step's result): words never are."""
+    """Whether some cell is the name of a parameter or of an earlier step's result; words never are."""
     try:
         names = [split_header(cell)[0].removeprefix("results.") for cell in split_csv(decode_line(line))]
     except UsageError:
@@ -213,7 +213,7 @@ def _tell_passing(stream: "_Stream", terminal: "Terminal") -> None:
 
 
 def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
-    """Say which names that pass through look like a parameter: an optional one misspelt would go unnoticed."""
+    """Warn of passed-through names that look like a parameter: a misspelt optional one would go unnoticed."""
     from dynamics_cli.core.units.near_names import nearest_words
 
     for name in names[:20]:
@@ -225,7 +225,7 @@ def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
 
 
 class _Block:
-    """The rows of one block, answered: the text, how many there were and failed, and names that pass through."""
+    """The rows of one block, answered: the text, the numbers of rows and of failures, and names that pass through."""
 
     __slots__ = ("failed", "passing", "rows", "text")
 
@@ -237,7 +237,7 @@ class _Block:
 
 
 class _Stream:
-    """A stream under way."""
+    """A stream in progress."""
 
     def __init__(self, case: Case, source: Input, output: Output, first: bytes) -> None:
         self.case = case
@@ -284,7 +284,7 @@ class _Stream:
             try:
                 return self._together(whole)
             except Exception:
-                # What one row raised must not end the others: each is answered by itself.
+                # An error of one row must not end the others: each is answered by itself.
                 self._by_arrays = False
             finally:
                 gc.enable()
@@ -325,18 +325,18 @@ class _Stream:
         groups = self._groups.uniform(lines)
         if groups is None:
             groups = self._groups.sorted(lines)
-        made: list[bytes | None] = [None] * len(lines)
+        rows: list[bytes | None] = [None] * len(lines)
         for group in groups:
             whole = range(len(lines)) if group.rows is None else group.rows
             for places, text in self._group([lines[row] for row in whole], group):
                 if len(places) == len(lines):
                     return text
                 for place, one in zip(places, text.split(b"\n"), strict=False):
-                    made[whole[place]] = one + b"\n"
-        return b"".join([self._single(line) if text is None else text for line, text in zip(lines, made, strict=True)])
+                    rows[whole[place]] = one + b"\n"
+        return b"".join([self._single(line) if text is None else text for line, text in zip(lines, rows, strict=True)])
 
     def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], bytes]]":
-        """The rows of a group that could be answered together: their places in it, and their text."""
+        """The rows of a group that could be answered together: their indices in it, and their text."""
         from dynamics_cli.core.batch.rows.answered import written
         from dynamics_cli.core.batch.text.columns import Unsuited, weave
 
@@ -369,9 +369,9 @@ class _Stream:
             return lines
         return group.echoes if places is None else [group.echoes[place] for place in places]
 
-    def _agrees(self, lines: "list[bytes]", made: bytes) -> bool:
-        """Whether the first and the last row come out as a single call writes them."""
-        rows = made.split(b"\n")
+    def _agrees(self, lines: "list[bytes]", text: bytes) -> bool:
+        """Whether the first and the last row are the same as from a single call."""
+        rows = text.split(b"\n")
         return all(self._as_single(lines[place]) == rows[place] for place in (0, len(lines) - 1))
 
     def _as_single(self, line: bytes) -> bytes:
@@ -381,5 +381,5 @@ class _Stream:
             return b""
 
 
-# A make of rows of which arrays could answer hardly any, so many times, is not tried again.
+# After this many failures a kind of rows that arrays can hardly answer is not tried again.
 MOST_FAILURES = 3

@@ -1,4 +1,4 @@
-"""`--sweep`: a task over a range of one parameter or of two; each point is what a single call with it gives."""
+"""`--sweep`: a task over a range of one parameter or of two; each point equals a single call."""
 
 from dynamics_cli.core.answering.gather import Gathered
 from dynamics_cli.core.answering.models import choose
@@ -7,7 +7,7 @@ from dynamics_cli.core.batch.jobs import spread
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.inputs import nest
 from dynamics_cli.core.batch.sweep_points import Axis, read_axes
-from dynamics_cli.core.deadline import Reached, stop
+from dynamics_cli.core.deadline import Reached, clock, stop
 from dynamics_cli.core.inputs.quantity_text import read_amount, split_list, split_pairs
 from dynamics_cli.core.inputs.settings import Settings
 from dynamics_cli.core.inputs.values import Bound, Fields, Several
@@ -31,7 +31,7 @@ ARRAY_POINTS = 1000
 MOST_POINTS = 1_000_000
 # Points that another process answers at once.
 POINTS_A_PIECE = 64
-# What may be wrong with some points of a range and right with others.
+# Errors that some points of a range may have and others not.
 OF_THE_POINT = ("bounds", "range", "whole")
 
 
@@ -63,12 +63,12 @@ class _Points(Case):
             raise UsageError(f"{self.count} points are too many", parameter="sweep", hint=f"at most {MOST_POINTS}")
 
     def places(self, index: int) -> "list[int]":
-        """Which point of each axis this is; the first axis varies slowest."""
-        made = []
+        """Index of a point on each axis; the first axis varies slowest."""
+        places = []
         for axis in reversed(self.axes):
             index, place = divmod(index, axis.count)
-            made.append(place)
-        return made[::-1]
+            places.append(place)
+        return places[::-1]
 
     def point(self, index: int) -> "Raw":
         """The raw input of one point."""
@@ -106,14 +106,14 @@ class _Failures:
 
     def warnings(self) -> "list[dict[str, Any]]":
         """One warning for each reason: how many points, and where first."""
-        made = []
+        warnings = []
         for count, index, error in self._found.values():
             places = zip(self._points.axes, self._points.places(index), strict=True)
             where = ", ".join(f"{axis.name} = {axis.text(place)}" for axis, place in places)
             message = f"{count} of {self._points.count} points have no answer, first at {where}: {error.message}"
             warning = {"code": error.code, "severity": "caution", "message": message, "count": count, "first": index}
-            made.append({**warning, "remedy": error.hint} if error.hint else warning)
-        return made
+            warnings.append({**warning, "remedy": error.hint} if error.hint else warning)
+        return warnings
 
     def __bool__(self) -> bool:
         return bool(self._found)
@@ -126,7 +126,7 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
             raise UsageError(f"--{name} is for one case and --sweep for many", parameter=name, code="exclusive")
     files = list(gathered.reader.files)
     points = _Points(task, gathered, settings, read_axes(task, settings.sweep))
-    start = _clock()
+    start = clock()
     template, index = _template(points)
     files += [file for file in gathered.reader.files if file not in files]
     notes = list(gathered.reader.notes)
@@ -165,20 +165,14 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
 
         document["numerics"]["uncertainty"] = {"coverage": read_coverage(settings.coverage), "seed": settings.seed or 1}
     if settings.timing:
-        document["timing"] = {"value": _clock() - start, "unit": "s"}
+        document["timing"] = {"value": clock() - start, "unit": "s"}
     return document, bool(failures)
 
 
-def _clock() -> float:
-    from time import perf_counter
-
-    return perf_counter()
-
-
 def _template(points: _Points) -> "tuple[Fields | None, int]":
-    """The inputs of a point that can be read, and which one; raises what is wrong with every point."""
+    """The inputs of a point that can be read, and its index; raises the error that every point has."""
     names = {axis.name for axis in points.axes}
-    # The corners of the range tell what is wrong with one end of it only.
+    # The corners of the range show errors that occur at one end of it only.
     tried = sorted({0, points.count - 1, points.count // 2, *range(0, points.count, points.count // 50 + 1)})
     for index in tried:
         try:
@@ -209,7 +203,7 @@ def _by_arrays(points: _Points, index: int, rows: "list[list[Any] | None]") -> N
         places = one.rows.tolist()
         columns_out = [value.tolist() if how == "each" else [value] * len(places) for _, how, value in one.results]
         made = list(map(list, zip(*columns_out, strict=True)))
-        # The array route must give what single calls give, to the bit; should it ever not, single calls it is.
+        # The array route must equal single calls to the bit; should it ever not, single calls are used.
         if all(points.single(places[nth])[1] == made[nth] for nth in {0, len(made) - 1}):
             for place, row in zip(places, made, strict=True):
                 rows[place] = row
@@ -219,13 +213,13 @@ def _tokens(points: _Points) -> "list[list[bytes]]":
     """The numbers of every point, axis by axis."""
     after = points.count
     before = 1
-    made = []
+    tokens = []
     for axis in points.axes:
         after //= axis.count
         own = [axis.number(place).encode() for place in range(axis.count)]
-        made.append([token for token in own for _ in range(after)] * before)
+        tokens.append([token for token in own for _ in range(after)] * before)
         before *= axis.count
-    return made
+    return tokens
 
 
 def _document(
@@ -264,7 +258,7 @@ def _table(points: _Points, rows: "list[list[Any] | None]") -> "dict[str, Any]":
         table[axis.name] = {"value": values, "unit": axis.unit} if axis.unit else {"value": values}
     for index, part in enumerate(points.layout.parts):
         column = [None if row is None else row[index] for row in rows]
-        # A vector has no place in a column, and a result that no point has needs none.
+        # A vector does not fit into a column, and a result that no point has needs none.
         if part.how == "components" or isinstance(part.steps[-1], int) or all(value is None for value in column):
             continue
         name = part.address if part.address not in table else f"results.{part.address}"
@@ -281,11 +275,11 @@ def _column(part: Part, column: "list[Any]") -> "dict[str, Any]":
 
 
 def _notes(notes: "list[str]", models: "dict[str, tuple[Any, str]]") -> "list[dict[str, Any]]":
-    made: list[dict[str, Any]] = [{"code": "reading", "severity": "note", "message": note} for note in notes]
+    warnings: list[dict[str, Any]] = [{"code": "reading", "severity": "note", "message": note} for note in notes]
     if len(models) > 1:
         message = f"the points were answered by several models: {'; '.join(models)}"
-        made.append({"code": "several-models", "severity": "note", "message": message})
-    return made
+        warnings.append({"code": "several-models", "severity": "note", "message": message})
+    return warnings
 
 
 def _copied(raw: "Any") -> "Any":

@@ -1,4 +1,4 @@
-"""The picture of a sweep, made of its document."""
+"""The picture of a sweep, drawn from its document."""
 
 import math
 
@@ -13,15 +13,15 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answering.task import Task
 
 MOST_SWEPT = 6
-# More panels than these stand in two columns.
+# More panels than this are set in two columns.
 MOST_IN_A_COLUMN = 3
-# So many fixed inputs are named.
+# Number of fixed inputs that are named.
 MOST_NAMED = 8
 ROUNDING = 1e-12
 
 
 def of_sweep(document: "dict[str, Any]", task: "Task") -> "Picture | None":
-    """The headline results of a sweep that change, over the swept parameter; of two, a curve for each of the second."""
+    """The varying headline results over the swept parameter; with two, a curve for each value of the second."""
     table: dict[str, Any] = document["results"]["sweep"]
     axes: list[str] = [axis["parameter"] for axis in document["inputs"]["sweep"]]
     names = [
@@ -53,7 +53,7 @@ def _title(document: "dict[str, Any]", axes: "list[str]") -> str:
 
 
 def _constant(column: "list[Any]") -> bool:
-    """Whether a result stays the same but for rounding."""
+    """Whether a result is constant apart from rounding."""
     there: list[float] = [value for value in column if value is not None]
     return max(there) - min(there) <= ROUNDING * max(abs(max(there)), abs(min(there)))
 

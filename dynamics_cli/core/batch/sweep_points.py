@@ -42,7 +42,7 @@ class Axis:
         return {"parameter": self.name, "from": ends[0], "to": ends[1], "count": self.count}
 
     def check(self, bound: Fields) -> None:
-        """Refuse an address at which there is no number."""
+        """Refuse an address that holds no number."""
         if not _has_number(bound, self.name):
             raise UsageError(
                 f"{self.name} is not a number that can be swept", parameter="sweep", code="not-a-number", hint=EXAMPLE

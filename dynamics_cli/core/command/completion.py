@@ -1,4 +1,4 @@
-"""What completes a word or the value of an option: units, shapes, names, results."""
+"""Completions of a word or of an option's value: units, shapes, names, results."""
 
 from dynamics_cli.core.answering.task import Task, load
 from dynamics_cli.core.inputs.specification import Leaf, Record, Tagged
@@ -29,12 +29,12 @@ Register-ArgumentCompleter -Native -CommandName dynamics -ScriptBlock {
     }
 }
 """
-# Forms of results that `--to` and `--limit` name.
+# Forms of results that `--to` and `--limit` can name.
 NUMBERS = ("scalar", "slope", "measured")
 
 
 def words_that_fit(task: Task, incomplete: str) -> "list[str]":
-    """Units, shapes and other names that a word may be."""
+    """Units, shapes and other names that can complete a word."""
     for field in task.specification.words:
         node = field.node
         item = getattr(node, "item", node)
@@ -68,7 +68,7 @@ def result_completer(task: Task) -> "Callable[[Any, Any, str], list[str]]":
 
 
 def completer_of(names: "tuple[str, ...] | str") -> "Callable[[Any, Any, str], list[str]]":
-    """What completes one of these names; a text says where they are, as "module:names", for when they are wanted."""
+    """A completer of these names; a text such as "module:names" says where to load them from when needed."""
 
     def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
         return [name for name in (load(names) if isinstance(names, str) else names) if name.startswith(incomplete)]

@@ -1,8 +1,9 @@
-"""A call carried out: gathered, read, answered, shown. The one path behind the direct route, typer and `run`."""
+"""Execution of a call: gather, read, answer, show. The one path behind the direct route, typer and `run`."""
 
 from dynamics_cli.core.answering.gather import Gathered, gather
 from dynamics_cli.core.answering.models import answer, arguments, call_model
 from dynamics_cli.core.answering.task import Task, load
+from dynamics_cli.core.deadline import clock
 from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.output.document import build
 from dynamics_cli.core.terminal import encoded
@@ -38,7 +39,7 @@ def _write_template(task: Task, terminal: "Terminal") -> int:
 
     if not takes_scene(task):
         hint = f"its parameters are options: dynamics {task.path} --help"
-        raise UsageError(f"{task.path} reads no scene", parameter="template", hint=hint)
+        raise UsageError(f"{task.path} does not read a scene", parameter="template", hint=hint)
     terminal.write(template(task))
     return ExitStatus.DONE
 
@@ -114,12 +115,12 @@ def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str
 def answered_case(
     task: Task, gathered: Gathered, settings: Settings
 ) -> "tuple[dict[str, Any], list[File], Picture | None]":
-    """The result document of one case, the files it lists that are still to be written, and the picture asked for."""
+    """The result document of one case, the files it lists that are still to be written, and the requested picture."""
     reader = gathered.reader
     reader.uncertain = {}
     bound = reader.read(task.specification.fields, gathered.raw)
     display = Display(settings.units, settings.to)
-    start = _clock() if settings.timing else 0.0
+    start = clock() if settings.timing else 0.0
     try:
         answered = answer(task, bound, settings.model, reader.uncertain, seen=_shows_bounds(settings, reader.uncertain))
     except InadmissibleError as error:
@@ -128,16 +129,16 @@ def answered_case(
 
             add_intervals(error, task, bound, reader, settings, display)
         raise
-    took = _clock() - start if settings.timing else 0.0
+    took = clock() - start if settings.timing else 0.0
     document = build(task, bound, answered, display, gathered.reader.notes)
     _require_checks(document, task)
     spread: Picture | None = None
     if reader.uncertain or settings.correlate:
         from dynamics_cli.core.uncertainty.document import add_uncertainty
 
-        start = _clock() if settings.timing else 0.0
+        start = clock() if settings.timing else 0.0
         spread = add_uncertainty(document, task, bound, answered, reader, settings, display)
-        took += _clock() - start if settings.timing else 0.0
+        took += clock() - start if settings.timing else 0.0
     elif settings.limit:
         from dynamics_cli.core.answering.limits import add_limits
 
@@ -165,7 +166,7 @@ def _with_files(
     spread: "Picture | None",
     settings: Settings,
 ) -> "tuple[dict[str, Any], list[File], Picture | None]":
-    """The document with the drawing and the picture asked for, which are still to be written."""
+    """The document with the requested drawing and picture, which are still to be written."""
     if not settings.drawing and not settings.plot:
         return document, [], None
     # writers and pictures take plain numbers
@@ -181,24 +182,24 @@ def _with_files(
 
 
 def _require_checks(document: "dict[str, Any]", task: Task) -> None:
-    """A check of the calculation that failed is an internal error, unless checks are what was asked for."""
+    """A failed check of the calculation is an internal error, unless the checks are the answer."""
     for check in document["checks"]:
         if not check["passed"] and not task.verdict:
             raise FaultError(
-                f"our own check failed: {check['name']} ({check.get('value')} against {check.get('tolerance')})",
+                f"an internal check failed: {check['name']} ({check.get('value')} against {check.get('tolerance')})",
                 code="check",
                 hint="this is a bug: please report it with the inputs",
             )
 
 
 def _refuse_spreads(settings: Settings) -> None:
-    """Refuse what only uncertain results have."""
+    """Refuse options that only apply to uncertain results."""
     if settings.quantile:
         raise UsageError("no input is uncertain: results have no quantiles", parameter="quantile", code="exclusive")
     if settings.method:
         from dynamics_cli.core.uncertainty.document import read_method
 
-        # Nothing is propagated, but a name that is none is still a wrong call.
+        # Nothing is propagated, but an unknown name is still a wrong call.
         read_method(settings.method)
 
 
@@ -227,7 +228,10 @@ def _joined(one: "Picture | None", other: "Picture | None") -> "Picture | None":
     from dynamics_cli.pictures import Picture
 
     panels = (*one.panels, *other.panels)
-    return Picture(panels, one.title, one.columns, scene=one.scene, distributions=len(other.panels))
+    return Picture(
+        panels, one.title, one.columns, width=one.width, scene=one.scene, distributions=len(other.panels),
+        subtitle=one.subtitle,
+    )  # fmt: skip
 
 
 def _picture_of_sweep(document: "dict[str, Any]", settings: Settings, task: Task) -> "Picture | None":
@@ -241,7 +245,7 @@ def _picture_of_sweep(document: "dict[str, Any]", settings: Settings, task: Task
 def _with_picture(
     document: "dict[str, Any]", files: "list[File]", picture: "Picture | None", settings: Settings, task: Task
 ) -> "tuple[list[File], Picture | None]":
-    """The files with the picture's among them, which the document then lists."""
+    """The files including the picture's, which the document then lists."""
     if not settings.plot:
         return files, None
     from dynamics_cli.core.output.plot import drawn, refuse_none
@@ -262,12 +266,6 @@ def _shows_bounds(settings: Settings, uncertain: "Mapping[str, Any]") -> bool:
     return not short or bool(more)
 
 
-def _clock() -> float:
-    from time import perf_counter
-
-    return perf_counter()
-
-
 def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", task: Task, table: str) -> str:
     from dynamics_cli.core.output.render import only, render, to_full_table, whole_table
 
@@ -276,7 +274,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     if settings.only:
         return only(document, settings.only, digits, settings.format, asked=bool(settings.digits))
     if settings.table:
-        return whole_table(document, settings.table, digits, settings.format)
+        return whole_table(document, settings.table, digits, settings.format, width)
     if settings.format != "table":
         listed = task.table if task.listing else ""
         return render(document, settings.format, digits, table if table == "sweep" else listed)
@@ -284,14 +282,14 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
         layout = load(task.layout)
         return to_full_table(document, digits, lambda results: layout(results, digits, width), width or 80)
     if settings.all:
-        return to_full_table(document, digits)
+        return to_full_table(document, digits, screen=width)
     from dynamics_cli.core.output.answer import to_answer
 
     return to_answer(document, task, digits, width or 80, quiet=settings.quiet, asked=bool(settings.digits))
 
 
 def _verdict(document: "dict[str, Any]", settings: Settings) -> int:
-    """The status that --fail asks for: 6 when a limit is exceeded or a verdict is negative."""
+    """The exit status with --fail: 6 when a limit is exceeded or a verdict is negative."""
     if not settings.fail:
         return ExitStatus.DONE
     exceeded = any(

@@ -1,4 +1,4 @@
-"""Help, from the signature and the docstrings that stand beside it."""
+"""Help, from the signature and the descriptions beside its annotations."""
 
 from dynamics_cli.core.answering.explain import default_text
 from dynamics_cli.core.answering.task import Task
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def placeholder(option: Option) -> str:
-    """What stands for an option's value in help."""
+    """Placeholder of an option's value in help."""
     if option.leaf is None:
         return "NAME=VALUE,…"
     if option.leaf.choice is not None:
@@ -20,7 +20,7 @@ def placeholder(option: Option) -> str:
 
 
 def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:
-    """One option's line: what it is (by the docstrings' `texts`), its default, an example."""
+    """One option's line: its description (from `texts`), its default, an example."""
     if option.leaf is None:
         return "One of several, with its own values (repeatable)."
     leaf = option.leaf
@@ -38,7 +38,7 @@ def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:
 
 
 def written_default(option: Option) -> str:
-    """What stands in for an option that is not given, as a user would write it; nothing where nothing does."""
+    """The default of an option as a user would write it; empty where there is none."""
     if option.required or option.default is REQUIRED or option.default is None or option.default is False:
         return ""
     leaf = option.leaf
@@ -54,7 +54,7 @@ def written_default(option: Option) -> str:
 
 
 def describe_options(task: Task) -> "Mapping[tuple[str, ...], str]":
-    """What the annotations of the function and of its records say of each option."""
+    """Descriptions of all options, from the annotations of the function and of its records."""
     texts: dict[tuple[str, ...], str] = {}
     for field in task.specification.fields:
         if field.place and isinstance(field.node, Record):
@@ -65,7 +65,7 @@ def describe_options(task: Task) -> "Mapping[tuple[str, ...], str]":
 
 
 def describe_record(record: Record) -> "dict[tuple[str, ...], str]":
-    """What the annotations of one record say of its fields."""
+    """Descriptions of one record's fields, from its annotations."""
     texts: dict[tuple[str, ...], str] = {}
     _describe_fields(record, (), texts, set())
     return texts
@@ -94,6 +94,6 @@ def _describe_fields(
 
 
 def undescribed(task: Task) -> "list[str]":
-    """Options that no docstring describes: a test keeps this empty."""
+    """Options without a description: a test keeps this empty."""
     texts = describe_options(task)
     return [name for name, option in task.options.items() if option.leaf is not None and option.path not in texts]

@@ -1,4 +1,4 @@
-"""The command reference as Markdown or as a manual page, from the data that help is made of: no copy can go stale."""
+"""The command reference as Markdown or as a manual page, from the same data as the help, so that it cannot go stale."""
 
 from dynamics_cli.core.answering.explain import filled
 from dynamics_cli.core.command.help import describe_options, option_help, placeholder
@@ -20,7 +20,7 @@ _STATUS = (
     (ExitStatus.DONE, "done"),
     (ExitStatus.FAULT, "an internal error (a bug: please report it)"),
     (ExitStatus.USAGE, "the call is wrong"),
-    (ExitStatus.INADMISSIBLE, "well-formed but physically inadmissible, or not done within --time-limit"),
+    (ExitStatus.INADMISSIBLE, "well-formed but physically inadmissible, or not finished within --time-limit"),
     (ExitStatus.SOME_FAILED, "some or all rows of a stream, or points of a sweep, failed"),
     (ExitStatus.OUTPUT, "the output could not be written"),
     (ExitStatus.INTERRUPTED, "interrupted"),
@@ -29,7 +29,7 @@ ABOUT = "Engineering calculations with units, sources and error bounds."
 
 
 def parameters(task: "Task") -> "list[Row]":
-    """Every word and option of a task, with what is said of it."""
+    """Every word and option of a task, with its description."""
     texts = describe_options(task)
     rows = [
         (field.key.upper() + ("…" if field.place == "words" else ""), texts.get((field.key,), ""))
@@ -43,7 +43,7 @@ def parameters(task: "Task") -> "list[Row]":
 
 
 def results(task: "Task") -> "list[Row]":
-    """Every result of a task by its address, with what is said of it."""
+    """Every result of a task by its address, with its description."""
     return list(_results(task.specification.result, ""))
 
 

@@ -1,4 +1,4 @@
-"""What typer has parsed, as a call; refusals of what is given twice, or without a value."""
+"""Typer's parsed values as a call; options given twice or without a value are refused."""
 
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.command.unknown import unknown_option
@@ -30,12 +30,12 @@ def call_of(task: Task, given: "dict[str, Any]") -> Call:
 
 
 def variable(side: str, name: str) -> str:
-    """What typer calls the value of an option of a task, or of a setting."""
+    """Typer's name for the value of a task's option, or of a setting."""
     return f"{side}__{name.replace('-', '_')}"
 
 
 def single(name: str, value: "Any", how: str) -> "Any":
-    """The value of an option given once, or all of one that repeats."""
+    """The value of an option given once, or all values of one that repeats."""
     if how == "flag":
         return True
     if how == "many":

@@ -16,7 +16,7 @@ REFERENCE_FORMS = ("markdown", "man")
 
 
 class Option:
-    """An option of a command that is no task: its name, what its value is called, help, and values it may have.
+    """An option of a command that is not a task: its name, the placeholder of its value, help, and allowed values.
 
     An option without a metavar is a flag: it arrives as "yes".
     """
@@ -29,10 +29,10 @@ class Option:
 
 
 class Command:
-    """A command that is no task: its words, what it does, an example, its options, and the function that does it.
+    """A command that is not a task: its words, its help, an example, its options, and its function.
 
-    The function takes the words, the options, the families' lines, how to find one, and the terminal. `names` says
-    where the words are that completion offers, unless they are families and tasks: "module:function".
+    The function takes the words, the options, the families' lines, how to find one, and the terminal. `names`
+    ("module:function") gives the words that completion offers, unless they are families and tasks.
     """
 
     def __init__(
@@ -63,7 +63,7 @@ class Command:
         find: "Finder",
         terminal: "Terminal",
     ) -> None:
-        """Do it."""
+        """Run the command."""
         load(self.function)(words, options, families, find, terminal)
 
 
@@ -82,7 +82,7 @@ COMMANDS = (
         "reference",
         "[FAMILY]...",
         "Print the reference of all commands, or of some families.",
-        "It tells every parameter, result, formula, assumption and source.",
+        "It lists every parameter, result, formula, assumption and source.",
         "dynamics reference skid --format markdown",
         (Option("format", "FORMAT", "markdown (the default) or man.", REFERENCE_FORMS),),
         HERE + "print_reference",
@@ -189,7 +189,7 @@ def _task(words: "Sequence[str]", families: "Lines", find: "Finder") -> Task:
 
 
 def completions(command: Command, words: "Sequence[str]", families: "Lines", find: "Finder") -> "list[str]":
-    """The words that may come next."""
+    """The words that can follow."""
     if command.names:
         return list(load(command.names)())
     if not command.metavar.strip("[").startswith("FAMILY"):

@@ -1,4 +1,4 @@
-"""What Python callers give: options that mean something there, and numbers of other libraries as Python's own."""
+"""Arguments of Python callers: the options that apply there, and numbers of other libraries converted to Python's."""
 
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
 from dynamics_cli.errors import UsageError
@@ -8,16 +8,16 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from typing import Any
 
-# Options of a command that a function returning a dictionary cannot honour, and what to do instead.
+# Command-line options that a function returning a dictionary cannot honour, and what to do instead.
 REFUSED = {
     **dict.fromkeys(
-        ("json", "format", "output"), "it returns the document as a dictionary: write that, with json.dump"
+        ("json", "format", "output"), "the call returns the document as a dictionary: write it with json.dump"
     ),
-    "template": "write it by the command: dynamics FAMILY TASK --template",
-    "rows": "a stream of cases is dynamics_cli.run_rows, or one call for each case",
-    "digits": "the document has all digits: round what you print",
+    "template": "write it with the command: dynamics FAMILY TASK --template",
+    "rows": "for a stream of cases use dynamics_cli.run_rows, or one call for each case",
+    "digits": "the document has all digits: round when you print",
 }
-# Python writes whole numbers of some thousands of digits at most; no double is near these.
+# Python prints integers of some thousands of digits at most; no double is that large.
 MOST_BITS = 4000
 
 
@@ -27,14 +27,14 @@ def plain_parameters(parameters: "Mapping[str, object]") -> "dict[str, Any]":
 
 
 def options_of(raw: "dict[str, Any]") -> "dict[str, Any]":
-    """Take the options that every task has out of the parameters, as a command line would give them."""
+    """Separate the universal options from the parameters, in the form of the command line."""
     keys = {name: name.replace("-", "_") for name in UNIVERSAL_OPTIONS}
     asked = {name: value for name, key in keys.items() if (value := raw.pop(key, None)) is not None}
     for name, value in asked.items():
         how = UNIVERSAL_OPTIONS[name][0]
         if name in REFUSED or (name == "plot" and value == "-"):
             hint = REFUSED.get(name, "name a file")
-            raise UsageError(f"{name}={value!r} is an option of the command only", parameter=name, hint=hint)
+            raise UsageError(f"{name}={value!r} is an option of the command line only", parameter=name, hint=hint)
         if how == "flag":
             if not isinstance(value, bool):
                 raise UsageError(f"read {name}={value!r}, wanted True or False", parameter=name)

@@ -27,12 +27,12 @@ class _Inputs:
         choices: list[Any] = []
         for field in fields:
             self._field(field, prefix, properties, required, choices)
-        made: dict[str, Any] = {"type": "object", "properties": properties, "additionalProperties": False}
+        schema: dict[str, Any] = {"type": "object", "properties": properties, "additionalProperties": False}
         if required:
-            made["required"] = required
+            schema["required"] = required
         if choices:
-            made["allOf"] = choices
-        return made
+            schema["allOf"] = choices
+        return schema
 
     def _field(
         self,
@@ -64,7 +64,7 @@ class _Inputs:
                 if field.required:
                     plain = {"required": sorted(node.item.required)}
                     several = {"required": [field.key]}
-                    # without a required field of its own, one is told by the list's absence
+                    # a lone item without required fields is recognised by the absence of the list
                     choices.append({"oneOf": [several, plain if node.item.required else {"not": several}]})
             elif field.required and not (isinstance(node, Leaf) and node.kind.default):
                 required.append(field.key)
@@ -90,16 +90,16 @@ class _Inputs:
     def _record(self, record: Record, path: "tuple[str, ...]") -> "dict[str, Any]":
         name = record.cls.__name__
         if name not in self.definitions:
-            self.definitions[name] = {}  # a placeholder, so that recursion ends
+            self.definitions[name] = {}  # a placeholder that ends the recursion
             self.definitions[name] = self.fields(record.fields, path)
         return {"$ref": f"#/$defs/{name}"}
 
     def _leaf(self, leaf: Leaf, path: "tuple[str, ...]") -> "dict[str, Any]":
-        made = _leaf_schema(leaf)
+        schema = _leaf_schema(leaf)
         text = self.texts.get(path) or self.texts.get(path[-1:]) or leaf.kind.about
         if text:
-            made["description"] = text
-        return made
+            schema["description"] = text
+        return schema
 
 
 def _leaf_schema(leaf: Leaf) -> "dict[str, Any]":
@@ -125,14 +125,14 @@ def _leaf_schema(leaf: Leaf) -> "dict[str, Any]":
     forms: list[dict[str, Any]] = [{"type": "string"}, pair]
     if not kind.unit and kind.form != "exact":
         forms.append(_bounded(value, leaf))
-    made: dict[str, Any] = {"anyOf": forms, "examples": [kind.example], "x-kind": kind.name}
+    schema: dict[str, Any] = {"anyOf": forms, "examples": [kind.example], "x-kind": kind.name}
     if kind.unit:
-        made["x-unit"] = kind.unit
-    return made
+        schema["x-unit"] = kind.unit
+    return schema
 
 
 def _bounded(value: "dict[str, Any]", leaf: Leaf) -> "dict[str, Any]":
-    made = dict(value)
+    schema = dict(value)
     for key, limit in (
         ("minimum", leaf.kind.low),
         ("exclusiveMinimum", leaf.kind.above),
@@ -140,8 +140,8 @@ def _bounded(value: "dict[str, Any]", leaf: Leaf) -> "dict[str, Any]":
         ("exclusiveMaximum", leaf.kind.below),
     ):
         if limit is not None:
-            made[key] = limit
-    return made
+            schema[key] = limit
+    return schema
 
 
 def _result(node: object) -> "dict[str, Any]":

@@ -19,15 +19,15 @@ if TYPE_CHECKING:
 EXAMPLES = 2
 COLUMN = 28
 MOST_LINES = 60
-# Of results and tables, where the help has no room for all of them.
+# How many results and tables are listed where the help has no space for all.
 MOST_RESULT_LINES = 4
 MORE = "Common options (output, units, uncertainty, batches): dynamics help options"
 
 
 def task_help(task: "Task", width: int, word: str = "") -> str:
-    """Help for one task, no line wider than `width`, as full as its many parameters leave room for.
+    """Help for one task, no line wider than `width`, as detailed as the number of its parameters allows.
 
-    `word` may name one of the alternatives that a positional parameter chooses from: its parameters are shown.
+    `word` may name one of a positional parameter's alternatives, whose parameters are then shown.
     """
     chosen = next((node.members.get(word) for node in _tagged(task)), None)
     words = f" {word}" if chosen else "".join(f" {_word(field)}" for field in task.specification.words)
@@ -68,13 +68,13 @@ def _assembled(
 
 
 def _files(task: "Task") -> "list[str]":
-    """The files of worked examples that the examples shown read."""
+    """The files of worked examples that the shown examples read."""
     words = " ".join(task.examples[:EXAMPLES]).split()
     return list(dict.fromkeys(word.removeprefix(EXAMPLES_FOLDER) for word in words if word.startswith(EXAMPLES_FOLDER)))
 
 
 def _fitting(optional: "list[tuple[str, str, str]]", room: int, width: int) -> "list[str]":
-    """A line for each of the first options, and the names of those that no room is left for."""
+    """A line for each of the first options, and the names of those that no longer fit."""
     for shown in range(len(optional), -1, -1):
         lines = [_cut(f"  {name:<{COLUMN - 4}}  {text}", width) for name, _, text in optional[:shown]]
         names = " ".join(name for name, _, _ in optional[shown:])
@@ -97,7 +97,7 @@ def _word(field: Field) -> str:
 
 
 def example_lines(command: str, width: int) -> "Iterator[str]":
-    """A command in several lines where it is long, broken before options as a shell takes it: it can be copied."""
+    """A long command in several lines, broken before options with shell continuations so that it can be copied."""
     line = "  "
     for nth, part in enumerate(command.split(" --")):
         word = f" --{part}" if nth else part
@@ -110,7 +110,7 @@ def example_lines(command: str, width: int) -> "Iterator[str]":
 
 
 def _parameters(task: "Task", width: int, chosen: "Record | None") -> "tuple[list[str], list[tuple[str, str, str]]]":
-    """Lines of what must be given, and of each other option a short name, its head and its text."""
+    """Lines for required parameters, and for every other option its short name, head and text."""
     texts = {**describe_options(task), **(describe_record(chosen) if chosen else {})}
     rows: dict[bool, dict[tuple[str, str], list[str]]] = {True: {}, False: {}}
     own = options(chosen.fields) if chosen else {}
@@ -185,7 +185,7 @@ def _row(head: str, text: str, width: int) -> "list[str]":
 
 
 def _choices(fields: "tuple[Field, ...]", prefix: "tuple[str, ...]") -> "Iterator[list[str]]":
-    """Alternatives of which one must be given, each as its required options."""
+    """Alternatives of which one must be given, each written as its required options."""
     for field in fields:
         node = field.node
         if isinstance(node, OneOf) and field.required:
@@ -229,7 +229,7 @@ def group_records(fields: "tuple[Field, ...]", path: "tuple[str, ...]") -> "list
 
 
 def flat_fields(fields: "tuple[Field, ...]") -> "Iterator[Field]":
-    """Every field that may be given on this level: those of alternatives and of a scene among them."""
+    """Every field that may be given on this level, including those of alternatives and of a scene."""
     for field in fields:
         yield field
         if isinstance(field.node, OneOf | Tagged) or (isinstance(field.node, Record) and field.place):

@@ -1,7 +1,7 @@
 """A commented scene: every field of a task's input as TOML, with its description and an example.
 
-As it is printed it is a case with an answer: required fields, or the values of the task's own scene, stand as they are
-and the others are commented out.
+As printed it is a case with an answer: required fields, or the values of the task's scene, are active and the others
+are commented out.
 """
 
 from dynamics_cli.core.command.help import written_default
@@ -18,16 +18,16 @@ if TYPE_CHECKING:
     from dynamics_cli.core.inputs.specification import Field, Node
 
 WIDTH = 80
-# Where descriptions begin, beside their values.
+# Column where descriptions begin, beside their values.
 COLUMN = 36
-# Of more alternatives than these only one is written out.
+# Of more alternatives than this only one is written out.
 MOST_ALTERNATIVES = 8
 HEAD = 'Remove the # of a line "#name = value" to give an optional value.'
 EXAMPLE = "e.g. "
 
 
 def takes_scene(task: "Task") -> bool:
-    """Whether a task's input is more than a command line holds well: a scene, or groups that may be repeated."""
+    """Whether a task's input outgrows a command line: a scene, or groups that may be repeated."""
     words = [field.node for field in task.specification.words]
     grouped = any(option.repeats for option in task.options.values())
     return any(isinstance(node, Record) for node in words) or (grouped and not words)
@@ -48,7 +48,7 @@ def template(task: "Task") -> str:
 
 
 def description(text: str) -> str:
-    """A description without the unit that its number has inside the program."""
+    """A description without the SI unit in brackets."""
     text = text.strip().rstrip(".")
     at = text.rfind(" [")
     return text[:at].rstrip(".") if text.endswith("]") and at > 0 and " " not in text[at + 2 :] else text
@@ -75,8 +75,16 @@ def example(field: "Field") -> str:
     return node.kind.example or field.key
 
 
-def _value(text: str) -> str:
-    """A value as TOML: a number or a truth as such, anything else as text."""
+def is_text(field: "Field") -> bool:
+    """Whether a field holds words, which may look like a number."""
+    kind = getattr(field.node, "kind", None)
+    return kind is not None and kind.form == "text"
+
+
+def _value(text: str, *, words: bool = False) -> str:
+    """A value as TOML: numbers and truth values as such, anything else as text."""
+    if words:
+        return f'"{text}"'
     if text == "true":
         return text
     try:
@@ -87,13 +95,13 @@ def _value(text: str) -> str:
 
 
 class _Scene:
-    """Lines of a scene; each table's own values stand before the tables within it."""
+    """Lines of a scene; the values of a table come before the tables within it."""
 
     def __init__(self, values: "dict[str, str]") -> None:
         self.lines: list[str] = []
-        # What the task shows, by address; those of a list's first item without its index.
+        # The task's scene by address; the first item of a list without its index.
         self.values = {_first_unnumbered(address): value for address, value in values.items()}
-        # Records written in full, by the header of the first of them.
+        # Records already written in full, by the header of the first one.
         self.written: dict[type, str] = {}
         self.brief = False
 
@@ -101,7 +109,7 @@ class _Scene:
         """The fields of one table, then its tables."""
         inner: list[Callable[[], None]] = []
         active_fields = {field.name for field in fields if field.required or _chosen(field)}
-        # where nothing is required, one value shows what a scene is
+        # where nothing is required, one value shows what a scene looks like
         active_fields = active_fields or {fields[0].name}
         if self.values:
             active_fields = {field.name for field in fields if self._shown(f"{path}{field.key}")}
@@ -122,7 +130,7 @@ class _Scene:
         node = field.node
         item = node.item if isinstance(node, Many) else node
         if isinstance(item, Leaf):
-            value = _value(self.values.get(f"{path}{field.key}") or example(field))
+            value = _value(self.values.get(f"{path}{field.key}") or example(field), words=is_text(field))
             active = active and (not self.values or f"{path}{field.key}" in self.values)
             self._line(field.key, value, _without_example(field.text), active=active)
         elif isinstance(node, OneOf | Tagged):
@@ -133,11 +141,11 @@ class _Scene:
             inner.append(lambda: self._nested(field, item, address, several=several, active=active, inside=inside))
 
     def _shown(self, address: str) -> bool:
-        """Whether the task shows something at or below an address."""
+        """Whether the task's scene has a value at or below an address."""
         return any(name == address or name.startswith((f"{address}.", f"{address}[")) for name in self.values)
 
     def _wanted(self, field: "Field", key: str, named: "dict[str, Any]", path: str) -> str:
-        """The alternative that the task shows, else the one that a description gives as an example, else the first."""
+        """The alternative in the task's scene, else the one that a description gives as an example, else the first."""
         shown = self.values.get(f"{path}{key}", "")
         for name in named:
             if name == shown or (not key and any(self._shown(f"{path}{member}") for member in name.split())):
@@ -154,7 +162,7 @@ class _Scene:
         active: bool,
         inside: "tuple[type, ...]",
     ) -> None:
-        """One alternative as it stands, the others commented out."""
+        """One alternative active, the others commented out."""
         named = node.members if isinstance(node, Tagged) else {_names(member): member for member in node.members}
         key = node.key if isinstance(node, Tagged) else ""
         chosen = self._wanted(field, key, named, path)
@@ -209,7 +217,7 @@ class _Scene:
                 write()
 
     def _more(self, header: str, address: str) -> None:
-        """Further items of a list, with lists within them, as the task shows them."""
+        """Further items of a list, with lists within them, as in the task's scene."""
         last = ""
         for name, value in self.values.items():
             if name.startswith(f"{address}["):
@@ -241,7 +249,7 @@ class _Scene:
 
 
 def _first_unnumbered(address: str) -> str:
-    """An address without the indices of first items, as far as no other item is reached."""
+    """An address without the indices of first items, up to the first other item."""
     head, other, rest = address.partition("[")
     while other and rest.startswith("0]"):
         more, other, rest = rest.removeprefix("0]").partition("[")

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     Finder = Callable[[str], Family]
 
 SHELLS = ("bash", "zsh", "fish", "powershell")
-# Where a shell says what it wants completed.
+# Environment variable in which a shell asks for completion.
 COMPLETE = "_DYNAMICS_COMPLETE"
 
 
@@ -45,12 +45,12 @@ def run_tree(
     others: "tuple[Command, ...]",
     terminal: "Terminal",
 ) -> int:
-    """Carry out a call through typer; typer's own complaints become UsageError. `others` are commands, no tasks."""
+    """Execute a call through typer; its errors become UsageError. `others` are commands that are not tasks."""
     completion_init()
     root = _root(families, find, others, terminal)
     try:
         with terminal.own_stdout():
-            # What `main` does, except that it makes a failure (status 1) of a closed pipe.
+            # As `main`, which however turns a closed pipe into a failure (status 1).
             if wanted := os.environ.get(COMPLETE):
                 sys.exit(shell_complete(root, {}, "dynamics", COMPLETE, wanted))
             with root.make_context("dynamics", list(argv)) as context:
@@ -63,7 +63,7 @@ def run_tree(
 
 
 def _refusal(error: "Any", argv: "list[str]") -> UsageError:
-    """What typer complains of; only its complaint of an unknown option has `possibilities`."""
+    """Typer's error as ours; only the one for an unknown option has `possibilities`."""
     task = getattr(getattr(getattr(error, "ctx", None), "command", None), "task", None)
     if not hasattr(error, "possibilities"):
         message = error.format_message().rstrip(".")
@@ -106,7 +106,7 @@ class _Group(TyperGroup):
         self.terminal = terminal
 
     def parse_args(self, ctx: "Any", args: "list[str]") -> "list[str]":
-        """Write the help where nothing is asked for."""
+        """Write the help if there are no arguments."""
         if not args and not ctx.resilient_parsing:
             self.terminal.write(ctx.get_help() + "\n")
             ctx.exit()
@@ -114,7 +114,7 @@ class _Group(TyperGroup):
 
 
 class _Families(_Group):
-    """The families by name; a family is imported when it is asked for, never for the list of names."""
+    """The families by name; a family is imported when it is called, never for the list of names."""
 
     def __init__(
         self, families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal", **rest: "Any"
@@ -126,13 +126,13 @@ class _Families(_Group):
             self.commands[name] = TyperCommand(name, help=line, rich_markup_mode=None)
 
     def resolve_command(self, ctx: "Any", args: "list[str]") -> "Any":
-        """The family's commands, built now: whatever lists families has their lines of help without them."""
+        """The family's commands, built now; lists of families need only their lines of help."""
         if args[0] not in self._families:
             return super().resolve_command(ctx, args)
         return args[0], build_family(self._find(args[0]), self.terminal), args[1:]
 
     def format_commands(self, ctx: "Any", formatter: "Any") -> None:
-        """List the families by trade, without importing them, and the commands that belong to no trade last."""
+        """List the families by trade, without importing them; commands of no trade come last."""
         groups: dict[str, list[tuple[str, str]]] = {}
         for name, (group, line) in self._families.items():
             groups.setdefault(group, []).append((name, line))
@@ -143,8 +143,16 @@ class _Families(_Group):
             if name not in self._families
         ]
         for group, rows in groups.items():
-            with formatter.section(group):
+            formatter.write(f"{group}:\n")
+            with formatter.indentation():
                 formatter.write_dl(rows)
+
+    def format_options(self, ctx: "Any", formatter: "Any") -> None:
+        """The families first, then the few options on one line: the help of a call without words fits a screen."""
+        formatter.write_paragraph()
+        self.format_commands(ctx, formatter)
+        formatter.write_paragraph()
+        formatter.write(f"Options: --version, --help, --show-completion {'|'.join(SHELLS)}\n")
 
 
 def build_family(family: Family, terminal: "Terminal") -> "TyperCommand | TyperGroup":
@@ -182,7 +190,7 @@ class _TaskCommand(TyperCommand):
             self.callback = self._carry_out
 
     def format_help(self, ctx: "Any", formatter: "Any") -> None:
-        """Write our own help: examples first, parameters, results."""
+        """Write the task's help: examples first, then parameters and results."""
         from dynamics_cli.core.command.task_help import task_help
 
         width = max(48, min(self.terminal.columns or 80, 80))
@@ -238,7 +246,7 @@ def _option(option: Option, texts: "Mapping[tuple[str, ...], str]", names: "str 
 
 
 def _universal_options(task: Task) -> "list[TyperOption]":
-    made = []
+    parameters = []
     known = {
         "format": FORMATS,
         "units": SYSTEMS,
@@ -252,15 +260,15 @@ def _universal_options(task: Task) -> "list[TyperOption]":
             continue
         decls = [variable("setting", name), f"--{name}"]
         if how == "flag":
-            made.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
+            parameters.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
         else:
             complete = result_completer(task) if name in ("to", "limit") else completer_of(known.get(name, ()))
-            made.append(
+            parameters.append(
                 TyperOption(
                     param_decls=decls, multiple=True, type=str, metavar=metavar, help=text, autocompletion=complete
                 )
             )
-    return made
+    return parameters
 
 
 def _version_option(terminal: "Terminal") -> TyperOption:
@@ -286,7 +294,7 @@ def _completion_option(terminal: "Terminal") -> TyperOption:
 
 
 def _eager(name: str, text: str, callback: "Callable[..., None]", **rest: "Any") -> TyperOption:
-    """An option that answers in place of a command."""
+    """An option that acts in place of a command."""
     return TyperOption(
         param_decls=[f"--{name}"], is_eager=True, expose_value=False, callback=callback, help=text, **rest
     )
@@ -295,7 +303,7 @@ def _eager(name: str, text: str, callback: "Callable[..., None]", **rest: "Any")
 def _plain_command(
     command: Command, find: "Finder", families: "Mapping[str, tuple[str, str]]", terminal: "Terminal"
 ) -> TyperCommand:
-    """A command that is no task."""
+    """A command that is not a task."""
 
     def carry_out(words: "tuple[str, ...]", **given: "Any") -> int:
         options = {

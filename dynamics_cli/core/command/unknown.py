@@ -1,4 +1,4 @@
-"""What is said of options and words that a task does not have: all at once, each with what it may have meant."""
+"""Errors for options and words that a task does not have: all at once, each with the likely meaning."""
 
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def near_option(task: Task, word: str) -> str:
-    """What an unknown option of a task may have meant."""
+    """The option that an unknown one probably means."""
     near = suggestions(word.lstrip("-").partition("=")[0], task.options, UNIVERSAL_OPTIONS)
     return (
         "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
@@ -21,7 +21,7 @@ def near_option(task: Task, word: str) -> str:
 
 
 def unknown_option(task: Task, word: str, typed: "Sequence[str]") -> UsageError:
-    """The error of an unknown option, with those of the other unknown ones that were typed."""
+    """The error for an unknown option, combined with those for other unknown options in the call."""
     known = {f"--{name}" for name in (*task.options, *UNIVERSAL_OPTIONS, "help", "template")}
     names = [part.partition("=")[0] for part in typed if part.startswith("--") and part[2:3].isalpha()]
     unknown = dict.fromkeys([word, *(name for name in names if name not in known)])
@@ -38,7 +38,7 @@ def unknown_option(task: Task, word: str, typed: "Sequence[str]") -> UsageError:
 
 
 def extra_words(task: Task, message: str) -> UsageError:
-    """The error of words where a task takes options alone."""
+    """The error for words where a task takes only options."""
     words = message.rpartition(" (")[2].removesuffix(")")
     example = task.shown_examples[0] if task.shown_examples else f"dynamics {task.path} --help"
     return UsageError(

@@ -1,4 +1,4 @@
-"""What reading one leaf needs to know of the whole call, and what it leaves behind: notes, files, distributions."""
+"""Context for reading one leaf, and what reading leaves behind: notes, files, distributions."""
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,16 +25,16 @@ class Context:
         self.files: list[dict[str, Any]] = []
         # Distributions by address; None where only certain values are taken.
         self.uncertain: dict[str, Distribution] | None = None
-        # Texts that may refer to files; None: all may.
+        # Texts that are allowed to refer to files; None: all.
         self.references: tuple[str, ...] | None = None
         # Which inputs are results of earlier documents: file, address there, and its covariance.
         self.origins: dict[str, tuple[str, str, Any]] = {}
         self.default_units: Mapping[str, str] = {}
-        # How the caller writes a parameter of an address.
+        # How the caller writes the parameter at an address.
         self.spell: Callable[[str], str] = str
 
     def note(self, address: str, notes: "Iterable[str]") -> None:
-        """Keep what had to be decided of one input, once for all numbers of a list."""
+        """Record how one input was interpreted, once for all numbers of a list."""
         whole = address.rpartition("[")[0] if address.endswith("]") else address
         self.notes.extend(text for text in (f"{whole}: {note}" for note in notes) if text not in self.notes)
 

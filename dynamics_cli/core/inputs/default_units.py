@@ -14,26 +14,27 @@ if TYPE_CHECKING:
 
 
 def default_units(given: "Mapping[str, Any]") -> "dict[str, str]":
-    """The default unit by kind name; a kind that is not named takes that of the only named one it shares units with.
+    """The default unit by kind name.
 
-    Refuses unknown kinds, units that do not fit them, and a kind left between two.
+    A kind that is not named takes the unit of the only named kind with the same dimension. Refuses unknown kinds, units
+    that do not fit, and a kind with two candidates.
     """
     kinds: dict[str, list[Kind]] = {}
     for kind in vars(quantities).values():
         if isinstance(kind, Kind) and kind.unit:
             kinds.setdefault(kind.name, []).append(kind)
-    made: dict[str, str] = {}
+    units: dict[str, str] = {}
     by_unit: dict[str, set[str]] = {}
     for name, text in given.items():
         key = name.replace("_", " ")
         _check(name, text, kinds.get(key, []), sorted(kinds))
-        made[key] = text
+        units[key] = text
         by_unit.setdefault(kinds[key][0].unit, set()).add(text)
     for key, members in kinds.items():
         texts = by_unit.get(members[0].unit, set())
-        if key not in made and len(texts) == 1:
-            made[key] = next(iter(texts))
-    return made
+        if key not in units and len(texts) == 1:
+            units[key] = next(iter(texts))
+    return units
 
 
 def _check(name: str, text: "Any", kinds: "list[Kind]", known: "list[str]") -> None:

@@ -1,7 +1,7 @@
-"""Vectors of any kind, whose kind is that of the unit they are written in, and matrices of exact numbers.
+"""Vectors whose kind follows from the unit they are written in, and matrices of exact numbers.
 
 A vector is written by components (`3, 4 N`, `1, 2, 3 m`), or by its magnitude with the angle from x in the plane
-(`20 N @ 30 deg`), with its three direction angles (`20 N @ 60, 45, 60 deg`), with any numbers along its direction
+(`20 N @ 30 deg`), with its three direction angles (`20 N @ 60, 45, 60 deg`), with any vector along its direction
 (`20 N along 1, 2, 2`, `20 N @ (1, 2, 2)`) or with two points on it (`20 N from 0, 0, 0 to 1, 2, 2 m`). A number alone
 is a magnitude.
 """
@@ -37,19 +37,19 @@ if TYPE_CHECKING:
     from dynamics_cli.core.inputs.context import Context
     from dynamics_cli.core.inputs.values import Values
 
-# In this order, a unit of two readings is that of the first: lb is a force, g an acceleration.
+# In this order a unit with two readings takes the first one: lb is a force, g an acceleration.
 KNOWN: "tuple[Any, ...]" = (
     Force, Length, Speed, Acceleration, Torque, Impulse, AngularImpulse, AngularSpeed, AngularAcceleration,
 )  # fmt: skip
 NUMBER = Kind("number", "", form="vector")
 MOST_ROWS = 6
-# Direction angles as measured: beyond the first their squared cosines are no direction's, below the second it is one.
+# Deviation of measured direction angles' squared cosines from 1: refused above the first, unremarked below the second.
 MOST_OFF, WORTH_SAYING = 1e-2, 1e-9
 HINT = "for example '3, 4 N', '1, 2, 3 m', '20 N @ 30 deg', '20 N along 1, 2, 2' or '20 N from 0, 0 m to 3, 4 m'"
 
 
 def kind_of_unit(text: str, size: int) -> Kind:
-    """The kind of a vector of so many components that is written in this unit, which is kept for showing it."""
+    """The kind of a vector with this unit and number of components; it keeps the unit for display."""
     form = "planar" if size == 2 else "vector"
     if not text:
         return Kind("number", "", form=form, size=size, example="3, 4 N", exact=True)
@@ -71,7 +71,7 @@ def kind_of_unit(text: str, size: int) -> Kind:
 
 
 class OfAnyKind(VectorValue):
-    """A vector as read, which reaches the physics with its kind."""
+    """A vector as read, passed to the physics with its kind."""
 
     def __init__(self, inner: VectorValue) -> None:
         super().__init__(inner.address, inner.kind, inner.si, inner.shown, inner.unit)
@@ -82,7 +82,7 @@ class OfAnyKind(VectorValue):
         return Quantity(self._inner.assemble(values), self.kind)
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
-        """The numbers it consists of."""
+        """Its components."""
         return self._inner.leaves()
 
     def echo(self) -> "Any":
@@ -157,7 +157,7 @@ def _items(raw: "Any") -> "list[Any]":
 
 
 def _with_items(raw: "Any", items: "list[Any]") -> "Any":
-    """The input as the reader of vectors takes it; a result of an earlier document keeps its distribution."""
+    """The input in the form that the vector reader takes; a result of an earlier document keeps its distribution."""
     return raw if isinstance(raw, dict) and isinstance(raw.get("value"), list) else items
 
 

@@ -1,4 +1,4 @@
-"""One leaf of the input, from text or JSON to a bound value, as its kind says it is to be read."""
+"""One leaf of the input, from text or JSON to a parsed value, read as its kind requires."""
 
 from dynamics_cli.core.inputs.context import Token
 from dynamics_cli.core.inputs.quantity_text import (
@@ -24,12 +24,12 @@ if TYPE_CHECKING:
     from dynamics_cli.core.inputs.context import Context
     from dynamics_cli.core.inputs.specification import Leaf, Many
 
-# How a flag is written where only text can be: a cell of a table, a value of `name=value, …`.
+# Spellings of a flag where only text is possible: a table cell, a value of `name=value, …`.
 FLAGS = {"true": True, "yes": True, "1": True, "false": False, "no": False, "0": False}
 
 
 def read_leaf(leaf: "Leaf", raw: "Any", address: str, context: "Context") -> Bound:
-    """Bind one leaf; raises UsageError, whose parameter the caller fills in."""
+    """Parse one leaf; raises UsageError, whose parameter the caller fills in."""
     if isinstance(raw, str) and raw.startswith("@") and leaf.kind.form not in ("text", "file"):
         from dynamics_cli.core.inputs.sources.references import resolve
 
@@ -55,7 +55,7 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
 
 
 def share_unit(items: "list[str]") -> "list[str]":
-    """Give the last item's unit to those before it that have none: `1, 2, 3 m`."""
+    """Give the last item's unit to earlier ones without a unit: `1, 2, 3 m`."""
     if not items:
         return items
     unit = _unit_after(items[-1].strip())
@@ -92,7 +92,7 @@ def _text_of(kind: Kind, raw: "Any") -> str:
                 hint=f'for example {{"value": 60, "unit": "{kind.unit}"}}',
             )
         if raw["value"] is None:
-            raise UsageError("read null: that earlier result does not exist", code="no-value")
+            raise UsageError("read null: the earlier calculation has no such result", code="no-value")
         if isinstance(raw["value"], list) and ";" in str(raw.get("unit")):
             from dynamics_cli.core.units.compound import listed_text
 
@@ -108,7 +108,7 @@ def _text_of(kind: Kind, raw: "Any") -> str:
     return raw
 
 
-# What a result of an earlier document may carry beside value and unit.
+# Further keys that a result of an earlier document may have beside value and unit.
 _PAIR_KEYS = {"value", "unit", "symbol", "mean", "median", "std", "interval", "coverage"}
 
 
@@ -122,7 +122,7 @@ def _brief(raw: object) -> str:
 
 
 def _default_unit(kind: Kind, raw: "Any", context: "Context") -> str:
-    """The scene's unit for a bare number; text says its unit itself, on the command line above all."""
+    """The scene's unit for a bare number; text on the command line must name its unit."""
     bare = all(isinstance(number, Token | list) for number in (raw if isinstance(raw, list) else [raw]))
     return context.default_unit(kind) if bare else ""
 
@@ -132,7 +132,7 @@ def _scalar(kind: Kind, raw: "Any", address: str, context: "Context") -> Value:
 
 
 def read_number_of(kind: Kind, raw: "Any", address: str, context: "Context", default_unit: str) -> Value:
-    """A number or, where these are taken, a distribution."""
+    """A number or, where allowed, a distribution."""
     if isinstance(raw, list | dict) and context.uncertain is not None and _is_distribution(raw) and not kind.certain:
         return _uncertain(kind, raw, address, context, default_unit)
     text = _text_of(kind, raw)
@@ -243,7 +243,7 @@ def _exact(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
     text = _text_of(kind, raw)
     if is_uncertain(text):
         raise UsageError(
-            f"{_brief(text)} is an uncertain value; a conversion is of one exact number",
+            f"{_brief(text)} is an uncertain value; a conversion needs one exact number",
             code="uncertain",
             hint=f"write one number, for example {kind.example}",
         )

@@ -49,65 +49,65 @@ def kebab(name: str) -> str:
 
 def options(fields: "tuple[Field, ...]") -> "dict[str, Option]":
     """Every option of a task by its name, positionals apart."""
-    found: dict[str, Option] = {}
+    by_name: dict[str, Option] = {}
     for field in fields:
         if not field.place:
-            _spread_options(field, (), found, (), field.required)
+            _spread_options(field, (), by_name, (), field.required)
         elif isinstance(field.node, Record):
-            # A scene: what options say stands over what its file says.
-            _record_options(field.node, (), found, (), False)
+            # A scene: options override its file.
+            _record_options(field.node, (), by_name, (), False)
         elif isinstance(field.node, Tagged):
             for member in field.node.members.values():
                 for inner in member.fields:
-                    _spread_options(inner, (), found, (member.cls,), False)
-    return found
+                    _spread_options(inner, (), by_name, (member.cls,), False)
+    return by_name
 
 
 def _spread_options(
-    field: Field, prefix: "tuple[str, ...]", found: "dict[str, Option]", inside: "tuple[type, ...]", required: bool
+    field: Field, prefix: "tuple[str, ...]", by_name: "dict[str, Option]", inside: "tuple[type, ...]", required: bool
 ) -> None:
     node = field.node
     path = (*prefix, field.key)
     name = kebab("_".join(path))
     if isinstance(node, Leaf) or (isinstance(node, Many) and isinstance(node.item, Leaf)):
         leaf = node if isinstance(node, Leaf) else node.item
-        if name not in found:
-            found[name] = Option(name, path, leaf, default=field.default, required=required)  # type: ignore[arg-type]
+        if name not in by_name:
+            by_name[name] = Option(name, path, leaf, default=field.default, required=required)  # type: ignore[arg-type]
     elif isinstance(node, Record):
-        _record_options(node, path, found, inside, required)
+        _record_options(node, path, by_name, inside, required)
     elif isinstance(node, OneOf):
         for member in node.members:
-            _record_options(member, prefix, found, inside, False)
+            _record_options(member, prefix, by_name, inside, False)
     elif isinstance(node, Tagged):
         key_path = (*prefix, node.key)
         key_name = kebab("_".join(key_path))
-        found[key_name] = Option(key_name, key_path, _tag_leaf(node), default=REQUIRED, required=required)
+        by_name[key_name] = Option(key_name, key_path, _tag_leaf(node), default=REQUIRED, required=required)
         for member in node.members.values():
-            _record_options(member, prefix, found, inside, False)
+            _record_options(member, prefix, by_name, inside, False)
     else:
         item = members_of(node.item)
         if node.single:
             for member in item:
-                _record_options(member, prefix, found, inside, required)
+                _record_options(member, prefix, by_name, inside, required)
         if not node.columns:
             group = kebab(item[0].cls.__name__) if len(item) == 1 else name
             group = kebab("_".join((*prefix, group)))
-            found[group] = Option(group, path, None, group=name, default=(), required=False)
+            by_name[group] = Option(group, path, None, group=name, default=(), required=False)
 
 
 def _tag_leaf(node: Tagged) -> Leaf:
-    """The leaf of the option that chooses among tagged records: their names are its values."""
+    """The leaf of the option that chooses among tagged records; its values are their names."""
     return Leaf(PLAIN_TEXT, type(node.key, (Choice,), {"names": tuple(node.members)}))
 
 
 def _record_options(
     record: Record,
     prefix: "tuple[str, ...]",
-    found: "dict[str, Option]",
+    by_name: "dict[str, Option]",
     inside: "tuple[type, ...]",
     required: bool,
 ) -> None:
     if record.cls in inside:
         return  # a tree of records within itself is a scene: it is read from a file
     for field in record.fields:
-        _spread_options(field, prefix, found, (*inside, record.cls), required and field.required)
+        _spread_options(field, prefix, by_name, (*inside, record.cls), required and field.required)

@@ -1,7 +1,7 @@
 """The text of quantities: `60 mph`, `-40degC`, `5 ft 6 in`, `-3 %`, `365.2422/27.3217`, read exactly.
 
 A number here is a plain decimal and nothing else: `float` would take `nan`, `1_000` and `٣`, and make 1e400 infinite.
-A refusal says what was read, what was wanted and the remedy; which parameter it was, the caller adds.
+A refusal states what was read, what was wanted and the remedy; the caller adds the parameter.
 """
 
 from dynamics_cli.core.units.conversion import lowest, nearest, to_si
@@ -19,16 +19,16 @@ DIGITS = "0123456789"
 SIGNS = "+-−"
 LONGEST_NUMBER = 400
 LONGEST_TEXT = 1000
-# Beyond it no unit brings a number back into the range of a double.
+# Beyond this exponent no unit brings a number back into the range of a double.
 BEYOND = "beyond the range of a double (about 1.8e308)"
 HIGHEST_EXPONENT = 999
 MOST_PARTS = 6
 EXACT_INTEGERS = 2**53
-# After one of these a number goes on with the unit's text; elsewhere, after a space, it begins a new part.
+# A number right after one of these belongs to the unit; elsewhere, after a space, it begins a new part.
 JOINING = "/^*·⋅∙×(-−+"
 ARC_SIGNS = "°′″"
 NO_UNIT = "it has no unit"
-# What a text has that may be in one of the forms of `typed_forms`.
+# Signs of a text in one of the forms of `typed_forms`.
 FORM_MARKS = "'\"’‘”“:,+"
 OPENING = "([{"
 CLOSING = ")]}"
@@ -40,8 +40,8 @@ ANGLE = (0, 0, 0, 0, 0, 0, 0, 1)
 class Amount:
     """Numbers with their units as written, exact: (numerator, denominator, unit) for each part.
 
-    `plain` says that the last number was written without a point or an exponent, `added` that parts were joined by a
-    plus, so that they need not get smaller.
+    `plain`: the last number was written without a point or an exponent; `added`: parts were joined by a plus, so
+    that they need not decrease.
     """
 
     __slots__ = ("added", "parts", "plain", "text")
@@ -54,7 +54,7 @@ class Amount:
 
 
 class Reading:
-    """One scalar as read: its SI value, the number and the unit as written, and what had to be decided."""
+    """One scalar as read: its SI value, the number and the unit as written, and notes on its interpretation."""
 
     __slots__ = ("notes", "si", "unit", "value")
 
@@ -92,8 +92,8 @@ def read_number(text: str) -> tuple[int, int]:
 def read_amount(text: str) -> Amount:
     """Read numbers with units: `60 mph`, `60mph`, `5 ft 6 in`, `3° 20′`, or a bare number.
 
-    A new part begins at a number after a space (or after °, ′, ″). The sign of the first part is the sign of all, and
-    every part of the answer carries it; `-5 ft -6 in`, as a document writes it, is the same value.
+    A new part begins at a number after a space (or after °, ′, ″). The sign of the first part applies to all, and
+    every part of the result carries it; `-5 ft -6 in`, as a document writes it, is the same value.
     """
     body = text.strip()
     if len(body) > LONGEST_TEXT:
@@ -120,7 +120,7 @@ def _amount(body: str, text: str) -> Amount:
             raise _not_a_number(body, "it does not begin with a number" if not parts else "")
         token = body[at:end]
         if parts and token[0] in SIGNS and (token[0] == "+" or not (negative or all(not part[0] for part in parts))):
-            hint = "the sign before 5 ft 6 in is the sign of all of it; powers are written m^-1"
+            hint = "a sign before 5 ft 6 in applies to the whole value; powers are written m^-1"
             raise UsageError(f"{_show(body)} has a sign inside", code="syntax", hint=hint)
         if end < len(body) - 1 and body[end] in ",_'’" and body[end + 1] in DIGITS:
             raise _not_a_number(body[at:].split(" ")[0])
@@ -139,7 +139,7 @@ def _amount(body: str, text: str) -> Amount:
 
 
 def total(amount: Amount, wanted: Unit | None = None) -> tuple[int, int, Unit]:
-    """Give an amount as one exact number of one unit: the last part's, of which the parts are added up.
+    """Give an amount as one exact number in the last part's unit, the parts added up.
 
     Whether the unit fits `wanted` is left to the caller; `wanted` only chooses among a unit's readings.
     """
@@ -161,7 +161,7 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
     except UsageError as error:
         if is_uncertain(text):
             raise UsageError(
-                f"{_show(text)} is an uncertain value; a certain one is wanted here",
+                f"{_show(text)} is an uncertain value; a certain value is wanted here",
                 code="uncertain",
                 hint=f"write one number, for example {kind.example}",
             ) from None
@@ -220,7 +220,7 @@ def split_list(text: str) -> list[str]:
         raise UsageError(f"{_show(text)}: a closing {missing} is missing", code="syntax")
     items.append(text[start:].strip())
     if not all(items):
-        raise UsageError(f"{_show(text)} has an empty item", code="syntax", hint="separate items by one comma each")
+        raise UsageError(f"{_show(text)} has an empty item", code="syntax", hint="separate items by single commas")
     return items
 
 
@@ -280,7 +280,7 @@ def _tangent(numerator: int, denominator: int, unit: Unit) -> float:
     from dynamics_cli.numerics.turns import tangent
 
     radians = to_si(numerator, denominator, unit)
-    # 90 degrees rounds to a double just below the right angle, so degrees are compared exactly.
+    # 90 degrees rounds to a double just below π/2, so degrees are compared exactly.
     upright = 2 * abs(numerator) * unit.numerator >= denominator * unit.denominator if unit.pi == 1 else False
     if upright or abs(radians) > 1.5707963267948966:
         raise UsageError("a slope of 90 deg or more has no rise over run", code="bounds")

@@ -1,6 +1,6 @@
-"""Inputs, from whatever a user wrote, to a tree of bound values; every bad parameter is reported, not just the first.
+"""Inputs, from the user's text to a tree of parsed values; every bad parameter is reported, not just the first.
 
-The raw input is a nest of dictionaries and lists whose ends are text (`"60 ft"`), `Token` (a bare JSON number, kept as
+The raw input is nested dictionaries and lists whose leaves are text (`"60 ft"`), `Token` (a bare JSON number, kept as
 its text so that it is read exactly), `{"value": 60, "unit": "ft"}`, truth values or None.
 """
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     Raw = Mapping[str, Any]
 
 
-# What only few tasks take, and has a reader of its own.
+# Kinds that only few tasks take, read by a module of their own.
 FREE = ("free vector", "matrix")
 
 
@@ -60,9 +60,9 @@ class Reader(Context):
         known: set[str] = set()
         for field in fields:
             known.update(_keys(field))
-            made = self._field(field, raw, address)
-            if made is not None:
-                bound[field.name] = made
+            member = self._field(field, raw, address)
+            if member is not None:
+                bound[field.name] = member
         for key in raw:
             if key not in known:
                 self._unknown(key, known, address)
@@ -102,7 +102,7 @@ class Reader(Context):
         return self._item(node, value, own)
 
     def _default_of(self, node: "Node", raw: "Raw") -> str | None:
-        """The text that stands in for a kind that is never missing: gravity, by the environment or by default."""
+        """The default text of a kind that is never missing: gravity, from the environment or the standard value."""
         kind = node.kind if isinstance(node, Leaf) else None
         if kind is None or not kind.default or (kind.needs and not raw.get(kind.needs)):
             return None
@@ -200,7 +200,7 @@ class Reader(Context):
         return Fields(member.cls, fields, spread=not alone)
 
     def _member(self, address: str, name: str) -> str:
-        """A field as the caller writes it; one of an item of a list by its own name."""
+        """A field as the caller writes it; a field of a list's item by its own name."""
         return kebab(name) if "[" in address else self.spell(_join(address, name))
 
     def _of_item(self, address: str, message: str) -> str:
@@ -254,8 +254,8 @@ class Reader(Context):
         if not items and field.place != "words":
             self._fail(own, f"{self.spell(own)} is empty", code="missing")
             return None
-        made = [self._item(node.item, item, f"{own}[{index}]") for index, item in enumerate(items)]
-        kept = [item for item in made if item is not None]
+        items_read = [self._item(node.item, item, f"{own}[{index}]") for index, item in enumerate(items)]
+        kept = [item for item in items_read if item is not None]
         if node.single and isinstance(node.item, Leaf) and len(kept) == 1 and not isinstance(value, list):
             return kept[0]
         row = node.item.cls if node.columns and isinstance(node.item, Record) else None

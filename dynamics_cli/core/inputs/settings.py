@@ -6,7 +6,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-# name: (how it is given, what its value is called, help). The one list the direct route, typer and the reference share.
+# name: (how it is given, placeholder, help). The one list that the direct route, typer and the reference share.
 UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "json": ("flag", "", "Write the result document as JSON (same as --format json)."),
     "format": ("value", "FORMAT", "table, json, ndjson, csv or markdown; DYNAMICS_FORMAT sets the default."),
@@ -16,11 +16,11 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
         "Write the document to a file; its ending decides: .json .ndjson .csv .md .txt (- for standard output).",
     ),
     "all": ("flag", "", "Every result with its error bound, every table, what drives each uncertain result."),
-    "only": ("value", "NAME,...", "These results bare, one a line: for $(...)."),
-    "table": ("value", "NAME", "One table of the result, whole."),
-    "quiet": ("flag", "", "The headline results alone."),
+    "only": ("value", "NAME,...", "Only these results, value and unit, one a line: for $(...)."),
+    "table": ("value", "NAME", "One table of the result, complete."),
+    "quiet": ("flag", "", "Only the headline results."),
     "fail": ("flag", "", "Status 6 when a limit is exceeded or a verdict is negative."),
-    "fail-above": ("value", "P", "With uncertain results, the probability beyond which --fail says so (50 %)."),
+    "fail-above": ("value", "P", "With uncertain results, the probability above which --fail applies (50 %)."),
     "units": ("value", "SYSTEM", "Units of all results: si (the trade's metric), us, or base (coherent SI)."),
     "to": ("many", "NAME=UNIT", 'Unit of one result, for example --to speed=ft/s or --to length="ft;in".'),
     "digits": ("value", "N", "Significant digits in tables (6)."),
@@ -30,29 +30,37 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "column": (
         "many",
         "NAME=UNIT",
-        "Of convert --rows: a CSV column whose cells hold units, and the unit it is to have.",
+        "For convert --rows: a CSV column whose cells hold units, and the unit to convert it to.",
     ),
     "references": ("flag", "", "Let rows take results from files: @crash.json:speed."),
-    "bounds": ("flag", "", "Give rows and sweeps a column with the largest relative error bound of their results."),
+    "bounds": ("flag", "", "Add a column to rows and sweeps: the largest relative error bound of their results."),
     "jobs": ("value", "N", "Processes for a long --rows stream or --sweep (1; all: every processor)."),
     "sweep": ("many", "NAME=A:B:N", 'A table over one parameter, or two: --sweep "friction=0.3:0.9:7".'),
     "method": ("value", "NAME", "How uncertainty is propagated; the default chooses (auto, linear, monte-carlo, …)."),
-    "samples": ("value", "N", "At most so many evaluations for uncertainty, up to 1e8; the sample of Monte Carlo."),
+    "samples": (
+        "value",
+        "N",
+        "Maximum number of evaluations for uncertainty, up to 1e8; the sample size of Monte Carlo.",
+    ),
     "seed": ("value", "N", "Seed of lattices and samples (1)."),
     "coverage": ("value", "P", "Probability of the intervals of uncertain results (95 %)."),
     "correlate": ("many", "A,B=RHO", "Correlation of two uncertain inputs: --correlate distance,friction=0.3."),
-    "limit": ("many", "[NAME=]VALUE", "Compare a result (the first, unless named) with a limit."),
+    "limit": ("many", "[NAME=]VALUE", "Compare a result (the first, unless another is named) with a limit."),
     "quantile": ("many", "NAME=P", 'Quantile of an uncertain result: --quantile speed="5 %", --quantile speed=0.9.'),
-    "drawing": ("value", "FILE", "The shape itself as DXF, SVG or CSV, where the task has one."),
-    "plot": ("value", "FILE", "A picture as SVG, PNG or PDF; - draws a small one in the terminal."),
-    "model": ("value", "NAME", "Choose the model, where there are several."),
+    "drawing": ("value", "FILE", "Write the shape as DXF, SVG or CSV, where the task has one."),
+    "plot": ("value", "FILE", "Write a picture as SVG, PNG or PDF; - draws a small one in the terminal."),
+    "model": ("value", "NAME", "Choose the model, where the task has several."),
     "explain": ("flag", "", "Show the formula with its numbers, the source, the assumptions and the choice of model."),
     "timing": ("flag", "", "Add the time the computation itself took."),
-    "time-limit": ("value", "TIME", 'End after so long ("30 s") with what was reached by then; the exit status is 3.'),
+    "time-limit": (
+        "value",
+        "TIME",
+        'Stop after this time ("30 s") with what is finished by then; the exit status is 3.',
+    ),
 }
 METHODS = ("auto", "linear", "second-order", "unscented", "quadrature", "lattice", "monte-carlo")
 FORMATS = ("table", "json", "ndjson", "csv", "markdown")
-# What the ending of --output asks for.
+# The format that the ending of --output selects.
 ENDINGS = {"json": "json", "ndjson": "ndjson", "jsonl": "ndjson", "csv": "csv", "md": "markdown", "txt": "table"}
 # Endings that other options write.
 OTHER_WRITERS = {"dxf": "drawing", "svg": "drawing or --plot", "png": "plot", "pdf": "plot", "html": "report"}
@@ -60,12 +68,12 @@ SYSTEMS = ("si", "us", "base")
 MOST_SAMPLES = 100_000_000
 
 
-# The names of standard output: a file of the second name would replace what the output goes to.
+# The names of standard output: a file with the second name would replace the device.
 STANDARD_OUTPUT = ("-", "/dev/stdout")
 
 
 class Call:
-    """Words and options as typed; what they mean is decided later, in one place, whichever route they came by."""
+    """Words and options as typed; they are interpreted later, in one place, whichever route they came by."""
 
     __slots__ = ("options", "settings", "words")
 
@@ -108,7 +116,7 @@ class Settings:
         self.seed = self._whole(given, "seed", 2**63)
         self.coverage = self._text(given, "coverage")
         if self.coverage:
-            read_coverage(self.coverage)  # refused whether or not it is needed, as a method is
+            read_coverage(self.coverage)  # refused even if it is not needed, as a method is
         self.correlate: list[str] = list(given.get("correlate", ()))  # type: ignore[arg-type]
         self.drawing = self._text(given, "drawing")
         self.plot = self._text(given, "plot")
@@ -129,7 +137,7 @@ class Settings:
             raise UsageError("--rows and --input cannot both read standard input", parameter="rows", code="exclusive")
 
     def _require_many(self, given: "Mapping[str, str | bool | list[str]]") -> None:
-        """Refuse what is for many cases where there is one."""
+        """Refuse options for many cases when there is one."""
         if self.references and not self.rows:
             raise UsageError("--references is for --rows", parameter="references", code="exclusive")
         if self.bounds and not (self.rows or given.get("sweep")):
@@ -176,7 +184,7 @@ class Settings:
         if not text:
             return 1
         if not (self.rows or "sweep" in given):
-            message = "--jobs spreads a stream or a sweep, and this is one case"
+            message = "--jobs divides a stream or a sweep, and this is a single case"
             raise UsageError(message, parameter="jobs", code="exclusive", hint="give --rows or --sweep with it")
         return read_jobs(text)
 
@@ -238,16 +246,16 @@ def _unknown(name: str, read: str, known: "tuple[str, ...]") -> UsageError:
 
 
 def _pairs(option: str, given: "Mapping[str, str | bool | list[str]]") -> "dict[str, str]":
-    made: dict[str, str] = {}
+    pairs: dict[str, str] = {}
     for item in given.get(option, ()):  # type: ignore[union-attr]
         name, equals, value = item.partition("=")
         key = name.strip().replace("-", "_")
         if not equals or not key or not value.strip():
             raise UsageError(f"read {item!r}, wanted NAME=VALUE", parameter=option, hint=UNIVERSAL_OPTIONS[option][2])
-        if key in made:
+        if key in pairs:
             raise UsageError(f"{key} is given twice", parameter=option)
-        made[key] = value.strip()
-    return made
+        pairs[key] = value.strip()
+    return pairs
 
 
 def read_coverage(text: str, parameter: str = "coverage") -> float:
@@ -267,7 +275,7 @@ def read_jobs(text: str) -> int:
 
 
 def read_probability(text: str, option: str, least: float) -> float:
-    """`95 %` or `0.95`, more than the least and by as much less than one."""
+    """`95 %` or `0.95`, above the minimum and below one by as much."""
     from dynamics_cli.core.inputs.quantity_text import read_scalar
     from dynamics_cli.quantities import Kind
 

@@ -1,8 +1,8 @@
 """A function's signature, read as the specification of a calculation.
 
 `specification(function)` gives the parameters as a small tree of nodes. Reading `__annotations__`, `__defaults__` and
-`__code__` directly takes microseconds; inspect and typing
-would cost a shell user more than the calculation.
+`__code__` directly takes microseconds; importing inspect
+and typing would cost a shell user more than the calculation.
 """
 
 import sys
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 PLAIN_RATIO = Kind("number", "", example="1.5", about="a pure number")
 PLAIN_COUNT = Kind("count", "", form="whole", example="3", about="a whole number")
 PLAIN_TEXT = Kind("text", "", form="text", about="words")
-FLAG = Kind("flag", "", form="flag", about="yes when given")
+FLAG = Kind("flag", "", form="flag", about="true or false")
 EXACT = Kind("exact quantity", "", form="exact", example="60 mph", about="a number and its unit, kept exact")
 DRAWING = Kind("drawing", "", form="drawing", about="outlines of ordered pieces")
 DEVIATION = Kind("deviation", "m", si="mm", us="in", low=0.0, about="a bound on the distance from the exact curve")
@@ -134,7 +134,7 @@ class Tagged:
 
 
 class Many:
-    """Several of one item; `single` when a lone one may be given by its plain fields."""
+    """Several of one item; `single` if one item may be given by its plain fields."""
 
     __slots__ = ("columns", "item", "single")
 
@@ -216,7 +216,7 @@ def interpret(annotation: object, namespace: "dict[str, Any]") -> "Node":
         return _interpret_class(annotation)
     if hasattr(annotation, "__args__"):
         return _interpret_union(annotation.__args__, namespace)
-    raise SpecificationError(f"{annotation!r} has no meaning in a signature")
+    raise SpecificationError(f"{annotation!r} cannot stand in a signature")
 
 
 def _interpret_class(annotation: type) -> "Node":
@@ -289,5 +289,5 @@ def specification(function: "Callable[..., Any]") -> Specification:
     fields.extend(_field(name, annotations[name], defaults.get(name, REQUIRED), namespace) for name in keywords)
     result = interpret(annotations["return"], namespace)
     if not isinstance(result, Record):
-        raise SpecificationError(f"{function.__name__} returns no record")
+        raise SpecificationError(f"{function.__name__} does not return a record")
     return Specification(tuple(fields), result)

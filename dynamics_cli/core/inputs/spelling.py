@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 class Spelling:
-    """Addresses as options, where a call gives its parameters by options; what stands in a file keeps its address."""
+    """Addresses as options, where a call gives its parameters by options; values in a file keep their addresses."""
 
     def __init__(self, options: "Mapping[str, Option]", typed: "Mapping[str, Any]", *, file: bool) -> None:
         self.options = options

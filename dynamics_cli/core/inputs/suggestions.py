@@ -1,4 +1,4 @@
-"""What an unknown name probably meant: one that it begins, a synonym of the trade, or the nearest spelling."""
+"""What an unknown name probably means: a name that it abbreviates, a synonym of the trade, or the nearest spelling."""
 
 from dynamics_cli.core.units.near_names import nearest_words
 
@@ -6,7 +6,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-# What others call a parameter, and its names here; of these, the ones that a task has are offered.
+# Other names of a parameter, and its names here; those that a task has are offered.
 SYNONYMS = {
     "mu": "friction",
     "f": "friction",
@@ -115,18 +115,18 @@ MOST = 3
 
 def _meant(word: str) -> "list[str]":
     """The synonyms of a word; of a body's parameter, `first-exit-angle`, those of the parameter."""
-    found = SYNONYMS.get(word, "").split()
+    synonyms = SYNONYMS.get(word, "").split()
     for body in ("first-", "second-"):
         if word.startswith(body):
-            found += [f"{body}{name}" for name in SYNONYMS.get(word.removeprefix(body), "").split()]
-    return found
+            synonyms += [f"{body}{name}" for name in SYNONYMS.get(word.removeprefix(body), "").split()]
+    return synonyms
 
 
 def suggestions(typed: str, known: "Iterable[str]", rest: "Iterable[str]" = ()) -> "list[str]":
-    """Up to three of the known names that a typed one may have meant; of the `rest`, only the evident ones.
+    """Up to three known names that a typed one may mean; from the `rest`, only the obvious ones.
 
-    A beginning that fits one name wins, beside the synonyms; then they alone, other beginnings, endings, the nearest
-    spelling.
+    In order: a prefix of a single name together with synonyms, synonyms alone, other prefixes,
+    endings, the nearest spelling.
     """
     plain = {name.replace("_", "-"): name for name in known}
     word = typed.lower().replace("_", "-")

@@ -1,13 +1,13 @@
 """Forms of numbers that people type besides `60 mph`: 12 1/2 in, 6'2", 45°30', 1h30m, 2:30:00, 5 ft + 6 in, 1,234.5 m.
 
-Read only where a text has a sign of such a form; what could be read in two ways (1,200 or 2:30) is refused with both.
+Tried only where a text shows signs of such a form; text with two readings (1,200 or 2:30) is refused, naming both.
 """
 
 from dynamics_cli.core.units.table import NAMES
 from dynamics_cli.errors import UsageError
 
 DIGITS = "0123456789"
-# Signs that no plain quantity has.
+# Characters that no plain quantity has.
 MARKS = "'\"’‘”“:,"
 FEET, INCHES = "'’‘", '"”“'
 GROUP = 3
@@ -48,7 +48,7 @@ def with_fraction(text: str, at: int, end: int, whole: int) -> tuple[int, int, i
         return whole, 1, end
     up, down = _fraction(text[start:stop])
     if up >= down:
-        raise UsageError(f"{text[start:stop]} is not less than one", code="number", hint="write for example 12 1/2 in")
+        raise UsageError(f"{text[start:stop]} is not less than 1", code="number", hint="write for example 12 1/2 in")
     return whole * down + sign * up, down, stop
 
 
@@ -70,7 +70,7 @@ def _fraction(text: str) -> tuple[int, int]:
 
 
 def after_unit(text: str, start: int, at: int) -> bool:
-    """Whether the number at `at` begins a new part right behind the unit's name: 1h30m, 5ft6in."""
+    """Whether the number at `at` begins a new part directly after the unit's name: 1h30m, 5ft6in."""
     name = text[start:at].strip()
     if not name.isalpha() or f" {name}|" not in NAMES:
         return False
@@ -89,7 +89,7 @@ def _digits_end(text: str, at: int) -> int:
 
 
 def _without_clock(text: str) -> str:
-    """2:30:00 as hours, minutes and seconds; 2:30 may be two things and is refused."""
+    """2:30:00 as hours, minutes and seconds; 2:30 has two readings and is refused."""
     if ":" not in text:
         return text
     sign = text[0] if text[0] in "+-−" else ""
@@ -130,7 +130,7 @@ def _without_groups(text: str) -> str:
 
 
 def _without_signs(text: str) -> str:
-    """The signs of feet and inches, or behind degrees those of minutes and seconds of arc."""
+    """The signs of feet and inches or, after degrees, of minutes and seconds of arc."""
     arc = any(sign in text for sign in ("°", "deg", "′"))
     feet, inches = (" arcmin ", " arcsec ") if arc else (" ft ", " in ")
     for signs, plain in ((FEET, feet), (INCHES, inches)):

@@ -17,12 +17,12 @@ NOTHING: "Values" = {}
 
 
 class Bound:
-    """One node of the inputs as read; `spread` when its fields stand beside its siblings in the document."""
+    """One node of the inputs as read; `spread`: its fields appear beside its siblings in the document."""
 
     spread = False
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
-        """What the function takes, with `values` in place of the numbers at their addresses."""
+        """The function's argument, with `values` in place of the numbers at their addresses."""
         raise TypeError
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
@@ -45,7 +45,7 @@ class Value(Bound):
         self.unit = unit
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
-        """The SI value, or what stands in its place."""
+        """The SI value, or its substitute."""
         return values.get(self.address, self.si)
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
@@ -174,8 +174,8 @@ class Fields(Bound):
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
         """The record, or a dictionary of parameters."""
-        made = {name: bound.assemble(values) for name, bound in self.fields.items()}
-        return made if self.cls is None else self.cls(**made)
+        members = {name: bound.assemble(values) for name, bound in self.fields.items()}
+        return members if self.cls is None else self.cls(**members)
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
         """Every number below."""
@@ -202,15 +202,15 @@ class Several(Bound):
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
         """A tuple of items, or columns."""
-        made = tuple(item.assemble(values) for item in self.items)
+        items = tuple(item.assemble(values) for item in self.items)
         if self.columns is None:
-            return made
+            return items
         import numpy as np
 
         from dynamics_cli.records import Columns
 
         names = self.columns.fields  # type: ignore[attr-defined]
-        return Columns(self.columns, **{name: np.array([getattr(row, name) for row in made]) for name in names})
+        return Columns(self.columns, **{name: np.array([getattr(row, name) for row in items]) for name in names})
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
         """Every number below."""

@@ -1,6 +1,6 @@
-"""The short answer for people: headline results first, then what they are for, by which method, and where more stands.
+"""The short answer for people: headline results first, then the inputs, the method, and where to find more.
 
-A screen is 80 columns and 24 lines. What a task's headline does not name is asked for with `--all`.
+A screen is 80 columns and 24 lines. Results not named in a task's headline appear with `--all`.
 """
 
 from math import log10
@@ -20,8 +20,10 @@ from dynamics_cli.core.output.answer_words import (
     deviation,
     headline_labels,
     in_words,
+    input_in_words,
     is_in_parts,
     listed,
+    message_in_words,
     node_at,
     parts_in_words,
     percent,
@@ -40,35 +42,37 @@ if TYPE_CHECKING:
     Document = dict[str, Any]
 
 LINES = 24
-# How many lines a table has at the least.
+# Minimum number of lines of a table.
 LEAST_TABLE = 7
-# How many lines name what drives the results.
+# Number of lines about what drives the results.
 MOST_DRIVEN = 3
 # How many inputs such a line names.
 MOST_DRIVERS = 5
-# A share of the variance below this goes unsaid.
+# A share of the variance below this is not mentioned.
 LEAST_SHARE = 0.005
-# A bound is spoken of when it leaves fewer digits than this.
+# A bound is mentioned when it leaves fewer digits than this.
 WORTH_SAYING = 1e-9
+# An error bound below this share of the standard deviation does not show.
+NEGLIGIBLE = 0.02
 SEVERITIES = ("serious", "caution", "note")
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 MARGIN = 6
-# A space at which no line is broken.
+# A non-breaking space.
 JOINED = "\u00a0"
 
 
 def to_answer(
     document: "Document", task: "Task", digits: int, width: int, *, quiet: bool = False, asked: bool = False
 ) -> str:
-    """The answer as lines no wider than `width`; `quiet` gives the headline results alone.
+    """The answer as lines no wider than `width`; `quiet` gives only the headline results.
 
-    Digits that were `asked` for stand for uncertain results too.
+    Requested digits (`asked`) apply to uncertain results too.
     """
     answer = _Answer(document, task, digits, width, asked=asked)
     head = answer.headline()
     if quiet:
         return _text(head)
-    # What a bare number was read as belongs right beneath it.
+    # How a bare number was read is shown right beneath it.
     bare = not any(answer.labels.values())
     rest = [*answer.accuracy(), *answer.drivers(), *answer.provenance()]
     space = LINES - len(head) - len(rest)
@@ -118,7 +122,7 @@ class _Answer:
         return lines
 
     def _text(self, address: str) -> str:
-        """A result with its unit, in the digits that it deserves."""
+        """A result with its unit, in significant digits."""
         value, unit = self.flat[address]
         node = node_at(self.results, address)
         if isinstance(node, dict) and "interval" in node and is_in_parts(node):
@@ -138,7 +142,7 @@ class _Answer:
         return bound
 
     def _remarks(self, address: str) -> "list[str]":
-        """The interval of an uncertain result, and what each limit says of it."""
+        """The interval of an uncertain result, and its limits."""
         remarks = []
         node = node_at(self.results, address)
         if isinstance(node, dict) and "interval" in node and is_in_parts(node):
@@ -153,14 +157,14 @@ class _Answer:
         return remarks + [f"{100.0 * entry['probability']:.6g} % below {number(entry['value'], 6)}" for entry in asked]
 
     def without_tables(self) -> bool:
-        """Show no tables: whether there were any."""
+        """Drop the tables; returns whether there were any."""
         shown = [address for address in self.labels if address in self.table_names]
         for address in shown:
             del self.labels[address]
         return bool(shown)
 
     def tables(self, space: int) -> "list[str]":
-        """Headline tables, their middle rows left out where they do not fit."""
+        """Headline tables, without middle rows where they do not fit."""
         named = [address for address in self.labels if address in self.table_names]
         lines: list[str] = []
         for address in named:
@@ -170,19 +174,24 @@ class _Answer:
         return lines + ([""] if written else []) + [line for file in written for line in file_lines(file, self.width)]
 
     def accuracy(self) -> "list[str]":
-        """Results that keep few digits, and limits that lie within a bound."""
+        """Results accurate to few digits, and limits that lie within an error bound."""
         lines = []
         for address, label in self.labels.items():
             value = self.flat.get(address, (None, ""))[0]
             if isinstance(value, float) and value and address in self.bounds:
                 share = self._absolute_bound(address, value) / abs(value)
-                if WORTH_SAYING < share < 1.0:
+                if self._worth_saying(address, value) < share < 1.0:
                     kept = max(int(-log10(share)), 0)
                     lines.append(f"{label}: accurate to {kept} digits")
         return ["", *lines] if lines else []
 
+    def _worth_saying(self, address: str, value: float) -> float:
+        """The relative error bound from which a line is due: one that hides in the deviation is not worth it."""
+        std = 0.0 if self.asked else deviation(self.results, address)
+        return max(WORTH_SAYING, NEGLIGIBLE * std / abs(value))
+
     def drivers(self) -> "list[str]":
-        """Which inputs drive the headline results, in a line for those that share their drivers."""
+        """Which inputs drive the headline results, in one line for results with the same drivers."""
         grouped: dict[str, list[str]] = {}
         for address, entry in self.document.get("sensitivity", {}).items():
             rows = [(row["input"], row.get("total", row["share"])) for row in entry["inputs"]]
@@ -200,7 +209,7 @@ class _Answer:
         return ["", *lines] if lines else []
 
     def provenance(self) -> "list[str]":
-        """What the answer is for, by which method, and what more there is."""
+        """The inputs of the answer, its method, and what else is available."""
         blocks = [("for", self._inputs()), ("by", self._method()), ("more", self._more())]
         lines = [""]
         for word, text in blocks:
@@ -212,7 +221,7 @@ class _Answer:
         return lines
 
     def _input(self, address: str) -> str:
-        return with_name(in_words(address), self.names)
+        return input_in_words(address, self.document["inputs"], self.names)
 
     def _inputs(self) -> str:
         entries = []
@@ -221,6 +230,8 @@ class _Answer:
             standard = " (standard)" if name == "gravity" and value == 9.80665 and unit == "m/s²" else ""
             given = value_in_words(value, unit)
             whole = given.replace(" ", JOINED) if len(given) < self.width // 3 else given
+            if not name:
+                given = self._counted(given)
             if name.removesuffix(".name") not in self.names:
                 entries.append(f"{self._input(name)} {whole}{standard}" if name else given)
         entries += [f"{in_words(axis['parameter'])} as listed" for axis in inputs.get("sweep", ())]
@@ -236,10 +247,16 @@ class _Answer:
         more = len(entries) - len(kept)
         return ", ".join([*kept, f"and {more} more input{'s' if more > 1 else ''}"])
 
+    def _counted(self, given: str) -> str:
+        """How many records there are, `2 first after`, by the name of their body."""
+        count, _, what = given.partition(" ")
+        named = with_name(what, self.names)
+        return given if named == what else f"{named}: {count}"
+
     def _method(self) -> str:
         model = self.document["model"]
         source = model["source"].replace(BOOK, "Josephs & Huston ").replace("section ", "§").replace("sections ", "§")
-        # a model that is called after its source is not named twice
+        # a model named after its source is not named twice
         named = "" if source.startswith(model["name"] + ",") else model["name"]
         parts = [named + (f" ({model['why']})" if model.get("why") else ""), source]
         checks = self.document["checks"]
@@ -277,12 +294,13 @@ class _Answer:
         return lines + (["accurate to (rounding of the calculation alone)", *said] if said else [])
 
     def warnings(self, space: int) -> "list[str]":
-        """A paragraph for each warning, worst first; those that do not fit into `space` lines are counted."""
+        """A paragraph for each warning, worst first; those that do not fit into `space` lines are only counted."""
         lines: list[str] = []
         given = sorted(self.document["warnings"], key=lambda item: SEVERITIES.index(item.get("severity", "note")))
         for nth, item in enumerate(given):
             remedy = item.get("remedy")
-            text = f"{item['severity']}: {item['message']}" + (f". Remedy: {remedy}" if remedy else "")
+            message = message_in_words(item["message"], self.document["inputs"], self.names)
+            text = f"{item['severity']}: {message}" + (f". Remedy: {remedy}" if remedy else "")
             paragraph = ["", *wrapped(text, self.width, 2)]
             if nth and len(lines) + len(paragraph) + (2 if given[nth + 1 :] else 0) > space:
                 counts = [(sum(each["severity"] == name for each in given[nth:]), name) for name in SEVERITIES]
@@ -293,7 +311,7 @@ class _Answer:
 
 
 def _limit(entry: "dict[str, Any]") -> str:
-    """What a limit says, beside the result it is for."""
+    """The text of a limit beside its result."""
     limit = quantity(entry["limit"]["value"], entry["limit"].get("unit", ""), 6)
     if "probability" in entry:
         return f"{limit} exceeded: {percent(entry['probability'])}"

@@ -1,19 +1,19 @@
-"""Tables and written files in a short answer: within the width and the lines there are."""
+"""Tables and written files in a short answer, within the available width and lines."""
 
 from dynamics_cli.core.documents import columns, number, quantity
-from dynamics_cli.core.output.answer_words import in_words
+from dynamics_cli.core.output.answer_words import in_words, without_rounding
 from dynamics_cli.core.output.wrapping import wrapped
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# mm: a smaller deviation is written in micrometres.
+# In mm: a smaller deviation is written in micrometres.
 MICROMETRES_BELOW = 0.01
 
 
 def table_lines(node: "Any", address: str, label: str, *, digits: int, width: int, space: int) -> "list[str]":
-    """A table within the width and the lines there are: first and last rows, and the columns that fit."""
+    """A table within the available width and lines: first and last rows, and the columns that fit."""
     every = columns(node)
     title, _, asked = label.partition(" | ")
     heads_of = {name: head or in_words(name) for name, _, head in (part.partition("=") for part in asked.split(", "))}
@@ -21,7 +21,7 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
     cells = [[heads_of.get(name, in_words(name)) for name, _, _ in made], [unit for _, unit, _ in made]]
     body = [cells[0]] + ([cells[1]] if any(cells[1]) else [])
     heads = len(body)
-    body += [[number(value, digits) for value in row] for row in zip(*(v for _, _, v in made), strict=True)]
+    body += [[number(_cleared(value), digits) for value in row] for row in zip(*(v for _, _, v in made), strict=True)]
     words = [any(isinstance(value, str) for value in values) for _, _, values in made]
     widths = [max(len(row[i]) for row in body) for i in range(len(made))]
     kept, total = 0, 2
@@ -48,13 +48,17 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
     return lines
 
 
+def _cleared(value: "Any") -> "Any":
+    return without_rounding(value) if isinstance(value, list) else value
+
+
 def _whole(address: str) -> str:
     """How the whole table is written to a file."""
     return "--output FILE.csv" + (f" --table {address}" if address != "sweep" else "")
 
 
 def file_lines(file: "dict[str, Any]", width: int) -> "list[str]":
-    """A file that was written, with what it holds."""
+    """A line for a written file, with its contents."""
     parts = [file["holds"]] if "holds" in file else []
     if "deviation" in file:
         value, unit = file["deviation"]["value"], file["deviation"].get("unit", "")

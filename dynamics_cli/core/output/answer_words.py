@@ -1,4 +1,4 @@
-"""The words and digits of short answers: labels, names of bodies, numbers to the place that their deviation leaves."""
+"""The words and digits of short answers: labels, names of bodies, numbers rounded to their deviation."""
 
 from math import floor, log10
 
@@ -11,19 +11,25 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.answering.task import Task
 
-# How many results are shown where a task declares no headline.
+# Number of results shown where a task declares no headline.
 MOST_UNDECLARED = 8
 MOST_DIGITS = 15
 
 
-# Beside the largest component of a vector, what is smaller is rounding.
+AXES = "xyz"
+# What addresses of inputs are written in; one of the marks tells them from other words.
+ADDRESS = frozenset("abcdefghijklmnopqrstuvwxyz0123456789_.[]")
+ADDRESS_MARKS = frozenset("_.[")
+# A number of so many digits was calculated, not typed.
+CALCULATED = 16
+# Components smaller than this share of a vector's largest are rounding.
 ROUNDING = 1e-12
 
 
 def headline_labels(task: "Task", flat: "dict[str, tuple[Any, str]]", tables: "list[str]") -> "dict[str, str]":
     """The addresses of the headline with their labels: as the task declares them, else the first results.
 
-    The label "-" is none: the value stands alone. A name without an index stands for all its items.
+    The label "-" means none: the value stands alone. A name without an index covers all its items.
     """
     declared = dict(task.headline)
     for name in flat:
@@ -43,6 +49,34 @@ def headline_labels(task: "Task", flat: "dict[str, tuple[Any, str]]", tables: "l
 def in_words(address: str) -> str:
     """`first.exit_speed` as words."""
     return address.replace("_", " ").replace(".", " ")
+
+
+def input_in_words(address: str, inputs: "dict[str, Any]", names: "dict[str, str]") -> str:
+    """An input as people name it: a body by its name, `segments[0].friction` as segment 1, `velocity[0]` along x."""
+    words = with_name(in_words(address), names)
+    node = node_at(inputs, address.rpartition("[")[0]) if address.endswith("]") else None
+    vector = isinstance(node, dict) and isinstance(node.get("value"), list) and len(node["value"]) <= len(AXES)
+    if vector:
+        return f"{words[: words.rindex('[')]} along {AXES[int(address[:-1].rpartition('[')[2])]}"
+    return " ".join(_counted(word) for word in words.split(" "))
+
+
+def _counted(word: str) -> str:
+    """`segments[0]` as segment 1; regular expressions would cost a plain call too much."""
+    if not word.endswith("]"):
+        return word
+    name, _, index = word[:-1].partition("[")
+    if name.endswith("s") and name[-2:-1] not in ("s", "u", "i"):
+        name = name[:-1]
+    return f"{name} {int(index) + 1}" if index.isdigit() else word
+
+
+def message_in_words(message: str, inputs: "dict[str, Any]", names: "dict[str, str]") -> str:
+    """A message whose first word is an address, with that input as people name it."""
+    address, colon, rest = message.partition(": ")
+    if colon and set(address) <= ADDRESS and not ADDRESS_MARKS.isdisjoint(address):
+        return f"{input_in_words(address, inputs, names)}: {rest}"
+    return message
 
 
 def listed(entries: "Iterable[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
@@ -69,7 +103,16 @@ def value_in_words(value: "Any", unit: str) -> str:
     """An input with its unit in full; a list of one as its value."""
     if isinstance(value, list) and len(value) == 1 and not isinstance(value[0], list):
         value = value[0]
-    return quantity(value, unit, 17)
+    return quantity(_as_typed(value), unit, 17)
+
+
+def _as_typed(value: "Any") -> "Any":
+    """Numbers without the digits that nobody types: those that a conversion to components left."""
+    if isinstance(value, list):
+        return [_as_typed(item) for item in value]
+    if isinstance(value, float) and len(repr(value).partition("e")[0].strip("-0.").replace(".", "")) >= CALCULATED:
+        return float(f"{value:.6g}")
+    return value
 
 
 def node_at(results: "Any", address: str) -> "Any":
@@ -83,7 +126,7 @@ def node_at(results: "Any", address: str) -> "Any":
 
 
 def deviation(results: "Any", address: str) -> float:
-    """How far an uncertain number spreads: its deviation, or a quarter of its interval; 0 for a certain one."""
+    """Spread of an uncertain number: its deviation, or a quarter of its interval; 0 for a certain one."""
     node = node_at(results, address)
     if not isinstance(node, dict) or "std" not in node or isinstance(node["std"], list):
         return 0.0
@@ -111,7 +154,7 @@ def parts_in_words(parts: "list[float]", node: "dict[str, Any]", digits: int, *,
 
 
 def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":
-    """What a user calls the bodies: names by the words that labels begin with, `surfaces[0]` among them."""
+    """The user's names of bodies, by the words that labels begin with (also `surfaces[0]`)."""
     nodes = dict(inputs)
     for word, node in inputs.items():
         if isinstance(node, list):
@@ -121,13 +164,13 @@ def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":
 
 
 def with_name(label: str, names: "dict[str, str]") -> str:
-    """A label with the name of the body it begins with."""
+    """A label whose leading words are replaced by the body's name."""
     word, _, rest = label.partition(" ")
     return f"{names[word]} {rest}" if word in names else label
 
 
 def without_rounding(value: "list[Any]") -> "list[Any]":
-    """A vector or tensor whose components that are rounding beside the largest are zero."""
+    """A vector or tensor with negligible components set to zero."""
     largest = max((abs(item) for item in _numbers(value)), default=0.0)
 
     def cleared(node: "Any") -> "Any":

@@ -1,14 +1,14 @@
-"""Cells of CSV: text quoted where it must be, and guarded where a spreadsheet would carry it out."""
+"""Cells of CSV: text quoted where necessary, and guarded where a spreadsheet would execute it."""
 
 from dynamics_cli.core.inputs.quantity_text import number_end
 
-# What begins a formula in a spreadsheet, and what a number or a quantity never has after its sign.
+# Characters that begin a formula in a spreadsheet, and ones that a number or quantity never has after its sign.
 FORMULA_SIGNS = "=+-@"
 _ACTIVE = "=@(|!"
 
 
 def csv_cell(text: str) -> str:
-    """A cell, quoted when it must be; text that a spreadsheet would carry out stands after an apostrophe."""
+    """A cell, quoted when it must be; text that a spreadsheet would execute gets a leading apostrophe."""
     if text and text[0] in FORMULA_SIGNS and not _is_quantity(text):
         text = "'" + text
     if any(mark in text for mark in ',"\n\r'):
@@ -22,10 +22,17 @@ def _is_quantity(text: str) -> bool:
 
 
 def without_guard(cell: str) -> str:
-    """A cell as it was before `csv_cell` put an apostrophe before it."""
+    """A cell without the apostrophe that `csv_cell` put before it."""
     return cell[1:] if cell[:1] == "'" and cell[1:2] and cell[1] in FORMULA_SIGNS else cell
 
 
 def header(name: str, unit: str) -> str:
     """A CSV column's header: `speed[km/h]`."""
     return csv_cell(f"{name}[{unit}]" if unit else name)
+
+
+def free_name(name: str, taken: "set[str]") -> str:
+    """A column name for a result beside an input of the same name."""
+    while name in taken:
+        name = f"results.{name}"
+    return name

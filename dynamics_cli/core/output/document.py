@@ -4,6 +4,7 @@ import math
 
 from dynamics_cli.core.answering.models import Answer
 from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.documents import quantity_node
 from dynamics_cli.core.inputs.specification import DEVIATION, Leaf, Many, Record
 from dynamics_cli.core.inputs.values import Fields
 from dynamics_cli.core.units.display import Display, Shown, round_condition, round_up
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from dynamics_cli.records import ErrorBound
 
 UNIT_ROUNDOFF = 2.0**-53
-# Below these a bound is said as a share of the number, else in the number's own unit.
+# Below this a bound is stated relative to the number, else in the number's unit.
 SMALLEST_RELATIVE = 1e-290
 LARGEST_RELATIVE = 1e-3
 
@@ -36,7 +37,7 @@ class _Walk:
         self.shown: dict[str, Shown] = {}
         self.conditions: dict[str, dict[str, float]] = {}
         self.input_rounding: dict[str, dict[str, Any]] = {}
-        # Results with units of their own that are shown in others.
+        # Results with their own unit that are shown in another one.
         self.converted: set[str] = set()
         self.checks: list[Check] = []
         self.advice: list[Advice] = []
@@ -61,7 +62,7 @@ class _Walk:
         return out
 
     def _has_no_answer(self, record: "Any", name: str, address: str) -> bool:
-        """Whether its record, or the whole answer, says why this result does not exist; others are left out."""
+        """Whether the record, or the whole answer, gives a reason for a missing result; others are left out."""
         told = getattr(record, "advice", ()), getattr(self.answer.record, "advice", ())
         return any(advice.result == own for own, part in zip((name, address), told, strict=True) for advice in part)
 
@@ -78,7 +79,7 @@ class _Walk:
             own, value = value, self.display.of_measured(address, value)
             if value is not own:
                 self.converted.add(address)
-            return _quantity(list(value.value) if isinstance(value.value, tuple) else value.value, value.unit)
+            return quantity_node(list(value.value) if isinstance(value.value, tuple) else value.value, value.unit)
         kind = value.kind if isinstance(value, Quantity) else node.kind
         if isinstance(value, Quantity):
             value = value.value
@@ -94,7 +95,7 @@ class _Walk:
         return self._scalar(value, kind, address, table=table)
 
     def _drawing(self, value: "Any", address: str) -> "dict[str, Any]":
-        """What there is of a shape; the shape itself goes to `--drawing`."""
+        """A summary of a shape; the shape itself goes to `--drawing`."""
         from dynamics_cli.core.output.drawing.scaled import round_bound
 
         outlines = getattr(value, "outlines", (value,))
@@ -103,7 +104,7 @@ class _Walk:
         return {
             "outlines": {"value": len(outlines)},
             "pieces": {"value": sum(len(outline.pieces) for outline in outlines)},
-            "deviation": _quantity(round_bound(shown.width(value.deviation)), shown.text),
+            "deviation": quantity_node(round_bound(shown.width(value.deviation)), shown.text),
         }
 
     def _many(self, value: "Any", node: Many, address: str) -> "Any":
@@ -124,7 +125,7 @@ class _Walk:
                 shown = self.shown[own] = self.display.of(own, field.node.kind)
                 for number in numbers:
                     _finite(number, own)
-                out[field.key] = _quantity([shown.value(number) for number in numbers], shown.text)
+                out[field.key] = quantity_node([shown.value(number) for number in numbers], shown.text)
             else:
                 out[field.key] = {"value": numbers}
         return out
@@ -133,7 +134,7 @@ class _Walk:
         shown = self.shown[address] = self.display.of(address, kind)
         number = plain(value)
         _finite(number, address)
-        out = _quantity(shown.value(number), shown.text)
+        out = quantity_node(shown.value(number), shown.text)
         error = getattr(value, "error", None)
         if error is not None:
             self._state(address, shown, number, error)
@@ -170,11 +171,11 @@ class _Walk:
                 self._state(address, shown, number, part.error, vector=True)
             return shown.value(number)
 
-        return _quantity(show(value), shown.text)
+        return quantity_node(show(value), shown.text)
 
 
 class _Cells:
-    """The bounds of one result, or of every cell of a column: the size of each number and how far off it may be."""
+    """The bounds of one result, or of every cell of a column: magnitude and error of each number."""
 
     __slots__ = ("cells", "unit", "vector")
 
@@ -192,7 +193,7 @@ class _Cells:
             for size, spread in self.cells
         )
         if relative:
-            # relative to the true number, which may be that much smaller than the one shown
+            # relative to the true number, which may be smaller than the one shown by the bound
             return {
                 "relative": round_up(max(spread / (size - spread) if spread else 0.0 for size, spread in self.cells))
             }
@@ -200,10 +201,6 @@ class _Cells:
             "absolute": round_up(max(spread for _, spread in self.cells)),
             **({"unit": self.unit} if self.unit else {}),
         }
-
-
-def _quantity(value: "Any", unit: str) -> "dict[str, Any]":
-    return {"value": value, "unit": unit} if unit else {"value": value}
 
 
 def _finite(number: float, address: str) -> None:
@@ -231,7 +228,7 @@ def build(task: Task, bound: Fields, answer: Answer, display: Display, notes: "l
     ):
         if entries:
             numerics[key] = entries
-    # what leaves two results out is said once
+    # a reason that applies to two results is given once
     said = [_advice(item, bound) for item in walk.advice]
     warnings = [one for index, one in enumerate(said) if one not in said[:index]]
     warnings += [{"code": "reading", "severity": "note", "message": note} for note in notes]
@@ -256,7 +253,7 @@ def _stated_bounds(walk: _Walk) -> None:
     for address, cells in walk.cells.items():
         walk.bounds[address] = cells.stated()
         if walk.bounds[address] is None:
-            message = f"no bound can be stated for the rounding of {address}: it may exceed the result itself"
+            message = f"no bound can be stated for the rounding of {address}: it may exceed the result"
             walk.advice.append(Advice("no-bound", message))
     for bound in walk.numerics.bounds if walk.numerics else ():
         walk.bounds[bound.result] = _stated_bound(walk, bound) if math.isfinite(bound.bound) else None

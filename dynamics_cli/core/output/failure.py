@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def wants_json(argv: "list[str]", environ: "Mapping[str, str]") -> bool:
-    """Whether errors go out as JSON: asked for by option or environment, however badly the rest is written."""
+    """Whether errors go out as JSON: requested by option or environment, however malformed the rest of the call is."""
     asked = environ.get("DYNAMICS_FORMAT", "")
     for index, word in enumerate(argv):
         if word == "--json":

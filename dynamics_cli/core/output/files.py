@@ -1,4 +1,4 @@
-"""Output: to standard output, or to files that appear whole under their names, all together, or not at all."""
+"""Output: to standard output, or to files that appear complete and all together, or not at all."""
 
 import os
 from contextlib import suppress
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.terminal import Terminal
 
-    # A file's name, what it is to hold, and the option that named it.
+    # A file's name, its contents, and the option that named it.
     File = tuple[str, bytes, str]
 
 _CREATE = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
@@ -22,7 +22,7 @@ WRITABLE = 0o222
 
 
 class WholeFile:
-    """One file, written beside its place under a name that nobody can foresee."""
+    """One file, written beside its destination under an unpredictable name."""
 
     def __init__(self, name: str, parameter: str) -> None:
         self._shown = name
@@ -30,7 +30,7 @@ class WholeFile:
         self._name = name
         self._file: BinaryIO | None = None
         self._existed = self._renamed = False
-        # The names beside it while they exist: of the part written so far, and of what was there before.
+        # Temporary names while they exist: of the part written so far, and of the file that was there before.
         self._part = ""
         self._kept = ""
 
@@ -45,18 +45,18 @@ class WholeFile:
             # A device or a pipe must not be replaced by a file.
             self._file = open(self._shown, "wb")  # noqa: SIM115  closed by `finish`
             return
-        # A link stays a link: what it points to is replaced.
+        # A link stays a link: its target is replaced.
         self._name = os.path.realpath(self._shown)
         self._existed = os.path.exists(self._name)
         before = os.stat(self._name) if self._existed else None
         if before is not None and not (before.st_mode & WRITABLE and os.access(self._name, os.W_OK)):
             raise OSError(None, "it is read-only")
         self._part = self._beside()
-        # Until it has the mode of what it replaces, nobody else may read it.
+        # Until it has the mode of the file it replaces, nobody else may read it.
         number = os.open(self._part, _CREATE, 0o600 if before is not None else 0o666)
         self._file = os.fdopen(number, "wb")
         if before is not None and hasattr(os, "fchown"):
-            with suppress(PermissionError):  # another's file that this user may write becomes this user's
+            with suppress(PermissionError):  # another user's writable file becomes this user's
                 os.fchown(number, before.st_uid, before.st_gid)
             os.fchmod(number, before.st_mode & 0o7777)
 
@@ -69,7 +69,7 @@ class WholeFile:
         self._do(self._file.write, data)
 
     def finish(self) -> None:
-        """Put everything on the disk."""
+        """Flush everything to the disk."""
         assert self._file is not None
         self._do(self._file.flush)
         if self._part:
@@ -90,7 +90,7 @@ class WholeFile:
         self._renamed = True
 
     def settle(self) -> None:
-        """Put the new name on the disk too, where the system can."""
+        """Flush the directory entry to the disk too, where the system can."""
         if not self._renamed:
             return
         with suppress(OSError):
@@ -112,7 +112,7 @@ class WholeFile:
                 os.unlink(self._name)
 
     def discard(self) -> None:
-        """Leave nothing beside it."""
+        """Remove the temporary files."""
         for name in filter(None, (self._part, self._kept)):
             with suppress(OSError):
                 os.unlink(name)
@@ -132,7 +132,7 @@ class WholeFile:
 
 
 class Files:
-    """Files that all get their names when everything inside is done; should that fail, what was there stays."""
+    """Files that all get their names when the block has ended; if it fails, earlier files stay as they were."""
 
     def __init__(self, files: "Iterable[File]" = ()) -> None:
         self._given = files
@@ -153,7 +153,7 @@ class Files:
     def add(self, name: str, parameter: str = "output") -> WholeFile:
         """One more file, to be written."""
         file = WholeFile(name, parameter)
-        # Known before it is there, so that whatever ends the process finds it.
+        # Registered before it exists, so that the clean-up finds it however the process ends.
         self._files.append(file)
         file.open()
         return file
@@ -198,7 +198,7 @@ class OneFile(Files):
 
 
 class StandardOutput:
-    """Standard output with the same manners."""
+    """Standard output with the same interface."""
 
     def __init__(self, terminal: "Terminal") -> None:
         self._file = terminal.stdout
@@ -225,5 +225,5 @@ class StandardOutput:
 
 
 def output(name: str, terminal: "Terminal") -> "OneFile | StandardOutput":
-    """Where a command writes."""
+    """The output of a command."""
     return OneFile(name) if name else StandardOutput(terminal)

@@ -11,9 +11,11 @@ from dynamics_cli.core.documents import (
     is_table,
     number,
     quantity,
+    quantity_node,
     quote,
     to_json,
 )
+from dynamics_cli.core.output.csv_cells import free_name
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.errors import UsageError
 
@@ -23,6 +25,10 @@ if TYPE_CHECKING:
     from typing import Any
 
     Document = dict[str, Any]
+
+
+# Columns before a table.
+MARGIN = 4
 
 
 def to_pretty_json(document: "Document") -> str:
@@ -53,25 +59,30 @@ def _aligned(entries: "list[tuple[str, Any, str]]", digits: int, tails: "dict[st
 
 def _grid(table: "Any", digits: int) -> "list[list[str]]":
     """Header rows (names, units) and cells as text."""
-    made = columns(table)
-    body = [[number(value, digits) for value in values] for _, _, values in made]
-    units = [unit for _, unit, _ in made]
-    head = [[name for name, _, _ in made]] + ([units] if any(units) else [])
+    table_columns = columns(table)
+    body = [[number(value, digits) for value in values] for _, _, values in table_columns]
+    units = [unit for _, unit, _ in table_columns]
+    head = [[name for name, _, _ in table_columns]] + ([units] if any(units) else [])
     return head + [list(row) for row in zip(*body, strict=True)]
 
 
 def to_full_table(
-    document: "Document", digits: int, layout: "Callable[[Any], list[str]] | None" = None, width: int = 0
+    document: "Document",
+    digits: int,
+    layout: "Callable[[Any], list[str]] | None" = None,
+    width: int = 0,
+    screen: int = 0,
 ) -> str:
     """The whole document for people: inputs, results with their error bounds, tables, checks, warnings, source.
 
-    `layout` writes the results, where a task has a way of its own; what stands beneath is then as wide as `width`.
+    Tables are no wider than the `screen`. `layout` writes the results, where a task has a way of its own; what stands
+    beneath is then as wide as `width`.
     """
     lines = [document["command"]]
     inputs = flatten(document["inputs"])
     tables = {name: node for name, node in document["inputs"].items() if is_table(node)}
     if inputs or tables:
-        lines += ["", *_aligned(inputs, 17, {}), *_tables(tables, 17)]
+        lines += ["", *_aligned(inputs, 17, {}), *_tables(tables, 17, screen)]
     bounds = document["numerics"].get("error_bound", {})
     tails = {name: f"(error ≤ {bound_text(entry)})".replace("error ≤ exact", "exact") for name, entry in bounds.items()}
     uncertain = "uncertainty" in document["numerics"]
@@ -84,7 +95,7 @@ def to_full_table(
         lines += layout(results)
     else:
         lines += ["", *_aligned(flatten(results), digits, tails)]
-        lines += _tables({name: node for name, node in results.items() if is_table(node)}, digits)
+        lines += _tables({name: node for name, node in results.items() if is_table(node)}, digits, screen)
     lines += driver_lines(document, digits) if uncertain else []
     notes = _notes(document)
     lines += ["", *(f"  {line}" for note in notes for line in (wrapped(note, width - 2, 2) if width else [note]))]
@@ -96,7 +107,7 @@ def to_full_table(
 
 
 def _notes(document: "Document") -> "list[str]":
-    """What stands under the results: limits, checks, warnings, the model and its source, files."""
+    """The notes under the results: limits, checks, warnings, the model and its source, files."""
     model = document["model"]
     notes = [f"limit: {item['message']}" for item in document.get("limits", ())]
     notes += [f"quantile: {item['message']}" for item in document.get("quantiles", ())]
@@ -109,18 +120,29 @@ def _notes(document: "Document") -> "list[str]":
     return notes + [f"written: {file['name']}" for file in document.get("files", ()) if file.get("written")]
 
 
-def _tables(tables: "dict[str, Any]", digits: int) -> "list[str]":
+def _tables(tables: "dict[str, Any]", digits: int, width: int = 0) -> "list[str]":
+    """Tables with all their rows; one wider than the screen in blocks of columns, each with the first of them."""
     lines = []
     for name, table in tables.items():
         words = [any(isinstance(value, str) for value in values) for _, _, values in columns(table)]
         grid = _grid(table, digits)
         widths = [max(len(row[i]) for row in grid) for i in range(len(grid[0]))]
-        lines += ["", f"  {name}"]
-        for row in grid:
-            cells = zip(row, widths, words, strict=True)
-            shown = [f"{cell:<{width}}" if word else f"{cell:>{width}}" for cell, width, word in cells]
-            lines.append("    " + "  ".join(shown).rstrip())
+        for nth, block in enumerate(_blocks(widths, width - MARGIN if width else 0)):
+            lines += ["", f"  {name}{', continued' if nth else ''}"]
+            for row in grid:
+                shown = [f"{row[i]:<{widths[i]}}" if words[i] else f"{row[i]:>{widths[i]}}" for i in block]
+                lines.append(" " * MARGIN + "  ".join(shown).rstrip())
     return lines
+
+
+def _blocks(widths: "list[int]", room: int) -> "list[list[int]]":
+    """The columns of each block that fits into the room (0: endless); every one begins with the first column."""
+    blocks = [[0]] if widths else []
+    for column in range(1, len(widths)):
+        if room and len(blocks[-1]) > 1 and sum(widths[i] + 2 for i in [*blocks[-1], column]) - 2 > room:
+            blocks.append([0])
+        blocks[-1].append(column)
+    return blocks
 
 
 def check_line(check: "dict[str, Any]") -> str:
@@ -150,7 +172,7 @@ def _csv_value(value: "Any") -> str:
 
 
 def to_csv(document: "Document", table: str) -> str:
-    """One row, as `--rows` writes it: inputs, results with their spread, an error that is none; or the table named."""
+    """One row, as `--rows` writes it: inputs, results with their spread, an empty error; or the named table."""
     from dynamics_cli.core.output.csv_cells import header
 
     results = document["results"]
@@ -159,7 +181,7 @@ def to_csv(document: "Document", table: str) -> str:
     if not plain and not node:
         node = next((item for item in results.values() if is_table(item)), None)
     if node:
-        made = columns(node)
+        node_columns = columns(node)
     else:
         if "uncertainty" in document["numerics"]:
             from dynamics_cli.core.output.uncertainty import with_spreads
@@ -167,10 +189,10 @@ def to_csv(document: "Document", table: str) -> str:
             plain = with_spreads(plain, results)
         inputs = _split_lists(_input_cells(document["inputs"]))
         taken = {name for name, _, _ in inputs}
-        named = [(_free(name, taken), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
-        made = [(name, unit, [value]) for name, value, unit in [*inputs, *named]]
-    lines = [",".join(header(name, unit) for name, unit, _ in made)]
-    lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in made), strict=True)]
+        named = [(free_name(name, taken), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
+        node_columns = [(name, unit, [value]) for name, value, unit in [*inputs, *named]]
+    lines = [",".join(header(name, unit) for name, unit, _ in node_columns)]
+    lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in node_columns), strict=True)]
     return "\n".join(lines) + "\n"
 
 
@@ -183,13 +205,6 @@ def _input_cells(inputs: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
         else:
             cells += flatten(node, name)
     return cells
-
-
-def _free(name: str, taken: "set[str]") -> str:
-    """A result's column beside an input of the same name."""
-    while name in taken:
-        name = f"results.{name}"
-    return name
 
 
 def _split_lists(entries: "list[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
@@ -235,10 +250,10 @@ def to_markdown(document: "Document", digits: int) -> str:
 def _markdown_table(table: "Any", digits: int) -> "list[str]":
     from dynamics_cli.markup import markdown
 
-    made = columns(table)
-    heads = [markdown(f"{label} [{unit}]" if unit else label) for label, unit, _ in made]
-    lines = ["| " + " | ".join(heads) + " |", "|" + "---:|" * len(made)]
-    rows = zip(*(values for _, _, values in made), strict=True)
+    table_columns = columns(table)
+    heads = [markdown(f"{label} [{unit}]" if unit else label) for label, unit, _ in table_columns]
+    lines = ["| " + " | ".join(heads) + " |", "|" + "---:|" * len(table_columns)]
+    rows = zip(*(values for _, _, values in table_columns), strict=True)
     return lines + ["| " + " | ".join(markdown(number(cell, digits)) for cell in row) + " |" for row in rows]
 
 
@@ -256,9 +271,9 @@ def render(document: "Document", form: str, digits: int, table: str = "") -> str
 
 
 def only(document: "Document", names: "list[str]", digits: int, form: str, *, asked: bool = False) -> str:
-    """Some results bare, one a line: number and unit in a table, the document's own nodes in JSON.
+    """Some results, one on each line: number and unit in a table, the document's own nodes in JSON.
 
-    An uncertain result has the digits that its deviation leaves, unless digits were `asked` for.
+    An uncertain result is rounded to its deviation, unless digits are requested (`asked`).
     """
     from dynamics_cli.core.output.answer_words import deviation
 
@@ -270,7 +285,7 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
     if unknown:
         raise _unknown_result(unknown[0], flat)
     if form in ("json", "ndjson"):
-        picked = {name: _quantity_node(*flat[name]) if name in flat else results[name] for name in names}
+        picked = {name: quantity_node(*flat[name]) if name in flat else results[name] for name in names}
         return to_json(picked) + "\n"
 
     def bare(name: str) -> str:
@@ -282,7 +297,7 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
 
 
 def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) -> str:
-    """Some columns of a sweep with their spread, beside what was swept and its errors."""
+    """Some columns of a sweep with their spread, beside the swept parameters and the errors."""
     columns_of = document["results"]["sweep"]
     swept = [entry["parameter"] for entry in document["inputs"]["sweep"]]
     known = [name for name in columns_of if name not in (*swept, "error")]
@@ -300,12 +315,8 @@ def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:
     return UsageError(f"there is no result {name!r}", parameter="only", code="unknown-result", hint=hint)
 
 
-def _quantity_node(value: "Any", unit: str) -> "Any":
-    return {"value": value, "unit": unit} if unit else {"value": value}
-
-
-def whole_table(document: "Document", name: str, digits: int, form: str) -> str:
-    """One table of the result with all its rows, as CSV, JSON, Markdown or columns."""
+def whole_table(document: "Document", name: str, digits: int, form: str, width: int = 0) -> str:
+    """One table of the result with all its rows, as CSV, JSON, Markdown or columns no wider than `width`."""
     sides = {**document["inputs"], **document["results"]}
     tables = [own for own, node in sides.items() if is_table(node)]
     if name not in tables:
@@ -321,4 +332,5 @@ def whole_table(document: "Document", name: str, digits: int, form: str) -> str:
         return to_csv({**document, "results": {name: sides[name]}}, name)
     if form == "markdown":
         return "\n".join(_markdown_table(sides[name], digits)) + "\n"
-    return "\n".join(line[2:] for line in _tables({name: sides[name]}, digits)[2:]) + "\n"
+    lines = _tables({name: sides[name]}, digits, width + 2 if width else 0)[2:]
+    return "\n".join("" if line == f"  {name}, continued" else line[2:] for line in lines) + "\n"

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def compact(value: "Any") -> str:
-    """JSON without a space too many; what is no JSON value stands as its `repr`."""
+    """JSON without superfluous spaces; a value that JSON does not have is written as its `repr`."""
     if isinstance(value, dict):
         return "{" + ",".join([f"{quote(str(key))}:{compact(item)}" for key, item in value.items()]) + "}"
     if isinstance(value, list | tuple):
@@ -28,7 +28,7 @@ def compact(value: "Any") -> str:
 
 
 class Part:
-    """One result: where it stands in the record, how it is shown, and the columns it takes.
+    """One result: its place in the record, how it is shown, and its columns.
 
     `how` is "number", "whole", "flag", "word", "measured" (a number or several, each with a unit of its own) or
     "components" (of a vector with a unit of its own).
@@ -45,7 +45,7 @@ class Part:
         self.shown = shown
         self.unit = shown.text if shown is not None else ""
         self.several = False
-        # What shows a result whose own unit may give way to another.
+        # Display of a result whose own unit may be replaced by another.
         self.display: Display | None = None
         self.address = ""
         for step in steps:
@@ -62,26 +62,26 @@ class Part:
 
     def value(self, record: "Any") -> "Any":
         """The result as it is shown: a number, a list for compound units, a flag, a word or None."""
-        found = self.of(record)
-        if found is None:
+        value = self.of(record)
+        if value is None:
             return None
-        if isinstance(found, Quantity):
-            return self._of_quantity(found)
+        if isinstance(value, Quantity):
+            return self._of_quantity(value)
         if self.how == "measured":
             show = self.display
-            return found if show is None or isinstance(found, tuple) else show.of_measured(self.address, found)
+            return value if show is None or isinstance(value, tuple) else show.of_measured(self.address, value)
         if self.how == "number":
-            number = plain(found)
+            number = plain(value)
             return number if self.shown is None else self.shown.value(float(number))
-        return str(found) if self.how == "word" else found
+        return str(value) if self.how == "word" else value
 
     def _of_quantity(self, quantity: Quantity) -> Measured:
         assert self.display is not None
         shown = self.display.of(self.address, quantity.kind)
         value = quantity.value
         several = isinstance(value, tuple)
-        made = [shown.value(float(plain(number))) for number in (value if several else (value,))]
-        return Measured(tuple(made) if several else made[0], shown.text)  # type: ignore[arg-type]
+        numbers = [shown.value(float(plain(number))) for number in (value if several else (value,))]
+        return Measured(tuple(numbers) if several else numbers[0], shown.text)  # type: ignore[arg-type]
 
     @property
     def names(self) -> "list[tuple[str, str]]":
@@ -143,7 +143,7 @@ class SpreadPart(Part):
         self.address = f"{part.address}.{which}"
 
     def value(self, record: "Any") -> "Any":
-        """Nothing: what is certain has no distribution; the case fills it in."""
+        """Nothing: a certain result has no distribution; the case fills it in."""
         return None
 
     def shown_value(self, si: float) -> "Any":
@@ -154,7 +154,7 @@ class SpreadPart(Part):
         return self.shown.width(si) if self.which == "std" else self.shown.value(si)
 
     def add_to(self, entry: "dict[str, Any]", value: "Any") -> None:
-        """Put it beside the result's value, as a document has it: of a vector, in lists like its value."""
+        """Put it beside the result's value, as in a document: for a vector, in lists like its value."""
         indices = [step for step in self.steps if isinstance(step, int)]
         if not indices and self.which in ("low", "high"):
             entry.setdefault("interval", []).append(value)
@@ -253,7 +253,7 @@ class Layout:
         if isinstance(item, Leaf) and item.kind.form == "measured":
             yield from self._measured(keys, steps, several=True)
         elif isinstance(item, Record) and item.cls not in (Check, Advice):
-            # A table has no place in a row, but `--to` may name its columns all the same.
+            # A table does not fit into a row, but `--to` may still name its columns.
             _use(self._record(item, keys, steps))
         elif isinstance(item, Leaf) and item.kind.form in ("scalar", "slope"):
             self._known.append(".".join(keys))
@@ -282,23 +282,23 @@ class Layout:
         return [part.value(record) for part in self.parts]
 
     def check(self, record: "Any") -> None:
-        """Refuse numbers that are not finite, and a check of ours that failed."""
+        """Refuse numbers that are not finite, and a failed internal check."""
         check_numbers(record, self.result, "")
 
     def entries(self, values: "Sequence[Any]") -> "dict[str, Any]":
         """The results as an object, results that do not exist left out."""
-        made: dict[str, Any] = {}
+        results: dict[str, Any] = {}
         for part, value in zip(self.parts, values, strict=True):
             if value is None:
                 continue
-            inner = made
+            inner = results
             for key in part.keys[:-1]:
                 inner = inner.setdefault(key, {})
             if isinstance(part, SpreadPart):
                 part.add_to(inner[part.keys[-1]], value)
             else:
                 _place(inner, part, value)
-        return made
+        return results
 
 
 def _names_of(part: Part) -> "set[str]":
@@ -326,7 +326,7 @@ def _place(inner: "dict[str, Any]", part: Part, value: "Any") -> None:
 
 
 def nested(nest: "list[Any]", index: "Sequence[int]") -> "list[Any]":
-    """The list that a component's place is in, made where it is not there; components come in order."""
+    """The list for a component's place, created if missing; components come in order."""
     for step in index[:-1]:
         if len(nest) == step:
             nest.append([])

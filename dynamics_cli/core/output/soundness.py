@@ -1,4 +1,4 @@
-"""No result goes out with a number that is not finite, or after a check of our own that failed."""
+"""No result is written with a number that is not finite, or after a failed internal check."""
 
 from dynamics_cli.core.inputs.specification import Leaf, Many, Record
 from dynamics_cli.errors import FaultError, InadmissibleError
@@ -10,29 +10,29 @@ if TYPE_CHECKING:
 
 INFINITY = float("inf")
 
-# What is to be checked below a record, by its specification: of each field its name, its key and how.
+# What to check below a record, by its specification: each field's name, key and kind of check.
 _CHECKED: "dict[int, tuple[Record, list[tuple[str, str, str, Any]]]]" = {}
 
 
 def _fields_to_check(spec: Record) -> "list[tuple[str, str, str, Any]]":
     known = _CHECKED.get(id(spec))
     if known is None:
-        made: list[tuple[str, str, str, Any]] = []
+        fields: list[tuple[str, str, str, Any]] = []
         for field in spec.fields:
             node = field.node
             item = node.item if isinstance(node, Many) else None
             if isinstance(node, Record):
                 if node.cls is not Numerics:
-                    made.append((field.name, field.key, "record", node))
+                    fields.append((field.name, field.key, "record", node))
             elif isinstance(item, Record) and item.cls is Check:
-                made.append((field.name, field.key, "checks", None))
+                fields.append((field.name, field.key, "checks", None))
             elif isinstance(item, Record):
                 if item.cls is not Advice:
-                    made.append((field.name, field.key, "records", item))
+                    fields.append((field.name, field.key, "records", item))
             elif not (isinstance(node, Leaf) and (node.choice is not None or node.kind.form in ("text", "flag"))):
-                made.append((field.name, field.key, "number", None))
-        # The specification is kept with its entry, so that no other one takes its identity.
-        _CHECKED[id(spec)] = known = (spec, made)
+                fields.append((field.name, field.key, "number", None))
+        # The specification is kept with its entry, so that its id is not reused.
+        _CHECKED[id(spec)] = known = (spec, fields)
     return known[1]
 
 
@@ -51,7 +51,7 @@ def check_numbers(record: "Any", spec: Record, address: str) -> None:
             for check in value:
                 if not check.passed:
                     hint = "this is a bug: please report it with the inputs"
-                    raise FaultError(f"our own check failed: {check.name} ({check.value})", code="check", hint=hint)
+                    raise FaultError(f"an internal check failed: {check.name} ({check.value})", code="check", hint=hint)
         elif isinstance(value, Columns):
             for column_name, column in value.arrays.items():
                 _check_number(column.tolist(), f"{_below(address, key)}.{column_name}")

@@ -7,7 +7,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
     from typing import Any
 
-# A mean further than this share of the deviation from the middle of the interval makes it lopsided.
+# A mean farther than this share of the deviation from the middle of the interval makes it skewed.
 LOPSIDED = 0.02
 MOST_DRIVERS = 6
 
@@ -23,8 +23,8 @@ def _spreads(node: "Any", address: str = "") -> "Iterator[tuple[str, dict[str, A
 
 
 def spread_tails(results: "dict[str, Any]", digits: int) -> "dict[str, str]":
-    """What stands beside an uncertain result: the interval and its probability, and the deviation."""
-    made = {}
+    """The text beside an uncertain result: the interval and its probability, and the deviation."""
+    tails = {}
     for address, node in _spreads(results):
         unit = str(node.get("unit") or "")
         parts = unit if ";" in unit else ""
@@ -32,12 +32,12 @@ def spread_tails(results: "dict[str, Any]", digits: int) -> "dict[str, str]":
         chance = f"{100.0 * node['coverage']:.6g} %"
         chance += " each" if isinstance(node["value"], list) and not parts else ""
         deviation = f", σ {quantity(node['std'], parts, 3)}" if node["std"] is not None else ""
-        made[address] = f"{chance} within {low} to {high}{deviation}{_lean(node)}"
-    return made
+        tails[address] = f"{chance} within {low} to {high}{deviation}{_lean(node)}"
+    return tails
 
 
 def _lean(node: "dict[str, Any]") -> str:
-    """The median where the distribution leans to one side enough to matter."""
+    """The median, where the distribution is skewed enough to matter."""
     low, high = node["interval"]
     median = node["median"]
     if isinstance(low, list) or not high > low:
@@ -47,12 +47,12 @@ def _lean(node: "dict[str, Any]") -> str:
 
 
 def driver_lines(document: "dict[str, Any]", digits: int) -> "list[str]":
-    """For every result: the inputs ranked by their share of the variance, and what each makes of the result alone."""
+    """For every result: the inputs ranked by their share of the variance, and the range that each alone gives."""
     lines: list[str] = []
     shown: list[Any] = []
     for name, entry in document.get("sensitivity", {}).items():
         rows = entry["inputs"]
-        # What drives the components of a vector is in the document.
+        # The drivers of a vector's components are in the document.
         if entry in shown or name.endswith("]"):
             continue
         shown.append(entry)

@@ -1,1 +1,1 @@
-"""Uncertain inputs propagated through any model: methods, variance shares, and what they add to a document."""
+"""Uncertain inputs propagated through any model: methods, variance shares, and their entries in a document."""

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Scores beyond hold 2e-9 of the probability; of a Student t of five degrees of freedom, 4e-6 of the variance.
+# Scores beyond this have 2e-9 of the probability; for a Student t of five degrees of freedom, 4e-6 of the variance.
 REACH = 6.0
 SCORES = (-REACH, -2.2, 0.0, 2.2, REACH)
 # Points of a panel, and of a Gauss–Hermite rule over an uncut axis of scores, at two levels.
@@ -28,11 +28,11 @@ _gauss: "dict[int, tuple[Array, Array]]" = {}
 
 
 class Axis:
-    """One input in its own coordinate: where that is cut, the input's value, density and distribution function."""
+    """One input in its own coordinate: the cuts, the input's value, density and distribution function."""
 
     def __init__(self, distribution: "Distribution") -> None:
         self._image = distribution.of if isinstance(distribution, Tangent) else None
-        # Of a tangent the axis is the angle's.
+        # For a tangent the axis is that of the angle.
         distribution = distribution.angle if isinstance(distribution, Tangent) else distribution
         self.distribution = distribution
         self.bounded = isinstance(distribution, Uniform | Triangular | Truncated)
@@ -41,7 +41,7 @@ class Axis:
         if not self.bounded:
             self.cuts = np.array(SCORES)
             if isinstance(distribution, StudentT):
-                # Its quantiles are slow; between so many of them straight lines are good to 1e-6 of a deviation.
+                # Its quantiles are slow; linear interpolation between this many is good to 1e-6 of a deviation.
                 scores = np.linspace(-REACH, REACH, TABLE)
                 self._table = scores, distribution.at(scores)
             return
@@ -79,7 +79,7 @@ class Axis:
         return np.exp(-0.5 * t * t) / np.sqrt(2.0 * np.pi)  # type: ignore[no-any-return]
 
     def below(self, t: "Array") -> "Array":
-        """The probability of less."""
+        """The distribution function."""
         d: Any = self.distribution
         if isinstance(d, Uniform):
             return (t - d.low) / (d.high - d.low)

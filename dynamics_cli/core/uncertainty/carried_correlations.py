@@ -1,4 +1,4 @@
-"""Correlations that come with the results of earlier documents: two of one document are seldom independent."""
+"""Correlations carried over from earlier documents: two results of one document are seldom independent."""
 
 from itertools import combinations
 
@@ -15,31 +15,31 @@ if TYPE_CHECKING:
     # By input address: the document, the result's address in it, and the document's covariance entry.
     Origins = Mapping[str, tuple[str, str, Any]]
 
-# Documents carry six digits of a correlation, which may leave a matrix a little short of positive definite.
+# Documents state correlations to six digits, which may leave a matrix slightly short of positive definite.
 SHRINKAGE = (0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2)
 
 
 def carried(origins: "Origins", known: "Sequence[str]") -> "dict[tuple[str, str], float]":
     """The correlations of uncertain inputs that are results of one document, as that document states them."""
-    found: dict[tuple[str, str], float] = {}
+    correlations: dict[tuple[str, str], float] = {}
     for one, other in combinations([name for name in known if name in origins], 2):
         (document, result, covariance), (second, other_result, _) = origins[one], origins[other]
         if document != second:
             continue
         rho = 1.0 if result == other_result else _stated(document, covariance, result, other_result)
         if rho:
-            found[one, other] = rho
-    if not found:
+            correlations[one, other] = rho
+    if not correlations:
         return {}
     names = list(known)
     for shrunk in SHRINKAGE:
         matrix = np.eye(len(names))
-        for (one, other), rho in found.items():
+        for (one, other), rho in correlations.items():
             i, j = names.index(one), names.index(other)
             matrix[i, j] = matrix[j, i] = rho * (1.0 - shrunk)
         if positive(matrix):
-            return {pair: rho * (1.0 - shrunk) for pair, rho in found.items()}
-    raise _unreadable(next(iter(origins.values()))[0], "its correlations contradict one another")
+            return {pair: rho * (1.0 - shrunk) for pair, rho in correlations.items()}
+    raise _unreadable(next(iter(origins.values()))[0], "its correlations contradict each other")
 
 
 def _stated(document: str, covariance: "Any", one: str, other: str) -> float:

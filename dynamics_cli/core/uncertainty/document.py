@@ -1,4 +1,4 @@
-"""What uncertain inputs add to a document: spreads beside the results, what drives them, chances beyond limits."""
+"""What uncertain inputs add to a document: spreads of the results, their drivers, probabilities beyond limits."""
 
 import math
 
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 # A formula called case by case is some hundred times slower than one on arrays.
 SLOW_POINTS = 20_000
 SLOW_ACCURACY = 1e-3
-# A warning of results that are known less well than fairly names so many.
+# Number of results named in a warning about poorly known ones.
 MOST_NAMED = 3
 
 
@@ -53,7 +53,7 @@ def add_uncertainty(
     settings: "Settings",
     display: "Display",
 ) -> "Picture | None":
-    """Propagate the inputs' distributions through the task's model and say what comes of it; a picture if asked."""
+    """Propagate the inputs' distributions through the task's model and add the outcome; a picture if requested."""
     kinds = {name: kind for name, kind, _ in result_numbers(answered.record, task.specification.result)}
     limits = read_limits(task, answered, settings) if settings.limit else []
     wanted: dict[str, list[float]] = {}
@@ -66,24 +66,26 @@ def add_uncertainty(
     more = {"limits": wanted, "levels": asked, "slopes": _slopes(answered, task), "curve": bool(settings.plot)}
     more["partly"] = bool(settings.time_limit) and not settings.plot
     only = _chosen(task, settings, kinds, {*wanted, *asked})
-    made = spread_of(task, answered.model, bound, answered.record, reader, settings, shares=True, more=more, only=only)
+    propagation = spread_of(
+        task, answered.model, bound, answered.record, reader, settings, shares=True, more=more, only=only
+    )
     shown = {name: display.of(name.partition("[")[0], kind) for name, kind in kinds.items()}
-    _add_results(document["results"], made, shown)
-    document["numerics"]["uncertainty"] = _method_entry(made)
-    if drivers := _sensitivity(made, shown):
+    _add_results(document["results"], propagation, shown)
+    document["numerics"]["uncertainty"] = _method_entry(propagation)
+    if drivers := _sensitivity(propagation, shown):
         document["sensitivity"] = drivers
-    if made.correlation is not None:
-        document["covariance"] = _covariance(made, shown)
+    if propagation.correlation is not None:
+        document["covariance"] = _covariance(propagation, shown)
     if limits:
-        document["limits"] = limit_entries(limits, made, shown)
+        document["limits"] = limit_entries(limits, propagation, shown)
     if levels:
-        document["quantiles"] = level_entries(levels, made, shown)
-    document["warnings"] += _warnings(made)
+        document["quantiles"] = level_entries(levels, propagation, shown)
+    document["warnings"] += _warnings(propagation)
     if not settings.plot:
         return None
     from dynamics_cli.core.uncertainty.pictures import of_spread
 
-    return of_spread(task, document["inputs"], made, kinds, wanted)
+    return of_spread(task, document["inputs"], propagation, kinds, wanted)
 
 
 def _chosen(task: "Task", settings: "Settings", kinds: "Mapping[str, Kind]", named: "set[str]") -> "tuple[str, ...]":
@@ -122,7 +124,7 @@ def spread_of(
     come = {(a, b): rho for (a, b), rho in come.items() if (a, b) not in asked and (b, a) not in asked}
     # what leaves the range of a double somewhere in a distribution is no word for the terminal
     with np.errstate(all="ignore"):
-        made = propagate(
+        propagation = propagate(
             sampled,
             distributions,
             {**come, **asked},
@@ -134,9 +136,9 @@ def spread_of(
             shares=shares,
             **(more or {}),
         )
-    for spread in made.spreads.values():
-        drop_moments(spread, made.coverage)
-    return made
+    for spread in propagation.spreads.values():
+        drop_moments(spread, propagation.coverage)
+    return propagation
 
 
 def read_method(text: str) -> str:
@@ -150,7 +152,7 @@ def read_method(text: str) -> str:
 
 
 def _slopes(answered: "Answer", task: "Task") -> "dict[str, dict[str, float]] | None":
-    """Derivatives by the inputs, as the formula carried them at the means."""
+    """Derivatives with respect to the inputs, as carried through the formula at the means."""
     if not answered.leaves:
         return None
     made = {}
@@ -161,10 +163,10 @@ def _slopes(answered: "Answer", task: "Task") -> "dict[str, dict[str, float]] | 
     return made or None
 
 
-def _add_results(results: "dict[str, Any]", made: Propagation, shown: "Mapping[str, Shown]") -> None:
-    """Put beside every result that varies its distribution; of a vector, lists like its value."""
-    vary = made.varying()
-    for name, spread in made.spreads.items():
+def _add_results(results: "dict[str, Any]", propagation: Propagation, shown: "Mapping[str, Shown]") -> None:
+    """Put its distribution beside every result that varies; for a vector, in lists like its value."""
+    vary = propagation.varying()
+    for name, spread in propagation.spreads.items():
         stem, *steps = name.replace("]", "").split("[")
         indices = [int(step) for step in steps]
         node: Any = results
@@ -180,35 +182,35 @@ def _add_results(results: "dict[str, Any]", made: Propagation, shown: "Mapping[s
             "std": unit.deviation(spread.std) if math.isfinite(spread.std) else None,
         }
         if not indices:
-            node |= {**figures, "interval": [low, high], "coverage": made.coverage}
+            node |= {**figures, "interval": [low, high], "coverage": propagation.coverage}
             continue
         for key, figure in figures.items():
             nested(node.setdefault(key, []), indices).append(figure)
         for end, figure in zip(node.setdefault("interval", [[], []]), (low, high), strict=True):
             nested(end, indices).append(figure)
-        node["coverage"] = made.coverage
+        node["coverage"] = propagation.coverage
 
 
 def _finite(value: "Any") -> "Any":
     return value if isinstance(value, list) or math.isfinite(value) else None
 
 
-def _method_entry(made: Propagation) -> "dict[str, Any]":
-    """How it was done: method and error estimate of every result, in its standard deviations; the shares' method."""
+def _method_entry(propagation: Propagation) -> "dict[str, Any]":
+    """Method and error estimate (in standard deviations) of every result; the method of the shares."""
     results = {}
-    for name, spread in made.spreads.items():
+    for name, spread in propagation.spreads.items():
         if spread.varies:
             entry: dict[str, Any] = {"method": spread.method, "estimate": _two_digits(spread.estimate)}
             if spread.admissible < 1.0 - 1e-12:
                 entry["admissible"] = spread.admissible
             results[name] = entry
-    out: dict[str, Any] = {"results": results, "seed": made.seed, "evaluations": made.points}
-    if made.correlated:
-        out["correlations"] = {f"{one},{other}": rho for (one, other), rho in made.correlated.items()}
-    if made.shares_method:
-        out["shares"] = {"method": made.shares_method}
-        if math.isfinite(made.shares_error):
-            out["shares"]["estimate"] = _two_digits(made.shares_error)
+    out: dict[str, Any] = {"results": results, "seed": propagation.seed, "evaluations": propagation.points}
+    if propagation.correlated:
+        out["correlations"] = {f"{one},{other}": rho for (one, other), rho in propagation.correlated.items()}
+    if propagation.shares_method:
+        out["shares"] = {"method": propagation.shares_method}
+        if math.isfinite(propagation.shares_error):
+            out["shares"]["estimate"] = _two_digits(propagation.shares_error)
     return out
 
 
@@ -220,15 +222,15 @@ def _share(value: float) -> float:
     return float(f"{value:.4f}") + 0.0
 
 
-def _sensitivity(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
-    """For every result the inputs ranked by share of the variance, the range each makes alone, and the corners."""
+def _sensitivity(propagation: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
+    """For every result the inputs ranked by share of the variance, the range each gives alone, and the corners."""
     out = {}
-    for name, spread in made.spreads.items():
+    for name, spread in propagation.spreads.items():
         if not spread.first or not spread.varies:
             continue
         unit = shown[name]
         rows = []
-        for index, leaf in enumerate(made.inputs):
+        for index, leaf in enumerate(propagation.inputs):
             row: dict[str, Any] = {"input": leaf, "share": _share(spread.first[index])}
             if spread.total[index] != spread.first[index]:
                 row["total"] = _share(spread.total[index])
@@ -249,16 +251,16 @@ def _number(unit: "Shown", si: float) -> "Any":
     return unit.value(si) if math.isfinite(si) else None
 
 
-def _covariance(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
+def _covariance(propagation: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, Any]":
     """Correlation and covariance of the results that vary and are not copies of one another, in the units shown."""
-    assert made.correlation is not None
-    names = list(made.spreads)
+    assert propagation.correlation is not None
+    names = list(propagation.spreads)
     kept: list[int] = []
     same: dict[str, str] = {}
     for i, name in enumerate(names):
-        spread = made.spreads[name]
+        spread = propagation.spreads[name]
         if spread.std > 0.0:
-            twin = next((names[j] for j in kept if _same(spread, made.spreads[names[j]])), "")
+            twin = next((names[j] for j in kept if _same(spread, propagation.spreads[names[j]])), "")
             if twin:
                 same[name] = twin
             else:
@@ -266,8 +268,8 @@ def _covariance(made: Propagation, shown: "Mapping[str, Shown]") -> "dict[str, A
     copies = {"same": same} if same else {}
     if len(kept) < 2:
         return {"results": [names[i] for i in kept], **copies}
-    correlation = made.correlation[np.ix_(kept, kept)]
-    widths = np.array([shown[names[i]].width(made.spreads[names[i]].std) for i in kept])
+    correlation = propagation.correlation[np.ix_(kept, kept)]
+    widths = np.array([shown[names[i]].width(propagation.spreads[names[i]].std) for i in kept])
     return {
         "results": [names[i] for i in kept],
         **copies,
@@ -281,19 +283,19 @@ def _same(one: Spread, other: Spread) -> bool:
     return one.interval == other.interval and one.median == other.median
 
 
-def _warnings(made: Propagation) -> "list[dict[str, Any]]":
+def _warnings(propagation: Propagation) -> "list[dict[str, Any]]":
     out = []
-    fractions = {s.admissible for s in made.spreads.values() if s.admissible < 1.0 - 1e-9}
+    fractions = {s.admissible for s in propagation.spreads.values() if s.admissible < 1.0 - 1e-9}
     if fractions:
         share = 1.0 - min(fractions)
         out.append(
             {
                 "code": "partly-inadmissible",
                 "severity": "caution" if share < 0.05 else "serious",
-                "message": f"{chance(share)} of the inputs' distribution is inadmissible; results are given the rest",
+                "message": f"{chance(share)} of the inputs' distribution is inadmissible; results are for the rest",
             }
         )
-    rough = [s for s in made.spreads.values() if s.varies and not s.estimate <= FAIR and not s.tails]
+    rough = [s for s in propagation.spreads.values() if s.varies and not s.estimate <= FAIR and not s.tails]
     if rough:
         names = [s.name for s in rough[:MOST_NAMED]] + [f"{len(rough) - MOST_NAMED} more"] * (len(rough) > MOST_NAMED)
         listed = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
@@ -308,29 +310,30 @@ def _warnings(made: Propagation) -> "list[dict[str, Any]]":
                 "remedy": "raise --samples",
             }
         )
-    if made.stopped:
-        message = f"the time limit was reached: {len(made.spreads)} of {len(made.stopped)} results have a distribution"
+    if propagation.stopped:
+        done, every = len(propagation.spreads), len(propagation.stopped)
+        message = f"the time limit was reached: {done} of {every} results have a distribution"
         remedy = "raise --time-limit, or give a smaller number of --samples"
         out.append({"code": "time-limit", "severity": "serious", "message": message, "remedy": remedy})
-    elif made.inputs and not any(s.varies for s in made.spreads.values()):
+    elif propagation.inputs and not any(s.varies for s in propagation.spreads.values()):
         out.append(
             {
                 "code": "nothing-varies",
                 "severity": "caution",
-                "message": "no result outside tables depends on the uncertain inputs; tables hold values at the means",
+                "message": "only tables depend on the uncertain inputs; they hold the values at the means",
             }
         )
-    return out + _no_deviations(made)
+    return out + _no_deviations(propagation)
 
 
-def _no_deviations(made: Propagation) -> "list[dict[str, Any]]":
+def _no_deviations(propagation: Propagation) -> "list[dict[str, Any]]":
     """Results whose distribution has no standard deviation."""
     out: list[dict[str, Any]] = []
-    if long := [s.name for s in made.spreads.values() if s.tails]:
+    if long := [s.name for s in propagation.spreads.values() if s.tails]:
         message = f"{', '.join(long)}: no standard deviation, values have no bound within the inputs' distribution"
         remedy = "use the median and the interval, or inputs with bounds, such as 0.3..0.4"
         out.append({"code": "no-deviation", "severity": "caution", "message": message, "remedy": remedy})
-    if any(s.varies and not s.tails and not math.isfinite(s.std) for s in made.spreads.values()):
+    if any(s.varies and not s.tails and not math.isfinite(s.std) for s in propagation.spreads.values()):
         out.append(
             {
                 "code": "no-deviation",

@@ -1,4 +1,4 @@
-"""What is asked of single results: probabilities beyond limits, and quantiles."""
+"""Requests for single results: probabilities beyond limits, and quantiles."""
 
 from dynamics_cli.core.answering.limits import limit_entry
 from dynamics_cli.core.documents import number
@@ -16,30 +16,32 @@ if TYPE_CHECKING:
     from dynamics_cli.core.units.display import Shown
     from dynamics_cli.quantities import Kind
 
-# Quantiles farther out are no matter of inputs known by mean and deviation.
+# Quantiles farther out cannot be had from inputs known by mean and deviation.
 LEAST_LEVEL = 1e-6
 _PERCENT = 100.0
 
 
 def read_levels(kinds: "Mapping[str, Kind]", settings: "Settings") -> "list[tuple[str, float]]":
     """`--quantile speed="5 %"`: a result by name and a probability, as often as given."""
-    made = []
+    levels = []
     for name, text in settings.quantile:
         if name not in kinds:
             hint = f"results are {', '.join(kinds)}"
             raise UsageError(f"there is no result {name!r}", parameter="quantile", hint=hint, code="unknown-result")
-        made.append((name, read_probability(text, "quantile", LEAST_LEVEL)))
-    return made
+        levels.append((name, read_probability(text, "quantile", LEAST_LEVEL)))
+    return levels
 
 
-def limit_entries(limits: "list[Any]", made: "Propagation", shown: "Mapping[str, Shown]") -> "list[dict[str, Any]]":
-    """What the document says of each limit: within it or not, and how probable it is to be beyond."""
+def limit_entries(
+    limits: "list[Any]", propagation: "Propagation", shown: "Mapping[str, Shown]"
+) -> "list[dict[str, Any]]":
+    """The document's entry for each limit: within it or not, and the probability of exceeding it."""
     entries = []
     for key, _, value, reading in limits:
-        if key not in made.spreads:
+        if key not in propagation.spreads:
             continue
         entry = limit_entry(key, plain(value), reading, shown[key])
-        p = next(p for limit, p in made.spreads[key].beyond if limit == reading.si)
+        p = next(p for limit, p in propagation.spreads[key].beyond if limit == reading.si)
         entry["probability"] = p
         text = f"{number(reading.value, 6)} {reading.unit}".rstrip()
         entry["message"] = f"{key} is beyond {text} with a probability of {chance(p)}"
@@ -48,15 +50,17 @@ def limit_entries(limits: "list[Any]", made: "Propagation", shown: "Mapping[str,
 
 
 def level_entries(
-    levels: "list[tuple[str, float]]", made: "Propagation", shown: "Mapping[str, Shown]"
+    levels: "list[tuple[str, float]]", propagation: "Propagation", shown: "Mapping[str, Shown]"
 ) -> "list[dict[str, Any]]":
-    """What the document says of each quantile asked."""
+    """The document's entry for each requested quantile."""
     entries = []
     for name, level in levels:
-        if name not in made.spreads:
+        if name not in propagation.spreads:
             continue
         unit = shown[name]
-        value = unit.value(next(found for asked, found in made.spreads[name].levels if asked == level))
+        value = unit.value(
+            next(level_value for asked, level_value in propagation.spreads[name].levels if asked == level)
+        )
         message = f"{name} is below {number(value, 6)} {unit.text}".rstrip() + f" with a probability of {chance(level)}"
         own = {"unit": unit.text} if unit.text else {}
         entries.append({"result": name, "probability": level, "value": value, **own, "message": message})

@@ -1,4 +1,4 @@
-"""A task as a model on arrays: physics functions called with whole samples, refused cases marked and left out."""
+"""A task as a model on arrays: physics functions called with whole samples; refused cases are masked and left out."""
 
 import numpy as np
 
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Rounds in which a formula may refuse some rows for one reason after another.
+# How often a formula may refuse further rows, for one reason after another.
 MOST_REFUSALS = 20
-# What rounding leaves of other numbers: some dozens of last bits. And a steadiness that no measured input has.
+# Rounding of other numbers: some dozens of last bits. And a relative deviation smaller than any measured input has.
 ROUNDING, STEADY = 1e-14, 1e-12
 _FUNCTIONS: "dict[str, Callable[..., Any]]" = {
     "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
@@ -36,7 +36,7 @@ class Sampled(np.ndarray):
     """An array that goes through `numerics.elementary` in numpy's own loops.
 
     Rows must equal single answers to the bit, so ordinary arrays are mapped through the C library value by value. A
-    sample needs no such thing: a last bit is nothing beside its spread, and the loops are many times faster.
+    sample does not need that: a last bit is negligible beside its spread, and the loops are many times faster.
     """
 
     def apply(self, name: str, *arguments: "Any") -> "Any":
@@ -45,10 +45,10 @@ class Sampled(np.ndarray):
 
 
 def _noise(record: "Any", spec: "Record", bound: "Fields") -> "dict[str, float]":
-    """What the results may be off by, as their arithmetic or a solver states: a variation within it is none.
+    """Error of the results, as their arithmetic or a solver states it: a variation within it is not real.
 
-    What may be zero at the means, by its own error or as a component of a vector, is beside them what rounding leaves
-    of the numbers it came from: those with its unit, or the other components.
+    A result that may be zero at the means, within its error or as a component of a vector, has elsewhere the rounding
+    of the numbers it came from: results with its unit, or the other components.
     """
     bounds = {stated.result: stated for stated in getattr(getattr(record, "numerics", None), "bounds", ())}
     numbers = [(name, kind, value, abs(float(plain(value)))) for name, kind, value in result_numbers(record, spec)]
@@ -87,7 +87,7 @@ class TaskModel:
         """Results by address, and which rows are inadmissible."""
         arrays = {name: value for name, value in inputs.items() if isinstance(value, np.ndarray)}
         count = len(next(iter(arrays.values()))) if arrays else 1
-        if not count:  # where no point is admissible there is none to refine
+        if not count:  # without an admissible point there is nothing to evaluate
             return {name: np.empty(0) for name in self.names}, None
         refused = self._outside(arrays, count)
         if not self.arrays or not arrays:
@@ -105,11 +105,11 @@ class TaskModel:
                 kept = np.nonzero(~bad)[0] if kept is None else kept[~bad]
                 continue
             except (TypeError, ValueError):
-                # A formula that asks a sample for its truth value takes one case at a time.
+                # A formula that branches on a sample's truth value is called one case at a time.
                 self.arrays = False
                 return self._one_by_one(inputs, arrays, count, refused)
             return (results, None) if kept is None else self._spread(results, kept, count)
-        raise FaultError("the formula refuses rows without end")
+        raise FaultError("the formula keeps refusing rows")
 
     def _call(self, inputs: "dict[str, Any]", arrays: "dict[str, Array]", kept: "Any") -> "dict[str, Any]":
         values = dict(inputs)
@@ -118,20 +118,20 @@ class TaskModel:
         args, kwargs = arguments(self.task, self.bound, values)
         with Drawing():
             record = self.function(*args, **kwargs)
-        found = {name: np.asarray(value, dtype=float) for name, _, value in result_numbers(record, self.spec)}
-        return {name: found.get(name, np.nan) for name in self.names}
+        numbers = {name: np.asarray(value, dtype=float) for name, _, value in result_numbers(record, self.spec)}
+        return {name: numbers.get(name, np.nan) for name in self.names}
 
     def _spread(self, results: "dict[str, Any]", kept: "Any", count: int) -> "tuple[dict[str, Any], Any]":
         refused = np.ones(count, dtype=bool)
         refused[kept] = False
-        made = {}
+        arrays = {}
         for name, value in results.items():
-            made[name] = np.full(count, np.nan)
-            made[name][kept] = value
-        return made, refused
+            arrays[name] = np.full(count, np.nan)
+            arrays[name][kept] = value
+        return arrays, refused
 
     def _outside(self, arrays: "dict[str, Array]", count: int) -> "Any":
-        """Rows whose inputs leave their kind's bounds (a negative friction) or do not exist, or None."""
+        """Rows with inputs outside their kind's bounds (a negative friction) or undefined, or None."""
         refused = None
         for name, array in arrays.items():
             kind = self.kinds[name]
@@ -154,7 +154,7 @@ class TaskModel:
         self, inputs: "dict[str, Any]", arrays: "dict[str, Array]", count: int, refused: "Any"
     ) -> "tuple[dict[str, Any], Any]":
         bad = np.zeros(count, dtype=bool) if refused is None else refused.copy()
-        made = {name: np.full(count, np.nan) for name in self.names}
+        results = {name: np.full(count, np.nan) for name in self.names}
         columns = {name: array.tolist() for name, array in arrays.items()}
         for row in np.nonzero(~bad)[0].tolist():
             values = {**inputs, **{name: column[row] for name, column in columns.items()}}
@@ -166,6 +166,6 @@ class TaskModel:
                 bad[row] = True
                 continue
             for name, _, value in result_numbers(record, self.spec):
-                if name in made:
-                    made[name][row] = value
-        return made, bad if bad.any() else None
+                if name in results:
+                    results[name][row] = value
+        return results, bad if bad.any() else None

@@ -2,7 +2,7 @@
 
 import math
 
-from dynamics_cli.core.output.answer_words import body_names, in_words, with_name
+from dynamics_cli.core.output.answer_words import body_names, in_words, input_in_words, with_name
 from dynamics_cli.pictures import Axis, Band, Bars, Curve, Panel, Picture
 
 TYPE_CHECKING = False
@@ -35,7 +35,7 @@ def of_spread(
     axis = Axis(label, kinds[spread.name])
     panels = [_density(spread, axis, made.coverage, limits.get(spread.name, []))]
     if spread.tornado:
-        panels.append(_tornado(made, spread, axis, names))
+        panels.append(_tornado(made, spread, axis, inputs, names))
     return Picture(tuple(panels), f"dynamics {task.path}: {axis.title}", distributions=len(panels))
 
 
@@ -57,12 +57,14 @@ def _density(spread: "Spread", axis: Axis, coverage: float, limits: "list[float]
     return Panel(axis, Axis("relative density, probability"), tuple(items))
 
 
-def _tornado(made: "Propagation", spread: "Spread", axis: Axis, names: "dict[str, str]") -> Panel:
+def _tornado(
+    made: "Propagation", spread: "Spread", axis: Axis, inputs: "dict[str, Any]", names: "dict[str, str]"
+) -> Panel:
     rows = []
     for name, (a, b), share in zip(made.inputs, spread.tornado, spread.total or spread.first, strict=True):
         if math.isfinite(a) and math.isfinite(b):
             rows.append(
-                (abs(b - a), f"{with_name(in_words(name), names)} ({100.0 * share:.0f} %)", min(a, b), max(a, b))
+                (abs(b - a), f"{input_in_words(name, inputs, names)} ({100.0 * share:.0f} %)", min(a, b), max(a, b))
             )
     rows.sort(key=lambda row: -row[0])
     rows = rows[:MOST_DRIVERS]

@@ -1,8 +1,8 @@
-"""Uncertain inputs through any model: distributions in, distributions out, and what drives them.
+"""Uncertain inputs through any model: distributions in, distributions and their drivers out.
 
 `propagate` takes a model on arrays and the inputs' distributions and gives, for every result, mean, median, standard
 deviation and interval with an error estimate of its own; variance shares; covariances; probabilities beyond limits;
-and, labelled apart, the range over the corners of all the inputs' intervals.
+and, separately labelled, the range over the corners of all the inputs' intervals.
 """
 
 import numpy as np
@@ -36,9 +36,9 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 DEFAULT_ACCURACY = 1e-4
-# Points of a distribution function that is to be looked at.
+# Points of a distribution function for a picture.
 CURVE_POINTS = 121
-# Polynomials that leave out more of some result's variance do not say what drives it.
+# Polynomials that miss more than this share of a result's variance are not used for its drivers.
 MOST_MISSED = 0.1
 
 
@@ -78,7 +78,7 @@ class Spread:
 class Propagation:
     """All results: `spreads` by name, `inputs` in the order of shares, `correlation` of the results.
 
-    `correlated` says which inputs were taken to be.
+    `correlated` lists the inputs treated as correlated.
     """
 
     def __init__(self, space: Space, coverage: float, seed: int) -> None:
@@ -123,7 +123,7 @@ def propagate(
 ) -> Propagation:
     """Propagate uncertainty through `model`.
 
-    `accuracy` is wanted of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the
+    `accuracy` is that of quantiles, mean and deviation, in standard deviations of the result; `samples` limits the
     model evaluations a result may cost (and is the sample of Monte Carlo); `limits` are values by result whose
     exceedance is asked, `levels` probabilities whose quantiles are; `slopes` the derivatives of each result at the
     inputs' means, where they are known; `curve` asks for the distribution function, at points across its range, of
@@ -139,33 +139,35 @@ def propagate(
     score = -normal.quantile(tail)
     p, scores = np.array([tail, 0.5, 1.0 - tail]), np.array([-score, 0.0, score])
     goal = Goal(p, scores, accuracy, samples or DEFAULT_POINTS, seed, curve=curve)
-    made = Propagation(space, coverage, seed)
-    made.correlated = dict(correlation or {})
+    propagation = Propagation(space, coverage, seed)
+    propagation.correlated = dict(correlation or {})
     if space.size == 0:
-        _certain(space, made)
-        return made
+        _certain(space, propagation)
+        return propagation
     try:
         probe = _probe(space, seed)
         stand_in = None
         if space.slow and method == "auto" and len(space.results) > FEW_RESULTS and suits(space):
             stand_in = StandIn(space, seed, goal.accuracy)
-        _distribute(space, made, goal, method, samples, probe, (limits or {}, levels or {}), slopes or {}, stand_in)
+        _distribute(
+            space, propagation, goal, method, samples, probe, (limits or {}, levels or {}), slopes or {}, stand_in
+        )
         if shares and space.results:
-            _add_shares(space, made, seed, stand_in)
-            add_corners(space, made.spreads, made.coverage)
+            _add_shares(space, propagation, seed, stand_in)
+            add_corners(space, propagation.spreads, propagation.coverage)
     except Reached:
         if not partly:
             raise
         stop()
-        made.stopped = space.results
-    made.points = space.points
-    return made
+        propagation.stopped = space.results
+    propagation.points = space.points
+    return propagation
 
 
-def _certain(space: Space, made: Propagation) -> None:
+def _certain(space: Space, propagation: Propagation) -> None:
     values = space.evaluate(np.zeros((0, 1)))[:, 0]
     for name, value in zip(space.results, values.tolist(), strict=True):
-        made.spreads[name] = Spread(name, "no input is uncertain", [value] * 3, value, 0.0)
+        propagation.spreads[name] = Spread(name, "no input is uncertain", [value] * 3, value, 0.0)
 
 
 def _probe(space: Space, seed: int) -> "Array":
@@ -180,7 +182,7 @@ def _probe(space: Space, seed: int) -> "Array":
 
 def _distribute(
     space: Space,
-    made: Propagation,
+    propagation: Propagation,
     goal: Goal,
     method: str,
     samples: int,
@@ -194,29 +196,29 @@ def _distribute(
     straight = Straight(space, probe, goal.seed)
     space.whole = set(np.flatnonzero((probe == np.rint(probe)).all(axis=1)).tolist())
     for row, name in enumerate(space.results):
-        # A curve is looked at of the limited results, or of the first that varies.
-        curve = goal.curve and (name in limits if limits else not made.varying())
+        # A curve is drawn for the limited results, or for the first that varies.
+        curve = goal.curve and (name in limits if limits else not propagation.varying())
         own = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=curve)
         twin, scale, shift = straight.of(row)
         more = {name, twin} & (limits.keys() | levels.keys())
         if twin and not more and not curve:
-            made.spreads[name] = _copy(made.spreads[twin], name, scale, shift)
+            propagation.spreads[name] = _copy(propagation.spreads[twin], name, scale, shift)
         elif (np.abs(probe[row] - probe[row, 0]) <= 2.0 * space.noise.get(name, 0.0)).all():
-            made.spreads[name] = _constant(name, float(probe[row, 0]), own)
+            propagation.spreads[name] = _constant(name, float(probe[row, 0]), own)
         elif sample is not None:
-            made.spreads[name] = _sampled(name, row, sample, own)
+            propagation.spreads[name] = _sampled(name, row, sample, own)
         else:
             best = _stood_in(stand_in, name, row, own, probe) if stand_in is not None and name not in more else None
-            # Where the polynomials are near enough, other points of the model itself would tell no more.
+            # Where the polynomials are accurate enough, further points of the model would add nothing.
             near = best is not None and stand_in is not None and stand_in.errors[row] <= goal.accuracy * best.std
             if best is None or not (near or best.estimate <= FAIR):
                 other = _integrated(space, name, row, own, method, probe, slopes.get(name))
                 best = other if best is None or other.estimate < best.estimate else best
-            made.spreads[name] = best
+            propagation.spreads[name] = best
 
 
 def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array") -> Spread | None:
-    """A result of the polynomials that stand in for a slow model; None where these are not near enough."""
+    """A result from the polynomials that replace a slow model; None where they are not accurate enough."""
     if not stand_in.errors[row] < float(np.nanstd(probe[row])):
         return None
     quick = Goal(goal.p, goal.scores, goal.accuracy, DEFAULT_POINTS, goal.seed, curve=goal.curve)
@@ -228,42 +230,42 @@ def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array"
 
 def _copy(spread: Spread, name: str, scale: float, shift: float) -> Spread:
     """The distribution of scale · x + shift."""
-    made = Spread.__new__(Spread)
-    made.__dict__.update(spread.__dict__, name=name)
+    copied = Spread.__new__(Spread)
+    copied.__dict__.update(spread.__dict__, name=name)
     if (scale, shift) != (1.0, 0.0):
         low, high = sorted(scale * end + shift for end in spread.interval)
-        made.interval = (low, high)
-        made.median, made.mean = scale * spread.median + shift, scale * spread.mean + shift
-        made.std = abs(scale) * spread.std
-    return made
+        copied.interval = (low, high)
+        copied.median, copied.mean = scale * spread.median + shift, scale * spread.mean + shift
+        copied.std = abs(scale) * spread.std
+    return copied
 
 
 def _constant(name: str, value: float, goal: Goal) -> Spread:
-    made = Spread(name, "independent of the uncertain inputs", [value] * 3, value, 0.0)
-    made.beyond = [(limit, 1.0 if value > limit else 0.0) for limit in goal.limits]
-    made.levels = [(level, value) for level in goal.levels]
-    return made
+    spread = Spread(name, "independent of the uncertain inputs", [value] * 3, value, 0.0)
+    spread.beyond = [(limit, 1.0 if value > limit else 0.0) for limit in goal.limits]
+    spread.levels = [(level, value) for level in goal.levels]
+    return spread
 
 
 def _sampled(name: str, row: int, sample: Sample, goal: Goal) -> Spread:
     plain, admissible, ordered = sample.plain(row, goal)
     if ordered.size < 2:
-        raise InadmissibleError("hardly any case within the inputs' uncertainty is admissible", hint="check the inputs")
-    made = _of_plain(name, plain, goal)
-    made.admissible = admissible
-    made.beyond = [(v, 1.0 - float(np.searchsorted(ordered, v, side="right")) / ordered.size) for v in goal.limits]
+        raise InadmissibleError("almost no case within the inputs' uncertainty is admissible", hint="check the inputs")
+    spread = _of_plain(name, plain, goal)
+    spread.admissible = admissible
+    spread.beyond = [(v, 1.0 - float(np.searchsorted(ordered, v, side="right")) / ordered.size) for v in goal.limits]
     if goal.curve:
-        values = across_range(made.interval)
+        values = across_range(spread.interval)
         below = np.searchsorted(ordered, values, side="right") / ordered.size
-        made.cumulative = (values.tolist(), below.tolist())
-    return made
+        spread.cumulative = (values.tolist(), below.tolist())
+    return spread
 
 
 def _of_plain(name: str, plain: Plain, goal: Goal) -> Spread:
-    made = Spread(name, plain.method, plain.quantiles[goal.main].tolist(), plain.mean, plain.std)
-    made.levels = goal.at_levels(plain.quantiles)
-    made.estimate = plain.estimate
-    return made
+    spread = Spread(name, plain.method, plain.quantiles[goal.main].tolist(), plain.mean, plain.std)
+    spread.levels = goal.at_levels(plain.quantiles)
+    spread.estimate = plain.estimate
+    return spread
 
 
 def _integrated(
@@ -281,18 +283,19 @@ def _integrated(
     spread.estimate, spread.admissible = outcome.estimate, outcome.admissible
     spread.levels = goal.at_levels(outcome.quantiles)
     if goal.limits:
-        found = exceedance(outcome, np.array(goal.limits, dtype=float), goal)
-        spread.beyond = list(zip(goal.limits, found.tolist(), strict=True))
-    if goal.curve and spread.interval[0] < spread.interval[1]:
+        chances = exceedance(outcome, np.array(goal.limits, dtype=float), goal)
+        spread.beyond = list(zip(goal.limits, chances.tolist(), strict=True))
+    classical = method in ("linear", "second-order", "unscented")
+    if goal.curve and not classical and spread.interval[0] < spread.interval[1]:
         values = across_range(spread.interval)
         spread.cumulative = (values.tolist(), (1.0 - exceedance(outcome, values, goal)).tolist())
-    if method in ("linear", "second-order", "unscented"):
+    if classical:
         spread = _beside(spread, _classical(space, row, goal, method, slopes), outcome, goal)
     return spread
 
 
 def across_range(interval: "tuple[float, float]") -> "Array":
-    """Points across a result's range: the interval, and as far again beyond it as half its width to each side."""
+    """Points across a result's range: the interval, extended by half its width to each side."""
     low, high = interval
     return np.linspace(low - 0.5 * (high - low), high + 0.5 * (high - low), CURVE_POINTS)
 
@@ -306,7 +309,9 @@ def _classical(space: Space, row: int, goal: Goal, method: str, slopes: "Mapping
 def _beside(spread: Spread, plain: Plain, outcome: Outcome, goal: Goal) -> Spread:
     """A classical method's numbers; its error is the distance from the quadrature's; probabilities as if normal."""
     made = _of_plain(spread.name, plain, goal)
-    made.cumulative = spread.cumulative
+    if goal.curve and plain.std > 0.0:
+        values = across_range(made.interval).tolist()
+        made.cumulative = (values, [1.0 - normal.upper((v - plain.mean) / plain.std) for v in values])
     apart = [*np.abs(plain.quantiles - outcome.quantiles), abs(plain.mean - outcome.mean), abs(plain.std - outcome.std)]
     scale = outcome.std if outcome.std > 0.0 else 1.0
     made.estimate = float(max(apart)) / scale + outcome.estimate
@@ -317,20 +322,20 @@ def _beside(spread: Spread, plain: Plain, outcome: Outcome, goal: Goal) -> Sprea
     return made
 
 
-def _add_shares(space: Space, made: Propagation, seed: int, stand_in: StandIn | None) -> None:
+def _add_shares(space: Space, propagation: Propagation, seed: int, stand_in: StandIn | None) -> None:
     """Shares of the variance of every result, and the results' correlation."""
-    variances = np.nan_to_num([made.spreads[name].std ** 2 for name in space.results], posinf=0.0)
+    variances = np.nan_to_num([propagation.spreads[name].std ** 2 for name in space.results], posinf=0.0)
     missed = 0.0 if stand_in is None else float(stand_in.missed[variances > 0.0].max(initial=0.0))
     if stand_in is not None and missed < MOST_MISSED:
         space = stand_in.space
     else:
         missed = 0.0
-    admissible = min(spread.admissible for spread in made.spreads.values())
-    found: Shares = variance_shares(space, variances, seed, admissible)
+    admissible = min(spread.admissible for spread in propagation.spreads.values())
+    shares: Shares = variance_shares(space, variances, seed, admissible)
     for row, name in enumerate(space.results):
-        if made.spreads[name].varies and np.isfinite(found.first[row]).all():
-            made.spreads[name].first = found.first[row].tolist()
-            made.spreads[name].total = found.total[row].tolist()
-    made.shares_method, made.shares_error = found.method, found.error + missed
-    if sum(spread.std > 0.0 for spread in made.spreads.values()) > 1:
-        made.correlation = found.covariance()
+        if propagation.spreads[name].varies and np.isfinite(shares.first[row]).all():
+            propagation.spreads[name].first = shares.first[row].tolist()
+            propagation.spreads[name].total = shares.total[row].tolist()
+    propagation.shares_method, propagation.shares_error = shares.method, shares.error + missed
+    if sum(spread.std > 0.0 for spread in propagation.spreads.values()) > 1:
+        propagation.correlation = shares.covariance()

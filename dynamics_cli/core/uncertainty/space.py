@@ -1,7 +1,7 @@
 """The space an uncertain calculation is integrated in: independent standard normals z, and the model on them.
 
-Everything that propagates uncertainty sees only `Space.evaluate`: points (inputs, n) in, results (results, n) out, with
-NaN where the model is inadmissible. NaN stays inside the engine; what leaves it is a fraction of inadmissible cases.
+All methods see only `Space.evaluate`: points (inputs, n) in, results (results, n) out, with
+NaN where the model is inadmissible. NaN stays inside; callers see a fraction of inadmissible cases.
 """
 
 from decimal import Decimal, localcontext
@@ -37,19 +37,22 @@ class Space:
 
     def __init__(self, model: "Model", distributions: "Mapping[str, Distribution]", correlation: "Correlation") -> None:
         self.model = model
-        self.fixed = {name: made.mean for name, made in distributions.items() if made.std == 0.0}
+        self.fixed = {
+            name: distribution.mean for name, distribution in distributions.items() if distribution.std == 0.0
+        }
         self.names = [name for name in distributions if name not in self.fixed]
         self.distributions = [distributions[name] for name in self.names]
         self.factor = factor(self.names, correlation, set(distributions))
-        self.smooth = all(made.smooth for made in self.distributions)
-        self.stepped = any(made.name == "empirical" for made in self.distributions)
-        # Without a finite variance (Student's t of two or three readings) neither has, as a rule, the result.
-        self.heavy = any(made.std == np.inf for made in self.distributions)
+        self.smooth = all(distribution.smooth for distribution in self.distributions)
+        self.stepped = any(distribution.name == "empirical" for distribution in self.distributions)
+        # Without a finite variance of an input (Student's t of two or three readings) the result has usually none
+        # either.
+        self.heavy = any(distribution.std == np.inf for distribution in self.distributions)
         self.results: list[str] = []
-        # by result, what its values may be off by
+        # error of the values, by result
         self.noise: Mapping[str, float] = getattr(model, "noise", {})
         self.points = 0
-        # A model that is asked case by case is dear, and its results are often asked for at the same points.
+        # A model called case by case is expensive, and its results are often needed at the same points.
         self.slow = not getattr(model, "arrays", True)
         self._known: dict[bytes, Array] | None = {} if self.slow else None
         # The sample that results share, once one of them needs it.
@@ -63,7 +66,7 @@ class Space:
 
     @property
     def size(self) -> int:
-        """How many inputs are really uncertain."""
+        """Number of uncertain inputs."""
         return len(self.names)
 
     def inputs(self, z: "Array") -> "dict[str, Any]":
@@ -71,11 +74,11 @@ class Space:
         return self.inputs_of(z if self.factor is None else self.factor @ z)
 
     def inputs_of(self, scores: "Array") -> "dict[str, Any]":
-        """The inputs whose own normal scores (correlated, if they are) are given."""
-        made: dict[str, Any] = dict(self.fixed)
+        """The inputs from their own (possibly correlated) normal scores."""
+        inputs: dict[str, Any] = dict(self.fixed)
         for name, distribution, score in zip(self.names, self.distributions, scores, strict=True):
-            made[name] = distribution.at(score)
-        return made
+            inputs[name] = distribution.at(score)
+        return inputs
 
     def evaluate(self, z: "Array") -> "Array":
         """Every result at points z (inputs, n): an array (results, n), NaN where inadmissible."""
@@ -90,15 +93,15 @@ class Space:
         if self._known is None:
             return self.evaluate_inputs(self.inputs(z), count)
         key = z.tobytes()
-        made = self._known.get(key)
-        if made is None:
-            made = self.evaluate_inputs(self.inputs(z), count)
+        known = self._known.get(key)
+        if known is None:
+            known = self.evaluate_inputs(self.inputs(z), count)
             if len(self._known) < MOST_KNOWN:
-                self._known[key] = made
-        return made
+                self._known[key] = known
+        return known
 
     def evaluate_inputs(self, inputs: "dict[str, Any]", count: int) -> "Array":
-        """Every result at so many cases of the inputs."""
+        """Every result at given cases of the inputs."""
         self.points += count
         if not count and self.results:
             return np.empty((len(self.results), 0))
@@ -122,7 +125,7 @@ def factor(names: "Sequence[str]", correlation: "Correlation", known: "set[str]"
     for (one, other), rho in correlation.items():
         for name in (one, other):
             if name not in known:
-                hint = f"uncertain are {', '.join(known)}" if known else "no input is uncertain"
+                hint = f"uncertain inputs are {', '.join(known)}" if known else "no input is uncertain"
                 raise UsageError(f"{name!r} is not an uncertain input", parameter="correlate", hint=hint)
         if one == other or not -1.0 <= rho <= 1.0:
             raise UsageError(
@@ -135,14 +138,14 @@ def factor(names: "Sequence[str]", correlation: "Correlation", known: "set[str]"
             matrix[i, j] = matrix[j, i] = rho
     if not (matrix - np.eye(len(names))).any():
         return None
-    made = _cholesky(matrix)
-    if made is None:
+    lower = _cholesky(matrix)
+    if lower is None:
         _refuse(names, matrix)
-    return made
+    return lower
 
 
 def positive(matrix: "Array") -> bool:
-    """Whether a matrix of correlations can be one."""
+    """Whether a matrix is a possible correlation matrix."""
     return _cholesky(matrix) is not None
 
 
@@ -170,11 +173,11 @@ def _cholesky(matrix: "Array") -> "Array | None":
                 elif rest > _PIVOT:
                     row[j] = rest.sqrt()
             rows.append(row)
-    made = np.zeros_like(matrix)
+    lower = np.zeros_like(matrix)
     for i, row in enumerate(rows):
         for j, value in row.items():
-            made[i, j] = float(value)
-    return made
+            lower[i, j] = float(value)
+    return lower
 
 
 def _refuse(names: "Sequence[str]", matrix: "Array") -> None:
@@ -190,9 +193,9 @@ def _refuse(names: "Sequence[str]", matrix: "Array") -> None:
                     best, pair = least, (i, j)
     i, j = pair
     low, high = _admissible(matrix, i, j)
-    hint = f"with the others as given it can be from {low:.3g} to {high:.3g}"
+    hint = f"with the others as given it can range from {low:.3g} to {high:.3g}"
     if not low < high:
-        hint = "the others contradict one another too"
+        hint = "the others contradict each other too"
     raise UsageError(
         f"the correlations cannot all hold: {names[j]} with {names[i]}, {matrix[i, j]:g}, contradicts the others",
         parameter="correlate",

@@ -1,4 +1,4 @@
-"""A judgement that refused the inputs' nominal values, with the intervals that their uncertainty leaves."""
+"""A judgement that refused the nominal inputs, extended by the intervals that their uncertainty leaves."""
 
 from dynamics_cli.core.answering.models import answer, result_numbers
 from dynamics_cli.core.documents import number
@@ -31,15 +31,15 @@ def add_intervals(
     try:
         with Drawing():
             answered = answer(task, bound, settings.model)
-        made = spread_of(task, answered.model, bound, answered.record, reader, settings, only=error.judged)
+        propagation = spread_of(task, answered.model, bound, answered.record, reader, settings, only=error.judged)
     except DynamicsError:
         return
     kinds = {name: kind for name, kind, _ in result_numbers(answered.record, task.specification.result)}
     parts = []
     for name in error.judged:
         shown = display.of(name, kinds[name])
-        low, high = (number(shown.value(end), DIGITS) for end in made.spreads[name].interval)
+        low, high = (number(shown.value(end), DIGITS) for end in propagation.spreads[name].interval)
         parts.append(f"{name} is from {low} to {high} {shown.text}".rstrip())
     if parts:
-        error.left = f"the inputs' uncertainty leaves ({_PERCENT * made.coverage:g} %): {', '.join(parts)}"
+        error.left = f"the inputs' uncertainty leaves ({_PERCENT * propagation.coverage:g} %): {', '.join(parts)}"
         error.hint = f"{error.left}; {error.hint}" if error.hint else error.left

@@ -27,11 +27,11 @@ SHIFTS = 8
 # A projection that misses more than this share of the variance is not used.
 _MISSED = 2e-3
 _MOST_TERMS = 500
-# Points an axis, of the grid used and of the one it is compared with, by the number of inputs.
+# Points per axis of the grid used and of the one it is compared with, by the number of inputs.
 GRIDS = {1: (30, 20), 2: (12, 9), 3: (8, 6)}
 FINE_GRIDS = {1: (60, 40), 2: (40, 27), 3: (15, 11)}
 _LARGEST_ERROR = 5e-3
-# Fewer admissible cases say nothing of how results hang together.
+# With fewer admissible cases than this correlations of results are not stated.
 FEWEST_CASES = 8
 
 
@@ -59,10 +59,10 @@ class Shares:
         values, weights = self.values[:, good], self.weights[good]
         weights = weights / weights.sum()
         apart = values - (values @ weights)[:, None]
-        made = (apart * weights) @ apart.T
-        scale = np.sqrt(np.maximum(np.diag(made), 0.0))
+        products = (apart * weights) @ apart.T
+        scale = np.sqrt(np.maximum(np.diag(products), 0.0))
         with np.errstate(all="ignore"):
-            return np.clip(np.nan_to_num(made / np.outer(scale, scale)), -1.0, 1.0)  # type: ignore[no-any-return]
+            return np.clip(np.nan_to_num(products / np.outer(scale, scale)), -1.0, 1.0)  # type: ignore[no-any-return]
 
 
 def variance_shares(space: Space, variances: "Array", seed: int, admissible: float = 1.0) -> Shares:
@@ -70,29 +70,29 @@ def variance_shares(space: Space, variances: "Array", seed: int, admissible: flo
     if space.factor is not None or space.heavy:
         return _covariances(space, seed)
     if space.size <= 3 and not space.stepped:
-        made = _tensors(space, variances > 0.0)
-        if made is not None:
-            return made
+        shares = _tensors(space, variances > 0.0)
+        if shares is not None:
+            return shares
     elif space.smooth and chaos_terms(space.size, 3) <= _MOST_TERMS:
-        made = _chaos(space, variances)
-        if made is not None:
-            return made
+        shares = _chaos(space, variances)
+        if shares is not None:
+            return shares
     return _jansen(space, variances > 0.0, seed, admissible)
 
 
 def _tensors(space: Space, vary: "Array") -> Shares | None:
     """Two grids, whose difference is the error; None when kinks keep them apart.
 
-    A result that does not `vary` has no shares: what rounding makes of it is noise. An only input has all of them.
+    A result that does not `vary` has no shares: its rounding is noise. A sole input has all of them.
     """
     fine, coarse = (GRIDS if space.smooth else FINE_GRIDS)[space.size]
-    made, other = _tensor(space, fine), _tensor(space, coarse)
-    if made is None or other is None:
+    finer, other = _tensor(space, fine), _tensor(space, coarse)
+    if finer is None or other is None:
         return None
     if space.size == 1:
-        return made
-    made.error = float(np.abs(made.total - other.total)[vary].max(initial=0.0))
-    return made if made.error <= _LARGEST_ERROR else None
+        return finer
+    finer.error = float(np.abs(finer.total - other.total)[vary].max(initial=0.0))
+    return finer if finer.error <= _LARGEST_ERROR else None
 
 
 def _tensor(space: Space, count: int) -> Shares | None:
@@ -102,16 +102,16 @@ def _tensor(space: Space, count: int) -> Shares | None:
     points, weights = tensor(nodes, own, n)
     heavy = weights > 1e-18
     values = np.zeros((0, 0))
-    found = space.evaluate(points[:, heavy])
-    if np.isnan(found).any():
+    results = space.evaluate(points[:, heavy])
+    if np.isnan(results).any():
         return None
-    values = np.zeros((found.shape[0], weights.size))
-    values[:, heavy] = found
-    mean = found @ weights[heavy]
+    values = np.zeros((results.shape[0], weights.size))
+    values[:, heavy] = results
+    mean = results @ weights[heavy]
     apart = np.where(heavy, values - mean[:, None], 0.0)
     variance = (apart * apart) @ weights
     cube = apart.reshape((-1, *(count,) * n))
-    first, total = np.zeros((len(found), n)), np.zeros((len(found), n))
+    first, total = np.zeros((len(results), n)), np.zeros((len(results), n))
     for axis in range(n):
         given, without = cube, cube
         for other in reversed(range(n)):
@@ -120,10 +120,10 @@ def _tensor(space: Space, count: int) -> Shares | None:
         without = np.tensordot(cube, own, axes=(axis + 1, 0))
         first[:, axis] = (given * given) @ own
         rest = tensor(nodes, own, n - 1)[1].reshape((count,) * (n - 1))
-        total[:, axis] = variance - (without * without * rest).reshape(len(found), -1).sum(axis=1)
+        total[:, axis] = variance - (without * without * rest).reshape(len(results), -1).sum(axis=1)
     scale = np.where(variance > 0.0, variance, 1.0)[:, None]
     return Shares(
-        f"analysis of variance on {count}^{n} points", first / scale, total / scale, 0.0, found, weights[heavy]
+        f"analysis of variance on {count}^{n} points", first / scale, total / scale, 0.0, results, weights[heavy]
     )
 
 
@@ -136,11 +136,11 @@ def _basis(n: int) -> "tuple[Array, Array]":
         points, weights = smolyak(n, 3)
         tables = polynomials(points, 3)
         choices = [axes for degree in range(1, 4) for axes in combinations_with_replacement(range(n), degree)]
-        made = np.array([np.bincount(axes, minlength=n) for axes in choices])
-        terms = np.ones((len(made), weights.size))
+        exponents = np.array([np.bincount(axes, minlength=n) for axes in choices])
+        terms = np.ones((len(exponents), weights.size))
         for axis in range(n):
-            terms *= tables[made[:, axis], axis]
-        _bases[n] = terms * weights, made
+            terms *= tables[exponents[:, axis], axis]
+        _bases[n] = terms * weights, exponents
     return _bases[n]
 
 
@@ -170,7 +170,7 @@ def _jansen(space: Space, vary: "Array", seed: int, admissible: float) -> Shares
     n = space.size
     count = 64 if space.slow else 1024 if n <= 8 else 256
     if not space.slow:
-        # Where few cases are admissible, more are looked at.
+        # Where few cases are admissible, more are evaluated.
         while count < MOST_POINTS and count * admissible < 512:
             count *= 2
     if 2 * n <= MOST_DIMENSIONS:
@@ -183,7 +183,7 @@ def _jansen(space: Space, vary: "Array", seed: int, admissible: float) -> Shares
     weights = np.full(fa.shape[1], 1.0 / fa.shape[1])
     results = len(fa)
     if n == 1:
-        # An only input has all of the variance, however little of its range is admissible.
+        # A sole input has all of the variance, however little of its range is admissible.
         whole = np.ones((results, 1))
         return Shares("the only input", whole, whole, 0.0, fa, weights)
     mean = _mean(np.concatenate([fa, fb], axis=1))[:, None]

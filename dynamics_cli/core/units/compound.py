@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 ANGLE = (0, 0, 0, 0, 0, 0, 0, 1)
 TIME = (0, 0, 1, 0, 0, 0, 0, 0)
-# After degrees, these are parts of a degree and not of an hour.
+# After degrees these are parts of a degree, not of an hour.
 ARC = {
     **dict.fromkeys(("min", "mins", "minute", "minutes"), "arcmin"),
     **dict.fromkeys(("s", "sec", "secs", "second", "seconds"), "arcsec"),
@@ -34,7 +34,9 @@ def parse_compound(text: str) -> tuple[Unit, ...]:
         units.append(part_unit(word, units[0]))
         larger, smaller = units[-2], units[-1]
         if is_offset(larger) or is_offset(smaller):
-            raise UsageError(f"a temperature has no parts: {text!r}", code="unit-syntax", hint="name one unit")
+            raise UsageError(
+                f"a temperature cannot have several parts: {text!r}", code="unit-syntax", hint="name one unit"
+            )
         if not is_smaller(smaller, larger):
             raise UsageError(
                 f"{smaller.text} is not smaller than {larger.text} in {text!r}",
@@ -55,7 +57,7 @@ def part_unit(text: str, first: Unit) -> Unit:
         from dynamics_cli.core.units.names import explain_mismatch
 
         message, hint = explain_mismatch(unit, first)
-        together = f"{first.text} and {unit.text} cannot be parts of one value"
+        together = f"{first.text} and {unit.text} cannot both be parts of one value"
         raise UsageError(f"{together}: {message}", code="kind", hint=hint)
     return unit
 
@@ -63,7 +65,7 @@ def part_unit(text: str, first: Unit) -> Unit:
 def is_smaller(a: Unit, b: Unit) -> bool:
     """Whether unit `a` is smaller than its conformable unit `b`."""
     numerator, denominator, pi = convert(1, 1, a, b)
-    # With π in the ratio the two cannot be equal, and no pair of units is so close that a double could not tell.
+    # With π in the ratio the two cannot be equal, and no pair of units is too close for a double.
     return numerator < denominator if not pi else nearest(numerator, denominator, pi) < 1.0
 
 
@@ -73,14 +75,14 @@ def joined(
     """Add up the parts of `5 ft 6 in`: the exact number of the last part's unit, which it returns too.
 
     Every part carries its sign. Refused are parts that do not fit together and, unless `added` by a plus, parts that
-    are not whole (but for the last), that do not get smaller, or that make more than one of the part before.
+    are not whole (except the last), that do not decrease, or that exceed one of the part before.
     """
     if not all(text for *_, text in parts):
         raise UsageError("a number has no unit", code="missing-unit", hint="write 5 ft 6 in")
     units = [parse_unit(parts[0][2], wanted)]
     units += [part_unit(text, units[0]) for *_, text in parts[1:]]
     if any(is_offset(unit) for unit in units):
-        raise UsageError("a temperature has no parts", code="syntax", hint="write one number and one unit")
+        raise UsageError("a temperature cannot have several parts", code="syntax", hint="write one number and one unit")
     last = units[-1]
     up, down = 0, 1
     for index, (numerator, denominator, text) in enumerate(parts):
@@ -88,7 +90,7 @@ def joined(
             smaller = f"{text} is not smaller than {parts[index - 1][2]}"
             raise UsageError(smaller, code="syntax", hint="put the larger unit first: 5 ft 6 in")
         if index < len(parts) - 1 and not added and numerator % denominator:
-            hint = "only the last part may be broken"
+            hint = "only the last part may have a fraction"
             raise UsageError(f"the number of {text} is not whole", code="syntax", hint=hint)
         over, under = _size(units[index], last)
         if index and not added:
@@ -197,7 +199,7 @@ def _split(total: int, down: int, units: tuple[Unit, ...]) -> tuple[float, ...]:
         parts.append(whole)
         rest_up, rest_down = left, rest_down * over
     rest = nearest(rest_up, rest_down)
-    # The rest may round up to a whole of the unit before it, and that one in turn.
+    # The rest may round up to one of the unit before it, and that in turn.
     for index in range(len(parts) - 1, -1, -1):
         up, over = sizes[index]
         low_up, low_over = sizes[index + 1]

@@ -52,7 +52,7 @@ def from_si(value: float, unit: "Unit") -> float:
 def convert(numerator: int, denominator: int, source: "Unit", target: "Unit") -> tuple[int, int, int]:
     """Convert an exact number between conformable units: the answer is n/d · π^k, in lowest terms.
 
-    Whether the units are conformable is the caller's to ask (`units.conformable`).
+    The caller checks that the units are conformable (`units.conformable`).
     """
     if target.offset[0] or source.offset[0]:
         return _convert_with_offset(numerator, denominator, source, target)
@@ -82,7 +82,7 @@ def ratio_of(value: float) -> tuple[int, int]:
     try:
         return value.as_integer_ratio()
     except (OverflowError, ValueError):
-        raise FaultError(f"{value} reached the conversion of units; only finite numbers may") from None
+        raise FaultError(f"{value} reached the conversion of units; only finite numbers can be converted") from None
 
 
 INFINITY = float("inf")
@@ -105,7 +105,7 @@ def _nearest_with_pi(numerator: int, denominator: int, pi: int) -> float:
         else:
             one = _ratio(numerator * scale, denominator * low**power)
             other = _ratio(numerator * scale, denominator * (low + 1) ** power)
-        # π is transcendental, so the exact value is no double and no tie: enough digits always decide.
+        # π is transcendental, so the exact value is neither a double nor a tie: enough digits always decide.
         if one == other:
             return one
         digits *= 2

@@ -26,7 +26,7 @@ def pretty(unit: str) -> str:
 
 
 class Shown:
-    """The unit of one result, and how its SI value becomes the number shown."""
+    """The unit of one result, and the conversion of its SI value to the number shown."""
 
     __slots__ = ("compound", "kind", "text", "unit")
 
@@ -84,7 +84,7 @@ class Shown:
         return self.value(si) if self.compound else self.width(si)
 
     def spread(self, si: float, error: float) -> float:
-        """What an error of the SI value, and showing it, may add up to in the unit shown."""
+        """Bound of the shown value's error: that of the SI value and of the conversion."""
         if self.unit is None and not self.compound:
             return error
         size = si
@@ -95,7 +95,7 @@ class Shown:
 
 
 class Display:
-    """Which unit each result is shown in."""
+    """The unit in which each result is shown."""
 
     def __init__(self, system: str, to: "Mapping[str, str]") -> None:
         self.system = system
@@ -118,7 +118,7 @@ class Display:
                     shown = Shown(kind, self.to[name])
                 except UsageError as error:
                     error.parameter = "to"
-                    # A last name alone may mean several results: those that the unit fits.
+                    # A last name alone may match several results: those that the unit fits.
                     if name == address or "[" in name:
                         raise
                     self._refused[name] = error
@@ -170,7 +170,7 @@ def _without_indices(address: str) -> str:
 
 
 def round_up(bound: float) -> float:
-    """A bound in two digits, never below itself."""
+    """A bound rounded up to two digits."""
     return float(f"{bound * 1.06:.1e}") if bound > 1e-290 else bound
 
 

@@ -2,7 +2,7 @@
 
 Products are written `*`, `·`, a space, or a hyphen or dot between names; powers `^2`, `**2`, `²` or the bare digit of
 `ft2`; quotients `/` or `per`. What could be read in two ways is refused: a product after a quotient (`kg/m s`) needs
-parentheses. A number cannot stand in a unit, but for the 1 of `1/in`, which may be left out (`/in`, `per inch`).
+parentheses. A number cannot be part of a unit, except the 1 of `1/in`, which may be left out (`/in`, `per inch`).
 """
 
 from dynamics_cli.core.units.table import NAMES
@@ -19,7 +19,7 @@ PRODUCTS = "*·⋅∙×"
 NAME_SIGNS = "_°%‰′″℃℉"
 SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 DIGITS = "0123456789"
-# Of the distances that consumption is stated for.
+# Distances that consumption is stated for.
 HUNDREDS = ("100km", "100 km", "100mi", "100 mi")
 MOST_WORDS = 3
 POWER_WORDS = {"sq": 2, "square": 2, "cu": 3, "cubic": 3}
@@ -30,14 +30,14 @@ def factors(text: str) -> list[tuple[str, int]]:
     if len(text) > LONGEST:
         raise UsageError(f"a unit of {len(text)} characters is too long", code="unit-syntax", hint="example: kg*m^2")
     reader = _Reader(text)
-    found = reader.product(0)
+    read = reader.product(0)
     if reader.at < len(text):
         reader.fail("')' has no '('" if reader.peek() == ")" else f"{show(reader.peek())} cannot stand in a unit")
-    return found
+    return read
 
 
 def joined_name(words: "list[str]") -> str:
-    """The name in the table that words make, `nautical mile`, unless they are a product of units, `lb ft`."""
+    """The table's name formed by several words, `nautical mile`, unless they are a product of units, `lb ft`."""
     joined = "_".join(words)
     if all(f" {word}|" in NAMES for word in words) and not joined.startswith("deg"):
         return ""
@@ -75,18 +75,18 @@ class _Reader:
         return self.text[at : at + 1]
 
     def space(self) -> None:
-        """Pass over white space."""
+        """Skip white space."""
         while self.peek().isspace():
             self.at += 1
 
     def at_per(self) -> bool:
-        """Whether the word "per" stands here."""
+        """Whether the word "per" is at this place."""
         after = self.peek(3)
         return self.text.startswith("per", self.at) and not (starts_name(after) or (after and after in DIGITS))
 
     def product(self, depth: int) -> list[tuple[str, int]]:
         """Factors with their powers, of products and quotients."""
-        found = self.operand(depth, first=True)
+        factors_read = self.operand(depth, first=True)
         divided = False
         while operator := self.operator():
             operand = self.operand(depth)
@@ -99,8 +99,8 @@ class _Reader:
                     "use parentheses: kg/(m*s) for kg over both, or put the division last: kg*s/m",
                     "ambiguous-unit",
                 )
-            found += operand
-        return found
+            factors_read += operand
+        return factors_read
 
     def operator(self) -> str:
         """Consume an operator: "/", "*", " " between two names side by side, or nothing at the end."""
@@ -151,7 +151,7 @@ class _Reader:
         self.fail("a unit is missing" if not character else f"{show(character)} cannot begin a unit")
 
     def parenthesis(self, depth: int) -> list[tuple[str, int]]:
-        """What stands between parentheses."""
+        """The contents of parentheses."""
         if depth >= DEEPEST:
             self.fail("too many parentheses")
         self.at += 1
@@ -164,7 +164,7 @@ class _Reader:
         return [(name, self.checked(each * power)) for name, each in inner]
 
     def words(self) -> str:
-        """A unit's name of several words, `nautical mile`, as the table has it; nothing where none stands here."""
+        """A unit's name of several words at this place, such as `nautical mile`; empty if there is none."""
         end = self.at
         while self.peek(end - self.at).isalpha() or self.peek(end - self.at) == " ":
             end += 1
@@ -246,7 +246,7 @@ class _Reader:
         return self.checked(sign * value)
 
     def checked(self, power: int) -> int:
-        """The power, which must be within bounds."""
+        """The power, checked against its bounds."""
         if not power or abs(power) > HIGHEST_POWER:
             self.fail(f"a power must be a whole number from 1 to {HIGHEST_POWER}, or its negative")
         return power

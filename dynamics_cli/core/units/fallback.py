@@ -1,7 +1,7 @@
 """Units beyond the table, asked of pint in rational arithmetic; the only module that imports pint.
 
-pint is asked for single names only: expressions, kinds and traps stay ours. Nothing of pint's leaks out, neither its
-errors nor its types.
+pint is asked for single names only: expressions, kinds and ambiguous names are handled here. Neither errors nor
+types of pint leave this module.
 """
 
 import functools
@@ -22,10 +22,10 @@ LONGEST_NAME = 60
 
 
 def lookup_in_pint(name: str) -> Unit | None:
-    """Ask pint for one unit; None when pint does not know it, a refusal when it is nothing we can calculate with."""
+    """Ask pint for one unit; None when pint does not know it, a refusal when it cannot be calculated with."""
     if len(name) > LONGEST_NAME or not name.replace("_", "a").replace("°", "a").isalnum():
         return None
-    # pint raises a dozen kinds of error on odd names, tokenizer errors and assertions among them.
+    # pint raises a dozen kinds of error on odd names, including tokenizer errors and assertions.
     try:
         known = registry().parse_unit_name(name)
     except Exception:
@@ -49,7 +49,7 @@ def lookup_in_pint(name: str) -> Unit | None:
 
 @functools.cache
 def registry() -> "Any":
-    """Pint's registry, made once."""
+    """Pint's registry, created once."""
     import pint
 
     return pint.UnitRegistry(non_int_type=Fraction)
@@ -71,7 +71,7 @@ def _translated(name: str, prefix: str, unit: str, factor: "Any", powers: "dict[
     # How pint read a name is reported: `pli` is a picolink to it.
     notes: tuple[str, ...] = () if name == prefix + unit else (f"{name} read as {prefix}{unit}",)
     if not isinstance(factor, Fraction | int):
-        notes += (f"{name} is known approximately only",)
+        notes += (f"{name} is known only approximately",)
     tag = "energy" if dimension == ENERGY and unit != "foot_pound" else ""
     return Unit(
         name,
@@ -85,7 +85,7 @@ def _translated(name: str, prefix: str, unit: str, factor: "Any", powers: "dict[
 
 
 def _without_pi(factor: Fraction) -> tuple[Fraction, int]:
-    """Take pint's 50-digit π out again, as the whole power that leaves the shortest ratio."""
+    """Remove pint's 50-digit π, as the integer power that leaves the shortest ratio."""
 
     def height(power: int) -> int:
         rest = factor / PINT_PI**power

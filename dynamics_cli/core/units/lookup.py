@@ -7,14 +7,14 @@ from dynamics_cli.errors import UsageError
 
 FORCE = (1, 1, -2, 0, 0, 0, 0, 0)
 LENGTH = (1, 0, 0, 0, 0, 0, 0, 0)
-# No unit of use comes near 10^±2400; a power of a prefixed unit could, and would cost time and memory.
+# No useful unit comes near 10^±2400; a power of a prefixed unit could, and would cost time and memory.
 MOST_BITS = 8000
 # Texts of units come from files of millions of rows; the caches must not grow with them.
 CACHE_SIZE = 2048
 LONGEST_IN_CAPITALS = 24
 
 
-# Units of two readings whose usual one needs no note.
+# Units with two readings whose usual one needs no note.
 SELDOM_OTHERWISE = ("g", "C", "F")
 
 _candidates: "dict[str, list[Unit]]" = {"": [NUMBER], "1": [NUMBER]}
@@ -25,16 +25,16 @@ def parse_unit(text: str, wanted: "Unit | None" = None, tag: str = "") -> Unit:
     """Read a unit; where it has several readings, take the one that `wanted` (or the tag alone) allows.
 
     `lb` and `oz` are masses unless a force fits and a mass does not, `g` is the gram unless an acceleration fits.
-    The unit's `notes` say so for `lb` and `oz` in either reading, for `g` only when it is gravity: nobody takes a
-    gram for anything else. A unit that does not fit is returned all the same, for the caller to explain.
+    The unit's `notes` say so for `lb` and `oz` in either reading, for `g` only when it is gravity: a gram is
+    never mistaken for anything else. A unit that does not fit is returned all the same, for the caller to explain.
     """
-    found = candidates(text)
-    if len(found) > 1 or wanted is not None or tag:
-        for unit in found:
+    readings = candidates(text)
+    if len(readings) > 1 or wanted is not None or tag:
+        for unit in readings:
             fits = wanted is None or conformable(unit, wanted)
             if fits and not (tag and unit.tag and unit.tag != tag):
                 return unit
-    return found[0]
+    return readings[0]
 
 
 def parse_pair(source: str, target: str) -> tuple[Unit, Unit]:
@@ -49,24 +49,24 @@ def parse_pair(source: str, target: str) -> tuple[Unit, Unit]:
 
 def candidates(text: str) -> list[Unit]:
     """Every reading of a unit's text, the default one first."""
-    found = _candidates.get(text)
-    if found is None:
-        found = _read(text)
+    readings = _candidates.get(text)
+    if readings is None:
+        readings = _read(text)
         if len(_candidates) >= CACHE_SIZE:
             _candidates.clear()
-        _candidates[text] = found
-    return found
+        _candidates[text] = readings
+    return readings
 
 
 def lookup(name: str) -> tuple[Unit, ...]:
     """Every reading of one unit's name: from the table, by SI prefix, or from pint; () when unknown."""
-    found = _names.get(name)
-    if found is None:
-        found = _from_table(name) or _in_other_case(name) or _from_pint(name)
+    readings = _names.get(name)
+    if readings is None:
+        readings = _from_table(name) or _in_other_case(name) or _from_pint(name)
         if len(_names) >= CACHE_SIZE:
             _names.clear()
-        _names[name] = found
-    return found
+        _names[name] = readings
+    return readings
 
 
 def in_table(name: str) -> tuple[str, str] | None:
@@ -97,13 +97,13 @@ def _read(text: str) -> list[Unit]:
         return [_renamed(unit, text) for unit in _readings(plain, entry[0])]
     over, slash, under = plain.partition("/")
     if slash and over.isalpha() and under.isalpha():
-        found = [(over, 1), (under, -1)]
+        factors_read = [(over, 1), (under, -1)]
     else:
         from dynamics_cli.core.units.expressions import factors
 
-        found = factors(plain) if plain else []
+        factors_read = factors(plain) if plain else []
     readings: list[dict[str, Unit]] = [{}]
-    for name, power in dict.fromkeys(found):
+    for name, power in dict.fromkeys(factors_read):
         if name in readings[0]:
             continue
         units = _in_capitals(name, power, plain) or lookup(name)
@@ -113,7 +113,7 @@ def _read(text: str) -> list[Unit]:
             raise _unknown(name, text)
         # One name has one reading throughout an expression.
         readings = [{**chosen, name: unit} for chosen in readings for unit in units]
-    return [_combined(text, found, chosen) for chosen in readings]
+    return [_combined(text, factors_read, chosen) for chosen in readings]
 
 
 def _renamed(unit: Unit, text: str) -> Unit:
@@ -123,14 +123,14 @@ def _renamed(unit: Unit, text: str) -> Unit:
     )  # fmt: skip
 
 
-def _combined(text: str, found: list[tuple[str, int]], chosen: dict[str, Unit]) -> Unit:
-    if len(found) == 1 and found[0][1] == 1:
-        return _renamed(chosen[found[0][0]], text)
+def _combined(text: str, factors_read: list[tuple[str, int]], chosen: dict[str, Unit]) -> Unit:
+    if len(factors_read) == 1 and factors_read[0][1] == 1:
+        return _renamed(chosen[factors_read[0][0]], text)
     numerator = denominator = 1
     pi = 0
     dimension: tuple[int, ...] = NONE
     notes: tuple[str, ...] = ()
-    for name, power in found:
+    for name, power in factors_read:
         unit = chosen[name]
         # Within an expression a degree is one of difference: BTU/(h*ft*degF).
         up, down = (unit.numerator, unit.denominator) if power > 0 else (unit.denominator, unit.numerator)
@@ -141,13 +141,15 @@ def _combined(text: str, found: list[tuple[str, int]], chosen: dict[str, Unit]) 
         pi += unit.pi * power
         dimension = tuple([a + b * power for a, b in zip(dimension, unit.dimension, strict=True)])
         notes += tuple(note for note in unit.notes if note not in notes)
-    return Unit(text, *lowest(numerator, denominator), dimension, pi=pi, tag=_product_tag(found, chosen), notes=notes)
+    return Unit(
+        text, *lowest(numerator, denominator), dimension, pi=pi, tag=_product_tag(factors_read, chosen), notes=notes
+    )
 
 
-def _product_tag(found: list[tuple[str, int]], chosen: dict[str, Unit]) -> str:
+def _product_tag(factors_read: list[tuple[str, int]], chosen: dict[str, Unit]) -> str:
     """A force times a length, in this order, is a torque; the book writes `ft lb` for torque and energy alike."""
-    if len(found) == 2 and found[0][1] == 1 and found[1][1] == 1:
-        first, second = (chosen[name] for name, _ in found)
+    if len(factors_read) == 2 and factors_read[0][1] == 1 and factors_read[1][1] == 1:
+        first, second = (chosen[name] for name, _ in factors_read)
         if first.dimension == FORCE and second.dimension == LENGTH:
             return "torque"
     return ""
@@ -189,14 +191,14 @@ def _prefixed(name: str, exponent: int, symbol: str) -> Unit:
 
 
 def _in_other_case(name: str) -> tuple[Unit, ...]:
-    """A name in other letters: Pounds, KG, kpa. Lower case is preferred; what may mean several things is refused."""
+    """A name in other capitals: Pounds, KG, kpa. Lower case is preferred; an ambiguous name is refused."""
     if not (name.isascii() and name.replace("_", "").isalpha() and 2 <= len(name) <= LONGEST_IN_CAPITALS):
         return ()
     from dynamics_cli.core.units.near_names import names_in_other_case
 
-    found = names_in_other_case(name)
+    names = names_in_other_case(name)
     lower = name.lower()
-    readings = {known: _from_table(known)[0] for known in found}
+    readings = {known: _from_table(known)[0] for known in names}
     plain = [unit.text for unit in readings.values()]
     if lower in readings and not any(unit.dimension != readings[lower].dimension for unit in readings.values()):
         plain = [lower]
@@ -221,7 +223,7 @@ def _with_note(unit: Unit, name: str, known: str) -> Unit:
 
 
 def _from_pint(name: str) -> tuple[Unit, ...]:
-    # c, e, k, u and the year `a` of pint would turn a slip of the finger into an answer.
+    # c, e, k, u and the year `a` of pint would turn a typing error into an answer.
     if len(name) < 2:
         return ()
     from dynamics_cli.core.units.fallback import lookup_in_pint

@@ -1,4 +1,4 @@
-"""Units in words: what kind a unit is of, why two do not fit, what a misspelt name may have meant, and the whole list.
+"""Units in words: the kind of a unit, why two do not fit, what a misspelt name may mean, and the complete list.
 
 Nothing here is needed to answer a correct call.
 """
@@ -105,7 +105,7 @@ def si_name(unit: Unit) -> str:
 
 
 def explain_mismatch(a: Unit, b: Unit) -> tuple[str, str]:
-    """Say what two units are that do not fit, and the remedy: a message and a hint.
+    """Explain a mismatch of two units: a message and a hint.
 
     `a` is what was read, `b` what was wanted.
     """
@@ -122,7 +122,7 @@ def conformable_names(unit: Unit) -> list[str]:
 
 
 def all_units() -> "Iterator[tuple[str, tuple[str, ...], Unit, str]]":
-    """List the table: symbol, all names, the unit, and a description in words."""
+    """List the table: symbol, all names, the unit, and a description."""
     names: dict[str, list[str]] = {}
     for entry in NAMES.split():
         name, symbols, _ = entry.split("|")
@@ -137,12 +137,12 @@ def all_units() -> "Iterator[tuple[str, tuple[str, ...], Unit, str]]":
 def _kinds(unit: Unit) -> str:
     """Kind of a unit, all of them where its text has several readings."""
     try:
-        found = candidates(unit.text)
+        readings = candidates(unit.text)
     except UsageError:
-        found = [unit]
-    if not any(other.dimension == unit.dimension for other in found):
-        found = [unit]
-    return " or ".join(dict.fromkeys(kind_name(other) for other in found))
+        readings = [unit]
+    if not any(other.dimension == unit.dimension for other in readings):
+        readings = [unit]
+    return " or ".join(dict.fromkeys(kind_name(other) for other in readings))
 
 
 def _named(unit: Unit) -> str:

@@ -1,4 +1,4 @@
-"""Near words, for errors that suggest what was meant: of options and fields, and of units."""
+"""Similar words, for suggestions in errors: options, fields and units."""
 
 from dynamics_cli.core.units.table import NAMES
 
@@ -24,16 +24,16 @@ def names_like(name: str, count: int = 5) -> list[str]:
         return []
     lower = name.lower()
     limit = 0 if len(name) == 1 else 1 if len(name) <= 4 else 2
-    found = []
+    candidates_near = []
     for known, prefixed in _spellings():
         if abs(len(known) - len(name)) > limit:
             continue
         distance = _edits(lower, known.lower(), limit)
         if distance <= limit:
-            found.append((distance, prefixed, known[0] != name[0], len(known), known))
+            candidates_near.append((distance, prefixed, known[0] != name[0], len(known), known))
     # A name that differs in case alone is surely meant.
-    surely = [each for each in found if each[0] == 0]
-    return [known for *_, known in sorted(surely or found)[:count]]
+    surely = [each for each in candidates_near if each[0] == 0]
+    return [known for *_, known in sorted(surely or candidates_near)[:count]]
 
 
 def names_in_other_case(name: str) -> list[str]:

@@ -1,7 +1,7 @@
-"""A unit as it was written, with its exact meaning in SI, and which units may stand for one another.
+"""A unit as written, with its exact meaning in SI, and which units are interchangeable.
 
 Kinds are more than dimensions here. An angle has a dimension of its own, so rpm is not a frequency; a joule is not a
-newton-metre; `lb` is a mass or a force by what is wanted.
+newton-metre; `lb` is a mass or a force as the context requires.
 """
 
 NONE = (0, 0, 0, 0, 0, 0, 0, 0)

@@ -1,4 +1,4 @@
-"""Tasks of `dynamics gear`: one cylindrical gear, pairs on parallel shafts, and words."""
+"""Tasks of `dynamics gear`: one cylindrical gear, pairs on parallel shafts, and the glossary."""
 
 from dynamics_cli.core.answering.task import Model, Task
 
@@ -124,6 +124,7 @@ PAIR = Task(
         '--first-bearings-left "50 mm" --first-bearings-right "50 mm"',
     ),
     plot="dynamics_cli.gear.pair.pictures:pair",
+    sheet="dynamics_cli.gear.pair.sheet:pair_sheet",
     table="points",
     arrays=False,
     headline=(
@@ -174,7 +175,7 @@ GLOSSARY = Task(
     Model(
         "words",
         "dynamics_cli.gear.glossary:glossary",
-        source=BOOK + "section 17.16 (the terms; the words are ours); symbols of ISO 21771",
+        source=BOOK + "section 17.16 for the terms (definitions in our own words); symbols of ISO 21771",
         method="a table",
     ),
     examples=("dynamics gear glossary", "dynamics gear glossary backlash 'base pitch'"),

@@ -12,7 +12,7 @@ TRAIN = Task(
         "dynamics_cli.gear.trains.train:train",
         source="Willis, Principles of Mechanism, 1841; " + BOOK + "section 17.10",
         formula="z₁·(ω₁ − ω_c) + z₂·(ω₂ − ω_c) = 0 for every mesh; {ratio|i} = ω_driver/ω_driven",
-        assumptions=("no losses", "equal planets share the load as one"),
+        assumptions=("no losses", "equal planets share the load equally"),
         method="whole numbers",
     ),
     examples=(
@@ -43,7 +43,7 @@ TRAIN = Task(
 
 RATIO = Task(
     "ratio",
-    "Best tooth numbers for a wanted ratio, every train within the limits looked at.",
+    "Best tooth numbers for a wanted ratio, from every train within the limits.",
     Model(
         "exhaustive search",
         "dynamics_cli.gear.trains.ratio:ratio",
@@ -70,7 +70,7 @@ RATIO = Task(
 
 MEASURE = Task(
     "measure",
-    "Sizes that show a gear's tooth thickness: span, over pins, chords; and the shift from a measured size.",
+    "Sizes that show a gear's tooth thickness: span, over pins, chords; and the profile shift from a measured size.",
     Model(
         "involute geometry",
         "dynamics_cli.gear.measure.measurement:measure",
@@ -127,7 +127,7 @@ PROFILE = Task(
         "base_diameter: base diameter d_b",
         "form_diameter: root form diameter d_Ff",
         "undercut",
-        "deviation: deviation at most",
+        "deviation: maximum deviation",
         "pieces",
     ),
 )

@@ -13,7 +13,7 @@ from dynamics_cli.records import Advice, Check
 
 FULL_DEPTH = 20.0 * pi / 180.0
 RIGHT_ANGLE = 0.5 * pi
-# Spiral angles of cutters, Gleason's usual.
+# Gleason's usual spiral angles of cutters.
 USUAL_SPIRAL = 35.0 * pi / 180.0
 _NO_CONE = 1e-12
 _REMEDY = ("use more teeth, or a larger pressure angle", "use more teeth, or a smaller addendum")
@@ -64,7 +64,7 @@ def bevel(
         "Mean spiral angle β_m; 35 degrees for spiral teeth and 0 for the others, unless given, e.g. 35 deg [rad].",
     ] = None,
     flank: Annotated[
-        Flank, "Flank of the pinion that drives, concave or convex; decides the thrust of spiral teeth."
+        Flank, "Driving flank of the pinion, concave or convex; it decides the thrust of spiral teeth."
     ] = Flank("concave"),  # noqa: B008
     torque: Annotated[Torque | None, "Torque on the pinion, for the forces, e.g. 12 N*m [N*m]."] = None,
 ) -> BevelData:
@@ -82,13 +82,13 @@ def bevel(
     Raises
     ------
     InadmissibleError
-        When the shaft angle is not between 0 and 180 degrees, the pinion would be no cone, the face reaches the apex,
-        or Gleason's proportions are asked for an internal wheel.
+        When the shaft angle is not between 0 and 180 degrees, the pinion would not be a cone, the face reaches the
+        apex, or Gleason's proportions are requested for an internal wheel.
 
     Notes
     -----
     δ₂ above 90° is an internal wheel, and exactly 90°, at cos Σ = −z₁/z₂, a crown wheel. Strength (ISO 10300) is not
-    rated. At equal torque the forces of both gears are one force, seen from two axes.
+    rated. At equal torque the forces on both gears are the same force, resolved along two axes.
 
     References
     ----------
@@ -282,7 +282,7 @@ def _teeth_advice(
         cosine = cos(angles[own])
         if plain(cosine) > _NO_CONE:
             height, depth = depths[own][0] / module, depths[1 - own][0] / module
-            # a long addendum goes with a thick tooth: Gleason adds half the difference of the addenda times tan α
+            # a long addendum needs a thick tooth: Gleason adds half the difference of the addenda times tan α
             shift = 0.5 * (height - depth)
             advice += tooth_advice(who, teeth[own] / cosine, pressure_angle, height, depth, shift, _REMEDY)
     return advice

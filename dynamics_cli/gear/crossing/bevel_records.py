@@ -12,7 +12,7 @@ class Kind(Choice):
 
 
 class Flank(Choice):
-    """Which flank of the pinion drives: the concave one, as usual, pushes it away from its apex."""
+    """The driving flank of the pinion: the concave one, as usual, pushes it away from its apex."""
 
     names = ("concave", "convex")
 
@@ -36,10 +36,10 @@ class BevelGear:
     ]
     tip_width: Annotated[Coordinate, "Axial width of the face at the tips (KHK: X_b) [m]."]
     inner_diameter: Annotated[Coordinate, "Tip diameter at the inner end (KHK: d_i) [m]."]
-    virtual_teeth: Annotated[Ratio | None, "Teeth of the spur gear of the back cone, z/cos δ; none for a crown gear."]
+    virtual_teeth: Annotated[Ratio | None, "Teeth of the spur gear of the back cone, z/cos δ; absent for a crown gear."]
     tangential_force: Annotated[Force | None, "Tangential force F_t at the mean diameter [N]."]
     axial_force: Annotated[Force | None, "Axial force, positive away from the apex [N]."]
-    radial_force: Annotated[Force | None, "Radial force, positive towards the own axis [N]."]
+    radial_force: Annotated[Force | None, "Radial force, positive towards its own axis [N]."]
 
 
 @record

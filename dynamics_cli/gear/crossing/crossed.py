@@ -189,7 +189,7 @@ def _oriented(helices: list[float]) -> tuple[float, float]:
 
 
 def _advice(gears: list[Gear], helices: list[float], working: float) -> tuple[Advice, ...]:
-    """How far the two gears disagree about the working pressure angle."""
+    """Difference of the two gears' working pressure angles."""
     angles = []
     for gear, helix in zip(gears, helices, strict=True):
         own = abs(plain(helix))

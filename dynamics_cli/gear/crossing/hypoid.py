@@ -71,11 +71,11 @@ def hypoid(
     Raises
     ------
     InadmissibleError
-        When the offset is too large for the wheel, or no pinion cone touches there.
+        When the offset is too large for the wheel, or no pinion cone touches the wheel there.
 
     Notes
     -----
-    The free choice of a hypoid, its wheel pitch angle, is left to the user; a cutter that suits has the limit
+    The free choice of a hypoid, its wheel pitch angle, is left to the user; a suitable cutter has the limit
     curvature. Tooth proportions (ISO 23509) and strength are outside this task. Without offset the pair is bevel.
 
     References
@@ -105,17 +105,17 @@ def hypoid(
         assert wheel_spiral_angle is not None
         pitch = _Point(u, 0.0, wheel_radius, pinion_spiral_angle, wheel, shaft_angle)
         eta = pitch.offset_angle(pinion_spiral_angle - wheel_spiral_angle)
-        found = pitch.residual(eta)
+        offset_reached = pitch.residual(eta)
     else:
-        found = offset
+        offset_reached = offset
     require(
-        absolute(found) < wheel_radius,
+        absolute(offset_reached) < wheel_radius,
         "an offset of {offset:6} is not less than the wheel's radius {wheel_radius:6}",
-        offset=(absolute(found), Size),
+        offset=(absolute(offset_reached), Size),
         wheel_radius=(wheel_radius, Size),
         code="offset",
     )
-    point = _Point(u, found, wheel_radius, pinion_spiral_angle, wheel, shaft_angle)
+    point = _Point(u, offset_reached, wheel_radius, pinion_spiral_angle, wheel, shaft_angle)
     if offset is not None:
         eta = _solved(point)
     first, turned, radius = point.at(eta)
@@ -127,7 +127,7 @@ def hypoid(
     )
     spiral = pinion_spiral_angle - turned
     return _result(point, eta, first, turned, radius, spiral, plain_wheel, first_teeth, second_teeth, speed,
-                   None if offset is not None else found)  # fmt: skip
+                   None if offset is not None else offset_reached)  # fmt: skip
 
 
 class _Point:
@@ -176,7 +176,7 @@ class _Point:
 
 
 def _solved(point: _Point) -> float:
-    """η in plain numbers within its bracket, and one Newton step in the numbers that came in."""
+    """η in doubles within its bracket, and one Newton step in the numbers of the input."""
     doubles = point.bare()
     least = doubles.at(0.0)[0]
     require(
@@ -199,12 +199,12 @@ def _solved(point: _Point) -> float:
             code="offset",
             hint="a smaller offset, or another pitch angle of the wheel",
         )
-    found = (
+    roots = (
         sign * bisect(lambda eta: -sign * doubles.residual(sign * eta), high - step, high) if doubles.offset else 0.0
     )
-    slope = (doubles.residual(found + 1e-6) - doubles.residual(found - 1e-6)) / 2e-6
-    # Among tracked numbers, so that the rounding of its sine and cosine counts.
-    start = point.offset * 0.0 + found
+    slope = (doubles.residual(roots + 1e-6) - doubles.residual(roots - 1e-6)) / 2e-6
+    # As a tracked number, so that the rounding of its sine and cosine is included.
+    start = point.offset * 0.0 + roots
     return start - point.residual(start) / slope
 
 
@@ -304,6 +304,8 @@ def _advice(turned: float, spiral: float, wheel: float) -> tuple[Advice, ...]:
         advice.append(Advice("long-sliding", text))
     if wheel == 0.0:
         advice.append(
-            Advice("wheel-pitch-angle", "the wheel's pitch angle is that of the bevel pair", "note", "choose your own")
+            Advice(
+                "wheel-pitch-angle", "the wheel's pitch angle is that of the bevel pair", "note", "choose one to suit"
+            )
         )
     return tuple(advice)

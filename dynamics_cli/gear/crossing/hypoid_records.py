@@ -1,4 +1,4 @@
-"""What there is to say of a hypoid pair."""
+"""Results of a hypoid pair."""
 
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Curvature, Ratio, ShaftSpeed, Size, Speed
 from dynamics_cli.records import Advice, Check, record

@@ -27,7 +27,7 @@ def line(points: "list[Point]", label: str = "", style: "Any" = "solid", role: i
 
 
 def sizes(listed: "tuple[tuple[str, str, Any, Any], ...]") -> Panel:
-    """A table of names, symbols and values; what is None is left out, and a word stands as it is."""
+    """A table of names, symbols and values; None is left out, and text is unchanged."""
     rows = [
         (name, symbol, value if kind is None else worded("{value:6}", value=(float(value), kind)))
         for name, symbol, value, kind in listed
@@ -36,22 +36,24 @@ def sizes(listed: "tuple[tuple[str, str, Any, Any], ...]") -> Panel:
     return Panel(X, Y, (Rows(tuple(rows)),))
 
 
-def bevel(made: "Any", *, face_width: float, shaft_angle: float = RIGHT, **given: "Any") -> Picture:
+def bevel(result: "Any", *, face_width: float, shaft_angle: float = RIGHT, **given: "Any") -> Picture:
     """Both gears cut through their axes: tip, pitch and root cones to the apex they share."""
     items: list[Any] = []
-    outer = float(made.cone_distance)
+    outer = float(result.cone_distance)
     # Each gear lies about its axis; the second's is turned by the shaft angle, its near side facing the first.
     for role, (name, wheel, axis, side) in enumerate(
-        (("pinion", made.first, 0.0, 1.0), ("wheel", made.second, shaft_angle, -1.0))
+        (("pinion", result.first, 0.0, 1.0), ("wheel", result.second, shaft_angle, -1.0))
     ):
         items += _cut(wheel, outer, face_width, axis, side, role)
         pitch = float(wheel.pitch_angle)
         back = outer * max(cos(pitch), 0.0)
-        items.append(line([(0.0, 0.0), _turned((back + 0.3 * outer, 0.0), axis)], "", "centre", BLACK))
+        items.append(line([(0.0, 0.0), turned_point((back + 0.3 * outer, 0.0), axis)], "", "centre", BLACK))
         inside = back - 0.5 * face_width * cos(pitch), -side * 0.45 * 0.5 * float(wheel.pitch_diameter)
         items.append(
             Label(
-                *_turned(inside, axis), f"{name}{', ' if role else chr(10)}δ_{role + 1} = {degrees(pitch):.4g}°", role
+                *turned_point(inside, axis),
+                f"{name}{', ' if role else chr(10)}δ_{role + 1} = {degrees(pitch):.4g}°",
+                role,
             )
         )
         items += _across(wheel, outer, axis, role)
@@ -62,13 +64,13 @@ def bevel(made: "Any", *, face_width: float, shaft_angle: float = RIGHT, **given
         second=given.get("second_teeth", "z2"),
         angle=(shaft_angle, Angle),
     )
-    one, two = made.first, made.second
+    one, two = result.first, result.second
     table = sizes(
         (
             ("outer cone distance", "R_e", outer, Size),
             ("face width", "b", face_width, Size),
-            ("mean module", "m_m", made.mean_module, Module),
-            ("contact ratio", "ε_α", made.contact_ratio, Ratio),
+            ("mean module", "m_m", result.mean_module, Module),
+            ("contact ratio", "ε_α", result.contact_ratio, Ratio),
             ("pinion: tip diameter", "d_ae1", one.tip_diameter, Size),
             ("tip, root angle", "δ_a1, δ_f1", _two_angles(one), None),
             ("wheel: tip diameter", "d_ae2", two.tip_diameter, Size),
@@ -86,9 +88,9 @@ def _two_angles(gear: "Any") -> str:
 def _across(wheel: "Any", outer: float, axis: float, role: int) -> "list[Any]":
     """The outer pitch diameter, beyond the back of the gear."""
     radius, along = 0.5 * float(wheel.pitch_diameter), outer * max(cos(float(wheel.pitch_angle)), 0.0) + 0.16 * outer
-    ends = [_turned((along, way * radius), axis) for way in (-1.0, 1.0)]
+    ends = [turned_point((along, way * radius), axis) for way in (-1.0, 1.0)]
     text = worded("d_e{role} = {size:6}", role=role + 1, size=(2.0 * radius, Size))
-    beside = _turned((along + (0.24 if not role else 0.06) * outer, 0.45 * radius), axis)
+    beside = turned_point((along + (0.24 if not role else 0.06) * outer, 0.45 * radius), axis)
     return [Dimension((ends[0][0], ends[1][0]), (ends[0][1], ends[1][1]), ""), Label(*beside, text)]
 
 
@@ -118,46 +120,47 @@ def _cut(wheel: "Any", outer: float, width: float, axis: float, side: float, rol
     return curves
 
 
-def _turned(point: "Point", angle: float) -> "Point":
+def turned_point(point: "Point", angle: float) -> "Point":
+    """The point rotated about the origin."""
     x, y = point
     return x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)
 
 
-def worm(made: "Any", *, teeth: int, threads: int = 0, **_: "Any") -> Picture:
+def worm(result: "Any", *, teeth: int, threads: int = 0, **_: "Any") -> Picture:
     """The worm and its wheel in the middle plane, and the efficiency over the lead angle."""
-    pitch, length = float(made.axial_pitch), float(made.worm_length)
-    distance = float(made.centre_distance)
-    outline = _threads(made)
+    pitch, length = float(result.axial_pitch), float(result.worm_length)
+    distance = float(result.centre_distance)
+    outline = _threads(result)
     shaft = 0.55 * length + 2.0 * pitch
     items: list[Any] = [
-        *_wheel(made, teeth),
+        *_wheel(result, teeth),
         line(outline, "", "filled", 0),
         line([(-shaft, 0.0), (shaft, 0.0)], "", "centre", BLACK),
-        line([(-0.5 * length, -0.5 * float(made.worm_diameter)), (0.5 * length, -0.5 * float(made.worm_diameter))],
+        line([(-0.5 * length, -0.5 * float(result.worm_diameter)), (0.5 * length, -0.5 * float(result.worm_diameter))],
              "", "dots", 0),
         line([(0.0, 0.0), (0.0, -distance)], "", "centre", BLACK),
         Mark(0.0, -distance),
-        Label(-0.62 * length - pitch, 0.35 * float(made.worm_tip_diameter), "worm" if not threads
+        Label(-0.62 * length - pitch, 0.35 * float(result.worm_tip_diameter), "worm" if not threads
               else f"worm\n{threads} thread{'s' if threads > 1 else ''}", 0),
-        Label(0.0, -distance - 0.16 * float(made.wheel_diameter), f"wheel\n{teeth} teeth", 1),
+        Label(0.0, -distance - 0.16 * float(result.wheel_diameter), f"wheel\n{teeth} teeth", 1),
         Dimension((shaft, shaft), (0.0, -distance), ""),
         Label(shaft + 0.3 * pitch, -0.5 * distance, worded("a = {size:6}", size=(distance, Size)), left=True),
     ]  # fmt: skip
     table = sizes(
         (
             ("centre distance", "a", distance, Size),
-            ("lead angle", "γ", made.lead_angle, Angle),
-            ("axial module", "m_x", made.axial_module, Module),
-            ("diameter factor", "q", made.diameter_factor, Ratio),
-            ("worm diameter", "d_1", made.worm_diameter, Size),
-            ("wheel diameter", "d_2", made.wheel_diameter, Size),
-            ("throat diameter", "d_a2", made.throat_diameter, Size),
-            ("face width", "b", made.face_width, Size),
-            ("efficiency, worm driving", "η", made.efficiency, Ratio),
-            ("self-locking", "", "yes" if made.self_locking else "no", None),
-            ("sliding speed", "v_g", made.sliding_speed, Speed),
-            ("torque of the wheel", "T_2", made.wheel_torque, Torque),
-            ("axial force on the worm", "F_a1", made.worm_axial_force, Force),
+            ("lead angle", "γ", result.lead_angle, Angle),
+            ("axial module", "m_x", result.axial_module, Module),
+            ("diameter factor", "q", result.diameter_factor, Ratio),
+            ("worm diameter", "d_1", result.worm_diameter, Size),
+            ("wheel diameter", "d_2", result.wheel_diameter, Size),
+            ("throat diameter", "d_a2", result.throat_diameter, Size),
+            ("face width", "b", result.face_width, Size),
+            ("efficiency, worm driving", "η", result.efficiency, Ratio),
+            ("self-locking", "", "yes" if result.self_locking else "no", None),
+            ("sliding speed", "v_g", result.sliding_speed, Speed),
+            ("torque of the wheel", "T_2", result.wheel_torque, Torque),
+            ("axial force on the worm", "F_a1", result.worm_axial_force, Force),
         )
     )
     scene = Panel(X, Y, tuple(items), equal=True, bare=True, wide=True)
@@ -165,17 +168,19 @@ def worm(made: "Any", *, teeth: int, threads: int = 0, **_: "Any") -> Picture:
         "Worm drive {threads}{teeth}, axial module {module:6}",
         threads=f"{threads} / " if threads else "",
         teeth=teeth,
-        module=(float(made.axial_module), Module),
+        module=(float(result.axial_module), Module),
     )
     subtitle = "Middle plane of the wheel, the worm cut along its axis; reference circle dash-dotted"
-    return Picture((scene, _efficiency(made), table), title, columns=2, subtitle=subtitle)
+    return Picture((scene, _efficiency(result), table), title, columns=2, subtitle=subtitle)
 
 
-def _threads(made: "Any") -> "list[Point]":
+def _threads(result: "Any") -> "list[Point]":
     """The worm's axial section: threads below, and half a lead further on those above."""
-    pitch, length = float(made.axial_pitch), float(made.worm_length)
-    tip, root, middle = (0.5 * float(d) for d in (made.worm_tip_diameter, made.worm_root_diameter, made.worm_diameter))
-    lean = tan(float(made.axial_pressure_angle))
+    pitch, length = float(result.axial_pitch), float(result.worm_length)
+    tip, root, middle = (
+        0.5 * float(d) for d in (result.worm_tip_diameter, result.worm_root_diameter, result.worm_diameter)
+    )
+    lean = tan(float(result.axial_pressure_angle))
     foot, top = 0.25 * pitch + (middle - root) * lean, max(0.0, 0.25 * pitch - (tip - middle) * lean)
 
     def edge(shift: float, way: float) -> "list[Point]":
@@ -188,36 +193,36 @@ def _threads(made: "Any") -> "list[Point]":
         return [*points, (0.5 * length, way * root)]
 
     below = edge(0.0, -1.0)
-    return [*below, *reversed(edge(0.5 * float(made.lead), 1.0)), below[0]]
+    return [*below, *reversed(edge(0.5 * float(result.lead), 1.0)), below[0]]
 
 
-def _wheel(made: "Any", teeth: int) -> "list[Any]":
+def _wheel(result: "Any", teeth: int) -> "list[Any]":
     """The wheel in its middle plane: teeth of the rack that the worm is there, a space under the thread at x = 0."""
     from dynamics_cli.gear.single.gear import Gear
     from dynamics_cli.gear.single.profile import tooth_form
     from dynamics_cli.gear.single.rack import basic_rack
 
-    at = (0.0, -float(made.centre_distance))
-    items: list[Any] = [circle(at, 0.5 * float(made.wheel_diameter), "", "centre", 1)]
-    rack = basic_rack("a", float(made.axial_pressure_angle))
-    gear = Gear(teeth, float(made.axial_module), rack, 0.0, float(made.profile_shift))
+    at = (0.0, -float(result.centre_distance))
+    items: list[Any] = [circle(at, 0.5 * float(result.wheel_diameter), "", "centre", 1)]
+    rack = basic_rack("a", float(result.axial_pressure_angle))
+    gear = Gear(teeth, float(result.axial_module), rack, 0.0, float(result.profile_shift))
     try:
-        form = tooth_form(gear, float(made.throat_diameter), None)
+        form = tooth_form(gear, float(result.throat_diameter), None)
         return [*items, *body(form, at, RIGHT + pi / teeth, 1)]
     except InadmissibleError:
-        diameters = (made.throat_diameter, made.wheel_root_diameter)
+        diameters = (result.throat_diameter, result.wheel_root_diameter)
         return [*items, *(circle(at, 0.5 * float(diameter), "", "solid", 1) for diameter in diameters)]
 
 
-def _efficiency(made: "Any") -> Panel:
-    lead, rub = float(made.lead_angle), float(made.friction_angle)
+def _efficiency(result: "Any") -> Panel:
+    lead, rub = float(result.lead_angle), float(result.friction_angle)
     angles = [max(STEEPEST_LEAD, 1.2 * lead) * k / STEPS for k in range(1, STEPS + 1)]
     forward = [tan(g) / tan(g + rub) for g in angles if g + rub < RIGHT]
     backward = [max(0.0, tan(g - rub) / tan(g)) for g in angles]
     items: list[Any] = [
         Curve(angles[: len(forward)], forward, "worm drives", role=0),
         Curve(angles, backward, "wheel drives", "dashed", role=1),
-        Mark(lead, float(made.efficiency), "this worm", (6.0, -9.0)),
+        Mark(lead, float(result.efficiency), "this worm", (6.0, -9.0)),
     ]
     if rub > 0.0:
         items.append(Band(0.0, rub, "self-locking"))

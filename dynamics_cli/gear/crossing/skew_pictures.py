@@ -1,9 +1,9 @@
-"""Pictures of gears on skew axes, crossed helical and hypoid: seen along one line, with the speeds where they touch."""
+"""Pictures of gears on skew axes, crossed helical and hypoid, with the speeds at the contact."""
 
 from math import copysign, cos, pi, sin, tan
 
 from dynamics_cli.errors import worded
-from dynamics_cli.gear.crossing.pictures import BLACK, X, Y, line, sizes
+from dynamics_cli.gear.crossing.pictures import BLACK, X, Y, line, sizes, turned_point
 from dynamics_cli.gear.section import circle
 from dynamics_cli.pictures import Arrow, Axis, Dimension, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle, Module, Ratio, Size, Speed
@@ -21,12 +21,12 @@ HALF_WIDTH = 6.0
 GREEN, SLIDING = 2, 3
 
 
-def crossed(made: "Any", *, first: "Any", second: "Any", module: float, **_: "Any") -> Picture:
+def crossed(result: "Any", *, first: "Any", second: "Any", module: float, **_: "Any") -> Picture:
     """Both gears seen along their common perpendicular with their teeth, and the speeds where they touch."""
-    one, two = float(made.first_working_helix), float(made.second_working_helix)
+    one, two = float(result.first_working_helix), float(result.second_working_helix)
     one, two = copysign(one, float(first.helix_angle)), copysign(two, float(second.helix_angle))
     wide = HALF_WIDTH * module
-    radii = 0.5 * float(made.first_tip_diameter), 0.5 * float(made.second_tip_diameter)
+    radii = 0.5 * float(result.first_tip_diameter), 0.5 * float(result.second_tip_diameter)
     # the second lies behind
     items = [
         *_screw("second", int(second.teeth), radii[1], one, one + two, wide, 1),
@@ -34,21 +34,21 @@ def crossed(made: "Any", *, first: "Any", second: "Any", module: float, **_: "An
     ]
     reach = 1.1 * wide
     items += [
-        line([_turned((-reach, 0.0), one), _turned((reach, 0.0), one)], "", "thick", GREEN),
+        line([turned_point((-reach, 0.0), one), turned_point((reach, 0.0), one)], "", "thick", GREEN),
         Mark(0.0, 0.0, "C", (7.0, -10.0)),
     ]
     table = sizes(
         (
-            ("shaft angle", "Σ", made.shaft_angle, Angle),
-            ("centre distance", "a_w", made.centre_distance, Size),
-            ("gear ratio", "u", made.ratio, Ratio),
-            ("working diameter", "d_w1", made.first_working_diameter, Size),
-            ("", "d_w2", made.second_working_diameter, Size),
+            ("shaft angle", "Σ", result.shaft_angle, Angle),
+            ("centre distance", "a_w", result.centre_distance, Size),
+            ("gear ratio", "u", result.ratio, Ratio),
+            ("working diameter", "d_w1", result.first_working_diameter, Size),
+            ("", "d_w2", result.second_working_diameter, Size),
             ("working helix angle", "β_w1", one, Angle),
             ("", "β_w2", two, Angle),
-            ("pressure angle", "α_wn", made.working_pressure_angle, Angle),
-            ("efficiency", "η", made.efficiency, Ratio),
-            ("sliding speed", "v_g", made.sliding_speed, Speed),
+            ("pressure angle", "α_wn", result.working_pressure_angle, Angle),
+            ("efficiency", "η", result.efficiency, Ratio),
+            ("sliding speed", "v_g", result.sliding_speed, Speed),
         )
     )
     title = worded(
@@ -70,36 +70,31 @@ def _screw(name: str, teeth: int, radius: float, helix: float, axis: float, wide
     out = 1.35 * wide + 0.1 * radius
     traces = _traces(radius, wide, helix - axis, teeth)
     return [
-        line([_turned(point, axis) for point in corners], "", "filled", role),
-        *(line([_turned(point, axis) for point in trace], "", "thin", role) for trace in traces),
-        line([_turned((-out, 0.0), axis), _turned((out, 0.0), axis)], "", "centre", BLACK),
-        Label(*_turned((1.28 * out + 0.15 * wide, 0.0), axis), f"{name}\n{teeth} teeth", role),
+        line([turned_point(point, axis) for point in corners], "", "filled", role),
+        *(line([turned_point(point, axis) for point in trace], "", "thin", role) for trace in traces),
+        line([turned_point((-out, 0.0), axis), turned_point((out, 0.0), axis)], "", "centre", BLACK),
+        Label(*turned_point((1.28 * out + 0.15 * wide, 0.0), axis), f"{name}\n{teeth} teeth", role),
     ]
 
 
 def _traces(radius: float, wide: float, lean: float, teeth: int) -> "list[list[Point]]":
     """The teeth on the near side of a cylinder along x: helices that lean by an angle from its axis at y = 0."""
-    found = []
+    traces = []
     turn = tan(lean) / radius
     places = [wide * (k / 24 - 1.0) for k in range(49)]
     for nth in range(-teeth // 2, teeth // 2 + 1):
         seen = [(x, 2.0 * pi * nth / teeth + turn * x) for x in places]
         trace = [(x, radius * sin(angle)) for x, angle in seen if abs(angle) < 0.5 * pi]
         if len(trace) > 1:
-            found.append(trace)
-    return found
-
-
-def _turned(point: "Point", angle: float) -> "Point":
-    x, y = point
-    return x * cos(angle) - y * sin(angle), x * sin(angle) + y * cos(angle)
+            traces.append(trace)
+    return traces
 
 
 def _speeds(first_helix: float, first_axis: float, second_helix: float, second_axis: float) -> Panel:
-    """Pitch line velocities over the first's: alike across the teeth, their difference slides along them."""
-    one = _turned((0.0, 1.0), first_axis)
+    """Pitch line velocities relative to the first's: equal across the teeth; their difference slides along them."""
+    one = turned_point((0.0, 1.0), first_axis)
     size = cos(first_helix) / cos(second_helix)
-    two = _turned((0.0, size), second_axis)
+    two = turned_point((0.0, size), second_axis)
     slip = one[0] - two[0], one[1] - two[1]
     side = copysign(0.1, -two[0] if two[0] else 1.0)
     items = (
@@ -114,10 +109,10 @@ def _speeds(first_helix: float, first_axis: float, second_helix: float, second_a
     return Panel(none, none, items, "Speeds at the pitch point", equal=True, bare=True)
 
 
-def hypoid(made: "Any", *, offset: float | None = None, wheel_radius: float, **given: "Any") -> Picture:
+def hypoid(result: "Any", *, offset: float | None = None, wheel_radius: float, **given: "Any") -> Picture:
     """The wheel seen along its axis with the pinion's axis beside it, and the speeds in the pitch plane."""
-    offset = float(made.offset) if offset is None else offset
-    eta = float(made.axial_offset_angle)
+    offset = float(result.offset) if offset is None else offset
+    eta = float(result.axial_offset_angle)
     at = wheel_radius * cos(eta), wheel_radius * sin(eta)
     half = 0.2 * wheel_radius
     reach = 1.35 * wheel_radius
@@ -125,9 +120,9 @@ def hypoid(made: "Any", *, offset: float | None = None, wheel_radius: float, **g
     far = at[0] + half + 0.35 * wheel_radius
     items: list[Any] = [
         circle((0.0, 0.0), wheel_radius, "", "centre", 1),
-        circle((0.0, 0.0), wheel_radius + half * sin(float(made.second_pitch_angle)), "", "outline", 1),
-        circle((0.0, 0.0), wheel_radius - half * sin(float(made.second_pitch_angle)), "", "outline", 1),
-        *_pinion(made, at, offset, half),
+        circle((0.0, 0.0), wheel_radius + half * sin(float(result.second_pitch_angle)), "", "outline", 1),
+        circle((0.0, 0.0), wheel_radius - half * sin(float(result.second_pitch_angle)), "", "outline", 1),
+        *_pinion(result, at, offset, half),
         line([(-reach, 0.0), (reach, 0.0)], "", "centre", BLACK),
         line([(0.0, -1.2 * wheel_radius), (0.0, 1.2 * wheel_radius)], "", "centre", BLACK),
         line([(-0.3 * wheel_radius, offset), (far, offset)], "", "centre", BLACK),
@@ -137,19 +132,19 @@ def hypoid(made: "Any", *, offset: float | None = None, wheel_radius: float, **g
         Label(-0.35 * wheel_radius, -0.4 * wheel_radius, f"wheel\n{teeth[1]} teeth" if teeth[1] else "wheel", 1),
         Label(far + 0.16 * wheel_radius, offset, f"pinion\n{teeth[0]} teeth" if teeth[0] else "pinion", 0),
     ]
-    one, two = float(made.first_spiral_angle), float(made.second_spiral_angle)
+    one, two = float(result.first_spiral_angle), float(result.second_spiral_angle)
     table = sizes(
         (
-            ("ratio", "i", made.ratio, Ratio),
-            ("pitch angle", "δ_1", made.first_pitch_angle, Angle),
-            ("", "δ_2", made.second_pitch_angle, Angle),
+            ("ratio", "i", result.ratio, Ratio),
+            ("pitch angle", "δ_1", result.first_pitch_angle, Angle),
+            ("", "δ_2", result.second_pitch_angle, Angle),
             ("spiral angle", "β_1", one, Angle),
             ("", "β_2", two, Angle),
-            ("pitch radius", "r_1", made.first_pitch_radius, Size),
-            ("", "r_2", made.second_pitch_radius, Size),
-            ("mean normal module", "m_n", made.normal_module, Module),
-            ("limit pressure angle", "α_lim", made.limit_pressure_angle, Angle),
-            ("sliding over wheel's speed", "", made.sliding_ratio, Ratio),
+            ("pitch radius", "r_1", result.first_pitch_radius, Size),
+            ("", "r_2", result.second_pitch_radius, Size),
+            ("mean normal module", "m_n", result.normal_module, Module),
+            ("limit pressure angle", "α_lim", result.limit_pressure_angle, Angle),
+            ("sliding over wheel's speed", "", result.sliding_ratio, Ratio),
         )
     )
     title = "Hypoid pair " + " / ".join(str(number) for number in teeth if number)
@@ -158,14 +153,14 @@ def hypoid(made: "Any", *, offset: float | None = None, wheel_radius: float, **g
     return Picture((scene, _speeds(one, 0.0, two, two - one), table), title, columns=2, subtitle=subtitle)
 
 
-def _pinion(made: "Any", at: "Point", offset: float, half: float) -> "list[Curve]":
+def _pinion(result: "Any", at: "Point", offset: float, half: float) -> "list[Curve]":
     """The pinion's pitch cone about its axis, its mean section over the pitch point, its apex towards the wheel."""
-    radius, cone = float(made.first_pitch_radius), float(made.first_pitch_angle)
+    radius, cone = float(result.first_pitch_radius), float(result.first_pitch_angle)
     slim, thick = radius - half * tan(cone), radius + half * tan(cone)
     near, far = at[0] - half, at[0] + half
     shape = [(near, offset - slim), (far, offset - thick), (far, offset + thick), (near, offset + slim)]
     curves = [line([*shape, shape[0]], "", "filled", 0)]
-    spiral = tan(float(made.first_spiral_angle))
+    spiral = tan(float(result.first_spiral_angle))
     places = [half * (k / 24 - 1.0) for k in range(49)]
     for nth in range(-12, 13):
         # helices on the near side of the cone

@@ -1,4 +1,4 @@
-"""Teeth of gears that are not cylindrical, judged by the spur gear that stands for them and the rack that cuts it.
+"""Teeth of gears that are not cylindrical, judged by their equivalent spur gear and its rack.
 
 Bevel gears by the spur gears on their back cones (Tredgold), the wheel of a worm by its middle plane, crossed helical
 gears by their transverse sections. Lengths are in modules of that section.
@@ -16,7 +16,7 @@ from dynamics_cli.records import Advice
 
 
 def undercut_depth(teeth: float, pressure_angle: float) -> float:
-    """How deep the straight flank of a rack may reach below the pitch line without undercut: z sin²α/2."""
+    """Maximum depth of a rack's straight flank below the pitch line without undercut: z sin²α/2."""
     sine = sin(pressure_angle)
     return 0.5 * teeth * sine * sine
 

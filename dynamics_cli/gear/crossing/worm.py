@@ -5,6 +5,7 @@ from math import pi
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.crossing.virtual_teeth import tooth_advice
 from dynamics_cli.gear.crossing.worm_records import WormData
+from dynamics_cli.gear.load import torque_of
 from dynamics_cli.gear.pitch import require_module
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, multiply_add, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.number import like, plain
@@ -23,7 +24,17 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 FULL_DEPTH = 20.0 * pi / 180.0
+
+# Results that need a torque.
+LOADED = (
+    "worm_torque", "wheel_torque", "worm_tangential_force", "worm_axial_force", "radial_force", "normal_force",
+    "release_torque",
+)  # fmt: skip
 
 
 @record
@@ -100,12 +111,12 @@ def worm(
     Raises
     ------
     InadmissibleError
-        When the worm has no diameter that fits, its root vanishes, or friction locks it also forwards.
+        When no diameter of the worm fits, its root vanishes, or friction locks it in both directions.
 
     Notes
     -----
-    The pitch-point model of friction on an inclined plane; η' is negative when the worm locks itself, and its sign is
-    that of tan(γ − ρ'). Tooth form (ZA, ZN, ZI, ZK) and strength are outside this task; length, face width and outside
+    The pitch-point model of friction on an inclined plane; η' is negative when the worm locks itself, with the sign
+    of tan(γ − ρ'). Tooth form (ZA, ZN, ZI, ZK) and strength are outside this task; length, face width and outside
     diameter are the usual choices, not limits.
 
     References
@@ -128,78 +139,31 @@ def worm(
     module, gamma, slope, diameter = _worm(size, worm, threads)
     require_module(module)
     pressure_angle, friction = like(pressure_angle, module), like(friction, module)
-    wheel = teeth * module
-    add, ded = addendum_factor * module, dedendum_factor * module
-    root = diameter - 2.0 * ded
-    require(
-        root > 0.0,
-        "the worm's root would have a diameter of {root:6}",
-        root=(root, Size),
-        code="no-root",
-        hint="give the worm a larger diameter, or a smaller lead angle",
-    )
+    wheel, ded = teeth * module, dedendum_factor * module
+    _require_root("worm", diameter - 2.0 * ded, "give the worm a larger diameter, or a smaller lead angle")
     profile_shift = _shift(profile_shift, centre_distance, 0.5 * (diameter + wheel), module)
     shift = profile_shift * module
-    require(
-        wheel + 2.0 * (shift - ded) > 0.0,
-        "the wheel's root would have a diameter of {root:6}",
-        root=(wheel + 2.0 * (shift - ded), Size),
-        code="no-wheel-root",
-        hint="give it more teeth, or a larger profile shift",
-    )
-    drag = friction / cos(pressure_angle)
-    rho = atan(drag)
-    require(
-        gamma + rho < 0.5 * pi,
-        "lead angle and angle of friction sum to {total:6}: the worm cannot drive either",
-        total=(gamma + rho, Angle),
-        code="locked",
-        hint="a smaller lead angle or less friction",
-    )
-    # tan(γ ± ρ) of the tangents: angles would round away what is left of their difference
-    forward = slope * multiply_add(-slope, drag, 1.0) / (slope + drag)
-    left = (slope - drag) / (1.0 + slope * drag)
-    backward = left / slope
-    load = _load(torque, power, speed)
-    forces = _forces(load, diameter, gamma, rho, pressure_angle, friction)
-    wheel_torque = None if load is None else 0.5 * wheel * forces[1]  # type: ignore[operator]
-    locking = -atan(left)
+    _require_root("wheel", wheel + 2.0 * (shift - ded), "give it more teeth, or a larger profile shift")
+    rho, forward, left = _efficiency(gamma, slope, pressure_angle, friction)
     axial = atan2(sin(pressure_angle), cos(pressure_angle) * cos(gamma))
+    load = torque_of(torque, power, speed)
+    load = None if load is None else absolute(load)
     return WormData(
         ratio=teeth / threads,
         lead_angle=gamma,
-        lead=pi_beside(module) * module * threads,
-        axial_pitch=pi_beside(module) * module,
-        axial_module=module,
-        normal_module=module * cos(gamma),
-        diameter_factor=diameter / module,
         axial_pressure_angle=axial,
         centre_distance=0.5 * (diameter + wheel) + shift if centre_distance is None else centre_distance,
         profile_shift=profile_shift,
-        worm_diameter=diameter,
-        worm_tip_diameter=diameter + 2.0 * add,
-        worm_root_diameter=root,
-        worm_length=pi_beside(module) * module * (4.5 + 0.02 * teeth),
-        wheel_diameter=wheel,
-        throat_diameter=wheel + 2.0 * (add + shift),
-        wheel_outer_diameter=wheel + 2.0 * (add + shift) + module,
-        wheel_root_diameter=wheel + 2.0 * (shift - ded),
-        throat_radius=0.5 * diameter - add,
-        face_width=2.0 * module * sqrt(diameter / module + 1.0),
+        **_sizes(threads, teeth, module, gamma, diameter),
+        **_heights(diameter, wheel, module, shift, addendum_factor * module, ded),
         friction_angle=rho,
         efficiency=forward,
-        backward_efficiency=backward,
-        locking_margin=locking,
-        self_locking=plain(locking) >= 0.0,
+        backward_efficiency=left / slope,
+        locking_margin=-atan(left),
+        self_locking=plain(-atan(left)) >= 0.0,
         sliding_speed=None if speed is None else 0.5 * absolute(speed) * diameter / cos(gamma),
         wheel_speed=None if speed is None else speed * (threads / teeth),
-        worm_torque=load,
-        wheel_torque=wheel_torque,
-        worm_tangential_force=forces[0],
-        worm_axial_force=forces[1],
-        radial_force=forces[2],
-        normal_force=forces[3],
-        release_torque=None if load is None else 0.5 * diameter * forces[1] * -left,  # type: ignore[operator]
+        **_forces(load, wheel, diameter, gamma, rho, left, pressure_angle, friction),
         checks=_checks(forward, gamma, pressure_angle, friction),
         advice=_advice(gamma, rho)
         + tooth_advice(
@@ -212,6 +176,55 @@ def worm(
             ("raise its profile shift, or give it more teeth", "lower its profile shift"),
         ),
     )
+
+
+def _require_root(name: str, root: float, hint: str) -> None:
+    code = "no-root" if name == "worm" else "no-wheel-root"
+    message = "the {name}'s root diameter would be {root:6}"
+    require(root > 0.0, message, name=name, root=(root, Size), code=code, hint=hint)
+
+
+def _efficiency(gamma: float, slope: float, pressure_angle: float, friction: float) -> tuple[float, float, float]:
+    """Angle of friction, efficiency with the worm driving, and tan(γ − ρ'); refuses a worm that cannot drive."""
+    drag = friction / cos(pressure_angle)
+    rho = atan(drag)
+    require(
+        gamma + rho < 0.5 * pi,
+        "lead angle and angle of friction sum to {total:6}: the worm cannot drive the wheel either",
+        total=(gamma + rho, Angle),
+        code="locked",
+        hint="a smaller lead angle or less friction",
+    )
+    # tan(γ ± ρ) from the tangents: a difference of angles would lose digits
+    forward = slope * multiply_add(-slope, drag, 1.0) / (slope + drag)
+    return rho, forward, (slope - drag) / (1.0 + slope * drag)
+
+
+def _sizes(threads: int, teeth: int, module: float, gamma: float, diameter: float) -> "dict[str, Any]":
+    """Pitches, modules and the usual lengths of the pair."""
+    return {
+        "lead": pi_beside(module) * module * threads,
+        "axial_pitch": pi_beside(module) * module,
+        "axial_module": module,
+        "normal_module": module * cos(gamma),
+        "diameter_factor": diameter / module,
+        "worm_length": pi_beside(module) * module * (4.5 + 0.02 * teeth),
+        "face_width": 2.0 * module * sqrt(diameter / module + 1.0),
+    }
+
+
+def _heights(diameter: float, wheel: float, module: float, shift: float, add: float, ded: float) -> "dict[str, Any]":
+    """Diameters of worm and wheel at tip, pitch and root."""
+    return {
+        "worm_diameter": diameter,
+        "worm_tip_diameter": diameter + 2.0 * add,
+        "worm_root_diameter": diameter - 2.0 * ded,
+        "wheel_diameter": wheel,
+        "throat_diameter": wheel + 2.0 * (add + shift),
+        "wheel_outer_diameter": wheel + 2.0 * (add + shift) + module,
+        "wheel_root_diameter": wheel + 2.0 * (shift - ded),
+        "throat_radius": 0.5 * diameter - add,
+    }
 
 
 def _worm(
@@ -261,7 +274,7 @@ def _worm(
 
 
 def _shift(given: float | None, distance: float | None, reference: float, module: float) -> float:
-    """x₂ as given, or as the centre distance asks for it."""
+    """x₂ as given, or as the centre distance requires."""
     require(
         given is None or distance is None,
         "profile shift and centre distance are both given",
@@ -273,28 +286,31 @@ def _shift(given: float | None, distance: float | None, reference: float, module
     return 0.0 if given is None else given
 
 
-def _load(torque: float | None, power: float | None, speed: float | None) -> float | None:
-    require(torque is None or power is None, "torque and power are both given", code="load", hint="give one of them")
-    if power is None:
-        return None if torque is None else absolute(torque)
-    require(
-        speed is not None and absolute(speed) > 0.0,
-        "a power needs a speed to become a torque",
-        code="speed",
-        hint="give --speed",
-    )
-    return absolute(power) / absolute(speed)  # type: ignore[arg-type]
-
-
 def _forces(
-    torque: float | None, diameter: float, gamma: float, rho: float, pressure_angle: float, friction: float
-) -> tuple[float | None, float | None, float | None, float | None]:
-    """Tangential and axial force on the worm, radial and normal force, when the worm drives."""
+    torque: float | None,
+    wheel: float,
+    diameter: float,
+    gamma: float,
+    rho: float,
+    left: float,
+    pressure_angle: float,
+    friction: float,
+) -> "dict[str, Any]":
+    """Torques and tooth forces when the worm drives; None without a torque."""
     if torque is None:
-        return None, None, None, None
+        return dict.fromkeys(LOADED)
     tangential = 2.0 * torque / diameter
+    axial = tangential / tan(gamma + rho)
     normal = tangential / (cos(pressure_angle) * sin(gamma) + friction * cos(gamma))
-    return tangential, tangential / tan(gamma + rho), normal * sin(pressure_angle), normal
+    return {
+        "worm_torque": torque,
+        "wheel_torque": 0.5 * wheel * axial,
+        "worm_tangential_force": tangential,
+        "worm_axial_force": axial,
+        "radial_force": normal * sin(pressure_angle),
+        "normal_force": normal,
+        "release_torque": 0.5 * diameter * axial * -left,
+    }
 
 
 def _checks(forward: float, gamma: float, pressure_angle: float, friction: float) -> tuple[Check, ...]:

@@ -1,4 +1,4 @@
-"""What there is to say of a worm pair."""
+"""Results of a worm pair."""
 
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Force, Module, Ratio, ShaftSpeed, Size, Speed, Torque
 from dynamics_cli.records import Advice, Check, record

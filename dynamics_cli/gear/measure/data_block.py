@@ -1,4 +1,4 @@
-"""The table that goes on a gear's drawing: what must be known to make the gear and to measure it."""
+"""The data table on a gear's drawing: everything needed to make and to measure the gear."""
 
 from math import pi
 
@@ -26,7 +26,7 @@ class DataRow:
 
     item: Annotated[Text, "What it is."]
     symbol: Annotated[Text, "Its symbol in ISO 21771."]
-    data: Annotated[Text, "What it is in this gear."]
+    data: Annotated[Text, "Its value for this gear."]
     unit: Annotated[Text, "Its unit."]
 
 
@@ -48,14 +48,15 @@ def data_block(
     pressure_angle: Annotated[Angle, "Normal pressure angle α_n [rad]."] = FULL_DEPTH,
     profile_shift: Annotated[Ratio, "Profile shift factor x."] = 0.0,
     profile: Annotated[
-        Profile, "Basic rack: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own."
+        Profile,
+        "Basic rack: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace those of the rack.",
     ] = Profile("a"),  # noqa: B008
     addendum_factor: Annotated[Ratio | None, "Addendum factor h_a*, e.g. 1."] = None,
     dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
     root_radius_factor: Annotated[Ratio | None, "Radius of the rack's corner ρ_fP*, e.g. 0.38."] = None,
     internal: Annotated[bool, "An internal gear (ring)."] = False,
     shift_sign: Annotated[
-        Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
+        Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as in KHK and JIS."
     ] = Sign("iso"),  # noqa: B008
     upper_allowance: Annotated[
         Coordinate | None,
@@ -65,7 +66,7 @@ def data_block(
         Coordinate | None, "Lower deviation of the normal tooth thickness, E_sni, e.g. -0.09 mm [m]."
     ] = None,
     face_width: Annotated[Size | None, "Face width b, e.g. 20 mm [m]."] = None,
-    over: Annotated[Count | None, "Teeth to span; the best number unless given, e.g. 4."] = None,
+    over: Annotated[Count | None, "Teeth to span; the best number if left out, e.g. 4."] = None,
     pin: Annotated[
         Size | None, "Diameter of pins or balls; the nearest standard one unless given, e.g. 5.5 mm [m]."
     ] = None,
@@ -89,12 +90,12 @@ def data_block(
     Raises
     ------
     InadmissibleError
-        When there is no such gear.
+        When the gear is impossible.
 
     Notes
     -----
-    Values are rounded, as a drawing has them, and each row's bound is what its decimals leave out with what the
-    calculation may be off; `gear helical` and `gear measure` have them in full.
+    Values are rounded, as on a drawing, and each row's bound adds the rounding to the error of the calculation;
+    `gear helical` and `gear measure` give all digits.
 
     References
     ----------
@@ -133,7 +134,7 @@ def data_block(
     lines.number("Number of teeth", "z", -teeth if internal else teeth)
     lines.length("Normal module", "m_n", gear.normal_module)
     lines.angle("Normal pressure angle", "α_n", pressure_angle)
-    lines.word("Basic rack", "", _rack_name(profile, addendum_factor, dedendum_factor, root_radius_factor))
+    lines.word("Basic rack", "", rack_name(profile, addendum_factor, dedendum_factor, root_radius_factor))
     lines.angle("Helix angle", "β", abs(helix_angle))
     if gear.hand is not None:
         lines.word("Hand of helix", "", str(gear.hand))
@@ -146,10 +147,11 @@ def data_block(
     lines.number("Teeth of mating gear", "z₂", mate_teeth)
     lines.word("Drawing of mating gear", "", drawing_number)
     lines.length("Centre distance", "a_w", centre_distance)
-    return DataBlock(tuple(lines.rows), gear.advice, Numerics("rounded to the decimals asked for", tuple(lines.bounds)))
+    return DataBlock(tuple(lines.rows), gear.advice, Numerics("rounded to the requested decimals", tuple(lines.bounds)))
 
 
-def _rack_name(profile: str, *factors: float | None) -> str:
+def rack_name(profile: str, *factors: float | None) -> str:
+    """The basic rack as a drawing names it, with the factors that are not its own."""
     name = f"ISO 53 {profile.upper()}" if profile in ("a", "b", "c", "d") else str(profile)
     own = [
         f"{symbol} {factor:g}"

@@ -27,7 +27,7 @@ COMMON_SHIFT = 1.0
 class SpanRead:
     """A span that was measured."""
 
-    over: Annotated[Count, "Over how many teeth, e.g. 4."]
+    over: Annotated[Count, "Number of teeth spanned, e.g. 4."]
     length: Annotated[Size, "What was read [m]."]
 
 
@@ -39,10 +39,10 @@ class Candidate:
     module: Annotated[Module, "Normal module [m]."]
     pressure_angle: Annotated[Angle, "Normal pressure angle [rad]."]
     profile_shift: Annotated[Ratio, "Profile shift factor, from the spans."]
-    addendum_factor: Annotated[Ratio | None, "Addendum factor that the tip diameter asks for."]
-    base_pitch_error: Annotated[Coordinate | None, "Normal base pitch, measured less its own [m]."]
+    addendum_factor: Annotated[Ratio | None, "Addendum factor that the tip diameter implies."]
+    base_pitch_error: Annotated[Coordinate | None, "Normal base pitch, measured less nominal [m]."]
     disagreement: Annotated[
-        Ratio, "How far everything is off, in units of what measuring is good for; below 1 it fits."
+        Ratio, "Deviation of all readings, in units of the accuracy of measurement; below 1 the gear fits."
     ]
 
 
@@ -52,7 +52,7 @@ class Identified:
 
     candidates: Annotated[tuple[Candidate, ...], "The gears."]
     base_pitch: Annotated[Size | None, "Normal base pitch that was measured [m]."]
-    fitting: Annotated[Count, "How many standard gears fit within what measuring is good for."]
+    fitting: Annotated[Count, "Number of standard gears that fit within the accuracy of measurement."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -64,7 +64,7 @@ def identify(
     tip_diameter: Annotated[Size | None, "Tip diameter, e.g. 80 mm [m]."] = None,
     helix_angle: Annotated[Angle, "Helix angle, measured at the pitch cylinder [rad]."] = 0.0,
     reading: Annotated[Size, "What a reading is good for [m]."] = 2e-5,
-    count: Annotated[Count, "How many candidates to show."] = 5,
+    count: Annotated[Count, "Number of candidates to show."] = 5,
 ) -> Identified:
     """Name an unknown gear from its teeth, spans and tip diameter.
 
@@ -99,7 +99,7 @@ def identify(
     'module 3'
     """
     require(teeth >= 3, "a gear needs at least 3 teeth, not {teeth}", teeth=teeth, code="teeth")
-    require(count > 0, "no candidate is asked for", code="count")
+    require(count > 0, "the number of candidates to show is zero", code="count")
     require(reading > 0.0, "readings are never exact", code="reading", hint='--reading "0.02 mm"')
     require(bool(spans), "no span is given", code="spans", hint='--span-read "over=4, length=32.83 mm"')
     require(len({one.over for one in spans}) == len(spans), "two spans over the same number of teeth", code="spans")
@@ -158,7 +158,7 @@ def _base_pitch(spans: tuple[SpanRead, ...], reading: float) -> tuple[float | No
             over=one.over,
             off=(off, Size),
             code="spans",
-            hint="an anvil off the flank, or a wrong count: measure again",
+            hint="an anvil was off the flank, or the teeth were miscounted: measure again",
         )
     return pitch, 2.0 * reading / steps
 
@@ -204,8 +204,8 @@ class _Readings:
 
 
 def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]":
-    """What fits, best first: disagreement, name, module as a fraction, and pressure angle in degrees."""
-    found = []
+    """Candidates, best first: deviation, name, module as a fraction, and pressure angle in degrees."""
+    candidates_fitting = []
     mean, sizes = read.mean(), tuple(_sizes())
     for degrees in PRESSURE_ANGLES:
         angle = degrees * pi / 180.0
@@ -220,14 +220,14 @@ def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]
                 continue
             off, _ = _disagreement(read, module, angle, degrees, shift, error)
             if off < 1e4:
-                found.append((sqrt(off), name, (size[0], size[1]), degrees))
-    # of equal ones the size listed first
+                candidates_fitting.append((sqrt(off), name, (size[0], size[1]), degrees))
+    # among equal ones the size listed first
     order = {name: place for place, (name, *_) in enumerate(sizes)}
-    return sorted(found, key=lambda one: (one[0], order[one[1]], PRESSURE_ANGLES.index(one[3])))
+    return sorted(candidates_fitting, key=lambda one: (one[0], order[one[1]], PRESSURE_ANGLES.index(one[3])))
 
 
 def _candidate(read: _Readings, name: str, size: tuple[int, int], degrees: float) -> Candidate:
-    """One of the chosen, in the numbers that were read: of its standard size and angle doubles are rounded too."""
+    """A candidate in the numbers of the readings; its standard size and angle are rounded doubles too."""
     mean = read.mean()
     module = like(float(size[0]), mean) / float(size[1])
     angle = like(degrees, mean) * pi_beside(mean) / 180.0
@@ -240,7 +240,7 @@ def _candidate(read: _Readings, name: str, size: tuple[int, int], degrees: float
 def _disagreement(
     read: _Readings, module: float, angle: float, degrees: float, shift: float, error: float | None
 ) -> tuple[float, float | None]:
-    """The square of how far a candidate is off, and its addendum."""
+    """The squared deviation of a candidate, and its addendum."""
     off = 0.0 if error is None else error * error / (read.room * read.room)
     beyond = maximum(absolute(shift) - COMMON_SHIFT, 0.0)
     off = off + 0.2 * shift * shift + 25.0 * beyond * beyond
@@ -248,10 +248,10 @@ def _disagreement(
     if read.tip_diameter is not None:
         addendum = 0.5 * read.tip_diameter / module - 0.5 * read.teeth / cos(read.helix_angle) - shift
         known = 3.0 * read.reading / module / (2.0 * sin(angle)) + 0.02
-        # of full depth, or a stub's 4/5
+        # full depth, or 4/5 for stub teeth
         full, stub = (addendum - 1.0) / known, (addendum - like(4.0, shift) / 5.0) / known
         off = off + minimum(full * full, stub * stub + 0.25)
-    # what is rare counts a little
+    # unusual values get a small penalty
     return off + (0.0 if degrees == 20.0 else 0.05 if degrees in (14.5, 25.0) else 0.2), addendum
 
 
@@ -278,8 +278,8 @@ def _advice(fitting: int, tip_diameter: float | None) -> tuple[Advice, ...]:
     if fitting == 1:
         return ()
     if fitting == 0:
-        text = "no standard gear fits within what the readings are good for: the nearest are shown"
+        text = "no standard gear fits within the accuracy of the readings: the nearest are shown"
         return (Advice("no-fit", text, "serious"),)
     message = worded("{fitting} standard gears fit these readings", fitting=fitting)
-    remedy = "measure more sharply" if tip_diameter is not None else "give the tip diameter"
+    remedy = "measure more accurately" if tip_diameter is not None else "give the tip diameter"
     return (Advice("several-fit", message, remedy=remedy),)

@@ -35,13 +35,13 @@ if TYPE_CHECKING:
 FULL = BasicProfile("a")
 ISO = Sign("iso")
 
-# What was measured, as a refusal calls it.
+# Names of the measured sizes in refusals.
 _READ = ("a span", "a size over pins", "a chordal thickness")
 
 
 @record
 class ShiftFound:
-    """What a measured size says of the tooth."""
+    """The tooth that a measured size implies."""
 
     profile_shift: Annotated[Ratio, "The profile shift that gives the measured size."]
     thickness_deviation: Annotated[Coordinate, "Normal tooth thickness at the pitch circle, measured less nominal [m]."]
@@ -73,7 +73,7 @@ def measure(
     profile_shift: Annotated[Ratio, "Profile shift factor."] = 0.0,
     internal: Annotated[bool, "Whether the teeth point inwards."] = False,
     shift_sign: Annotated[
-        Sign, "Whose sign the profile shift of an internal gear has: iso (towards the tips) or outward (KHK, JIS)."
+        Sign, "Sign convention of an internal gear's profile shift: iso (towards the tips) or outward (KHK, JIS)."
     ] = ISO,
     addendum_factor: Annotated[Ratio | None, "Addendum in modules, in place of the basic rack's, e.g. 1."] = None,
     dedendum_factor: Annotated[Ratio | None, "Dedendum in modules, in place of the basic rack's, e.g. 1.25."] = None,
@@ -86,7 +86,7 @@ def measure(
         Size | None, "Face width, to see whether a helical gear is wide enough for its span, e.g. 20 mm [m]."
     ] = None,
     over: Annotated[
-        Count | None, "Teeth to span (spaces of an internal gear); the best number unless given, e.g. 4."
+        Count | None, "Teeth to span (spaces of an internal gear); the best number if left out, e.g. 4."
     ] = None,
     pin: Annotated[
         Size | None, "Diameter of pins or balls; the nearest standard one unless given, e.g. 5.5 mm [m]."
@@ -117,16 +117,16 @@ def measure(
     Returns
     -------
     Measurements
-        Every size that this gear allows, its limits, where the instrument touches, and the shift from measured sizes.
+        Every size possible for this gear, its limits, the points of contact, and the shift from measured sizes.
 
     Raises
     ------
     InadmissibleError
-        When a span or pin that was asked for does not touch on the flanks.
+        When a given span or pin does not touch on the flanks.
 
     Notes
     -----
-    Exact but for the chordal thickness of a helical gear, which is that of the equivalent spur gear by convention.
+    Exact except for the chordal thickness of a helical gear, which is that of the equivalent spur gear by convention.
     Helical gears: balls, or pins for an even number of teeth. The condition of W and M to the module is 1.
 
     References
@@ -166,9 +166,9 @@ def measure(
     advice += _advice(gear, spanned, face_width)
     from_chord = None if measured_chord is None else _found(gear, shift_from_chord(gear, measured_chord))
     read = _from_span(gear, spanned, measured_span), _from_pins(gear, pin, measured_pins), from_chord
-    for found, size, name in zip(read, (measured_span, measured_pins, measured_chord), _READ, strict=True):
-        if found is not None:
-            _require_cut(made, found.profile_shift, size, name, tip_diameter, root_radius_factor)
+    for shift_found, size, name in zip(read, (measured_span, measured_pins, measured_chord), _READ, strict=True):
+        if shift_found is not None:
+            _require_cut(made, shift_found.profile_shift, size, name, tip_diameter, root_radius_factor)
     return Measurements(
         normal_thickness=_thickness(gear),
         span=spanned,
@@ -192,7 +192,7 @@ def _require_allowances(upper: float | None, lower: float | None, gear: "Toothin
             least=(plain(least), Size),
             thickness=(plain(_thickness(gear)), Size),
             code="allowances",
-            hint="an allowance is a part of the tooth thickness, such as -0.05 mm",
+            hint="an allowance reduces the tooth thickness a little, such as -0.05 mm",
         )
     if upper is not None and lower is not None:
         require(
@@ -205,7 +205,7 @@ def _require_allowances(upper: float | None, lower: float | None, gear: "Toothin
 
 
 def _if_possible(name: str, make: "Callable[[], Sized]", asked: bool, advice: list[Advice]) -> "Sized | None":
-    """A size, or why there is none; refused when it was asked for."""
+    """A size, or the reason why there is none; refused if it was requested."""
     if asked:
         return make()
     try:
@@ -228,7 +228,9 @@ def _found(gear: "Toothing", shift: float) -> ShiftFound:
 def _from_span(gear: "Toothing", spanned: Span | None, measured: float | None) -> ShiftFound | None:
     if measured is None:
         return None
-    require(spanned is not None, "say over how many teeth the span was measured", code="over", hint="--over 4")
+    require(
+        spanned is not None, "give the number of teeth that the span was measured over", code="over", hint="--over 4"
+    )
     assert spanned is not None
     return _found(gear, shift_from_span(gear, spanned.over, measured))
 
@@ -236,16 +238,16 @@ def _from_span(gear: "Toothing", spanned: Span | None, measured: float | None) -
 def _from_pins(gear: "Toothing", pin: float | None, measured: float | None) -> ShiftFound | None:
     if measured is None:
         return None
-    require(pin is not None, "say which pins the size was measured over", code="pin", hint='--pin "5 mm"')
+    require(pin is not None, "give the pins that the size was measured over", code="pin", hint='--pin "5 mm"')
     assert pin is not None
     return _found(gear, shift_from_pins(gear, pin, measured))
 
 
 def _require_cut(
-    made: Gear, shift: float, size: float | None, name: str, tip_diameter: float | None, radius: float | None
+    gear: Gear, shift: float, size: float | None, name: str, tip_diameter: float | None, radius: float | None
 ) -> None:
-    """Refuse a reading whose profile shift leaves no such gear."""
-    own = with_shift(made, -shift if made.internal else shift)
+    """Refuse a reading whose profile shift makes the gear impossible."""
+    own = with_shift(gear, -shift if gear.internal else shift)
     try:
         require_circles(own)
         toothing(own, tip_diameter=tip_diameter, fillet=fillet_of(own, radius))
@@ -257,15 +259,15 @@ def _require_cut(
             name=name,
             size=(size, Size),
             shift=(shift, Ratio),
-            teeth=abs(made.teeth),
+            teeth=abs(gear.teeth),
             reason=error.message,
             code="measured",
-            hint="look at the reading, the number of teeth spanned, the module and the tip diameter",
+            hint="check the reading, the number of teeth spanned, the module and the tip diameter",
         )
 
 
 def _checks(gear: "Toothing", spanned: Span | None, pinned: Pins | None) -> tuple[Check, ...]:
-    """The profile shift found again from the sizes that were returned."""
+    """Check the profile shift by recalculating it from the returned sizes."""
     checks = []
     room = 1e-12 * (1.0 + absolute(gear.shift)) * gear.teeth
     if spanned is not None:

@@ -1,4 +1,4 @@
-"""Pictures of measuring: a gear with its span and pins, and which gear readings may belong to."""
+"""Pictures of measuring: a gear with its span and pins, and the candidates for readings."""
 
 from math import cos, degrees, nan, pi, sin
 
@@ -17,27 +17,27 @@ PEN = 1
 
 
 def measure_picture(
-    made: "Any", *, teeth: int, internal: bool = False, profile_shift: float = 0.0, **given: "Any"
+    result: "Any", *, teeth: int, internal: bool = False, profile_shift: float = 0.0, **given: "Any"
 ) -> Picture:
     """The gear with its span and the two pins or balls in their spaces, in the transverse plane, and the sizes."""
     items: list[Any] = []
     drawn = exact_profile(teeth, internal, None, {**given, "profile_shift": profile_shift})
     if drawn is None:
-        limits = [float(made.pins.centre_diameter)] if made.pins is not None else []
+        limits = [float(result.pins.centre_diameter)] if result.pins is not None else []
     else:
         items += _gear(drawn, internal)
         limits = [float(drawn.base_diameter)]
-    if made.span is not None and drawn is not None:
-        items += _jaws(float(drawn.base_diameter), made.span, teeth)
-    if made.pins is not None:
-        items += _pins(made.pins, teeth)
+    if result.span is not None and drawn is not None:
+        items += _jaws(float(drawn.base_diameter), result.span, teeth)
+    if result.pins is not None:
+        items += _pins(result.pins, teeth)
     if not limits:
-        items.append(Mark(0.0, 0.0, "no size of this gear can be drawn"))
+        items.append(Mark(0.0, 0.0, "none of this gear's sizes can be drawn"))
     title = worded("Measuring a gear of {teeth} teeth, x = {shift}", teeth=teeth, shift=(float(profile_shift), Ratio))
     if getattr(given.get("pitch"), "module", None) is not None:
         title = worded("{title}, module {module:6}", title=title, module=(float(given["pitch"].module), Module))
     scene = Panel(X, Y, tuple(items), equal=True, bare=True)
-    table = Panel(X, Y, (Rows(_rows(made)),))
+    table = Panel(X, Y, (Rows(_rows(result)),))
     return Picture((scene, table), title, subtitle="Transverse section; base circle dotted, jaws tangent to it")
 
 
@@ -54,17 +54,19 @@ def _gear(drawn: "Any", internal: bool) -> "list[Any]":
     return [Curve(*around, "", "fill", 0), Curve(x, y, "", "outline", 0), base]
 
 
-def _rows(made: "Any") -> "tuple[tuple[str, str, str], ...]":
+def _rows(result: "Any") -> "tuple[tuple[str, str, str], ...]":
     """The sizes that an inspector reads, with their symbols."""
-    listed: list[tuple[str, str, Any, Any]] = [("normal tooth thickness", "s_n", made.normal_thickness, Size)]
-    if made.span is not None:
-        listed.append((f"span over {int(made.span.over)} teeth", f"W_{int(made.span.over)}", made.span.span, Size))
-        listed.append(("touched at diameter", "", made.span.contact_diameter, Size))
-    if made.pins is not None:
-        listed += [("pin or ball", "D_M", made.pins.pin, Size), ("size over pins", "M", made.pins.size, Size)]
-    if made.chordal is not None:
-        listed.append(("chordal thickness", "", made.chordal.thickness, Size))
-        listed.append(("chordal height", "", made.chordal.height, Size))
+    listed: list[tuple[str, str, Any, Any]] = [("normal tooth thickness", "s_n", result.normal_thickness, Size)]
+    if result.span is not None:
+        listed.append(
+            (f"span over {int(result.span.over)} teeth", f"W_{int(result.span.over)}", result.span.span, Size)
+        )
+        listed.append(("touched at diameter", "", result.span.contact_diameter, Size))
+    if result.pins is not None:
+        listed += [("pin or ball", "D_M", result.pins.pin, Size), ("size over pins", "M", result.pins.size, Size)]
+    if result.chordal is not None:
+        listed.append(("chordal thickness", "", result.chordal.thickness, Size))
+        listed.append(("chordal height", "", result.chordal.height, Size))
     return tuple(
         (name, symbol, worded("{value:6}", value=(float(value), kind)))
         for name, symbol, value, kind in listed
@@ -111,13 +113,13 @@ def _pins(pins: "Any", teeth: int) -> "list[Any]":
     return items
 
 
-def candidates(made: "Any", *, teeth: int = 0, **_: "Any") -> Picture:
-    """How well each candidate agrees with what was read."""
-    names = tuple(f"{one.size}, {degrees(float(one.pressure_angle)):.4g}°" for one in made.candidates)
-    worst = [float(one.disagreement) for one in made.candidates]
+def candidates(result: "Any", *, teeth: int = 0, **_: "Any") -> Picture:
+    """How well each candidate agrees with the readings."""
+    names = tuple(f"{one.size}, {degrees(float(one.pressure_angle)):.4g}°" for one in result.candidates)
+    worst = [float(one.disagreement) for one in result.candidates]
     bars = Bars(names, [0.0] * len(worst), worst)
-    title = f"Which gear of {teeth} teeth it may be" if teeth else "Which gear it may be"
-    axis = Axis("worst disagreement with a reading; below 1 it fits")
+    title = f"Which gear of {teeth} teeth it may be" if teeth else "Candidate gears"
+    axis = Axis("largest deviation from a reading; below 1 the gear fits")
     return Picture(
         (Panel(axis, Axis(""), (bars,)),), title, subtitle="Size of the teeth and pressure angle, best first"
     )

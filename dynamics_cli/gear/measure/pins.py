@@ -14,7 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-# Flanks that lean farther than this from their middle hold no pin of sensible size.
+# Flanks inclined more than this to their middle hold no pin of sensible size.
 _WIDEST = 1.5
 # Van Keuren's wire for external gears, in modules.
 _USUAL = 1.728
@@ -69,7 +69,7 @@ def pin_contact(gear: Toothing, pin: float) -> float:
 
 
 def ideal_pin(gear: Toothing) -> float | None:
-    """The diameter that touches at d + 2xm; None where the flanks of few teeth part so widely that none does.
+    """The diameter that touches at d + 2xm; None where the flanks of few teeth open so widely that no pin does.
 
     Closed form for a spur gear, a few steps of Newton for a helical one.
     """
@@ -123,16 +123,16 @@ def shift_from_pins(gear: Toothing, pin: float, size: float) -> float:
 
 
 def standard_pins(near: float) -> "Iterator[float]":
-    """Pins and balls on the shelf about a size, nearest first: tenths of mm below 2 mm, halves below 12 mm, whole."""
+    """Standard pins and balls, nearest first: in tenths of mm below 2 mm, halves below 12 mm, then whole mm."""
     step = 1e-4 if near < 2e-3 else 5e-4 if near < 12e-3 else 1e-3
     middle = round(near / step)
     for index in sorted(range(max(1, middle - 12), middle + 13), key=lambda index: abs(index * step - near)):
-        # 3.5 mm as it is written, not as a product of roundings
+        # 3.5 mm as written, not as a rounded product
         yield index / (1.0 / step)
 
 
 def pin_fault(gear: Toothing, pin: float) -> "tuple[str, float, float] | None":
-    """What is wrong with a pin, as a sentence with its two deciding diameters; None when it can be used."""
+    """The fault of a pin, as a sentence with its two decisive diameters; None if it can be used."""
     contact, (low, high) = plain(pin_contact(gear, pin)), flank_radii(gear)
     first, last = ("tip", "form") if gear.internal else ("form", "tip")
     if contact < low:
@@ -146,7 +146,7 @@ def pin_fault(gear: Toothing, pin: float) -> "tuple[str, float, float] | None":
     if inwards * (bottom - root) > 0.0:
         return "a pin of {pin:6} meets the root: it reaches {at:6} diameter, the root lies at {limit:6}", bottom, root
     if inwards * (top - tip) > 0.0:
-        text = "a pin of {pin:6} does not stand out of the space: it ends at {at:6} diameter, the tips at {limit:6}"
+        text = "a pin of {pin:6} does not protrude from the space: it ends at {at:6} diameter, the tips at {limit:6}"
         return text, top, tip
     return None
 

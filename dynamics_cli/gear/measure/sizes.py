@@ -19,7 +19,7 @@ class Span:
     span_upper: Annotated[Size | None, "W_k at the upper allowance of the thickness [m]."]
     span_lower: Annotated[Size | None, "W_k at the lower allowance [m]."]
     contact_diameter: Annotated[Size, "Diameter where the anvils touch [m]."]
-    ideal_over: Annotated[Ratio, "The k, not whole, for contact at d + 2 x m."]
+    ideal_over: Annotated[Ratio, "The k, not a whole number, for contact at d + 2 x m."]
     least_face_width: Annotated[Size | None, "Face width that a helical gear needs for the anvils to touch [m]."] = None
 
 
@@ -34,7 +34,7 @@ class Chord:
 
 
 def thinned(gear: Toothing, allowance: float) -> float:
-    """The profile shift that gives the tooth this much more normal thickness (an internal gear's grows inwards)."""
+    """The profile shift that increases the normal tooth thickness by this amount (inwards for an internal gear)."""
     change = allowance / (2.0 * gear.module * tan(gear.pressure_angle))
     return gear.shift - change if gear.internal else gear.shift + change
 
@@ -121,7 +121,7 @@ def span(gear: Toothing, over: int | None, allowances: "tuple[float | None, floa
     chosen = over
     if chosen is None:
         require(bool(serving), "no span touches on the flanks", code="span-off-flank", hint="measure over pins")
-        # halfway between two, rounding must not choose
+        # halfway between two, rounding must not decide
         chosen = min(serving, key=lambda k: round(abs(k - plain(ideal)), 9))
     require(chosen >= 1, "a span is over one tooth at least", code="span-off-flank")
     length = span_length(gear, chosen)
@@ -206,7 +206,7 @@ def shift_from_chord(gear: Toothing, thickness: float) -> float:
 
 def constant_chord(gear: Toothing, allowances: "tuple[float | None, float | None]") -> Chord:
     """The chord where a rack's flanks touch both sides of the tooth: s cos²α, the same for any number of teeth."""
-    require(not gear.internal, "the constant chord belongs to external gears", code="constant-chord")
+    require(not gear.internal, "the constant chord is for external gears only", code="constant-chord")
     sine, cosine = sin(gear.pressure_angle), cos(gear.pressure_angle)
 
     def chord(shift: float) -> float:

@@ -1,1 +1,1 @@
-"""Two exact profiles turned through each other: contact, clearances and what overlaps."""
+"""Two exact profiles turned through each other: contact, clearances and overlaps."""

@@ -1,4 +1,4 @@
-"""Advice on a mesh: what jams, overlaps or is cut off, and the remedy."""
+"""Advice on a mesh: jamming, overlaps, contact cut short, and the remedies."""
 
 from dynamics_cli.errors import worded
 from dynamics_cli.gear.mesh.profile_contact import Path
@@ -13,7 +13,7 @@ OVERLAP = 1e-6
 
 
 def tip_notes(first: ToothForm, second: ToothForm, distance: float) -> tuple[Advice, ...]:
-    """Say so when the tips are left at full height where `gear pair` shortens them."""
+    """Note that the tips are left at full height where `gear pair` shortens them."""
     one, two = first.cutter, second.cutter
     if one is None or two is None:
         return ()
@@ -41,22 +41,22 @@ def advice(
     clearances: tuple[float, float],
     first: ToothForm,
 ) -> tuple[Advice, ...]:
-    """What is wrong with a mesh, or has an end other than the tips'."""
-    found = []
+    """Faults of a mesh, and contact that ends elsewhere than at the tips."""
+    advices = []
     if ratio < 1.0:
         text = worded(
-            "the contact ratio is {ratio:6}: between one pair of teeth and the next nothing is in contact",
+            "the contact ratio is {ratio:6}: between one pair of teeth and the next there is no contact",
             ratio=(ratio, Ratio),
         )
-        remedy = "bring the gears closer together, or give them higher teeth"
-        found.append(Advice("open-mesh", text, "serious", remedy))
+        remedy = "bring the gears closer together, or give them longer teeth"
+        advices.append(Advice("open-mesh", text, "serious", remedy))
     if backlash < -EXACT:
         text = worded("the teeth are {backlash:6} too thick along the line of action", backlash=(-backlash, Size))
-        found.append(Advice("jam", text, "serious", "raise the centre distance, or lower the profile shifts"))
+        advices.append(Advice("jam", text, "serious", "raise the centre distance, or lower the profile shifts"))
     for where, gap in gaps.items():
         if gap < -OVERLAP * first.module:
             text = worded("{where}: the profiles overlap by {gap:6}", where=where, gap=(-gap, Size))
-            found.append(Advice("interference", text, "serious", "shorten the tips"))
+            advices.append(Advice("interference", text, "serious", "shorten the tips"))
     for which, clearance in zip(("gear 1", "gear 2"), clearances, strict=True):
         if clearance < 0.0:
             text = worded(
@@ -64,18 +64,18 @@ def advice(
                 which=which,
                 clearance=(-clearance, Size),
             )
-            found.append(Advice("tip-clearance", text, "serious", "shorten the tips"))
+            advices.append(Advice("tip-clearance", text, "serious", "shorten the tips"))
     for lost, where in (
         (path.start - path.tip_start, "the tip of gear 2 meets no involute for {lost:6}: it is below gear 1's"),
         (path.tip_end - path.end, "the tip of gear 1 meets no involute for {lost:6}: it is past gear 2's"),
     ):
         if lost > EXACT:
-            found.append(Advice("clipped", worded(where + " form circle", lost=(lost, Size))))
-    return tuple(found)
+            advices.append(Advice("clipped", worded(where + " form circle", lost=(lost, Size))))
+    return tuple(advices)
 
 
 def tips_meet(overlap: float) -> tuple[Advice, ...]:
-    """That tips trim flanks off the line of action."""
+    """Advice that tips cut into flanks off the line of action."""
     message = worded(
         "off the line of action the tips overlap the flanks they pass by {overlap:6}", overlap=(overlap, Size)
     )

@@ -1,4 +1,4 @@
-"""What is stated of a mesh's rounding: bounds carried through its closed forms, or measured in many digits."""
+"""Rounding bounds of a mesh: carried through its closed forms, or measured in many digits."""
 
 import math
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 
     from dynamics_cli.gear.mesh.profile_contact import Path
 
-# Results whose bounds are shares of them; those of the others, differences, are lengths.
+# Results with relative bounds; the others are differences, with bounds as lengths.
 SHARES = ("centre_distance", "working_pressure_angle", "contact_ratio", "nominal_contact_ratio")
-# What the place of a least distance may be worth, in half last bits of the module.
+# Effect of the place of a minimum distance, in half units in the last place of the module.
 PLACED = 1e-2
-# Of so many points shown the bounds are measured one by one.
+# For up to this many points shown the bounds are measured one by one.
 MEASURED = 64
 COLUMNS = ("along", "first_diameter", "second_diameter")
 
@@ -26,7 +26,7 @@ COLUMNS = ("along", "first_diameter", "second_diameter")
 def mesh_numerics(known: "Any", exact: "Any", turning: float, columns: "dict[str, Any]", shares: "Any") -> Numerics:
     """The bounds of a mesh's numbers; of points at `shares` (whole numbers of a whole) of the path as columns.
 
-    `known` carries bounds, `exact` is the same in many digits, or None; `turning` is the most that an angle is off.
+    `known` carries bounds, `exact` is the same in many digits, or None; `turning` is the maximum angular error.
     """
     results = known.results.items()
     bounds = [share(name, value) if name in SHARES else width(name, value) for name, value in results]
@@ -42,13 +42,13 @@ def mesh_numerics(known: "Any", exact: "Any", turning: float, columns: "dict[str
             for place, (name, most) in enumerate(zip(COLUMNS, along, strict=True))
         )
     bounds += [ErrorBound(f"path.{name}", bound, relative=False) for name, bound in zip(COLUMNS, along, strict=True)]
-    # involutes of one base pitch turn evenly at any distance: what is found is rounding, all of it
+    # involutes of one base pitch turn uniformly at any distance: the computed deviation is all rounding
     bounds += [ErrorBound(name, turning, relative=False) for name in ("transmission_error", "path.error")]
     return Numerics("closed forms that carry rounding bounds; profiles turned point by point", tuple(bounds))
 
 
 def _column_bounds(known: "Any", plain: "Path") -> tuple[float, float, float]:
-    """Of places and both diameters: points stand at equal steps from the start of contact to its end."""
+    """Bounds of places and both diameters: points are equally spaced from the start of contact to its end."""
     path, first, second = known.path, known.first, known.second
     ends = max(error_of(path.start), error_of(path.end)) + 4.0 * UNIT_ROUNDOFF * max(abs(plain.start), abs(plain.end))
     longest = plain.total + plain.end if second.internal else plain.total - plain.start

@@ -1,7 +1,7 @@
-"""The room a tooth has beside the flanks of the space it turns through, off the line of action.
+"""Clearance between a tooth and the flanks of the space it turns through, off the line of action.
 
-A tooth is looked at point by point while it turns through the space, and also where each of its points crosses the form
-circle, below which the space's flank is no involute. About the least distances found, points and angles are looked at
+A tooth is sampled point by point while it turns through the space, and also where each of its points crosses the form
+circle, below which the space's flank is not an involute. Around the minimum distances, points and angles are sampled
 again, finer each time.
 """
 
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Chords of a tooth at the first look, then of it and of the space, as shares of the module.
+# Chords of a tooth in the first pass, then of it and of the space, relative to the module.
 COARSE, FINE = 2e-4, 1e-6
-# Angles at the first look, and at each finer one of the places that were least.
+# Angles in the first pass, and in each finer one about the minima.
 STEPS, FINER_STEPS, ROUNDS, PLACES = 241, 41, 4, 4
 LAND, FINE_LAND = 9, 129
 # A point on the form circle counts as below and above it, whichever way it rounds.
@@ -27,10 +27,10 @@ EDGE = 1e-12
 
 
 def flank_gap(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
-    """Least distance of a tooth of `first` from the flanks of the space of `second` it turns through.
+    """Minimum distance of a tooth of `first` from the flanks of the space of `second` it turns through.
 
     `play` is half the angle `second` can be turned by: the driving flanks touch. Along the involutes the distance is
-    zero by design, to the chords; negative ones are overlaps (off the line of action: trimming). Infinite where
+    zero by design, to the chords; negative ones are overlaps (off the line of action: trimming). Infinite if
     nothing comes near.
     """
     import numpy as np
@@ -47,7 +47,7 @@ def _finest(
     turn: "_Turn", gap: "Array", turned: "Array", tooth: "tuple[Array, Array]",
     fine: "tuple[Array, Array]", step: float,
 ) -> float:  # fmt: skip
-    """The least distance about the few angles at which the first look found the least ones."""
+    """The minimum distance about the few angles with minima of the first pass."""
     least = float(gap.min())
     if least == float("inf"):
         return least
@@ -62,7 +62,7 @@ def _finest(
 
 
 def _places(gap: "Array") -> "list[tuple[int, int]]":
-    """The angles (and the points) of the least distances that are least among their neighbours, best first."""
+    """The angles (and points) of local minima of the distance, best first."""
     import numpy as np
 
     columns = gap.argmin(axis=1)
@@ -117,7 +117,7 @@ class _Turn:
             x, y = self.distance - x, -y
         away = np.hypot(x, y)
         near = away > second.tip if second.internal else away < second.tip
-        # of the ways round, the one that the space has turned with the tooth
+        # of the equivalent angles, the one in which the space has turned with the tooth
         lean = np.remainder(np.arctan2(y, x) - self.ratio * turned + pi, 2.0 * pi) - pi
         beside = away * (np.interp(away, self.radius, self.half) - np.abs(lean - self.play))
         beside *= np.interp(away, self.radius, self.across)
@@ -138,7 +138,7 @@ class _Turn:
         return np.where(crosses, both, grid[0])
 
     def least(self, radius: "Array", angle: "Array", middle: float, width: float) -> tuple[float, float]:
-        """The least distance within a width of an angle, and the angle there."""
+        """The minimum distance within a width of an angle, and its angle."""
         import numpy as np
 
         gaps, turned = self.gaps(radius, angle, np.linspace(middle - width, middle + width, FINER_STEPS))
@@ -187,12 +187,12 @@ def _tooth_points(form: ToothForm, chord: float, land_points: int) -> "tuple[Arr
 
 
 def _reach(first: ToothForm, second: ToothForm, distance: float) -> float:
-    """How far from the line of centres a tip of `first` is within the teeth of `second`."""
+    """Angular range about the line of centres in which a tip of `first` is within the teeth of `second`."""
     if first.internal:
         cosine = (first.tip**2 + distance**2 - second.tip**2) / (2.0 * first.tip * distance)
     elif second.internal:
         cosine = (second.tip**2 - first.tip**2 - distance**2) / (2.0 * first.tip * distance)
     else:
         cosine = (first.tip**2 + distance**2 - second.tip**2) / (2.0 * first.tip * distance)
-    # a little farther, so that a tooth's own width is inside at both ends
+    # a little more, so that the tooth's width is included at both ends
     return min(pi, (0.0 if cosine >= 1.0 else acos(max(cosine, -1.0))) + 2.0 * pi / first.teeth)

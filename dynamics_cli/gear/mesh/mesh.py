@@ -1,4 +1,4 @@
-"""The proof of a mesh: both exact profiles turned through it, with what they really do."""
+"""The proof of a mesh: both exact profiles turned through it, and their actual behaviour."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.mesh.advice import EXACT, OVERLAP, advice, tip_notes, tips_meet
@@ -50,20 +50,18 @@ class ContactPoint:
 
 @record
 class MeshProof:
-    """What two profiles do in mesh."""
+    """The behaviour of two profiles in mesh."""
 
     centre_distance: Annotated[Size, "Centre distance [m]."]
     working_pressure_angle: Annotated[Angle, "Transverse working pressure angle [rad]."]
-    contact_ratio: Annotated[
-        Ratio, "Transverse contact ratio of the involutes that are really there, between form circles and tips."
-    ]
+    contact_ratio: Annotated[Ratio, "Transverse contact ratio of the actual involutes, between form circles and tips."]
     nominal_contact_ratio: Annotated[Ratio, "The same by the tip circles alone."]
-    begins_at: Annotated[Text, "What begins the contact."]
-    ends_at: Annotated[Text, "What ends it."]
+    begins_at: Annotated[Text, "What limits the contact at its start."]
+    ends_at: Annotated[Text, "What limits it at its end."]
     transmission_error: Annotated[
-        Angle, "Largest angle that gear 2 is off the exact ratio, over the whole path of contact [rad]."
+        Angle, "Largest angular error of gear 2 against the exact ratio, over the whole path of contact [rad]."
     ]
-    contact_points: Annotated[Count, "Points of contact that were looked at."]
+    contact_points: Annotated[Count, "Points of contact that were checked."]
     backlash: Annotated[Coordinate, "Transverse backlash along the line of action; negative when the teeth jam [m]."]
     first_in_second: Annotated[
         Coordinate | None,
@@ -75,7 +73,7 @@ class MeshProof:
     first_tip_clearance: Annotated[Coordinate, "From the tips of gear 1 to the root circle of gear 2 [m]."]
     second_tip_clearance: Annotated[Coordinate, "From the tips of gear 2 to the root circle of gear 1 [m]."]
     runs: Annotated[bool, "Whether the pair runs: contact without a gap, no jam, no overlap."]
-    path: Annotated[Columns[ContactPoint], "Some of the points of contact."]
+    path: Annotated[Columns[ContactPoint], "A selection of the points of contact."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -108,26 +106,26 @@ def mesh(
     second_tip_diameter: Annotated[
         Size | None, "Tip diameter of gear 2, where it is not that of the rack, e.g. 79.4 mm [m]."
     ] = None,
-    points: Annotated[Count, "Points of contact to look at."] = 100000,
-    shown: Annotated[Count, "How many of them to show."] = 11,
+    points: Annotated[Count, "Points of contact to check."] = 100000,
+    shown: Annotated[Count, "Number of them to show."] = 11,
 ) -> MeshProof:
-    """Turn two exact profiles through their mesh: transmission error, least clearances, real contact ratio.
+    """Turn two exact profiles through their mesh: transmission error, minimum clearances, actual contact ratio.
 
     Equation
     --------
-    At each point of the line of action both gears are turned until their flanks pass through it; gear 2's angle is held
-    against z₁/z₂ times gear 1's. Distances from a root: the edge of a tooth's tip against trochoid or fillet and where
-    the flank begins, where the normal passes through the pitch point; tips against the root circle.
+    At each point of the line of action both gears are turned until their flanks pass through it; gear 2's angle is
+    compared with z₁/z₂ times gear 1's. Distances from a root: the edge of a tooth's tip against trochoid or fillet and
+    where the flank begins, where the normal passes through the pitch point; tips against the root circle.
 
     Returns
     -------
     MeshProof
-        What the profiles do, and whether the pair runs.
+        The behaviour of the profiles, and whether the pair runs.
 
     Raises
     ------
     InadmissibleError
-        When the base circles do not leave room, or no involutes meet at all.
+        When the base circles overlap, or no involutes meet at all.
 
     Notes
     -----
@@ -197,7 +195,7 @@ def forms_of(
     second_tip_diameter: float | None,
     **common: "Any",
 ) -> tuple[ToothForm, ToothForm]:
-    """Both profiles; what they have in common is given once."""
+    """Both profiles, from their common and individual parameters."""
     common = {**common, "root_radius_factor": root_radius_factor, "sign": shift_sign}
     gear = gear_of(teeth=first_teeth, profile_shift=first_profile_shift, internal=False, **common)
     two = gear_of(teeth=second_teeth, profile_shift=second_profile_shift, internal=internal, **common)
@@ -235,7 +233,7 @@ def _require_contact(path: Path) -> None:
 
 
 def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bare_tips: bool) -> MeshProof:
-    """The proof, of numbers that carry rounding bounds; turned in plain doubles."""
+    """The proof in numbers that carry rounding bounds; the turning itself is in doubles."""
     import numpy as np
 
     first, second, plain = bare(known.first), bare(known.second), bare(known.path)
@@ -249,18 +247,18 @@ def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bar
         0.0, -_beside(first, second, apart, bare(known.play)) - jammed, -tips_pass(first, second, apart) - EXACT
     )
     trims = trimmed > TRIMS * first.module or tips_pass(first, second, apart) < -EXACT
-    found = {name: bare(value) for name, value in known.results.items()}
+    numbers = {name: bare(value) for name, value in known.results.items()}
     gaps = {"gear 1 in the root of gear 2": known.inward, "gear 2 in the root of gear 1": known.outward}
     overlaps = {where: bare(gap) for where, gap in gaps.items() if gap is not None}
-    clearances = found["first_tip_clearance"], found["second_tip_clearance"]
+    clearances = numbers["first_tip_clearance"], numbers["second_tip_clearance"]
     room = min((*overlaps.values(), *clearances)) >= -OVERLAP * first.module
-    runs = found["contact_ratio"] >= 1.0 and found["backlash"] >= -EXACT * apart and room and not trims
+    runs = numbers["contact_ratio"] >= 1.0 and numbers["backlash"] >= -EXACT * apart and room and not trims
     picks = np.unique(np.linspace(0, len(lengths) - 1, max(2, min(shown, len(lengths)))).astype(int))
     path = _points(first, second, plain, lengths[picks], error[picks])
     shares = len(lengths) - 1, picks.tolist()
     notes = tip_notes(first, second, apart) if bare_tips else ()
     return MeshProof(
-        **found,
+        **numbers,
         begins_at="tip of gear 2" if plain.start == plain.tip_start else "form circle of gear 1",
         ends_at="tip of gear 1" if plain.end == plain.tip_end else "form circle of gear 2",
         transmission_error=worst,
@@ -270,7 +268,7 @@ def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bar
         runs=runs,
         path=path,
         checks=(Check("conjugate action", worst <= turned, worst, turned),),
-        advice=advice(plain, found["contact_ratio"], found["backlash"], overlaps, clearances, first)
+        advice=advice(plain, numbers["contact_ratio"], numbers["backlash"], overlaps, clearances, first)
         + (tips_meet(trimmed) if trims else ())
         + notes,
         numerics=mesh_numerics(known, exact, worst, path.arrays, shares),
@@ -278,7 +276,7 @@ def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bar
 
 
 class _Known:
-    """What is known of a mesh in closed form, in numbers that carry rounding bounds."""
+    """The closed-form quantities of a mesh, in numbers that carry rounding bounds."""
 
     def __init__(
         self, given: "dict[str, Any]", distance: "float | None", places: "tuple[Any, Any] | None" = None
@@ -307,20 +305,20 @@ class _Known:
 
     def _gaps(self, distance: float, places: "tuple[Any, Any] | None") -> None:
         first, second, path = self.first, self.second, self.path
-        # where an involute gets to where the other begins, they touch there by design, or jam
+        # an involute that reaches the start of the other touches it there by design, or jams
         touch = minimum(0.5 * self.backlash, 0.0)
         touches = touch if path.end < path.tip_end else None, touch if path.start > path.tip_start else None
         self.inward, self.outward, self.places = root_gaps(first, second, distance, self.play, touches, places)
 
     def numbers(self) -> "list[Any]":
-        """Every number whose bound is stated or goes into one."""
+        """Every number whose bound is stated or contributes to one."""
         path = self.path
         lengths = (path.start, path.end, path.total, self.pitch_point, self.first.base, self.second.base)
         return [*self.results.values(), self.inward, self.outward, *lengths]
 
 
 def _beside(first: ToothForm, second: ToothForm, distance: float, play: float) -> float:
-    """The least distance of either gear's teeth from the other's flanks, beside the line of action."""
+    """The minimum distance of either gear's teeth from the other's flanks, off the line of action."""
     gap = flank_gap(first, second, distance, play)
     return min(gap, flank_gap(second, first, distance, play * second.teeth / first.teeth))
 

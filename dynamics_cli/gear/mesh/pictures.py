@@ -1,4 +1,4 @@
-"""A mesh of two exact profiles: the teeth about the pitch point, and what was found."""
+"""A mesh of two exact profiles: the teeth about the pitch point, and the results."""
 
 from math import cos
 

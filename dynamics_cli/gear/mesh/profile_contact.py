@@ -1,7 +1,7 @@
-"""Two exact profiles turned against each other: where they touch, how evenly they turn, and what room they leave.
+"""Two exact profiles turned against each other: contact, transmission error and clearances.
 
-The frame: gear 1 at the origin, gear 2 at (a, 0); external gears lie side by side, an internal gear lies about the
-other. Everything is found from the profiles themselves, point by point, not from the formulas of the pair.
+The frame: gear 1 at the origin, gear 2 at (a, 0); external gears are side by side, an internal gear surrounds the
+other. Everything is calculated from the profiles point by point, not from the formulas of the pair.
 """
 
 from dynamics_cli.errors import require
@@ -38,7 +38,7 @@ def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Pat
     reach = absolute(sum_of_bases)
     require(
         distance > reach,
-        "a centre distance of {distance:9} is less than the {reach:9} that the base circles need",
+        "a centre distance of {distance:9} is less than the base circles need, {reach:9}",
         distance=(distance, Size),
         reach=(reach, Size),
         code="centre-distance",
@@ -73,9 +73,9 @@ def path_of_contact(first: ToothForm, second: ToothForm, distance: float) -> Pat
 
 
 def remedy_of_open_mesh(starts_at_form: bool, ends_at_form: bool) -> str:
-    """What brings the flanks together: farther apart where roots leave no involute, nearer where tips fall short."""
+    """The remedy for an open mesh: farther apart where roots leave no involute, nearer where tips fall short."""
     if starts_at_form and ends_at_form:
-        return "raise the centre distance or the profile shifts: the roots leave no involutes that could meet"
+        return "raise the centre distance or the profile shifts: the roots leave no involutes that can meet"
     if starts_at_form or ends_at_form:
         which = "first" if starts_at_form else "second"
         return f"raise the profile shift of the {which} gear, or lengthen its tips: its flank ends below its root's end"
@@ -94,10 +94,10 @@ def _form_length(form: ToothForm) -> float:
 def transmission_error(
     first: ToothForm, second: ToothForm, distance: float, path: Path, count: int
 ) -> "tuple[Array, Array]":
-    """Lengths along the path of contact, and what gear 2's angle there is ahead of the ratio times gear 1's.
+    """Lengths along the path of contact, and gear 2's angle there less the ratio times gear 1's.
 
-    At each point gear 1 is turned until its flank passes through it, then gear 2 is. Of the theory of involutes nothing
-    is used but the two profiles.
+    At each point gear 1 is turned until its flank passes through it, then gear 2 is. Only the two profiles are used, no
+    theory of involutes.
     """
     import numpy as np
 
@@ -116,7 +116,7 @@ def transmission_error(
 
 
 def _half_angles(form: ToothForm, radius: "Array") -> "Array":
-    """Half angle of what the two involutes bound, at each radius."""
+    """Half angle between the two involutes at each radius."""
     import numpy as np
 
     ratio = radius / form.base
@@ -135,15 +135,15 @@ def half_play(first: ToothForm, second: ToothForm, path: Path) -> float:
 
 
 def tips_pass(first: ToothForm, second: ToothForm, distance: float) -> float:
-    """How far the tip of a pinion is ahead of an internal gear's tip where their tip circles cross, along that circle.
+    """Distance of a pinion's tip ahead of an internal gear's tip where their tip circles cross, along that circle.
 
-    Negative when it digs into the tooth that it should have left; infinite when the tip circles do not cross.
+    Negative when it cuts into the tooth that it should have left; infinite when the tip circles do not cross.
     """
     own = (second.tip**2 - first.tip**2 - distance**2) / (2.0 * first.tip * distance)
     other = (second.tip**2 - first.tip**2 + distance**2) / (2.0 * second.tip * distance)
     if not second.internal or absolute(own) >= 1.0 or absolute(other) >= 1.0:
         return float("inf")
-    # the corners' angles from the line of centres, turned back to where the tooth and the space lie on it
+    # the corners' angles from the line of centres, with tooth and space turned back onto it
     pinion = acos(own) - first.half_angle(first.roll(first.tip))
     ring = acos(other) - second.half_angle(second.roll(second.tip))
     return second.tip * (pinion * first.teeth / second.teeth - ring)

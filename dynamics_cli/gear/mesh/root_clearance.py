@@ -1,10 +1,10 @@
-"""How near the teeth of one gear come to the root of the other: the least distance, exact but for rounding.
+"""Minimum distance between the teeth of one gear and the root of the other, exact apart from rounding.
 
-Between two gears the normal of a least distance passes through the pitch point, like that of a contact; of a tooth only
-the edge of its tip can be there (what else has such a normal is on the line of action, and touches). So the edge's path
-in the space is held against the root: trochoid or fillet, where the flank begins, and the root circle. Places are found
-in doubles; a distance is least there, so what a place is off counts by its square, and the distance itself is taken
-with its rounding bound.
+Between two gears the normal at a minimum distance passes through the pitch point, as at a contact; only the edge of a
+tooth's tip can be there (other points with such a normal are on the line of action, and touch). So the edge's path in
+the space is compared with the root: trochoid or fillet, start of the flank, and root circle. Places are located in
+doubles; at a minimum an error of the place counts only by its square, and the distance itself carries its rounding
+bound.
 """
 
 import math
@@ -28,20 +28,21 @@ if TYPE_CHECKING:
     # Angle of the gear, which edge, place along the root (None: where the flank begins), and which side of the space.
     Place = tuple[float, float, float | None, float]
 
-# Turns of the gear and places along the root at the first look; how many of the least places are looked at again.
+# Rotations of the gear and places along the root in the first pass; number of minima that are refined.
 TURNS, PLACES, BEST = 481, 49, 3
-# Steps of Newton's method for the nearest places at once and for one place, which may lead so many steps away.
+# Steps of Newton's method for all nearest places at once, and for a single one; how many steps it may move away.
 SHARPER, STEPS, FAR = 3, 40, 2.0
-# Angles are found to the first of these, or where rounding hides it to the second: a distance is off by the square.
+# Tolerance of angles, and where rounding prevents it the second: the distance errs by the square.
 SHARP, BLUNT = 1e-13, 1e-10
-# Modules beyond the form circle within which an edge is looked at: farther off it is farther from the root than that.
+# An edge is considered up to this many modules beyond the form circle: farther off it is farther from the root than
+# that.
 BESIDE = 0.7
 
 
 class RootCurve:
     """One side of a gear's space below its flank, in the space's frame: x along its middle, y ≥ 0.
 
-    `functions` has the elementary functions for the numbers that it is asked with.
+    `functions` has the elementary functions for the numbers used.
     """
 
     def __init__(self, form: ToothForm, functions: "Any" = elementary) -> None:
@@ -86,7 +87,7 @@ class RootCurve:
         across = self.radius * cosine
         travel = self.depth * cosine / sine - self.offset
         turn = (travel - self.rounding * self.excess * cosine / widening) / self.radius
-        # the curve leans by θ − turn; its point stands on its normal, ξ from where that is nearest the centre
+        # the curve's direction is θ − turn; its point lies on its normal, ξ from the foot nearest the centre
         sine, cosine = sin(theta - turn), cos(theta - turn)
         module = self.form.module
         point = module * (across * cosine + xi * sine), module * (across * sine - xi * cosine)
@@ -116,7 +117,7 @@ class TipPath:
         self.ratio = self.way * first.teeth / second.teeth
 
     def at(self, turn: "Any", side: float) -> "tuple[Any, Any]":
-        """Where the edge is at an angle of its gear, and its velocity by that angle."""
+        """Position of the edge at an angle of its gear, and its derivative by that angle."""
         sin, cos = self.functions.sin, self.functions.cos
         angle = turn + side * self.half
         along, across = self.first.tip * cos(angle), self.first.tip * sin(angle)
@@ -126,12 +127,12 @@ class TipPath:
             x, y, way = along + self.distance, across, 1.0
         else:
             x, y, way = self.distance - along, -across, -1.0
-        # in this order: of doubles that stand for exact angles nothing is rounded away in other numbers
+        # in this order, so that doubles standing for exact angles lose nothing in other numbers
         back = self.way * turn * self.first.teeth / self.second.teeth + self.play
         sine, cosine = sin(back), cos(back)
         px, py = x * cosine + y * sine, y * cosine - x * sine
         vx, vy = -way * across, way * along
-        # what its own gear does, less what the space does with it
+        # motion of its own gear, less that of the space
         return (px, py), (vx * cosine + vy * sine + self.ratio * py, vy * cosine - vx * sine - self.ratio * px)
 
     def reach(self) -> float:
@@ -155,7 +156,7 @@ def root_gaps(
     touches: "tuple[float | None, float | None]",
     places: "tuple[Any, Any] | None" = None,
 ) -> "tuple[float | None, float | None, tuple[Any, Any]]":
-    """The least distances of the first gear's teeth from the second's roots and of the second's from the first's.
+    """The minimum distances of the first gear's teeth from the second's roots and of the second's from the first's.
 
     None where the tips stay beyond the form circle; the places of the least distances come with them.
     """
@@ -177,23 +178,23 @@ def root_gap(
     touch: "float | None",
     places: "tuple[Place, ...]",
 ) -> float:
-    """The least distance of a tooth of `first` from the root of the space of `second` it turns through.
+    """The minimum distance of a tooth of `first` from the root of the space of `second` it turns through.
 
-    `play` is half the angle `second` can be turned by: the driving flanks touch. `touch` is the distance by design
-    from where the flank begins, where an involute of `first` gets so far. Negative ones are overlaps.
+    `play` is half the angle `second` can be turned by: the driving flanks touch. `touch` is the design distance
+    from the start of the flank, if an involute of `first` reaches it. Negative ones are overlaps.
     """
     path, curve = TipPath(first, second, distance, play), RootCurve(second)
-    found = [_tip_clearance(first, second, distance), *(_distance(path, curve, *place) for place in places)]
+    gaps = [_tip_clearance(first, second, distance), *(_distance(path, curve, *place) for place in places)]
     if touch is not None:
-        found.append(touch)
-    least = min(found, key=bare)
-    # whichever of nearly equal ones is least, their bounds hold together
-    worst = max(error_of(one) for one in found if bare(one - least) <= error_of(one))
+        gaps.append(touch)
+    least = min(gaps, key=bare)
+    # whichever of nearly equal ones is the minimum, their common bound holds
+    worst = max(error_of(one) for one in gaps if bare(one - least) <= error_of(one))
     return with_error(least, worst)  # type: ignore[no-any-return]
 
 
 def least_places(first: ToothForm, second: ToothForm, distance: float, play: float) -> "tuple[Place, ...] | None":
-    """Where the least distances are, in doubles; None where the tips stay beyond the form circle."""
+    """The places of the minimum distances, in doubles; None where the tips stay beyond the form circle."""
     import numpy as np
 
     deepest = distance + first.tip if second.internal else absolute(distance - first.tip)
@@ -203,10 +204,10 @@ def least_places(first: ToothForm, second: ToothForm, distance: float, play: flo
     path, curve = TipPath(first, second, distance, play, math), RootCurve(second, math)
     # without backlash one side is the mirror image of the other
     sides = (-1.0, 1.0) if play > 0.0 else (1.0,)
-    found = [place for side in sides for place in _places(both, path, curve, side)]
-    gaps = [_distance(path, curve, *place) for place in found]
+    places = [place for side in sides for place in _places(both, path, curve, side)]
+    gaps = [_distance(path, curve, *place) for place in places]
     nearly = min(gaps, default=0.0) + 1e-9 * second.module
-    return tuple(place for place, gap in zip(found, gaps, strict=True) if gap <= nearly)
+    return tuple(place for place, gap in zip(places, gaps, strict=True) if gap <= nearly)
 
 
 def _tip_clearance(first: ToothForm, second: ToothForm, distance: float) -> float:
@@ -227,7 +228,7 @@ def _distance(path: TipPath, curve: RootCurve, turn: float, side: float, theta: 
 
 
 def _places(both: "tuple[TipPath, RootCurve]", path: TipPath, curve: RootCurve, side: float) -> "Iterator[Place]":
-    """The least distances of one edge, from a look at many angles at once (`both` take arrays)."""
+    """The minimum distances of one edge, from a scan of many angles at once (`both` take arrays)."""
     import numpy as np
 
     reach = path.reach()
@@ -269,7 +270,7 @@ def _look(
         theta = np.clip(theta - np.clip(move, -(high - low), high - low), low, high)
     (cx, cy), (nx, ny) = curve.at(theta)
     off = (x - cx) * nx + (y - cy) * ny
-    # an edge that is past the end of the root and in the flank is another matter
+    # an edge beyond the end of the root, in the flank, is treated elsewhere
     beyond = (theta == curve.range[1]) & (curve.forward * along(theta) > 0.0)
     gap = np.where(beyond, np.where(off > 0.0, np.hypot(x - cx, y - cy), np.inf), off)
     away = np.hypot(x, y)
@@ -285,10 +286,10 @@ def _refined(
     side: float,
     mirror: float,
 ) -> "list[tuple[float, float | None]]":
-    """The angle and the place of a least distance near a first look at it."""
+    """The refined angle and place of a minimum distance."""
 
     def towards(turn: float, theta: float) -> "tuple[float, float]":
-        """How far the edge is off the normal of the root, and its speed along that normal."""
+        """Distance of the edge from the normal of the root, and its speed along that normal."""
         (x, y), (u, v) = path.at(turn, side)
         (px, py), (nx, ny) = curve.at(theta)
         return (x - px) * ny - (mirror * y - py) * nx, u * nx + mirror * v * ny
@@ -314,7 +315,7 @@ def _refined(
 
 
 def _newton_of_one(function: "Callable[[float], float]", x: float, step: float) -> "float | None":
-    """The root of a function near x by secants; None where they lead away."""
+    """The root of a function near x by secants; None if they diverge."""
     before, f_before = x - 1e-3 * step, function(x - 1e-3 * step)
     for _ in range(STEPS):
         value = function(x)
@@ -331,7 +332,7 @@ def _newton(
     function: "Callable[[float, float], tuple[float, float]]", start: "tuple[float, float]",
     steps: "tuple[float, float]",
 ) -> "tuple[float, float] | None":  # fmt: skip
-    """The root of two functions of two numbers, slopes by differences; None where the steps lead away."""
+    """The root of two functions of two variables, slopes by differences; None if the steps diverge."""
     x, y = start
     hx, hy = 1e-4 * steps[0], 1e-4 * steps[1]
     for _ in range(STEPS):

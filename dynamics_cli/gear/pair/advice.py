@@ -10,29 +10,30 @@ from dynamics_cli.records import Advice
 
 
 def pair_advice(
-    mesh: Engagement, transverse: float, backlash: float, found: tuple[Verdict, ...], thinned: tuple[float, ...]
+    mesh: Engagement, transverse: float, backlash: float, interference: tuple[Verdict, ...], thinned: tuple[float, ...]
 ) -> tuple[Advice, ...]:
     """Advice on what is wrong with a pair, or close to it."""
     # where no exact roots were looked at, a tip that passes the other's involute counts as an overlap
-    short = ("root", "trimming") + (("involute",) if any(one.kind.startswith(PROFILES) for one in found) else ())
-    made = [
+    short = ("root", "trimming") + (("involute",) if any(one.kind.startswith(PROFILES) for one in interference) else ())
+    advice = [
         Advice(
             "interference",
             worded("{kind}: overlap of {margin}", kind=verdict.kind, margin=(-plain(verdict.margin), Size)),
             "caution" if verdict.kind.startswith(short) else "serious",
-            "put the pinion in along its axis"
+            "assemble the pinion along its axis"
             if verdict.kind.startswith("trimming")
             else "change the profile shifts, shorten the tips, or choose other tooth numbers",
         )
-        for verdict in found
+        for verdict in interference
         if not verdict.free
     ]
     if plain(transverse) < 1.0:
-        made.append(
+        advice.append(
             Advice(
                 "contact-ratio",
                 worded(
-                    "the transverse contact ratio is {transverse:6}, below 1: the teeth do not hand over",
+                    "the transverse contact ratio is {transverse:6}, below 1: contact is lost between one pair of "
+                    "teeth and the next",
                     transverse=(plain(transverse), Ratio),
                 ),
                 "serious" if plain(mesh.first.helix_angle) == 0.0 else "caution",
@@ -43,7 +44,7 @@ def pair_advice(
             )
         )
     if plain(backlash) < 0.0 and plain(backlash) < -1e-12 * plain(mesh.first.module):
-        made.append(
+        advice.append(
             Advice(
                 "no-backlash", worded("the teeth overlap by {backlash}", backlash=(-plain(backlash), Size)), "serious"
             )
@@ -55,8 +56,8 @@ def pair_advice(
             "factor",
             angle=(plain(mesh.angle), Angle),
         )
-        made.append(Advice("flat-action", message))
-    return (*made, *_pointed(mesh, thinned))
+        advice.append(Advice("flat-action", message))
+    return (*advice, *_pointed(mesh, thinned))
 
 
 def _pointed(mesh: Engagement, thinned: tuple[float, ...]) -> tuple[Advice, ...]:

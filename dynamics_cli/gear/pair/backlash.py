@@ -1,4 +1,4 @@
-"""Backlash of a pair: what distance and thinned teeth make of it, and how teeth are thinned and cut for one."""
+"""Backlash of a pair from centre distance and thinned teeth, and the thinning and cutting for a given one."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.pair.engagement import Engagement, at_tight_distance, reference_distance, with_shift
@@ -19,7 +19,7 @@ def thinned_for(mesh: Engagement, first: Mate, second: Mate, backlash: float) ->
     )
     require(
         backlash >= mesh.backlash,
-        "the centre distance alone makes a backlash of {least:6}, more than {backlash:6}",
+        "the centre distance alone gives a backlash of {least:6}, more than {backlash:6}",
         least=(plain(mesh.backlash), Size),
         backlash=(plain(backlash), Size),
         code="backlash",

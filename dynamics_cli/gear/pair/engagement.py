@@ -54,10 +54,10 @@ def reference_distance(first: Gear, second: Gear) -> float:
 
 
 def require_partners(first: Gear, second: Gear) -> None:
-    """Refuse gears that cannot stand side by side or one in the other."""
+    """Refuse gears that cannot mesh, externally or internally."""
     require(
         not second.internal or -second.teeth > first.teeth,
-        "a pinion of {pinion} teeth does not go into a ring of {ring}",
+        "a pinion of {pinion} teeth does not fit into a ring of {ring}",
         pinion=first.teeth,
         ring=abs(second.teeth),
         code="ring-too-small",
@@ -172,10 +172,10 @@ def contact_ratio(mesh: Engagement, start: float, end: float) -> float:
 
 
 def specific_sliding(mesh: Engagement, curvature: float) -> tuple[float | None, float | None]:
-    """ζ₁ and ζ₂ where the first flank has this radius of curvature, None at a base circle: sliding over own rolling."""
+    """ζ₁ and ζ₂ where the first flank has this radius of curvature, None at a base circle."""
     other = mesh.line - curvature
     away = curvature - mesh.pitch_curvature
-    # 1 + 1/u and 1 + u, from teeth: with an internal gear the ratio itself would cancel
+    # 1 + 1/u and 1 + u from the teeth: with an internal gear the ratio would cancel
     first, second = mesh.first.teeth, mesh.second.teeth
     both = first + second
     own = away * (both / second) / curvature if plain(curvature) > 0.0 else None

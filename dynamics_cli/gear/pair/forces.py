@@ -1,4 +1,4 @@
-"""Forces of a tooth, what they ask of the bearings, and what sliding loses."""
+"""Tooth forces, bearing loads, and losses by sliding."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.pair.engagement import Engagement, Path
@@ -9,7 +9,7 @@ from dynamics_cli.records import record
 
 @record
 class Bearings:
-    """Where the bearings of a shaft are, measured from the middle of its gear."""
+    """Positions of a shaft's bearings, measured from the middle of its gear."""
 
     left: Annotated[
         Coordinate,
@@ -39,7 +39,7 @@ class ToothForces:
 
 @record
 class BearingLoad:
-    """What one bearing carries."""
+    """The load of one bearing."""
 
     shaft: Annotated[Text, "Whose shaft."]
     bearing: Annotated[Text, "Left or right of the gear."]
@@ -61,7 +61,7 @@ def tooth_forces(mesh: Engagement, torque: float, hand: str) -> ToothForces:
 
 
 def bearing_loads(name: str, forces: ToothForces, radius: float, bearings: Bearings) -> tuple[BearingLoad, ...]:
-    """Reactions of two bearings: the axial force acts at the working pitch radius and tips the shaft."""
+    """Reactions of two bearings: the axial force acts at the working pitch radius and tilts the shaft."""
     span = bearings.left + bearings.right
     require(
         span > 0.0,
@@ -69,7 +69,7 @@ def bearing_loads(name: str, forces: ToothForces, radius: float, bearings: Beari
         name=name,
         span=(span, Size),
         code="bearings",
-        hint="the distances to left and right must add up to more than nothing",
+        hint="the distances to left and right must add up to more than zero",
     )
     tilt = forces.axial * radius
     loads = []

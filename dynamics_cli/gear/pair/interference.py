@@ -1,8 +1,8 @@
-"""Whether two gears run without interfering: each verdict with the length that decides it.
+"""Interference of two gears: each verdict with its decisive length.
 
-Along the path of contact the deciding numbers are differences of radii of curvature. For an internal gear the corner
-of the pinion's tip is followed through the ring's space, and the least clearance is found where its slope changes sign,
-for running (trochoid interference) and for putting the pinion in radially (trimming).
+Along the path of contact the decisive numbers are differences of radii of curvature. For an internal gear the corner
+of the pinion's tip is followed through the ring's space, and the minimum clearance is where its slope changes sign, in
+running (trochoid interference) and in radial assembly of the pinion (trimming).
 """
 
 from math import pi
@@ -38,11 +38,11 @@ PROFILES = "profiles"
 
 @record
 class Verdict:
-    """One way to interfere."""
+    """One kind of interference."""
 
-    kind: Annotated[Text, "What was looked at."]
-    free: Annotated[bool, "Whether the gears run free of it."]
-    margin: Annotated[Coordinate, "What is left, negative by how much they interfere [m]."]
+    kind: Annotated[Text, "What was checked."]
+    free: Annotated[bool, "Whether the gears are free of it."]
+    margin: Annotated[Coordinate, "Margin left; negative if they interfere [m]."]
 
 
 # Profiles that overlap by less than this share of a module touch.
@@ -52,21 +52,23 @@ OVERLAP = 1e-6
 def verdicts(
     mesh: Engagement, path: Path, backlash: float, cut: tuple[Gear, Gear], root_radius_factor: float | None = None
 ) -> tuple[Verdict, ...]:
-    """Every verdict that applies to the pair; `cut` are its gears as they are cut for their backlash."""
+    """Every verdict that applies to the pair; `cut` are its gears as cut for the backlash."""
     first, second = mesh.first, mesh.second
     clearance = mesh.centre_distance - 0.5 * (first.tip_diameter + second.root_diameter)
     other = mesh.centre_distance - 0.5 * (second.tip_diameter + first.root_diameter)
-    found = [
+    verdicts_of_pair = [
         ("involute: the second's tip against the first's base circle", path.nominal_start),
         ("root: the second's tip against the first's root form circle", path.nominal_start - path.first_form),
         ("tip clearance of the first in the second", clearance),
         ("tip clearance of the second in the first", other),
     ]
-    found[2:2] = _profiles(mesh, path, backlash, cut, root_radius_factor)
+    verdicts_of_pair[2:2] = _profiles(mesh, path, backlash, cut, root_radius_factor)
     if path.second_form is not None:
         reach = mesh.line - path.nominal_end
-        found.insert(1, ("involute: the first's tip against the second's base circle", reach))
-        found.insert(3, ("root: the first's tip against the second's root form circle", reach - path.second_form))
+        verdicts_of_pair.insert(1, ("involute: the first's tip against the second's base circle", reach))
+        verdicts_of_pair.insert(
+            3, ("root: the first's tip against the second's root form circle", reach - path.second_form)
+        )
     else:
         corner = _Corner(mesh)
         own = _Corner(_bare(mesh))
@@ -74,21 +76,22 @@ def verdicts(
         running, pushing = (
             _in_numbers_of(corner, at, turn) for at in (_least_after_crest(own, turn), _least_sideways(own, turn))
         )
-        found.append(("trochoid: the pinion's tip past the ring's", corner.clearance(running)))
-        found.append(("trimming: the pinion put in radially", corner.sideways(pushing)))
+        verdicts_of_pair.append(("trochoid: the pinion's tip past the ring's", corner.clearance(running)))
+        verdicts_of_pair.append(("trimming: the pinion put in radially", corner.sideways(pushing)))
     room = {PROFILES: -OVERLAP * plain(first.module)}
     return tuple(
-        Verdict(kind, plain(margin) >= room.get(kind.partition(":")[0], 0.0), margin) for kind, margin in found
+        Verdict(kind, plain(margin) >= room.get(kind.partition(":")[0], 0.0), margin)
+        for kind, margin in verdicts_of_pair
     )
 
 
 def _profiles(
     mesh: Engagement, path: Path, backlash: float, cut: tuple[Gear, Gear], root_radius_factor: float | None
 ) -> "list[tuple[str, float]]":
-    """Least distances of the exact profiles: each tip from the root it turns through, as `gear mesh` finds them.
+    """Minimum distances of the exact profiles, each tip from the root it turns through, as in `gear mesh`.
 
-    Teeth that one rack cuts, with its tip clearance left to them and involutes wherever they touch, stay within the
-    rack's own teeth: their roots have room, and nothing is searched.
+    Teeth cut by one rack, with its tip clearance and involutes wherever they touch, stay within the rack's teeth: their
+    roots are clear, and nothing is searched.
     """
     from dynamics_cli.gear.mesh.profile_contact import path_of_contact
     from dynamics_cli.gear.mesh.root_clearance import root_gaps
@@ -107,7 +110,7 @@ def _profiles(
     try:
         forms = [tooth_form(gear, None, root_radius_factor) for gear in cut]
     except InadmissibleError:
-        # a ring whose spaces take no fillet has no exact root to look at
+        # a ring whose spaces take no fillet has no exact root to check
         return []
     play = maximum(backlash, 0.0 * backlash) / absolute(mesh.working_diameter(second))
     touch = minimum(0.5 * backlash * cos(mesh.angle), 0.0 * backlash)
@@ -141,12 +144,12 @@ class _Corner:
         self.half = first.base_half_angle - roll_less_arc(first.tip_roll)
         self.second = second
         self.space = second.base_half_angle - pi_beside(second.base_half_angle) / second.teeth
-        # the corner ends its contact where its pressure angle has taken it past the line of centres
+        # the corner ends its contact where its pressure angle has carried it past the line of centres
         self.parting = atan(first.tip_roll) - mesh.angle - self.half
         self.ring_half = self.space - roll_less_arc(second.tip_roll)
 
     def _follow(self, turn: float) -> float:
-        """How far the ring turns; of an exact angle nothing is rounded away in numbers of more digits."""
+        """Rotation of the ring; an exact angle loses nothing in numbers of more digits."""
         return turn * self.teeth[0] / self.teeth[1]
 
     def _place(self, turn: float) -> tuple[float, float]:
@@ -165,7 +168,7 @@ class _Corner:
         return self.ring_half
 
     def clearance_slope(self, turn: float) -> float:
-        """How the clearance grows with the turn: the radius shrinks by a·sin θ, the angles by what each is of it."""
+        """Derivative of the clearance by the rotation: the radius decreases by a·sin θ, and the angles with it."""
         x, y = self._place(turn)
         radius = hypot(x, y)
         along = -self.distance * y / radius
@@ -175,11 +178,11 @@ class _Corner:
         return along * (arc - roll) + radius * self._follow(1.0) - round_ / radius
 
     def sideways(self, turn: float) -> float:
-        """How much nearer the line of centres the pinion's corner is than the ring's."""
+        """Lateral distance of the pinion's corner inside the ring's, towards the line of centres."""
         return self.ring * sin(self._follow(turn) + self.ring_half) - self.pinion * sin(turn + self.half)
 
     def sideways_slope(self, turn: float) -> float:
-        """How that grows with the turn."""
+        """Its derivative by the rotation."""
         own = self.ring * self._follow(1.0) * cos(self._follow(turn) + self.ring_half)
         return own - self.pinion * cos(turn + self.half)
 
@@ -196,22 +199,22 @@ def _last_turn(own: _Corner) -> float:
 
 
 def _in_numbers_of(corner: _Corner, turn: float, last: float) -> float:
-    """A turn found in plain numbers, exact as it is: a clearance that is least there is off by the square of its error.
+    """A rotation found in doubles, taken as exact: at a minimum its error affects the clearance only by its square.
 
-    Where the search ended at the last turn, that turn's rounding counts.
+    Where the search ended at the last rotation, the rounding of that rotation counts.
     """
     return _last_turn(corner) if turn == last else like(turn, corner.distance)
 
 
 def _least_after_crest(own: _Corner, last: float) -> float:
-    """Where the clearance is least after contact has ended and the corner has come free."""
+    """The minimum clearance after contact has ended and the corner is free."""
     first = min(own.parting, last)
     crest = extremum(lambda turn: -own.clearance(turn), lambda turn: -own.clearance_slope(turn), first, last)
     return extremum(own.clearance, own.clearance_slope, crest, last)
 
 
 def _least_sideways(own: _Corner, last: float) -> float:
-    """Where putting the pinion in radially leaves least, among corners that must pass the ring's."""
+    """The minimum lateral clearance in radial assembly, among corners that must pass the ring's."""
     high = last
     step = max(0.02, 0.25 * last)
     while own.ahead(high + step) > 0.0 and high + step + own.half < 0.5 * pi:
@@ -220,7 +223,7 @@ def _least_sideways(own: _Corner, last: float) -> float:
 
 
 def extremum(function: "Callable[[float], float]", slope: "Callable[[float], float]", low: float, high: float) -> float:
-    """Where a function is least: the best of a grid, or where beside that its slope changes sign, to the last bits."""
+    """The minimum of a function: the best of a grid, or the adjacent sign change of its slope, to the last bits."""
     step = (high - low) / _SAMPLES
     places = [*(low + step * k for k in range(_SAMPLES)), high]
     values = [function(x) for x in places]

@@ -1,8 +1,9 @@
-"""Two cylindrical gears on parallel shafts: how they stand, touch, slide, push and whether they interfere."""
+"""Two cylindrical gears on parallel shafts: position, contact, sliding, forces and interference."""
 
 from math import gcd
 
 from dynamics_cli.errors import require, require_given
+from dynamics_cli.gear.load import torque_of
 from dynamics_cli.gear.pair.advice import pair_advice
 from dynamics_cli.gear.pair.backlash import as_cut, generating_shift, thinned_for, total_backlash
 from dynamics_cli.gear.pair.engagement import (
@@ -45,7 +46,8 @@ def pair(
     hand: Annotated[Hand, "Hand of the first gear's helix."] = Hand("right"),  # noqa: B008
     profile: Annotated[
         Profile,
-        "Basic rack of both: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own.",
+        "Basic rack of both: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace those of the "
+        "rack.",
     ] = Profile("a"),  # noqa: B008
     addendum_factor: Annotated[Ratio | None, "Addendum factor h_a*, e.g. 1."] = None,
     dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
@@ -59,7 +61,7 @@ def pair(
     ] = None,
     split: Annotated[
         Split,
-        "How the shift that a centre distance asks for is divided: equal, by-teeth, first, second, balanced-sliding.",
+        "How the shift that a centre distance requires is divided: equal, by-teeth, first, second, balanced-sliding.",
     ] = EQUAL,
     tips: Annotated[
         Tips, "Tips shortened so that the rack's tip clearance is kept (clearance), or not (full)."
@@ -77,7 +79,7 @@ def pair(
     first_bearings: Annotated[Bearings | None, "Bearings of the first gear's shaft."] = None,
     second_bearings: Annotated[Bearings | None, "Bearings of the second gear's shaft."] = None,
 ) -> PairData:
-    """Everything about two meshing gears: centre distance, contact, sliding, backlash, interference, forces.
+    """Two meshing gears: centre distance, contact, sliding, backlash, interference, forces.
 
     Equation
     --------
@@ -93,7 +95,7 @@ def pair(
     ------
     InadmissibleError
         When inv α_w would be negative, the centre distance is below that of the base circles or jams the teeth, a
-        ring has too few teeth, the gears never touch, or one of them cannot exist by itself.
+        ring has too few teeth, the gears never touch, or one of them is impossible by itself.
 
     Notes
     -----
@@ -135,10 +137,10 @@ def pair(
     play = total_backlash(mesh, (first, second))
     cut = as_cut(mesh.first, first.thinning), as_cut(mesh.second, second.thinning)
     course = path(mesh)
-    load = _torque(torque, power, speed)
-    found = verdicts(mesh, course, play, cut, root_radius_factor)
+    load = torque_of(torque, power, speed)
+    interference = verdicts(mesh, course, play, cut, root_radius_factor)
     forces = None if load is None else tooth_forces(mesh, load, _own_hand(hand, helix_angle))
-    return _result(mesh, course, tip_change, found, forces, load, speed, friction, face_width,
+    return _result(mesh, course, tip_change, interference, forces, load, speed, friction, face_width,
                    (first, second), (first_bearings, second_bearings), pitch, play)  # fmt: skip
 
 
@@ -146,24 +148,11 @@ def _own_hand(hand: Hand, helix_angle: float) -> str:
     return str(hand) if plain(helix_angle) >= 0.0 else ("left" if hand == "right" else "right")
 
 
-def _torque(torque: float | None, power: float | None, speed: float | None) -> float | None:
-    require(torque is None or power is None, "torque and power are both given", code="load", hint="give one of them")
-    if power is None:
-        return torque
-    require(
-        speed is not None and absolute(speed) > 0.0,
-        "a power needs a speed to become a torque",
-        code="speed",
-        hint="give --speed",
-    )
-    return power / absolute(speed)  # type: ignore[arg-type]
-
-
 def _result(
     mesh: Engagement,
     course: Path,
     tip_change: float | None,
-    found: tuple[Verdict, ...],
+    interference: tuple[Verdict, ...],
     forces: ToothForces | None,
     torque: float | None,
     speed: float | None,
@@ -221,8 +210,8 @@ def _result(
         second_generating_shift=generating_shift(two, thinned[1]),
         circumferential_backlash=backlash,
         normal_backlash=backlash * cos(mesh.angle) * cos(one.base_helix_angle),
-        first_tip_clearance=found[-2 if not two.internal else -4].margin,
-        second_tip_clearance=found[-1 if not two.internal else -3].margin,
+        first_tip_clearance=interference[-2 if not two.internal else -4].margin,
+        second_tip_clearance=interference[-1 if not two.internal else -3].margin,
         loss_factor=losses,
         efficiency=1.0 - friction * losses,
         common_factor=common,
@@ -234,9 +223,9 @@ def _result(
         forces=forces,
         bearings=_bearings(forces, working, spans),
         points=tuple(_points(mesh, course, working[0], speed)),
-        verdicts=found,
+        verdicts=interference,
         checks=_checks(mesh),
-        advice=pair_advice(mesh, transverse, backlash, found, thinned) + module_advice(pitch, module),
+        advice=pair_advice(mesh, transverse, backlash, interference, thinned) + module_advice(pitch, module),
     )
 
 
@@ -294,7 +283,7 @@ def _bearings(
 
 
 def _checks(mesh: Engagement) -> tuple[Check, ...]:
-    """The working pitch circles touch, and both base circles see the same pressure angle."""
+    """Check that the working pitch circles touch, and that both base circles give the same pressure angle."""
     from dynamics_cli.numerics.elementary import cos as cosine
 
     own = plain(mesh.working_diameter(mesh.first)) * cosine(plain(mesh.angle))

@@ -32,17 +32,14 @@ X, Y = Axis("x", Coordinate), Axis("y", Coordinate)
 # Specific sliding beyond this leaves the panel: it has no bound at a base circle.
 _STEEPEST = 6.0
 # A pinion smaller than this share of its wheel has its words above it.
-_SMALL = 0.35
+_SMALL = 0.6
 
 
 def pair(
     made: "PairData", *, first: "Mate", second: "Mate", internal: bool = False, pitch: "Any", **given: "Any"
 ) -> Picture:
     """Both gears at their working distance, the path of contact, the main sizes and the specific sliding."""
-    forms = _forms(made, first, second, internal, pitch, given)
-    gears = _gears(made, internal, forms)
-    helix = float(given.get("helix_angle", 0.0))
-    module = _module(pitch, helix)
+    module = module_in(pitch, float(given.get("helix_angle", 0.0)))
     title = worded(
         "Gear pair {first} / {second}, module {module:6}",
         first=first.teeth,
@@ -50,19 +47,39 @@ def pair(
         module=(module, Module),
     )
     return Picture(
-        (
-            _whole(made, first, second, internal, gears, module),
-            contact_panel(gears, _path(made), module),
-            Panel(X, Y, (Rows(_rows(made, first, second)),)),
-            _sliding(made, internal),
-        ),
+        pair_panels(made, first=first, second=second, internal=internal, pitch=pitch, **given),
         title,
         columns=2,
         subtitle="Transverse section at the working centre distance; pitch circles dash-dotted, base circles dotted",
     )
 
 
-def _module(pitch: "Any", helix: float) -> float:
+def pair_panels(
+    made: "PairData",
+    *,
+    first: "Mate",
+    second: "Mate",
+    internal: bool,
+    pitch: "Any",
+    brief: int = 0,
+    **given: "Any",
+) -> "tuple[Panel, ...]":
+    """The gears, the path of contact, the main sizes and the sliding; `brief` where a table stands beside them.
+
+    Beside a long table (2) the path of contact is wider than high.
+    """
+    gears = _gears(made, internal, _forms(made, first, second, internal, pitch, given))
+    module = module_in(pitch, float(given.get("helix_angle", 0.0)))
+    return (
+        _whole(made, first, second, internal, gears, module, brief > 0),
+        contact_panel(gears, _path(made), module, wide=brief > 1, titled=not brief),
+        Panel(X, Y, (Rows(_rows(made, first, second)),)),
+        _sliding(made, internal, brief > 0),
+    )
+
+
+def module_in(pitch: "Any", helix: float) -> float:
+    """The normal module of a pitch given in whatever way."""
     return float(pitch.normal(cos(helix)))
 
 
@@ -87,7 +104,7 @@ def _forms(
     )  # fmt: skip
     forms: list[ToothForm | None] = []
     for teeth, shift, generating, tip in ends:
-        gear = Gear(teeth, _module(pitch, helix), rack, helix, float(shift if generating is None else generating))
+        gear = Gear(teeth, module_in(pitch, helix), rack, helix, float(shift if generating is None else generating))
         try:
             forms.append(tooth_form(gear, float(tip), radius))
         except InadmissibleError:
@@ -119,7 +136,15 @@ def _path(made: "PairData") -> "list[tuple[str, float, float]]":
     return contact_points(along, 0.5 * float(made.first_working_diameter), float(made.working_pressure_angle))
 
 
-def _whole(made: "PairData", first: "Mate", second: "Mate", internal: bool, gears: "list[Any]", module: float) -> Panel:
+def _whole(
+    made: "PairData",
+    first: "Mate",
+    second: "Mate",
+    internal: bool,
+    gears: "list[Any]",
+    module: float,
+    brief: bool,
+) -> Panel:
     """Both gears to scale with their distance."""
     outer = 0.5 * float(made.second_root_diameter) + RIM * module if internal else 0.5 * float(made.second_tip_diameter)
     radii = 0.5 * float(made.first_tip_diameter), outer
@@ -139,20 +164,47 @@ def _whole(made: "PairData", first: "Mate", second: "Mate", internal: bool, gear
         items.append(Dimension(ends, (foot, foot), distance))
     else:
         items += [Dimension(ends, (foot, foot), ""), Label(ends[1] + 0.05 * size, foot, distance, BLACK, left=True)]
+    items += _names(made, first, second, internal, radii, x, brief)
+    return Panel(X, Y, tuple(items), equal=True, bare=True, wide=True)
+
+
+def _names(
+    made: "PairData",
+    first: "Mate",
+    second: "Mate",
+    internal: bool,
+    radii: "tuple[float, float]",
+    x: float,
+    brief: bool,
+) -> "list[Label]":
+    """The names of both gears: inside them where there is room between the teeth, a small pinion's above it."""
+    size = max(radii)
     small = radii[0] < _SMALL * radii[1]
-    own = -radii[0] - 0.17 * size if small else (0.4 if internal else -0.4) * radii[0]
-    aside = own, 0.0 if internal else 0.35 * radii[1]
-    height = 0.14 * size if small else 0.35 * radii[0], (1.13 if internal else 0.35) * radii[1]
+    if small and not internal:
+        places = (
+            (-0.1 * size, 1.08 * radii[0] + (0.09 if brief else 0.16) * size),
+            (x + 0.4 * radii[1], 0.35 * radii[1]),
+        )
+    else:
+        places = (
+            ((0.4 if internal else -0.4) * radii[0], 0.35 * radii[0]),
+            ((x, 1.13 * radii[1]) if internal else (x + 0.35 * radii[1], 0.35 * radii[1])),
+        )
     shifts = made.first_profile_shift, made.second_profile_shift
-    for role, (place, name) in enumerate(((0.0, "1"), (x, "2, internal" if internal else "2"))):
+    labels = []
+    for role, name in enumerate(("1", "2, internal" if internal else "2")):
         text = worded(
-            "gear {name}: z = {teeth}, x = {shift}" if internal and role else "gear {name}\nz = {teeth}\nx = {shift}",
+            "gear {name}"
+            if brief
+            else "gear {name}: z = {teeth}, x = {shift}"
+            if internal and role
+            else "gear {name}\nz = {teeth}\nx = {shift}",
             name=name,
             teeth=(first, second)[role].teeth,
             shift=(float(shifts[role]), Ratio),
         )
-        items.append(Label(place + aside[role], height[role], text, role))
-    return Panel(X, Y, tuple(items), equal=True, bare=True, wide=True)
+        labels.append(Label(*places[role], text, role))
+    return labels
 
 
 def _rows(made: "PairData", first: "Mate", second: "Mate") -> "tuple[tuple[str, str, str], ...]":
@@ -180,7 +232,7 @@ def _rows(made: "PairData", first: "Mate", second: "Mate") -> "tuple[tuple[str, 
     return tuple(rows)
 
 
-def _sliding(made: "PairData", internal: bool) -> Panel:
+def _sliding(made: "PairData", internal: bool, brief: bool) -> Panel:
     """Specific sliding of both flanks along the path of contact, with the points A to E."""
     start, end, pitch = made.points[0], made.points[-1], made.points[2]
     u = -made.ratio if internal else made.ratio
@@ -195,9 +247,22 @@ def _sliding(made: "PairData", internal: bool) -> Panel:
     room = 0.16 * (high - low)
     across = 0.008 * (end.path - start.path)
     names = [Label(point.path + across, high + 0.6 * room, point.point, left=True) for point in made.points]
-    curves = (Curve(steps, own, "gear 1", role=0), Curve(steps, mate, "gear 2", "dashed", role=1))
-    up = Axis("specific sliding ζ", Ratio, ends=(low - 0.3 * room, high + room))
-    return Panel(PATH, up, (*curves, *marks, *names), wide=True)
+    curves = (Curve(steps, own, role=0), Curve(steps, mate, "", "dashed", role=1))
+    names += _beside(steps, own, mate)
+    up = Axis("sliding ζ" if brief else "specific sliding ζ", Ratio, ends=(low - 0.3 * room, high + room))
+    along = Axis("along the path of contact", Coordinate) if brief else PATH
+    return Panel(along, up, (*curves, *marks, *names), wide=True)
+
+
+def _beside(steps: "list[float]", own: "list[float]", mate: "list[float]") -> "list[Label]":
+    """The names of both curves at their lower ends, on the side where the panel is free."""
+    length = steps[-1] - steps[0]
+    names = []
+    for role, values in enumerate((own, mate)):
+        at, value = min(((s, v) for s, v in zip(steps, values, strict=True) if isfinite(v)), key=lambda item: item[1])
+        inwards = 0.05 if at - steps[0] < 0.5 * length else -0.16
+        names.append(Label(at + inwards * length, value, f"gear {role + 1}", role, left=True))
+    return names
 
 
 def _bounded(above: float, below: float) -> float:

@@ -1,4 +1,4 @@
-"""A gear on a rack: the rack's own dimensions, where it stands, how it touches and what it moves."""
+"""A gear on a rack: dimensions and position of the rack, contact, motion and forces."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.pitch import Pitch, module_advice, module_of
@@ -30,12 +30,14 @@ class RackData:
     base_diameter: Annotated[Size, "Base diameter of the gear d_b [m]."]
     reference_diameter: Annotated[Size, "Reference diameter of the gear d, which rolls on the rack's pitch line [m]."]
     transverse_contact_ratio: Annotated[Ratio, "Transverse contact ratio ε_α."]
-    nominal_contact_ratio: Annotated[Ratio | None, "ε_α by the tips alone, were no involute cut away, where it is."]
+    nominal_contact_ratio: Annotated[
+        Ratio | None, "ε_α by the tips alone, as if no involute were cut away; given where some is."
+    ]
     overlap_ratio: Annotated[Ratio | None, "Overlap ratio ε_β."]
     approach_length: Annotated[Coordinate, "Path of contact on the side of the rack's tips [m]."]
     recess_length: Annotated[Coordinate, "Path of contact on the side of the gear's tips [m]."]
     root_margin: Annotated[
-        Coordinate, "What is left along the line of action between the rack's tip and the gear's root form circle [m]."
+        Coordinate, "Margin along the line of action between the rack's tip and the gear's root form circle [m]."
     ]
     travel: Annotated[Size, "Travel of the rack in one turn of the gear, z p_t [m]."]
     rack_speed: Annotated[Speed | None, "Speed of the rack [m/s]."]
@@ -46,7 +48,7 @@ class RackData:
 
 
 def _line_of_action(gear: Gear, basic: BasicRack, profile_shift: float) -> tuple[float, float, float, float, float]:
-    """Lengths of approach and recess, the root's margin, the approach that is left, and the contact ratio."""
+    """Lengths of approach and recess, the root's margin, the remaining approach, and the contact ratio."""
     module = gear.module
     radius = 0.5 * gear.reference_diameter
     sine = sin(gear.transverse_angle)
@@ -103,7 +105,7 @@ def rack(
     Raises
     ------
     InadmissibleError
-        When there is no such gear, or the two never touch.
+        When the gear is impossible, or the two never touch.
 
     Notes
     -----
@@ -170,7 +172,7 @@ def rack(
 
 
 def _cuts(margin: float) -> bool:
-    """Whether the involute ends short of the rack's tips, by more than the corner of a standard rack is rounded off."""
+    """Whether the involute ends short of the rack's tips by more than the corner rounding of a standard rack."""
     return plain(margin) < -1e-3
 
 

@@ -1,4 +1,4 @@
-"""Records of a pair of gears: what is given of each, a point of contact, and the answer."""
+"""Records of a pair of gears: inputs of each gear, a point of contact, and the results."""
 
 from dynamics_cli.gear.pair.forces import BearingLoad, ToothForces
 from dynamics_cli.gear.pair.interference import Verdict
@@ -21,7 +21,7 @@ from dynamics_cli.records import Advice, Check, record
 
 @record
 class Mate:
-    """What belongs to one gear of a pair."""
+    """Inputs of one gear of a pair."""
 
     teeth: Annotated[Teeth, "Number of teeth (AGMA: N)."]
     profile_shift: Annotated[
@@ -63,7 +63,7 @@ class PairData:
     working_pressure_angle: Annotated[
         Angle, "Working transverse pressure angle α_wt (AGMA: operating pressure angle) [rad]."
     ]
-    involute: Annotated[Ratio, "inv α_wt without backlash; negative where no centre distance leaves none."]
+    involute: Annotated[Ratio, "inv α_wt without backlash; negative where no centre distance is free of backlash."]
     ratio: Annotated[Ratio, "Gear ratio u = z₂/z₁."]
     first_profile_shift: Annotated[Ratio, "Profile shift factor x₁ in ISO's sign."]
     second_profile_shift: Annotated[Ratio, "Profile shift factor x₂ in ISO's sign."]
@@ -81,8 +81,8 @@ class PairData:
     second_tip_diameter: Annotated[Size, "Tip diameter d_a2 [m]."]
     first_root_diameter: Annotated[Size, "Root diameter d_f1 [m]."]
     second_root_diameter: Annotated[Size, "Root diameter d_f2 [m]."]
-    transverse_contact_ratio: Annotated[Ratio, "Transverse contact ratio ε_α over the flanks that are there."]
-    nominal_contact_ratio: Annotated[Ratio | None, "ε_α if no involute were missing, where that differs."]
+    transverse_contact_ratio: Annotated[Ratio, "Transverse contact ratio ε_α over the actual flanks."]
+    nominal_contact_ratio: Annotated[Ratio | None, "ε_α as if no involute were missing, where that differs."]
     overlap_ratio: Annotated[Ratio | None, "Overlap ratio ε_β."]
     total_contact_ratio: Annotated[Ratio | None, "Total contact ratio ε_γ."]
     path_length: Annotated[Size, "Length of the path of contact g_α [m]."]
@@ -92,7 +92,7 @@ class PairData:
         Ratio | None,
         "Generating profile shift factor of the first gear x_E1, with which a full rack cuts its thinned teeth.",
     ]
-    second_generating_shift: Annotated[Ratio | None, "The same of the second gear, x_E2."]
+    second_generating_shift: Annotated[Ratio | None, "The same for the second gear, x_E2."]
     circumferential_backlash: Annotated[Coordinate, "Circumferential backlash j_wt on the working pitch circle [m]."]
     normal_backlash: Annotated[Coordinate, "Normal backlash j_bn, as a feeler gauge measures it [m]."]
     first_tip_clearance: Annotated[Coordinate, "From the first gear's tip to the second's root [m]."]

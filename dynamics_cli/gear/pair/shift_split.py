@@ -1,4 +1,4 @@
-"""From what was given to an engagement: the centre distance from the shifts, or the shifts from the centre distance."""
+"""From the inputs to an engagement: the centre distance from the shifts, or the shifts from the centre distance."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.gear.pair.engagement import (
@@ -86,7 +86,7 @@ def _divided(
 def _balanced(
     first: Gear, second: Gear, distance: float, angle: float, total: float, given: "tuple[Mate, Mate, str]"
 ) -> float:
-    """x₁ at which both gears slide alike where each slides most: ζ₁ at A equals ζ₂ at E."""
+    """x₁ with equal maximum sliding of both gears: ζ₁ at A equals ζ₂ at E."""
 
     def difference(
         shift: float, one: Gear, two: Gear, a: float, alpha: float, both: float, mates: "tuple[Mate, Mate, str]"
@@ -95,7 +95,7 @@ def _balanced(
         mesh, _ = _tipped(mesh, *mates, check=False)
         end = 0.5 * mesh.first.base_diameter * mesh.first.tip_roll
         start = mesh.line - 0.5 * mesh.second.base_diameter * mesh.second.tip_roll
-        # where a path reaches a base circle its sliding has no bound
+        # where a path reaches a base circle its sliding is unbounded
         at_start = specific_sliding(mesh, start)[0] if plain(start) > 0.0 else -1e9 + 1e12 * start
         at_end = specific_sliding(mesh, end)[1] if plain((mesh.line - end) * mesh.ratio) > 0.0 else -1e9
         return at_end - at_start  # type: ignore[operator]
@@ -128,9 +128,9 @@ def _balanced(
 
 
 def pointed_diameter(gear: Gear, thinning: float) -> float | None:
-    """Where both flanks of a thinned tooth meet (ISO 21771): inv α_p = ψ_b − A_sn/(m_n z); None where nowhere.
+    """Where both flanks of a thinned tooth meet (ISO 21771): inv α_p = ψ_b − A_sn/(m_n z); None if they do not meet.
 
-    The two flanks of an untouched tooth have been seen to leave its tip a land.
+    The tip land of the unthinned tooth has been checked before.
     """
     half = gear.base_half_angle - thinning / gear.module / gear.teeth
     if plain(thinning) <= 0.0 or plain(half) <= 0.0:
@@ -139,14 +139,14 @@ def pointed_diameter(gear: Gear, thinning: float) -> float | None:
 
 
 def _require_thickness(gear: Gear, thinning: float) -> None:
-    """Refuse a thinning that leaves no tooth where the involute begins; the reference circle may lie off the teeth."""
+    """Refuse a thinning that leaves no tooth where the involute begins; the reference circle may be elsewhere."""
     if plain(thinning) <= 0.0:
         return
     roll = gear.roll(gear.root_diameter) if gear.internal else root(gear.cutter).roll
     most = gear.module * gear.teeth * (gear.base_half_angle - roll_less_arc(roll))
     require(
         thinning < most,
-        "teeth that could be {most:6} thinner before nothing is left of them cannot be {thinning:6} thinner",
+        "teeth that vanish when thinned by {most:6} cannot be thinned by {thinning:6}",
         most=(plain(most), Size),
         thinning=(plain(thinning), Size),
         code="thinning",
@@ -157,13 +157,13 @@ def _require_thickness(gear: Gear, thinning: float) -> None:
 def _tipped(
     mesh: Engagement, one: "Mate", two: "Mate", tips: str, check: bool = True
 ) -> tuple[Engagement, float | None]:
-    """The engagement with its tips as they are: given, shortened, or as the rack leaves them."""
+    """The engagement with its tips as given, shortened, or as cut by the rack."""
     first, second = mesh.first, mesh.second
     change = None
     if tips == "clearance":
         shifted = reference_distance(first, second) + first.module * (first.shift + second.shift)
         change = (mesh.centre_distance - shifted) / first.module
-        # at the reference distance what is left is rounding
+        # at the reference distance the remainder is rounding
         if plain(change) >= -ROUNDING * abs(plain(mesh.centre_distance)) / plain(first.module):
             change = None
     if check and change is not None:

@@ -28,7 +28,7 @@ def spur(
     dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
     root_radius_factor: Annotated[
         Ratio | None,
-        "Radius of the rack's corner ρ_fP*; a profile's own that does not fit becomes a full round, e.g. 0.38.",
+        "Radius of the rack's corner ρ_fP*; a basic rack's radius that does not fit becomes a full round, e.g. 0.38.",
     ] = None,
     tip_shortening: Annotated[Size, "How much the tips are cut back, radially [m]."] = 0.0,
     internal: Annotated[bool, "An internal gear (ring)."] = False,
@@ -36,7 +36,7 @@ def spur(
         Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
     ] = Sign("iso"),  # noqa: B008
     avoid_undercut: Annotated[
-        bool, "Choose the least shift, not below zero, that leaves the involute whole, in place of the one given."
+        bool, "Choose the smallest shift, not below zero, that avoids undercut, in place of a given one."
     ] = False,
 ) -> GearData:
     """All dimensions of one spur gear from its generating rack.
@@ -54,7 +54,7 @@ def spur(
     Raises
     ------
     InadmissibleError
-        When there is no such gear: the circles are out of order, the teeth are pointed below their tips, the rack
+        When the gear is impossible: the circles are out of order, the teeth are pointed below their tips, the rack
         leaves no involute, an internal tip lies inside the base circle, or no shift avoids undercut.
 
     Notes
@@ -106,7 +106,7 @@ def helical(
     dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
     root_radius_factor: Annotated[
         Ratio | None,
-        "Radius of the rack's corner ρ_fP*; a profile's own that does not fit becomes a full round, e.g. 0.38.",
+        "Radius of the rack's corner ρ_fP*; a basic rack's radius that does not fit becomes a full round, e.g. 0.38.",
     ] = None,
     tip_shortening: Annotated[Size, "How much the tips are cut back, radially [m]."] = 0.0,
     internal: Annotated[bool, "An internal gear (ring)."] = False,
@@ -114,7 +114,7 @@ def helical(
         Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
     ] = Sign("iso"),  # noqa: B008
     avoid_undercut: Annotated[
-        bool, "Choose the least shift, not below zero, that leaves the involute whole, in place of the one given."
+        bool, "Choose the smallest shift, not below zero, that avoids undercut, in place of a given one."
     ] = False,
 ) -> GearData:
     """All dimensions of one helical gear from its generating rack.
@@ -175,7 +175,7 @@ def helical(
 
 
 def normal_pressure_angle(normal: float | None, transverse: float | None, helix_angle: float) -> float:
-    """α_n, from whichever was given."""
+    """α_n, from whichever angle was given."""
     if transverse is None:
         return FULL_DEPTH if normal is None else normal
     require(
@@ -194,7 +194,7 @@ def normal_pressure_angle(normal: float | None, transverse: float | None, helix_
 
 
 def _without_undercut(gear: Gear) -> Gear:
-    """The same gear with the least shift that leaves its involute whole."""
+    """The same gear with the smallest shift that avoids undercut."""
     require(not gear.internal, "an internal gear is not cut by a rack", code="internal")
     least = least_shift(gear)
     shift = least if least > 0.0 else 0.0 * least
@@ -289,7 +289,7 @@ def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
 
 
 def _checks(gear: Gear, roll: float, tip_thickness: float) -> tuple[Check, ...]:
-    """The tip thickness again from the tooth thickness at the reference circle."""
+    """Check the tip thickness from the tooth thickness at the reference circle."""
     from dynamics_cli.numerics.involute import involute
 
     steepness = tan(plain(gear.transverse_angle))

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# A root or tip land narrower than this share of a pitch is a point.
+# A root or tip land narrower than this share of a pitch counts as a point.
 _NO_LAND = 1e-12
 _MOST_POINTS = 2_000_000
-# Steps of the first look at a trochoid.
+# Steps of the first sampling of a trochoid.
 _COARSE = 48
 
 
@@ -60,7 +60,7 @@ class ToothForm:
 
 
 def external_form(cutter: Cutter, module: float, tip_radius: float) -> ToothForm:
-    """Give the form of an external gear cut by a rack; refuses what leaves no flank or a pointed tip."""
+    """Give the form of an external gear cut by a rack; refuses gears without a flank or with a pointed tip."""
     junction = root(cutter)
     base = cutter.base_radius * module
     form = junction.form_radius * module
@@ -162,7 +162,7 @@ def _fillet_centre(shape: ToothForm) -> tuple[float, float]:
 
 @record
 class Chain:
-    """One flank from root to tip in polar form, and what its chords leave out."""
+    """One flank from root to tip in polar form, and the deviation of its chords."""
 
     radius: Annotated["Array", "Radii, root first [m]."]
     angle: Annotated["Array", "Angles from the tooth's centreline, positive [rad]."]
@@ -188,7 +188,7 @@ def flank(shape: ToothForm, tolerance: float) -> Chain:
         rolls = rolls[::-1]
     radius = shape.base * np.sqrt(1.0 + rolls * rolls)
     half = shape.half_base - (rolls - np.arctan(rolls))
-    # the ends are the very radii that the record states
+    # the ends are exactly the radii in the record
     radius[0], radius[-1] = shape.form, shape.tip
     if invert:
         return Chain(radius, pi / shape.teeth - half, 0, off)
@@ -202,7 +202,7 @@ def flank(shape: ToothForm, tolerance: float) -> Chain:
 
 
 def _involute_rolls(base: float, low: float, high: float, tolerance: float) -> "tuple[Array, float]":
-    """Roll angles spread so that every chord is off alike, and the proved bound of what they are off."""
+    """Roll angles distributed so that all chords have the same deviation, and its proved bound."""
     import numpy as np
 
     first, last = low * sqrt(low), high * sqrt(high)
@@ -238,7 +238,7 @@ def _trochoid(shape: ToothForm, tolerance: float) -> "tuple[Array, Array, float]
     assert junction is not None
     coarse = np.linspace(0.5 * pi, junction.direction, _COARSE + 1)
     heights = shape.module * _triangles(*trochoid_points(cutter, coarse))
-    # where the coarse triangles are high the chords are short: every one is off alike
+    # where the coarse triangles are high the chords are short: all deviate equally
     spread = np.concatenate([[0.0], np.cumsum(np.sqrt(heights))])
     count = max(2, ceil(1.05 * float(spread[-1]) / sqrt(tolerance)))
     while True:

@@ -75,11 +75,11 @@ class InvoluteData:
 
 def involute_point(
     *,
-    at: Annotated[AtAngle | AtInvolute | AtRoll | AtDiameter, "The point, by one of its numbers."],
+    at: Annotated[AtAngle | AtInvolute | AtRoll | AtDiameter, "The point, given by one of its quantities."],
     base_diameter: Annotated[Size | None, "Base diameter d_b, for lengths, e.g. 34 mm [m]."] = None,
     known_thickness: Annotated[Size | None, "Tooth thickness as arc at `known_diameter`, e.g. 6 mm [m]."] = None,
     known_diameter: Annotated[Size | None, "Diameter at which a tooth thickness is known, e.g. 36 mm [m]."] = None,
-    points: Annotated[Count, "How many points of the curve to list, up to 1000."] = 0,
+    points: Annotated[Count, "Number of points of the curve to list, up to 1000."] = 0,
 ) -> InvoluteData:
     """Involute function, its inverse, roll angle, curvature, thickness and points of an involute.
 
@@ -95,7 +95,7 @@ def involute_point(
     Raises
     ------
     InadmissibleError
-        When the angle is not from 0 to 90 degrees, a diameter lies inside the base circle, or lengths are asked for
+        When the angle is not from 0 to 90 degrees, a diameter lies inside the base circle, or lengths are requested
         without a base diameter.
 
     Notes
@@ -130,7 +130,7 @@ def involute_point(
     if known_thickness is not None or known_diameter is not None:
         require_given(
             known_thickness is not None and known_diameter is not None,
-            "a known tooth thickness needs the diameter at which it is known, and the other way round",
+            "a known tooth thickness and the diameter at which it is known go together",
             ("known_thickness", "known_diameter"),
             code="thickness",
         )

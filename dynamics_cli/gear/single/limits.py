@@ -1,4 +1,4 @@
-"""How far the profile may be shifted: undercut on one side, pointed teeth on the other."""
+"""Limits of the profile shift: undercut on one side, pointed teeth on the other."""
 
 from math import ceil, pi
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 # Tips thinner than this share of a module are usually avoided, and in hardened gears thinner than twice that.
 LEAST_TIP = 0.2
-# A number of teeth that is whole but for rounding counts as whole.
+# A number of teeth within this of a whole number counts as whole.
 ROUNDING = 1e-13
 # Newton's steps that any gear may take: six or seven are usual.
 STEPS = 60
@@ -31,7 +31,7 @@ def bare(gear: Gear) -> Gear:
 
 
 def least_shift(gear: Gear) -> float:
-    """Least profile shift factor without undercut: x = h_fP* − ρ*(1 − sin α_n) − z sin²α_t/(2 cos β) (ISO 21771)."""
+    """Minimum profile shift factor without undercut: x = h_fP* − ρ*(1 − sin α_n) − z sin²α_t/(2 cos β) (ISO 21771)."""
     rack = gear.rack
     reach = rack.dedendum - rack.tip_radius * (1.0 - sin(rack.pressure_angle))
     sine = sin(gear.transverse_angle)
@@ -39,9 +39,9 @@ def least_shift(gear: Gear) -> float:
 
 
 def least_teeth(gear: Gear) -> int:
-    """Least number of teeth without undercut at the gear's shift: z ≥ 2 cos β (h_fP* − ρ*(1 − sin α_n) − x)/sin²α_t."""
+    """Teeth without undercut at the gear's shift: z ≥ 2 cos β (h_fP* − ρ*(1 − sin α_n) − x)/sin²α_t."""
     sine = sin(gear.transverse_angle)
-    # what `least_shift` asks of a gear of no teeth is how deep the rack's flank reaches
+    # `least_shift` for zero teeth is the depth of the rack's straight flank
     reach = least_shift(gear) + 0.5 * gear.teeth * sine * sine / cos(gear.helix_angle) - gear.shift
     return max(1, ceil(2.0 * cos(gear.helix_angle) * reach / (sine * sine) * (1.0 - ROUNDING)))
 
@@ -54,7 +54,7 @@ def pointed_shift(gear: Gear) -> float:
     """Profile shift factor at which the tip thickness of an external gear vanishes.
 
     A tooth whose tip is at the reference circle has a thickness there; from it the shift is bracketed upwards, and one
-    Newton step in the numbers that came in carries derivatives and rounding through.
+    Newton step in the numbers of the input carries derivatives and rounding through.
     """
     doubles = bare(gear)
 
@@ -95,7 +95,7 @@ def _root_left_of(start: float, least: float, function: "Callable[[float], tuple
 
 
 def bisect(function: "Callable[[float], float]", low: float, high: float) -> float:
-    """Where a function that is positive at `low` and not at `high` changes its sign, to the last bits.
+    """The sign change of a function that is positive at `low` and not at `high`, to the last bits.
 
     Illinois steps kept within the bracket; every third step halves it.
     """

@@ -1,4 +1,4 @@
-"""Gears, teeth and racks as outlines: chains of one tooth repeated, every piece beginning where the last one ends."""
+"""Gears, teeth and racks as outlines: the chain of one tooth repeated, every piece starting where the last one ends."""
 
 from math import cos, pi, sin, tan
 
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Coordinates are rounded like everything else; the bound of a chord counts that in.
+# Coordinates are rounded too; the bound of a chord includes that.
 _ROUNDING = 8.0 * 2.0**-53
 # More would take minutes and gigabytes.
 MOST_POINTS = 2_000_000
 MOST_RACK_TEETH = 100_000
-# How far centre lines stand out of a gear.
+# How far centre lines extend beyond a gear.
 BEYOND = 1.1
 
 
@@ -40,9 +40,9 @@ def chain_points(shape: ToothForm, chain: Chain, count: int) -> "tuple[Array, Ar
 def gear_outline(
     shape: ToothForm, tolerance: float, *, teeth: int | None = None, arcs: bool = False
 ) -> tuple[Outline, int]:
-    """The outline of the whole gear, or of `teeth` of its teeth (open), and how many points it has.
+    """The outline of the whole gear, or of `teeth` of its teeth (open), and its number of points.
 
-    Its curves are chords, or `arcs` that join with one direction; chords where no arcs keep the tolerance.
+    Its curves are chords, or `arcs` that join with one direction; chords if arcs cannot keep the tolerance.
 
     Tooth 0 points along +y. An external gear runs anticlockwise: root arc, trochoid, involute, tip arc, involute,
     trochoid, tooth after tooth. An internal gear has fillet arcs in place of trochoids.
@@ -168,7 +168,7 @@ def _tooth(
     if not marks.root_land and following is not None:
         end = following
     if shape.internal:
-        # material is outside: the right side of the tooth is met first
+        # material is outside: the right side of the tooth comes first
         pieces.append(Arc(start, row[0], marks.fillet_turn))
         pieces += marks.run(row[:size], 0)
         if marks.tip_land:
@@ -223,7 +223,7 @@ def rack_outline(cutter: "Cutter", module: float, addendum: float, teeth: int) -
         x = pi * index
         right = [(x + tip_half, addendum), (x + 0.25 * pi + depth * slope, -depth), (x + root_half, -cutter.dedendum)]
         if rho == 0.0:
-            # flank and root land meet in one corner, to the bit
+            # flank and root land share one corner to the bit
             right[1] = right[2]
         left = [(2.0 * x - px, py) for px, py in reversed(right)]
         tooth = [(module * px, module * py) for px, py in left + right]
@@ -242,5 +242,5 @@ def _rack_tooth(tooth: "list[tuple[float, float]]", x: float, offset: float, dep
     ends: list[Piece] = [Line(b, c), Line(c, d), Line(d, e)]
     if rho == 0.0 or a == b:
         return ends
-    # centres of the corners stand over the ends of the root land
+    # the corners' centres are above the ends of the root land
     return [arc_about(a, b, (half, depth), clockwise=False), *ends, arc_about(e, f, (f[0], depth), clockwise=False)]

@@ -20,25 +20,25 @@ SHOWN = 3
 # Colours of tip, reference, base and root circle.
 ROLES = (0, 1, 2, 3)
 STEPS = 96
-# What a line on paper can show of a module.
+# Resolution of a printed line, relative to the module.
 FINE = 2e-3
 
 
-def gear_picture(made: "Any", *, teeth: int, internal: bool = False, **given: "Any") -> Picture:
+def gear_picture(result: "Any", *, teeth: int, internal: bool = False, **given: "Any") -> Picture:
     """The whole gear with its main sizes, and three teeth enlarged with their circles."""
-    module = float(made.normal_module)
+    module = float(result.normal_module)
     title = worded(
         "{kind} gear of {teeth} teeth, module {module:6}, x = {shift}",
-        kind="Internal" if internal else "Helical" if made.hand is not None else "Spur",
+        kind="Internal" if internal else "Helical" if result.hand is not None else "Spur",
         teeth=teeth,
         module=(module, Module),
-        shift=(float(made.profile_shift), Ratio),
+        shift=(float(result.profile_shift), Ratio),
     )
     return Picture(
         (
-            _whole_gear(made, teeth, internal, given),
-            Panel(X, Y, (Rows(_sizes(made)),)),
-            _enlarged(made, teeth, internal, given),
+            _whole_gear(result, teeth, internal, given),
+            Panel(X, Y, (Rows(_sizes(result)),)),
+            _enlarged(result, teeth, internal, given),
         ),
         title,
         columns=2,
@@ -46,14 +46,16 @@ def gear_picture(made: "Any", *, teeth: int, internal: bool = False, **given: "A
     )
 
 
-def _whole_gear(made: "Any", teeth: int, internal: bool, given: "dict[str, Any]") -> Panel:
+def _whole_gear(result: "Any", teeth: int, internal: bool, given: "dict[str, Any]") -> Panel:
     """The gear with its centre lines."""
-    outer = 0.5 * float(made.root_diameter) + RIM * float(made.normal_module) if internal else 0.5 * made.tip_diameter
+    outer = (
+        0.5 * float(result.root_diameter) + RIM * float(result.normal_module) if internal else 0.5 * result.tip_diameter
+    )
     centre = (0.0, 0.0)
     items: list[Any] = [*centre_lines(centre, 1.1 * float(outer))]
-    line = _outline(made, teeth, internal, teeth, given) if teeth <= MOST_DRAWN else None
+    line = _outline(result, teeth, internal, teeth, given) if teeth <= MOST_DRAWN else None
     if line is None:
-        items.append(circle(centre, 0.5 * float(made.tip_diameter), "", "outline", 0))
+        items.append(circle(centre, 0.5 * float(result.tip_diameter), "", "outline", 0))
     elif internal:
         rim = circle(centre, float(outer), "", "solid", 0)
         around = (*rim.x, *reversed(line[0]), rim.x[0]), (*rim.y, *reversed(line[1]), rim.y[0])
@@ -61,55 +63,55 @@ def _whole_gear(made: "Any", teeth: int, internal: bool, given: "dict[str, Any]"
     else:
         items.append(Curve(*line, "", "filled", 0))
     items += [
-        circle(centre, 0.5 * float(made.reference_diameter), "", "centre", 0),
-        circle(centre, 0.5 * float(made.base_diameter), "", "dots", 0),
+        circle(centre, 0.5 * float(result.reference_diameter), "", "centre", 0),
+        circle(centre, 0.5 * float(result.base_diameter), "", "dots", 0),
     ]
     return Panel(X, Y, tuple(items), equal=True, bare=True)
 
 
-def _sizes(made: "Any") -> "tuple[tuple[str, str, str], ...]":
-    """The main sizes with their symbols; what the gear does not have is left out."""
+def _sizes(result: "Any") -> "tuple[tuple[str, str, str], ...]":
+    """The main sizes with their symbols; sizes that the gear does not have are left out."""
     listed = (
-        ("reference diameter", "d", made.reference_diameter, Size),
-        ("base diameter", "d_b", made.base_diameter, Size),
-        ("tip diameter", "d_a", made.tip_diameter, Size),
-        ("root diameter", "d_f", made.root_diameter, Size),
-        ("root form diameter", "d_Ff", made.root_form_diameter, Size),
-        ("lead", "p_z", made.lead, Size),
-        ("transverse pressure angle", "α_t", made.transverse_pressure_angle, Angle),
-        ("tooth depth", "h", made.tooth_depth, Size),
-        ("normal tooth thickness", "s_n", made.normal_thickness, Size),
-        ("tip thickness", "s_a", made.tip_thickness, Size),
+        ("reference diameter", "d", result.reference_diameter, Size),
+        ("base diameter", "d_b", result.base_diameter, Size),
+        ("tip diameter", "d_a", result.tip_diameter, Size),
+        ("root diameter", "d_f", result.root_diameter, Size),
+        ("root form diameter", "d_Ff", result.root_form_diameter, Size),
+        ("lead", "p_z", result.lead, Size),
+        ("transverse pressure angle", "α_t", result.transverse_pressure_angle, Angle),
+        ("tooth depth", "h", result.tooth_depth, Size),
+        ("normal tooth thickness", "s_n", result.normal_thickness, Size),
+        ("tip thickness", "s_a", result.tip_thickness, Size),
     )
     rows: list[tuple[str, str, str]] = [
         (name, symbol, worded("{value:6}", value=(float(value), kind)))
         for name, symbol, value, kind in listed
         if value is not None
     ]
-    if made.undercut is not None:
-        rows.append(("undercut", "", "yes" if made.undercut else "no"))
+    if result.undercut is not None:
+        rows.append(("undercut", "", "yes" if result.undercut else "no"))
     return tuple(rows)
 
 
-def _enlarged(made: "Any", teeth: int, internal: bool, given: "dict[str, Any]") -> Panel:
+def _enlarged(result: "Any", teeth: int, internal: bool, given: "dict[str, Any]") -> Panel:
     """Three teeth with their circles, each named at its end."""
     items: list[Any] = []
-    line = _outline(made, teeth, internal, SHOWN, given)
+    line = _outline(result, teeth, internal, SHOWN, given)
     if line is not None:
         items.append(Curve(*line, "", "outline", role=BLACK))
     reach = min(1.15 * pi * SHOWN / teeth, 0.5 * pi)
     circles = (
-        ("tip circle d_a", made.tip_diameter, "thin"),
-        ("reference circle d", made.reference_diameter, "centre"),
-        ("base circle d_b", made.base_diameter, "dots"),
-        ("root circle d_f", made.root_diameter, "thin"),
+        ("tip circle d_a", result.tip_diameter, "thin"),
+        ("reference circle d", result.reference_diameter, "centre"),
+        ("base circle d_b", result.base_diameter, "dots"),
+        ("root circle d_f", result.root_diameter, "thin"),
     )
     radii = [0.5 * float(diameter) for _, diameter, _ in circles]
     side = sin(reach) * max(radii)
     ends = sorted(zip((radius * cos(reach) for radius in radii), circles, strict=True), key=lambda end: -end[0])
     height = None
     for level, (name, diameter, style) in ends:
-        # words keep their distance where circles lie close together
+        # labels keep their distance where circles are close together
         height = level if height is None else min(level, height - 0.075 * side)
         radius = 0.5 * float(diameter)
         role = [name for name, _, _ in circles].index(name)
@@ -140,46 +142,46 @@ def profile_picture(result: "Any", **_: "Any") -> Picture:
     return Picture((Panel(X, Y, tuple(items), equal=True),), f"Profile: {result.drawing.title}")
 
 
-def rack_picture(made: "Any", *, teeth: int, helix_angle: float = 0.0, **given: "Any") -> Picture:
+def rack_picture(result: "Any", *, teeth: int, helix_angle: float = 0.0, **given: "Any") -> Picture:
     """The gear on its rack in the transverse plane, the rack below, and the main sizes."""
     items: list[Any] = []
-    outline = _outline(made, teeth, False, teeth, {**given, "helix_angle": helix_angle})
-    pitch, datum = float(made.pitch), -float(made.datum_distance)
+    outline = _outline(result, teeth, False, teeth, {**given, "helix_angle": helix_angle})
+    pitch, datum = float(result.pitch), -float(result.datum_distance)
     if outline is not None:
         # the gear's middle tooth stands in the rack's space at x = 0
         turn = pi + pi * (teeth - 1) / teeth
         x = [cos(turn) * a - sin(turn) * b for a, b in zip(*outline, strict=True)]
         y = [sin(turn) * a + cos(turn) * b for a, b in zip(*outline, strict=True)]
         items.append(Curve((*x, x[0]), (*y, y[0]), "", "filled", 0))
-    bottom = datum - 2.2 * float(made.dedendum)
-    points, foot_line = _rack_line(made, pitch, datum, bottom)
+    bottom = datum - 2.2 * float(result.dedendum)
+    points, foot_line = _rack_line(result, pitch, datum, bottom)
     items.append(Curve(*points, "", "filled", 1))
     wide = 2.4 * pitch
-    radius = 0.5 * float(made.reference_diameter)
+    radius = 0.5 * float(result.reference_diameter)
     low, top = bottom - 0.15 * pitch, datum + 2.9 * pitch
     items += [
         circle((0.0, 0.0), radius, "", "centre", 0),
-        circle((0.0, 0.0), 0.5 * float(made.base_diameter), "", "dots", 0),
+        circle((0.0, 0.0), 0.5 * float(result.base_diameter), "", "dots", 0),
         Curve((-wide, wide), (datum, datum), "", "centre", 1),
         Curve((-wide, wide), (-radius, -radius), "", "thin", BLACK),
         Label(-0.97 * wide, -radius + 0.12 * pitch, "pitch line", BLACK, left=True),
         Label(-0.97 * wide, datum - 0.12 * pitch, "datum line", 1, left=True),
         Label(0.0, min(top - 0.3 * pitch, -0.25 * radius), f"gear, {teeth} teeth", 0),
-        Label(0.0, bottom + 0.35 * float(made.dedendum), "rack", 1),
+        Label(0.0, bottom + 0.35 * float(result.dedendum), "rack", 1),
         Dimension((0.5 * pitch, 1.5 * pitch), (foot_line,) * 2, worded("p = {size:6}", size=(pitch, Size))),
     ]
     rows = tuple(
         (name, symbol, worded("{value:6}", value=(float(value), kind)))
         for name, symbol, value, kind in (
-            ("axis to datum line", "a", made.datum_distance, Size),
-            ("axis to back of the rack", "", made.mounting_distance, Size),
-            ("pitch along the travel", "p_t", made.pitch, Size),
-            ("travel in one turn", "", made.travel, Size),
-            ("tip diameter", "d_a", made.tip_diameter, Size),
-            ("reference diameter", "d", made.reference_diameter, Size),
-            ("transverse contact ratio", "ε_α", made.transverse_contact_ratio, Ratio),
-            ("speed of the rack", "v", made.rack_speed, Speed),
-            ("force along the travel", "F_t", made.tangential_force, Force),
+            ("axis to datum line", "a", result.datum_distance, Size),
+            ("axis to back of the rack", "", result.mounting_distance, Size),
+            ("pitch along the travel", "p_t", result.pitch, Size),
+            ("travel in one turn", "", result.travel, Size),
+            ("tip diameter", "d_a", result.tip_diameter, Size),
+            ("reference diameter", "d", result.reference_diameter, Size),
+            ("transverse contact ratio", "ε_α", result.transverse_contact_ratio, Ratio),
+            ("speed of the rack", "v", result.rack_speed, Speed),
+            ("force along the travel", "F_t", result.tangential_force, Force),
         )
         if value is not None
     )
@@ -194,10 +196,10 @@ def _shift(given: "dict[str, Any]") -> float:
     return float(given.get("profile_shift") or 0.0)
 
 
-def _rack_line(made: "Any", pitch: float, datum: float, bottom: float) -> "tuple[Points, float]":
+def _rack_line(result: "Any", pitch: float, datum: float, bottom: float) -> "tuple[Points, float]":
     """The rack as a closed line down to its back, and the height where its pitch is measured."""
-    lean = tan(acos(min(1.0, float(made.base_diameter) / float(made.reference_diameter))))
-    add, dedendum = float(made.addendum), float(made.dedendum)
+    lean = tan(acos(min(1.0, float(result.base_diameter) / float(result.reference_diameter))))
+    add, dedendum = float(result.addendum), float(result.dedendum)
     x: list[float] = []
     y: list[float] = []
     for nth in range(-4, 4):
@@ -208,16 +210,16 @@ def _rack_line(made: "Any", pitch: float, datum: float, bottom: float) -> "tuple
     return ([x[0], *x, x[-1], x[0]], [bottom, *y, bottom, bottom]), datum - 1.35 * dedendum
 
 
-def _outline(made: "Any", teeth: int, internal: bool, shown: int, given: "dict[str, Any]") -> "Points | None":
-    """The exact outline of some teeth about +y; None where there are none, for example pointed teeth."""
+def _outline(result: "Any", teeth: int, internal: bool, shown: int, given: "dict[str, Any]") -> "Points | None":
+    """The exact outline of some teeth about +y; None if it cannot be drawn, for example for pointed teeth."""
     shift = given.get("profile_shift", 0.0)
-    own = getattr(made, "profile_shift", None)
+    own = getattr(result, "profile_shift", None)
     drawn = exact_profile(
-        teeth, internal, shown, {**given, "profile_shift": shift if own is None else float(own)}, made
+        teeth, internal, shown, {**given, "profile_shift": shift if own is None else float(own)}, result
     )
     if drawn is None:
         return None
-    # Tooth after tooth anticlockwise from +y: turned back by half of them, they stand about it.
+    # Tooth after tooth anticlockwise from +y: rotated back by half of them, they are centred on it.
     turn = -pi * (min(shown, teeth) - 1) / teeth
     x, y = outline_points(drawn.drawing.outlines[0])
     return (
@@ -227,9 +229,9 @@ def _outline(made: "Any", teeth: int, internal: bool, shown: int, given: "dict[s
 
 
 def exact_profile(
-    teeth: int, internal: bool, shown: "int | None", given: "dict[str, Any]", made: "Any" = None
+    teeth: int, internal: bool, shown: "int | None", given: "dict[str, Any]", result: "Any" = None
 ) -> "Any":
-    """The profile of a gear as the task was given it, in lines; None where there is none to draw."""
+    """The profile of a gear from the task's inputs, in lines; None if it cannot be drawn."""
     from dynamics_cli.gear.pitch import module_of
     from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
     from dynamics_cli.gear.single.profile import profile
@@ -240,11 +242,11 @@ def exact_profile(
     transverse = given.get("transverse_pressure_angle")
     if transverse is not None or given.get("pressure_angle") is not None:
         taken["pressure_angle"] = normal_pressure_angle(given.get("pressure_angle"), transverse, helix)
-    if made is not None:
-        taken["tip_diameter"] = float(made.tip_diameter)
+    if result is not None:
+        taken["tip_diameter"] = float(result.tip_diameter)
     elif given.get("tip_diameter") is not None:
         taken["tip_diameter"] = given["tip_diameter"]
-    if made is None and "shift_sign" in given:
+    if result is None and "shift_sign" in given:
         taken["shift_sign"] = given["shift_sign"]
     try:
         return profile(

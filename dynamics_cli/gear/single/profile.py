@@ -20,17 +20,17 @@ if TYPE_CHECKING:
     from dynamics_cli.outlines import Outline
 
 ONE_MICROMETRE = 1e-6
-# Finer than this the rounding of coordinates would be a part of the deviation.
-# A rack is that of every gear: its teeth are drawn one by one.
+# Below this the rounding of coordinates would be part of the deviation.
+# Teeth of a rack are drawn one by one.
 ANY_TEETH = 1000
 FINEST = 1e-12
-# A form circle's bound of more half last bits than this is measured.
+# A form circle's bound above this many half units in the last place is measured.
 LOOSE = 20.0
 CIRCLES = ("tip", "root", "base", "form")
 
 
 class Form(Choice):
-    """What a drawn profile is made of."""
+    """Kind of pieces of a drawn profile."""
 
     names = ("arcs", "lines")
     aliases = {"arc": "arcs", "line": "lines", "polyline": "lines"}  # noqa: RUF012
@@ -43,11 +43,11 @@ ARCS = Form("arcs")
 
 @record
 class GearProfile:
-    """A profile and what it was made of."""
+    """A profile with the data of its gear."""
 
     deviation: Annotated[Size, "Proved bound on the distance of the drawing from the exact profile [m]."]
-    points: Annotated[Count, "How many points its curves have."]
-    pieces: Annotated[Count, "How many pieces it has: arcs, lines and curves."]
+    points: Annotated[Count, "Number of points of its curves."]
+    pieces: Annotated[Count, "Number of its pieces: arcs, lines and curves."]
     tip_diameter: Annotated[Size | None, "Tip diameter [m]."]
     root_diameter: Annotated[Size | None, "Root diameter [m]."]
     base_diameter: Annotated[Size | None, "Base diameter [m]."]
@@ -97,10 +97,10 @@ def profile(
     tip_diameter: Annotated[Size | None, "Tip diameter, where it is not that of the rack, e.g. 80 mm [m]."] = None,
     rack: Annotated[bool, "Draw the rack that meshes with the gear, in its normal plane."] = False,
     only_teeth: Annotated[
-        Count | None, "Draw only so many teeth, as an open outline; tooth 0 points along +y, e.g. 3."
+        Count | None, "Draw only this many teeth, as an open outline; tooth 0 points along +y, e.g. 3."
     ] = None,
     form: Annotated[
-        Form, "What flanks and root curves are drawn with: arcs that join with one direction, or lines."
+        Form, "How flanks and root curves are drawn: as arcs with a common tangent where they join, or as lines."
     ] = ARCS,
     tolerance: Annotated[Size, "How far the drawing may be from the exact profile [m]."] = ONE_MICROMETRE,
     bore: Annotated[Size | None, "Diameter of the bore, drawn as a circle, e.g. 12 mm [m]."] = None,
@@ -125,8 +125,9 @@ def profile(
 
     Notes
     -----
-    Tip and root arcs are exact; flanks and trochoids are pairs of arcs (or chords) spread so that all are off alike.
-    An internal gear's root is a fillet tangent to root circle and involute, not a particular pinion cutter's trochoid.
+    Tip and root arcs are exact; flanks and trochoids are pairs of arcs (or chords) distributed so that all deviate
+    equally. An internal gear's root is a fillet tangent to root circle and involute, not a particular pinion cutter's
+    trochoid.
 
     References
     ----------
@@ -208,7 +209,7 @@ def _bore(bore: float | None, form: ToothForm) -> "tuple[Outline, ...]":
 def _result(
     outline: "Outline", points: int, form: ToothForm | None, tolerance: float | None, drawing: Drawing
 ) -> GearProfile:
-    """The answer; the form's numbers carry rounding bounds."""
+    """The results; the form's numbers carry rounding bounds."""
     undercut = form.junction.undercut if form is not None and form.junction is not None else None
     advice: tuple[Advice, ...] = ()
     if undercut and form is not None and form.junction is not None:

@@ -73,7 +73,7 @@ def basic_rack(
             code="pointed-rack",
             hint="give a smaller dedendum factor",
         )
-        # a profile's own corner that does not fit at this pressure angle becomes a full round
+        # a basic rack's corner that does not fit at this pressure angle becomes a full round
         radius = widest if widest < radius else radius
     rack = BasicRack(pressure_angle, addendum, dedendum, radius)
     _require_rack(rack)

@@ -43,8 +43,8 @@ class GearData:
     equivalent_teeth: Annotated[
         Ratio | None, "Number of teeth of the equivalent spur gear z_v = z/cos³β, as handbooks choose cutters by it."
     ]
-    least_shift: Annotated[Ratio | None, "Least profile shift factor without undercut by this rack."]
-    least_teeth: Annotated[Count | None, "Least number of teeth without undercut by this rack at this profile shift."]
+    least_shift: Annotated[Ratio | None, "Minimum profile shift factor without undercut by this rack."]
+    least_teeth: Annotated[Count | None, "Minimum number of teeth without undercut by this rack at this profile shift."]
     pointed_shift: Annotated[
         Ratio | None, "Profile shift factor at which the tips become pointed, for tips not shortened further."
     ]

@@ -1,4 +1,4 @@
-"""The numbers of a toothing that sizes, profiles and meshes are calculated from, transverse and in metres."""
+"""The quantities of a toothing for sizes, profiles and meshes, transverse and in metres."""
 
 from dynamics_cli.gear.single.trochoid import transverse
 from dynamics_cli.numerics.elementary import cos, maximum, pi_beside, sin, sqrt
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     once = cached_property
 else:
-    # functools would cost a shell user more than it saves; a tracked number costs a thousand times a float.
+    # importing functools would cost a shell user more than it saves; a tracked number costs a thousand times a float.
     class once:  # noqa: N801
         """A property that is calculated once."""
 
@@ -77,15 +77,15 @@ class Toothing:
 
     @once
     def shift_angle(self) -> float:
-        """2 x tan α_n/z: what the profile shift adds to half the tooth (or to half the space of an internal gear)."""
+        """2 x tan α_n/z: the profile shift's addition to half the tooth (half the space of an internal gear)."""
         return 2.0 * self.shift * sin(self.pressure_angle) / (cos(self.pressure_angle) * self.teeth)
 
     @once
     def solid_half(self) -> float:
-        """Half angle at the base circle of what the involutes bound: the tooth, or an internal gear's space."""
+        """Half angle at the base circle between the involutes: of the tooth, or an internal gear's space."""
         return 0.5 * pi_beside(self.shift_angle) / self.teeth + self.shift_angle + self.pitch_involute
 
     @once
     def hollow_half(self) -> float:
-        """Half angle at the base circle of what lies between: the space, or an internal gear's tooth."""
+        """Half angle at the base circle of the gap: of the space, or an internal gear's tooth."""
         return 0.5 * pi_beside(self.shift_angle) / self.teeth - self.shift_angle - self.pitch_involute

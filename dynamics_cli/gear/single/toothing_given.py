@@ -1,4 +1,4 @@
-"""From inputs to the gear of its rack, and to the toothing that measuring, profiles and meshes work with."""
+"""From inputs to the gear of its rack, and to the toothing for measuring, profiles and meshes."""
 
 from math import pi
 
@@ -15,7 +15,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.gear.pitch import Pitch
 
-# Fillet of an internal gear in modules, unless one is given: that of most pinion cutters fits most spaces.
+# Default fillet of an internal gear in modules: that of most pinion cutters, which fits most spaces.
 INTERNAL_FILLET = 0.2
 STEEPEST = 84.0 * pi / 180.0
 
@@ -34,7 +34,7 @@ def gear_of(
     internal: bool,
     sign: str,
 ) -> Gear:
-    """The gear of what was given, in ISO's signs, refuses what cannot be a gear."""
+    """The gear of the inputs, in ISO's signs; refuses an impossible gear."""
     require(teeth >= 3, "a gear needs at least 3 teeth here, not {teeth}", teeth=teeth, code="teeth")
     require_number(teeth, MOST_FOLLOWED)
     require(
@@ -66,7 +66,7 @@ def gear_of(
 def fillet_of(gear: Gear, root_radius_factor: float | None) -> float:
     """Radius in the root, in modules: of the rack's corner, or of an internal gear's fillet.
 
-    A fillet that is not given is 0.2 modules, or as large as the space takes where that is less.
+    The default fillet is 0.2 modules, or the largest that fits the space if that is less.
     """
     if not gear.internal:
         return gear.rack.tip_radius
@@ -90,7 +90,7 @@ def fillet_of(gear: Gear, root_radius_factor: float | None) -> float:
 
 
 def _space_beside(gear: Gear, fillet: float) -> float:
-    """Half the angle that a fillet leaves between itself and the centreline of an internal gear's space."""
+    """Half the angle between a fillet and the centreline of an internal gear's space."""
     base, size = 0.5 * absolute(gear.base_diameter), fillet * gear.module
     ratio = (0.5 * absolute(gear.root_diameter) - size) / base
     if not ratio > 1.0:
@@ -109,7 +109,7 @@ def toothing(gear: Gear, *, tip_diameter: float | None = None, fillet: float = I
         form = _internal_form(0.5 * absolute(gear.base_diameter), own_root, fillet * gear.module)
     else:
         form = root(gear.cutter).form_radius * gear.module
-    made = Toothing(
+    teeth_of_gear = Toothing(
         abs(gear.teeth),
         gear.internal,
         gear.module,
@@ -120,8 +120,8 @@ def toothing(gear: Gear, *, tip_diameter: float | None = None, fillet: float = I
         own_root,
         form,
     )
-    require_teeth(made, form)
-    return made
+    require_teeth(teeth_of_gear, form)
+    return teeth_of_gear
 
 
 def require_teeth(gear: Toothing, form: float) -> None:

@@ -1,4 +1,4 @@
-"""The root a rack cuts: where the involute begins, exactly, and the trochoid below it, with or without undercut.
+"""The root cut by a rack: the exact start of the involute, and the trochoid below it, with or without undercut.
 
 Everything is in modules (normal ones for a helical gear) in the transverse plane. The rounded corner of the rack is a
 circle in the normal plane and an ellipse in the transverse one; one formula serves both. A point of the corner is named
@@ -20,7 +20,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# t − atan t by its series below this: terms fall as t², and beyond it the difference loses no digit that matters.
+# t − atan t by its series below this: terms decrease as t², and above it the difference loses no significant digit.
 SERIES_LIMIT = 0.5
 _TERMS = 24
 
@@ -40,7 +40,7 @@ def roll_less_arc(t: float) -> float:
 
 
 def transverse(pressure_angle: float, helix_angle: float) -> float:
-    """α_t of tan α_t = tan α_n/cos β; of a spur gear the very angle given, with no rounding (ISO 21771)."""
+    """α_t of tan α_t = tan α_n/cos β; for a spur gear the given angle itself, without rounding (ISO 21771)."""
     if helix_angle == 0.0:
         return pressure_angle
     return atan2(sin(pressure_angle), cos(pressure_angle) * cos(helix_angle))
@@ -59,7 +59,7 @@ class Cutter:
 
     @property
     def stretch(self) -> float:
-        """1/cos β: what is wider in the transverse plane."""
+        """1/cos β: the widening in the transverse plane."""
         return 1.0 / cos(self.helix_angle)
 
     @property
@@ -149,12 +149,12 @@ def root(cutter: Cutter) -> Root:
         base = cutter.base_radius
         return Root(sqrt(base * base + margin * margin), margin / base, False, cutter.transverse_angle, margin)
     delta = like(_meeting(curve), margin)
-    # One Newton step in the numbers that came in carries their derivatives and rounding bounds through the root.
+    # One Newton step in the numbers of the input carries their derivatives and rounding bounds through the root.
     own = _Corner(_bare(cutter))
     start = Tracked.inputs([bare(delta)])[0]
     slope = own.residual(start).slopes[0]  # type: ignore[arg-type, attr-defined]
     step = curve.residual(delta) / slope
-    # R along the trochoid, so that what the step does to its two parts stays one thing
+    # R along the trochoid, so that both parts take the same step
     radius = curve.radius(delta) - own.radius(start).slopes[0] * step  # type: ignore[arg-type, attr-defined]
     delta = delta - step
     roll = sqrt(maximum(curve.roll_squared(delta), 0.0))
@@ -241,7 +241,7 @@ def _meeting(curve: _Corner) -> float:
     plain = _plain_corner(curve)
     base = _bracketed(lambda delta: -plain.roll_squared(delta), 0.5 * pi - plain.angle)
     if plain.residual(base) <= 0.0:
-        return base  # the two are a rounding apart
+        return base  # the two differ by a rounding
     return _bracketed(plain.residual, base)
 
 

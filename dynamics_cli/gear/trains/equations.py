@@ -1,4 +1,4 @@
-"""A gear train as equations in whole numbers: what is given, how it moves, and the torques that balance it."""
+"""A gear train as equations in integers: givens, motion, and balancing torques."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.trains.scene import GROUND, Mesh, Network, Planetary, Shaft, Stages, settled
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Known:
-    """The train as indices and whole numbers, with what is given of it."""
+    """The train as indices and integers, with its givens."""
 
     def __init__(
         self, arrangement: Stages | Planetary | Network, driver: str, driven: str, fixed: str, shafts: tuple[Shaft, ...]
@@ -52,15 +52,15 @@ class Known:
         return name
 
     def _settle_planetary(self, *, hold: bool) -> None:
-        """Roles that were not named: sun drives, carrier is driven, and the shaft left over is held."""
+        """Default roles: the sun drives, the carrier is driven, and the remaining shaft is held."""
         taken = [self.driver, self.driven, *self.fixed, *(one.name for one in self.shafts if one.speed is not None)]
 
         def left_over(*names: str) -> str:
-            found = next((name for name in names if name not in taken), "")
-            taken.append(found)
-            return found
+            remaining = next((name for name in names if name not in taken), "")
+            taken.append(remaining)
+            return remaining
 
-        # a named shaft with a speed may still be the driver or the driven one
+        # a shaft with a given speed may still be the driver or the driven one
         self.driver = self.driver or left_over("sun", "carrier", "ring")
         self.driven = self.driven or left_over("carrier", "ring", "sun")
         held = left_over("ring", "sun", "carrier") if hold else ""
@@ -98,20 +98,23 @@ class Known:
 
     def speeds(self, speed: float | None) -> "dict[str, Pair | None]":
         """Shafts whose speed is given; None for a driver that turns by one."""
-        found: dict[str, Pair | None] = {}
+        speeds_known: dict[str, Pair | None] = {}
         for one in self.shafts:
             if one.speed is not None:
                 require(
                     one.name not in self.fixed, "{name} is fixed and has a speed", name=one.name, code="fixed-speed"
                 )
-                require(one.name not in found, "{name} has two speeds", name=one.name, code="two-speeds")
-                found[one.name] = exact(one.speed)
+                require(one.name not in speeds_known, "{name} has two speeds", name=one.name, code="two-speeds")
+                speeds_known[one.name] = exact(one.speed)
         if speed is not None:
             require(
-                self.driver not in found, "the driver {driver} has two speeds", driver=self.driver, code="two-speeds"
+                self.driver not in speeds_known,
+                "the driver {driver} has two speeds",
+                driver=self.driver,
+                code="two-speeds",
             )
-            found[self.driver] = exact(speed)
-        return found or {self.driver: None}
+            speeds_known[self.driver] = exact(speed)
+        return speeds_known or {self.driver: None}
 
 
 def _require_mesh(mesh: Mesh) -> None:
@@ -132,7 +135,7 @@ def _require_mesh(mesh: Mesh) -> None:
     )
     require(
         not mesh.internal or mesh.second_teeth > mesh.first_teeth,
-        "an internal gear of {second_teeth} teeth has no room for a gear of {first_teeth}",
+        "an internal gear of {second_teeth} teeth cannot hold a gear of {first_teeth}",
         second_teeth=mesh.second_teeth,
         first_teeth=mesh.first_teeth,
         code="no-room",
@@ -140,7 +143,7 @@ def _require_mesh(mesh: Mesh) -> None:
 
 
 class Motion:
-    """Every speed as an exact multiple of those given."""
+    """Every speed as an exact multiple of the given ones."""
 
     def __init__(self, known: Known, given: "Mapping[str, Pair | None]") -> None:
         self.known = known
@@ -160,7 +163,7 @@ class Motion:
         return self._solved.terms(self._names.index(name))
 
     def relative(self, name: str) -> "Pair | None":
-        """Turns for each turn of the driver, where one speed settles all."""
+        """Turns for each turn of the driver, if one speed determines all."""
         terms, driver = self.terms(name), self.terms(self.known.driver)
         if terms is None or driver is None or len(terms) != 1 or driver[0][0] == 0:
             return None
@@ -183,7 +186,7 @@ class Motion:
         held = f" with {', '.join(known.fixed)} fixed" if known.fixed else ""
         require(
             self.freedom > 0,
-            "the train is locked{held}: its meshes leave no motion for {count} shafts",
+            "the train is locked{held}: its meshes allow no motion of its {count} shafts",
             held=held,
             count=len(self._names),
             code="locked",
@@ -226,18 +229,18 @@ class Motion:
         )
 
     def advice(self) -> tuple[Advice, ...]:
-        """What the motion does not settle, and a driven shaft that stands still."""
-        found = []
+        """Advice on undetermined motion, and on a driven shaft that stands still."""
+        advices = []
         driven = self.relative(self.known.driven) if self.known.driven else None
         if driven is not None and driven[0] == 0:
             message = worded("{driven} stands still whatever the driver does", driven=self.known.driven)
-            found.append(Advice("driven-stands", message, "serious", result="ratio"))
+            advices.append(Advice("driven-stands", message, "serious", result="ratio"))
         loose = [name for name in self._names if self.terms(name) is None]
         if loose:
-            found.append(
+            advices.append(
                 Advice("loose-shafts", worded("the motion of {names} is not determined", names=", ".join(loose)))
             )
-        return tuple(found)
+        return tuple(advices)
 
 
 def rolling_speed(mesh: Mesh, motion: Motion) -> "Pair | None":

@@ -116,9 +116,9 @@ def _stages(arrangement: Stages) -> Panel:
     return Panel(MODULES, MODULES, tuple(items), equal=True, bare=True)
 
 
-def ratio_picture(made: "Any", *, target: "Any" = None, **_: "Any") -> Picture:
-    """The best train's gears in mesh, and how far the best trains miss the ratio."""
-    best = made.best
+def ratio_picture(result: "Any", *, target: "Any" = None, **_: "Any") -> Picture:
+    """The best train's gears in mesh, and the errors of the best trains."""
+    best = result.best
     names = tuple(one.stages for one in best)
     misses = [1e6 * float(one.error_value) for one in best]
     bars = Bars(names, [min(miss, 0.0) for miss in misses], [max(miss, 0.0) for miss in misses])
@@ -129,5 +129,5 @@ def ratio_picture(made: "Any", *, target: "Any" = None, **_: "Any") -> Picture:
         panels.append(Panel(Axis("teeth of all wheels together"), Axis("train"), (bars,)))
     panels.insert(0, _stages(Stages(best[0].stages)))
     title = "Gear trains for a ratio" + (f" of {target[0] / target[1]:.9g}" if target is not None else "")
-    subtitle = f"Best of {made.considered} trains: {best[0].stages}; standard teeth of one module"
+    subtitle = f"Best of {result.considered} trains: {best[0].stages}; standard teeth of one module"
     return Picture(tuple(panels), title, subtitle=subtitle)

@@ -1,4 +1,4 @@
-"""Whether the planets of a planetary set can be put in, where, and how much room they leave one another."""
+"""Assembly of a planetary set: possible places of the planets, and the gaps between them."""
 
 from math import pi, sin
 
@@ -11,19 +11,19 @@ from dynamics_cli.records import Advice, record
 
 @record
 class Assembly:
-    """How the planets go in."""
+    """The assembly of the planets."""
 
     equal_spacing: Annotated[bool, "Whether the planets can be spread evenly."]
     deciding_number: Annotated[
         Text,
         "(z_sun·z_outer + z_ring·z_inner)/(N·gcd) of the planets' teeth, exact; whole when even spacing is possible.",
     ]
-    least_step: Annotated[Angle, "The least angle between two places that can take a planet [rad]."]
+    least_step: Annotated[Angle, "The smallest angle between two places that can take a planet [rad]."]
     places: Annotated[tuple[Text, ...], "The places nearest to even spacing, as exact shares of a turn."]
     largest_shift: Annotated[Angle, "How far the farthest planet is from its even place [rad]."]
     neighbour_clearance: Annotated[Ratio | None, "Gap between the tip circles of the closest neighbours, in modules."]
     neighbour_gap: Annotated[Coordinate | None, "The same as a length [m]."]
-    most_planets: Annotated[int, "How many planets have room."]
+    most_planets: Annotated[int, "Maximum number of planets."]
     centre_mismatch: Annotated[
         Ratio, "Centre distance of the ring's mesh less that of the sun's, both without profile shift, in modules."
     ]
@@ -36,18 +36,18 @@ def basic_ratio(arrangement: Planetary) -> str:
 
 
 def planetary_assembly(arrangement: Planetary) -> Assembly:
-    """Places for the planets and the room between them; refuses planets that touch."""
+    """Places for the planets and the gaps between them; refuses planets that touch."""
     count, steps = arrangement.planets, arrangement.steps
     inner, outer = arrangement.planet_teeth
     require(count > 0, "a planetary set has one planet at least", code="planets")
     require(
         count <= steps,
-        "{count} planets are more than the {steps} places there are",
+        "{count} planets are more than the {steps} possible places",
         count=count,
         steps=steps,
         code="planets-touch",
     )
-    # nearest whole number of steps to each even place, halves downwards
+    # nearest whole number of steps to each evenly spaced place, halves downwards
     chosen = [(2 * index * steps + count - 1) // (2 * count) for index in range(count)]
     gaps = [(other - one) % steps or steps for one, other in zip(chosen, chosen[1:] + chosen[:1], strict=True)]
     shifts = [abs(place * count - index * steps) for index, place in enumerate(chosen)]
@@ -64,7 +64,7 @@ def planetary_assembly(arrangement: Planetary) -> Assembly:
         inner=inner,
         sun=arrangement.sun,
         code="planets-touch",
-        hint="at most {most} planets of {inner} teeth have room about a sun of {sun}",
+        hint="at most {most} planets of {inner} teeth fit about a sun of {sun}",
     )
     module = arrangement.module
     return Assembly(
@@ -115,7 +115,7 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
             Advice(
                 "centre-distances-differ",
                 worded(
-                    "sun and ring meet the planet {mismatch:6} modules apart without profile shift",
+                    "without profile shift the centre distances of sun and ring differ by {mismatch:6} modules",
                     mismatch=(0.5 * mismatch, Ratio),
                 ),
                 "caution" if abs(mismatch) <= 2 else "serious",
@@ -129,7 +129,7 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
 
 
 def _nearest_ring(arrangement: Planetary) -> int | None:
-    """The nearest ring that spreads the planets evenly and leaves them room, or None within a fifth of its teeth."""
+    """The nearest ring that spaces the planets evenly without contact, or None within a fifth of its teeth."""
     sun, ring, count = arrangement.sun, arrangement.ring, arrangement.planets
     for step in range(1, max(ring // 5, 2 * count) + 1):
         for candidate in (ring - step, ring + step):

@@ -1,4 +1,4 @@
-"""The best tooth numbers for a wanted ratio: every train within the limits is looked at, in whole numbers."""
+"""The best tooth numbers for a ratio: exhaustive over every train within the limits, in integers."""
 
 from math import prod
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from dynamics_cli.numerics.exact.rational import Pair
 
 
-# Gears have fewer; more would take minutes.
+# Gears have fewer teeth; more would take minutes.
 MOST_TEETH = 100_000
 
 
@@ -37,10 +37,10 @@ class TrainFound:
 
     stages: Annotated[Text, "Driver and driven teeth of each stage, as `gear train` takes them."]
     ratio: Annotated[Text, "The ratio it gives, exact."]
-    ratio_value: Annotated[Ratio, "The same as a number."]
+    ratio_value: Annotated[Ratio, "The same as a decimal number."]
     error: Annotated[Text, "ratio/target − 1, exact."]
-    error_value: Annotated[Ratio, "The same as a number."]
-    teeth: Annotated[int, "All teeth together."]
+    error_value: Annotated[Ratio, "The same as a decimal number."]
+    teeth: Annotated[int, "Sum of all teeth."]
 
 
 @record
@@ -48,10 +48,8 @@ class RatioFound:
     """The best trains for a ratio."""
 
     best: Annotated[tuple[TrainFound, ...], "The trains, best first."]
-    considered: Annotated[
-        Count, "How many ratios there are within the limits; none of them is nearer than the best shown."
-    ]
-    ratios: Annotated[Text, "How that number comes about."]
+    considered: Annotated[Count, "Number of ratios within the limits; none of them is nearer than the best one shown."]
+    ratios: Annotated[Text, "How that number arises."]
     rejected: Annotated[Count, "Ratios nearer than the last one shown that no train within the constraints gives."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -64,9 +62,9 @@ def ratio(
         ExactRatio, "The wanted ratio, driver speed over driven speed: `365.2422/27.3217`, `3.14159`, `22/7`."
     ],
     stages: Annotated[Count, "Number of gear pairs, 1 to 4."] = 2,
-    teeth: Annotated[WholeRange, "Least and greatest number of teeth."] = (12, 120),
+    teeth: Annotated[WholeRange, "Minimum and maximum number of teeth."] = (12, 120),
     driven_teeth: Annotated[WholeRange | None, "The same for the driven gears, where it differs."] = None,
-    count: Annotated[Count, "How many trains to show."] = 5,
+    count: Annotated[Count, "Number of trains to show."] = 5,
     coprime: Annotated[bool, "Whether the two gears of each pair must have no common factor (hunting teeth)."] = False,
     coaxial: Annotated[
         bool, "Whether all pairs must have one centre distance, the module being the same (reverted train)."
@@ -79,18 +77,18 @@ def ratio(
     distance_tolerance: Annotated[
         Coordinate | None, "How far the centre distance without profile shift may be off, e.g. 0.5 mm [m]."
     ] = None,
-    largest_stage: Annotated[Positive | None, "The greatest ratio (or its inverse) of any pair, e.g. 6."] = None,
+    largest_stage: Annotated[Positive | None, "The largest ratio (or its inverse) of any pair, e.g. 6."] = None,
 ) -> RatioFound:
     """Best tooth numbers of a train for a wanted ratio; exhaustive, with the exact error.
 
     Equation
     --------
-    i = Π z_driven/Π z_driver; all products of the driven teeth are held against all products of the driver teeth.
+    i = Π z_driven/Π z_driver; all products of the driven teeth are compared with all products of the driver teeth.
 
     Returns
     -------
     RatioFound
-        The best trains, how many ratios were considered, and how many nearer ones the constraints rule out.
+        The best trains, the number of ratios considered, and the number of nearer ones that the constraints exclude.
 
     Raises
     ------
@@ -99,7 +97,8 @@ def ratio(
 
     Notes
     -----
-    Products are compared in doubles to pick candidates and ranked as exact fractions; equal errors by fewest teeth.
+    Products are compared in doubles to pick candidates and ranked as exact fractions; equal errors are ordered by
+    fewest teeth.
 
     References
     ----------
@@ -116,7 +115,7 @@ def ratio(
         top * bottom > 0, "no tooth numbers give a ratio of {target:6}", target=(nearest(target), Ratio), code="ratio"
     )
     require(1 <= stages <= 4, "a search over {stages} stages is not offered: 1 to 4", stages=stages, code="stages")
-    require(count > 0, "no train is asked for", code="count")
+    require(count > 0, "the number of trains to show is zero", code="count")
     reach = drivers[0] + driven[0], drivers[-1] + driven[-1]
     sums = _sums(tooth_sum, centre_distance, module, distance_tolerance, reach)
     limits = Limits(coprime, coaxial, sums, largest_stage)
@@ -127,8 +126,8 @@ def ratio(
     else:
         search = Pairs(wanted, drivers, driven, stages, limits)
     search.require_reach()
-    found, rejected = search.best(count)
-    best = [_shown(train, wanted) for train in found]
+    trains, rejected = search.best(count)
+    best = [_shown(train, wanted) for train in trains]
     return RatioFound(
         best=tuple(best),
         considered=search.considered,
@@ -210,7 +209,7 @@ def _shown(train: "Train", target: "Pair") -> TrainFound:
 
 
 def _checks(best: list[TrainFound], target: "Pair") -> tuple[Check, ...]:
-    """The trains multiplied out again from the words that are shown."""
+    """Check the trains by multiplying out the tooth numbers shown."""
     passed = True
     for one in best:
         pairs = [tuple(map(int, pair.split(":"))) for pair in one.stages.split(", ")]

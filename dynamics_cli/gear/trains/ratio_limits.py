@@ -1,4 +1,4 @@
-"""What every train of a search must keep, and how ratios are ranked by their distance from the one wanted."""
+"""Limits that every train of a search must keep, and the ranking of ratios by their distance from the target."""
 
 from math import gcd
 
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 
 # Lists longer than this would take minutes and gigabytes.
 MOST_LISTED = 12_000_000
-# Ratios held against the constraints, best first, before they are said to be out of reach.
+# Ratios tested against the constraints, best first, before they are declared out of reach.
 MOST_LOOKED_AT = 60_000
 
 
 class Limits:
-    """What every pair of a train must keep."""
+    """Limits that every pair of a train must keep."""
 
     def __init__(self, coprime: bool, coaxial: bool, sums: range | None, largest: float | None) -> None:
         self.coprime = coprime
@@ -31,7 +31,7 @@ class Limits:
         self.largest = largest
 
     def pair(self, driver: int, driven: int) -> bool:
-        """Whether one pair may be."""
+        """Whether a pair is allowed."""
         if self.coprime and gcd(driver, driven) != 1:
             return False
         if self.sums is not None and driver + driven not in self.sums:
@@ -40,7 +40,7 @@ class Limits:
 
 
 def require_between(target: "Pair", least: "Pair", most: "Pair", stages: int) -> None:
-    """Refuse a target outside what the teeth can give."""
+    """Refuse a target outside the range of the teeth."""
     inside = least[0] * target[1] <= target[0] * least[1] and target[0] * most[1] <= most[0] * target[1]
     require(
         inside,
@@ -54,10 +54,10 @@ def require_between(target: "Pair", least: "Pair", most: "Pair", stages: int) ->
     )
 
 
-def require_found(found: object, rejected: int) -> None:
+def require_found(trains: object, rejected: int) -> None:
     """Refuse when no train keeps the limits."""
     require(
-        bool(found),
+        bool(trains),
         "none of the {rejected} nearest ratios can be made within the constraints",
         rejected=rejected,
         code="constraints",
@@ -67,7 +67,7 @@ def require_found(found: object, rejected: int) -> None:
 
 WANTED_AT_FIRST = 60.0
 WIDER = 12.0
-# Doubles order products; what they may hide is added to every reach.
+# Products are ordered as doubles; their rounding is added to every reach.
 HIDDEN = 1e-14
 
 
@@ -77,12 +77,12 @@ def by_distance(values: "object", target: "Pair") -> "list[Pair]":
     pairs: list[Pair] = list(values)  # type: ignore[call-overload]
     if not pairs:
         return []
-    # fine enough that two different errors never become one whole number
+    # fine enough that two different errors never give the same integer
     unit = 4 * max(q for _, q in pairs) ** 2 * bottom * top
     return sorted(pairs, key=lambda pair: (abs(pair[0] * bottom - pair[1] * top) * unit // (pair[1] * top), pair))
 
 
 def beyond(value: "Pair", target: "Pair", reach: float) -> bool:
-    """Whether a ratio is farther off than all ratios are known to."""
+    """Whether a ratio is beyond the range in which all ratios are known."""
     top, bottom = value[0] * target[1], value[1] * target[0]
     return abs(top - bottom) / bottom > reach

@@ -1,4 +1,4 @@
-"""Search for a ratio among products of tooth numbers that are free of each other."""
+"""Search for a ratio among products of independent tooth numbers."""
 
 from bisect import bisect_left, bisect_right
 from math import log
@@ -34,7 +34,7 @@ _MOST_MARKS = 60_000_000
 
 
 class Products:
-    """All products of driver teeth and of driven teeth, sorted; trains are made of the products near the target."""
+    """All products of driver teeth and of driven teeth, sorted; trains are built from the products near the target."""
 
     def __init__(self, target: "Pair", drivers: range, driven: range, stages: int, limits: Limits) -> None:
         self.target = target
@@ -46,19 +46,19 @@ class Products:
 
     @property
     def considered(self) -> int:
-        """How many ratios there are."""
+        """Number of ratios."""
         return len(self.tops) * len(self.bottoms)
 
     @property
     def account(self) -> str:
-        """How that number comes about."""
+        """How that number arises."""
         return (
             f"{len(self.tops)} products of the driven teeth × {len(self.bottoms)} of the drivers: "
             f"every train of {self.stages} pairs"
         )
 
     def require_reach(self) -> None:
-        """The target lies between the least and the greatest ratio."""
+        """Refuse a target outside the smallest and largest ratio."""
         least, most = (self.tops[0], self.bottoms[-1]), (self.tops[-1], self.bottoms[0])
         require_between(self.target, least, most, self.stages)
 
@@ -116,7 +116,7 @@ class Products:
         drivers, driven = self.ranges
         power = 1.0 / self.stages
         for top, bottom in sorted(pairs):
-            # the mean of teeth is not below their geometric mean
+            # the arithmetic mean of teeth is not below their geometric mean
             if best is not None and self.stages * (top**power + bottom**power) >= least:
                 break
             for over in _factorings(top, driven, self.stages):
@@ -184,7 +184,7 @@ def _factorings(number: int, teeth: range, stages: int, least: int = 0) -> "Iter
 
 
 def _paired(over: tuple[int, ...], under: tuple[int, ...], limits: Limits) -> "Train | None":
-    """Drivers paired with driven gears so that every pair keeps the limits; in order of size where that does."""
+    """Drivers paired with driven gears so that every pair keeps the limits; in order of size if that is enough."""
     if not under:
         return ()
     driven, rest = under[0], under[1:]

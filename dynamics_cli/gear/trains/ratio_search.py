@@ -1,4 +1,4 @@
-"""Searches over every train within limits: by products of teeth, or by pairs where their tooth sums are bound."""
+"""Searches over every train within limits: by products of teeth, or by pairs if their tooth sums are constrained."""
 
 from bisect import bisect_left, bisect_right
 from math import prod
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class Pairs:
-    """All pairs of gears whose tooth sums are bound, taken together stage by stage and met in the middle."""
+    """All pairs of gears with constrained tooth sums, combined stage by stage, meeting in the middle."""
 
     def __init__(self, target: "Pair", drivers: range, driven: range, stages: int, limits: Limits) -> None:
         self.target = target
@@ -52,7 +52,7 @@ class Pairs:
 
     @property
     def considered(self) -> int:
-        """How many trains there are."""
+        """Number of trains."""
         return sum(_count(len(pairs), self.stages) for pairs in self._groups)
 
     @property
@@ -81,20 +81,20 @@ class Pairs:
         """Every ratio whose relative error is at most `reach`, with its train of fewest teeth."""
         aim = nearest(self.target)
         low, high = aim * (1.0 - reach - HIDDEN), aim * (1.0 + reach + HIDDEN)
-        found: dict[Pair, Train] = {}
+        trains: dict[Pair, Train] = {}
         for short, long in self._halves:
             sizes = [size for size, _ in long]
             for size, train in short:
                 for place in range(bisect_left(sizes, low / size), bisect_right(sizes, high / size)):
                     whole = tuple(sorted(train + long[place][1]))
                     value = lowest(prod(b for _, b in whole), prod(a for a, _ in whole))
-                    known = found.get(value)
+                    known = trains.get(value)
                     if known is None or (_teeth(whole), whole) < (_teeth(known), known):
-                        found[value] = whole
-        return found
+                        trains[value] = whole
+        return trains
 
     def best(self, count: int) -> "tuple[list[Train], int]":
-        """The trains of the `count` best ratios; pairs that break a limit are not listed in the first place."""
+        """The trains of the `count` best ratios; pairs that violate a limit are not listed at all."""
         reach = (WANTED_AT_FIRST + 4.0 * count) / self.considered
         while True:
             reach = min(reach, 1.0)
@@ -107,7 +107,7 @@ class Pairs:
 
 
 def _sum_groups(drivers: range, driven: range, limits: Limits) -> "Iterator[range]":
-    """Tooth sums that pairs of one train may have together."""
+    """Possible combinations of the tooth sums of a train's pairs."""
     least, most = drivers[0] + driven[0], drivers[-1] + driven[-1]
     allowed = limits.sums if limits.sums is not None else range(least, most + 1)
     if not limits.coaxial:
@@ -118,7 +118,7 @@ def _sum_groups(drivers: range, driven: range, limits: Limits) -> "Iterator[rang
 
 
 def _count(pairs: int, stages: int) -> int:
-    """How many multisets of `stages` there are."""
+    """Number of multisets of `stages`."""
     count = 1
     for index in range(stages):
         count = count * (pairs + index) // (index + 1)
@@ -126,7 +126,7 @@ def _count(pairs: int, stages: int) -> int:
 
 
 def _part_trains(pairs: "list[Stage]", stages: int) -> "list[tuple[float, Train]]":
-    """Every choice of that many pairs, order apart, by its ratio as a double."""
+    """Every combination of that many pairs, regardless of order, with its ratio as a double."""
     trains: list[tuple[Train, int]] = [((), 0)]
     for _ in range(stages):
         trains = [((*train, pairs[place]), place) for train, start in trains for place in range(start, len(pairs))]

@@ -1,4 +1,4 @@
-"""What a gear train is made of, however it is written: shafts, meshes and what is done with the shafts."""
+"""The elements of a gear train, however it is written: shafts, meshes and givens of the shafts."""
 
 from itertools import pairwise
 from math import gcd
@@ -30,7 +30,7 @@ class Mesh:
 
 @record
 class Stages:
-    """A train whose axes the frame holds, stage after stage."""
+    """A train with fixed axes, stage after stage."""
 
     stages: Annotated[
         Text,
@@ -40,7 +40,7 @@ class Stages:
 
     def meshes(self) -> tuple[Mesh, ...]:
         """The meshes in order."""
-        found: list[Mesh] = []
+        meshes: list[Mesh] = []
         shaft = 1
         text = self.stages.replace("×", ":").replace("x", ":").replace(" ", "").replace(";", ",")
         for stage in text.split(","):
@@ -52,9 +52,9 @@ class Stages:
                 code="stage",
             )
             for one, other in pairwise(teeth):
-                found.append(_external_first(str(shaft), one, str(shaft + 1), other))
+                meshes.append(_external_first(str(shaft), one, str(shaft + 1), other))
                 shaft += 1
-        return tuple(found)
+        return tuple(meshes)
 
 
 def _whole(word: str, stage: str) -> int:
@@ -89,11 +89,11 @@ class Planetary:
     sun: Annotated[Count, "Teeth of the sun, e.g. 24."]
     ring: Annotated[Count, "Teeth of the ring (an internal gear, its number written positive), e.g. 72."]
     planet: Annotated[
-        Count | None, "Teeth of the planet that meets the sun; (ring − sun)/2 when left out, e.g. 24."
+        Count | None, "Teeth of the planet that meshes with the sun; (ring − sun)/2 if left out, e.g. 24."
     ] = None
-    stepped: Annotated[Count | None, "Teeth of the second gear of a stepped planet, which meets the ring, e.g. 18."] = (
-        None
-    )
+    stepped: Annotated[
+        Count | None, "Teeth of the second gear of a stepped planet, which meshes with the ring, e.g. 18."
+    ] = None
     planets: Annotated[Count, "Number of planets."] = 3
     addendum: Annotated[Positive, "Height of the planets' teeth above their pitch circle, in modules."] = 1.0
     module: Annotated[Module | None, "Module of the sun's mesh, for lengths."] = None
@@ -105,7 +105,7 @@ class Planetary:
             require(self.stepped is None, "a stepped planet needs the teeth of both its gears", code="planet")
             require(
                 self.ring - self.sun >= 2,
-                "a ring of {ring} teeth has no room for a planet about a sun of {sun}",
+                "a ring of {ring} teeth leaves no space for a planet about a sun of {sun}",
                 ring=self.ring,
                 sun=self.sun,
                 code="no-planet",
@@ -132,7 +132,7 @@ class Planetary:
 
     @property
     def steps(self) -> int:
-        """How many evenly spread places about the sun can take a planet (all planets cut alike)."""
+        """Number of evenly spaced places about the sun that can take a planet (all planets cut alike)."""
         inner, outer = self.planet_teeth
         return (self.sun * outer + self.ring * inner) // gcd(inner, outer)
 
@@ -146,7 +146,7 @@ class Network:
 
 @record
 class Shaft:
-    """What is known of a shaft."""
+    """The givens of a shaft."""
 
     name: Annotated[Text, "The shaft."]
     speed: Annotated[ShaftSpeed | None, "Its speed [rad/s]."] = None
@@ -154,6 +154,6 @@ class Shaft:
 
 
 def settled(name: str) -> str:
-    """A shaft's name as it was written; the frame's many names are one, in any case."""
+    """A shaft's name as written; all names of the frame are equivalent, in any capitals."""
     own = name.strip()
     return GROUND if own.lower() in _GROUND_NAMES else own

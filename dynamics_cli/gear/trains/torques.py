@@ -27,22 +27,22 @@ class Forces:
     def _given(self, torque: float | None, power: float | None) -> "dict[str, Pair]":
         known = self.known
         require(torque is None or power is None, "give the torque or the power of the driver, not both", code="torque")
-        found = {one.name: exact(one.torque) for one in known.shafts if one.torque is not None}
+        given = {one.name: exact(one.torque) for one in known.shafts if one.torque is not None}
         if torque is None and power is None:
-            return found
+            return given
         require(
-            known.driver not in found, "the driver {driver} has two torques", driver=known.driver, code="two-torques"
+            known.driver not in given, "the driver {driver} has two torques", driver=known.driver, code="two-torques"
         )
         if torque is not None:
-            found[known.driver] = exact(torque)
-            return found
+            given[known.driver] = exact(torque)
+            return given
         speed = self.motion.speed(known.driver)
         require(speed is not None, "power needs the speed of the driver", code="speed", hint="give --speed")
         assert speed is not None
         assert power is not None
         require(speed[0] != 0, "a driver at rest takes no power", code="speed", hint="give --torque")
-        found[known.driver] = product(exact(power), (speed[1], speed[0]))
-        return found
+        given[known.driver] = product(exact(power), (speed[1], speed[0]))
+        return given
 
     def _solve(self) -> None:
         known = self.known
@@ -57,18 +57,18 @@ class Forces:
         solved = Solved(rows, width, [columns[name] for name in self.given])
         require(
             not solved.conflict,
-            "nothing takes up the torque on {names}",
+            "nothing balances the torque on {names}",
             names=", ".join(self.given),
             code="torque",
             hint="name the driven shaft, or give fewer torques",
         )
-        found = {name: self._value(solved.terms(column)) for name, column in columns.items()}
+        torques = {name: self._value(solved.terms(column)) for name, column in columns.items()}
         forces = [self._value(solved.terms(column)) for column in range(len(known.meshes))]
-        self.open = tuple(name for name, value in found.items() if value is None)
+        self.open = tuple(name for name, value in torques.items() if value is None)
         if self.open or None in forces:
             self.open = self.open or ("the meshes",)
             return
-        self._values = {name: value for name, value in found.items() if value is not None}
+        self._values = {name: value for name, value in torques.items() if value is not None}
         self._mesh_forces = [value for value in forces if value is not None]
 
     def _value(self, terms: "tuple[Pair, ...] | None") -> "Pair | None":
@@ -77,7 +77,7 @@ class Forces:
         return total(product(term, own) for term, own in zip(terms, self.given.values(), strict=True))
 
     def torque(self, name: str) -> "Pair | None":
-        """Torque from outside; none on a shaft that is neither driven nor held."""
+        """Torque from outside; zero on a shaft that is neither driven nor held."""
         return None if self._values is None else self._values.get(name, (0, 1))
 
     def power(self, name: str) -> "Pair | None":
@@ -123,13 +123,13 @@ class Forces:
         return total((largest, (-put_in[0], put_in[1])))
 
     def advice(self) -> tuple[Advice, ...]:
-        """Torques that statics alone does not settle."""
+        """Advice on torques that statics alone does not determine."""
         if not self.open:
             return ()
         where = ", ".join(self.open)
         message = worded(
-            "statics alone does not determine the torque on {where}: the load is shared by parallel ways, or another "
-            "torque is free",
+            "statics alone does not determine the torque on {where}: the load is shared by parallel paths, or "
+            "another torque is free",
             where=where,
         )
         return (Advice("torques-open", message, result="input_power"),)

@@ -1,4 +1,4 @@
-"""Gear trains of any kind, solved exactly: speeds, torques, powers and what keeps a train from moving."""
+"""Gear trains of any kind, solved exactly: speeds, torques, powers and causes of locking."""
 
 from math import isfinite, pi
 
@@ -20,7 +20,7 @@ ONE_ROUNDING = 2.0**-53
 
 @record
 class ShaftMotion:
-    """What one shaft does."""
+    """The motion of one shaft."""
 
     name: Annotated[Text, "The shaft."]
     per_driver: Annotated[Text | None, "Its turns for each turn of the driver, exact."] = None
@@ -32,9 +32,9 @@ class ShaftMotion:
 
 @record
 class MeshMotion:
-    """What goes on in one mesh."""
+    """The motion in one mesh."""
 
-    gears: Annotated[Text, "The shafts and tooth numbers that meet."]
+    gears: Annotated[Text, "The shafts and the tooth numbers in mesh."]
     rolling: Annotated[
         Text | None, "Turns of the first gear against the carrier for each turn of the driver, exact."
     ] = None
@@ -54,7 +54,7 @@ class TrainMotion:
         "Speed of the driver over speed of the driven shaft, exact; negative when they turn against each other.",
     ]
     ratio_value: Annotated[Ratio | None, "The same as a number."]
-    freedom: Annotated[int, "How many speeds may be chosen freely."]
+    freedom: Annotated[int, "Number of speeds that may be chosen freely."]
     basic_ratio: Annotated[
         Text | None, "Planetary: speed of the sun over speed of the ring with the carrier held, exact (Willis)."
     ]
@@ -64,7 +64,7 @@ class TrainMotion:
     ]
     shafts: Annotated[tuple[ShaftMotion, ...], "Every shaft."]
     meshes: Annotated[tuple[MeshMotion, ...], "Every mesh."]
-    assembly: Annotated[Assembly | None, "Planetary: whether the planets can be put in, and where."] = None
+    assembly: Annotated[Assembly | None, "Planetary: whether the planets can be assembled, and where."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -100,8 +100,8 @@ def train(
     Raises
     ------
     InadmissibleError
-        When the train is locked, its motion is not settled by what is given, planets touch or cannot be put in, or a
-        shaft is not of the train.
+        When the train is locked, its motion is not determined, planets touch or cannot be assembled, or a shaft is
+        unknown.
 
     Notes
     -----
@@ -178,7 +178,7 @@ def _finite(value: float) -> float:
 
 
 def _checks(known: Known, shafts: tuple[ShaftMotion, ...]) -> tuple[Check, ...]:
-    """Willis' equation of every mesh, and the balance of power, from the numbers that were returned."""
+    """Check Willis' equation of every mesh and the power balance with the returned numbers."""
     speeds = {one.name: one.speed if one.speed is not None else one.turns for one in shafts}
     speeds[GROUND] = 0.0
     worst = 0.0

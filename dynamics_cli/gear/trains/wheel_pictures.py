@@ -13,16 +13,16 @@ if TYPE_CHECKING:
 
 X, Y = Axis("x", Coordinate), Axis("y", Coordinate)
 STEPS = 72
-# A wheel smaller than this share of the other has its words beside it.
+# A wheel smaller than this share of the other is labelled beside it.
 SMALL = 0.5
 
 
 def wheels(
-    made: "Any", *, first_diameter: float, second_diameter: float, drive: str = "external", **_: "Any"
+    result: "Any", *, first_diameter: float, second_diameter: float, drive: str = "external", **_: "Any"
 ) -> Picture:
     """Both wheels to scale, rolling on one another or with their belt, and the main results."""
     radii = 0.5 * first_diameter, 0.5 * second_diameter
-    distance, drive = float(made.centre_distance), str(drive)
+    distance, drive = float(result.centre_distance), str(drive)
     items: list[Any] = []
     for role, (at, radius) in enumerate(zip(((0.0, 0.0), (distance, 0.0)), radii, strict=True)):
         edge = circle(at, radius, "", "filled", role)
@@ -39,15 +39,15 @@ def wheels(
     rows = [
         (name, symbol, worded("{value:6}", value=(float(value), kind)))
         for name, symbol, value, kind in (
-            ("ratio", "i", made.ratio, Ratio),
-            ("speed of the driven wheel", "n_2", made.second_speed, ShaftSpeed),
-            ("rim speed", "v", made.rim_speed, Speed),
-            ("belt length", "L", made.belt_length, Size),
-            ("wrap of the driver", "θ_1", made.first_wrap, Angle),
-            ("tight side", "F_1", made.tight_tension, Force),
-            ("slack side", "F_2", made.slack_tension, Force),
-            ("force that presses them together", "F_n", made.normal_force, Force),
-            ("torque on the driven wheel", "T_2", made.second_torque, Torque),
+            ("ratio", "i", result.ratio, Ratio),
+            ("speed of the driven wheel", "n_2", result.second_speed, ShaftSpeed),
+            ("rim speed", "v", result.rim_speed, Speed),
+            ("belt length", "L", result.belt_length, Size),
+            ("wrap of the driver", "θ_1", result.first_wrap, Angle),
+            ("tight side", "F_1", result.tight_tension, Force),
+            ("slack side", "F_2", result.slack_tension, Force),
+            ("force that presses them together", "F_n", result.normal_force, Force),
+            ("torque on the driven wheel", "T_2", result.second_torque, Torque),
         )
         if value is not None
     ]
@@ -57,8 +57,8 @@ def wheels(
         "open-belt": "Open belt drive",
         "crossed-belt": "Crossed belt drive",
     }
-    ratio = worded("{title}, i = {ratio}", title=titles.get(drive, drive), ratio=(float(made.ratio), Ratio))
-    wraps = (made.first_wrap, made.second_wrap)
+    ratio = worded("{title}, i = {ratio}", title=titles.get(drive, drive), ratio=(float(result.ratio), Ratio))
+    wraps = (result.first_wrap, result.second_wrap)
     subtitle = "To scale"
     if all(wrap is not None for wrap in wraps):
         subtitle += "; the belt wraps " + " and ".join(f"{degrees(float(wrap)):.4g}°" for wrap in wraps)

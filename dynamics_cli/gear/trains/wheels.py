@@ -3,6 +3,7 @@
 from math import pi
 
 from dynamics_cli.errors import require, require_given, worded
+from dynamics_cli.gear.load import torque_of
 from dynamics_cli.numerics.elementary import absolute, acos, asin, exp, pi_beside, sqrt
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
@@ -22,7 +23,7 @@ from dynamics_cli.records import Advice, Check, Choice, record
 
 
 class Drive(Choice):
-    """How one wheel turns the other."""
+    """Type of drive between the wheels."""
 
     names = ("external", "internal", "open-belt", "crossed-belt")
     aliases = {"contact": "external", "rolling": "external", "belt": "open-belt"}  # noqa: RUF012
@@ -41,7 +42,7 @@ class WheelsData:
     first_wrap: Annotated[Angle | None, "Angle of wrap on the first wheel [rad]."]
     second_wrap: Annotated[Angle | None, "Angle of wrap on the second wheel [rad]."]
     tension_ratio: Annotated[
-        Ratio | None, "Tight over slack tension when the belt is about to slip, after what the belt's weight takes."
+        Ratio | None, "Tight over slack tension when the belt is about to slip, both less the centrifugal tension."
     ]
     tight_tension: Annotated[Force | None, "Tension of the tight side that just carries the load [N]."]
     slack_tension: Annotated[Force | None, "Tension of the slack side then [N]."]
@@ -86,8 +87,8 @@ def wheels(
     Raises
     ------
     InadmissibleError
-        When a wheel has no diameter, a belt's wheels overlap, rolling wheels are not as far apart as their radii say,
-        or a load is to be carried without friction.
+        When a wheel has no diameter, a belt's wheels overlap, the distance of rolling wheels does not match their
+        radii, or a load is given without friction.
 
     Notes
     -----
@@ -104,11 +105,11 @@ def wheels(
     1.6484
     """
     first, second = 0.5 * first_diameter, 0.5 * second_diameter
-    require((first > 0.0) & (second > 0.0), "a wheel without a diameter does not roll", code="diameter")
+    require((first > 0.0) & (second > 0.0), "a wheel needs a diameter above zero", code="diameter")
     belt = drive in ("open-belt", "crossed-belt")
     opposite = drive in ("external", "crossed-belt")
     ratio = -second / first if opposite else second / first
-    load = _load(torque, power, speed)
+    load = torque_of(torque, power, speed)
     rim = None if speed is None else absolute(speed) * first
     force = None if load is None else absolute(load) / first
     length = span = tension = tight = slack = normal = None
@@ -122,7 +123,7 @@ def wheels(
     else:
         distance = _rolling(first, second, centre_distance, drive)
     if force is not None and friction is not None:
-        require(friction > 0.0, "without friction nothing is carried", code="friction")
+        require(friction > 0.0, "without friction no load is carried", code="friction")
         if belt:
             lifted = 0.0 if rim is None else belt_mass * rim * rim
             slack = force / (tension - 1.0) + lifted  # type: ignore[operator]
@@ -153,7 +154,7 @@ def wheels(
 def _belt(first: float, second: float, distance: float | None, drive: str) -> tuple[float, float, tuple[float, float]]:
     """Centre distance, free span and both wraps of a belt."""
     require_given(
-        distance is not None, "a belt needs the distance of the axes", ("centre_distance",), code="no-distance"
+        distance is not None, "a belt needs the distance between the axes", ("centre_distance",), code="no-distance"
     )
     apart: float = distance  # type: ignore[assignment]
     require(
@@ -190,21 +191,8 @@ def _rolling(first: float, second: float, distance: float | None, drive: str) ->
     return apart
 
 
-def _load(torque: float | None, power: float | None, speed: float | None) -> float | None:
-    require(torque is None or power is None, "torque and power are both given", code="load", hint="give one of them")
-    if power is None:
-        return torque
-    require(
-        speed is not None and absolute(speed) > 0.0,
-        "a power needs a speed to become a torque",
-        code="speed",
-        hint="give --speed",
-    )
-    return power / absolute(speed)  # type: ignore[arg-type]
-
-
 def _checks(first: float, second: float, wraps: "tuple[float | None, float | None]", drive: str) -> tuple[Check, ...]:
-    """A closed belt turns by one full turn, or by none when it crosses."""
+    """Check that a closed belt turns by one full turn, or by zero if it is crossed."""
     total = plain(wraps[0]) + (-plain(wraps[1]) if drive == "crossed-belt" else plain(wraps[1]))
     residual = abs(total - (0.0 if drive == "crossed-belt" else 2.0 * pi))
     return (Check("turns of the belt", residual <= 1e-14, residual, 1e-14),)

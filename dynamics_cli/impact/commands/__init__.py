@@ -1,7 +1,7 @@
 """The tasks of `dynamics impact`."""
 
 from dynamics_cli.core.answering.task import Family
-from dynamics_cli.impact.commands import crash, evidence, light, particles, rigid
+from dynamics_cli.impact.commands import crash, evidence, light, particles, rigid, slide
 
 FAMILIES = {
     "impact": Family(
@@ -10,6 +10,7 @@ FAMILIES = {
         *particles.TASKS,
         *rigid.TASKS,
         *crash.TASKS,
+        *slide.TASKS,
         *evidence.TASKS,
         *light.TASKS,
     )

@@ -9,9 +9,9 @@ ONE_ROAD = "one surface is one friction, for every vehicle and phase that refers
 
 CRASH = Task(
     "crash",
-    "A whole two-car crash from one scene: before, impact and after, as one model.",
+    "A complete two-car crash from one scene: before, impact and after, as one model.",
     Model(
-        "slides, then momentum and energy on one line, then the ways before",
+        "slides, then momentum and energy on one line, then the approach phases",
         "dynamics_cli.impact.crash.solve:crash_with_energy",
         source=BOOK,
         formula="after: u² = u_e² + 2·g·Σ f·d; impact: u² = w² + 2·E/m_r; before: v₀² = v² + 2·g·f·d",
@@ -19,7 +19,7 @@ CRASH = Task(
         suffices="dynamics_cli.impact.crash.solve:energy_suffices",
     ),
     Model(
-        "slides, then momentum, then the ways before",
+        "slides, then momentum, then the approach phases",
         "dynamics_cli.impact.crash.solve:crash",
         source=BOOK,
         formula="after: u² = u_e² + 2·g·Σ f·d; impact: m₁·v₁ + m₂·v₂ = m₁·u₁ + m₂·u₂; before: v₀² = v² + 2·g·f·d",

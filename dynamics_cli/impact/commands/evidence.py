@@ -1,4 +1,4 @@
-"""Tasks of `dynamics impact`: approach from what vehicles did afterwards, or recorded."""
+"""Tasks of `dynamics impact`: approach motion from the motion after the impact, or from a recorder."""
 
 from dynamics_cli.core.answering.task import Model, Task
 
@@ -10,7 +10,16 @@ EXITS = "the motion after is that of the mass centres just after the impact"
 
 INVERSE = Task(
     "inverse",
-    "Approach speeds from the motion after the impact, spins among it.",
+    "Approach speeds from the motion after the impact, including spins.",
+    Model(
+        "least squares to rest positions",
+        "dynamics_cli.impact.inverse.task:by_rest",
+        source=BRACH + ": planar impact mechanics",
+        formula="Σ ((rest(v₁, v₂, …) − measured)/σ)² = {chi_squared|χ²} → minimum",
+        assumptions=(SHORT, POINT, "errors of the measurements are independent and normal"),
+        method="Gauss–Newton by QR of the scaled matrix, impact and slides driven forward",
+        suffices="dynamics_cli.impact.inverse.task:rests_given",
+    ),
     Model(
         "momentum alone",
         "dynamics_cli.impact.inverse.task:by_momentum",
@@ -63,9 +72,10 @@ INVERSE = Task(
         "probability: agreement P(χ²)",
         "restitution: implied restitution e",
         "impulse_ratio: implied ratio p_t/p_n",
+        "least_certain: least certain",
     ),
-    notes="Restitution is small, so the motion after hardly contains the closing speed: give approach headings, or the "
-    "spins before the impact, which are zero where vehicles drove straight.",
+    notes="Restitution is small, so the motion after the impact says little about the closing speed: give approach "
+    "headings, or the spins before the impact, which are zero for vehicles that drove straight.",
 )
 
 RECORD = Task(
@@ -117,4 +127,40 @@ RECORD = Task(
     ),
 )
 
-TASKS: "tuple[Task, ...]" = (INVERSE, RECORD)
+PULSE = Task(
+    "pulse",
+    "A recorded crash pulse: greatest ΔV, whether it had ended, the car's turn taken out.",
+    Model(
+        "samples of a recorder",
+        "dynamics_cli.impact.recorded.pulse:pulse",
+        source="49 CFR 563.7 and 563.8",
+        formula="ψ = ∫ ω dt; ΔV = Σ R(ψ)·dv in the axes of the start",
+        assumptions=("ΔV changes uniformly between samples", "the recorder is at the mass centre"),
+        method="sums over the samples",
+    ),
+    arrays=False,
+    tracked=False,
+    plot="dynamics_cli.impact.recorded.pictures:pulse",
+    table="rows",
+    examples=(
+        'dynamics impact pulse --longitudinal "0, -1, -4, -9, -16, -22, -29, -35, -40, -43, -44, -45, -45, -45 km/h" '
+        '--lateral "0, 0, 1, 1, 3, 4, 5, 6, 6, 7, 7, 7, 7, 7 km/h"',
+        'dynamics impact pulse --longitudinal "0, -1, -4, -9, -16, -22, -29, -35, -40, -43, -44, -45, -45, -45 km/h" '
+        '--yaw-rate "0, 1, 4, 17, 33, 49, 64, 80, 93, 103, 107, 109, 109, 109 deg/s" --friction 0.7 -q',
+    ),
+    headline=(
+        "delta_v: greatest ΔV",
+        "delta_v_low: at least",
+        "delta_v_high: at most",
+        "time: reached after",
+        "delta_v_longitudinal: along the nose at the start",
+        "delta_v_lateral: across it",
+        "duration: duration of the pulse",
+        "mean_acceleration: mean acceleration",
+        "greatest_acceleration: greatest over one interval",
+        "turned: turned meanwhile",
+        "tyres: tyres can have added",
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (INVERSE, RECORD, PULSE)

@@ -76,7 +76,7 @@ OBLIQUE = Task(
     ),
 )
 
-# With masses that were given, and with those of given weights.
+# With given masses, and with masses from given weights.
 _PLANE_MOMENTUM = (
     "{{first.approach_speed|v₁}} = ({0}·{{first.exit_speed|u₁}}·sin({{second.approach_heading|α₂}} − "
     "{{first.exit_heading|β₁}}) + {1}·{{second.exit_speed|u₂}}·sin({{second.approach_heading|α₂}} − "
@@ -205,7 +205,7 @@ DROP = Task(
 
 PENDULUM = Task(
     "pendulum",
-    "Ballistic pendulum: speed of a shot from the swing of what it struck.",
+    "Ballistic pendulum: speed of a shot from the swing of the body it struck.",
     Model(
         "momentum in the impact, energy in the swing",
         "dynamics_cli.impact.particles.pendulum:pendulum",
@@ -233,7 +233,7 @@ PENDULUM = Task(
 
 SEIZE = Task(
     "seize",
-    "A moving body of which a point or an axis is suddenly held fast.",
+    "A moving body when a point or an axis of it is suddenly fixed.",
     Model(
         "angular momentum about what is held",
         "dynamics_cli.impact.held.seize:seize",
@@ -242,7 +242,7 @@ SEIZE = Task(
             "ω' = H_O/I_O; {energy_lost|E} = ½·{plate_mass|m}·Δv² + ½·Δω·I_G·Δω",
             "ω' = H_O/I_O; {energy_lost|E} = ½·{mass|m}·Δv² + ½·Δω·I_G·Δω",
         ),
-        assumptions=(SHORT, "what holds the body does not move, slip or rebound"),
+        assumptions=(SHORT, "the support does not move, slip or rebound"),
     ),
     plot=SWINGS + "seize",
     examples=(
@@ -264,7 +264,7 @@ SEIZE = Task(
 
 STEP = Task(
     "step",
-    "A rolling wheel that meets a step: the least speed to get over, and what the impact leaves.",
+    "A rolling wheel that meets a step: the minimum speed to get over it, and the motion after the impact.",
     Model(
         "impact about the edge, then energy",
         "dynamics_cli.impact.held.step:step",
@@ -280,7 +280,7 @@ STEP = Task(
         "--units us",
     ),
     headline=(
-        "least_speed: least speed to get over",
+        "least_speed: minimum speed to get over",
         "gets_over: gets over",
         "speed_on_step: speed on the step",
         "greatest_rise: greatest rise",
@@ -299,7 +299,7 @@ CHAIN = Task(
         source=BOOK + "9.10, pair by pair; Moreau (1988) for contacts at one moment",
         formula="pair: p = (1 + {restitution|e})·m_r·u; "
         "at one moment: p = (1 + e)·c, K·c ≥ u, c ≥ 0, one of them an equality",
-        assumptions=(SHORT, "all bodies touch; rigid bodies do not decide which law holds"),
+        assumptions=(SHORT, "all bodies touch; rigid-body theory does not decide which law holds"),
     ),
     examples=(
         'dynamics impact chain --body "mass=1 kg, velocity=1 m/s" --body "mass=1 kg" --body "mass=1 kg" '

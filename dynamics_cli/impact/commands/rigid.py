@@ -90,7 +90,7 @@ SPATIAL = Task(
     ),
     plot=PICTURES + "spatial",
     examples=(
-        'dynamics impact spatial --first-mass "2 kg" --first-inertia "[[0.02, 0, 0], [0, 0.03, 0.004], [0, 0.004, '
+        'dynamics impact spatial --first-mass "2 kg" --first-inertia "[[0.02,0,0],[0,0.03,0.004],[0,0.004,'
         '0.04]] kg*m^2" --first-lever "0.1, 0.05, -0.2 m" --first-velocity "3, 1, -4 m/s" --first-spin "0, 5, 2 rad/s" '
         '--second-fixed --normal "0, 0, -1" --friction 0.4 --restitution 0.6',
         'dynamics impact spatial --first-mass "1500 kg" --first-inertia "[[500, 0, 0], [0, 2400, 0], [0, 0, 2500]] '
@@ -114,7 +114,7 @@ SPATIAL = Task(
 
 SOLVE = Task(
     "solve",
-    "A scene of two bodies and one contact, by the smallest model that it calls for.",
+    "A scene of two bodies and one contact, by the simplest model that fits it.",
     Model(
         "central, bodies that meet on one line",
         "dynamics_cli.impact.spatial.scene:solve_central",
@@ -136,7 +136,7 @@ SOLVE = Task(
         "dynamics_cli.impact.spatial.scene:solve_planar",
         source=KELLER,
         formula="u' = u + K·p in the plane of normal and slip, {slip_history|history}",
-        assumptions=(SHORT, POINT, "the slip keeps its line"),
+        assumptions=(SHORT, POINT, "the slip stays on one line"),
         method="closed-form Routh–Keller path",
         suffices="dynamics_cli.impact.spatial.scene:planar_suffices",
     ),

@@ -1,4 +1,4 @@
-"""What two links of a crash give alike: the gap between them, in standard deviations where inputs are uncertain."""
+"""Quantities that two links of a crash both give, and the gap between them in standard deviations."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.impact.crash.results import Agreement, CrashCourse
@@ -13,12 +13,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# Beyond so many standard deviations of their gap, two links contradict each other.
+# Beyond this many standard deviations of their gap, two links contradict each other.
 MOST_DEVIATIONS = 3.0
 
 
 class Gap:
-    """An agreement, and what its refusal says."""
+    """An agreement, and the data for its refusal."""
 
     def __init__(self, agreement: Agreement, kind: "Any", one: float, other: float) -> None:
         self.agreement = agreement
@@ -28,20 +28,20 @@ class Gap:
 
 
 def agreements(scene: CrashScene, names: "list[str]", courses: "list[CrashCourse]") -> "list[Gap]":
-    """Every quantity of the scene that was measured and also follows from another link."""
+    """Every quantity that was measured and also follows from another link."""
     gaps: list[Gap] = []
     for name, side, course in zip(names, ("first", "second"), courses, strict=True):
         given = getattr(scene, side)
-        if given.rest is not None and course.rest_position is not None:
+        if given.slide is None and given.rest is not None and course.rest_position is not None:
             gaps.append(_place(name, course.rest_position, given.rest))
-        for what, link, found, recorded in (
+        for what, link, value, recorded in (
             ("speed into the impact", "momentum", course.approach_speed, given.recorded_speed),
             ("ΔV", "momentum", course.delta_v.magnitude, given.recorded_delta_v),
         ):
             if recorded is not None:
-                gap = found - recorded
+                gap = value - recorded
                 entry = Agreement(f"{what} of {name}", link, "record", gap, None, _normalised(gap))
-                gaps.append(Gap(entry, RoadSpeed, found, recorded))
+                gaps.append(Gap(entry, RoadSpeed, value, recorded))
     return gaps
 
 
@@ -56,7 +56,7 @@ def _place(name: str, slid: "tuple[float, float]", measured: "tuple[float, float
 
 
 def _normalised(gap: "Any") -> float | None:
-    """A gap over its standard deviation; None where that is not known or for arrays."""
+    """A gap over its standard deviation; None if that is unknown, or for arrays."""
     if not single(gap):
         return None
     spread = deviation(gap)
@@ -75,7 +75,7 @@ def require_agreement(gaps: "list[Gap]") -> None:
         (entry.normalised or 0.0) <= MOST_DEVIATIONS,
         "{first} and {second} contradict each other on the {quantity}: " + numbers + ", {gap:2} standard deviations",
         code="contradiction",
-        hint="look for the measurement that is wrong, or for a greater uncertainty, in {first} and in {second}",
+        hint="look for a wrong measurement, or for a larger uncertainty, in {first} and in {second}",
         first=entry.one,
         second=entry.other,
         quantity=entry.quantity,
@@ -86,7 +86,7 @@ def require_agreement(gaps: "list[Gap]") -> None:
 
 
 def gap_advice(gaps: "list[Gap]") -> "tuple[Advice, ...]":
-    """What to think of gaps that nothing is known to judge by, and of those beyond two deviations."""
+    """Advice on gaps without known uncertainty, and on gaps beyond two standard deviations."""
     notes: list[Advice] = []
     for gap in gaps:
         entry = gap.agreement
@@ -104,14 +104,14 @@ def gap_advice(gaps: "list[Gap]") -> "tuple[Advice, ...]":
                     first=entry.one, second=entry.other, quantity=entry.quantity,
                     one=(gap.one, gap.kind), other=(gap.other, gap.kind),
                 ),
-                remedy="give the uncertainty of what was measured: it decides whether they contradict each other",
+                remedy="give the uncertainties of the measurements: they decide whether the two contradict each other",
             )
         )  # fmt: skip
     return tuple(notes)
 
 
 def _judged_by_eye(gap: Gap) -> bool:
-    """Whether a gap between exact inputs is worth a word: a tenth of a speed, a metre of a position."""
+    """Whether a gap between exact inputs deserves advice: a tenth of a speed, a metre of a position."""
     if not single(gap.one, gap.other):
         return False
     if gap.kind is Length:

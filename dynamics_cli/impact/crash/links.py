@@ -1,23 +1,25 @@
-"""Verdicts of the links of a crash, and which of them is the weakest."""
+"""Verdicts of the links of a crash, and the weakest of them."""
 
 from math import inf
 
 from dynamics_cli.impact.crash.results import LinkVerdict
-from dynamics_cli.impact.crash.ways import After, Before, added
 from dynamics_cli.impact.reconstruction.momentum_records import MomentumResult
-from dynamics_cli.impact.reconstruction.momentum_verdict import CAUTION, GOOD, LEVELS
-from dynamics_cli.numerics.elementary import absolute, minimum, where
+from dynamics_cli.impact.reconstruction.momentum_verdict import CAUTION, DEGREE, GOOD, HALF_TURN, LEVELS
+from dynamics_cli.numerics.elementary import absolute, minimum, summed, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import secant
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.impact.crash.ways import After, Before
     from dynamics_cli.numerics.road.leg import Leg
     from dynamics_cli.numerics.road.phases import Phase
 
-# Friction is known to a tenth where it was measured on the road; to three hundredths nowhere.
+# Friction is known to a tenth if measured on the road; never to three hundredths.
 GOOD_FRICTION, CAUTION_FRICTION = 0.1, 0.03
-# No error of friction matters to a speed that this much of it does not change by a tenth.
+# If this relative error of friction does not change a speed by a tenth, no error of friction matters.
 NO_MATTER = 1.0
 
 
@@ -29,26 +31,51 @@ def verdicts(
     for name, slide in zip(names, slides, strict=True):
         if slide.surfaces:
             assert slide.speed is not None
-            grip = slide.gravity * added(
+            grip = slide.gravity * summed(
                 [one.braking * one.friction * one.distance / secant(one.grade) for one in slide.grounds]
             )
             links.append(_by_friction(f"slide of {name}", slide.speed, grip))
+        elif slide.spinning is not None:
+            links.append(_by_friction(f"slide of {name}", slide.spinning.speed, slide.gravity * slide.work))
     for name, body in zip(names, (meeting.first, meeting.second), strict=True):
         if body.determined is not None:
-            found = body.determined
+            verdict = body.determined
             links.append(
-                LinkVerdict(f"impact, {name}", found.verdict, found.worst_heading or "", None, found.heading_tolerance)
+                LinkVerdict(
+                    f"impact, {name}",
+                    verdict.verdict,
+                    _called(verdict.worst_heading or "", names),
+                    None,
+                    verdict.heading_tolerance,
+                    _per_degree(body, verdict.heading_tolerance),
+                )
             )
     for name, way in zip(names, ways, strict=True):
         braked = [(leg, phase) for leg, phase in zip(way.legs, way.phases, strict=True) if phase.friction is not None]
         if braked:
-            grip = added([_grip(leg, phase, way.gravity) for leg, phase in braked])
-            links.append(_by_friction(f"way of {name} to the impact", way.start_speed, grip))
+            grip = summed([_grip(leg, phase, way.gravity) for leg, phase in braked])
+            links.append(_by_friction(f"braking of {name}", way.start_speed, grip))
     return tuple(links)
 
 
+def _per_degree(body: "Any", tolerance: "Any") -> "Any":
+    """What one degree changes a speed by that the tolerance changes by a tenth; none where no heading does."""
+    if tolerance is None:
+        return None
+    moves = tolerance < HALF_TURN
+    return where(moves, 0.1 * DEGREE * body.approach_speed / where(moves, tolerance, 1.0), 0.0)
+
+
+def _called(address: "Any", names: "list[str]") -> str:
+    """A heading by the vehicle's name: "Opel approach"; of arrays as it is."""
+    side, _, word = str(address).partition(".")
+    if side not in ("first", "second"):
+        return str(address)
+    return f"{names[side == 'second']} {word.removesuffix('_heading').replace('_', ' ')}"
+
+
 def _grip(leg: "Leg", phase: "Phase", gravity: float) -> float:
-    """Half of what the square of the speed at the start grows by, for a friction that is so much larger."""
+    """Half the increase of the squared speed at the start, per relative increase of friction."""
     force = gravity * phase.braking * phase.friction / secant(phase.grade)  # type: ignore[operator]
     if leg.kind == "build-up":
         return 0.5 * force * leg.duration * leg.start
@@ -66,16 +93,16 @@ def _by_friction(link: str, speed: float, grip: float) -> LinkVerdict:
 
 
 def weakest(links: "tuple[LinkVerdict, ...]") -> str:
-    """The link whose tolerance is least beside what such an input is known to; empty for arrays."""
-    if not links or not all(single(one.friction_tolerance, one.heading_tolerance) for one in links):
+    """The link with the smallest tolerance relative to the accuracy of its input; empty for arrays."""
+    if not links or not all(single(one.friction, one.heading) for one in links):
         return ""
 
     def margin(one: LinkVerdict) -> float:
-        if one.heading_tolerance is not None:
-            angle: float = plain(one.heading_tolerance)
+        if one.heading is not None:
+            angle: float = plain(one.heading)
             return angle / (GOOD if angle >= CAUTION else CAUTION)
-        if one.friction_tolerance is None:
-            return inf  # no heading changes it
-        return plain(one.friction_tolerance) / GOOD_FRICTION
+        if one.friction is None:
+            return inf  # no heading affects it
+        return plain(one.friction) / GOOD_FRICTION
 
     return str(min(links, key=margin).link)

@@ -4,9 +4,11 @@ import math
 
 from dynamics_cli.impact.conventions import direction_of
 from dynamics_cli.impact.crash.scene import LENGTH, WIDTH, named
-from dynamics_cli.impact.scene_pictures import about, apart, beside, outline, scales
-from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
-from dynamics_cli.quantities import Length
+from dynamics_cli.impact.crash.spinning import swept
+from dynamics_cli.impact.scene_labels import Words
+from dynamics_cli.impact.scene_pictures import about, apart, finished, lane, outline
+from dynamics_cli.pictures import Arrow, Curve, Mark, Picture
+from dynamics_cli.quantities import STANDARD_GRAVITY
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,26 +20,29 @@ if TYPE_CHECKING:
 ARROW_SHARE = 0.25
 # Half the width between the tracks of a car, beside its width.
 TRACK = 0.4
-CHANGE = 2
+# How far an arrow stands beside a vehicle, in its widths.
+ABEAM = 0.8
+# Inches of the picture.
+WIDE, HIGH = 7.2, 4.6
 
 
-def crash(result: "Any", scene: "Any", **_: "Any") -> Picture:
+def crash(result: "Any", scene: "Any", *, gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
     """Both vehicles through the crash, seen from above."""
-    drawn = _Scene(result, scene)
+    drawn = _Scene(result, scene, gravity)
     north = (0.0, 1.0) if scene.axes == "compass" else None
+    size = "outlines of common size where none is given" if drawn.neutral else "outlines as given"
+    note = f"{size}; lanes 3.5 m wide along the approach headings"
     items = drawn.items()
-    note = "outlines of common size where none is given" if drawn.neutral else "outlines as given"
-    bars = scales(items, drawn.scale, drawn.fastest, north, note)
-    items = [*items, *bars, *_ruler(bars)]
-    title = "the crash to scale: start, impact and rest"
-    return Picture((Panel(Axis("", Length), Axis("", Length), tuple(items), "", equal=True, bare=True),), title,
-                   width=8.0, scene=True)  # fmt: skip
+    panel = finished(items, drawn.words, (WIDE, HIGH), (drawn.scale, drawn.fastest), north, note)
+    title = f"{drawn.names[0]} and {drawn.names[1]}: the crash to scale"
+    subtitle = "start, impact and rest; velocities before dashed, after solid, one scale for all"
+    return Picture((panel,), title, width=WIDE, scene=True, subtitle=subtitle)
 
 
 class _Scene:
     """What is drawn of both vehicles."""
 
-    def __init__(self, result: "Any", scene: "Any") -> None:
+    def __init__(self, result: "Any", scene: "Any", gravity: float) -> None:
         self.given = (scene.first, scene.second)
         self.axes = scene.axes
         self.courses = (result.first, result.second)
@@ -50,7 +55,11 @@ class _Scene:
         reach = [(0.0 if c.start is None else c.start.distance) + (c.slide_distance or 0.0) for c in self.courses]
         speeds = [speed for c in self.courses for speed in (c.approach_speed, c.exit_speed)]
         self.fastest = max(speeds) or 1.0
-        self.scale = max(ARROW_SHARE * max(reach), LENGTH) / self.fastest
+        self.scale = max(ARROW_SHARE * max(reach), 1.3 * LENGTH) / self.fastest
+        self.words: list[Words] = []
+        self.swept = [
+            self._swept(scene, role, gravity) if one.slide is not None else None for role, one in enumerate(self.given)
+        ]
         self.neutral = any(one.length == LENGTH and one.width == WIDTH for one in self.given)
 
     def _way(self, heading: float) -> "Pair":
@@ -58,15 +67,38 @@ class _Scene:
         x, y = direction_of(heading, self.axes)
         return (x, -y) if self.axes == "sae" else (x, y)
 
+    def _swept(self, scene: "Any", role: int, gravity: float) -> "list[tuple[float, float, Pair]]":
+        """Places on the page and directions of the nose along a slide with spin."""
+        flip, centre = -1.0 if self.axes == "sae" else 1.0, self.centres[role]
+        return [
+            (centre[0] + x, centre[1] + flip * y, (math.cos(nose), flip * math.sin(nose)))
+            for x, y, nose in swept(scene, ("first", "second")[role], self.courses[role], gravity)
+        ]
+
+    def _ended(self, role: int) -> "tuple[Pair, Pair]":
+        """Where a vehicle ends on the page, and where its nose points."""
+        way = self.swept[role]
+        if way is not None:
+            return (way[-1][0], way[-1][1]), way[-1][2]
+        return self._shifted(role, self._after(role), self.courses[role].slide_distance), self._after(role)
+
     def items(self) -> "list[Any]":
         """Marks beneath, then outlines, then arrows."""
         roles = (0, 1)
         return [
+            *(self._lane(role) for role in roles),
             *(item for role in roles for item in self._marks(role)),
             *(item for role in roles for item in self._outlines(role)),
             *(item for role in roles for item in self._arrows(role)),
             Mark(0.0, 0.0, "", role=6),
         ]
+
+    def _lane(self, role: int) -> Curve:
+        course = self.courses[role]
+        start = 0.0 if course.start is None else course.start.distance
+        ahead = max((c.slide_distance or 0.0) for c in self.courses)
+        return lane(self.centres[role], self.ways[role], (max(start, self.scale * course.approach_speed) + LENGTH,
+                                                          0.7 * ahead + LENGTH))  # fmt: skip
 
     def _after(self, role: int) -> "Pair":
         return self._way(self.courses[role].exit_heading)
@@ -86,10 +118,11 @@ class _Scene:
             for side in (aside, -aside):
                 x = [point[0] - side * way[1] for point in (begin, end)]
                 y = [point[1] + side * way[0] for point in (begin, end)]
-                items.append(Curve(x, y, "", "thick", 6))
+                items.append(Curve(x, y, "", "track", 6))
         if course.slide_distance:
-            end = self._shifted(role, self._after(role), course.slide_distance)
-            items.append(Curve([self.centres[role][0], end[0]], [self.centres[role][1], end[1]], "", "dotted", role))
+            begin, (end, _) = self.centres[role], self._ended(role)
+            path = self.swept[role] or [(*begin, begin), (*end, end)]
+            items.append(Curve([one[0] for one in path], [one[1] for one in path], "", "dotted", role))
         return items
 
     def _outlines(self, role: int) -> "list[Any]":
@@ -101,17 +134,20 @@ class _Scene:
             items += outline(at, self.ways[role], role, **size)
             back = at[0] - 0.5 * given.length * self.ways[role][0], at[1] - 0.5 * given.length * self.ways[role][1]
             away = -self.ways[role][0], -self.ways[role][1]
-            items.append(beside(back, away, f"{self.names[role]} at its start\n{about(course.start.speed)}", role))
+            self.words.append(Words(back, away, f"{self.names[role]} at its start\n{about(course.start.speed)}", role))
         if course.slide_distance:
-            at = self._shifted(role, self._after(role), course.slide_distance)
-            items += outline(at, self._after(role), role, **size)
+            at, facing = self._ended(role)
+            items += outline(at, facing, role, **size)
+            for x, y, nose in (self.swept[role] or ())[15:-1:15]:
+                body = outline((x, y), nose, role, **size)
+                items += [Curve(one.x, one.y, "", "outline", role) for one in (body[0], body[2])]
             ahead = self._after(role)
             front = at[0] + 0.5 * given.length * ahead[0], at[1] + 0.5 * given.length * ahead[1]
-            items.append(beside(front, ahead, f"{self.names[role]} at rest", role))
+            self.words.append(Words(front, ahead, f"{self.names[role]} at rest", role))
         return items
 
     def _arrows(self, role: int) -> "list[Any]":
-        """Velocities before, dashed, and after, and their difference from the mass centre, on one scale."""
+        """Velocities before, dashed, and after, from the mass centre, on one scale."""
         course, given = self.courses[role], self.given[role]
         way, after, centre = self.ways[role], self._after(role), self.centres[role]
         items: list[Any] = []
@@ -119,38 +155,17 @@ class _Scene:
         before = arriving * way[0], arriving * way[1]
         gone = leaving * after[0], leaving * after[1]
         if course.approach_speed > 0.0:
-            end = centre[0] - 0.55 * given.length * way[0], centre[1] - 0.55 * given.length * way[1]
-            tail = end[0] - before[0], end[1] - before[1]
+            # beside the vehicle, clear of its marks and of where it began, on the side that it does not turn to
+            turn = way[0] * after[1] - way[1] * after[0]
+            side = -math.copysign(ABEAM * given.width, turn)
+            tail = centre[0] - before[0] - side * way[1], centre[1] - before[1] + side * way[0]
             items.append(Arrow(*tail, *before, "", role, dashed=True))
-            clear = _abeam(way, after)
-            middle = [tail[i] + 0.5 * before[i] + 0.6 * given.width * clear[i] for i in (0, 1)]
-            words = f"{self.names[role]} before, {about(course.approach_speed)}"
-            items.append(beside((middle[0], middle[1]), clear, words, role))
+            middle = tail[0] + 0.5 * before[0], tail[1] + 0.5 * before[1]
+            text = f"{self.names[role]} before\n{about(course.approach_speed)}"
+            self.words.append(Words(middle, (-side * way[1], side * way[0]), text, role))
         if course.exit_speed > 0.0:
             items.append(Arrow(*centre, *gone, "", role))
-            side = math.copysign(1.0, after[0] * after[1] or 1.0)
-            clear = side * after[1], -side * after[0]
-            head = [centre[i] + 0.85 * gone[i] + 0.5 * clear[i] for i in (0, 1)]
-            words = f"{self.names[role]} after, {about(course.exit_speed)}"
-            items.append(beside((head[0], head[1]), (clear[0] or 1.0, 0.0), words, role))
-        change = gone[0] - before[0], gone[1] - before[1]
-        if math.hypot(*change) > 0.0:
-            items.append(Arrow(*centre, *change, "", CHANGE))
-            tip = centre[0] + change[0], centre[1] + change[1]
-            items.append(beside(tip, change, f"ΔV {self.names[role]} {about(course.delta_v.magnitude)}", CHANGE))
+            tip = centre[0] + gone[0], centre[1] + gone[1]
+            text = f"{self.names[role]} after\n{about(course.exit_speed)}"
+            self.words.append(Words(tip, (after[1], -after[0]), text, role))
         return items
-
-
-def _abeam(way: "Pair", other: "Pair") -> "Pair":
-    """Across a direction, to the side that another does not turn to."""
-    left = way[0] * other[1] - way[1] * other[0] > 0.0
-    return (way[1], -way[0]) if left else (-way[1], way[0])
-
-
-def _ruler(bars: "list[Any]") -> "list[Any]":
-    """Five metres of the road beneath the scale of velocities."""
-    corner = next((bar for bar in bars if isinstance(bar, Curve)), None)
-    if corner is None:
-        return []
-    x, y = corner.x[0], corner.y[0] - 3.0
-    return [Curve([x, x + 5.0], [y, y], "", "thick", 6), Mark(x, y, "distance: 5 m", (0.1, 4.0), dot=False)]

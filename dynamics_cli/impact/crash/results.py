@@ -3,6 +3,7 @@
 from dynamics_cli.impact.conventions import Conventions
 from dynamics_cli.quantities import (
     Angle,
+    AngularSpeed,
     Annotated,
     Distance,
     Energy,
@@ -38,7 +39,7 @@ class BeforeImpact:
 
 @record
 class CrashDeltaV:
-    """Change of velocity of one vehicle, and where the force came from; `impact momentum` has more of it."""
+    """Change of velocity of one vehicle, and where the force came from; `impact momentum` gives more detail."""
 
     magnitude: Annotated[RoadSpeed, "Size of the change of velocity [m/s]."]
     pdof: Annotated[
@@ -50,11 +51,12 @@ class CrashDeltaV:
 class CrashCourse:
     """One vehicle through the whole crash."""
 
-    start: Annotated[BeforeImpact | None, "Its start; none when it has no phase before the impact."]
+    start: Annotated[BeforeImpact | None, "Its start; absent when it has no phase before the impact."]
     approach_speed: Annotated[RoadSpeed, "Speed just before the impact [m/s]."]
     approach_heading: Annotated[Angle, "Direction of travel just before the impact [rad]."]
     exit_speed: Annotated[RoadSpeed, "Speed just after the impact, where it separates [m/s]."]
     exit_heading: Annotated[Angle, "Direction of travel just after the impact [rad]."]
+    exit_spin: Annotated[AngularSpeed | None, "Yaw rate just after, from a slide with spin; none without [rad/s]."]
     delta_v: Annotated[CrashDeltaV, "Change of velocity in the impact, and where the force came from."]
     slide_distance: Annotated[Distance | None, "Length of the slide; none without one [m]."]
     rest_position: Annotated[PlanarPosition | None, "Where the slide ends, straight along its exit heading [m]."]
@@ -62,7 +64,7 @@ class CrashCourse:
 
 @record
 class CrashEnergy:
-    """Where the kinetic energy of both vehicles went."""
+    """Energy balance of both vehicles."""
 
     start: Annotated[Energy, "Kinetic energy of both where their first phases begin, or at the impact [J]."]
     before: Annotated[Energy, "Lost before the impact to tyres and grade, less what they gained [J]."]
@@ -73,7 +75,7 @@ class CrashEnergy:
 
 @record
 class Course:
-    """One row of the way through the crash."""
+    """One row of the course through the crash."""
 
     vehicle: Annotated[Text, "Whose."]
     what: Annotated[Text, "A phase before the impact, the impact, or the surface of the slide after it."]
@@ -86,24 +88,27 @@ class Course:
 
 @record
 class LinkVerdict:
-    """How far one step of the reconstruction is decided by what was measured."""
+    """How well the measurements determine one step of the reconstruction."""
 
     link: Annotated[Text, "The step: a slide, the impact as one vehicle sees it, or the braking before."]
     verdict: Annotated[Text, "good, caution or undetermined."]
     decided_by: Annotated[Text, "The input that it depends on most."]
-    friction_tolerance: Annotated[
+    friction: Annotated[
         Fraction | None, "Relative error of friction that changes its speed by a tenth; none in the impact [-]."
     ]
-    heading_tolerance: Annotated[
+    heading: Annotated[
         Angle | None, "Error of the worst heading that changes its speed by a tenth; only in the impact [rad]."
     ]
+    per_degree: Annotated[
+        RoadSpeed | None, "What one degree of that heading changes the speed by; only in the impact [m/s]."
+    ] = None
 
 
 @record
 class Agreement:
     """One quantity by two links."""
 
-    quantity: Annotated[Text, "What both give."]
+    quantity: Annotated[Text, "The quantity that both give."]
     one: Annotated[Text, "The first of them."]
     other: Annotated[Text, "The second."]
     speed_gap: Annotated[RoadVelocity | None, "By how much the second is less, for speeds [m/s]."]
@@ -123,7 +128,7 @@ class Crash:
     restitution: Annotated[Ratio, "Separation over closing along the impulse, of the mass centres [-]."]
     angle_condition: Annotated[Ratio | None, "Angle condition of the approach paths, 1 when they are square [-]."]
     energy: Annotated[CrashEnergy, "Energy of the whole crash."]
-    weakest: Annotated[Text, "The link that decides least."]
+    weakest: Annotated[Text, "The weakest link."]
     courses: Annotated[tuple[Course, ...], "Both vehicles through phases, impact and slides."]
     links: Annotated[tuple[LinkVerdict, ...], "The verdict of every link."]
     agreements: Annotated[tuple[Agreement, ...], "Quantities that two links give."]

@@ -1,4 +1,4 @@
-"""A crash as a scene file states it: surfaces, two vehicles before and after, their impact."""
+"""A crash as stated in a scene file: surfaces, two vehicles before and after, their impact."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, BodyName, ByMass, ByWeight, PdofZero
@@ -13,6 +13,7 @@ from dynamics_cli.quantities import (
     Fraction,
     Friction,
     PlanarPosition,
+    Positive,
     RoadSpeed,
     Slope,
     Text,
@@ -22,7 +23,7 @@ from dynamics_cli.records import record
 
 BRAKING = Kind("braking")
 ORIGIN = (0.0, 0.0)
-# A car of common size, where nothing is said of it; the picture says so.
+# A car of common size if no size is given; the picture says so.
 LENGTH, WIDTH = 4.5, 1.8
 
 
@@ -30,7 +31,7 @@ LENGTH, WIDTH = 4.5, 1.8
 class NamedSurface:
     """A surface of the scene, one friction for every vehicle and phase that refers to it."""
 
-    name: Annotated[Text, "What it is called where it is referred to, e.g. road."]
+    name: Annotated[Text, "Name by which it is referred to, e.g. road."]
     friction: Annotated[Friction, "Coefficient of friction between tyre and surface [-]."]
 
 
@@ -67,6 +68,29 @@ class SegmentAfter:
 
 
 @record
+class SlideAfter:
+    """The slide after the impact with its spin, on four wheels, to the rest position and the nose there."""
+
+    rest_nose: Annotated[
+        Angle, "Heading of its nose at rest, whole turns since the impact counted, e.g. 200 deg [rad]."
+    ]
+    front_axle: Annotated[Distance, "From the mass centre ahead to the front axle, e.g. 1.2 m [m]."]
+    rear_axle: Annotated[Distance, "From the mass centre back to the rear axle, e.g. 1.4 m [m]."]
+    track: Annotated[Distance, "Between its left and right wheels, e.g. 1.5 m [m]."]
+    radius_of_gyration: Annotated[Distance, "Radius of gyration of yaw, e.g. 1.35 m [m]."]
+    braking: Annotated[
+        Fraction, "Share of its friction that a wheel's rotation is braked with: 100 % locked, 2 % rolling [-]."
+    ]
+    surface: Annotated[Text | None, "The surface, by name, e.g. road."] = None
+    friction: Annotated[Friction | None, "Friction, where no surface is named [-]."] = None
+    left_front: Annotated[Fraction | None, "The share of the left front wheel, where it differs [-]."] = None
+    right_front: Annotated[Fraction | None, "Of the right front wheel [-]."] = None
+    left_rear: Annotated[Fraction | None, "Of the left rear wheel [-]."] = None
+    right_rear: Annotated[Fraction | None, "Of the right rear wheel [-]."] = None
+    grip_slope: Annotated[Positive, "Slip angle (as its tangent) from which a rolling tyre slides [-]."] = 0.1
+
+
+@record
 class CrashVehicle:
     """A vehicle of the crash; what is left out is unknown."""
 
@@ -84,6 +108,7 @@ class CrashVehicle:
     ] = None
     before: Annotated[tuple[PhaseBefore, ...], "Phases and marks before the impact, in order of time."] = ()
     after: Annotated[tuple[SegmentAfter, ...], "Stretches of the slide after the impact, in order."] = ()
+    slide: Annotated[SlideAfter | None, "The slide with spin to its rest, in place of stretches."] = None
     end_speed: Annotated[RoadSpeed, "Speed where the slide ends; at rest when left out [m/s]."] = 0.0
     rest: Annotated[PlanarPosition | None, "Where its mass centre came to rest, e.g. 7.2, 8.0 m [m]."] = None
     recorded_speed: Annotated[
@@ -98,7 +123,7 @@ class CrashVehicle:
 
 @record
 class ImpactLink:
-    """What is known of the impact itself."""
+    """Known quantities of the impact."""
 
     point: Annotated[
         PlanarPosition, "Where the mass centres are taken to be at the impact, along the axes of the scene [m]."
@@ -127,7 +152,7 @@ class CrashScene:
 
 @record
 class Ground:
-    """A stretch with the friction that it has, its surface looked up."""
+    """A stretch with its friction, taken from its surface if named."""
 
     distance: float
     friction: float
@@ -136,7 +161,7 @@ class Ground:
 
 
 def named(vehicle: CrashVehicle, side: str) -> str:
-    """What a vehicle is called."""
+    """Name of a vehicle."""
     return vehicle.name or f"the {side}"
 
 
@@ -145,7 +170,7 @@ def grounds(scene: CrashScene, side: str) -> "tuple[Ground, ...]":
     listed = []
     for index, part in enumerate(getattr(scene, side).after):
         place = f"{side}.after[{index}]: "
-        friction = _friction(scene, part, place)
+        friction = surface_friction(scene, part, place)
         require(
             friction is not None,
             "{place}neither a surface nor a friction is given",
@@ -162,19 +187,19 @@ def phases(scene: CrashScene, side: str) -> "tuple[Phase, ...]":
     """A vehicle's phases before the impact on their surfaces."""
     listed = []
     for index, part in enumerate(getattr(scene, side).before):
-        friction = _friction(scene, part, f"{side}.before[{index}]: ")
+        friction = surface_friction(scene, part, f"{side}.before[{index}]: ")
         numbers = part.duration, part.distance, part.speed, friction, part.grade, part.braking, part.acceleration
         listed.append(Phase(part.kind, *numbers))
     return tuple(listed)
 
 
-def _friction(scene: CrashScene, part: "PhaseBefore | SegmentAfter", place: str) -> "float | None":
+def surface_friction(scene: CrashScene, part: "PhaseBefore | SegmentAfter | SlideAfter", place: str) -> "float | None":
     """Friction of a stretch: that which it states, or its surface's."""
     if part.surface is None:
         return part.friction
     require(
         part.friction is None,
-        "{place}a surface and a friction both say how it slides",
+        "{place}a surface and a friction are both given",
         code="twice",
         hint="give one of them",
         place=place,

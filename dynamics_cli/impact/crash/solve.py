@@ -28,7 +28,7 @@ def crash(
     *,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Crash:
-    """Speeds of a two-vehicle crash from its start to rest, back from what was measured, as one model of all inputs.
+    """Speeds of a two-vehicle crash from its start to rest, calculated back from the measurements as one model.
 
     Equation
     --------
@@ -44,13 +44,13 @@ def crash(
     Raises
     ------
     InadmissibleError
-        When a link cannot be as given (see `skid speed`, `impact momentum`, `skid timeline`), a surface is not known,
+        When a link is impossible (see `skid speed`, `impact momentum`, `skid timeline`), a surface is unknown,
         or two links give one quantity further apart than three of its standard deviations.
 
     Notes
     -----
-    Every step is the task of its own: `skid speed`, `impact momentum`, `skid timeline`. One surface is one friction: it
-    is counted once in every interval, however many phases refer to it.
+    Every step is the corresponding task: `skid speed`, `impact momentum`, `skid timeline`. One surface is one friction:
+    its uncertainty counts once, however many phases refer to it.
 
     References
     ----------
@@ -81,12 +81,16 @@ def crash_with_energy(
     Equation
     --------
     As `crash`, with u² = w² + 2E/m_r along the line of the impact.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 9.5 and 10.10.
     """
     return _solved(scene, gravity, momentum_and_energy)
 
 
 def energy_suffices(scene: CrashScene, /, **_: object) -> str | None:
-    """Say why the energy route answers."""
+    """Reason why the energy route applies."""
     return None if scene.impact.damage is None else "energies of deformation are given: the vehicles met on one line"
 
 
@@ -107,7 +111,7 @@ def _solved(scene: CrashScene, gravity: float, method: "Callable[..., MomentumRe
     energy, energy_checks = _energy(masses, meeting, slides, ways)
     whole = (courses[0], courses[1], meeting.closing_speed, meeting.restitution, meeting.angle_condition, energy)
     if drawing():
-        # of samples nobody reads tables
+        # tables are not needed for samples
         return Crash(*whole, "", (), (), (), meeting.conventions)
     rows: list[Course] = []
     for name, mass, body, slide, way in zip(names, masses, bodies, slides, ways, strict=True):
@@ -129,14 +133,16 @@ def _solved(scene: CrashScene, gravity: float, method: "Callable[..., MomentumRe
 
 
 def _met(scene: CrashScene, slide: After) -> Vehicle:
-    """A vehicle as the impact sees it."""
+    """A vehicle in the form that the impact takes."""
     given = getattr(scene, slide.side)
     heading = given.exit_heading
-    if heading is None and given.rest is not None:
+    if slide.spinning is not None:
+        heading = slide.spinning.heading
+    elif heading is None and given.rest is not None:
         away = given.rest[0] - scene.impact.point[0], given.rest[1] - scene.impact.point[1]
         require(
             (away[0] != 0.0) | (away[1] != 0.0),
-            "{side}: it came to rest at the point of impact, so its course after it is not known",
+            "{side}: it came to rest at the point of impact, so its exit heading is not known",
             code="no-heading",
             hint="give its exit heading",
             side=slide.side,
@@ -149,20 +155,23 @@ def _met(scene: CrashScene, slide: After) -> Vehicle:
 
 def _course(scene: CrashScene, body: Reconstructed, slide: After, way: Before) -> CrashCourse:
     slid = bool(slide.surfaces)
+    spun = slide.spinning
+    rest = along(scene, body.exit_heading, slide.distance) if slid else None
+    if spun is not None:
+        rest = getattr(scene, slide.side).rest
     start: BeforeImpact | None = way.summary(scene, body.approach_heading)
     change = body.delta_v
     return CrashCourse(
         start, body.approach_speed, body.approach_heading, body.exit_speed, body.exit_heading,
-        CrashDeltaV(change.magnitude, change.pdof),
-        slide_distance=slide.distance if slid else None,
-        rest_position=along(scene, body.exit_heading, slide.distance) if slid else None,
+        None if spun is None else spun.spin, CrashDeltaV(change.magnitude, change.pdof),
+        slide_distance=slide.distance if slid or spun is not None else None, rest_position=rest,
     )  # fmt: skip
 
 
 def _energy(
     masses: "list[float]", meeting: MomentumResult, slides: "list[After]", ways: "list[Before]"
 ) -> "tuple[CrashEnergy, tuple[Check, ...]]":
-    """The energy of the whole: kinetic at both ends, and the work of every link by forces and distances."""
+    """The energy balance: kinetic energy at both ends, and the work of every link from forces and distances."""
     start: float = 0.0
     before: float = 0.0
     after: float = 0.0
@@ -171,7 +180,7 @@ def _energy(
         start = start + 0.5 * mass * (way.start_speed * way.start_speed)
         before = before + mass * way.work
         after = after + mass * (slide.gravity * slide.work)
-        left = slide.end_speed if slide.surfaces else body.exit_speed
+        left = slide.end_speed if slide.surfaces or slide.spinning is not None else body.exit_speed
         remaining = remaining + 0.5 * mass * (left * left)
     energy = CrashEnergy(start, before, meeting.energy_lost, after, remaining)
     spent = before + meeting.energy_lost + after + remaining

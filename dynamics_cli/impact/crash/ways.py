@@ -1,11 +1,12 @@
-"""The ways of the vehicles of a crash before and after the impact: speeds back along them, and forward again."""
+"""Phases of the vehicles before and after the impact: speeds calculated back along them, and forward as a check."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import direction_of
 from dynamics_cli.impact.crash.results import BeforeImpact, Course
 from dynamics_cli.impact.crash.scene import CrashScene, Ground, grounds, phases
+from dynamics_cli.impact.crash.spinning import Spinning
 from dynamics_cli.impact.diagnostics import balance
-from dynamics_cli.numerics.elementary import maximum, sqrt
+from dynamics_cli.numerics.elementary import maximum, sqrt, summed
 from dynamics_cli.numerics.road.drag import drag_advice
 from dynamics_cli.numerics.road.leg import Leg
 from dynamics_cli.numerics.road.phases import Phase, legs
@@ -33,10 +34,15 @@ class After:
         self.end_speed: float = given.end_speed
         self.gravity = gravity
         self.work: float = 0.0
-        if self.grounds:
+        self.spinning: Spinning | None = None
+        if given.slide is not None:
+            self.spinning = Spinning(scene, side, gravity)
+            self.speed = self.spinning.speed
+            self.work = 0.5 * self.spinning.speed * self.spinning.speed / gravity
+        elif self.grounds:
             require(
                 given.exit_speed is None,
-                "{side}: the exit speed is given, and the slide after the impact gives it too",
+                "{side}: the exit speed is given, and the slide after the impact determines it too",
                 code="twice",
                 hint="leave one of them out",
                 side=side,
@@ -47,13 +53,22 @@ class After:
 
     @property
     def distance(self) -> float:
-        """Length of the slide."""
-        total: float = added([surface.distance for surface in self.surfaces])
+        """Length of the slide; straight to the rest of one with spin."""
+        if self.spinning is not None:
+            return self.spinning.distance
+        total: float = summed([surface.distance for surface in self.surfaces])
         return total
 
     def rows(self, name: str, mass: float, scene: CrashScene) -> "list[Course]":
-        """Its surfaces as rows of the whole way."""
+        """Its surfaces as rows of the course."""
         parts = getattr(scene, self.side).after
+        if self.spinning is not None:
+            assert self.speed is not None
+            energy = mass * (self.gravity * self.work)
+            name_of = getattr(scene, self.side).slide.surface
+            what = f"slide with spin, {name_of}" if name_of else "slide with spin"
+            row = Course(name, what, self.speed, 0.0 * self.speed, self.spinning.time, self.distance, energy)
+            return [row]
         return [
             Course(
                 name, f"slide, {part.surface}" if part.surface else "slide", surface.entry_speed, surface.exit_speed,
@@ -63,7 +78,7 @@ class After:
         ]  # fmt: skip
 
     def forward(self, name: str) -> tuple[Check, ...]:
-        """Slide again from the speed after the impact: it must end where it was measured to end."""
+        """Check by sliding forward from the speed after the impact: the end must be the measured one."""
         if not self.surfaces:
             return ()
         assert self.speed is not None
@@ -75,7 +90,7 @@ class After:
         return balance(f"{name} slides forward to its rest", reached, self.distance, reached)
 
     def advice(self) -> tuple[Advice, ...]:
-        """What is odd about its surfaces."""
+        """Advice on implausible surfaces."""
         notes: tuple[Advice, ...] = ()
         for index, ground in enumerate(self.grounds):
             notes += drag_advice(ground.friction, ground.grade, ground.braking, f"{self.side}.after[{index}]: ")
@@ -83,7 +98,7 @@ class After:
 
 
 class Before:
-    """A vehicle's way to the impact, back from its speed there."""
+    """A vehicle's phases before the impact, back from its speed there."""
 
     def __init__(self, scene: CrashScene, side: str, speed: float, gravity: float) -> None:
         self.side = side
@@ -94,27 +109,27 @@ class Before:
 
     @property
     def start_speed(self) -> float:
-        """Speed where it begins, that into the impact without phases."""
+        """Speed at the start; without phases the speed into the impact."""
         return self.legs[0].start if self.legs else self.impact_speed
 
     @property
     def work(self) -> float:
         """Work per mass of all phases against the motion."""
-        return added([_shed(leg) for leg in self.legs]) if self.legs else 0.0
+        return summed([_shed(leg) for leg in self.legs]) if self.legs else 0.0
 
     def summary(self, scene: CrashScene, heading: "float | None") -> BeforeImpact | None:
         """Speeds and places at its start and where it begins to brake."""
         if not self.legs:
             return None
         brake = next((index for index, leg in enumerate(self.legs) if leg.kind in BRAKING), None)
-        distance = added([leg.distance for leg in self.legs])
+        distance = summed([leg.distance for leg in self.legs])
         braking: tuple[Any, Any, Any] = (None, None, None)
         if brake is not None:
             rest = self.legs[brake:]
-            braking = rest[0].start, added([leg.duration for leg in rest]), added([leg.distance for leg in rest])
+            braking = rest[0].start, summed([leg.duration for leg in rest]), summed([leg.distance for leg in rest])
         limit = scene.speed_limit
         return BeforeImpact(
-            self.legs[0].start, added([leg.duration for leg in self.legs]), distance,
+            self.legs[0].start, summed([leg.duration for leg in self.legs]), distance,
             None if heading is None else along(scene, heading, -distance), *braking,
             impact_speed_at_limit=None if limit is None or brake is None else self._from(limit, brake),
         )  # fmt: skip
@@ -126,14 +141,14 @@ class Before:
         return sqrt(maximum(limit * limit - shed, 0.0))
 
     def rows(self, name: str, mass: float) -> "list[Course]":
-        """Its phases as rows of the whole way."""
+        """Its phases as rows of the course."""
         return [
             Course(name, leg.kind, leg.start, leg.end, leg.duration, leg.distance, mass * _shed(leg))
             for leg in self.legs
         ]
 
     def forward(self, name: str) -> tuple[Check, ...]:
-        """Drive again from its start: it must come to the impact with the speed found there."""
+        """Check by driving forward from the start: it must reach the impact with the calculated speed."""
         if not self.legs:
             return ()
         speed = self.legs[0].start
@@ -141,12 +156,12 @@ class Before:
             gained = leg.rate * leg.duration
             speed = speed + (0.5 * gained if leg.kind == "build-up" else gained)
             if leg.kind == "waiting" and following is not None:
-                # who sets out at a walk is taken to have it at once
+                # a walking speed is assumed to be reached at once
                 speed = following.start
         return balance(f"{name} drives forward into the impact", speed, self.impact_speed, self.legs[0].start)
 
     def advice(self) -> tuple[Advice, ...]:
-        """What is odd about its phases."""
+        """Advice on implausible phases."""
         notes: tuple[Advice, ...] = ()
         for index, phase in enumerate(self.phases):
             if phase.friction is not None:
@@ -155,7 +170,7 @@ class Before:
 
 
 def _shed(leg: Leg) -> float:
-    """Work per mass that slows a phase: the deceleration over its distance, of a build-up over its time."""
+    """Work per mass of a phase: deceleration times distance; for a build-up integrated over time."""
     if leg.kind == "build-up":
         lost = 0.5 * leg.rate * leg.duration
         return -lost * (leg.start + 0.5 * lost)
@@ -163,14 +178,6 @@ def _shed(leg: Leg) -> float:
 
 
 def along(scene: CrashScene, heading: float, distance: float) -> "Pair":
-    """A point so far along a heading from the point of impact."""
+    """The point at a distance along a heading from the point of impact."""
     x, y = direction_of(heading, scene.axes)
     return scene.impact.point[0] + distance * x, scene.impact.point[1] + distance * y
-
-
-def added(numbers: "list[Any]") -> "Any":
-    """The sum of one number or more."""
-    total = numbers[0]
-    for number in numbers[1:]:
-        total = total + number
-    return total

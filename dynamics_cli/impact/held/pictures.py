@@ -17,10 +17,12 @@ HALF_ROOT = sqrt(0.5)
 
 
 def pendulum(result: "Any", *, swing: "Any", **_: "Any") -> Picture:
-    """Where the shot's energy goes; the swing, where its length is known."""
+    """Distribution of the shot's energy; the swing, if its length is known."""
     before, lost = float(result.energy_before), float(result.energy_lost)
     bars = Bars(
-        ("in the shot", "lost in the impact", "in what moves after"), [0.0, 0.0, 0.0], [before, lost, before - lost]
+        ("in the shot", "lost in the impact", "in the moving body after"),
+        [0.0, 0.0, 0.0],
+        [before, lost, before - lost],
     )
     panels = [Panel(Axis("kinetic energy", Energy), Axis(""), (bars,))]
     length = getattr(swing, "length", None) or getattr(swing, "centre_distance", None)
@@ -30,7 +32,7 @@ def pendulum(result: "Any", *, swing: "Any", **_: "Any") -> Picture:
 
 
 def _swing(length: float, rise: float) -> Panel:
-    """The mass centre's way up from where it hangs."""
+    """The mass centre's path up from rest."""
     least = 1.0 - rise / length
     # From the half angle: a small rise keeps its angle.
     angle = 2.0 * asin(min(1.0, sqrt(max(0.0, 0.5 * (1.0 - least)))))
@@ -64,7 +66,7 @@ def seize(result: "Any", *, body: "Any", **_: "Any") -> Picture:
             ),
         )
         across, up = (Axis(f"about {'xyz'[k]}", AngularSpeed) for k in (i, j))
-        panels.append(Panel(across, up, items, f"{'xyz'[i]}{'xyz'[j]}", equal=True))
+        panels.append(Panel(across, up, items, f"plane of {'xyz'[i]} and {'xyz'[j]}", equal=True))
     return Picture(tuple(panels), "angular velocity before and after", columns=3)
 
 
@@ -78,7 +80,7 @@ def _spin(body: "Any") -> "Vector":
 
 
 def step(result: "Any", *, radius: float, height: float, speed: "float | None" = None, **_: "Any") -> Picture:
-    """The wheel at the step and on it, and the speeds that decide what it does."""
+    """The wheel at the step and on it, and the speeds that limit its behaviour."""
     back = sqrt(height * (2.0 * radius - height))
     turns = [2.0 * pi * k / STEPS for k in range(STEPS + 1)]
     start = asin(min(1.0, back / radius))

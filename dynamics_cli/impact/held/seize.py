@@ -1,4 +1,4 @@
-"""A moving body of which a point or an axis is suddenly held fast."""
+"""A moving body when a point or an axis of it is suddenly fixed."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, require_sizes
@@ -18,11 +18,11 @@ from dynamics_cli.quantities import (
     InertiaTensor,
     Mass,
     MomentVector,
-    Position,
     ProductOfInertia,
     Ratio,
     Size,
-    Velocity,
+    SpacePosition,
+    SpaceVelocity,
 )
 from dynamics_cli.records import Check, Choice, record
 
@@ -42,7 +42,7 @@ class SquarePlate:
     plate_mass: Annotated[Mass, "Mass of the plate, e.g. 1 kg [kg]."]
     side: Annotated[Size, "Side of the plate, e.g. 1 m [m]."]
     spin: Annotated[AngularSpeed, "Angular velocity about the diagonal, e.g. 10 rad/s [rad/s]."]
-    seized: Annotated[SeizedPart, "What is held: edge or corner."]
+    seized: Annotated[SeizedPart, "The part that is held: edge or corner."]
 
 
 @record
@@ -54,10 +54,10 @@ class AnyBody:
         InertiaTensor, "Inertia about the mass centre, in axes fixed in space at the moment of the impact [kg·m²]."
     ]
     angular_velocity: Annotated[AngularVelocity, "Angular velocity before [rad/s]."]
-    point: Annotated[Position, "The point that is held, from the mass centre, e.g. 0.2, -0.1, 0 m [m]."]
-    velocity: Annotated[Velocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
+    point: Annotated[SpacePosition, "The point that is held, from the mass centre, e.g. 0.2, -0.1, 0 m [m]."]
+    velocity: Annotated[SpaceVelocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
     axis: Annotated[
-        Direction | None, "Direction of the axis through the point that is held; when left out, the point alone is."
+        Direction | None, "Direction of the held axis through the point; if left out, only the point is held."
     ] = None
 
 
@@ -74,10 +74,12 @@ class Seized:
     angular_ratio: Annotated[
         Ratio | None, "The same over the angular speed before; none when the body did not spin [-]."
     ]
-    centre_velocity: Annotated[Velocity, "Velocity of the mass centre after [m/s]."]
+    centre_velocity: Annotated[SpaceVelocity, "Velocity of the mass centre after [m/s]."]
     impulse: Annotated[ImpulseVector, "Impulse of what holds the body [N·s]."]
     impulse_size: Annotated[Impulse, "Its size [N·s]."]
-    couple: Annotated[MomentVector | None, "Impulsive couple of a held axis, across it; a point gives none [N·m·s]."]
+    couple: Annotated[
+        MomentVector | None, "Impulsive couple on a held axis, perpendicular to it; zero for a point [N·m·s]."
+    ]
     couple_size: Annotated[AngularImpulse | None, "Its size [N·m·s]."]
     energy_before: Annotated[Energy, "Kinetic energy before [J]."]
     energy_after: Annotated[Energy, "Kinetic energy after [J]."]
@@ -93,7 +95,7 @@ def seize(
         "The square plate of the book, or any body by mass, inertia, motion and the point or axis held.",
     ],
 ) -> Seized:
-    """A point or an axis of a moving body is suddenly held: angular momentum about it stays, the rest is lost.
+    """A point or an axis of a moving body is suddenly held: angular momentum about it is conserved, the rest is lost.
 
     Equation
     --------
@@ -102,16 +104,16 @@ def seize(
     Returns
     -------
     Seized
-        Angular velocity and velocity after, impulse and couple of what holds, energies.
+        Angular velocity and velocity after, impulse and couple of the support, energies.
 
     Raises
     ------
     InadmissibleError
-        When mass or inertia is zero or not that of a body, the body does not move, or the axis has no direction.
+        When mass or inertia is zero or not that of a real body, the body does not move, or the axis has no direction.
 
     Notes
     -----
-    What holds the body does not move and does not let it slip or rebound. The energy lost is that of the lost
+    The support does not move and allows neither slip nor rebound. The energy lost is that of the lost
     velocities (Carnot's theorem), not a difference of energies. A thin rod held on its own line has no answer for the
     spin about itself.
 
@@ -159,7 +161,7 @@ def seize(
     checks = _checks(
         couple, axis, _size(momentum) + _size(turned) + mass * _size(way) * (_size(velocity) + _size(centre))
     )
-    checks += balance("energy", before, left + lost, before) + not_above("energy never gained", left, before, before)
+    checks += balance("energy", before, left + lost, before) + not_above("no energy is gained", left, before, before)
     return Seized(
         angular_velocity=after,
         angular_speed=_size(after),
@@ -198,7 +200,7 @@ def _require_inertia(inertia: Tensor) -> None:
     for i, j in ((0, 1), (0, 2), (1, 2)):
         require(
             absolute(inertia[i][j] - inertia[j][i]) <= 1e-6 * total,
-            "an inertia tensor is symmetric, but {above:6} and {below:6} stand across from each other",
+            "an inertia tensor is symmetric, but {above:6} and {below:6} are in mirrored places",
             above=(inertia[i][j], ProductOfInertia),
             below=(inertia[j][i], ProductOfInertia),
             code="no-body",
@@ -219,7 +221,7 @@ def _size(vector: Vector) -> float:
 
 
 def _checks(couple: Vector, axis: Vector | None, size: float) -> tuple[Check, ...]:
-    """Angular momentum about the held point, or along the held axis, stays."""
+    """Check that angular momentum about the held point, or along the held axis, is conserved."""
     if axis is not None:
         return balance("angular momentum about the axis", dot(couple, axis), 0.0, size)
     checks: tuple[Check, ...] = ()

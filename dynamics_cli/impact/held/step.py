@@ -1,4 +1,4 @@
-"""A rolling wheel that meets a step: what the impact on the edge leaves, and the least speed to get over."""
+"""A rolling wheel that meets a step: motion after the impact on the edge, and the minimum speed to get over it."""
 
 from dynamics_cli.errors import (
     require,
@@ -28,7 +28,7 @@ from dynamics_cli.records import Advice, Check, record
 
 @record
 class Factor:
-    """A wheel by how its mass is spread."""
+    """A wheel by the distribution of its mass."""
 
     inertia_factor: Annotated[
         Positive,
@@ -76,18 +76,17 @@ def step(
     *,
     radius: Annotated[Size, "Radius of the wheel, e.g. 300 mm [m]."],
     height: Annotated[Size, "Height of the step, e.g. 100 mm [m]."],
-    wheel: Annotated[
-        Factor | AxleInertia, "How the mass of the wheel is spread: a uniform disk unless it says otherwise."
-    ] = DISK,
+    wheel: Annotated[Factor | AxleInertia, "Distribution of the wheel's mass; a uniform disk if left out."] = DISK,
     speed: Annotated[
-        Speed | None, "Rolling speed before the step; without it the least speed alone is answered, e.g. 6 km/h [m/s]."
+        Speed | None,
+        "Rolling speed before the step; without it only the minimum speed is calculated, e.g. 6 km/h [m/s].",
     ] = None,
     mass: Annotated[
-        Mass | None, "Mass of the wheel; wanted for energy and impulses, and with a moment of inertia, e.g. 18 kg [kg]."
+        Mass | None, "Mass of the wheel; needed for energy and impulses, and with a moment of inertia, e.g. 18 kg [kg]."
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> StepMet:
-    """A wheel that rolls against a step: angular momentum about the edge in the impact, energy on the way up.
+    """A wheel that rolls against a step: angular momentum about the edge in the impact, then energy while climbing.
 
     Equation
     --------
@@ -96,7 +95,7 @@ def step(
     Returns
     -------
     StepMet
-        Least speed, angular velocities, energy lost, impulses, and what becomes of the wheel.
+        Minimum speed, angular velocities, energy lost, impulses, and whether the wheel gets over.
 
     Raises
     ------
@@ -107,7 +106,7 @@ def step(
     Notes
     -----
     The wheel rolls without slip; the edge does not give way, and the wheel neither rebounds from it nor slips on it.
-    Shares lost and speeds left are factored, never differences of energies.
+    Energy shares and speeds are factored, never differences of energies.
 
     References
     ----------
@@ -178,8 +177,8 @@ def _never_stays(least: float, leaves: float) -> tuple[Advice, ...]:
     if not single(least, leaves) or plain(least) <= plain(leaves):
         return ()
     message = worded(
-        "at the least speed the wheel would already leave the edge (above {leaves}): it cannot climb this step "
-        "by pivoting on the edge without something that holds it there",
+        "at the minimum speed the wheel would already leave the edge (above {leaves}): it can climb this step "
+        "by pivoting on the edge only if something holds it there",
         leaves=(leaves, Speed),
     )
     return (Advice(code="leaves-edge", message=message, severity="caution"),)
@@ -203,7 +202,7 @@ def _checks(answer: StepMet, factor: float, speed: float, depth: float, mass: fl
     whole = 1.0 + factor
     checks = balance("angular momentum about the edge", factor + (1.0 - depth), whole * ratio, whole)
     checks += balance("energy", whole * (1.0 - ratio * ratio), whole * answer.share_lost, whole)
-    checks += not_above("energy never gained", ratio, 1.0, 1.0)
+    checks += not_above("no energy is gained", ratio, 1.0, 1.0)
     if mass is None or answer.impulse_forward is None or answer.impulse_upward is None:
         return checks
     side = sqrt(depth * (2.0 - depth))

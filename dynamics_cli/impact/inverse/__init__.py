@@ -1,1 +1,1 @@
-"""Approach speeds from the motion after the impact, spins among it."""
+"""Approach speeds from the motion after the impact, including spins."""

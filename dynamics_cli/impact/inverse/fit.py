@@ -12,14 +12,14 @@ if TYPE_CHECKING:
 
 Pair = tuple[float, float]
 MOST_STEPS = 60
-# A change of all unknowns by this many standard deviations of the measurements is none.
+# A change of all unknowns by fewer standard deviations of the measurements than this is convergence.
 SETTLED = 1e-11
-# Directions of the unknowns, scaled, that the measurements see less than this are not determined.
+# Directions of the scaled unknowns with smaller singular values are not determined by the measurements.
 BLIND = 1e-9
 
 
 class Side:
-    """A vehicle as the fit sees it: what was measured, and what is known of its approach.
+    """A vehicle in the fit: its measurements, and the known part of its approach.
 
     `way` and `turn` are the unit vector of the approach heading and its derivative; None where the heading is unknown.
     `sense` is 1 for the vehicle on which the impulse acts, -1 for the other. Without levers or spins, `spins` is None.
@@ -77,8 +77,8 @@ class Fit:
 def solve(sides: "tuple[Side, Side]") -> Fit:
     """Gauss–Newton by QR of the scaled matrix, from the linear fit at the headings as given.
 
-    Unknown of each vehicle: its speed; its speed and the error of its heading; or, of an unknown heading, both
-    components of its velocity. Unknown too: the impulse. Refuses measurements that do not determine them.
+    Unknowns of each vehicle: its speed; its speed and the error of its heading; or, if the heading is unknown,
+    both components of its velocity. The impulse is unknown too. Refuses measurements that do not determine them.
     """
     import numpy as np
 
@@ -87,11 +87,11 @@ def solve(sides: "tuple[Side, Side]") -> Fit:
     linear = [column for column in range(size) if column not in free]
     unknowns = np.zeros(size)
     _, residuals, matrix, _ = _rows(sides, unknowns)
-    unknowns[linear] -= _step(matrix[:, linear], residuals)[0]
+    unknowns[linear] -= stepped(matrix[:, linear], residuals)[0]
     steps = 1
     while True:
         names, residuals, matrix, jacobian = _rows(sides, unknowns)
-        step, inverse, moved = _step(matrix, residuals)
+        step, inverse, moved = stepped(matrix, residuals)
         if moved <= SETTLED * (1.0 + float(np.linalg.norm(residuals))) or steps == MOST_STEPS:
             break
         unknowns = unknowns - step
@@ -182,7 +182,7 @@ def _rows(sides: "tuple[Side, Side]", unknowns: "Any") -> "tuple[list[str], Any,
     return names, np.array(residuals), np.array(rows), jacobian
 
 
-def _step(matrix: "Any", residuals: "Any") -> "tuple[Any, Any, float]":
+def stepped(matrix: "Any", residuals: "Any") -> "tuple[Any, Any, float]":
     """Solution of the linear problem, the inverse of R in units of the unknowns, the solution's size in deviations."""
     import numpy as np
 

@@ -1,4 +1,4 @@
-"""What approach speeds from exit motion are worth: verdicts, implied contact, contradictions."""
+"""Reliability of approach speeds from exit motion: verdicts, implied contact, contradictions."""
 
 from dynamics_cli.errors import judge, require, worded
 from dynamics_cli.impact.inverse.fit import Fit, Side
@@ -9,7 +9,7 @@ from dynamics_cli.records import Advice
 
 Pair = tuple[float, float]
 GOOD, CAUTION, UNDETERMINED = "good", "caution", "not determined"
-# Shares of a speed that its standard deviation may be.
+# Limits of a speed's relative standard deviation.
 GOOD_SHARE, CAUTION_SHARE = 0.05, 0.15
 UNLIKELY, CONTRADICTION = 0.05, 0.001
 # Sine of the angle between the levers.
@@ -17,6 +17,10 @@ GOOD_SINE, SMALLEST_SINE = 0.5, 0.1
 # Cotangent of half the angle between the approach paths, as for momentum.
 GOOD_ANGLE, LARGEST_ANGLE = 4.0, 12.0
 HIGHEST_RESTITUTION = 0.4
+DEGREE = 0.017453292519943295
+GOOD_TOLERANCE, HALF_TURN = 3.0 * DEGREE, 180.0 * DEGREE
+ROOT_PI = 1.7724538509055161
+SMALL_SHARE = 0.05
 
 
 class Contact:
@@ -45,7 +49,7 @@ class Contact:
         self.energy_lost = lost
         require(
             lost >= 0.0,
-            "no approach gives these exits: the impact would have given {energy:3} to the vehicles",
+            "no approach motion gives these exits: the impact would have given {energy:3} to the vehicles",
             energy=(-lost, Energy),
             code="energy-gained",
             hint="check the signs of spins and levers, and the headings",
@@ -69,7 +73,7 @@ class Contact:
         push, drag = p[0] * normal[0] + p[1] * normal[1], p[0] * across[0] + p[1] * across[1]
         require(
             push > 0.0 and approach < 0.0,
-            "the impulse would pull along this normal: its part from the second to the first is {share:3} of it",
+            "the impulse would pull along this normal: its component from the second to the first is {share:3} of it",
             share=(push / (push * push + drag * drag) ** 0.5 if push or drag else 0.0, Ratio),
             code="pull",
             hint="the normal points from the first vehicle to the second",
@@ -85,9 +89,9 @@ class Contact:
         self.ratio_sigma = fit.sigma([0.0, 0.0, 0.0, 0.0, *turned])
 
     def advice(self) -> "tuple[Advice, ...]":
-        """Cautions where vehicles do not behave so."""
+        """Cautions about an implied contact that is unlike vehicles."""
         cautions: list[Advice] = []
-        remedy = "check normal, contact point, spins and headings: another contact, or a wrong measurement"
+        remedy = "check normal, contact point, spins and headings: the contact is elsewhere, or a measurement is wrong"
         if self.restitution is not None and not 0.0 <= self.restitution <= HIGHEST_RESTITUTION:
             word = "below 0" if self.restitution < 0.0 else "above 0.4"
             text = worded(
@@ -104,14 +108,47 @@ class Contact:
 
 
 def chance(chi_squared: float, freedom: int) -> float | None:
-    """Probability of a sum of squares as large or larger; of one or two degrees of freedom, all that occur here."""
+    """Probability of a sum of squares as large or larger, by its recurrence from one or two degrees of freedom."""
     if freedom <= 0:
         return None
-    return 2.0 * upper(sqrt(chi_squared)) if freedom == 1 else exp(-0.5 * chi_squared)
+    half = 0.5 * chi_squared
+    at = 2 - freedom % 2
+    total = 2.0 * upper(sqrt(chi_squared)) if at == 1 else exp(-half)
+    # half^(ν/2) e^(-half)/Γ(ν/2 + 1)
+    term = 2.0 * sqrt(half) * exp(-half) / ROOT_PI if at == 1 else half * exp(-half)
+    while at < freedom:
+        total += term
+        at += 2
+        term *= half / (0.5 * at)
+    return total
+
+
+def least_certain(fit: Fit, names: "tuple[str, str]") -> "tuple[str, float] | None":
+    """The direction of both speeds that is known least, in words, and its standard deviation."""
+    import numpy as np
+
+    ways = []
+    for index in (0, 1):
+        speed = fit.speed(index)
+        if speed == 0.0:
+            return None
+        row = np.zeros(6)
+        row[2 * index : 2 * index + 2] = fit.state[2 * index : 2 * index + 2] / speed
+        ways.append(row)
+    rows = np.array(ways)
+    values, vectors = np.linalg.eigh(rows @ fit.covariance @ rows.T)
+    x, y = (float(part) for part in vectors[:, 1])
+    main, other = (0, 1) if abs(x) >= abs(y) else (1, 0)
+    share = (y / x) if main == 0 else (x / y)
+    sigma = float(max(values[1], 0.0) ** 0.5)
+    if abs(share) < SMALL_SHARE:
+        return f"{names[main]} faster, the other unchanged", sigma
+    word = "faster" if share > 0.0 else "slower"
+    return f"{names[main]} faster and {names[other]} {word} by {abs(share):.2f} of it", sigma
 
 
 def agreement(probability: float | None, residuals: "list[tuple[str, float]]") -> "tuple[Advice, ...]":
-    """A caution below 5 %, and no answer below 0.1 %, with the measurement that fits worst."""
+    """A caution below 5 %, a refusal below 0.1 %, naming the measurement that fits worst."""
     if probability is None or probability >= UNLIKELY:
         return ()
     name, worst = residuals[0]
@@ -159,7 +196,7 @@ def unreliable(sides: "tuple[tuple[str, str | None, float, float | None], ...]")
                 speed=(speed, RoadSpeed),
                 sigma=(sigma, RoadSpeed),
             )
-            remedy = "a spin, a recorder or the energy of deformation of the other vehicle decides it better"
+            remedy = "a spin, a recorder or the energy of deformation of the other vehicle determines it better"
             code = "undetermined-speed" if severe else "rough-speed"
             cautions.append(Advice(code=code, message=text, severity="serious" if severe else "caution", remedy=remedy))
     return tuple(cautions)
@@ -180,10 +217,32 @@ def judge_crossing(one: Pair, two: Pair) -> str:
     return GOOD if condition <= GOOD_ANGLE else CAUTION
 
 
+def by_heading(fit: Fit, sides: "tuple[Side, Side]", index: int) -> "tuple[str, float, str, float]":
+    """By momentum alone, of one vehicle's speed: verdict, tolerance of the worst heading, its name, m/s a degree."""
+    side, other = sides[index], sides[1 - index]
+    assert side.way is not None
+    assert other.way is not None
+    names = ("first", "second")[index], ("second", "first")[index]
+    (x, y), (a, b) = side.way, other.way
+    sine, cosine = abs(x * b - y * a), x * a + y * b
+    ratio = other.mass / side.mass
+    speeds = fit.speed(index), fit.speed(1 - index)
+    slopes = [
+        (abs(speeds[0] * cosine), f"{names[0]}.approach_heading"),
+        (ratio * speeds[1], f"{names[1]}.approach_heading"),
+        (abs(a * side.velocity[0] + b * side.velocity[1]), f"{names[0]}.exit_heading"),
+        (ratio * abs(a * other.velocity[0] + b * other.velocity[1]), f"{names[1]}.exit_heading"),
+    ]
+    steepest, worst = max(slopes)
+    tolerance = min(0.1 * speeds[0] * sine / steepest, HALF_TURN) if steepest > 0.0 else HALF_TURN
+    verdict = GOOD if tolerance >= GOOD_TOLERANCE else CAUTION if tolerance >= DEGREE else UNDETERMINED
+    return verdict, tolerance, worst, DEGREE * steepest / sine
+
+
 def judge_levers(one: Pair, two: Pair) -> "tuple[float, str]":
     """Sine between the levers and its verdict; refused where the contact is on the line of centres."""
     size = sqrt((one[0] * one[0] + one[1] * one[1]) * (two[0] * two[0] + two[1] * two[1]))
-    require(size > 0.0, "a lever is zero: a spin says nothing of the impulse", code="no-lever")
+    require(size > 0.0, "a lever is zero: its spin says nothing about the impulse", code="no-lever")
     sine = abs(one[0] * two[1] - one[1] * two[0]) / size
     judge(
         sine >= SMALLEST_SINE,

@@ -28,7 +28,7 @@ def inverse(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Pictur
     if not result.residuals:
         return Picture((scene,), title, scene=True)
     at = [-one.residual for one in result.residuals]
-    # of bars the longest may be short, but one standard deviation is always in sight
+    # the longest bar may be short, but one standard deviation is always visible
     bars = Bars(
         tuple(one.measurement.replace(" along ", ", ") for one in result.residuals),
         [min(value, 0.0) for value in at],

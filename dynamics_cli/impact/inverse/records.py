@@ -7,12 +7,17 @@ from dynamics_cli.quantities import (
     AngularSpeed,
     Annotated,
     Count,
+    Distance,
+    DragFactor,
     Energy,
     Fraction,
+    Friction,
     Impulse,
     PlanarImpulse,
+    PlanarPosition,
     PlanarVelocity,
     Ratio,
+    Restitution,
     RoadSpeed,
     Text,
 )
@@ -37,13 +42,44 @@ class ExitSpeed:
 
 
 @record
+class RestAfter:
+    """The motion after by where it ended: a straight slide from the impact."""
+
+    rest: Annotated[
+        PlanarPosition, "Where its mass centre came to rest, from where it was at the impact, e.g. 13, 1 m."
+    ]
+    drag: Annotated[DragFactor, "Mean deceleration of its slide over gravity, e.g. 0.5."]
+
+
+@record
+class TurningAfter:
+    """The motion after by where it ended, turning on its wheels."""
+
+    rest: Annotated[
+        PlanarPosition, "Where its mass centre came to rest, from where it was at the impact, e.g. 13, 1 m."
+    ]
+    rest_nose: Annotated[Angle, "Heading of its nose at rest, whole turns since the impact counted, e.g. 200 deg."]
+    slide_friction: Annotated[Friction, "Coefficient of friction of its tyres, e.g. 0.7."]
+    front_axle: Annotated[Distance, "From the mass centre ahead to the front axle, e.g. 1.2 m."]
+    rear_axle: Annotated[Distance, "From the mass centre back to the rear axle, e.g. 1.4 m."]
+    track: Annotated[Distance, "Between its left and right wheels, e.g. 1.5 m."]
+    braking: Annotated[Fraction, "Share of its friction that a wheel is braked with: 100 % locked, 2 % rolling."]
+    left_front: Annotated[Fraction | None, "The same share of the left front wheel, where it differs."] = None
+    right_front: Annotated[Fraction | None, "Of the right front wheel."] = None
+    left_rear: Annotated[Fraction | None, "Of the left rear wheel."] = None
+    right_rear: Annotated[Fraction | None, "Of the right rear wheel."] = None
+
+
+@record
 class Departing:
-    """A vehicle after the impact, and what is known of it before."""
+    """A vehicle after the impact, and its known quantities before."""
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
-    motion: Annotated[ExitVelocity | ExitSpeed, "Its motion just after the impact."]
-    turning: Annotated[ByInertia | ByGyration | None, "Its yaw inertia, for its spin to count."] = None
-    arm: Annotated[Lever | Placed | OnBody | None, "Where it was struck, for its spin to count."] = None
+    motion: Annotated[
+        ExitVelocity | ExitSpeed | RestAfter | TurningAfter, "Its motion just after the impact, or where that ended."
+    ]
+    turning: Annotated[ByInertia | ByGyration | None, "Its yaw inertia, needed to use its spin."] = None
+    arm: Annotated[Lever | Placed | OnBody | None, "Where it was struck, needed to use its spin."] = None
     exit_spin: Annotated[AngularSpeed | None, "Angular velocity just after the impact, e.g. -2.7 rad/s."] = None
     approach_heading: Annotated[Angle | None, "Direction of travel just before the impact, e.g. 90 deg."] = None
     approach_spin: Annotated[
@@ -56,19 +92,44 @@ class Departing:
     heading_sigma: Annotated[
         Angle, "Standard deviation of its approach heading, e.g. 2 deg; 0 where it is certain."
     ] = 0.0
+    rest_sigma: Annotated[
+        Distance | None, "Standard deviation of each coordinate of its rest position, e.g. 0.5 m."
+    ] = None
+    rest_nose_sigma: Annotated[Angle, "Standard deviation of its nose at rest, e.g. 10 deg."] = 0.17453292519943295
+    drag_sigma: Annotated[DragFactor, "Standard deviation of the drag or friction of its slide, e.g. 0.05."] = 0.0
     nose: Annotated[Angle | None, "Heading of its nose, for PDOF; its approach heading when left out."] = None
     name: BodyName = None
 
 
 @record
+class KnownContact:
+    """What is known of the contact, where the impact is driven forward."""
+
+    restitution: Annotated[Restitution | None, "Restitution at the contact, e.g. 0.1."] = None
+    impulse_ratio: Annotated[
+        Ratio | None, "Tangential over normal impulse, the tangent 90 deg on from the inward normal, e.g. -0.45."
+    ] = None
+    restitution_sigma: Annotated[Ratio, "Standard deviation of the restitution, e.g. 0.05."] = 0.0
+    ratio_sigma: Annotated[Ratio, "Standard deviation of the ratio of impulses, e.g. 0.1."] = 0.0
+
+
+UNKNOWN_CONTACT = KnownContact()
+
+
+@record
 class Approach:
-    """One vehicle as it came."""
+    """The approach of one vehicle."""
 
     approach_speed: Annotated[RoadSpeed, "Speed just before the impact [m/s]."]
     approach_heading: Annotated[Angle, "Direction of travel just before [rad]."]
     speed_sigma: Annotated[RoadSpeed | None, "Standard deviation of that speed, from the standard deviations given."]
     heading_sigma: Annotated[Angle | None, "Standard deviation of that heading [rad]."]
     verdict: Annotated[Text | None, "How well its speed is determined."]
+    heading_tolerance: Annotated[
+        Angle | None, "By momentum alone: error of one heading that changes this speed by a tenth [rad]."
+    ]
+    worst_heading: Annotated[Text | None, "The heading that this is of, as the parameter is called."]
+    per_degree: Annotated[RoadSpeed | None, "What one degree of it changes this speed by [m/s]."]
     exit_velocity: Annotated[PlanarVelocity, "Velocity after that agrees with the fit [m/s]."]
     exit_spin: Annotated[AngularSpeed | None, "Spin after that agrees with the fit [rad/s]."]
     delta_v: Annotated[DeltaV, "Change of velocity, and where the force came from."]
@@ -84,15 +145,17 @@ class Residual:
 
 @record
 class InverseResult:
-    """Both vehicles as they came, and how well the measurements agree."""
+    """The approach of both vehicles, and how well the measurements agree."""
 
     first: Annotated[Approach, "The first vehicle."]
     second: Annotated[Approach, "The second vehicle."]
     correlation: Annotated[Ratio | None, "Correlation of the two speeds [-]."]
+    least_certain: Annotated[Text | None, "The direction in which the two speeds are known least, in words."]
+    least_certain_sigma: Annotated[RoadSpeed | None, "Standard deviation in that direction [m/s]."]
     impulse: Annotated[PlanarImpulse, "Impulse on the first vehicle along x and y [N·s]."]
     impulse_size: Annotated[Impulse, "Size of that impulse [N·s]."]
     chi_squared: Annotated[Ratio | None, "Sum of the squared residuals, in standard deviations [-]."]
-    degrees_of_freedom: Annotated[Count, "Measurements minus unknowns: 0 leaves nothing to compare."]
+    degrees_of_freedom: Annotated[Count, "Measurements minus unknowns; at 0 nothing is left to compare."]
     probability: Annotated[
         Fraction | None, "Probability that correct measurements disagree as much or more (chi-squared)."
     ]

@@ -1,4 +1,4 @@
-"""Both vehicles as the fit takes them, and the answer that a fit gives."""
+"""Both vehicles in the form of the fit, and the answer from a fit."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.impact.conventions import (
@@ -14,8 +14,25 @@ from dynamics_cli.impact.conventions import (
 )
 from dynamics_cli.impact.conventions import BySpeed as Course
 from dynamics_cli.impact.inverse.fit import SETTLED, Fit, Side
-from dynamics_cli.impact.inverse.judgement import Contact, agreement, chance, share_verdict, unreliable
-from dynamics_cli.impact.inverse.records import Approach, Departing, ExitVelocity, InverseResult, Residual
+from dynamics_cli.impact.inverse.judgement import (
+    Contact,
+    agreement,
+    by_heading,
+    chance,
+    least_certain,
+    share_verdict,
+    unreliable,
+)
+from dynamics_cli.impact.inverse.records import (
+    Approach,
+    Departing,
+    ExitSpeed,
+    ExitVelocity,
+    InverseResult,
+    Residual,
+    RestAfter,
+    TurningAfter,
+)
 from dynamics_cli.impact.planar.bodies import OnBody, RigidBody, Solid, solid
 from dynamics_cli.quantities import RoadSpeed
 from dynamics_cli.records import Advice, Check, Numerics
@@ -25,14 +42,26 @@ Both = tuple[Departing, Departing]
 NAMES = "the first", "the second"
 
 
+def ended(vehicle: Departing) -> bool:
+    """Whether its motion after is given by where it came to rest."""
+    return isinstance(vehicle.motion, RestAfter | TurningAfter)
+
+
 def turns(vehicle: Departing) -> bool:
-    """Whether its change of spin and what that needs are given."""
-    needed = vehicle.turning, vehicle.arm, vehicle.exit_spin, vehicle.approach_spin
+    """Whether its change of spin and what that needs are given; from rest positions the spin after follows."""
+    needed = [vehicle.turning, vehicle.arm]
+    if not ended(vehicle):
+        needed += [vehicle.exit_spin, vehicle.approach_spin]  # type: ignore[list-item]
     return all(one is not None for one in needed)
 
 
+def _called(vehicle: Departing, index: int) -> str:
+    """What a vehicle is called in a sentence."""
+    return vehicle.name or NAMES[index]
+
+
 class Scene:
-    """Both vehicles as the fit takes them, and the answer that a fit gives."""
+    """Both vehicles in the form of the fit, and the answer from a fit."""
 
     def __init__(
         self,
@@ -50,9 +79,11 @@ class Scene:
         self.solids = [
             _solid(one, contact_point, axes, gravity, name) for one, name in zip(vehicles, NAMES, strict=True)
         ]
+        self.momentum = not spins
         used = [spins and turns(one) for one in vehicles]
         self.weighted = all(
-            one.velocity_sigma is not None and (one.spin_sigma is not None or not turning)
+            (one.rest_sigma if ended(one) else one.velocity_sigma) is not None
+            and (one.spin_sigma is not None or not turning or ended(one))
             for one, turning in zip(vehicles, used, strict=True)
         )
         self.sides = self._side(0, used[0], headings), self._side(1, used[1], headings)
@@ -64,14 +95,16 @@ class Scene:
     def _side(self, index: int, turning: bool, headed: bool) -> Side:
         vehicle, body = self.vehicles[index], self.solids[index]
         name = getattr(vehicle, "name", None) or NAMES[index].removeprefix("the ")
-        for sigma, word in ((vehicle.velocity_sigma, "velocity"), (vehicle.spin_sigma, "spin")):
+        for sigma, word in (
+            (vehicle.velocity_sigma, "exit velocity"), (vehicle.spin_sigma, "exit spin"), (vehicle.rest_sigma, "rest")
+        ):  # fmt: skip
             require(
                 sigma is None or sigma > 0.0,
-                "the standard deviation of the exit {word} of {name} is not above zero",
+                "the standard deviation of the {word} of {name} is not above zero",
                 word=word,
                 name=NAMES[index],
                 code="no-sigma",
-                hint="no measurement is without one: give a small number",
+                hint="every measurement has one: give a small number",
             )
         require(vehicle.heading_sigma >= 0.0, "a standard deviation is below zero", code="no-sigma")
         heading = None
@@ -80,14 +113,14 @@ class Scene:
             heading = ((x, y), (y, -x)) if self.axes == "compass" else ((x, y), (-y, x))
         spins = None
         if turning:
-            spins = float(body.inertia), body.lever, vehicle.approach_spin, vehicle.exit_spin  # type: ignore[arg-type]
+            spins = float(body.inertia), body.lever, vehicle.approach_spin or 0.0, vehicle.exit_spin or 0.0  # type: ignore[arg-type]
         weights = (vehicle.velocity_sigma, vehicle.spin_sigma) if self.weighted else (1.0, 1.0)
-        sigmas = weights[0], weights[1] or 1.0, vehicle.heading_sigma if self.weighted else 0.0
+        sigmas = weights[0] or 1.0, weights[1] or 1.0, vehicle.heading_sigma if self.weighted else 0.0
         mass = float(body.mass)  # type: ignore[arg-type]
-        return Side(name, 1.0 - 2.0 * index, mass, body.velocity, heading, spins, sigmas)  # type: ignore[arg-type]
+        return Side(name, 1.0 - 2.0 * index, mass, body.velocity, heading, spins, sigmas)
 
     def answer(self, fit: Fit, verdict: str | None, sine: float | None, method: str) -> InverseResult:
-        """Everything that the fit says."""
+        """The complete answer."""
         self._require_forward(fit)
         residuals = sorted(fit.residuals, key=lambda one: -abs(one[1])) if self.weighted else []
         probability = chance(fit.chi_squared, fit.freedom) if self.weighted else None
@@ -98,10 +131,14 @@ class Scene:
         p = float(fit.state[4]), float(fit.state[5])
         tolerance = 100.0 * SETTLED
         gradient = fit.gradient / (1.0 + fit.chi_squared**0.5)
+        vehicles = self.vehicles
+        doubt = least_certain(fit, (_called(vehicles[0], 0), _called(vehicles[1], 1))) if self.weighted else None
         return InverseResult(
             first=approaches[0],
             second=approaches[1],
             correlation=self._correlation(fit, approaches),
+            least_certain=doubt and doubt[0],
+            least_certain_sigma=None if doubt is None else doubt[1],
             impulse=p,
             impulse_size=(p[0] * p[0] + p[1] * p[1]) ** 0.5,
             chi_squared=fit.chi_squared if self.weighted else None,
@@ -153,6 +190,7 @@ class Scene:
         if side.spins is not None:
             inertia, lever, before, _ = side.spins
             spin = before + side.sense * (lever[0] * p[1] - lever[1] * p[0]) / inertia
+        headed = by_heading(fit, self.sides, index) if self.momentum else None
         nose = way if vehicle.nose is None else direction_of(vehicle.nose, self.axes)
         push_on_it = side.sense * p[0], side.sense * p[1]
         change = delta_v(push_on_it, float(body.mass), nose, axes=self.axes, pdof_zero=self.zero, travel=way)  # type: ignore[arg-type]
@@ -161,7 +199,10 @@ class Scene:
             approach_heading=heading,
             speed_sigma=sigma,
             heading_sigma=heading_sigma,
-            verdict=share_verdict(speed, sigma) or verdict,
+            verdict=share_verdict(speed, sigma) or (headed[0] if headed else verdict),
+            heading_tolerance=headed[1] if headed else None,
+            worst_heading=headed[2] if headed else None,
+            per_degree=headed[3] if headed else None,
             exit_velocity=(velocity[0] + push * p[0], velocity[1] + push * p[1]),
             exit_spin=spin,
             delta_v=change,
@@ -197,11 +238,11 @@ class Scene:
 
 def _solid(vehicle: Departing, contact_point: Pair | None, axes: Axes, gravity: float, name: str) -> Solid:
     motion = vehicle.motion
-    velocity = (
-        motion.exit_velocity
-        if isinstance(motion, ExitVelocity)
-        else velocity_of(Course(motion.exit_speed, motion.exit_heading), axes)
-    )
+    velocity = 0.0, 0.0
+    if isinstance(motion, ExitVelocity):
+        velocity = motion.exit_velocity
+    elif isinstance(motion, ExitSpeed):
+        velocity = velocity_of(Course(motion.exit_speed, motion.exit_heading), axes)
     if vehicle.turning is None or vehicle.arm is None:
         mass = mass_of(vehicle.bulk, gravity, name + " vehicle")
         return Solid(mass, None, (0.0, 0.0), velocity, vehicle.exit_spin or 0.0, (1.0, 0.0))

@@ -4,8 +4,9 @@ from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, PdofZero
 from dynamics_cli.impact.inverse.fit import solve
 from dynamics_cli.impact.inverse.judgement import judge_crossing, judge_levers
-from dynamics_cli.impact.inverse.records import Departing, InverseResult
-from dynamics_cli.impact.inverse.scene import NAMES, Scene, turns
+from dynamics_cli.impact.inverse.records import UNKNOWN_CONTACT, Departing, InverseResult, KnownContact
+from dynamics_cli.impact.inverse.rest import Ended, Problem, contact_of, solve_rest, with_turning
+from dynamics_cli.impact.inverse.scene import NAMES, Scene, ended, turns
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Annotated, Gravity, PlanarPosition
 
 
@@ -17,11 +18,12 @@ def by_momentum(
     normal: Annotated[
         Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
     ] = None,
+    contact: Annotated[KnownContact, "What is known of the contact, for rest positions."] = UNKNOWN_CONTACT,
     axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
     pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
     gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
 ) -> InverseResult:
-    """Approach speeds from exit velocities and approach headings: momentum alone, spins left aside.
+    """Approach speeds from exit velocities and approach headings: momentum alone, without spins.
 
     Equation
     --------
@@ -73,6 +75,7 @@ def by_spins(
     normal: Annotated[
         Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
     ] = None,
+    contact: Annotated[KnownContact, "What is known of the contact, for rest positions."] = UNKNOWN_CONTACT,
     axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
     pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
     gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
@@ -130,6 +133,7 @@ def least_squares(
     normal: Annotated[
         Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
     ] = None,
+    contact: Annotated[KnownContact, "What is known of the contact, for rest positions."] = UNKNOWN_CONTACT,
     axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
     pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
     gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
@@ -180,14 +184,93 @@ def least_squares(
     return scene.answer(fit, None, None, f"Gauss–Newton by QR of the scaled matrix, {fit.steps} steps")
 
 
+def by_rest(
+    *,
+    first: Annotated[Departing, "The first vehicle."],
+    second: Annotated[Departing, "The second vehicle."],
+    contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
+    normal: Annotated[
+        Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
+    ] = None,
+    contact: Annotated[KnownContact, "What is known of the contact, for rest positions."] = UNKNOWN_CONTACT,
+    axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
+    pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
+    gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
+) -> InverseResult:
+    """Approach speeds from where the vehicles came to rest: impact and slides driven forward, least squares.
+
+    Equation
+    --------
+    Σ (rest(v₁, v₂, …) − measured)²/σ² = minimum; restitution, ratio of impulses, drags and headings that have a
+    standard deviation are measurements too.
+
+    Returns
+    -------
+    InverseResult
+        Speeds before with standard deviations, χ², residuals, and the direction in which the speeds are known least.
+
+    Raises
+    ------
+    InadmissibleError
+        When headings, contact or standard deviations are missing, no approach leads to these rest positions
+        (probability of χ² below 0.1 %), or a vehicle would have driven backwards.
+
+    References
+    ----------
+    R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods, SAE 2011: planar impact mechanics.
+
+    Examples
+    --------
+    >>> from dynamics_cli.impact.conventions import ByMass
+    >>> from dynamics_cli.impact.inverse.records import RestAfter
+    >>> from dynamics_cli.impact.planar.bodies import ByInertia, Lever
+    >>> one = Departing(ByMass(1500.0), RestAfter((12.9, 0.8), 0.5), ByInertia(2500.0), Lever((1.8, -0.3)),
+    ...                 approach_heading=0.0, rest_sigma=0.5)
+    >>> two = Departing(ByMass(1200.0), RestAfter((5.9, 12.1), 0.45), ByInertia(1800.0), Lever((-0.7, 0.9)),
+    ...                 approach_heading=1.5707963267948966, rest_sigma=0.5)
+    >>> found = by_rest(first=one, second=two, normal=0.3490658503988659, contact=KnownContact(0.1, -0.45))
+    >>> round(found.first.approach_speed, 6), round(found.second.approach_speed, 6)
+    (15.272087, 10.078129)
+    """
+    require(
+        ended(first) and ended(second),
+        "of one vehicle the rest position is given, of the other the motion just after the impact",
+        code="mixed",
+        hint="give both rest positions: dynamics impact slide turns a rest position into the motion after",
+    )
+    require(
+        first.approach_heading is not None and second.approach_heading is not None,
+        "rest positions need both approach headings",
+        code="not-enough",
+    )
+    scene = Scene((first, second), contact_point, normal, axes, pdof_zero, gravity)
+    require(
+        scene.weighted,
+        "least squares weigh the rest positions, and a standard deviation is missing",
+        code="no-sigma",
+        hint="give the rest sigma of each vehicle, e.g. 0.5 m",
+    )
+    one, two = scene.sides
+    ends = Ended(first, one, axes, gravity), Ended(second, two, axes, gravity)
+    problem = Problem(scene.sides, ends, contact_of(normal, axes, contact))
+    fit = solve_rest(problem)
+    result = scene.answer(fit, None, None, f"Gauss–Newton by QR of the scaled matrix, {fit.steps} steps")
+    return with_turning(result, problem)
+
+
+def rests_given(*, first: Departing, second: Departing, **_: object) -> str | None:
+    """Say why the fit to rest positions answers."""
+    return "rest positions are given" if ended(first) or ended(second) else None
+
+
 def momentum_suffices(*, first: Departing, second: Departing, **_: object) -> str | None:
-    """Say why momentum alone answers."""
+    """Reason why momentum alone applies."""
     headings = first.approach_heading is not None and second.approach_heading is not None
     spun = turns(first) or turns(second)
     return "the headings are known, and no change of spin is" if headings and not spun else None
 
 
 def spins_suffice(*, first: Departing, second: Departing, **_: object) -> str | None:
-    """Say why spins answer."""
+    """Reason why spins apply."""
     unknown = first.approach_heading is None and second.approach_heading is None
     return "no approach heading is given: the changes of spin decide" if unknown else None

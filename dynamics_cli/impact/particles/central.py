@@ -25,7 +25,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, record
 
-CLOSING_HINT = "the first body is behind and must be the faster: exchange the bodies or the signs"
+CLOSING_HINT = "the first body is behind and must be the faster one: exchange the bodies or the signs"
 
 
 @record
@@ -138,8 +138,8 @@ def central(
 
     Notes
     -----
-    The impulse decides everything: changes of velocity and the loss are never differences of large numbers. With two
-    velocities the closing speed carries their rounding; give it where they are nearly equal.
+    Everything follows from the impulse: changes of velocity and the loss are never differences of large numbers. With
+    two velocities the closing speed carries their rounding; give it where they are nearly equal.
 
     References
     ----------
@@ -168,7 +168,7 @@ def central(
     changes = -(impulse / mass), 0.0 if two is None else impulse / two
     common, after = velocities_after((mass, two), before, shares, closing, restitution)
     if closing_speed is not None and first.velocity is not None and second.velocity is not None:
-        # the velocities tell the closing speed less well: each body's own is kept
+        # the velocities give the closing speed less accurately: each body keeps its own
         after = [
             multiply_add(restitution * share, closing, multiply_add(share, closing, velocity))
             for share, velocity in zip(shares, before, strict=True)
@@ -199,7 +199,7 @@ def velocities_after(
 ) -> tuple[float, list[float]]:
     """The common velocity of the greatest compression, and both velocities after: on from it by e times the same share.
 
-    From the heavier body, which changes less, nothing cancels that was not nearly equal before.
+    Taken from the heavier body, which changes less, so that nothing cancels unless it was nearly equal before.
     """
     one, two = masses
     common = before[1]
@@ -210,7 +210,7 @@ def velocities_after(
 
 
 def _approach(first: float | None, second: float | None, closing: float | None) -> tuple[tuple[float, float], float]:
-    """Velocities before and the closing speed, whichever of them were given."""
+    """Velocities before and the closing speed, from those that are given."""
     ahead: float = 0.0 if first is None else first
     if closing is None:
         other = 0.0 if second is None else second
@@ -246,7 +246,7 @@ def require_approach(closing: float, hint: str = CLOSING_HINT) -> None:
 
 
 def contact_advice(contact: Restituted | Energetic) -> tuple[Advice, ...]:
-    """Say so when the contact adds energy."""
+    """Advice when the contact adds energy."""
     ratio = contact.restitution
     if not single(ratio) or not plain(ratio) > 1.0:
         return ()
@@ -268,7 +268,7 @@ def _checks(answer: CentralImpact, before: tuple[float, float], restitution: Res
     restituted = balance("restitution", two.velocity - one.velocity, restitution * answer.closing_speed, speeds)
     work = absolute(one.energy_change) + absolute(two.energy_change) + answer.impulse * answer.closing_speed
     energy = balance("energy", one.energy_change + two.energy_change, -answer.energy_lost, work)
-    gained = () if plain_above(restitution) else not_above("energy never gained", -answer.energy_lost, 0.0, work)
+    gained = () if plain_above(restitution) else not_above("no energy is gained", -answer.energy_lost, 0.0, work)
     return momentum + restituted + energy + gained
 
 

@@ -26,7 +26,7 @@ def _require_row(bodies: tuple[Body, ...]) -> None:
     require(len(bodies) >= 2, "a chain has two bodies or more", code="too-few", hint='repeat --body "mass=1 kg"')
     require(
         bodies[-1].restitution is None,
-        "the last body has a restitution with the next body, but no body follows",
+        "the last body has a restitution with the next body, but it is the last",
         code="no-next",
         hint="give it to the body before: the contact belongs to the first of two",
     )
@@ -39,7 +39,7 @@ def _require_row(bodies: tuple[Body, ...]) -> None:
 def chain(
     *,
     bodies: Annotated[tuple[Body, ...], "The bodies in order along the line."],
-    restitution: Annotated[Restitution, "Coefficient of restitution of contacts that have none of their own [-]."],
+    restitution: Annotated[Restitution, "Coefficient of restitution of contacts without one [-]."],
     law: Annotated[ChainLaw, "Which law: sequential, simultaneous, or all of them side by side."] = ALL,
 ) -> ChainResult:
     """Several bodies in line, touching: velocities after by sequential pairs, or by all contacts at one moment.
@@ -56,14 +56,14 @@ def chain(
     Raises
     ------
     InadmissibleError
-        When there are fewer than two bodies, a mass is zero, no pair closes, or the law asked for has no answer: pairs
-        that collide without end, or unlike restitutions that would give energy.
+        When there are fewer than two bodies, a mass is zero, no pair closes, or the requested law has no answer:
+        endless collisions, or different restitutions that would add energy.
 
     Notes
     -----
-    Rigid bodies do not decide between the laws: equal elastic balls give (0, 0, 1) by pairs and (−⅓, ⅔, ⅔) at one
-    moment. Gaps, however small, and waves in real bodies favour pairs. Results are rounded once, from decimals of so
-    many digits that two runs agree: the bound stated is that of rounding, here and into another unit.
+    Rigid-body theory does not decide between the laws: equal elastic balls give (0, 0, 1) by pairs and (−⅓, ⅔, ⅔) at
+    one moment. Gaps, however small, and waves in real bodies favour pairs. Results are rounded once, from decimals with
+    enough digits that two runs agree: the stated bound is that of rounding, including conversion to another unit.
 
     References
     ----------
@@ -146,7 +146,7 @@ def _after(name: str, solution: "Answer") -> tuple[AfterChain, ...]:
 
 
 def _bounds(answers: "list[Answer]", momentum: float) -> tuple[ErrorBound, ...]:
-    """What rounding the results to doubles leaves, and the little that two runs of many digits differ by."""
+    """Rounding of the results to doubles, plus the small difference of two runs in many digits."""
     bounds: list[ErrorBound] = [ErrorBound("momentum", UNIT_ROUNDOFF)] if momentum else []
 
     def add(name: str, number: "Bounded") -> None:
@@ -174,7 +174,7 @@ def _checks(answer: LawAnswer, rows: tuple[AfterChain, ...], bodies: tuple[Body,
     speeds = [body.velocity for body in bodies], [row.velocity for row in rows]
     parts = [[body.mass * v for body, v in zip(bodies, side, strict=True)] for side in speeds]
     pushes = [row.impulse_to_next or 0.0 for row in rows]
-    # velocities are as right as the fastest of them is rounded
+    # velocities are as accurate as the rounding of the fastest one
     fastest = max(abs(v) for v in speeds[0])
     size = _sum([abs(part) for part in (*parts[0], *parts[1], *pushes)]) + _sum([b.mass * fastest for b in bodies])
     checks = balance(f"{name}: momentum", _sum(parts[0]), _sum(parts[1]), size)
@@ -182,7 +182,7 @@ def _checks(answer: LawAnswer, rows: tuple[AfterChain, ...], bodies: tuple[Body,
     scale = energies[0] + _sum([abs(p * body.velocity) for p, body in zip(pushes, bodies, strict=True)])
     room = max(TOLERANCE, 32.0 * answer.collisions * UNIT_ROUNDOFF)
     checks += balance(f"{name}: energy", energies[0] - energies[1], answer.energy_lost, scale, room)
-    checks += not_above(f"{name}: energy never gained", -answer.energy_lost, 0.0, scale)
+    checks += not_above(f"{name}: no energy is gained", -answer.energy_lost, 0.0, scale)
     checks += not_above(f"{name}: no tension", -min(pushes), 0.0, max(pushes))
     return checks + not_above(f"{name}: no pair closes", max(_closing(speeds[1])), 0.0, fastest)
 
@@ -193,6 +193,8 @@ def _differ(after: list[tuple[AfterChain, ...]], fastest: float) -> tuple[Advice
     apart = max(abs(one.velocity - other.velocity) for one, other in zip(*after, strict=True))
     if apart <= 1e-9 * fastest:
         return ()
-    message = worded("the laws differ by up to {apart}: rigid bodies do not decide between them", apart=(apart, Speed))
+    message = worded(
+        "the laws differ by up to {apart}: rigid-body theory does not decide between them", apart=(apart, Speed)
+    )
     remedy = "choose --law sequential for bodies with gaps, however small"
     return (Advice(code="not-unique", message=message, severity="note", remedy=remedy),)

@@ -1,7 +1,7 @@
-"""The laws of a chain in decimal arithmetic of many digits: which pair closes is then decided as exact numbers would.
+"""The laws of a chain in decimal arithmetic of many digits: which pair closes is then decided as in exact arithmetic.
 
-A last bit decides whether balls that meet at equal speeds still close, and the answer jumps with it. Every law is run
-twice, with twice the digits the second time: what the two runs differ by bounds what is left of rounding.
+The last bit decides whether balls of equal speed still close, and the answer jumps with it. Every law is run twice,
+the second time with twice the digits: the difference of the two runs bounds the remaining rounding.
 """
 
 from decimal import Context, Decimal, localcontext
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 MOST_COLLISIONS = 20000
 MOST_ROUNDS = 2000
-# Pairs that go on colliding ever more slowly are stopped at this share of the fastest speed of closing at the start,
-# in the first run and in the second; where collisions run out before, what is this slow has stopped all the same.
+# Pairs that keep colliding ever more slowly are stopped at this share of the fastest initial closing speed, in the
+# first run and in the second; pairs slower than this count as stopped even if collisions end earlier.
 STILL = Decimal("1e-25"), Decimal("1e-32")
 STOPPED = Decimal("1e-14")
-# Digits beside those that the range of masses and speeds takes.
+# Digits in addition to those for the range of masses and speeds.
 DIGITS = 60
 ZERO = Decimal(0)
 
@@ -44,7 +44,7 @@ class Motion:
 
 
 class Chain:
-    """A chain as it is before the impact, in exact numbers, and the digits to follow it with."""
+    """A chain before the impact, in exact numbers, and the digits of its calculation."""
 
     def __init__(self, masses: "Sequence[float]", velocities: "Sequence[float]", ratios: "Sequence[float]") -> None:
         self.masses = [Decimal(mass) for mass in masses]
@@ -54,7 +54,8 @@ class Chain:
         self.fastest = Decimal(max(closing))
         self.heavy = max(self.masses).adjusted() - min(self.masses).adjusted()
         moving = [velocity.adjusted() for velocity in self.velocities if velocity]
-        # a light body's share in a heavy one's motion, and the slowest closing beside the fastest body, keep digits
+        # enough digits for a light body's share in a heavy one's motion, and the slowest closing beside the fastest
+        # body
         self.digits = DIGITS + 2 * self.heavy + max(moving) - min(self.fastest.adjusted(), *moving)
 
     def closing(self) -> list[Decimal]:
@@ -62,15 +63,15 @@ class Chain:
         return [a - b for a, b in pairwise(self.velocities)]
 
     def least(self, run: int) -> Decimal:
-        """Slower closing than this has stopped."""
+        """Closing slower than this counts as stopped."""
         rounding = max(map(abs, self.velocities)).scaleb(20 - self.digits)
         return max((STILL[run] * self.fastest).scaleb(-self.heavy // 2), rounding)
 
     def drift(self, closing: Decimal) -> Decimal:
         """How far, in √(Σ m v²), velocities may still change when no pair closes faster than this.
 
-        A collision takes the velocities no farther from any that are in order, so they end within twice the distance
-        from the nearest of those: here each body is moved beside the heaviest.
+        A collision never increases the distance from any set of ordered velocities, so they end within twice the
+        distance from the nearest such set: here each body is moved beside the heaviest.
         """
         heaviest = self.masses.index(max(self.masses))
         spread = sum((mass * (index - heaviest) ** 2 for index, mass in enumerate(self.masses)), ZERO)
@@ -132,11 +133,11 @@ def _simultaneous(chain: Chain, run: int) -> Motion:
         motion.impulses = [one + more for one, more in zip(motion.impulses, pushes, strict=True)]
         closing = [u - o for u, o in zip(closing, opened, strict=True)]
         motion.collisions += 1
-    # digits that are left of a sum that is nothing
+    # remaining digits of a sum that is zero
     if abs(motion.lost) <= size.scaleb(20 - chain.digits):
         motion.lost = ZERO
     if motion.lost < 0 and not motion.why:
-        motion.why = worded("unlike restitutions would give {energy} to the bodies", energy=(-motion.lost, Energy))
+        motion.why = worded("different restitutions would add {energy} to the bodies", energy=(-motion.lost, Energy))
     ends = zip([ZERO, *motion.impulses], [*motion.impulses, ZERO], weights, strict=True)
     motion.changes = [(behind - ahead) * weight for behind, ahead, weight in ends]
     motion.left = chain.drift(fastest)
@@ -144,7 +145,7 @@ def _simultaneous(chain: Chain, run: int) -> Motion:
 
 
 def _plastic(weights: list[Decimal], closing: list[Decimal]) -> list[Decimal]:
-    """Least impulses after which no pair closes: an M-matrix, so the set of acting contacts only grows."""
+    """Smallest impulses after which no pair closes: an M-matrix, so the set of active contacts only grows."""
     acting = [u > 0 for u in closing]
     while True:
         impulses = _tridiagonal(weights, closing, acting)
@@ -175,7 +176,7 @@ def _tridiagonal(weights: list[Decimal], wanted: list[Decimal], acting: list[boo
         end = start
         while end < len(wanted) and acting[end]:
             end += 1
-        # elimination without a subtraction: the diagonal keeps what it owes to the bodies before apart
+        # elimination without subtractions: the diagonal keeps the contribution of the bodies before separate
         right = wanted[start:end]
         owed = weights[start]
         diagonal = [owed + weights[start + 1]]
@@ -202,7 +203,7 @@ class Bounded:
 
     def __init__(self, first: Decimal, second: Decimal, left: Decimal, size: Decimal) -> None:
         apart = abs(first - second) + left + size.scaleb(-DIGITS)
-        # what cannot be told from zero is zero
+        # numbers indistinguishable from zero are zero
         zero = abs(second) <= apart
         self.value = 0.0 if zero else float(second)
         self.error = 2.0 * UNIT_ROUNDOFF * abs(self.value) + float(2 * apart) + SMALLEST

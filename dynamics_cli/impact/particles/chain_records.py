@@ -5,10 +5,10 @@ from dynamics_cli.records import Advice, Check, Choice, Numerics, record
 
 
 class ChainLaw(Choice):
-    """How a chain of touching bodies shares an impact.
+    """Law for the impact of a chain of touching bodies.
 
-    sequential: one pair at a time, the pair that closes fastest first, until none closes. simultaneous: all contacts at
-    one moment are pushed until none closes, and e times as much again (Moreau); once more while a pair closes.
+    sequential: one pair at a time, the pair that closes fastest first, until none closes. simultaneous: impulses at all
+    contacts at one moment until none closes, and e times as much again (Moreau); repeated while a pair closes.
     all: both, side by side.
     """
 
@@ -32,7 +32,7 @@ class AfterChain:
     """A body after the impact, by one law."""
 
     law: Annotated[Text, "Name of the law."]
-    body: Annotated[Count, "Which body, from 1."]
+    body: Annotated[Count, "Number of the body, from 1."]
     velocity: Annotated[Speed, "Velocity after [m/s]."]
     delta_v: Annotated[Speed, "Change of velocity, from its impulses over its mass [m/s]."]
     impulse_to_next: Annotated[Impulse | None, "Impulse on the next body; none for the last [N·s]."]
@@ -46,8 +46,8 @@ class LawAnswer:
     energy_lost: Annotated[Energy, "Energy lost [J]."]
     collisions: Annotated[
         Count,
-        "Collisions of single pairs, or rounds of all contacts at one moment; ever slower ones are counted until "
-        "they change no digit of a result.",
+        "Collisions of single pairs, or rounds of all contacts at one moment, counted until they no longer "
+        "change any digit of a result.",
     ]
 
 

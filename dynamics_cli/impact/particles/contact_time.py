@@ -1,4 +1,4 @@
-"""How long a central impact lasts and how hard it pushes, where the contact has a stiffness."""
+"""Duration and peak force of a central impact whose contact has a stiffness."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.particles.hunt_crossley import HuntCrossley, shape
@@ -47,7 +47,7 @@ def push(
 
 
 def _lossy(force: HuntCrossley, stiffness: float, reduced: float, closing: float, restitution: float) -> Push:
-    require(force.hunt_crossley, "--hunt-crossley is yes or left out", code="flag")
+    require(force.hunt_crossley, "--hunt-crossley is given or left out", code="flag")
     time, peak, depth = shape(restitution)
     work = reduced * closing * closing
     unit = exp(0.4 * log(work / stiffness))

@@ -27,7 +27,7 @@ class ReboundHeight:
     """Restitution from the height that a bounce reaches."""
 
     rebound_height: Annotated[Distance, "Greatest height after the bounce, e.g. 0.64 m [m]."]
-    after_bounces: Annotated[Count, "Which bounce it was, 1 for the first."] = 1
+    after_bounces: Annotated[Count, "Number of the bounce, 1 for the first."] = 1
 
 
 @record
@@ -49,7 +49,7 @@ class RestTime:
 class Bounce:
     """One bounce and the flight after it."""
 
-    number: Annotated[Count, "Which bounce, from 1."]
+    number: Annotated[Count, "Number of the bounce, from 1."]
     time: Annotated[Time, "Time since letting go [s]."]
     impact_speed: Annotated[Speed, "Speed downwards [m/s]."]
     rebound_speed: Annotated[Speed, "Speed upwards [m/s]."]
@@ -78,13 +78,13 @@ def drop(
     *,
     evidence: Annotated[
         Restituted | ReboundHeight | FlightTimes | RestTime,
-        "The restitution, or what it is found from: a height reached, two flight times, or the time to rest.",
+        "The restitution, or a measurement that gives it: a height reached, two flight times, or the time to rest.",
     ],
     height: Annotated[
         Distance | None, "Height the body was dropped from; flight times give it when it is left out, e.g. 1 m [m]."
     ] = None,
-    bounces: Annotated[Count, "How many bounces to list."] = 5,
-    mass: Annotated[Mass | None, "Mass of the body; wanted for the energy only, e.g. 0.06 kg [kg]."] = None,
+    bounces: Annotated[Count, "Number of bounces to list."] = 5,
+    mass: Annotated[Mass | None, "Mass of the body; needed only for the energy, e.g. 0.06 kg [kg]."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Dropped:
     """Restitution of a body dropped on a floor, from heights or times, and its series of bounces.
@@ -96,7 +96,7 @@ def drop(
     Returns
     -------
     Dropped
-        Restitution, speeds, heights and times of the bounces, time and way until rest.
+        Restitution, speeds, heights and times of the bounces, time and distance until rest.
 
     Raises
     ------
@@ -230,7 +230,7 @@ def _checks(listed: list[Bounce], restitution: float, height: float, gravity: fl
     last = listed[-1]
     rise = 0.5 * last.rebound_speed * last.rebound_speed
     checks = balance("height of the last bounce from its speed", rise, gravity * last.height, gravity * height)
-    checks += not_above("energy never gained", last.height, height, height)
+    checks += not_above("no energy is gained", last.height, height, height)
     return checks + balance("restitution", last.rebound_speed, restitution * last.impact_speed, listed[0].impact_speed)
 
 

@@ -1,6 +1,6 @@
-"""Hunt and Crossley's contact, F = k δ^1.5 (1 + c δ̇), with the loss that gives a wanted restitution.
+"""Hunt and Crossley's contact, F = k δ^1.5 (1 + c δ̇), with the loss that gives a required restitution.
 
-With δ in (m u²/k)^(2/5) and velocity in u only x = c u is left, and v dv/dδ = −δ^1.5 (1 + x v). Every number of the
+With δ in (m u²/k)^(2/5) and velocity in u only x = c u remains, and v dv/dδ = −δ^1.5 (1 + x v). Every number of the
 contact is then a function of the restitution alone.
 """
 
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-# Below this the release takes ever longer: the bodies hardly part.
+# Below this the release takes ever longer: the bodies hardly separate.
 LEAST_RESTITUTION = 0.1
 PANELS, NODES = 12, 28
-# What quadrature and root may be wrong by, relatively.
+# Relative error of quadrature and root.
 WRONG = 1e-13
 
 
@@ -36,14 +36,14 @@ class HuntCrossley:
 
     contact_radius: Annotated[Distance, "Effective radius of curvature, 1/R = 1/R₁ + 1/R₂, e.g. 20 mm [m]."]
     contact_modulus: Annotated[Pressure, "Effective modulus, 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, e.g. 2 GPa [Pa]."]
-    hunt_crossley: Annotated[bool, "Yes for the loss of Hunt and Crossley, which the restitution fixes."]
+    hunt_crossley: Annotated[bool, "Use the loss of Hunt and Crossley, which the restitution determines."]
 
 
 def shape(restitution: float) -> tuple[float, float, float]:
     """Duration, peak force and depth in units of D/u, k D^1.5 and D = (m u²/k)^(2/5), of one case or an array."""
     require(
         (restitution >= LEAST_RESTITUTION) & (restitution <= 1.0),
-        "Hunt and Crossley's contact answers restitutions from 0.1 to 1, not {restitution:6}",
+        "Hunt and Crossley's contact takes restitutions from 0.1 to 1, not {restitution:6}",
         restitution=(restitution, Restitution),
         code="restitution",
         hint="leave --hunt-crossley out: Hertz's contact takes any restitution up to 1",

@@ -86,7 +86,7 @@ def oblique(
     Notes
     -----
     Without friction there is no impulse across the line and no spin; with friction or shape use the planar impact.
-    The impulse decides: ΔV is J/m and the loss is never a difference of kinetic energies.
+    Everything follows from the impulse: ΔV is J/m and the loss is never a difference of kinetic energies.
 
     References
     ----------
@@ -140,7 +140,7 @@ def dot(a: Pair, b: Pair) -> float:
 
 
 def cross(a: Pair, b: Pair) -> float:
-    """The part of a × b out of the plane."""
+    """The component of a × b out of the plane."""
     return multiply_add(a[0], b[1], -(a[1] * b[0]))
 
 
@@ -159,7 +159,7 @@ def _normal(line: Normal | Centres | Offset, relative: Pair, axes: Axes) -> tupl
     speed = hypot(relative[0], relative[1])
     require(speed > 0.0, "no impact: the bodies do not move against each other", code="no-impact")
     reach = line.first_radius + line.second_radius
-    require(reach > 0.0, "an offset needs spheres with a radius above zero", code="no-radius")
+    require(reach > 0.0, "an offset needs spheres with radii above zero", code="no-radius")
     across = line.offset
     require(
         absolute(across) < reach,
@@ -168,7 +168,7 @@ def _normal(line: Normal | Centres | Offset, relative: Pair, axes: Axes) -> tupl
         reach=(reach, Length),
         code="no-impact",
     )
-    # of spheres that all but pass, both differences are exact
+    # for spheres that nearly miss, both differences are exact
     larger = where(line.first_radius >= line.second_radius, line.first_radius, line.second_radius)
     smaller = where(line.first_radius >= line.second_radius, line.second_radius, line.first_radius)
     overlap = (larger - absolute(across)) + smaller
@@ -218,7 +218,7 @@ def _after(
         gain = size / mass
         middle = along + 0.5 * gain
         after = multiply_add(way[0], gain, before[0]), multiply_add(way[1], gain, before[1])
-        # where the impulse takes nearly all, what is left is put together from its parts
+        # where the impulse removes nearly all motion, the remainder is assembled from its components
         left, aside = sense * final, cross(way, before)
         parts = multiply_add(way[0], left, -(way[1] * aside)), multiply_add(way[1], left, way[0] * aside)
         taken = absolute(gain) > 4.0 * (absolute(left) + absolute(aside))
@@ -259,4 +259,4 @@ def _checks(
     checks += balance("energy", one.energy_change + two.energy_change, -answer.energy_lost, work)
     if plain_above(contact.restitution):
         return checks
-    return checks + not_above("energy never gained", -answer.energy_lost, 0.0, work)
+    return checks + not_above("no energy is gained", -answer.energy_lost, 0.0, work)

@@ -87,9 +87,10 @@ class AfterOblique:
         RoadVelocity, "Part of the velocity after along the line of impact, from the first body to the second [m/s]."
     ]
     tangential_velocity: Annotated[
-        RoadVelocity, "Part across the line, which the impact does not change, positive on the left of the line [m/s]."
+        RoadVelocity,
+        "Component across the line, which the impact does not change, positive on the left of the line [m/s].",
     ]
-    delta_v: Annotated[DeltaV | None, "Change of velocity, from the impulse over the mass; none of a fixed body."]
+    delta_v: Annotated[DeltaV | None, "Change of velocity, impulse over mass; absent for a fixed body."]
     energy_change: Annotated[Energy, "Change of the kinetic energy [J]."]
 
 

@@ -1,4 +1,4 @@
-"""The ballistic pendulum: speed of a shot from how far what it struck swings."""
+"""The ballistic pendulum: speed of a shot from the swing of the body it strikes."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import ByMass, ByWeight, mass_of
@@ -28,14 +28,14 @@ PI = 3.141592653589793
 
 @record
 class Rise:
-    """How high the block rose."""
+    """Rise of the block."""
 
     rise: Annotated[Size, "Rise of the mass centre of what swings, e.g. 10 cm [m]."]
 
 
 @record
 class Swing:
-    """How far the block swung on its cords."""
+    """Swing of the block on its cords."""
 
     swing: Annotated[Angle, "Greatest angle of swing, e.g. 18 deg [rad]."]
     length: Annotated[Distance, "Length of the cords to the mass centre of what swings, e.g. 1.2 m [m]."]
@@ -49,7 +49,7 @@ class Swing:
 
 @record
 class Sideways:
-    """How far the block moved sideways."""
+    """Sideways movement of the block."""
 
     travel: Annotated[Size, "Greatest horizontal travel of the mass centre, e.g. 350 mm [m]."]
     length: Annotated[Distance, "Length of the cords to the mass centre of what swings, e.g. 1.2 m [m]."]
@@ -117,7 +117,7 @@ def pendulum(
     block: Annotated[Block, "The block or pendulum that is struck."],
     swing: Annotated[
         Rise | Swing | Sideways | Hinged,
-        "How far it swings: its rise, angle and length, sideways travel and length, or angle of a hinged body.",
+        "Its swing: rise, angle and length, sideways travel and length, or angle of a hinged body.",
     ],
     restitution: Annotated[
         Restitution, "Coefficient of restitution: 0 when the shot stays in the block, above when it bounces off [-]."
@@ -142,8 +142,8 @@ def pendulum(
 
     Notes
     -----
-    The shot strikes level, square and at rest; the impact is over before the pendulum has moved. A shot that bounces
-    off does not swing along.
+    The shot strikes a pendulum at rest, horizontally and perpendicular to it; the impact is over before the pendulum
+    has moved. A shot that bounces off does not swing along.
 
     References
     ----------
@@ -208,7 +208,7 @@ def _hinged(shot: float, mass: float, swing: Hinged, restitution: float, gravity
 
 
 def _shot(shot: float, mass: float, speed: float, restitution: float, rise: float, spin: float | None) -> Shot:
-    """The impact of shot and (effective) mass, from the speed after of what was struck."""
+    """The impact of shot and (effective) mass, from the speed of the struck body after it."""
     total = shot + mass
     before = speed * (total / shot) / (1.0 + restitution)
     require_finite(before * before * shot, "the energy of the shot")
@@ -222,7 +222,7 @@ def _shot(shot: float, mass: float, speed: float, restitution: float, rise: floa
     checks = balance("momentum", shot * before, shot * after + mass * speed, size)
     checks += balance("restitution", speed - after, restitution * before, hypot(speed, before))
     checks += balance("energy", kinetic - left, lost, kinetic)
-    checks += not_above("energy never gained", left, kinetic, kinetic)
+    checks += not_above("no energy is gained", left, kinetic, kinetic)
     return Shot(
         speed=before,
         pendulum_speed=speed,

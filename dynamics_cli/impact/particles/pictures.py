@@ -3,6 +3,7 @@
 import math
 
 from dynamics_cli.impact.conventions import Axes, direction_of, mass_of
+from dynamics_cli.impact.scene_labels import Words, bounds, placed
 from dynamics_cli.impact.scene_pictures import collision, velocities
 from dynamics_cli.pictures import Arrow, Axis, Band, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Count, Energy, Impulse, Inertia, Length, Size, Speed, Time
@@ -12,17 +13,20 @@ if TYPE_CHECKING:
     from typing import Any
 
 POINTS = 61
+# Of the polygon of momenta on paper.
+INCHES = 2.6
+ROOM = 0.1
 
 
-def oblique(made: "Any", *, first: "Any" = None, second: "Any" = None, **_: "Any") -> Picture:
+def oblique(result: "Any", *, first: "Any" = None, second: "Any" = None, **_: "Any") -> Picture:
     """Velocities before and after on one scale, and the line of impact."""
     before, after = [], []
-    for one in (made.first, made.second):
+    for one in (result.first, result.second):
         gone = (0.0, 0.0) if one.delta_v is None else one.delta_v.vector
         after.append(one.velocity)
         before.append((one.velocity[0] - gone[0], one.velocity[1] - gone[1]))
-    turn = made.normal_direction
-    compass = str(made.conventions.axes).startswith("compass")
+    turn = result.normal_direction
+    compass = str(result.conventions.axes).startswith("compass")
     way = (math.sin(turn), math.cos(turn)) if compass else (math.cos(turn), math.sin(turn))
     reach = 0.7 * max(max(abs(x), abs(y)) for x, y in [*before, *after]) or 1.0
     names = tuple(getattr(one, "name", None) or word for one, word in ((first, "first"), (second, "second")))
@@ -31,16 +35,16 @@ def oblique(made: "Any", *, first: "Any" = None, second: "Any" = None, **_: "Any
     return Picture((Panel(panel.x, panel.y, (line, *panel.items), panel.title, equal=True),), "oblique impact")
 
 
-def momentum(made: "Any", *, first: "Any", second: "Any", gravity: float, **_: "Any") -> Picture:
+def momentum(result: "Any", *, first: "Any", second: "Any", gravity: float, **_: "Any") -> Picture:
     """The vehicles at the impact with their velocities, and the polygon of momenta."""
-    axes = made.conventions.axes.partition(":")[0]
-    both = (made.first, made.second)
+    axes = result.conventions.axes.partition(":")[0]
+    both = (result.first, result.second)
     names = tuple(getattr(one, "name", None) or word for one, word in ((first, "first"), (second, "second")))
     before = [_seen(one.approach_speed, one.approach_heading, axes) for one in both]
     after = [_seen(one.exit_speed, one.exit_heading, axes) for one in both]
     noses = [
-        _seen(1.0, found.approach_heading if given.nose is None else given.nose, axes)
-        for found, given in zip(both, (first, second), strict=True)
+        _seen(1.0, body.approach_heading if given.nose is None else given.nose, axes)
+        for body, given in zip(both, (first, second), strict=True)
     ]
     north = (0.0, 1.0) if axes == "compass" else None
     masses = [mass_of(one.bulk, gravity) for one in (first, second)]
@@ -62,6 +66,7 @@ def _polygon(
 ) -> Panel:
     """Momenta head to tail, before dashed and after, which end at the same point: their sum."""
     items: list[Any] = []
+    words: list[Words] = []
     total = (
         sum(mass * u for mass, (u, _) in zip(masses, after, strict=True)),
         sum(mass * v for mass, (_, v) in zip(masses, after, strict=True)),
@@ -72,19 +77,23 @@ def _polygon(
             items.append(Arrow(x, y, mass * u, mass * v, "", role, dashed=word == "before"))
             if u or v:
                 middle = x + 0.5 * mass * u, y + 0.5 * mass * v
-                items.append(Mark(*middle, f"{name} {word}", _away(middle, (u, v), total), dot=False, role=role))
+                words.append(Words(middle, _away(middle, (u, v), total), f"{name} {word}", role))
             x, y = x + mass * u, y + mass * v
     items.append(Arrow(0.0, 0.0, *total, "", 6))
-    items.append(Mark(0.4 * total[0], 0.4 * total[1], "sum", (5.0, -2.0), dot=False))
-    return Panel(
-        Axis("momentum along x", Impulse), Axis("momentum along y", Impulse), tuple(items), "momentum", equal=True
-    )
+    words.append(Words((0.4 * total[0], 0.4 * total[1]), (-total[1], total[0]), "sum", 6))
+    left, low, right, high = bounds(items, 0.0)
+    inch = max(right - left, high - low) / INCHES or 1.0
+    items += placed(items, words, inch)
+    left, low, right, high = bounds(items, inch)
+    across = Axis("momentum along x", Impulse, ends=(left - ROOM * inch, right + ROOM * inch))
+    up = Axis("momentum along y", Impulse, ends=(low - ROOM * inch, high + ROOM * inch))
+    return Panel(across, up, tuple(items), "momentum", equal=True)
 
 
 def _away(
     middle: "tuple[float, float]", way: "tuple[float, float]", total: "tuple[float, float]"
 ) -> "tuple[float, float]":
-    """Where words stand beside an arrow: across it, on the side away from the sum."""
+    """Place of a label beside an arrow: across it, on the side away from the sum."""
     left = total[0] * middle[1] - total[1] * middle[0] > 0.0
     nx, ny = -way[1], way[0]
     if (nx * -total[1] + ny * total[0] > 0.0) != left:
@@ -160,7 +169,7 @@ def chain(result: "Any", *, bodies: "Any", **_: "Any") -> Picture:
 
 
 def yaw_inertia(result: "Any", **_: "Any") -> Picture:
-    """What every rule gives, and the range of all."""
+    """The estimate of every rule, and the range of all."""
     names = tuple(str(one.rule) for one in result.rules)
     rules = Bars(names, [0.0] * len(names), [float(one.yaw_inertia) for one in result.rules])
     items = (

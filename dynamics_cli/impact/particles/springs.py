@@ -1,7 +1,7 @@
 """Duration and peak force of an impact whose contact has a stiffness: a spring, or Hertz's law.
 
 Loading follows F = k δ^(q−1), q = 2 for a spring and 5/2 for Hertz; unloading falls from the peak force by the same
-power of a smaller deflection, such that it gives back the work of restitution. Time is ∫ dδ/|u_n| along the path.
+power of a smaller deflection, such that it returns the work of restitution. Time is ∫ dδ/|u_n| along the path.
 """
 
 from dynamics_cli.errors import worded
@@ -58,7 +58,7 @@ def contact_history(
 
 
 def force_advice(force: Spring | Hertz | None, duration: float | None, law: str) -> tuple[Advice, ...]:
-    """Say so when a law knows no path along which a force could grow and fall."""
+    """Advice when a law has no path along which a force could grow and fall."""
     if force is None or duration is not None:
         return ()
     text = worded("the law {law} gives impulses only, not their history: no duration and no peak force", law=law)

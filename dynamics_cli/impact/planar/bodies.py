@@ -1,4 +1,4 @@
-"""Rigid bodies in the plane as a user states them, and as the mechanics of the contact needs them."""
+"""Rigid bodies in the plane: as given by the user, and in the form that the contact needs."""
 
 from dynamics_cli.errors import require, require_given
 from dynamics_cli.impact.conventions import (
@@ -70,7 +70,7 @@ class RigidBody:
     """A rigid body that moves in the plane."""
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
-    turning: Annotated[ByInertia | ByGyration, "Its inertia about the mass centre."]
+    turning: Annotated[ByInertia | ByGyration, "Its moment of inertia about the mass centre."]
     arm: Annotated[Lever | Placed | OnBody, "Where it is struck."]
     motion: Annotated[ByVelocity | BySpeed, "Velocity of the mass centre before; at rest when left out."] = ByVelocity(
         (0.0, 0.0)
@@ -88,7 +88,7 @@ class RigidTarget:
     """The other rigid body, or a fixed barrier, which needs neither inertia nor lever."""
 
     bulk: Annotated[ByMass | ByWeight | Fixed, "Its mass or its weight, or that it is fixed."]
-    turning: Annotated[ByInertia | ByGyration | None, "Its inertia about the mass centre."] = None
+    turning: Annotated[ByInertia | ByGyration | None, "Its moment of inertia about the mass centre."] = None
     arm: Annotated[Lever | Placed | OnBody | None, "Where it is struck."] = None
     motion: Annotated[ByVelocity | BySpeed, "Velocity of the mass centre before; at rest when left out."] = ByVelocity(
         (0.0, 0.0)
@@ -103,7 +103,7 @@ class RigidTarget:
 
 @record
 class Solid:
-    """A body as the contact sees it; mass and inertia are None when it is fixed."""
+    """A body at the contact; mass and inertia are None if it is fixed."""
 
     mass: Annotated[float | None, "Mass [kg]."]
     inertia: Annotated[float | None, "Moment of inertia [kg·m²]."]
@@ -156,7 +156,7 @@ def solid(body: RigidBody | RigidTarget, contact: Pair | None, axes: Axes, gravi
 
 
 def nose_of(nose: float | None, velocity: Pair, axes: Axes) -> Pair:
-    """Direction of the nose: given, else that of travel, of a body at rest that of heading zero."""
+    """Direction of the nose: as given, else that of travel, or of heading zero for a body at rest."""
     return travel_of(velocity, axes) if nose is None else direction_of(nose, axes)
 
 

@@ -25,14 +25,14 @@ def certificate(
     states = (one, answer.first), (two, answer.second)
     checks = _momentum(states, size)
     checks += _turning(states, answer.moment_impulse, size)
-    # what the impulse moves at the contact in the direction that gives way most: all its parts are rounded beside it
+    # velocity change at the contact in the most compliant direction: all components are rounded beside it
     moved = (m.mobility.tangential + m.mobility.normal) * size
     checks += _kinematics(states, solved, inward, moved)
     work = solved.scale + moved * size + absolute(answer.first.energy_change) + absolute(answer.second.energy_change)
     gained = answer.first.energy_change + answer.second.energy_change
     checks += balance("energy", gained, -solved.lost, work)
     if not plain(m.restitution) > 1.0:
-        checks += not_above("energy never gained", -solved.lost, 0.0, work)
+        checks += not_above("no energy is gained", -solved.lost, 0.0, work)
     checks += not_above("no tension", -solved.normal, 0.0, size)
     return checks + _friction(m, solved, law) + _restitution(m, solved, law)
 
@@ -71,7 +71,7 @@ def _turning(states: "tuple[tuple[Solid, AfterPlanar], ...]", moment: float | No
 def _kinematics(
     states: "tuple[tuple[Solid, AfterPlanar], ...]", solved: Outcome, inward: Pair, least: float
 ) -> tuple[Check, ...]:
-    """Velocities after, taken to the contact, give the relative velocity the law ended with."""
+    """Check that velocities after, at the contact, give the law's final relative velocity."""
     speeds, relative = least, [0.0, 0.0]
     for (body, end), way in zip(states, (1.0, -1.0), strict=True):
         x = end.velocity[0] - end.spin * body.lever[1]
@@ -101,7 +101,7 @@ def _friction(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
 
 
 def _restitution(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
-    """Restitution by its own definition, from what the law did not compute with."""
+    """Check restitution by its definition, from quantities that the law did not use."""
     name = f"restitution as {law} defines it"
     if law in ("newton", "brach"):
         return balance(name, solved.normal_after, -m.restitution * m.approach, absolute(m.approach))
@@ -110,7 +110,7 @@ def _restitution(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
         return balance(name, back, m.restitution * solved.compression, solved.normal)  # type: ignore[operator]
     if law == "kudlich-slibar":
         return balance(name, solved.normal_after, -m.restitution * m.approach, absolute(m.approach))
-    # the work given back, by the trapezoids of the path
+    # the returned work, by the trapezoids of the path
     path = travel(m.mobility, m.slip, m.approach, m.friction, m.restitution, law)
     k, rest = m.mobility, solved.normal - path.compression
     turned = m.approach + (k.normal + k.coupling * path.slopes[0]) * path.first_slip
@@ -123,7 +123,7 @@ def _restitution(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
 
 
 def lever_advice(one: Solid, two: Solid) -> tuple[Advice, ...]:
-    """Say so when a contact lies far outside a body of that inertia."""
+    """Advice when a contact lies far outside a body of that inertia."""
     return tuple(
         Advice(
             code="far-contact",
@@ -139,7 +139,7 @@ def lever_advice(one: Solid, two: Solid) -> tuple[Advice, ...]:
 
 
 def side_advice(one: Solid, two: Solid, towards: Pair) -> tuple[Advice, ...]:
-    """Say so when a mass centre lies on the other body's side of the contact."""
+    """Advice when a mass centre lies on the other body's side of the contact."""
     advice: tuple[Advice, ...] = ()
     for body, name, way in ((one, "first", 1.0), (two, "second", -1.0)):
         if body.mass is None:
@@ -155,7 +155,7 @@ def side_advice(one: Solid, two: Solid, towards: Pair) -> tuple[Advice, ...]:
 
 
 def restituted_advice(law: str, moment_restitution: float) -> tuple[Advice, ...]:
-    """Say so when a moment coefficient goes with a law that has none."""
+    """Advice when a moment coefficient is given with a law that has none."""
     if law == "brach" or not single(moment_restitution) or plain(moment_restitution) == 1.0:
         return ()
     message = worded("only Brach's law has a moment restitution; {law} answers without it", law=law)

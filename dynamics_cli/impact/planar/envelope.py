@@ -1,4 +1,4 @@
-"""ΔV over a region of restitution and friction: what an impact can have done when neither is known well."""
+"""ΔV over a region of restitution and friction: possible outcomes of an impact when neither is known well."""
 
 from dynamics_cli.errors import (
     require,
@@ -43,7 +43,7 @@ POINTS_MOST = 100_000_000
 def _require_region(
     ends: "tuple[tuple[float, float], tuple[float, float]]", points: tuple[int, int], map_points: int
 ) -> None:
-    """Refuse a region that is turned round, has too few or too many points; restitution first, then friction."""
+    """Refuse an inverted region, or one with too few or too many points; restitution first, then friction."""
     require(
         all(least <= greatest for least, greatest in ends),
         "the lower ends of the region lie above its upper ends",
@@ -80,7 +80,7 @@ def envelope(
     restitution_points: Annotated[Count, "Points along restitution, both ends among them."] = 1000,
     friction_points: Annotated[Count, "Points along friction, both ends among them."] = 1000,
     map_points: Annotated[Count, "Points along each side of the coarse map that is written out."] = 5,
-    law: Annotated[Law, "What ends the impact: stronge, newton, poisson, brach or kudlich-slibar."] = LAW,
+    law: Annotated[Law, "Law that ends the impact: stronge, newton, poisson, brach or kudlich-slibar."] = LAW,
     contact_point: Annotated[
         PlanarPosition | None, "Where the bodies touch, when bodies are placed by their centres [m]."
     ] = None,
@@ -110,7 +110,7 @@ def envelope(
     Notes
     -----
     Extremes are those of the grid: exact at its points, and at the ends of the region, where they mostly lie. Doubles
-    find their places, 60 digits their values; the bound is mostly that another point errs in doubles.
+    give their places, 60 digits their values; the bound is mostly the error of doubles at other points.
 
     References
     ----------
@@ -129,7 +129,7 @@ def envelope(
 
     from dynamics_cli.impact.planar.envelope_bounds import ExactContact
 
-    require(law != "all", "an envelope is of one law", code="one-law", hint="--law stronge")
+    require(law != "all", "an envelope is for one law", code="one-law", hint="--law stronge")
     ends = (least_restitution, greatest_restitution), (least_friction, greatest_friction)
     _require_region(ends, (restitution_points, friction_points), map_points)
     body = solid(first, contact_point, axes, gravity, "the first body")
@@ -158,7 +158,7 @@ def _map(region: Region, one: Solid, two: Solid, map_points: int) -> "Columns[En
     """The answers on a coarse grid of the region."""
     import numpy as np
 
-    # a side without extent has one place on the map: more would repeat its rows
+    # a side of zero extent has one place on the map: more would repeat its rows
     e, mu = (np.linspace(s[0], s[-1], map_points if s[0] < s[-1] else 1) for s in (region.e, region.mu))
     pn, pt, lost = region.answer(mu[:, None], e)
     good = pn == pn
@@ -186,7 +186,7 @@ def _report(region: Region, one: Solid, two: Solid, map_points: int) -> Envelope
             refused=refused,
             total=total,
         )
-        advice = (Advice("law-inadmissible", text, "caution", remedy="--law stronge answers everywhere"),)
+        advice = (Advice("law-inadmissible", text, "caution", remedy="--law stronge has an answer everywhere"),)
     extremes = region.extremes()
     bodies = {"first": one, "second": two}
     ranges = {name: _delta_v_range(extremes["size"], body) for name, body in bodies.items()}
@@ -195,7 +195,7 @@ def _report(region: Region, one: Solid, two: Solid, map_points: int) -> Envelope
     checks: tuple[Check, ...] = ()
     if region.law == "stronge":
         scale = max(abs(greatest.value), 1e-300)
-        checks = (Check("energy never gained", least.value >= -1e-12 * scale, max(-least.value / scale, 0.0), 1e-12),)
+        checks = (Check("no energy is gained", least.value >= -1e-12 * scale, max(-least.value / scale, 0.0), 1e-12),)
     return Envelope(
         first_delta_v=ranges["first"],  # type: ignore[arg-type]
         second_delta_v=ranges["second"],

@@ -1,10 +1,10 @@
-"""Extremes over a grid: doubles find their places, 60 digits their values.
+"""Extremes over a grid: places from doubles, values from 60 digits.
 
 K and the velocities of the contact are rounded once, from 60 digits, before they go over the grid. At the places of
-the extremes and at the corners of the region the answers are calculated again in 60 digits; what doubles err there,
-four times, is taken for what they may err anywhere. Points of the grid that come as near to an extreme are calculated
-in 60 digits too, unless they are many: then what doubles may err stays in the bound. Where digits cancel, as between
-the parts of K at a very long lever, so many more are taken.
+the extremes and at the corners of the region the answers are calculated again in 60 digits; four times the error of
+doubles there is taken as their error anywhere. Points of the grid that come as near to an extreme are calculated
+in 60 digits too, unless they are many: then the error of doubles stays in the bound. Where digits cancel, as between
+the terms of K at a very long lever, as many more are used.
 """
 
 from decimal import Decimal, localcontext
@@ -27,11 +27,11 @@ if TYPE_CHECKING:
     Values = dict[str, Any]
 
 UNIT_ROUNDOFF = 2.0**-53
-# What doubles err at the places of the extremes is no more than this share of what they may err elsewhere.
+# The error of doubles at the extremes is at most this share of their error elsewhere.
 MISSED = 4.0
-# Of the largest number, what 60 digits cannot tell from nothing.
+# Numbers below this share of the largest are indistinguishable from zero in 60 digits.
 SPARE = 1e-45
-# Digits that may cancel before more are taken.
+# Digits that may cancel before more are used.
 GUARDS = 8
 
 
@@ -40,7 +40,7 @@ def _many(number: float) -> ManyDigits:
 
 
 class ExactContact:
-    """The contact of an envelope in 60 digits, beside those that cancel."""
+    """The contact of an envelope in 60 digits, plus those that cancel."""
 
     __slots__ = ("bodies", "context", "inward", "meeting", "turns")
 
@@ -152,7 +152,7 @@ class Extremes:
                 self.known[place] = values
 
     def missed(self) -> dict[str, float]:
-        """What doubles may err, by quantity."""
+        """Error of doubles, by quantity."""
         near = {place: self.doubles(*place) for place in self.known}
         with localcontext(self.exact.context):
             return {
@@ -161,10 +161,10 @@ class Extremes:
             }
 
     def end(self, name: str, *, greatest: bool, missed: float) -> Extreme:
-        """The extreme of one quantity, which another point may exceed by so much."""
+        """The extreme of one quantity, and the amount by which another point may exceed it."""
         exact = {place: self.known[place][name].exact for place in sorted(self.known)}
         place = (max if greatest else min)(exact, key=exact.__getitem__)
-        # what 60 digits leave of a difference that is nothing
+        # remainder in 60 digits of a difference that is zero
         nothing = SPARE * float(max(map(abs, exact.values())))
         value = float(exact[place])
         return Extreme(0.0, missed + nothing, place) if abs(value) <= nothing else Extreme(value, missed, place)

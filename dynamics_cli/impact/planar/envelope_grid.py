@@ -12,12 +12,12 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Points that doubles cannot tell from an extreme, which are calculated in 60 digits.
+# Number of points indistinguishable from an extreme in doubles that are calculated in 60 digits.
 MOST_NEAR = 40
 
 
 class Region:
-    """The grid, gone through in blocks; keeps the places of extremes only."""
+    """The grid, scanned in blocks; keeps only the places of extremes."""
 
     def __init__(self, exact: "ExactContact", law: str, e: "Array", mu: "Array") -> None:
         self.exact = exact
@@ -77,7 +77,7 @@ class Region:
                 self._keep(name, values if count == good.size else np.where(good, values, np.nan), start)
 
     def at(self, mu: float, e: float) -> dict[str, float]:
-        """The same in doubles at one point; nothing where the law has no answer."""
+        """The same in doubles at one point; empty where the law has no answer."""
         import numpy as np
 
         pn, pt, lost = self.answer(np.array([mu]), np.array([e]))
@@ -113,11 +113,11 @@ class Region:
         return float(self.mu[row]), float(self.e[column])
 
     def _near(self, name: str, greatest: bool, value: float, room: float) -> "list[tuple[float, float]] | None":
-        """The points that may be beyond the extreme for all that doubles tell; None where they are many."""
+        """The points that may be beyond the extreme within the error of doubles; None if they are many."""
         import numpy as np
 
         way = 1.0 if greatest else -1.0
-        # of the impulse the square was kept
+        # the impulse is kept as its square
         limit = way * value - 2.0 * room
         bar = limit if name != "size" else way * (way * limit) ** 2 if way * limit > 0.0 else -np.inf
         points: list[tuple[float, float]] = []

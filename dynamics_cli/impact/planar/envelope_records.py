@@ -10,10 +10,10 @@ class DeltaVRange:
 
     least: Annotated[RoadSpeed, "Least ΔV [m/s]."]
     greatest: Annotated[RoadSpeed, "Greatest ΔV [m/s]."]
-    least_restitution: Annotated[Ratio, "Restitution where it is least [-]."]
-    least_friction: Annotated[Ratio, "Friction where it is least [-]."]
-    greatest_restitution: Annotated[Ratio, "Restitution where it is greatest [-]."]
-    greatest_friction: Annotated[Ratio, "Friction where it is greatest [-]."]
+    least_restitution: Annotated[Ratio, "Restitution where it is lowest [-]."]
+    least_friction: Annotated[Ratio, "Friction where it is lowest [-]."]
+    greatest_restitution: Annotated[Ratio, "Restitution where it is highest [-]."]
+    greatest_friction: Annotated[Ratio, "Friction where it is highest [-]."]
 
 
 @record
@@ -41,9 +41,9 @@ class Envelope:
     """ΔV over a region of restitution and friction."""
 
     first_delta_v: Annotated[DeltaVRange, "ΔV of the first body."]
-    second_delta_v: Annotated[DeltaVRange | None, "ΔV of the second body; none of a fixed one."]
+    second_delta_v: Annotated[DeltaVRange | None, "ΔV of the second body; absent for a fixed one."]
     first_spin_change: Annotated[SpinRange, "Change of spin of the first body."]
-    second_spin_change: Annotated[SpinRange | None, "Change of spin of the second body; none of a fixed one."]
+    second_spin_change: Annotated[SpinRange | None, "Change of spin of the second body; absent for a fixed one."]
     least_energy_lost: Annotated[Energy, "Least energy lost [J]."]
     greatest_energy_lost: Annotated[Energy, "Greatest energy lost [J]."]
     law: Annotated[Text, "The law."]

@@ -16,7 +16,7 @@ from dynamics_cli.impact.conventions import (
     heading_of,
 )
 from dynamics_cli.impact.diagnostics import require_finite
-from dynamics_cli.impact.particles.central import contact_advice, require_approach
+from dynamics_cli.impact.particles.central import contact_advice, plain_above, require_approach
 from dynamics_cli.impact.particles.springs import Hertz, Spring, contact_history, force_advice
 from dynamics_cli.impact.planar.bodies import (
     Pair,
@@ -37,7 +37,7 @@ from dynamics_cli.impact.planar.certificate import (
 from dynamics_cli.impact.planar.laws import LAW, LAWS, Law, Meeting, Outcome, critical_ratio, outcome
 from dynamics_cli.impact.planar.results import Alternative, Critical, PlanarImpact, after_impact
 from dynamics_cli.numerics.elementary import absolute, hypot, where
-from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.number import single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -67,7 +67,7 @@ def planar(
         "Coefficient of restitution in the sense of the law, or the ratio of a contact that gives energy.",
     ],
     law: Annotated[
-        Law, "What ends the impact: stronge, newton, poisson, brach, kudlich-slibar, or all side by side."
+        Law, "Law that ends the impact: stronge, newton, poisson, brach, kudlich-slibar, or all side by side."
     ] = LAW,
     contact_point: Annotated[
         PlanarPosition | None, "Where the bodies touch, when bodies are placed by their centres [m]."
@@ -94,19 +94,19 @@ def planar(
     Returns
     -------
     PlanarImpact
-        Velocities and spins after, impulses, ΔV and PDOF, slip history, energies, other laws where asked for.
+        Velocities and spins after, impulses, ΔV and PDOF, slip history, energies, other laws if requested.
 
     Raises
     ------
     InadmissibleError
-        When the bodies do not approach at the contact, lack mass, inertia, lever or contact point, or when the law has
-        no push or gains energy.
+        When the bodies do not approach at the contact, lack mass, inertia, lever or contact point, or when the law
+        gives no compressive impulse or gains energy.
 
     Notes
     -----
-    K and its determinant are sums of positive terms; stick is decided by |k_x| ≤ μ k_t, never by a small velocity; the
-    impulse decides ΔV and the work of the forces decides the energy. Newton's and Brach's laws can gain energy: such an
-    answer is refused. All laws agree where slip never stops; `stronge` never gains energy.
+    K and its determinant are sums of positive terms; stick is decided by |k_x| ≤ μ k_t, never by a small velocity; ΔV
+    follows from the impulse and the energy from the work of the forces. Newton's and Brach's laws can gain energy: such
+    an answer is refused. All laws agree where slip never stops; `stronge` never gains energy.
 
     References
     ----------
@@ -131,14 +131,15 @@ def planar(
     inward = -towards[0], -towards[1]
     require(
         absolute(moment_restitution) <= 1.0,
-        "a moment restitution lies from -1 (spins exchanged) by 0 (one spin) to 1 (no moment), not at {value:6}",
+        "a moment restitution lies between -1 (spins exchanged), 0 (common spin) and 1 (no moment); it cannot be "
+        "{value:6}",
         value=(moment_restitution, Ratio),
         code="moment-restitution",
     )
     meeting = meeting_of(body, two, inward, closing_speed, friction, contact.restitution, moment_restitution)
     asked = LAWS[0] if law == "all" else law
     solved = outcome(meeting, asked)
-    energetic = _adds_energy(contact.restitution)
+    energetic = plain_above(contact.restitution)
     require_finite(solved.normal * meeting.approach, "the energy of the impact")
     refuse(solved, asked, energetic)
     answer = _answer(solved, asked, meeting, body, two, inward, axes, pdof_zero)
@@ -185,7 +186,7 @@ def meeting_of(
         )
         approach = -closing
     else:
-        # below this the direction of the normal, rounded, is all there is of an approach
+        # below this the approach is only rounding of the normal's direction
         slide = absolute(relative[0]) + absolute(relative[1])
         require(
             (approach >= 0.0) | (-approach > 2.0**-52 * slide),
@@ -214,20 +215,15 @@ def meeting_of(
     )
 
 
-def _adds_energy(restitution: float) -> bool:
-    """Whether a single contact is meant to add energy."""
-    return single(restitution) and bool(plain(restitution) > 1.0)
-
-
 def refuse(solved: Outcome, law: str, energetic: bool) -> None:
-    """Refuse a law that has no push or gains energy."""
+    """Refuse a law that gives no compressive impulse or gains energy."""
     require(
         solved.feasible,
         "{law}: {why}",
         law=str(law),
         why=solved.why,
         code="no-push",
-        hint="--law stronge always answers",
+        hint="--law stronge always has an answer",
     )
     if energetic:
         return
@@ -313,7 +309,7 @@ def _all_laws(
                 gain=(-solved.lost, Energy),
             )
         else:
-            # of many rows, those where a law has no answer are taken out and asked one by one
+            # rows where a law has no answer are removed and calculated one by one
             refuse(solved, law, energetic)
             answers[name] = _alternative(solved, one, two, inward)
             continue

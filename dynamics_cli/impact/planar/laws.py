@@ -1,6 +1,6 @@
 """Laws of planar impact by name: ends of the Routh–Keller path, Brach's impulse ratio, Kudlich–Slibar.
 
-Each gives an `Outcome` in the contact's own frame (see `path`), or says that it has no answer. Sources: Keller (1986),
+Each gives an `Outcome` in the contact's frame (see `path`), or the reason why it has no answer. Sources: Keller (1986),
 Stronge, Impact Mechanics (2000); Brach & Brach, Vehicle Accident Analysis and Reconstruction Methods (2011); Kudlich
 (1966), Slibar.
 """
@@ -18,9 +18,9 @@ GAIN = 1e-12
 
 
 class Law(Choice):
-    """What ends an impact; the default is Stronge's energetic restitution, which never gains energy.
+    """The law that ends an impact; the default is Stronge's energetic restitution, which never gains energy.
 
-    stronge: the normal force gives back e² of its work. newton: u_n' = −e u_n. poisson: p_n = (1 + e) p_c.
+    stronge: the normal force returns e² of its work. newton: u_n' = −e u_n. poisson: p_n = (1 + e) p_c.
     brach: u_n' = −e u_n and an impulse ratio up to μ. kudlich-slibar: (1 + e) times the compression impulse. all: each.
     """
 
@@ -41,7 +41,7 @@ LAW = Law("stronge")
 
 @record
 class Meeting:
-    """What meets at the contact, in its own frame."""
+    """Velocities and mobility at the contact, in its frame."""
 
     mobility: Annotated[Mobility, "K."]
     slip: Annotated[float, "u_t before [m/s]."]
@@ -76,9 +76,9 @@ class Outcome:
     ]
     compression_work: Annotated[float | None, "Work of the normal force until then; None where a law knows none [J]."]
     scale: Annotated[float, "The energy that losses are compared with [J]."]
-    history: Annotated[str, "Slip in words, empty for arrays."]
-    feasible: Annotated[bool, "Whether the law gives a push."]
-    why: Annotated[str, "Why not."] = "the law gives no push between the bodies"
+    history: Annotated[str, "Slip in words; empty for arrays."]
+    feasible: Annotated[bool, "Whether the law gives a compressive impulse."]
+    why: Annotated[str, "Why not."] = "the law does not push the bodies apart"
 
     @property
     def lost(self) -> float:
@@ -140,7 +140,7 @@ def _on_the_path(m: Meeting, law: str) -> Outcome:
 
 
 def _lost(difference: float, restitution: float, work: float, ended: bool, law: str) -> float:
-    """(1 − e²)|W| where that is what the path says, else the difference of work done and given back."""
+    """(1 − e²)|W| where the path gives that, else the difference of work done and work returned."""
     share = (1.0 - restitution) * (1.0 + restitution) * work
     return share if law == "stronge" else where(ended, share, difference)
 
@@ -209,7 +209,7 @@ def _brach(m: Meeting) -> Outcome:
         scale=half + absolute(along * m.slip),
         history=_ratio_words(holds),
         feasible=pushes & (across > 0.0),
-        why="the impulse ratio leaves no push between the bodies",
+        why="the impulse ratio leaves no compressive impulse between the bodies",
     )
 
 

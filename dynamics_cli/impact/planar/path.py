@@ -1,6 +1,6 @@
 """The closed-form path of a planar impact with friction (Routh, Keller): slip, then stick or reversed slip, to its end.
 
-All is in the contact's own frame: u = (u_t, u_n) is the velocity of body 1 relative to body 2 there, the normal
+Everything is in the contact's frame: u = (u_t, u_n) is the velocity of body 1 relative to body 2 there, the normal
 points at body 1, so u_n < 0 approaches; p = (p_t, p_n) acts on body 1 and u grows by K p, K = [[k_t, k_x], [k_x, k_n]].
 Every function takes single numbers, arrays and tracked numbers.
 """
@@ -12,7 +12,7 @@ from dynamics_cli.records import record
 
 @record
 class Mobility:
-    """What an impulse at the contact does to the velocity there: the matrix K and its determinant."""
+    """Change of velocity at the contact per impulse: the matrix K and its determinant."""
 
     tangential: Annotated[float, "k_t, tangential velocity per tangential impulse [1/kg]."]
     coupling: Annotated[float, "k_x, normal velocity per tangential impulse and the other way round [1/kg]."]
@@ -22,7 +22,7 @@ class Mobility:
 
 @record
 class Path:
-    """Where an impact ended, and how it got there."""
+    """The end of an impact, and its history."""
 
     normal: Annotated[float, "Normal impulse p_n [N·s]."]
     tangential: Annotated[float, "Tangential impulse p_t [N·s]."]
@@ -43,7 +43,7 @@ class Path:
 
     @property
     def normal_lost(self) -> float:
-        """Energy the normal force did not give back."""
+        """Energy that the normal force did not return."""
         return self.compression_work - self.restitution_work
 
 
@@ -63,7 +63,7 @@ def travel(k: Mobility, slip: float, approach: float, friction: float, restituti
     """Follow the path from (u_t, u_n) = (`slip`, `approach`) to the end that Newton, Poisson or Stronge sets.
 
     Phase 1 keeps the direction of the first slip, p_t = −μ sgn(u_t) p_n, until u_t = 0; phase 2 sticks where
-    |k_x| ≤ μ k_t and otherwise slips the other way. u_n is linear in p_n with a slope of its own in each.
+    |k_x| ≤ μ k_t and otherwise slips the other way. u_n is linear in p_n, with a different slope in each phase.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Planar impacts by the million: the closed-form path of `path` on whole arrays, in blocks that stay in the cache.
+"""Planar impacts in bulk: the closed-form path of `path` on whole arrays, in blocks that stay in the cache.
 
 The same path with plain sums where the single case rounds as if in twice the precision; so rows of a stream use
 `path`, and maps and Python calls that want speed use this.
@@ -34,7 +34,7 @@ def planar_impacts(
 
     `tangential`, `coupling`, `normal`: k_t, k_x, k_n of the contact [1/kg]; `slip`, `approach`: u_t and u_n before; an
     impact has u_n < 0 [m/s]; `friction`, `restitution`: μ and e [-]; `law`: stronge, newton or poisson; `determinant`:
-    k_t k_n − k_x² where it is known better than this difference tells [1/kg²]. Returns p_n and p_t on body 1 [N·s], of
+    k_t k_n − k_x² where it is known better than from this difference [1/kg²]. Returns p_n and p_t on body 1 [N·s], of
     the shape that the inputs broadcast to. Raises ValueError when the law has no path.
 
     Rounding is a few 1e-16 of the impulse where k_t k_n is not nearly k_x².
@@ -71,12 +71,12 @@ def planar_impacts(
 def impulses(
     kt: "Any", kx: "Any", kn: "Any", det: "Any", ut: "Any", un: "Any", mu: "Any", e: "Any", *, law: str
 ) -> "tuple[Array, Array]":
-    """p_n and p_t of one block; arrays may broadcast, so that what depends on friction alone is done once."""
+    """p_n and p_t of one block; arrays may broadcast, so that quantities of friction alone are calculated once."""
     with np.errstate(all="ignore"):
         ratio = -mu * np.sign(ut)
         slope = kn + kx * ratio
         first = -ut / (kx + kt * ratio)
-        # never stops: infinite; and where nothing slips nor would, either phase is the same
+        # never stops: infinite; and where nothing slips or would slip, both phases are the same
         first = np.where(first >= 0.0, first, INFINITY)
         size = np.abs(kx)
         later = (det + size * np.maximum(size - mu * kt, 0.0)) / kt
@@ -106,7 +106,7 @@ def impulses(
 def ratio_impulses(
     kt: "Any", kx: "Any", kn: "Any", det: "Any", ut: "Any", un: "Any", mu: "Any", e: "Any", *, law: str
 ) -> "tuple[Array, Array]":
-    """p_n and p_t by Brach's impulse ratio (without moment) or by Kudlich and Slibar; NaN where there is no push."""
+    """p_n and p_t by Brach's impulse ratio (without moment) or by Kudlich and Slibar; NaN where p_n pulls."""
     with np.errstate(all="ignore"):
         grown = 1.0 + e
         rise = -(grown if law == "brach" else 1.0) * un

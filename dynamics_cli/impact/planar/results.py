@@ -63,7 +63,7 @@ class Alternative:
     separation_speed: Annotated[RoadVelocity, "Normal relative speed after [m/s]."]
     sliding_after: Annotated[RoadVelocity, "Tangential relative speed after [m/s]."]
     energy_lost: Annotated[Energy, "Kinetic energy lost [J]."]
-    slip_history: Annotated[Text, "What the contact did."]
+    slip_history: Annotated[Text, "History of the contact."]
 
 
 @record
@@ -72,8 +72,8 @@ class PlanarImpact:
 
     first: Annotated[AfterPlanar, "The first body."]
     second: Annotated[AfterPlanar, "The second body."]
-    law: Annotated[Text, "The law these results are by."]
-    slip_history: Annotated[Text, "What the contact did: slip; slip, stick; slip, reversed slip; …"]
+    law: Annotated[Text, "The law of these results."]
+    slip_history: Annotated[Text, "History of the contact: slip; slip, stick; slip, reversed slip; …"]
     impulse: Annotated[
         PlanarImpulse, "Impulse on the second body along the axes of the scene; the first gets the opposite [N·s]."
     ]
@@ -107,7 +107,7 @@ class PlanarImpact:
     conventions: Annotated[Conventions, "Axes, headings and the zero of PDOF."]
     duration: Annotated[Time | None, "Time in contact, where its stiffness is given [s]."] = None
     peak_force: Annotated[Force | None, "Greatest normal force, where the stiffness is given [N]."] = None
-    stronge: Annotated[Alternative | None, "The impact by Stronge's law, where all laws were asked for."] = None
+    stronge: Annotated[Alternative | None, "The impact by Stronge's law, where all laws were requested."] = None
     newton: Annotated[Alternative | None, "By Newton's law."] = None
     poisson: Annotated[Alternative | None, "By Poisson's law."] = None
     brach: Annotated[Alternative | None, "By Brach's impulse ratio."] = None

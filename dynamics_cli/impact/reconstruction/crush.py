@@ -1,4 +1,4 @@
-"""Energy of deformation from crush profiles, and the change of velocity that goes with it."""
+"""Energy of deformation from crush profiles, and the resulting change of velocity."""
 
 from dynamics_cli.errors import judge, require, require_given, worded
 from dynamics_cli.impact.conventions import mass_of
@@ -36,7 +36,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check
 
-# CRASH3 corrects for the direction of force up to 45 degrees; beyond, the face was hardly pushed in.
+# CRASH3 corrects for the direction of force up to 45 degrees; beyond that the face is hardly crushed.
 STEEPEST_FORCE = 0.7853981633974483
 RIGHT_ANGLE = 1.5707963267948966
 
@@ -45,7 +45,7 @@ def crush(
     *,
     first: Annotated[Damaged, "The first vehicle."],
     second: Annotated[
-        Opponent | None, "What it met: another vehicle, or something fixed; without it there is no ΔV."
+        Opponent | None, "The body that it met: another vehicle, or something fixed; without it there is no ΔV."
     ] = None,
     restitution: Annotated[
         Restitution, "Coefficient of restitution, for ΔV and closing speed; not used without a second body [-]."
@@ -71,7 +71,7 @@ def crush(
 
     Notes
     -----
-    E is what remained lost; the impulse follows from E = ½ m_r (1 − e²) u². m_r is that of the effective masses
+    E is the energy finally lost; the impulse follows from E = ½ m_r (1 − e²) u². m_r is that of the effective masses
     m k²/(k² + h²), k² = J/m, h the lever arm |D cos α − x sin α|. The integral is exact for a profile of straight
     pieces: no station is favoured.
 
@@ -176,7 +176,7 @@ def _crushed(vehicle: Damaged | Opponent, name: str) -> tuple[float, float, Stat
         name=name,
         angle=(vehicle.force_angle, Angle),
         code="force-angle",
-        hint="take the face that was pushed in more squarely",
+        hint="use the face that the force met more squarely",
         results=("energy",),
     )
     return a, b, vehicle.profile
@@ -186,7 +186,7 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
     angle = vehicle.force_angle
     require(
         absolute(angle) < RIGHT_ANGLE,
-        "the {name} vehicle: a force {angle} off the normal of the face does not push it in",
+        "the {name} vehicle: a force {angle} off the normal of the face would not push it in",
         name=name,
         angle=(angle, Angle),
         code="force-angle",
@@ -311,7 +311,7 @@ def _advice(vehicle: Damaged | Opponent, mean: float, name: str) -> tuple[Advice
 
 
 def _checks(one: VehicleDamage, vehicle: Damaged) -> tuple[Check, ...]:
-    """Energy once more, by Simpson's rule on every piece, which is exact for squares."""
+    """Check the energy by Simpson's rule on every piece, which is exact for squares."""
     profile = vehicle.profile
     if profile is None:
         return ()

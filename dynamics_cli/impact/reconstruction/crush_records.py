@@ -1,4 +1,4 @@
-"""Damage of vehicles as measured or given, and what follows from it."""
+"""Damage of vehicles as measured or given, and its results."""
 
 from dynamics_cli.errors import require_given
 from dynamics_cli.impact.conventions import BodyName, ByMass, ByWeight, Fixed
@@ -84,7 +84,7 @@ class Damaged:
         Inertia | None,
         "Yaw moment of inertia about the mass centre, needed with a lever arm or an offset, e.g. 2500 kg*m^2 [kg·m²].",
     ] = None
-    damage: Annotated[GivenEnergy | GivenSpeed | None, "Its damage by energy or EES, without stiffness and crush."] = (
+    damage: Annotated[GivenEnergy | GivenSpeed | None, "Its damage as energy or EES, without stiffness and crush."] = (
         None
     )
     name: BodyName = None
@@ -92,7 +92,7 @@ class Damaged:
 
 @record
 class Opponent:
-    """What the vehicle met: another damaged vehicle, or something fixed that took no damage."""
+    """The body that the vehicle met: another damaged vehicle, or something fixed without damage."""
 
     bulk: Annotated[ByMass | ByWeight | Fixed, "Its mass or its weight, or that it is fixed."]
     stiffness: Annotated[
@@ -116,7 +116,7 @@ class Opponent:
         Inertia | None,
         "Yaw moment of inertia about the mass centre, needed with a lever arm or an offset, e.g. 2500 kg*m^2 [kg·m²].",
     ] = None
-    damage: Annotated[GivenEnergy | GivenSpeed | None, "Its damage by energy or EES, without stiffness and crush."] = (
+    damage: Annotated[GivenEnergy | GivenSpeed | None, "Its damage as energy or EES, without stiffness and crush."] = (
         None
     )
     name: BodyName = None
@@ -124,7 +124,7 @@ class Opponent:
 
 @record
 class VehicleDamage:
-    """Damage of one vehicle and what follows from it."""
+    """Damage of one vehicle and its results."""
 
     energy: Annotated[Energy, "Energy of deformation, corrected for the direction of force [J]."]
     energy_normal: Annotated[Energy | None, "The same without that correction [J]."]
@@ -146,14 +146,14 @@ class VehicleDamage:
         RoadSpeed | None,
         "Size of the change of velocity of the mass centre; needs the second vehicle or that it is fixed [m/s].",
     ]
-    determined: Annotated[DamageVerdict | None, "How far the measured damage decides it; none of a given energy."] = (
-        None
-    )
+    determined: Annotated[
+        DamageVerdict | None, "How well the measured damage determines it; absent for a given energy."
+    ] = None
 
 
 @record
 class CrushResult:
-    """Energies of deformation and what follows for the impact."""
+    """Energies of deformation and the resulting impact."""
 
     first: Annotated[VehicleDamage, "The first vehicle."]
     second: Annotated[VehicleDamage | None, "The second vehicle; needs its damage."]
@@ -171,7 +171,7 @@ class CrushResult:
 
 
 def require_damage(vehicle: Damaged | Opponent, name: str) -> None:
-    """Both the stiffness and the crush, or neither of them but an energy."""
+    """Require both stiffness and crush, or an energy instead."""
     profiles: tuple[tuple[str, ...], ...] = (("mean_crush", "width"), ("stations", "width"))
     stiffness = ("stiffness_a", "stiffness_b")
     missing = "damage"

@@ -17,7 +17,7 @@ class Coefficients:
 class Campbell:
     """Stiffness from Campbell's line of barrier tests, v = b₀ + b₁ C."""
 
-    no_damage_speed: Annotated[RoadSpeed, "b₀: greatest barrier speed without residual crush, e.g. 5 mph [m/s]."]
+    no_damage_speed: Annotated[RoadSpeed, "b₀: highest barrier speed without residual crush, e.g. 5 mph [m/s]."]
     speed_slope: Annotated[SpeedSlope, "b₁: barrier speed per depth of crush [1/s]."]
     test_mass: Annotated[Mass, "Mass of the tested vehicle [kg]."]
     test_width: Annotated[Distance, "Width of its crushed face, e.g. 66 in [m]."]
@@ -29,7 +29,7 @@ class BarrierTest:
 
     test_speed: Annotated[RoadSpeed, "Speed of the test, e.g. 35 mph [m/s]."]
     test_crush: Annotated[Size, "Mean residual crush of the test, e.g. 20 in [m]."]
-    no_damage_speed: Annotated[RoadSpeed, "b₀: greatest barrier speed without residual crush, e.g. 5 mph [m/s]."]
+    no_damage_speed: Annotated[RoadSpeed, "b₀: highest barrier speed without residual crush, e.g. 5 mph [m/s]."]
     test_mass: Annotated[Mass, "Mass of the tested vehicle [kg]."]
     test_width: Annotated[Distance, "Width of its crushed face, e.g. 66 in [m]."]
 

@@ -1,4 +1,4 @@
-"""How far the measured damage of a vehicle decides its energy, and what to say of it."""
+"""How well the measured damage of a vehicle determines its energy, and advice."""
 
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.elementary import absolute, cos, minimum, sin, where
@@ -18,7 +18,7 @@ LEVELS = ("undetermined", "caution", "good")
 
 @record
 class DamageVerdict:
-    """How far the measured crush and the direction of force decide the equivalent barrier speed."""
+    """How well the measured crush and the direction of force determine the equivalent barrier speed."""
 
     verdict: Annotated[Text, "good from 3 cm and 3 degrees of tolerance, caution from 1 cm and 1 degree."]
     depth_tolerance: Annotated[Size, "Error of all depths of crush that changes the speed by a tenth [m]."]
@@ -82,7 +82,7 @@ def restitution_advice(tolerance: float) -> tuple[Advice, ...]:
 
 
 def share_advice(given: bool, name: str, own: float, energy: float) -> tuple[Advice, ...]:
-    """What a given energy does to ΔV: an estimate may be wrong by a factor of two."""
+    """Effect of a given energy on ΔV: an estimate may be wrong by a factor of two."""
     if not given or not single(own, energy):
         return ()
     share = plain(own) / plain(energy)

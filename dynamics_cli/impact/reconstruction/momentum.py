@@ -73,10 +73,10 @@ def momentum(
 
     Notes
     -----
-    Cross products with each other's direction decouple the two speeds; rounding is never the trouble, errors of the
-    angles are. Each speed has its own verdict: the error of the worst heading that changes it by a tenth. The angle
+    Cross products with each other's direction decouple the two speeds; not rounding but errors of the angles limit
+    the accuracy. Each speed has its own verdict: the error of the worst heading that changes it by a tenth. The angle
     condition (cot of half the angle between the approach paths) says whether paths close to one line are the cause,
-    otherwise it is a small mass beside a large one.
+    otherwise the cause is a small mass beside a large one.
 
     References
     ----------
@@ -161,8 +161,8 @@ def momentum_and_energy(
 
     Notes
     -----
-    All energy lost is that of deformation: e needs no guess, since the speeds after are known. Parts across the line
-    are left to the vehicles as they are after the impact.
+    All energy lost is that of deformation: e needs no guess, since the speeds after are known. Components across the
+    line stay as they are after the impact.
 
     References
     ----------
@@ -215,7 +215,7 @@ def momentum_and_energy(
     apart = side * parting
     straight = line, -side * reduced * (closing + apart)
     answer = _answer(terms, (first, second), axes, pdof_zero, None, straight)
-    # along the line these are known without a difference of velocities
+    # along the line these need no difference of velocities
     known = {"energy_lost": energy, "closing_along_impulse": closing, "separation_along_impulse": apart}
     answer = MomentumResult(**{**answer.__dict__, **known, "restitution": apart / closing})
     answer = certified(answer, terms, check=False, along=line)
@@ -223,7 +223,7 @@ def momentum_and_energy(
 
 
 def energy_suffices(*, damage: object = None, **_: object) -> str | None:
-    """Say why the energy route answers."""
+    """Reason why the energy route applies."""
     return None if damage is None else "energies of deformation are given: the vehicles met on one line"
 
 
@@ -242,7 +242,7 @@ def _terms(first: Vehicle, second: Vehicle, masses: Pair) -> list[Term]:
 
 
 def _heading(speed: float | None, heading: float | None) -> float | None:
-    """Heading as given; of a vehicle at rest any will do."""
+    """Heading as given; for a vehicle at rest any value."""
     if heading is None and speed is not None and single(speed) and plain(speed) == 0.0:
         return 0.0
     return heading

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 def with_verdicts(
     answer: MomentumResult, terms: list[Term], verdicts: list[tuple[Term, SpeedVerdict]], condition: float | None
 ) -> MomentumResult:
-    """The answer with the verdict of every vehicle's reconstructed speed, and the worse of both."""
+    """The answer with the verdict of every vehicle's reconstructed speed, and the worse of the two."""
     sides: dict[str, object] = {}
     for side, own in (("first", terms[::2]), ("second", terms[1::2])):
         cautions = [one for term, one in verdicts if term in own]
@@ -41,7 +41,7 @@ def with_verdicts(
 def with_energy_verdicts(
     answer: MomentumResult, terms: list[Term], after: tuple[float, float], energy: float, side: float
 ) -> MomentumResult:
-    """The answer with the verdict of both speeds that energy and the speeds after were found from.
+    """The answer with the verdict of both speeds, from the energy and the speeds after.
 
     Speeds `after` are along the line; `side` is 1 where the first vehicle closed in on the second, else −1.
     """
@@ -96,12 +96,12 @@ def certified(answer: MomentumResult, terms: list[Term], *, check: bool, along: 
         checks += balance("momentum along the line", sides[0] + sides[1], sides[2] + sides[3], size)
     if straight:
         changes = answer.first.energy_change + answer.second.energy_change
-        # what is lost is a difference of these
+        # the lost energy is a difference of these
         kinetic = [0.5 * absolute(t.amount) * t.speed for t in terms]  # type: ignore[operator]
         checks += balance(
             "energy", changes, -answer.energy_lost, work + kinetic[0] + kinetic[1] + kinetic[2] + kinetic[3]
         )
-    checks += not_above("energy never gained", -answer.energy_lost, 0.0, work) if check else ()
+    checks += not_above("no energy is gained", -answer.energy_lost, 0.0, work) if check else ()
     return MomentumResult(**{**answer.__dict__, "checks": checks, "advice": _advice(answer, size)})
 
 

@@ -23,8 +23,8 @@ def _velocity(term: Term, axes: Axes) -> Pair:
 class Exchange:
     """The impulse on the first vehicle along any heading, from whichever vehicle has the smaller momenta.
 
-    Differences of headings go into sine and cosine, so what a speed cannot reach does not spoil it. Vehicles that met
-    on one line have exchanged a known impulse along it: `straight` is its heading and its amount on the first.
+    Sine and cosine take differences of headings, so that inaccessible components do not spoil the result. Vehicles that
+    met on one line have exchanged a known impulse along it: `straight` is its heading and its amount on the first.
     """
 
     def __init__(self, terms: list[Term], axes: Axes, straight: Pair | None = None) -> None:

@@ -23,7 +23,7 @@ from dynamics_cli.records import Advice, Check, record
 
 @record
 class Vehicle:
-    """A vehicle before and after; what is left out is unknown, up to two quantities in all."""
+    """A vehicle before and after; omitted quantities are unknown, at most two in total."""
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
     approach_speed: Annotated[RoadSpeed | None, "Speed just before the impact [m/s]."] = None
@@ -67,13 +67,13 @@ class Reconstructed:
     energy_change: Annotated[Energy, "Change of the kinetic energy of the mass centre [J]."]
     determined: Annotated[
         SpeedVerdict | None,
-        "How far the headings decide its reconstructed speed (of two, the one that they decide less).",
+        "How well the headings determine its reconstructed speed (of two, the worse one).",
     ] = None
 
 
 @record
 class MomentumResult:
-    """Both vehicles before and after, and how reliable the answer is."""
+    """Both vehicles before and after, and the reliability of the answer."""
 
     first: Annotated[Reconstructed, "The first vehicle."]
     second: Annotated[Reconstructed, "The second vehicle."]
@@ -95,7 +95,9 @@ class MomentumResult:
     energy_lost: Annotated[Energy, "Kinetic energy of the mass centres turned into other forms, spins among them [J]."]
     total_momentum: Annotated[Impulse, "Size of the momentum of both [N·s]."]
     momentum_heading: Annotated[Angle, "Its direction [rad]."]
-    closure: Annotated[Impulse | None, "Momentum that is left over when fewer than two quantities are unknown [N·s]."]
+    closure: Annotated[
+        Impulse | None, "Momentum that remains unbalanced when fewer than two quantities are unknown [N·s]."
+    ]
     conventions: Annotated[Conventions, "Axes, headings and the zero of PDOF."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()

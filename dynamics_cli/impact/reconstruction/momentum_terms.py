@@ -1,7 +1,7 @@
 """Conservation of momentum in the plane with up to two unknowns: m₁v₁ + m₂v₂ = m₁u₁ + m₂u₂, solved in closed form.
 
-Four vectors meet in the equation: two before, two after. Each has a size and a direction; what is not given is
-unknown. Directions are headings of one sense of rotation, so every axis convention gives the same sines.
+Four vectors meet in the equation: two before, two after. Each has a magnitude and a direction; those not given
+are unknown. Directions are headings of one sense of rotation, so every axis convention gives the same sines.
 """
 
 from dynamics_cli.errors import require
@@ -58,7 +58,7 @@ class Term:
 
 
 class Solution:
-    """What was unknown is now in the terms; how well the angles decide it, and how far the equation fails to close."""
+    """The completed terms; how well the angles determine them, and the closing error of the equation."""
 
     def __init__(self, condition: float | None = None, closure: float | None = None) -> None:
         self.condition = condition
@@ -66,7 +66,7 @@ class Solution:
 
 
 def unknowns(terms: "Sequence[Term]") -> list[str]:
-    """Names of what is not given."""
+    """Names of the unknown quantities."""
     return [f"{t.name} {what}" for t in terms for what in ("speed", "heading") if getattr(t, what) is None]
 
 
@@ -100,7 +100,7 @@ def solve(terms: "Sequence[Term]", branch: Branch | None) -> Solution:
 
 
 def angle_condition(one: float, other: float) -> float:
-    """Condition of two directions: the cotangent of half the angle between their lines, 1 when they are square."""
+    """Condition of two directions: the cotangent of half the angle between their lines, 1 at 90 degrees."""
     apart = other - one
     return (1.0 + absolute(cos(apart))) / absolute(sin(apart))
 
@@ -163,7 +163,7 @@ def require_forward(forward: bool, term: Term, speed: float | None, hint: str = 
 
 
 def _one_size(term: Term, rest: "Sequence[Term]") -> Solution:
-    """One speed from two equations: the momentum along its heading gives it, what is left across does not close."""
+    """One speed from two equations: from the momentum along its heading; the remainder across is the closing error."""
     assert term.heading is not None
     term.speed = -_along(rest, term.heading) / (term.sign * term.mass)
     require_forward(term.speed >= 0.0, term, term.speed)
@@ -171,7 +171,7 @@ def _one_size(term: Term, rest: "Sequence[Term]") -> Solution:
 
 
 def _one_heading(term: Term, rest: "Sequence[Term]") -> Solution:
-    """One heading: that of the momentum wanted, whose size does not quite close."""
+    """One heading: that of the required momentum, whose magnitude may not quite close."""
     x, y = _sum(rest)
     _require_direction(x, y, term)
     term.heading = atan2(-term.sign * y, -term.sign * x)
@@ -181,7 +181,7 @@ def _one_heading(term: Term, rest: "Sequence[Term]") -> Solution:
 def _require_direction(x: float, y: float, term: Term) -> None:
     require(
         hypot(x, y) > 0.0,
-        "{name} would have no momentum, so no heading",
+        "{name} would have no momentum, hence no heading",
         name=term.name,
         code="no-heading",
         hint="give its heading",
@@ -197,7 +197,7 @@ def _one_vector(term: Term, rest: "Sequence[Term]") -> Solution:
 
 
 def _size_and_heading(sized: Term, turned: Term, rest: "Sequence[Term]", branch: Branch | None) -> Solution:
-    """The speed of one and the heading of another: a quadratic, of which speeds that are not negative count."""
+    """The speed of one and the heading of another: a quadratic, whose nonnegative speeds count."""
     assert sized.heading is not None
     along = -sized.sign * _along(rest, sized.heading)
     across = _across(rest, sized.heading)
@@ -232,11 +232,11 @@ def _two_headings(one: Term, other: Term, rest: "Sequence[Term]", branch: Branch
     """Two headings: a triangle of three known sides, which may lie on either side of the known one."""
     x, y = _sum(rest)
     known, a, b = hypot(x, y), absolute(one.amount), absolute(other.amount)
-    require((known > 0.0) & (a > 0.0), "no triangle of momenta: one of its sides is zero", code="no-solution")
+    require((known > 0.0) & (a > 0.0), "the momenta form no triangle: one of its sides is zero", code="no-solution")
     cosine = (known * known + (a - b) * (a + b)) / (2.0 * known * a)
     require(
         absolute(cosine) <= 1.0,
-        "no triangle of momenta: sides of {known:6}, {one:6} and {other:6} do not close",
+        "the momenta form no triangle: sides of {known:6}, {one:6} and {other:6} do not close",
         known=(known, Impulse),
         one=(a, Impulse),
         other=(b, Impulse),

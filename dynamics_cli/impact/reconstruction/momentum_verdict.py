@@ -1,4 +1,4 @@
-"""How far momentum decides a reconstructed speed: the error of a heading that would change it by a tenth."""
+"""How well momentum determines a reconstructed speed: the error of a heading that would change it by a tenth."""
 
 from dynamics_cli.errors import (
     judge,
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 DEGREE = 0.017453292519943295
 HALF_TURN = 180.0 * DEGREE
-# Headings are read from marks and rest positions to some degrees.
+# Headings from marks and rest positions are accurate to some degrees.
 GOOD, CAUTION = 3.0 * DEGREE, 1.0 * DEGREE
 # Angle conditions: paths close to one line are the cause, and paths so close that they are refused.
 NEAR_ONE_LINE, ON_ONE_LINE = 4.0, 12.0
@@ -33,12 +33,12 @@ LEVELS = ("undetermined", "caution", "good")
 # Energies of deformation are known to some tens of per cent.
 GOOD_SHARE, CAUTION_SHARE = 0.15, 0.05
 ENERGY = "energy of deformation"
-MEASURE = "find the energies of deformation and the speeds after by a second way, or an event data recorder"
+MEASURE = "determine the energies of deformation and the speeds after in a second way, or use an event data recorder"
 
 
 @record
 class SpeedVerdict:
-    """How far the headings, or the energy and the speeds after, decide a reconstructed speed."""
+    """How well the headings, or the energy and the speeds after, determine a reconstructed speed."""
 
     verdict: Annotated[
         Text, "good from 3 degrees (or 15 %) of tolerance, caution from 1 degree (or 5 %), undetermined below."
@@ -46,17 +46,17 @@ class SpeedVerdict:
     heading_tolerance: Annotated[
         Angle | None, "Error of one heading that changes the speed by a tenth of itself, at most half a turn [rad]."
     ]
-    worst_heading: Annotated[Text | None, "The heading that this is of, as the parameter is called."]
+    worst_heading: Annotated[Text | None, "Parameter name of the heading."]
     tolerance: Annotated[
         Fraction | None,
         "By energy: error of one quantity, as a share of it, that changes the speed by a tenth of itself (of a quarter "
         "of the closing speed, where that is more), at most all.",
     ] = None
-    worst_quantity: Annotated[Text | None, "The quantity that this is of."] = None
+    worst_quantity: Annotated[Text | None, "The quantity."] = None
 
 
 class Unknowns:
-    """What was not given, seen before the equation fills it in."""
+    """The unknown quantities, recorded before the equation fills them in."""
 
     def __init__(self, terms: "Sequence[Term]") -> None:
         self.terms = list(terms)
@@ -76,7 +76,7 @@ class Unknowns:
             return factor, [(one.heading_name, one.amount * cos(other.heading - one.heading)) for one in given]  # type: ignore[operator]
         turned = self.turns[0] if self.turns else term
         factor = term.mass * cos(turned.heading - term.heading)  # type: ignore[operator]
-        # across its own heading a speed that has no other unknown beside it leaves what does not close
+        # across its own heading a single unknown speed leaves the closing error
         rest = given if self.turns else [one for one in given if one is not term]
         slopes = [(one.heading_name, one.amount * sin(turned.heading - one.heading)) for one in rest]  # type: ignore[operator]
         if not self.turns:
@@ -99,7 +99,7 @@ def _verdict(term: Term, factor: float, slopes: "list[tuple[str, float]]") -> Sp
 
 
 def worse(one: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
-    """The verdict of the speed that is decided least."""
+    """The verdict of the least determined speed."""
     for other in others:
         lower = one.heading_tolerance <= other.heading_tolerance  # type: ignore[operator]
         one = SpeedVerdict(
@@ -128,7 +128,7 @@ def judge_crossing(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: f
 
 
 def verdict_advice(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: float | None) -> tuple[Advice, ...]:
-    """A caution for every speed that a few degrees change by a tenth, with what makes it so."""
+    """A caution for every speed that a few degrees change by a tenth, with the cause."""
     cautions: list[Advice] = []
     for term, one in verdicts:
         tolerance = plain(one.heading_tolerance)
@@ -160,7 +160,7 @@ def verdict_advice(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: f
 
 
 def energy_verdict(speed: float, closing: float, effects: "Sequence[tuple[str, float]]") -> SpeedVerdict:
-    """The verdict of a speed by what relative errors of the quantities that it was found from would change it by.
+    """The verdict of a speed, from the effect of relative errors of the quantities behind it.
 
     Of a vehicle that hardly moved a quarter of the closing speed is what a tenth is taken of.
     """

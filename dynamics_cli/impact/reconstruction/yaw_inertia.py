@@ -27,7 +27,7 @@ LOW_INDEX, HIGH_INDEX = 0.7, 1.1
 
 
 class InertiaRule(Choice):
-    """Which rule gives the estimate: Burg's product, the dynamic index one, a uniform rectangle, or their mean."""
+    """Rule of the estimate: Burg's product, the dynamic index one, a uniform rectangle, or their mean."""
 
     names = ("mean", "burg", "dynamic-index", "rectangle")
 
@@ -37,7 +37,7 @@ MEAN = InertiaRule("mean")
 
 @record
 class RuleEstimate:
-    """What one rule gives."""
+    """The estimate of one rule."""
 
     rule: Annotated[Text, "Its name and formula."]
     yaw_inertia: Annotated[Inertia, "Yaw moment of inertia [kg·m²]."]
@@ -52,7 +52,7 @@ class YawInertia:
     highest: Annotated[Inertia, "Highest of all rules that apply [kg·m²]."]
     radius_of_gyration: Annotated[Length, "√(J/m) [m]."]
     mass: Annotated[Mass, "Mass of the vehicle [kg]."]
-    rules: Annotated[tuple[RuleEstimate, ...], "What every rule gives for which the sizes are known."]
+    rules: Annotated[tuple[RuleEstimate, ...], "The estimate of every rule whose sizes are known."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -67,9 +67,7 @@ def yaw_inertia(
         Distance | None,
         "Distance a of the mass centre behind the front axle; half the wheelbase when left out, e.g. 1.2 m [m].",
     ] = None,
-    rule: Annotated[
-        InertiaRule, "Which rule gives the estimate; the mean of those that apply unless it is named."
-    ] = MEAN,
+    rule: Annotated[InertiaRule, "Rule of the estimate; the mean of all that apply if left out."] = MEAN,
     gravity: Annotated[Gravity, "Acceleration of gravity, for a vehicle given by weight [m/s^2]."] = STANDARD_GRAVITY,
 ) -> YawInertia:
     """Yaw moment of inertia of a vehicle from mass, wheelbase, length and width: an estimate, with the rules' scatter.

@@ -11,17 +11,17 @@ from dynamics_cli.quantities import AngularSpeed, Energy, Ratio, RoadSpeed, Spee
 from dynamics_cli.records import Advice, Check, record
 
 # Three degrees of tolerance are good, as for momentum.
-GOOD = 0.05235987755982989
+GOOD, CAUTION = 0.05235987755982989, 0.017453292519943295
 # The rule's resolution of ΔV: 1 km/h.
 RESOLUTION = 0.2777777777777778
-# Of the slip before: below it, the contact points come to a common velocity.
+# Relative to the slip before: below this the contact points reach a common velocity.
 COMMON = 0.05
 SPINS_DIFFER = 0.2
 
 
 @record
 class Found:
-    """What a model gives: the inward normal, restitution, closing speed and the other's velocity, with limits."""
+    """Results of a model: the inward normal, restitution, closing speed and the other's velocity, with limits."""
 
     inward: "Pair | None"
     restitution: "float | None"
@@ -31,35 +31,38 @@ class Found:
     other: "tuple[float, float, float] | None"
     in_line: bool = False
     bearing: "float | None" = None
+    worst: "str | None" = None
+    per_degree: "float | None" = None
+    bend: bool = False
 
 
 class Contact:
     """Slip before and after, ratio of impulses and energy lost."""
 
-    def __init__(self, crash: Crash, found: Found) -> None:
+    def __init__(self, crash: Crash, values: Found) -> None:
         self.before: float | None = None
         self.after: float | None = None
         self.ratio: float | None = None
         self.lost: float | None = None
         p, gained = crash.impulse, crash.gained()
-        if found.inward is None:
+        if values.inward is None:
             return
-        across = 0.0 - found.inward[1], found.inward[0]
-        if crash.before is None or found.velocity is None:
-            # in line, the impulse has no part across
-            closing, e = float_like(found.closing), float_like(found.restitution)
+        across = 0.0 - values.inward[1], values.inward[0]
+        if crash.before is None or values.velocity is None:
+            # in line, the impulse has no transverse component
+            closing, e = float_like(values.closing), float_like(values.restitution)
             self.lost = 0.5 * crash.size * closing * (1.0 - e)
             return
-        relative = plus(crash.contact(crash.one, crash.before), crash.contact(crash.two, found.velocity), -1.0)
+        relative = plus(crash.contact(crash.one, crash.before), crash.contact(crash.two, values.velocity), -1.0)
         leaving = plus(relative, gained)
         self.before = dot(relative, across)
         self.after = dot(leaving, across)
-        self.ratio = dot(p, across) / dot(p, found.inward)
+        self.ratio = dot(p, across) / dot(p, values.inward)
         lost = -0.5 * (dot(p, relative) + dot(p, leaving))
         self.lost = lost
         require(
             lost >= -1e-12 * (absolute(dot(p, relative)) + absolute(dot(p, leaving))),
-            "no crash gives this record: the impact would have given {energy:3} to the vehicles",
+            "no crash can give this record: the impact would have given {energy:3} to the vehicles",
             energy=(0.0 - lost, Energy),
             code="energy-gained",
             hint="check signs of ΔV, the normal, the nose and the headings",
@@ -68,38 +71,41 @@ class Contact:
 
 def answer(
     crash: Crash,
-    found: Found,
+    values: Found,
     tolerance: float,
     final_change: float | None,
     zero: PdofZero,
     stated: "tuple[float, float] | None" = None,
 ) -> RecordResult:
-    """Everything that the record and the model say."""
-    require(tolerance < 1.0, "a tolerance of the record of 100 % or more leaves nothing", code="tolerance")
-    contact = Contact(crash, found)
+    """The complete answer from record and model."""
+    require(tolerance < 1.0, "a tolerance of the record of 100 % or more leaves no information", code="tolerance")
+    contact = Contact(crash, values)
     first = _first(crash, tolerance, zero)
     verdict = None
-    if found.bearing is not None:
-        verdict = where(plain(found.bearing) >= GOOD, "good", "caution")  # type: ignore[arg-type]
-    low, high = found.speeds or (None, None)
+    if values.bearing is not None:
+        angle = plain(values.bearing)
+        verdict = where(angle >= GOOD, "good", where(angle >= CAUTION, "caution", "undetermined"))  # type: ignore[arg-type]
+    low, high = values.speeds or (None, None)
     return RecordResult(
         first=first,
-        second=_second(crash, found, zero),
-        closing_speed=found.closing,
+        second=_second(crash, values, zero),
+        closing_speed=values.closing,
         closing_speed_low=low,
         closing_speed_high=high,
-        restitution=found.restitution,
+        restitution=values.restitution,
         impulse=crash.size,
         impulse_heading=heading_of(*crash.impulse, crash.axes),
         impulse_ratio=contact.ratio,
         slip_before=contact.before,
         slip_after=contact.after,
         energy_lost=contact.lost,
-        heading_tolerance=found.bearing,
+        heading_tolerance=values.bearing,
+        worst_heading=values.worst,
+        per_degree=values.per_degree,
         verdict=verdict,  # type: ignore[arg-type]
         conventions=conventions(crash.axes, zero),
-        checks=_energy(crash, found, contact),
-        advice=_advice(crash, found, contact, first, final_change, stated),
+        checks=_energy(crash, values, contact),
+        advice=_advice(crash, values, contact, first, final_change, stated),
     )
 
 
@@ -125,21 +131,21 @@ def _first(crash: Crash, tolerance: float, zero: PdofZero) -> RecordedVehicle:
     )
 
 
-def _second(crash: Crash, found: Found, zero: PdofZero) -> OtherVehicle:
+def _second(crash: Crash, values: Found, zero: PdofZero) -> OtherVehicle:
     other = crash.other
     heading = other.approach_heading
     if heading is None:
-        # in line the other faces the force, unless it says where its nose is
+        # in line the other faces the force, unless its nose is given
         heading = heading_of(*crash.impulse, crash.axes)
     travel = direction_of(heading, crash.axes)
     nose = travel if other.nose is None else direction_of(other.nose, crash.axes)
-    speed, low, high = found.other or (None, None, None)
+    speed, low, high = values.other or (None, None, None)
     after = way = None
-    if found.velocity is not None:
-        leaving = plus(found.velocity, crash.second_change)
+    if values.velocity is not None:
+        leaving = plus(values.velocity, crash.second_change)
         after, way = hypot(*leaving), heading_of(*leaving, crash.axes)
     shown: float | None = None if speed is None else heading
-    if found.in_line and speed is not None:
+    if values.in_line and speed is not None:
         back = heading_of(0.0 - crash.impulse[0], 0.0 - crash.impulse[1], crash.axes)
         towards = speed >= 0.0
         ends = where(towards, low, 0.0 - high), where(towards, high, 0.0 - low)  # type: ignore[operator,arg-type]
@@ -157,12 +163,12 @@ def _second(crash: Crash, found: Found, zero: PdofZero) -> OtherVehicle:
     )
 
 
-def _energy(crash: Crash, found: Found, contact: Contact) -> "tuple[Check, ...]":
+def _energy(crash: Crash, values: Found, contact: Contact) -> "tuple[Check, ...]":
     """The energy lost in the contact against the kinetic energies of both vehicles."""
-    if crash.before is None or found.velocity is None or contact.lost is None:
+    if crash.before is None or values.velocity is None or contact.lost is None:
         return ()
     change = size = 0.0
-    for body, velocity, sense in ((crash.one, crash.before, 1.0), (crash.two, found.velocity, -1.0)):
+    for body, velocity, sense in ((crash.one, crash.before, 1.0), (crash.two, values.velocity, -1.0)):
         push = sense * crash.impulse[0], sense * crash.impulse[1]
         work = dot(push, velocity), 0.5 * dot(push, push) / float_like(body.mass)
         change, size = change + work[0] + work[1], size + absolute(work[0]) + work[1]
@@ -175,7 +181,7 @@ def _energy(crash: Crash, found: Found, contact: Contact) -> "tuple[Check, ...]"
 
 def _advice(
     crash: Crash,
-    found: Found,
+    values: Found,
     contact: Contact,
     first: RecordedVehicle,
     final_change: float | None,
@@ -190,7 +196,7 @@ def _advice(
             "1 km/h",
             change=(final_change, RoadSpeed),
         )
-        remedy = "take the speeds as the least; a longer record or the other vehicle's closes the gap"
+        remedy = "take the speeds as minimum values; a longer record, or the other vehicle's, closes the gap"
         cautions.append(Advice(code="lower-bound", message=text, severity="serious", remedy=remedy))
     recorded, implied = crash.given.spin_change, first.spin_change
     if recorded is not None and implied is not None:
@@ -202,15 +208,15 @@ def _advice(
                 recorded=(recorded, AngularSpeed),
             )
             cautions.append(Advice(code="spin-differs", message=text, remedy="check the lever, the inertia and signs"))
-    cautions += _contact_advice(found, contact, stated)
+    cautions += _contact_advice(values, contact, stated)
     if crash.one.inertia is None or crash.two.inertia is None:
         text = worded("levers and inertias of both are not given: turning is neglected")
-        remedy = "give them where the force passes beside a mass centre: the closing speed grows"
+        remedy = "give them if the force does not pass through a mass centre: the closing speed becomes larger"
         cautions.append(Advice(code="no-turning", message=text, severity="note", remedy=remedy))
     return tuple(cautions)
 
 
-def _contact_advice(found: Found, contact: Contact, stated: "tuple[float, float] | None") -> "list[Advice]":
+def _contact_advice(values: Found, contact: Contact, stated: "tuple[float, float] | None") -> "list[Advice]":
     cautions: list[Advice] = []
     if contact.before is not None and contact.after is not None:
         before, after = plain(contact.before), plain(contact.after)
@@ -221,8 +227,8 @@ def _contact_advice(found: Found, contact: Contact, stated: "tuple[float, float]
                 after=(after, Speed),
             )
             cautions.append(Advice(code="slip-reversed", message=text, remedy="check normal, nose and headings"))
-    bounce = found.restitution
-    if found.bearing is not None and bounce is not None:
+    bounce = values.restitution
+    if values.bend and bounce is not None:
         value = plain(bounce)
         low, high = (0.0, 1.0) if stated is None else (plain(stated[0]), plain(stated[1]))
         if not low <= value <= high:

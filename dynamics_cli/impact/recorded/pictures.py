@@ -1,9 +1,11 @@
 """Pictures of a recorded crash: the scene with velocities, and the limits of its speeds."""
 
+from itertools import pairwise
+
 from dynamics_cli.impact.conventions import Axes, direction_of
 from dynamics_cli.impact.scene_pictures import collision
-from dynamics_cli.pictures import Arrow, Axis, Bars, Mark, Panel, Picture
-from dynamics_cli.quantities import RoadSpeed
+from dynamics_cli.pictures import Arrow, Axis, Band, Bars, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Acceleration, RoadSpeed, RoadVelocity, Time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,6 +30,33 @@ def record(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture
     noses = [_seen(1.0, first.nose, axes), _seen(1.0, facing, axes)]
     scene = collision(names, noses, before, after, (0.0, 1.0) if axes == "compass" else None)
     return Picture((scene, limits), title, columns=2, scene=True)
+
+
+def pulse(result: "Any", *, tolerance: float = 0.1, **_: "Any") -> Picture:
+    """ΔV along and across the nose over time with the band of the tolerance, and the acceleration."""
+    times = [row.time for row in result.rows]
+    panels: list[Any] = []
+    for name, values in (
+        ("along the nose", [row.longitudinal for row in result.rows]),
+        ("across it", [row.lateral for row in result.rows]),
+    ):
+        if not any(values):
+            continue
+        role = len(panels)
+        edges = [[(1.0 + sign * tolerance) * value for value in values] for sign in (1.0, -1.0)]
+        panels.append(Curve([*times, *reversed(times)], [*edges[0], *reversed(edges[1])], "", "fill", role))
+        panels.append(Curve(times, values, name, "solid", role))
+    marker = Band(result.time, result.time, "greatest ΔV")
+    halves = [0.5 * (a + b) for a, b in pairwise(times)]
+    accelerations = [row.acceleration for row in result.rows[1:]]
+    axis = Axis("time", Time, ends=(0.0, times[-1]))
+    return Picture(
+        (
+            Panel(axis, Axis("ΔV", RoadVelocity), (*panels, marker), "as recorded, with the band of its tolerance"),
+            Panel(axis, Axis("acceleration", Acceleration), (Curve(halves, accelerations, "", "solid", 3),)),
+        ),
+        "recorded crash pulse",
+    )
 
 
 def _seen(length: float, heading: float, axes: Axes) -> "tuple[float, float]":

@@ -37,7 +37,7 @@ class Recorder:
     approach_speed: Annotated[
         RoadSpeed | None, "Its speed just before the impact, from the pre-crash record, e.g. 13.2 m/s."
     ] = None
-    approach_heading: Annotated[Angle | None, "Its direction of travel before; that of its nose when left out."] = None
+    approach_heading: Annotated[Angle | None, "Its direction of travel before; that of its nose if left out."] = None
     approach_spin: Annotated[AngularSpeed, "Its angular velocity just before."] = 0.0
     turning: Annotated[ByInertia | ByGyration | None, "Its yaw inertia; without it, its turning is neglected."] = None
     arm: Annotated[Lever | Placed | OnBody | None, "Where it was struck; goes with the inertia."] = None
@@ -64,7 +64,7 @@ class Partner:
 
 @record
 class RecordedVehicle:
-    """What the record says of its vehicle."""
+    """Results for the vehicle with the recorder."""
 
     delta_v: Annotated[DeltaV, "Change of velocity of the mass centre, and where the force came from."]
     delta_v_low: Annotated[RoadSpeed, "The same with the recorder at the lower limit of its tolerance [m/s]."]
@@ -76,7 +76,7 @@ class RecordedVehicle:
 
 @record
 class OtherVehicle:
-    """What follows for the other vehicle."""
+    """Results for the other vehicle."""
 
     delta_v: Annotated[DeltaV, "Change of velocity of the mass centre, and where the force came from."]
     approach_speed: Annotated[RoadSpeed | None, "Speed just before the impact [m/s]."]
@@ -90,7 +90,7 @@ class OtherVehicle:
 
 @record
 class RecordResult:
-    """The crash as the record gives it."""
+    """The crash according to the record."""
 
     first: Annotated[RecordedVehicle, "The vehicle with the recorder."]
     second: Annotated[OtherVehicle, "The other vehicle."]
@@ -109,7 +109,9 @@ class RecordResult:
     heading_tolerance: Annotated[
         Angle | None, "Error of a heading of the other vehicle that changes its speed before by a tenth [rad]."
     ]
-    verdict: Annotated[Text | None, "How well the headings determine that speed: good, caution."]
+    worst_heading: Annotated[Text | None, "The heading that this is of, as the parameter is called."]
+    per_degree: Annotated[RoadSpeed | None, "What one degree of it changes that speed by [m/s]."]
+    verdict: Annotated[Text | None, "How well the headings determine that speed: good, caution, undetermined."]
     conventions: Annotated[Conventions, "Axes, headings and the zero of PDOF."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()

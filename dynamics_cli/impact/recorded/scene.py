@@ -1,10 +1,10 @@
-"""Both vehicles of a recorded crash: the exchanged impulse, and what it does at the contact."""
+"""Both vehicles of a recorded crash: the exchanged impulse, and its effect at the contact."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import Axes, ByVelocity, direction_of, mass_of
 from dynamics_cli.impact.planar.bodies import OnBody, RigidBody, Solid, solid
 from dynamics_cli.impact.recorded.records import Partner, Recorder
-from dynamics_cli.numerics.elementary import hypot
+from dynamics_cli.numerics.elementary import absolute, hypot
 
 Pair = tuple[float, float]
 
@@ -39,7 +39,7 @@ class Crash:
         nose = direction_of(first.nose, axes)
         require(
             first.spin_change is not None or (first.module[0] == 0.0) & (first.module[1] == 0.0),
-            "the recorder is away from the mass centre: its ΔV holds a part of the turning",
+            "the recorder is away from the mass centre: its ΔV includes a part due to rotation",
             code="no-spin-change",
             hint="give the recorded spin change, or leave the place of the module out",
         )
@@ -99,10 +99,10 @@ def _solid(
 ) -> Solid:
     require(
         (vehicle.turning is None) == (vehicle.arm is None),
-        "of {name} only one of inertia and lever is given: its turning needs both",
+        "{name}: only one of inertia and lever is given; its rotation needs both",
         name=name,
         code="half-turning",
-        hint="give both, or neither to neglect that it turns",
+        hint="give both, or neither to neglect its rotation",
     )
     if vehicle.turning is None or vehicle.arm is None:
         return Solid(mass_of(vehicle.bulk, gravity, name), None, (0.0, 0.0), (0.0, 0.0), 0.0, (1.0, 0.0))
@@ -115,3 +115,18 @@ def _solid(
     )
     body = RigidBody(vehicle.bulk, vehicle.turning, vehicle.arm, ByVelocity((0.0, 0.0)), spin, nose)
     return solid(body, contact_point, axes, gravity, name)
+
+
+def slopes(
+    crash: Crash, inward: Pair, course: Pair, before: Pair, restitution: float, speed: float
+) -> "tuple[float, float]":
+    """Sizes of the derivatives of the second's speed by its heading and by the normal: v₂ = (W·n)/(d₂·n)."""
+    whole = plus(
+        plus(crash.contact(crash.one, before), crash.contact(crash.two, (0.0, 0.0)), -1.0),
+        crash.gained(), 1.0 / (1.0 + restitution),
+    )  # fmt: skip
+    facing = dot(course, inward)
+    turned = 0.0 - inward[1], inward[0]
+    by_heading = absolute(speed * cross(course, inward) / facing)
+    by_normal = absolute((dot(whole, turned) - speed * dot(course, turned)) / facing)
+    return by_heading, by_normal

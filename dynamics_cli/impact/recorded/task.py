@@ -4,8 +4,9 @@ from dynamics_cli.errors import judge, require
 from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, PdofZero, direction_of
 from dynamics_cli.impact.recorded.answer import Found, answer
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
-from dynamics_cli.impact.recorded.scene import Crash, Pair, cross, dot, plus
-from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, sin
+from dynamics_cli.impact.recorded.scene import Crash, Pair, cross, dot, plus, slopes
+from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, sin, where
+from dynamics_cli.numerics.number import single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -22,9 +23,10 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# Sine of 5 degrees: across the normal, restitution says nothing of a speed.
+# Sine of 5 degrees: nearly perpendicular to the normal, restitution does not determine a speed.
 ALONG_THE_SURFACE = 0.08715574274765817
 DEGREE = 0.017453292519943295
+HALF_TURN = 3.141592653589793
 
 
 def head_on(
@@ -84,8 +86,8 @@ def head_on(
         speed = lone + closing
         velocity = speed * inward[0], speed * inward[1]
         other = (speed, lone + speeds[0], lone + speeds[1])
-    found = Found(inward, restitutions[0], closing, speeds, velocity, other, in_line=True)
-    return answer(crash, found, tolerance, final_change, pdof_zero)
+    values = Found(inward, restitutions[0], closing, speeds, velocity, other, in_line=True)
+    return answer(crash, values, tolerance, final_change, pdof_zero)
 
 
 def by_restitution(
@@ -149,8 +151,8 @@ def by_restitution(
     facing = dot(course, inward)
     judge(
         absolute(facing) >= ALONG_THE_SURFACE,
-        "the second vehicle came along the surface of contact, only {sine:2} of its speed against it: restitution says "
-        "nothing of its speed",
+        "the second vehicle came along the surface of contact, with only {sine:2} of its speed across it: restitution "
+        "says nothing about its speed",
         sine=(absolute(facing), Ratio),
         hint="give its exit heading instead",
         results=("second.approach_speed",),
@@ -163,8 +165,13 @@ def by_restitution(
     speeds = _limits(lambda scale, k: scale * ends[k], tolerance)
     others = _limits(lambda scale, k: (lone + scale * ends[k]) / facing, tolerance)
     velocity = speed * course[0], speed * course[1]
-    found = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others))
-    return answer(crash, found, tolerance, final_change, pdof_zero)
+    approach, tilt = slopes(crash, inward, course, before, restitutions[0], speed)
+    steepest = maximum(maximum(approach, tilt), 1e-12 * (1.0 + speed))
+    worst = where(approach >= tilt, "second.approach_heading", "normal")  # type: ignore[arg-type]
+    bearing = minimum(0.1 * speed / steepest, HALF_TURN)
+    values = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others), bearing=bearing,
+                   worst=str(worst) if single(worst) else None, per_degree=DEGREE * steepest)  # fmt: skip
+    return answer(crash, values, tolerance, final_change, pdof_zero)
 
 
 def by_headings(
@@ -217,23 +224,23 @@ def by_headings(
     require(
         alpha is not None and beta is not None,
         "this needs the directions of travel of the second vehicle before and after",
-        code="not-enough",
-        hint="give its approach heading and exit heading",
-    )
+        code="not-enough", hint="give its approach heading and exit heading",
+    )  # fmt: skip
     course, leaving = direction_of(alpha, axes), direction_of(beta, axes)  # type: ignore[arg-type]
     sine = cross(course, leaving)
     require(
         absolute(sine) > 1e-12,
-        "the second vehicle kept its direction: its headings do not give its speed",
-        code="undetermined",
+        "the second vehicle kept its direction: its headings do not give its speed", code="undetermined",
         hint="give the contact normal and a range of restitution instead of its exit heading",
-    )
+    )  # fmt: skip
     speed = 0.0 - cross(crash.second_change, leaving) / sine
     after = 0.0 - cross(crash.second_change, course) / sine
     _require_forward(speed)
     _require_forward(after, "leave")
     bend = beta - alpha  # type: ignore[operator]
-    steepest = maximum(after, absolute(speed * cos(bend))) / absolute(sin(bend))
+    leaving_slope, coming_slope = after / absolute(sin(bend)), absolute(speed * cos(bend)) / absolute(sin(bend))
+    steepest = maximum(leaving_slope, coming_slope)
+    worst = where(leaving_slope >= coming_slope, "second.exit_heading", "second.approach_heading")  # type: ignore[arg-type]
     bearing = 0.1 * speed / steepest
     judge(
         bearing >= DEGREE,
@@ -255,20 +262,21 @@ def by_headings(
         lone = dot(relative, inward) + speed * dot(course, inward)
         facing = dot(course, inward)
         speeds = _limits(lambda scale, _: scale * speed * facing - lone, tolerance)
-    found = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing)
-    stated = (
-        None if least_restitution is None or greatest_restitution is None else (least_restitution, greatest_restitution)
-    )
-    return answer(crash, found, tolerance, final_change, pdof_zero, stated)
+    values = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing,
+                   worst=str(worst) if single(worst) else None, per_degree=DEGREE * steepest, bend=True)  # fmt: skip
+    stated = None
+    if least_restitution is not None and greatest_restitution is not None:
+        stated = least_restitution, greatest_restitution
+    return answer(crash, values, tolerance, final_change, pdof_zero, stated)
 
 
 def in_line(*, second: Partner, **_: object) -> str | None:
-    """Say why the closing speed is what can be answered."""
+    """Reason why only the closing speed can be answered."""
     return "no approach heading of the second is given: they met in line" if second.approach_heading is None else None
 
 
 def restitution_decides(*, second: Partner, **_: object) -> str | None:
-    """Say why restitution answers."""
+    """Reason why restitution applies."""
     return "no exit heading of the second is given: restitution decides" if second.exit_heading is None else None
 
 
@@ -279,7 +287,7 @@ def _planar(crash: Crash) -> "tuple[Pair, Pair]":
         crash.before is not None and heading is not None,
         "the speed of the second vehicle needs the approach speed of the first and the second's approach heading",
         code="not-enough",
-        hint="give the first approach speed from the pre-crash record; without a heading the closing speed is answered",
+        hint="give the first approach speed from the pre-crash record; a missing heading leaves the closing speed",
     )
     return crash.before, direction_of(heading, crash.axes)  # type: ignore[return-value,arg-type]
 
@@ -293,7 +301,7 @@ def _require_push(crash: Crash, inward: Pair) -> None:
     push = dot(crash.impulse, inward) / crash.size
     require(
         push > 0.0,
-        "the recorded ΔV would pull along this normal: its part from the second to the first is {push:3}",
+        "the recorded ΔV would pull along this normal: its component from the second to the first is {push:3}",
         push=(push, Ratio),
         code="pull",
         hint="the normal points from the first vehicle to the second; ΔV ahead and to the left is positive",
@@ -303,7 +311,7 @@ def _require_push(crash: Crash, inward: Pair) -> None:
 def _require_forward(speed: float, verb: str = "come") -> None:
     require(
         speed >= 0.0,
-        "no crash gives this record: the second vehicle would {verb} backwards at {speed:3}",
+        "no crash can give this record: the second vehicle would {verb} backwards at {speed:3}",
         verb=verb,
         speed=(0.0 - speed, RoadSpeed),
         code="backwards",
@@ -312,14 +320,14 @@ def _require_forward(speed: float, verb: str = "come") -> None:
 
 
 def _range(low: float | None, high: float | None) -> "tuple[float, float, float]":
-    """Middle, low and high of the restitution, which is the largest doubt of all."""
+    """Middle, low and high of the restitution, the largest uncertainty of all."""
     require(
         low is not None and high is not None,
         "the closing speed depends on restitution, 0.1 of which is 9 % of it: its range is not given",
         code="no-restitution",
         hint="give --least-restitution 0 --greatest-restitution 0.2, or what tests of such vehicles show",
     )
-    require(low <= high, "the least restitution is above the greatest", code="order")  # type: ignore[operator]
+    require(low <= high, "the lowest restitution is above the highest", code="order")  # type: ignore[operator]
     return 0.5 * (low + high), low, high  # type: ignore[operator,return-value]
 
 

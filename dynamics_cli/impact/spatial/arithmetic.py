@@ -1,7 +1,7 @@
 """Functions of numbers for impacts in space: for doubles and for decimals of many digits.
 
-One formula is run in both: in decimals its rounding is nothing beside a double's, and the two together tell how many
-digits an impact costs. Constants in such formulas are whole numbers, which go with either.
+One formula is run in both: in decimals its rounding is negligible beside that of doubles, and the difference shows
+how many digits an impact costs. Constants in such formulas are integers, which work with both.
 """
 
 from math import atan2, fsum, hypot, sqrt

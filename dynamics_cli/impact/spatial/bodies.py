@@ -1,6 +1,6 @@
-"""Rigid bodies in space as a contact sees them: vectors, tensors, and what an impulse does to the velocity there.
+"""Rigid bodies in space at a contact: vectors, tensors, and the velocity change per impulse.
 
-All of it takes doubles and decimals.
+Everything works in doubles and in decimals.
 """
 
 from dynamics_cli.errors import require
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class SolidInSpace:
-    """A body as the contact sees it; `mass` is None when it is fixed, `inertia` when it is a particle."""
+    """A body at the contact; `mass` is None when it is fixed, `inertia` when it is a particle."""
 
     __slots__ = ("inertia", "inverse", "lever", "mass", "nose", "spin", "velocity")
     given = "mass", "inertia", "lever", "velocity", "spin", "nose"
@@ -47,8 +47,8 @@ class SolidInSpace:
     def turned(self, moment: Vector) -> Vector:
         """Change of spin from an impulsive moment.
 
-        What the first answer leaves of the moment is summed exactly and answered too: a slender body's spin is then
-        right to its last digits although its inverse tensor is not.
+        The residual of the first solution is summed exactly and solved for too (iterative refinement): a slender
+        body's spin is then accurate to its last digits although its inverse tensor is not.
         """
         if self.inertia is None or self.inverse is None:
             return nothing(moment[0])
@@ -66,16 +66,16 @@ def residual(row: Vector, vector: Vector, given: float) -> float:
 
 
 def exact_products(pairs: "Iterable[tuple[float, float]]") -> list[float]:
-    """Products and what their rounding took from them: the sum of all is that of the exact products."""
-    found = []
+    """Products and their rounding errors: the sum of all is that of the exact products."""
+    products = []
     for a, b in pairs:
         product = a * b
-        found += [product, fused(a, b, -product)]
-    return found
+        products += [product, fused(a, b, -product)]
+    return products
 
 
 def relative_velocity(one: SolidInSpace, two: SolidInSpace) -> Vector:
-    """Velocity of body 1 relative to body 2 at the contact, each part rounded once: what is left may be a last bit."""
+    """Velocity of body 1 relative to body 2 at the contact, each component rounded once: all may be a last bit."""
     parts = []
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
@@ -100,7 +100,7 @@ def nose_in_plane(nose: Vector | None, velocity: Vector) -> Pair:
 
 
 def nothing(like: float) -> Vector:
-    """The zero vector of such numbers."""
+    """The zero vector in the same sort of numbers."""
     zero = type(like)(0)
     return zero, zero, zero
 
@@ -179,11 +179,11 @@ def unit(vector: Vector) -> Vector:
 
 
 def require_inertia(inertia: Matrix, name: str) -> None:
-    """Refuse a tensor that no body has."""
+    """Refuse a tensor that no body can have."""
     (a, b, _), (_, d, _), _ = inertia
     require(
         a > 0 and fused(a, d, -(b * b)) > 0 and determinant(inertia) > 0,
-        "the inertia of {name} is not that of a body: its principal moments are not all above zero",
+        "the inertia of {name} is not that of a real body: its principal moments are not all above zero",
         name=name,
         code="no-inertia",
     )

@@ -1,9 +1,9 @@
 """An impact in space in doubles and again in decimals: results rounded once, with bounds that the two runs prove.
 
-Doubles and decimals follow the same path by the same formulas, so what they differ by is what doubles lost on this
-impact, however ill it is conditioned. Decimals of 24 digits, with a series of order 29, lose less by nine orders: a
-share of 1e-6 of the difference bounds what they leave with three to spare. Where that is more than some last bits, 32
-digits of order 38 follow, which lose less by seven orders again, and then 42, by ten more.
+Doubles and decimals follow the same path by the same formulas, so their difference is the loss of doubles on this
+impact, however ill-conditioned it is. Decimals of 24 digits, with a series of order 29, lose nine orders less: 1e-6
+of the difference bounds their error with three orders to spare. Where that is more than some last bits, 32 digits of
+order 38 follow, with seven orders less loss, and then 42, with ten more.
 """
 
 from decimal import Context, Decimal, localcontext
@@ -24,15 +24,16 @@ if TYPE_CHECKING:
 
 UNIT_ROUNDOFF = 2.0**-53
 SMALLEST = 5e-324
-# A bound of so many half last bits is tight.
+# A bound of at most this many half units in the last place is tight.
 ENOUGH = 64 * Decimal(UNIT_ROUNDOFF)
-# Order of the series, digits of the path, digits of all else: what the series leaves out is less than the path keeps.
+# Order of the series, digits of the path, digits of the rest: the truncation of the series is below the path's
+# precision.
 EFFORTS = (29, 24, 80), (38, 32, 95), (50, 42, 110)
-# What is left of the difference to the run before.
+# Error as a share of the difference from the run before.
 LEFT = {24: Decimal("1e-6"), 32: Decimal("1e-4"), 42: Decimal("1e-7")}
 # Refusals that rounding may cause: decimals decide.
 DOUBTFUL = "singular", "no-impact"
-# Angles are taken of doubles, by a function of the C library.
+# Angles are calculated in doubles, by the C library.
 ANGLES = ("pdof", "elevation")
 
 
@@ -55,7 +56,7 @@ def answered(solver: "Callable[..., Solved]", *given: "Any", advice: tuple[Advic
             try:
                 solved = solver(*exact, order=order, digits=digits)
             except ArithmeticError:
-                # so many digits take too many steps: those before must do
+                # this many digits need too many steps: the previous run is used
                 if left is None:
                     raise
                 break
@@ -101,31 +102,31 @@ def numbers(tree: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":
 
 
 def beside(answer: SpatialImpact, whole: SpatialImpact) -> SpatialImpact:
-    """The answer of a smaller model, with bounds that hold what it leaves out of the whole one."""
+    """The answer of a smaller model, with bounds that include what it neglects of the full one."""
     assert answer.numerics is not None
     assert whole.numerics is not None
     more = {bound.result: bound for bound in whole.numerics.bounds}
     values, others = dict(numbers(answer)), dict(numbers(whole))
     vectors: dict[str, float] = {}
-    found = []
+    errors = []
     for bound in answer.numerics.bounds:
         name = bound.result
         if name not in values:
             # a vector's stands after those of its parts
-            found.append(ErrorBound(name, vectors.get(name, 0.0), relative=False))
+            errors.append(ErrorBound(name, vectors.get(name, 0.0), relative=False))
             continue
         size = abs(values[name])
         error = bound.bound * (size if bound.relative else 1.0) + abs(values[name] - others[name])
         error += more[name].bound * (abs(others[name]) if more[name].relative else 1.0)
-        found.append(ErrorBound(name, error / size) if size else ErrorBound(name, error, relative=False))
+        errors.append(ErrorBound(name, error / size) if size else ErrorBound(name, error, relative=False))
         vector = name.partition("[")[0]
         vectors[vector] = max(error, vectors.get(vector, 0.0))
-    numerics = Numerics(answer.numerics.method, tuple(found))
+    numerics = Numerics(answer.numerics.method, tuple(errors))
     return SpatialImpact(**{**answer.__dict__, "numerics": numerics})
 
 
 def _left(before: "dict[str, Any]", after: "dict[str, Any]", digits: int) -> dict[str, Decimal]:
-    """What may be left of each number's error; the parts of a vector share the largest, as one may agree by chance."""
+    """Remaining error of each number; components of a vector share the largest, as one may agree by chance."""
     shared: dict[str, Decimal] = {}
     sizes = _sizes(after)
     for name, value in after.items():
@@ -145,7 +146,7 @@ def _kind(name: str) -> str:
 
 
 def _sizes(values: "dict[str, Any]") -> dict[str, Decimal]:
-    """The largest number of each kind, beside which a difference of such numbers may be nothing."""
+    """The largest number of each kind, the scale for differences of such numbers."""
     sizes = {"energy": abs(values["closing_speed"] * values["normal_impulse"]), "number": Decimal(1)}
     for name, value in values.items():
         kind = _kind(name)
@@ -178,7 +179,7 @@ def _bounds(values: "dict[str, Any]", left: dict[str, Decimal]) -> "Iterator[Err
 
 
 def _rounded(tree: "Any", address: str, left: "dict[str, Decimal]") -> "Any":
-    """The answer in doubles; what cannot be told from zero is zero."""
+    """The answer in doubles; numbers indistinguishable from zero are zero."""
     if hasattr(tree, "fields"):
         parts = {name: getattr(tree, name) for name in tree.fields}
         return type(tree)(

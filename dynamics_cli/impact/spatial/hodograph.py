@@ -2,7 +2,7 @@
 
 While the contact slips, dp_t = −μ (u_t/|u_t|) dp_n. In the variable τ with dp_n = |u_t| dτ the equations are
 u_t' = −μ K_tt u_t + k_tn |u_t|: regular where the slip nearly stops and turns at once, and where the normal velocity is
-not monotone (a contact that jams), so that neither step by impulse nor step by normal velocity would do.
+not monotone (a contact that jams), so that steps by impulse or by normal velocity would both fail.
 """
 
 from math import exp, log
@@ -35,7 +35,7 @@ ORDER = 24
 # Jorba and Zou (2005): with this share of the radius of convergence a series of this order keeps all digits.
 STRIDE = exp(-2.0)
 MOST_STEPS = 5000
-# Where little is left of the slip: the least power of the stride, and orders to spare, each of which is worth e².
+# Where little slip remains: the minimum power of the step, and spare orders, each worth e².
 LEAST_CARE = 0.3
 SPARE = 3
 
@@ -152,7 +152,7 @@ def march(
     """Slip from the velocity `start` (u_1, u_2, u_n) until the law ends the impact or the slip stops."""
     zero = type(start[2])(0)
     slip = Slip([*start, zero, zero, zero, zero, zero])
-    # slip this much smaller than that which the impact itself can make has stopped
+    # slip this much smaller than the impact can cause counts as stopped
     size = max(abs(start[2]), root(start[0] * start[0] + start[1] * start[1]))
     stopped = size * type(size)(f"1e-{digits + (1 if digits == DOUBLE else 3)}")
     fastest = zero
@@ -171,7 +171,7 @@ def march(
         step = reach(coefficients, order, stride ** _care(speed / fastest, order))
         slip.steps += 1
         index, target = _aim(slip, start[2], restitution, law)
-        # where the aim is passed, within the step
+        # where the target is passed, within the step
         pieces = [step * part / 4 for part in (1, 2, 3, 4)]
         low = zero
         for high in pieces:
@@ -192,12 +192,12 @@ def march(
 
 
 def _care(share: float, order: int) -> float:
-    """Power of the stride where so little is left of the slip: what it still adds needs as many digits less."""
+    """Power of the step where little slip remains: its contribution needs correspondingly fewer digits."""
     return 1.0 if share == 1 else min(max((order + SPARE + _log(share) / 2) / order, LEAST_CARE), 1.0)
 
 
 def _aim(slip: Slip, approach: float, restitution: float, law: str) -> "tuple[int, float]":
-    """Which quantity is to reach what: the end of compression, then that of the law."""
+    """The quantity and its target: the end of compression, then that of the law."""
     if not slip.restoring:
         return V, type(approach)(0)
     if law == "newton":
@@ -217,11 +217,11 @@ def travel(
     stride: float = STRIDE,
     digits: int = DOUBLE,
 ) -> End:
-    """The whole impact: curved slip, and after it stick or slip along the way out, both linear in the impulse.
+    """The whole impact: curved slip, and after it stick or slip along the exit direction, both linear in the impulse.
 
     Takes doubles, or decimals of a few more than `digits` digits.
     """
-    # without friction nothing depends on how it slips
+    # without friction the slip does not matter
     at_rest = friction == 0 or (start[0] == 0 and start[1] == 0)
     if at_rest:
         zero = type(start[2])(0)

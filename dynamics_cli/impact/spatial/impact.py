@@ -28,18 +28,18 @@ from dynamics_cli.quantities import (
     Friction,
     Gravity,
     InertiaTensor,
-    Position,
-    Velocity,
+    SpacePosition,
+    SpaceVelocity,
 )
 from dynamics_cli.records import Choice, record
 
-# Digits of the path beside those that it is to keep, and of velocities at the contact that cancel.
+# Spare digits of the path, and of velocities at the contact that cancel.
 GUARDS = 12
 SPARE = 20
 
 
 class SpatialLaw(Choice):
-    """What ends an impact in space; the default is Stronge's energetic restitution, which never gains energy.
+    """The law that ends an impact in space; the default is Stronge's energetic restitution, which never gains energy.
 
     stronge: the normal force gives back e² of its work. newton: u_n' = −e u_n. poisson: p_n = (1 + e) p_c.
     """
@@ -55,14 +55,14 @@ SPATIAL_LAW = SpatialLaw("stronge")
 class LeverInSpace:
     """The contact by its place relative to the mass centre."""
 
-    lever: Annotated[Position, "From the mass centre to the contact, along the axes of the scene [m]."]
+    lever: Annotated[SpacePosition, "From the mass centre to the contact, along the axes of the scene [m]."]
 
 
 @record
 class PlacedInSpace:
     """The contact by where the mass centre is; the contact point is then given for the scene."""
 
-    centre: Annotated[Position, "Place of the mass centre in the scene [m]."]
+    centre: Annotated[SpacePosition, "Place of the mass centre in the scene [m]."]
 
 
 @record
@@ -72,7 +72,7 @@ class BodyInSpace:
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
     inertia: Annotated[InertiaTensor, "Its inertia about the mass centre, along the axes of the scene [kg·m²]."]
     arm: Annotated[LeverInSpace | PlacedInSpace, "Where it is struck."]
-    velocity: Annotated[Velocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
+    velocity: Annotated[SpaceVelocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
     spin: Annotated[AngularVelocity, "Angular velocity before [rad/s]."] = (0.0, 0.0, 0.0)
     nose: Annotated[
         Direction | None, "Direction of its nose, for PDOF; its direction of travel when left out, e.g. 1, 0, 0."
@@ -88,7 +88,7 @@ class TargetInSpace:
         InertiaTensor | None, "Its inertia about the mass centre, along the axes of the scene [kg·m²]."
     ] = None
     arm: Annotated[LeverInSpace | PlacedInSpace | None, "Where it is struck."] = None
-    velocity: Annotated[Velocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
+    velocity: Annotated[SpaceVelocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
     spin: Annotated[AngularVelocity, "Angular velocity before [rad/s]."] = (0.0, 0.0, 0.0)
     nose: Annotated[
         Direction | None, "Direction of its nose, for PDOF; its direction of travel when left out, e.g. 1, 0, 0."
@@ -105,9 +105,9 @@ def spatial(
         Restituted | Energetic,
         "Coefficient of restitution in the sense of the law, or the ratio of a contact that gives energy.",
     ],
-    law: Annotated[SpatialLaw, "What ends the impact: stronge, newton or poisson."] = SPATIAL_LAW,
+    law: Annotated[SpatialLaw, "Law that ends the impact: stronge, newton or poisson."] = SPATIAL_LAW,
     contact_point: Annotated[
-        Position | None, "Where the bodies touch, when bodies are placed by their centres [m]."
+        SpacePosition | None, "Where the bodies touch, when bodies are placed by their centres [m]."
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity, for bodies given by weight [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SpatialImpact:
@@ -126,14 +126,15 @@ def spatial(
     Raises
     ------
     InadmissibleError
-        When the bodies do not approach at the contact, a tensor is no inertia, or the law gains energy.
+        When the bodies do not approach at the contact, a tensor is not that of a body, or the law gains energy.
 
     Notes
     -----
     The slip turns while it lasts. Its equations are marched by Taylor series of order 24 in τ, dp_n = |u_t| dτ: regular
     where slip nearly stops, and where a contact jams, so that the normal velocity is not monotone. After slip has
-    stopped all is linear: it sticks, or slips along the one way out. The path is followed in doubles and again in
-    decimals: results are rounded once, and the two runs bound what is left, also of slender bodies and long levers.
+    stopped everything is linear: it sticks, or slips along the one exit direction. The path is followed in doubles and
+    again in decimals: results are rounded once, and the two runs bound the remaining error, even for slender bodies and
+    long levers.
 
     References
     ----------
@@ -192,21 +193,21 @@ def solved_in_space(
 def followed(
     k: Matrix, before: Vector, friction: float, restitution: float, law: str, order: int = ORDER, digits: int = 0
 ) -> End:
-    """The path in doubles, or in decimals of a few more than so many digits."""
+    """The path in doubles, or in decimals with a few more than the given digits."""
     if not digits:
         return travel(k, before, friction, restitution, law)
     from decimal import getcontext, localcontext
 
     with localcontext(getcontext()) as context:
         context.prec = digits + GUARDS
-        # leave out the digits that the path does not follow
+        # drop the digits that the path does not carry
         rows = tuple(tuple(+entry for entry in row) for row in k)
         start = tuple(+part for part in before)
         return travel(rows, start, +friction, +restitution, law, order, STRIDE, digits)  # type: ignore[arg-type]
 
 
 def cleaned(k: Matrix) -> Matrix:
-    """K without what rounding leaves of entries that are zero, in decimals, which tell them."""
+    """K in decimals, with entries that are zero except for rounding set to zero."""
     if not hasattr(k[0][0], "sqrt"):
         return k
     from decimal import getcontext
@@ -220,7 +221,7 @@ def approach(bodies: tuple[SolidInSpace, SolidInSpace], frame: Matrix) -> Vector
     relative = relative_velocity(*bodies)
     before = dot(relative, frame[0]), dot(relative, frame[1]), dot(relative, frame[2])
     if hasattr(before[0], "sqrt"):
-        # decimals of which nothing but rounding is left are zero
+        # decimals of only rounding are zero
         speeds = [max(map(abs, body.velocity)) for body in bodies]
         speeds += [max(map(abs, body.spin)) * max(map(abs, body.lever)) for body in bodies]
         from decimal import getcontext

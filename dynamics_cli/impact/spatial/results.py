@@ -27,8 +27,8 @@ from dynamics_cli.quantities import (
     Ratio,
     RoadSpeed,
     RoadVelocity,
+    SpaceVelocity,
     Text,
-    Velocity,
 )
 from dynamics_cli.records import Advice, Check, Numerics, record
 
@@ -39,11 +39,11 @@ PI = 3.141592653589793
 class AfterSpatial:
     """One body after an impact in space."""
 
-    velocity: Annotated[Velocity, "Velocity of the mass centre after [m/s]."]
+    velocity: Annotated[SpaceVelocity, "Velocity of the mass centre after [m/s]."]
     speed: Annotated[RoadSpeed, "Its size [m/s]."]
     spin: Annotated[AngularVelocity, "Angular velocity after [rad/s]."]
     spin_change: Annotated[AngularVelocity, "Change of the angular velocity [rad/s]."]
-    delta_v: Annotated[Velocity | None, "Change of velocity, from the impulse over the mass [m/s]."]
+    delta_v: Annotated[SpaceVelocity | None, "Change of velocity, from the impulse over the mass [m/s]."]
     delta_v_magnitude: Annotated[RoadSpeed | None, "Its size [m/s]."]
     pdof: Annotated[
         Angle | None,
@@ -76,9 +76,9 @@ class SpatialImpact:
     closing_speed: Annotated[RoadSpeed, "Normal relative speed at the contact before [m/s]."]
     separation_speed: Annotated[RoadVelocity, "Normal relative speed at the contact after [m/s]."]
     sliding_before: Annotated[
-        Velocity, "Tangential velocity of the first body relative to the second at the contact before [m/s]."
+        SpaceVelocity, "Tangential velocity of the first body relative to the second at the contact before [m/s]."
     ]
-    sliding_after: Annotated[Velocity, "The same after [m/s]."]
+    sliding_after: Annotated[SpaceVelocity, "The same after [m/s]."]
     energy_lost: Annotated[Energy, "Kinetic energy turned into other forms [J]."]
     energy_lost_normal: Annotated[Energy, "The part the normal impulse took [J]."]
     energy_lost_tangential: Annotated[Energy, "The part friction took [J]."]
@@ -88,7 +88,7 @@ class SpatialImpact:
 
 
 class Solved:
-    """An impact in space as its solver leaves it: the bodies, the frame of the contact, K, u before, and the end."""
+    """The solver's result of an impact in space: the bodies, the frame of the contact, K, u before, and the end."""
 
     __slots__ = ("before", "bodies", "end", "frame", "friction", "how", "k", "law", "restitution")
 
@@ -123,7 +123,7 @@ class Solved:
 
 
 def report(solved: Solved) -> SpatialImpact:
-    """The answer from the end of the path in the frame of the contact, in the numbers it was solved in."""
+    """The answer from the end of the path in the frame of the contact, in the solver's numbers."""
     end, frame, before = solved.end, solved.frame, solved.before
     x, y, z = combine(frame, end.impulse)
     sideways = length(end.impulse[0], end.impulse[1])
@@ -185,8 +185,8 @@ def after_impact(body: SolidInSpace, impulse: Vector) -> AfterSpatial:
 def _pdof(impulse: Vector, nose: tuple[float, float]) -> float:
     """Angle from the nose, clockwise seen from above, to where the force came from, in (−π, π]."""
     x, y = 0 - impulse[0], 0 - impulse[1]
-    found = angle(fused(x, nose[1], -(y * nose[0])), fused(x, nose[0], y * nose[1]))
-    return found if found > -PI else PI
+    direction = angle(fused(x, nose[1], -(y * nose[0])), fused(x, nose[0], y * nose[1]))
+    return direction if direction > -PI else PI
 
 
 State = tuple[SolidInSpace, AfterSpatial]
@@ -201,19 +201,19 @@ def certificate(answer: SpatialImpact, solved: Solved) -> tuple[Check, ...]:
     checks = _momentum(states, size)
     for state, name in zip(states, ("first", "second"), strict=True):
         checks += _turning(*state, name, size)
-    # what the impulse moves at the contact in the direction that gives way most: all its parts are rounded beside it
+    # velocity change at the contact in the most compliant direction: all components are rounded beside it
     moved = max(k[0][0], k[1][1], k[2][2]) * size
     checks += _contact(states, end, frame, before, moved)
     work = end.work + end.heat + moved * size + abs(answer.first.energy_change) + abs(answer.second.energy_change)
     for body, after in states:
-        # the work of the impulse on a body is that on its mass centre and that on its spin, which may cancel
+        # the work on a body is that on its mass centre plus that on its spin, which may cancel
         reach = root(dot(body.lever, body.lever))
         turning = root(dot(body.spin, body.spin)) + root(dot(after.spin, after.spin))
         work += size * (root(dot(body.velocity, body.velocity)) + after.speed + reach * turning)
     gained = answer.first.energy_change + answer.second.energy_change
     checks += balance("energy", gained, -answer.energy_lost, work)
     if restitution <= 1.0:
-        checks += not_above("energy never gained", -answer.energy_lost, 0.0, work)
+        checks += not_above("no energy is gained", -answer.energy_lost, 0.0, work)
     checks += not_above("no tension", -answer.normal_impulse, 0.0, size)
     limit = friction * answer.normal_impulse
     checks += not_above("friction at most μ times the normal impulse", answer.tangential_impulse, limit, size)
@@ -247,7 +247,7 @@ def _turning(body: SolidInSpace, after: AfterSpatial, name: str, size: float) ->
     left = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
     reach = root(dot(body.lever, body.lever))
     scale = reach * size + root(dot(held, held)) + reach * body.mass * root(dot(body.velocity, body.velocity))
-    # the spin's own rounding, which a slender body turns about its long axes with
+    # the rounding of the spin, magnified about the long axes of a slender body
     scale += max(body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]) * root(dot(after.spin, after.spin))
     apart = subtract(held, left)
     return balance(f"angular momentum of the {name} about the contact", root(dot(apart, apart)), 0.0, scale)

@@ -1,6 +1,6 @@
-"""A scene of two bodies and one contact, answered by the smallest model that it calls for.
+"""A scene of two bodies and one contact, answered by the simplest model that fits it.
 
-All models see the scene through one matrix K in the frame of its contact; each leaves out what a scene does not have:
+All models use the same matrix K in the frame of the contact; each neglects what a scene does not have:
 `spatial` nothing, `planar` the turning of the slip, `oblique` friction and spin, `central` all motion across the line.
 """
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 def central_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
-    """Say why the line of impact is enough, or nothing."""
+    """Reason why the line of impact is enough, or None."""
     seen = viewed(scene, gravity)
     if seen.rubs or seen.eccentric or seen.across:
         return None
@@ -35,7 +35,7 @@ def central_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> s
 
 
 def oblique_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
-    """Say why an oblique impact without friction or spin is enough, or nothing."""
+    """Reason why an oblique impact without friction or spin is enough, or None."""
     seen = viewed(scene, gravity)
     if seen.rubs or seen.eccentric:
         return None
@@ -44,13 +44,13 @@ def oblique_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> s
 
 
 def planar_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
-    """Say why the plane of normal and slip is enough, or nothing."""
+    """Reason why the plane of normal and slip is enough, or None."""
     seen = viewed(scene, gravity)
     if seen.friction == 0:
         return "without friction the direction of slip does not matter"
     if seen.turns:
         return None
-    return "an impulse in the plane of normal and slip moves the contact in that plane only: the slip keeps its line"
+    return "an impulse in the plane of normal and slip moves the contact in that plane only: the slip stays on one line"
 
 
 def solve_central(
@@ -82,7 +82,7 @@ def solve_oblique(
     *,
     gravity: Annotated[Gravity, "Acceleration of gravity, for bodies given by weight [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SpatialImpact:
-    """Oblique impact of a scene without friction and spin: velocities across the normal stay.
+    """Oblique impact of a scene without friction and spin: velocities across the normal do not change.
 
     Equation
     --------
@@ -100,17 +100,17 @@ def solve_oblique(
 def _answered(
     solver: "Callable[..., Solved]", scene: Scene, gravity: float, *more: str, advice: tuple[Advice, ...] = ()
 ) -> SpatialImpact:
-    """The answer of a smaller model; where it leaves out what is absent but for rounding, its bounds hold that."""
+    """The answer of a smaller model; if it neglects effects of rounding size, its bounds include them."""
     from dynamics_cli.impact.spatial.bounds import answered, beside
 
-    found = answered(solver, scene, gravity, *more, advice=advice)
-    if advice or found.numerics is None or not _left_out(scene, gravity, plane=solver is _in_plane):
-        return found
-    return beside(found, answered(_in_space, scene, gravity))
+    answer = answered(solver, scene, gravity, *more, advice=advice)
+    if advice or answer.numerics is None or not _left_out(scene, gravity, plane=solver is _in_plane):
+        return answer
+    return beside(answer, answered(_in_space, scene, gravity))
 
 
 def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:
-    """Whether a smaller model leaves out anything at all."""
+    """Whether a smaller model neglects anything at all."""
     from decimal import Context, localcontext
 
     from dynamics_cli.impact.spatial.arithmetic import widened
@@ -130,7 +130,7 @@ def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:
 def _smooth(scene: Scene, gravity: float, name: str, **_: int) -> Solved:
     """An impulse along the normal through both mass centres."""
     seen = viewed(scene, gravity)
-    # with inertia left out nothing turns; with its lever a spin still moves the contact
+    # without inertia nothing turns; with a lever a spin still moves the contact
     one, two = (SolidInSpace(body.mass, None, body.lever, body.velocity, body.spin, body.nose) for body in seen.bodies)
     k = mobility((one, two), seen.frame)
     before = approach((one, two), seen.frame)
@@ -213,7 +213,7 @@ def solve(
     Raises
     ------
     InadmissibleError
-        When the bodies do not approach, lack what their motion needs, or are described in frames that do not fit.
+        When the bodies do not approach, lack what their motion needs, or are described in inconsistent frames.
 
     Notes
     -----
@@ -242,9 +242,9 @@ def _in_space(scene: Scene, gravity: float, **effort: int) -> Solved:
 
 
 def _neglects(*what: tuple[str, bool]) -> tuple[Advice, ...]:
-    """Say what a model that was asked for leaves out of this scene."""
+    """Advice on what a requested model neglects of this scene."""
     names = [name for name, present in what if present]
     if not names:
         return ()
-    text = "this scene has more than the model: it leaves out " + ", ".join(names)
+    text = "this scene goes beyond the model, which leaves out " + ", ".join(names)
     return (Advice("model-too-small", text, "serious", remedy="leave out --model"),)

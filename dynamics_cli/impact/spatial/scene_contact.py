@@ -1,4 +1,4 @@
-"""A scene in the frame of its contact: bodies, matrix K, velocities, and what smaller models would leave out."""
+"""A scene in the frame of its contact: bodies, matrix K, velocities, and what smaller models would neglect."""
 
 from dynamics_cli.errors import require, require_given
 from dynamics_cli.impact.conventions import BySpeed, Fixed, mass_of, side_of
@@ -21,12 +21,12 @@ from dynamics_cli.impact.spatial.bodies import (
 from dynamics_cli.impact.spatial.impact import approach, lever_of
 from dynamics_cli.impact.spatial.scene_records import ByMoment, ByRadius, ByTensor, Scene, SceneBody, YawRate
 
-# A value smaller than this part of what it is compared with is rounding of the inputs: it counts as absent.
+# A value smaller than this share of its reference is rounding of the inputs and counts as absent.
 ABSENT = 10**13
 
 
 class SeenScene:
-    """A scene as its contact sees it, and what it has of what the smaller models leave out."""
+    """A scene at its contact, with the effects that smaller models neglect."""
 
     def __init__(self, scene: Scene, gravity: float) -> None:
         contact = scene.contact
@@ -54,11 +54,11 @@ class SeenScene:
         self.slips = self.before[0] != 0
         scale = max(self.k[0][0], self.k[1][1], self.k[2][2])
         coupled = ABSENT * max(abs(self.k[0][2]), abs(self.k[1][2])) > scale
-        # without friction nothing depends on a slip: it is kept, however little it is
+        # without friction the slip does not matter: it is kept, however small
         if contact.friction > 0 and ABSENT * abs(self.before[0]) <= abs(self.before[2]):
             self.before = *nothing(self.before[2])[:2], self.before[2]
             if coupled:
-                # without slip the coupling says which way friction will act
+                # without slip the coupling determines the direction of friction
                 push = tuple(self.k[0][2] * a + self.k[1][2] * b for a, b in zip(*self.frame[:2], strict=True))
                 self.frame = frame_about(self.inward, push)  # type: ignore[arg-type]
                 self.k = mobility(self.bodies, self.frame)
@@ -72,7 +72,7 @@ class SeenScene:
 
     @property
     def turning(self) -> float:
-        """What k_n has of turning: it vanishes where the normal passes through the mass centres."""
+        """The rotational part of k_n: zero where the normal passes through the mass centres."""
         moments = [cross(body.lever, self.inward) for body in self.bodies]
         return sum(dot(moment, body.turned(moment)) for body, moment in zip(self.bodies, moments, strict=True))
 
@@ -91,7 +91,7 @@ _last: "tuple[Scene, float, SeenScene] | None" = None
 
 
 def viewed(scene: Scene, gravity: float) -> SeenScene:
-    """The scene as its contact sees it: in doubles one is asked for again and again, by one model after the other."""
+    """The scene at its contact, cached for doubles because each model asks for it."""
     global _last
     if not isinstance(gravity, float):
         return SeenScene(scene, gravity)

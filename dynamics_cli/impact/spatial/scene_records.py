@@ -1,4 +1,4 @@
-"""Two bodies and one contact as a scene file states them."""
+"""Two bodies and one contact as stated in a scene file."""
 
 from dynamics_cli.impact.conventions import BodyName, ByMass, BySpeed, ByWeight, Fixed
 from dynamics_cli.impact.spatial.bodies import ZERO
@@ -12,9 +12,9 @@ from dynamics_cli.quantities import (
     Friction,
     Inertia,
     InertiaTensor,
-    Position,
     Restitution,
-    Velocity,
+    SpacePosition,
+    SpaceVelocity,
 )
 from dynamics_cli.records import record
 
@@ -28,7 +28,7 @@ class ByTensor:
 
 @record
 class ByMoment:
-    """Inertia of a body that turns about z only, or about any axis alike."""
+    """Inertia of a body that turns about z only, or equally about any axis."""
 
     moment: Annotated[
         Inertia, "Moment of inertia about the axis through the mass centre that the body turns about [kg·m²]."
@@ -48,7 +48,7 @@ class ByRadius:
 class ByComponents:
     """A velocity by its components."""
 
-    velocity: Annotated[Velocity, "Velocity of the mass centre [m/s]."]
+    velocity: Annotated[SpaceVelocity, "Velocity of the mass centre [m/s]."]
 
 
 @record
@@ -70,10 +70,10 @@ class SceneBody:
     """A body of a scene."""
 
     bulk: Annotated[ByMass | ByWeight | Fixed, "Its mass or its weight, or that it is fixed."]
-    turning: Annotated[ByTensor | ByMoment | ByRadius | None, "Its inertia; a particle has none."] = None
-    arm: Annotated[LeverInSpace | PlacedInSpace | None, "Where it is struck; a particle at itself."] = None
+    turning: Annotated[ByTensor | ByMoment | ByRadius | None, "Its inertia; left out for a particle."] = None
+    arm: Annotated[LeverInSpace | PlacedInSpace | None, "Where it is struck; left out for a particle."] = None
     motion: Annotated[ByComponents | BySpeed, "Its velocity before; at rest when left out."] = ByComponents(ZERO)
-    rotation: Annotated[SpinVector | YawRate, "Its angular velocity before; none when left out."] = YawRate(0.0)
+    rotation: Annotated[SpinVector | YawRate, "Its angular velocity before; zero if left out."] = YawRate(0.0)
     nose: Annotated[
         Direction | None, "Direction of its nose, for PDOF; its direction of travel when left out, e.g. 1, 0, 0."
     ] = None
@@ -86,9 +86,11 @@ class SceneContact:
 
     normal: Annotated[Direction, "Contact normal from the first body to the second, of any length."]
     restitution: Annotated[Restitution, "Coefficient of restitution [-]."]
-    friction: Annotated[Friction, "Coefficient of friction; none when left out [-]."] = 0.0
+    friction: Annotated[Friction, "Coefficient of friction; zero if left out [-]."] = 0.0
     law: Annotated[SpatialLaw, "What ends the impact: stronge, newton or poisson."] = SPATIAL_LAW
-    point: Annotated[Position | None, "Where the bodies touch, when bodies are placed by their centres [m]."] = None
+    point: Annotated[SpacePosition | None, "Where the bodies touch, when bodies are placed by their centres [m]."] = (
+        None
+    )
 
 
 @record

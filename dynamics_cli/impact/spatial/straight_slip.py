@@ -1,8 +1,8 @@
 """Straight slip of an impact in space: where friction is a constant share of the normal impulse.
 
-Slip is straight once it keeps its direction, from rest along the one way out, and where friction holds the contact.
-Everything is then linear in the normal impulse, and the end of compression and of the impact are roots in closed form.
-All of it takes doubles and decimals.
+Slip is straight once it keeps its direction: from rest along the one exit direction, and where friction holds the
+contact. Everything is then linear in the normal impulse, and the end of compression and of the impact are roots in
+closed form. All of it takes doubles and decimals.
 """
 
 from dynamics_cli.errors import require
@@ -21,7 +21,7 @@ X, Y, V, P, FX, FY, W, H = range(8)
 
 
 class Slip:
-    """The state while the contact slips, and what is known of the end."""
+    """The state while the contact slips, and the end of compression."""
 
     __slots__ = ("compression", "restoring", "state", "steps", "stopped", "work")
 
@@ -54,7 +54,7 @@ def stick_ratio(k: "Matrix") -> "tuple[float, float]":
 
 
 def way_out(k: "Matrix", friction: float) -> "tuple[float, float]":
-    """Direction in which slip starts from rest where friction cannot hold: −μ K_tt ŝ + k_tn = g ŝ with g > 0.
+    """Direction in which slip starts from rest if friction cannot hold: −μ K_tt ŝ + k_tn = g ŝ with g > 0.
 
     (g + μ K_tt) ŝ = k_tn with |ŝ| = 1: the size of ŝ = (g + μ K_tt)⁻¹ k_tn falls with g, and 1/|ŝ| is concave, nearly
     a line (Moré and Sorensen, 1983): Newton's method on it rises to the one such g from below.
@@ -80,9 +80,10 @@ def way_out(k: "Matrix", friction: float) -> "tuple[float, float]":
 
 
 def settled(k: "Matrix", friction: float, slip: Slip, digits: int = DOUBLE) -> "Pair | None":
-    """The direction that the slip has come to keep in as many digits, to which all near it turn.
+    """The direction that the slip has settled to within the digits, and to which neighbouring directions turn.
 
-    With ŝ the direction and r = k_tn − μ K_tt ŝ it turns at n̂·r/|u_t|, whose slope in the angle is −ŝ·r − μ n̂·K_tt n̂.
+    With ŝ the direction and r = k_tn − μ K_tt ŝ it turns at n̂·r/|u_t|, whose slope in the angle is −ŝ·r − μ n̂·K_tt
+    n̂.
     """
     (k11, k12, k13), (_, k22, k23), _ = k
     x, y = slip.state[X], slip.state[Y]
@@ -97,7 +98,7 @@ def settled(k: "Matrix", friction: float, slip: Slip, digits: int = DOUBLE) -> "
         return None
     across = a * d - b * c
     rounding = abs(k13) + abs(k23) + friction * (k11 + k22)
-    # rounding leaves no more of its turning, and the direction is near
+    # its turning is below rounding, and the direction is near
     number = type(size)
     if (
         abs(across) > number(f"2e-{digits if digits == DOUBLE else digits + 1}") * rounding
@@ -139,7 +140,7 @@ def rates_along(k: "Matrix", way: "Pair", friction: float) -> "tuple[Pair, float
 
 
 def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float, restitution: float, law: str) -> bool:
-    """Slip along one direction until it stops or the law's end, whichever is first; whether this was the end of all."""
+    """Slip along one direction until it stops or the law ends it; returns whether the impact has ended."""
     state = slip.state
     speed = state[X] * way[0] + state[Y] * way[1]
     ratio, growth, slope = rates_along(k, way, friction)
@@ -147,7 +148,7 @@ def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float
     left = -speed / growth if growth < 0 else inf
 
     def ahead(more: float) -> None:
-        """Go on by so much normal impulse."""
+        """Advance by a normal impulse."""
         nonlocal speed, left
         state[W] += more * (state[V] + slope * more / 2)
         state[H] += friction * more * (speed + growth * more / 2)
@@ -181,7 +182,7 @@ def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float
 
 
 class End:
-    """How an impact in space ended, in the frame of the contact."""
+    """The end of an impact in space, in the frame of the contact."""
 
     __slots__ = ("compression", "heat", "history", "impulse", "slip_impulse", "steps", "velocity", "work", "work_back")
 
@@ -209,7 +210,7 @@ class End:
 
 
 def end_of(slip: Slip, history: str) -> End:
-    """The end that the state tells."""
+    """The end from the state."""
     state = slip.state
     return End(
         velocity=(state[X], state[Y], state[V]),
@@ -227,7 +228,7 @@ def end_of(slip: Slip, history: str) -> End:
 def from_rest(
     k: "Matrix", slip: Slip, approach: float, friction: float, restitution: float, law: str, at_rest: bool
 ) -> End:
-    """After the slip has stopped, or where there was none: p_t = c p_n with a constant c."""
+    """After the slip has stopped, or if there was none: p_t = c p_n with a constant c."""
     (_, _, k13), (_, _, k23), (_, _, k33) = k
     state = slip.state
     ratio = stick_ratio(k)
@@ -240,7 +241,8 @@ def from_rest(
     slope = k33 + k13 * ratio[0] + k23 * ratio[1]
     require(
         slope > 0,
-        "at the contact the bodies give way in one direction alone, as far as doubles tell: no impulse follows",
+        "to the accuracy of doubles the bodies give way at the contact in one direction only: the impulse is not "
+        "determined",
         code="singular",
         hint="check levers and inertias: the lever is very long beside the radius of gyration",
     )

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
     from dynamics_cli.inertia.bodies.compose import Composed
 
-# Beyond this many numbers the derivatives by all of them are left out, and beyond this many parts the rounding bound:
-# they would take longer than the answer.
+# With more numbers than this the derivatives are left out, and with more parts than this the rounding bound: they
+# would take longer than the answer.
 MOST_SLOPES = 150
 BOUNDED_PARTS = 2000
 
@@ -45,7 +45,7 @@ def body(
     product_sign: Annotated[
         ProductSign, "Sign of products: negative (Ixy = −∫ x y dm, the tensor's element) or positive (+∫ x y dm)."
     ] = ProductSign("negative"),  # noqa: B008
-    shaft: Annotated[Shaft | None, "A line to give the moment about, with WR², GD² and lbf·in·s²."] = None,
+    shaft: Annotated[Shaft | None, "A shaft to give the moment about, also as WR², GD² and lbf·in·s²."] = None,
 ) -> MassProperties:
     """Mass, centroid, inertia tensor and principal axes of an assembly of parts and holes.
 
@@ -56,18 +56,18 @@ def body(
     Returns
     -------
     MassProperties
-        Everything about the assembly's mass, a row for each part, what cancels, and standard uncertainties.
+        The assembly's mass properties, a row for each part, cancellation, and standard uncertainties.
 
     Raises
     ------
     InadmissibleError
-        When a part contradicts itself, a rotation or a tensor is not possible, or the holes leave no mass.
+        When a part is contradictory, a rotation or a tensor is impossible, or the holes leave no mass.
 
     Notes
     -----
-    Positions count from the first part, and moments from the mass centre found first, so that an assembly far from
-    its origin keeps its digits. The principal moments come from a second pass in the principal frame, which keeps
-    those of a needle in any position. Bounds are a running error analysis of the same operations (Higham 3.3).
+    Positions count from the first part, and moments from a previously calculated mass centre, so that an assembly
+    far from its origin keeps its digits. The principal moments come from a second pass in the principal frame, which
+    keeps those of a needle in any position. Bounds are a running error analysis of the same operations (Higham 3.3).
     Standard uncertainties are first order, of independent parts, as mass property engineers roll them up (SAWE RP 16
     and paper 3360); about the mass centre the terms through the centroid vanish.
 
@@ -98,7 +98,7 @@ def _tracked() -> type:
 
 
 def compose_scene(scene: Assembly) -> "Composed":
-    """Put an assembly together; tracked numbers carry their rounding along, and their slopes where these are few."""
+    """Compose an assembly; tracked numbers carry their rounding, and their derivatives if these are few."""
     number = _first_number(scene.parts)
     if _has_mesh(scene.parts):
         # a mesh is integrated in doubles, whatever the numbers beside it
@@ -113,7 +113,7 @@ def compose_scene(scene: Assembly) -> "Composed":
 
 
 def _carried(parts: "tuple[Part, ...]", width: int | None) -> "tuple[tuple[Part, ...], int | None]":
-    """The parts with as much on their numbers as is worth its time, and how many slopes that is (None: bare)."""
+    """The parts with affordable bounds and derivatives, and the number of derivatives (None: plain numbers)."""
     from dynamics_cli.numerics.tracked import Tracked
 
     if width is None or width <= MOST_SLOPES:
@@ -124,18 +124,18 @@ def _carried(parts: "tuple[Part, ...]", width: int | None) -> "tuple[tuple[Part,
 
 
 def _first_number(tree: "Any") -> "Any":
-    """The first number of a tree that carries something along; None when all are bare."""
+    """The first tracked or many-digit number of a tree; None if all are plain."""
     if tree is None or type(tree) is float:
         return None
     if is_carrier(tree):
         return tree
     if isinstance(tree, tuple):
-        found = map(_first_number, tree)
+        carried = map(_first_number, tree)
     elif hasattr(tree, "fields"):
-        found = map(_first_number, (getattr(tree, name) for name in tree.fields))
+        carried = map(_first_number, (getattr(tree, name) for name in tree.fields))
     else:
         return None
-    return next((number for number in found if number is not None), None)
+    return next((number for number in carried if number is not None), None)
 
 
 def _has_mesh(parts: "tuple[Part, ...]") -> bool:

@@ -1,4 +1,4 @@
-"""Two bodies side by side: masses, mass centres, principal moments, and how far their principal axes are turned."""
+"""Comparison of two bodies: masses, mass centres, principal moments, and the rotation between their principal axes."""
 
 from math import inf
 
@@ -30,9 +30,9 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.bodies.mass_moments import Matrix
 
 UNIT_ROUNDOFF = 2.0**-53
-# How many roundings a bound may be of before it is worth a second pass.
+# Bounds of more roundings than this are worth a second pass.
 ROOM = 50.0
-# Of the products of unit vectors that the turn between two frames is read from.
+# Rounding of the products of unit vectors behind the rotation between two frames.
 TURN_ROUNDINGS = 32.0
 SIGNS = ((1.0, 1.0, 1.0), (1.0, -1.0, -1.0), (-1.0, 1.0, -1.0), (-1.0, -1.0, 1.0))
 
@@ -42,7 +42,7 @@ class Pair:
     """Two bodies."""
 
     first: Annotated[Assembly, "One body."]
-    second: Annotated[Assembly, "The other, in the same frame."]
+    second: Annotated[Assembly, "The other body, in the same frame."]
 
 
 @record
@@ -50,7 +50,7 @@ class MomentRow:
     """One moment or product of both bodies."""
 
     moment: Annotated[
-        Text, "Which: xx to zx about each one's own mass centre in the common axes, or a principal moment."
+        Text, "Which one: xx to zx about each body's mass centre in the common axes, or a principal moment."
     ]
     first: Annotated[ProductOfInertia, "Of the first body [kg*m^2]."]
     second: Annotated[ProductOfInertia, "Of the second body [kg*m^2]."]
@@ -60,7 +60,7 @@ class MomentRow:
 
 @record
 class Compared:
-    """How two bodies differ."""
+    """The differences of two bodies."""
 
     first_mass: Annotated[Mass, "Mass of the first body [kg]."]
     second_mass: Annotated[Mass, "Mass of the second body [kg]."]
@@ -74,7 +74,7 @@ class Compared:
     tensor_distance: Annotated[
         Ratio, "Size of the difference of the two inertia tensors over that of the first: 0 when they are equal [-]."
     ]
-    product_sign: Annotated[Text, "What the products mean."]
+    product_sign: Annotated[Text, "Sign convention of the products."]
     moments: Annotated[tuple[MomentRow, ...], "Moments and products of both."]
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -114,7 +114,7 @@ def compare(scene: Annotated[Pair, "The bodies, `first` and `second`, each with 
     angle, advice = _angle(a, b)
     tilt = None if angle is None or in_many_digits(a.spread.axes) else _turn_error(scene, a, b, angle)
     first, second = a.lump.mass, b.lump.mass
-    found = {
+    results = {
         "first_mass": first,
         "second_mass": second,
         "mass_difference": second - first,
@@ -123,7 +123,7 @@ def compare(scene: Annotated[Pair, "The bodies, `first` and `second`, each with 
         "tensor_distance": _distance(rows),
     }
     bounds: list[ErrorBound] = []
-    scalars = found if a.sloped else {name: stated(name, value, bounds) for name, value in found.items()}
+    scalars = results if a.sloped else {name: stated(name, value, bounds) for name, value in results.items()}
     if tilt is not None and tilt < 0.5:
         bounds.append(ErrorBound("axes_angle", tilt, relative=False))
     return Compared(
@@ -157,7 +157,7 @@ def _distance(rows: "tuple[MomentRow, ...]") -> float:
     if away > 0.0:
         return sqrt(away / size)
     error = getattr(away, "error", 0.0)
-    # differences that all round to nothing: of their tracked squares only the errors are left
+    # differences that are all zero: of their tracked squares only the errors remain
     return type(away)(0.0, (error / (plain(size) - size.error)) ** 0.5, away.slopes) if error else 0.0  # type: ignore[attr-defined, call-arg]
 
 
@@ -170,7 +170,7 @@ def _angle(a: "Composed", b: "Composed") -> "tuple[float | None, tuple[Advice, .
 
 
 def _turn_error(scene: Pair, a: "Composed", b: "Composed", angle: float) -> float:
-    """How far the angle between the axes may be off: by the tilts of both, or as measured in many digits."""
+    """Error of the angle between the axes: from the tilts of both, or as measured in many digits."""
     tilt = _tilt(a) + _tilt(b) + TURN_ROUNDINGS * UNIT_ROUNDOFF
     if not ROOM * UNIT_ROUNDOFF * (1.0 + angle) < tilt < inf:
         return tilt
@@ -186,7 +186,7 @@ def _turn_error(scene: Pair, a: "Composed", b: "Composed", angle: float) -> floa
 
 
 def _tilt(one: "Composed") -> float:
-    """How far the principal axes may be turned from the true ones; infinite where that is not known.
+    """Possible rotation of the principal axes from the true ones; infinite if unknown.
 
     A turn by ω moves the three by |ω × eₖ|, whose squares add up to 2 ω².
     """
@@ -195,7 +195,7 @@ def _tilt(one: "Composed") -> float:
 
 
 def turn_between(a: "Matrix", b: "Matrix", signs: "tuple[float, ...]") -> float:
-    """The angle of the rotation from one set of axes to another with senses changed."""
+    """The angle of rotation from one set of axes to another, for given senses."""
     changed = tuple(tuple(s * x for x in row) for s, row in zip(signs, b, strict=True))
     r = product(transposed(changed), a)  # type: ignore[arg-type]
     sine = hypot(hypot(r[2][1] - r[1][2], r[0][2] - r[2][0]), r[1][0] - r[0][1])

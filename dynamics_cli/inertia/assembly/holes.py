@@ -1,4 +1,4 @@
-"""Whether what is cut out of an assembly was there: holes within their bodies, and of a density that a body has."""
+"""Plausibility of holes: inside their bodies, and with a density that a body has."""
 
 from dynamics_cli.inertia.bodies.mass_moments import less, plus, times
 from dynamics_cli.inertia.shapes.wires import wires
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 # Densities that differ by more than this are not those of one material.
 ALIKE = 1e-6
-# Round shapes are drawn by lines that fall short of them by up to this share of their size.
+# Round shapes are represented by lines that fall short of them by up to this share of their size.
 DRAWN = 2e-3
-# Of more parts than this nothing is looked at: it would take longer than the answer.
+# With more parts than this holes are not checked: it would take longer than the answer.
 MOST = 500
 
 
 def hole_advice(leaves: "list[Leaf]") -> tuple[Advice, ...]:
-    """Serious warnings of holes that take away what no body has."""
+    """Serious warnings about holes that remove material that no body has."""
     holes = [leaf for leaf in leaves if leaf.sign < 0.0]
     bodies = [leaf for leaf in leaves if leaf.sign > 0.0]
     if not holes or len(leaves) > MOST:
@@ -31,13 +31,13 @@ def hole_advice(leaves: "list[Leaf]") -> tuple[Advice, ...]:
     advice = []
     for hole in holes:
         if boxes and hole.part.shape is not None and _leaves(hole, boxes):
-            message = f"{hole.name} reaches out of every body: what it takes away there has no mass"
+            message = f"{hole.name} reaches outside every body: there is no mass to remove there"
             advice.append(Advice("hole-outside", message, "serious", "end the hole where its body ends"))
         own = _density(hole)
         known = [density for density in map(_density, bodies) if density is not None]
         alike = any(own and own[0] == d[0] and abs(own[1] - d[1]) <= ALIKE * d[1] for d in known)
         if own and len(known) == len(bodies) and not alike:
-            text = f"{hole.name} takes away material of a density that no body has"
+            text = f"{hole.name} removes material of a density that no body has"
             remedy = "give the hole the density of the body that it is cut out of"
             advice.append(Advice("hole-density", text, "serious", remedy))
     return tuple(advice)
@@ -52,7 +52,7 @@ def _density(leaf: "Leaf") -> "tuple[int, float] | None":
 
 
 class _Box:
-    """The least box around a body along its own axes."""
+    """The bounding box of a body along its own axes."""
 
     def __init__(self, leaf: "Leaf") -> None:
         self.origin = _plain(leaf.origin)
@@ -76,5 +76,5 @@ def _leaves(hole: "Leaf", boxes: "list[_Box]") -> bool:
 
 
 def _plain(tree: "Any") -> "Any":
-    """The same with bare numbers."""
+    """The same with plain numbers."""
     return tree.value if is_tracked(tree) else over_parts(tree, _plain)

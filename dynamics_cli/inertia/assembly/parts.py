@@ -1,4 +1,4 @@
-"""The parts of an assembly as a scene writes them, and the leaves they come to in the assembly's own frame."""
+"""The parts of an assembly as written in a scene, and the resulting leaves in the assembly's frame."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.amount import Amount, OfMass, mass_of
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.inertia.bodies.mass_moments import Matrix, Vector
 
-# A measured tensor is written with few digits; one further off than this is wrong.
+# A measured tensor has few digits; one farther off than this is wrong.
 MEASURED_TOLERANCE = 1e-3
 
 
@@ -55,12 +55,12 @@ class Part:
         0.0,
     )
     turn: Annotated[Turn | None, "How the part's own axes are turned in that frame."] = None
-    subtract: Annotated[bool, "Subtract it: a hole."] = False
+    subtract: Annotated[bool, "Subtract the part, as a hole."] = False
     parts: Annotated["tuple[Part, ...]", "Parts in its own frame."] = ()
 
 
 class Leaf:
-    """One body in the assembly's frame: its lump in its own axes, where these lie, and whether it is taken away."""
+    """One body in the assembly's frame: its lump, the position of the lump's axes, and whether it is subtracted."""
 
     __slots__ = ("lump", "measures", "name", "origin", "part", "rotation", "sign")
 
@@ -77,7 +77,7 @@ class Leaf:
 
 
 class Group:
-    """What belongs to one assembly, in its own frame; where that lies in the next one, and whether it is taken away."""
+    """The members of one assembly in its frame, that frame's position, and whether it is subtracted."""
 
     __slots__ = ("members", "origin", "rotation", "sign")
 
@@ -91,7 +91,7 @@ class Group:
 class Walk:
     """Gathers the leaves of an assembly, in its frame and by the groups they belong to, and the origins of named parts.
 
-    `width` is how many slopes its numbers have, None when they are bare.
+    `width` is the number of derivatives of its numbers, None if they are plain.
     """
 
     def __init__(self, width: int | None = None) -> None:
@@ -152,7 +152,7 @@ class Walk:
 
 
 def lump_of(part: Part, own: str, width: int | None) -> "tuple[Lump | None, Any]":
-    """What a part itself weighs, in its own axes, and its measure by dimension; None when it is only an assembly."""
+    """The mass properties of a part in its own axes, and its measure by dimension; None if it is only an assembly."""
     given = [word for word, has in (("shape", part.shape), ("mesh", part.mesh), ("tensor", part.tensor)) if has]
     require(
         len(given) < 2,

@@ -1,4 +1,4 @@
-"""An assembly reported: a row for each part, what cancels, standard uncertainties, and the bounds of it all."""
+"""Report of an assembly: a row for each part, cancellation, standard uncertainties, and bounds."""
 
 from dynamics_cli.errors import worded
 from dynamics_cli.inertia.assembly.holes import hole_advice
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.bodies.mass_moments import Matrix, Vector
     from dynamics_cli.inertia.bodies.records import Deviation
 
-# Above this a sum of material and holes has lost more digits than a reader expects.
+# Above this a sum of material and holes loses more digits than a reader expects.
 MUCH_CANCELS = 1e6
 
 
 def reported(whole: "Composed", view: View) -> MassProperties:
-    """The report of a composed assembly, its numbers bare and their bounds stated apart."""
+    """The report of a composed assembly, with plain numbers and their bounds stated separately."""
     measures, spread = measures_of(whole), deviation(whole)
     answer = properties(whole.lump, view, spread=whole.spread, **measures)
     rows, cancels = _shares(whole, view, answer)
@@ -50,7 +50,7 @@ def reported(whole: "Composed", view: View) -> MassProperties:
 
 
 def stated(name: str, value: "Any", bounds: "list[ErrorBound]") -> "Any":
-    """A scalar bare, its relative bound stated; a vector as it is, each component with its own bound."""
+    """A plain scalar with a relative bound; a vector with a bound for each component."""
     if hasattr(value, "fields"):
         return type(value)(**{part: stated(f"{name}.{part}", getattr(value, part), bounds) for part in value.fields})
     error = getattr(value, "error", None)
@@ -118,7 +118,7 @@ def _close_moments(whole: "Composed", spread: "Deviation | None") -> tuple[Advic
                 difference=(moments[j] - moments[i], Inertia),
                 uncertainty=((own[i] * own[i] + own[j] * own[j]) ** 0.5, Inertia),
             ),
-            remedy="measure the moments better, or take any two axes in the plane",
+            remedy="measure the moments better, or use any two axes in the plane",
         )
         for i, j in ((0, 1), (1, 2))
         if moments[j] - moments[i] < (own[i] * own[i] + own[j] * own[j]) ** 0.5
@@ -126,7 +126,7 @@ def _close_moments(whole: "Composed", spread: "Deviation | None") -> tuple[Advic
 
 
 def _mesh_advice(whole: "Composed") -> tuple[Advice, ...]:
-    """What the diagnosis of mesh parts found, each with the name of its part."""
+    """Faults from the diagnosis of mesh parts, each with the name of its part."""
     advice: list[Advice] = []
     for leaf in whole.leaves:
         if leaf.part.mesh:
@@ -154,5 +154,5 @@ def _advice(cancels: Cancellation | None, whole: "Composed") -> tuple[Advice, ..
         remedy = "use a hollow shape with its wall thickness instead of a solid less a solid"
         advice.append(Advice("cancellation", message, severity="caution", remedy=remedy))
     if whole.unbounded:
-        advice.append(Advice("no-bound", "with so many parts no rounding bound is carried", severity="note"))
+        advice.append(Advice("no-bound", "with this many parts no rounding bound is calculated", severity="note"))
     return tuple(advice)

@@ -15,7 +15,7 @@ PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
 
 def deviation(whole: "Composed") -> Deviation | None:
-    """Standard uncertainties of the whole, or None when no part has one.
+    """Standard uncertainties of the assembly, or None if no part has one.
 
     About the mass centre: σ²(I) = Σ σ²(Iᵢ) + (∂I/∂mᵢ σ(mᵢ))² + Σₖ (∂I/∂cᵢₖ σ(cᵢₖ))²; terms through the common mass
     centre vanish there (SAWE paper 3360).
@@ -95,7 +95,7 @@ def _add(
 
 
 def _per_mass(leaf: "Leaf", rotation: "Matrix") -> "list[float]":
-    """How the part's own tensor grows with its mass: a shape's in proportion, a measured one not at all."""
+    """Derivative of a part's tensor by its mass: proportional for a shape, zero for a measured tensor."""
     if leaf.part.tensor is not None:
         return [0.0] * 6
     from dynamics_cli.inertia.bodies.mass_moments import tensor_of, turned

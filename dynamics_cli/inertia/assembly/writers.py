@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def urdf(answer: "MassProperties") -> str:
-    """A URDF robot of one link with its inertia: it loads as it is, and the link can be taken from it."""
+    """A URDF robot of one link with its inertia: it loads as it is, and the link can be copied from it."""
     body = bare(answer)
     return (
         '<?xml version="1.0"?>\n'

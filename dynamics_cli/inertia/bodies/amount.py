@@ -1,4 +1,4 @@
-"""How much of a body there is: its mass, or a density for its dimension, or a material by name."""
+"""The amount of a body: its mass, or a density for its dimension, or a material by name."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Annotated, ArealDensity, Density, LinearDensity, Mass, Text

@@ -1,4 +1,4 @@
-"""Parts put together about their common mass centre, then once more in the principal frame."""
+"""Composition of parts about their common mass centre, then once more in the principal frame."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.assembly.parts import Group
@@ -41,7 +41,7 @@ class Composed:
 
     def __init__(self, walk: "Walk", lump: Lump, spread: Spread, pieces: "list[Lump]", *, asked: bool) -> None:
         self.sloped = bool(walk.width)
-        # whether its numbers are floats, of which nothing has to be taken off
+        # whether its numbers are plain floats
         self.bare = walk.width is None and type(lump.mass) is float
         self.unbounded = asked and walk.width is None
         self.leaves = walk.leaves
@@ -77,7 +77,7 @@ def composed(walk: "Walk", *, asked: bool) -> Composed:
 class _Sums:
     """An assembly by its mass, and its first and second moments about a point that is near its mass centre.
 
-    Nothing is divided by the mass, which may be little or negative where most is cut out.
+    Nothing is divided by the mass, which may be small or negative where most is cut out.
     """
 
     __slots__ = ("centroid", "first", "mass", "second")
@@ -104,7 +104,7 @@ def _pieces(group: "Group", base: "Vector", frame: "Matrix") -> "list[Lump | _Su
         if not isinstance(member, Group):
             pieces.append(_piece(member.lump, member, base, frame, rotation))
             continue
-        # what is cut out cancels best in the axes of its own assembly; a needle keeps its digits in its principal axes
+        # holes cancel best in the axes of their assembly; a needle keeps its digits in its principal axes
         ahead = frame is not IDENTITY and not _cuts(member)
         gathered = _gathered(member, rotation if ahead else IDENTITY)
         pieces.append(_piece(gathered, member, base, frame, rotation, ahead=ahead))
@@ -167,7 +167,7 @@ def _added(pieces: "Sequence[Lump | _Sums]", near: "Vector") -> "tuple[float, Ve
 
 
 def _sum(pieces: "Sequence[Lump | _Sums]") -> Lump:
-    """All pieces as one, about a point near their mass centre: a mere number, so that it brings no rounding with it."""
+    """All pieces as one, about a plain point near their mass centre, which brings no rounding."""
     near = _near(pieces)
     mass, first, second = _added(pieces, near)
     require(
@@ -184,7 +184,7 @@ def _sum(pieces: "Sequence[Lump | _Sums]") -> Lump:
 def _near(pieces: "Sequence[Lump | _Sums]") -> "Vector":
     """A point within rounding of the mass centre."""
     masses = [plain(piece.mass) for piece in pieces]
-    require(max(masses) > 0.0, "nothing is there that something could be cut out of", code="no-mass")
+    require(max(masses) > 0.0, "there is no body to cut a hole out of", code="no-mass")
     total = sum(masses)
     if not total > 0.0:
         return (0.0, 0.0, 0.0)
@@ -218,16 +218,16 @@ def _second_pass(group: "Group", base: "Vector", first: Spread) -> Spread:
         return first
     whole = _sum(_pieces(group, base, frame))
     matrix = tuple(tuple(plain(x) for x in row) for row in whole.second)
-    found = principal(matrix)  # type: ignore[arg-type]
-    seconds = found.seconds
+    axes = principal(matrix)  # type: ignore[arg-type]
+    seconds = axes.seconds
     if not any(is_tracked(x) for row in whole.second for x in row):
-        return Spread(seconds, product(found.axes, frame), first.degeneracy)
-    seconds = bounded(whole.second, seconds, found.vectors)
-    # axes that are not quite orthonormal stretch every eigenvalue by no more than this (Ostrowski)
+        return Spread(seconds, product(axes.axes, frame), first.degeneracy)
+    seconds = bounded(whole.second, seconds, axes.vectors)
+    # axes that are not exactly orthonormal change every eigenvalue by no more than this factor (Ostrowski)
     stretch = 3.0 * departure(frame) + 4.0 * 2.0**-53
     seconds = tuple(type(x)(x.value, x.error + stretch * abs(x.value), x.slopes) for x in seconds)  # type: ignore[attr-defined, call-arg, assignment]
-    found = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]
-    words = found.degeneracy if determined(first.degeneracy) else first.degeneracy
+    axes = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]
+    words = axes.degeneracy if determined(first.degeneracy) else first.degeneracy
     # the product with the frame rounds every component
-    tilts = each(lambda tilt: tilt + 4.0 * 2.0**-53, tilts_of(whole.second, found.axes, stretch))
-    return Spread(seconds, product(found.axes, frame), words, tilts)
+    tilts = each(lambda tilt: tilt + 4.0 * 2.0**-53, tilts_of(whole.second, axes.axes, stretch))
+    return Spread(seconds, product(axes.axes, frame), words, tilts)

@@ -1,4 +1,4 @@
-"""Moments about lines, and what a shaft feels of a body."""
+"""Moments about lines and shafts."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.mass_moments import less, turned
@@ -25,7 +25,7 @@ def unit(direction: "Vector") -> "Vector":
 
 
 def complement(u: "Vector") -> "tuple[Vector, Vector]":
-    """Two unit vectors across `u` and across each other; exact for an axis."""
+    """Two unit vectors perpendicular to `u` and to each other; exact for an axis."""
     x, y, z = u
     size = tuple(abs(part) for part in u)
     if size[0] <= size[1] and size[0] <= size[2]:
@@ -39,7 +39,7 @@ def complement(u: "Vector") -> "tuple[Vector, Vector]":
 
 
 def moment_about(lump: "Lump", point: "Vector", direction: "Vector") -> "tuple[float, float]":
-    """Moment of inertia about a line, as the sum of two second moments across it, and the mass centre's distance."""
+    """Moment of inertia about a line, as a sum of two second moments, and the mass centre's distance."""
     moment = distance = 0.0
     d = less(lump.centroid, point)
     for e in complement(unit(direction)):
@@ -51,7 +51,7 @@ def moment_about(lump: "Lump", point: "Vector", direction: "Vector") -> "tuple[f
 
 
 def shaft_moment(lump: "Lump", shaft: "Shaft") -> ShaftMoment:
-    """Moment about a shaft in the units that people who turn shafts read."""
+    """Moment about a shaft in the units used in drive engineering."""
     moment, distance = moment_about(lump, shaft.point, shaft.direction)
     number = getattr(moment, "value", moment)
     return ShaftMoment(

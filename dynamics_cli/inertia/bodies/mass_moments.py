@@ -1,7 +1,7 @@
-"""Mass, mass centre and central second moments: what every body of this family is reduced to, and how bodies add up.
+"""Mass, mass centre and central second moments: the common form of every body, and the addition of bodies.
 
 The state is the matrix of second moments S = ∫ (r − c)(r − c)ᵀ dm, not the inertia tensor I = tr(S)·1 − S: S of a body
-is any matrix without a negative eigenvalue, so laminae, rods and needles need no exception and keep their digits.
+is any matrix without a negative eigenvalue, so laminae, rods and needles need no special case and keep their digits.
 """
 
 from dynamics_cli.numerics.number import is_array, is_tracked
@@ -35,7 +35,7 @@ def symmetric(xx: float, yy: float, zz: float, xy: float = 0.0, yz: float = 0.0,
 
 
 def minus(x: float) -> float:
-    """The opposite number; the opposite of zero is plain zero, with its slopes turned."""
+    """The negative of a number; that of zero is plain zero, with its derivatives negated."""
     opposite = -x
     if type(opposite) is float or is_array(opposite):
         return opposite + 0.0
@@ -84,7 +84,7 @@ def times(matrix: "Matrix", vector: "Vector") -> "Vector":
 
 
 def turned(second: "Matrix", rotation: "Matrix") -> "Matrix":
-    """R S Rᵀ: second moments seen in axes from which the body's are turned by `rotation`, symmetric to the bit."""
+    """R S Rᵀ: second moments in axes from which the body's are rotated by `rotation`, exactly symmetric."""
     if rotation is IDENTITY:
         return second
     half = product(rotation, second)

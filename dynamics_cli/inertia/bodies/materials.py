@@ -1,4 +1,4 @@
-"""Densities of common materials at room temperature, each with where it is from and how far grades differ."""
+"""Densities of common materials at room temperature, with source and range of grades."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Annotated, Density, Text
@@ -92,16 +92,16 @@ class Material:
 
     name: Annotated[Text, "Its name in `--material`."]
     density: Annotated[Density, "The density used [kg/m^3]."]
-    least: Annotated[Density, "The least of common grades [kg/m^3]."]
-    greatest: Annotated[Density, "The greatest of common grades [kg/m^3]."]
-    source: Annotated[Text, "Where it is from."]
+    least: Annotated[Density, "The lowest of common grades [kg/m^3]."]
+    greatest: Annotated[Density, "The highest of common grades [kg/m^3]."]
+    source: Annotated[Text, "Its source."]
 
 
 @record
 class Materials:
     """The table of materials."""
 
-    materials: Annotated[tuple[Material, ...], "One row each."]
+    materials: Annotated[tuple[Material, ...], "One row for each material."]
 
 
 def density_of(name: str) -> float:
@@ -127,8 +127,8 @@ def _key(name: str) -> str:
     return key
 
 
-def materials(*, name: Annotated[Text, "One material; all when not given."] = "") -> Materials:
-    """Densities of common materials, each with its source and how far common grades differ.
+def materials(*, name: Annotated[Text, "One material; all if left out."] = "") -> Materials:
+    """Densities of common materials, each with its source and the range of common grades.
 
     Returns
     -------
@@ -142,8 +142,8 @@ def materials(*, name: Annotated[Text, "One material; all when not given."] = ""
 
     Notes
     -----
-    A density from a table is good to the range beside it, which is more than any other error of a mass computed from
-    it: weigh the part, or write the density of the grade with its uncertainty.
+    A density from a table is uncertain by its range, more than any other error of a mass computed from it: weigh the
+    part, or write the density of the grade with its uncertainty.
 
     Examples
     --------

@@ -1,23 +1,23 @@
-"""Principal moments and axes of a body from its second moments, with axes declared undetermined where they are."""
+"""Principal moments and axes of a body from its second moments, with undetermined axes declared as such."""
 
 from dynamics_cli.numerics.eigen3.jacobi import UNIT_ROUNDOFF, eigen
 from dynamics_cli.numerics.elementary import sqrt
-from dynamics_cli.numerics.orientation.rotations import IDENTITY
+from dynamics_cli.numerics.orientation.rotations import IDENTITY, product
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.inertia.bodies.mass_moments import Matrix, Vector
 
-# Moments closer than this many roundings (2⁻⁵²) of the greatest one are equal as far as doubles can tell.
+# Moments closer than this many roundings (2⁻⁵²) of the largest one are equal within the accuracy of doubles.
 EQUAL = 8.0
-# What is said of axes that are not determined.
+# Texts about axes that are not determined.
 _EVERY = "every axis is principal"
 _FIRST_TWO = "axes 1 and 2 are any two in the plane across axis 3"
 _LAST_TWO = "axes 2 and 3 are any two in the plane across axis 1"
 
 
 class Principal:
-    """Second moments along the principal axes, the moments about them, the axes as rows, and what is undetermined.
+    """Second moments along the principal axes, the moments about them, the axes as rows, and undetermined ones.
 
     The moments are in ascending order, so the second moments descend. `vectors` are the eigenvectors that they were
     found with, in the axes of the matrix, also where the axes are not determined.
@@ -68,7 +68,7 @@ def principal(second_moments: "Matrix", errors: "Vector" = (0.0, 0.0, 0.0), fram
     norm = max(abs(value) for value in system.values)
     a, b, c = seconds = tuple(0.0 if -16.0 * UNIT_ROUNDOFF * norm <= value <= 0.0 else value for value in system.values)
     tolerance = EQUAL * 2.0 * UNIT_ROUNDOFF * (a + b)
-    vectors = system.vectors if frame is None else _in_input_axes(system.vectors, frame)
+    vectors = system.vectors if frame is None else product(system.vectors, frame)
     upper, lower = a - b <= max(tolerance, errors[0] + errors[1]), b - c <= max(tolerance, errors[1] + errors[2])
     beyond = (upper and a - b > tolerance) or (lower and b - c > tolerance)
     axes, words = _axes(vectors, upper, lower, beyond=beyond)
@@ -94,7 +94,7 @@ def _alike(axis: "Vector", near: "Vector") -> "Vector":
 
 def _axes(vectors: "Matrix", upper: bool, lower: bool, *, beyond: bool) -> "tuple[Matrix, str]":
     """Axes in order of their moments, and the sentence about them; `upper`: the first two moments are equal."""
-    why = "their moments differ by less than is known of them" if beyond else "their moments are equal"
+    why = "their moments differ by less than the uncertainty" if beyond else "their moments are equal"
     if upper and lower:
         return IDENTITY, f"{_EVERY}: {why.replace('their', 'all')}"
     if upper:
@@ -107,12 +107,6 @@ def _axes(vectors: "Matrix", upper: bool, lower: bool, *, beyond: bool) -> "tupl
         return (first, second, third), f"{_LAST_TWO}: {why}"
     first, second = _positive(vectors[0]), _positive(vectors[1])
     return (first, second, _cross(first, second)), "none: the principal moments are different"
-
-
-def _in_input_axes(vectors: "Matrix", frame: "Matrix") -> "Matrix":
-    """Vectors given in the axes of a frame, seen in the input axes."""
-    columns = tuple(zip(*frame, strict=True))
-    return tuple(tuple(v[0] * c[0] + v[1] * c[1] + v[2] * c[2] for c in columns) for v in vectors)  # type: ignore[return-value]
 
 
 def _positive(v: "Vector") -> "Vector":

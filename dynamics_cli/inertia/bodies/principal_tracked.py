@@ -1,4 +1,4 @@
-"""Principal second moments of numbers that may carry derivatives: axes from the doubles, moments along them."""
+"""Principal second moments of tracked numbers: axes from the doubles, moments along them."""
 
 from dynamics_cli.inertia.bodies.mass_moments import each
 from dynamics_cli.inertia.bodies.principal import principal, principal_of_many_digits
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 # A stated bound covers the unit a number is shown in: the rounding of the unit's ratio, and of the product with it.
 SHOWN = (1.0 + 2.0**-40) * 2.0**-52
-# An axis that may be turned by more than this many radians has no bound worth stating.
+# For an axis that may be off by more than this many radians no bound is stated.
 LARGEST_TILT = 0.5
 
 
@@ -26,11 +26,11 @@ class Spread:
         self.moments = (seconds[1] + seconds[2], seconds[2] + seconds[0], seconds[0] + seconds[1])
         self.axes = axes
         self.degeneracy = degeneracy
-        # how far each axis may be turned from the true one, where that is known and all are determined
+        # possible rotation of each axis from the true one, if known and all are determined
         self.tilts = tilts if determined(degeneracy) else None
 
     def axes_bound(self) -> "tuple[ErrorBound, ...]":
-        """The bound of every component of the axes, where there is one that says something."""
+        """The bound of every component of the axes, if there is a useful one."""
         return stated_tilt(self.tilts)
 
 
@@ -52,7 +52,7 @@ def in_many_digits(matrix: "Matrix") -> bool:
 
 
 def root(x: float) -> float:
-    """√x, zero where rounding made a zero negative."""
+    """√x, or zero where rounding made a zero negative."""
     return sqrt(x) if x > 0.0 else 0.0
 
 
@@ -74,12 +74,12 @@ def spread_of(second: "Matrix") -> Spread:
         precise = principal_of_many_digits(second)
         return Spread(precise.seconds, precise.axes, precise.degeneracy)
     matrix = tuple(tuple(plain(x) for x in row) for row in second)
-    found = principal(matrix)  # type: ignore[arg-type]
+    axes = principal(matrix)  # type: ignore[arg-type]
     if not any(is_tracked(x) for row in second for x in row):
-        return Spread(found.seconds, found.axes, found.degeneracy)
-    seconds = bounded(second, found.seconds, found.vectors)
-    found = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]
-    return Spread(seconds, found.axes, found.degeneracy, tilts_of(second, found.axes))
+        return Spread(axes.seconds, axes.axes, axes.degeneracy)
+    seconds = bounded(second, axes.seconds, axes.vectors)
+    axes = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]
+    return Spread(seconds, axes.axes, axes.degeneracy, tilts_of(second, axes.axes))
 
 
 def error_of(x: float) -> float:

@@ -1,4 +1,4 @@
-"""Mass properties as every task of this family reports them: one record, made of a lump and of how it is looked at."""
+"""Mass properties as reported by every task of this family: one record, from a lump and a view of it."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.lines import shaft_moment
@@ -44,7 +44,7 @@ class Axes(Choice):
 
 
 class ProductSign(Choice):
-    """What a product of inertia means: minus the integral of x y (the tensor's element), or plus."""
+    """Sign convention of products of inertia: minus the integral of x y (the tensor's element), or plus."""
 
     names = ("negative", "positive")
     aliases = {"minus": "negative", "plus": "positive"}  # noqa: RUF012
@@ -59,7 +59,7 @@ class MassProperties:
     area: Annotated[Area | None, "Area of a lamina or a thin shell [m^2]."]
     length: Annotated[Distance | None, "Length of a thin rod [m]."]
     centroid: Annotated[PartPosition, "Mass centre, in the given axes from the given origin [m]."]
-    about: Annotated[Text, "What the moments and products are about."]
+    about: Annotated[Text, "Reference point of the moments and products."]
     reference_point: Annotated[PartPosition, "That point, in the given axes from the given origin [m]."]
     axes: Annotated[Text, "The axes of moments, products, tensor and second moments."]
     product_sign: Annotated[Text, "What the products mean."]
@@ -133,7 +133,7 @@ class View:
 def named_point(
     about: str, about_point: "Vector | None", parts: "dict[str, Vector] | None" = None
 ) -> "tuple[str, Vector | None]":
-    """The words for a reference point, and the point: None for the mass centre."""
+    """The name of a reference point, and the point: None for the mass centre."""
     if about_point is not None:
         require(
             about == "centroid",
@@ -188,7 +188,7 @@ def properties(
     advice: tuple[Advice, ...] = (),
     numerics: Numerics | None = None,
 ) -> MassProperties:
-    """Report a body as `view` looks at it; `spread` when principal second moments are known better than by `lump`.
+    """Report a body in a `view`; `spread` if principal second moments are known better than from `lump`.
 
     Raises InadmissibleError when there is no mass.
     """

@@ -62,7 +62,7 @@ class PrincipalMoments:
 class PartShare:
     """Contribution of one part."""
 
-    part: Annotated[Text, "Its name, after those of the assemblies it is in."]
+    part: Annotated[Text, "Its name, preceded by those of its assemblies."]
     mass: Annotated[SignedMass, "Its mass, negative for a hole [kg]."]
     centroid: Annotated[PartPosition, "Its mass centre, in the given axes [m]."]
     moments: Annotated[InertiaTriple, "Its contribution to the moments xx, yy, zz about the reference point [kg*m^2]."]
@@ -70,7 +70,7 @@ class PartShare:
 
 @record
 class Cancellation:
-    """Cancellation between material and holes: the sum of sizes over the size of the sum; digits are lost by it."""
+    """Cancellation between material and holes: sum of magnitudes over magnitude of the sum."""
 
     mass: Annotated[Ratio, "Of the mass [-]."]
     moments: Annotated[Vector, "Of the moments xx, yy, zz about the reference point [-]."]
@@ -89,7 +89,7 @@ class Deviation:
 
 @record
 class Shaft:
-    """A line to turn about."""
+    """An axis of rotation."""
 
     direction: Annotated[Direction, "Direction of the shaft, in the given axes, of any length [-]."]
     point: Annotated[PartPosition, "A point of the shaft; the origin when not given [m]."] = (0.0, 0.0, 0.0)

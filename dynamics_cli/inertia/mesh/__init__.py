@@ -1,1 +1,1 @@
-"""Bodies bounded by triangles: reading them, proving them closed, integrating over them."""
+"""Bodies bounded by triangles: reading, proof of closure, integration."""

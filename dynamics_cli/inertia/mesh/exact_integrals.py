@@ -1,4 +1,4 @@
-"""Volume or area, first and second moments of a few triangles in whole numbers: nothing is rounded but the results.
+"""Volume or area, first and second moments of a few triangles in integer arithmetic: only the results are rounded.
 
 Doubles are whole multiples of a power of two, and the integrals of a solid are polynomials in them. With the corners
 a, b, c of a triangle from a point, s = a + b + c and d = a·(b × c), six times the volume of the tetrahedron on it,
@@ -31,7 +31,7 @@ ROOT_BITS = 120
 _DOUBLE, _SINGLE = 53, 24
 # What gradual underflow can take from a result.
 TINY = 5e-324
-# A double from a ratio of whole numbers is within half of its last bit; a hair more covers the bound's own rounding.
+# A double from a ratio of integers is within half of its last bit; slightly more covers the bound's own rounding.
 _ONCE = UNIT_ROUNDOFF * (1.0 + 2.0**-30)
 _CELLS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
@@ -54,7 +54,7 @@ class WholeMoments:
         shares, power = ((2, 6, 24), 2) if shell else ((6, 24, 120), 3)
         scale = unit**power << (ROOT_BITS if shell else 0)
         self.measure = total / (shares[0] * scale)
-        # what the cut roots are short of, and how far its weight is from any point of the body
+        # truncation error of the roots, and its maximum distance from any point of the body
         self._cut = len(rows) / (unit * unit << ROOT_BITS) + TINY if shell else 0.0
         self._size = float(np.ptp(corners.reshape(3, 3, -1), axis=(0, 2)).max())
         self.measure_error = _ONCE * abs(self.measure) + (self._cut + TINY)
@@ -76,7 +76,7 @@ class WholeMoments:
         self.frame = np.array(axes)
         lines, _ = whole(axes)
         products, cells = grams(lines), along(central, lines)
-        # divided by how much longer than one the axes are; beside the diagonal by the one instead of by both
+        # divided by the squared lengths of the axes; off the diagonal by one of them instead of both
         long = [products[k][k] * scale for k in range(3)]
         self.second = np.array([[cells[i][j] / long[max(i, j)] for j in range(3)] for i in range(3)])
         beside = [sum(abs(products[i][j]) for j in range(3) if j != i) / products[i][i] for i in range(3)]
@@ -84,22 +84,22 @@ class WholeMoments:
 
     @property
     def centroid_error(self) -> "Array":
-        """How far each coordinate of the mass centre may be off."""
+        """Error bound of each coordinate of the mass centre."""
         cut = self._cut * self._size / abs(self.measure) if self.measure else 0.0
         return _ONCE * abs(self.centroid) + (cut + TINY)
 
     def in_file(self) -> "tuple[Array, Array]":
-        """Second moments in the axes of the file, and how far they may be off."""
+        """Second moments in the axes of the file, and their error bounds."""
         return self._in_file, _ONCE * abs(self._in_file) + (self._cut * self._size * self._size + TINY)
 
     @property
     def second_error(self) -> "Array":
-        """How far each element of `second` may be off: a rounding, and four of those beside the diagonal."""
+        """Error bound of each element of `second`: one rounding, and four off the diagonal."""
         roundings = 4.0 - 3.0 * np.eye(3)
         return _ONCE * roundings * abs(self.second) + (self._cut * self._size * self._size + TINY)
 
     def spread_error(self, value: float) -> float:
-        """By how much an eigenvalue of `second` is stretched by axes not quite across one another (Ostrowski)."""
+        """Relative change of an eigenvalue of `second` by axes that are not exactly orthogonal (Ostrowski)."""
         return self._stretch * abs(value)
 
 

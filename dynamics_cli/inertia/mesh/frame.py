@@ -1,7 +1,7 @@
-"""Triangles seen from a point in turned axes, each coordinate exact to a rounding of itself.
+"""Triangles seen from a point in rotated axes, each coordinate exact to one rounding.
 
-Turning by plain products leaves errors of a rounding of the longest side in every coordinate, which a needle or a plate
-has no room for. Here the axes and the corners are split on grids so coarse that the leading product is exact whatever
+Rotation by plain products leaves errors of a rounding of the longest side in every coordinate, too much for a needle or
+a plate. Here the axes and the corners are split on grids so coarse that the leading product is exact whatever
 its order of operations (Ozaki, Ogita, Oishi & Rump, Error-free transformations of matrix multiplication, Numer.
 Algorithms 59 (2012) 95); the rest is 2⁻²⁶ of it and may be rounded. The axes need be orthogonal only to rounding:
 second moments R S Rᵀ have the eigenvalues of S but for the factor by which R stretches (Ostrowski).
@@ -56,7 +56,7 @@ class Frame:
         return out
 
     def blur(self, extent: "Array") -> "Array":
-        """By how many times a rounding a point that reaches so far along these axes may be off along the file's.
+        """Error along the file's axes of a point with this reach along these axes, in roundings.
 
         An axis of the file's own is seen without the grain of the grid.
         """

@@ -5,8 +5,8 @@ times the volume of the tetrahedron on it. With p = a + (e + f)/3 and q = e − 
 
     ∫ r rᵀ dV = Σ d·(p pᵀ + q qᵀ/18 + f fᵀ/24)/10,    ∫ r rᵀ dA = Σ |n|·(p pᵀ + q qᵀ/18 + f fᵀ/24)/2
 
-with the shares of a tetrahedron and a triangle. Edges know nothing of the reference point, so thin bodies keep their
-digits.
+with the shares of a tetrahedron and a triangle. Edges do not depend on the reference point, so thin bodies keep
+their digits.
 """
 
 import numpy as np
@@ -45,8 +45,8 @@ class Moments:
     """Integrals over the triangles of one file, in its unit of length.
 
     `measure` is the volume (or the area of a shell), `second` the second moments about `centroid`, both in the axes of
-    the file when `frame` is None, else `second` in the axes that are the rows of `frame`. The errors are bounds of what
-    rounding did: of the measure, of each coordinate, and of each second moment; `terms` is that of the weights of all
+    the file when `frame` is None, else `second` in the axes that are the rows of `frame`. The errors are rounding
+    bounds: of the measure, of each coordinate, and of each second moment; `terms` is that of the weights of all
     triangles, `box` how far they reach, or what they are off by reaches, from the reference along the axes of the file.
     """
 
@@ -58,7 +58,7 @@ class Moments:
         self.shell = sums.shell
         self.frame = None if frame is None else frame.rows
         self.box = sums.extent if box is None or frame is None else np.maximum(box, frame.blur(sums.extent))
-        # how much longer than one the axes are, to first order: a solid is given back what they stretched
+        # excess length of the axes, to first order: a solid is corrected for the stretch
         longer = np.zeros(3) if frame is None or sums.shell else 0.5 * np.diag(departure(frame.rows))
         self.measure = sums.total / scale[0] * (1.0 - float(longer.sum()))
         first = sums.first / scale[1]
@@ -68,7 +68,7 @@ class Moments:
         # turned axes stretch a shell by a few roundings, which are not given back
         weight = float(products.sum()) + 4.0 * sums.area if sums.shell else float(extent @ products)
         unit = ROUNDINGS * UNIT_ROUNDOFF
-        # what underflow may have taken from each product, before others made it larger
+        # loss by underflow in each product, before multiplication by others
         weight += sums.count * 32.0 * TINY * (1.0 + float(extent.max())) / unit
         self.measure_error = unit * weight / scale[0]
         self.reference = reference
@@ -127,7 +127,7 @@ class Moments:
 
 
 class Sums:
-    """Everything that one pass over the triangles adds up."""
+    """The sums of one pass over the triangles."""
 
     def __init__(self, *, shell: bool, boundary: "Boundary | None" = None, grain: float = 0.0) -> None:
         self.shell = shell
@@ -183,5 +183,5 @@ class Sums:
             self.boundary.add(block.boundary)
 
     def finish(self) -> None:
-        """Put back what the additions lost."""
+        """Add the compensation of the sums."""
         self._sum = self._sum + self._lost

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.mesh.stl import Source
     from dynamics_cli.inertia.mesh.surface import Faults
 
-# A body this much thinner one way than another is integrated once more in its principal axes; small files always are,
-# as it costs them nothing that can be felt.
+# A body this much thinner in one direction than another is integrated again in its principal axes; small files always
+# are, as the cost is imperceptible.
 GRADED = 1e-4
 SMALL = 100_000
 # Up to this many triangles whole numbers take at most half as long again as two passes do.
@@ -57,7 +57,7 @@ class Measured:
 
     @property
     def known(self) -> bool:
-        """Whether the volume is more than rounding its corners to doubles may have made it."""
+        """Whether the volume exceeds the possible effect of rounding its corners to doubles."""
         import numpy as np
 
         sums = self.sums
@@ -71,7 +71,7 @@ class Measured:
         return self.sums.boundary is not None and self.sums.boundary.empty
 
 
-# The last files integrated: the trials of an uncertain density do not read them again.
+# Cache of the last files: trials of an uncertain density do not read them again.
 KEPT = 16
 _LAST: "dict[tuple[Any, ...], Measured]" = {}
 
@@ -83,17 +83,17 @@ def measured(name: str, *, shell: bool, diagnosed: bool = False) -> Measured:
     if key not in _LAST:
         from dynamics_cli.inertia.mesh.opening import open_mesh
 
-        made = Measured(open_mesh(name), shell=shell, diagnosed=diagnosed)
+        mesh = Measured(open_mesh(name), shell=shell, diagnosed=diagnosed)
         if len(_LAST) >= KEPT:
             _LAST.clear()
-        _LAST[key] = made
+        _LAST[key] = mesh
     return _LAST[key]
 
 
-def unit_of(found: "Measured | Source", given: "LengthUnit | None", part: str = "") -> "LengthUnit":
-    """The unit of a file's numbers: that which the file says, or which is given where it says none."""
+def unit_of(source: "Measured | Source", given: "LengthUnit | None", part: str = "") -> "LengthUnit":
+    """The unit of a file's numbers: as stated in the file, else as given."""
     of_part = f" of {part}" if part else ""
-    if not found.unit:
+    if not source.unit:
         if given is None:
             raise UsageError(
                 f"length_unit is missing: the file{of_part} does not say its unit of length",
@@ -103,62 +103,62 @@ def unit_of(found: "Measured | Source", given: "LengthUnit | None", part: str = 
             )
         return given
     require(
-        given is None or given == found.unit,
+        given is None or given == source.unit,
         "the file{of_part} says that its lengths are in {unit}, and {given} was given",
         code="unit",
         hint="leave out the length unit",
-        unit=found.unit,
+        unit=source.unit,
         given=given,
         of_part=of_part,
     )
-    return LengthUnit(found.unit)
+    return LengthUnit(source.unit)
 
 
-def require_closed(found: Measured, *, allowed: bool, flip: bool = False, part: str = "") -> None:
-    """Refuse surfaces that enclose nothing definite, or enclose it from the wrong side; `part` says of which part."""
+def require_closed(mesh: Measured, *, allowed: bool, flip: bool = False, part: str = "") -> None:
+    """Refuse surfaces that enclose nothing definite, or enclose it from the wrong side; `part` names the part."""
     places = ""
-    if found.faults is not None:
-        kept = found.faults
+    if mesh.faults is not None:
+        kept = mesh.faults
         places = (
             f": {kept.open_edges} open edges, {kept.clashing_edges} clashing edges, {kept.flipped} flipped, "
             f"{kept.duplicated} duplicated and {kept.degenerate} degenerate triangles"
             + "".join("; " + place for place in kept.places)
         )
     require(
-        found.closed or allowed,
+        mesh.closed or allowed,
         "the surface {of_part}of {triangles} triangles is not closed: an edge has no neighbour{places}",
         code="open",
         hint="repair the surface; dynamics inertia mesh FILE --diagnose names the faulty edges"
         if part
         else "repair the surface, or give --allow-open"
-        if found.faults is not None
-        else "--diagnose names the faulty edges; --allow-open answers nevertheless",
-        triangles=found.sums.count,
+        if mesh.faults is not None
+        else "--diagnose names the faulty edges; --allow-open calculates nevertheless",
+        triangles=mesh.sums.count,
         places=places,
         of_part=f"of {part}, " if part else "",
     )
-    inverted = found.moments.measure < 0.0 and found.closed
+    inverted = mesh.moments.measure < 0.0 and mesh.closed
     require(
         flip or not inverted,
         "the surface {of_part}is inside out: it encloses {volume:6} cubed units of length",
         code="inverted",
         hint="turn the triangles round in the file" if part else "--flip turns all triangles round",
-        volume=(found.moments.measure, Ratio),
+        volume=(mesh.moments.measure, Ratio),
         of_part=f"of {part} " if part else "",
     )
     require(
         inverted or not flip,
-        "the surface is not inside out: --flip has nothing to turn round",
+        "the surface is not inside out: --flip is not needed",
         code="inverted",
         hint="leave out --flip",
     )
 
 
-def require_extent(found: Measured, *, shell: bool, part: str = "") -> None:
+def require_extent(mesh: Measured, *, shell: bool, part: str = "") -> None:
     """Refuse triangles without area, and surfaces that enclose no more than rounding their corners may have made."""
     of_part = f" of {part}" if part else ""
     require(
-        found.moments.measure != 0.0 and (shell or found.known),
+        mesh.moments.measure != 0.0 and (shell or mesh.known),
         "the triangles{of_part} {lack}",
         code="no-volume",
         hint="check the file; a shell needs --thickness or an areal density",

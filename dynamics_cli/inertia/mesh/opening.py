@@ -1,4 +1,4 @@
-"""Files of triangles by the form they are in: STL read here, others by trimesh where it is installed."""
+"""Files of triangles by format: STL is read here, others by trimesh if it is installed."""
 
 import os
 
@@ -17,7 +17,7 @@ UNITS = {"micron": "um", "millimeter": "mm", "centimeter": "cm", "inch": "in", "
 
 
 def open_mesh(name: str) -> "Source":
-    """A file of triangles, ready to be read as often as wanted.
+    """A file of triangles that can be read repeatedly.
 
     Raises InadmissibleError when the form is unknown or the file is damaged. Raises UsageError when trimesh is needed
     and not installed.
@@ -65,7 +65,7 @@ def _by_trimesh(name: str, ending: str) -> "Source":
     try:
         mesh = trimesh.load(name, force="mesh", process=False)
         vertices, faces = mesh.vertices, mesh.faces
-    except Exception as error:  # its readers raise whatever their parsers do
+    except Exception as error:  # its readers raise the exceptions of their parsers
         raise InadmissibleError(
             f"the file is not a readable .{ending} file (trimesh: {str(error) or type(error).__name__})",
             code="form",
@@ -79,9 +79,9 @@ def _by_trimesh(name: str, ending: str) -> "Source":
         vertex=int(faces.max()) + 1,
         count=len(vertices),
     )
-    made = Corners(name, ending.upper(), vertices, faces)
-    made.unit = unit
-    return made
+    corners = Corners(name, ending.upper(), vertices, faces)
+    corners.unit = unit
+    return corners
 
 
 def _packed_unit(name: str) -> str:
@@ -109,7 +109,7 @@ def _packed_unit(name: str) -> str:
         ) from None
     require(
         len(said) == 1 and said <= UNITS.keys(),
-        "the models of the file are in {read}, where one of {known} was wanted",
+        "the models of the file are in {read}, wanted one of {known}",
         code="unit",
         read=" and ".join(sorted(said)) or "no unit",
         known=", ".join(UNITS),
@@ -118,7 +118,7 @@ def _packed_unit(name: str) -> str:
 
 
 def _require_sound_obj(name: str) -> None:
-    """Refuse vertices and triangles that trimesh would read as others."""
+    """Refuse vertices and triangles that trimesh would misread."""
     with open(name, "rb") as file:
         for number, line in enumerate(file, 1):
             words = line.split()

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.shapes.wires import Wire
     from dynamics_cli.pictures import Picture
 
-# Triangles drawn at most: enough to know a part by, few enough for a file that opens.
+# Triangles drawn at most: enough to recognise a part, few enough for a file that opens.
 DRAWN = 1500
 NAN = float("nan")
 

@@ -25,7 +25,7 @@ _BOM = b"\xef\xbb\xbf"
 
 
 class Source:
-    """Triangles that can be gone through more than once.
+    """Triangles that can be read more than once.
 
     `count` is how many there are (None until a text has been read through), `single` whether coordinates are stored in
     single precision. `blocks` gives arrays of rows ax, ay, az, bx, … cz without minus zeros, contiguous doubles that
@@ -36,9 +36,9 @@ class Source:
     form = ""
     single = False
     count: "int | None" = None
-    # what was read in spite of a fault of the file, for a warning
+    # a fault of the file that was tolerated, for a warning
     caution = ""
-    # the unit of length that the file itself says
+    # the unit of length stated in the file
     unit = ""
     # the number of triangles of the file before these
     first = 0
@@ -93,7 +93,7 @@ class BinaryStl(Source):
 
 
 class TextStl(Source):
-    """An STL file of words."""
+    """An ASCII STL file."""
 
     form = "ASCII STL"
 
@@ -189,7 +189,7 @@ class Corners(Source):
 
 
 def open_stl(name: str) -> Source:
-    """An STL file, binary if its size is what its header claims, whatever words the header begins with.
+    """An STL file, binary if its size is what its header claims, whatever text the header begins with.
 
     Raises InadmissibleError when it is empty, is neither form of STL, or its size is not what its header claims.
     """
@@ -208,7 +208,7 @@ def open_stl(name: str) -> Source:
     held = (size - HEADER) // RECORD
     require(
         False,
-        "the header claims {claimed} triangles, {needed} bytes; the file has {size} bytes, room for {held}",
+        "the header claims {claimed} triangles, {needed} bytes; the file has {size} bytes, enough for {held}",
         code="truncated" if held < claimed else "count",
         hint="copy or export the file again" if held < claimed else "its count is wrong or something else follows it",
         claimed=claimed,
@@ -220,7 +220,7 @@ def open_stl(name: str) -> Source:
 
 
 def _has_facet(name: str, head: bytes, size: int) -> bool:
-    """Whether words of an STL text are near the beginning, or the file is an empty solid."""
+    """Whether keywords of an ASCII STL are near the beginning, or the file is an empty solid."""
     low = head.lower()
     if b"facet" in low or b"endsolid" in low:
         return True

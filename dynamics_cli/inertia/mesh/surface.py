@@ -1,11 +1,11 @@
-"""What is reported of the surface of a mesh, beside the mass properties of what it bounds."""
+"""The report of a mesh's surface, besides the mass properties of the body."""
 
 from dynamics_cli.quantities import Annotated, Area, Count, PartPosition, Ratio, Text, Volume
 from dynamics_cli.records import Choice, record
 
 
 class LengthUnit(Choice):
-    """The unit of length of a file that does not say it."""
+    """The unit of length of a file that does not state it."""
 
     names = ("m", "mm", "cm", "um", "in", "ft")
     aliases = {"inch": "in", "metre": "m", "millimetre": "mm", "µm": "um", "μm": "um", "foot": "ft"}  # noqa: RUF012
@@ -48,9 +48,9 @@ class Faults:
     against: Annotated[
         Count, "Triangles of a closed surface that bound from the wrong side: a shell inside out, or outside its solid."
     ]
-    pairs: Annotated[Count, "Pairs of triangles near each other that were looked at."]
+    pairs: Annotated[Count, "Pairs of neighbouring triangles that were checked."]
     places: Annotated[
-        tuple[Text, ...], "Where the first few of each are, in the file's numbers; triangles are counted from 1."
+        tuple[Text, ...], "Where the first few of each are, in the file's coordinates; triangles are counted from 1."
     ]
 
 
@@ -58,7 +58,7 @@ class Faults:
 class Surface:
     """The surface that was read."""
 
-    form: Annotated[Text, "The form of the file."]
+    form: Annotated[Text, "Format of the file."]
     triangles: Annotated[Count, "Number of triangles."]
     area: Annotated[Area, "Area of the surface [m^2]."]
     closed: Annotated[Text, "Whether every edge has a neighbour of the opposite direction."]
@@ -69,11 +69,11 @@ class Surface:
     ]
     low: Annotated[PartPosition, "Minimum coordinates [m]."]
     high: Annotated[PartPosition, "Maximum coordinates [m]."]
-    examined: Annotated[Text, "Whether crossings and overlaps were looked for."]
+    examined: Annotated[Text, "Whether crossings and overlaps were checked."]
     quantisation: Annotated[
         Volume | None,
         "Standard deviation of the volume from rounding corners to single precision, by order of magnitude [m^3].",
     ] = None
     faults: Annotated[
-        Faults | None, "The diagnosis: made always where few triangles are near each other, else with --diagnose."
+        Faults | None, "The diagnosis: always done where few triangles are near each other, else with --diagnose."
     ] = None

@@ -43,7 +43,7 @@ def mesh(
     ] = None,
     allow_open: Annotated[
         bool,
-        "Answer for an open surface too, as if closed towards a point near its first triangles.",
+        "Accept an open surface, treated as if closed towards a point near its first triangles.",
     ] = False,
     flip: Annotated[bool, "Reverse all triangles: for a closed surface that is inside out."] = False,
     diagnose: Annotated[
@@ -70,7 +70,7 @@ def mesh(
     Returns
     -------
     MassProperties
-        Everything about the body's mass, and `surface`.
+        The mass properties of the body, and its `surface`.
 
     Raises
     ------
@@ -82,8 +82,8 @@ def mesh(
     -----
     Bounds are of rounding, given the corners as stored. Up to 128 triangles the sums are formed in whole numbers and
     each result is rounded once; of more in doubles, with bounds calibrated by search. That the surface closes is proved
-    by a 64-bit sum over its directed edges; surfaces that cross, overlap or come twice are found by the diagnosis. A
-    thin shell has its mass on the triangles: the thickness makes mass, and is neglected against the size.
+    by a 64-bit sum over its directed edges; crossing, overlapping or duplicated surfaces are found by the diagnosis.
+    A thin shell has its mass on the triangles: the thickness only determines the mass.
 
     References
     ----------
@@ -100,26 +100,26 @@ def mesh(
     only_in_doubles(*numbers)
     _require_thickness(amount, thickness)
     shell = thickness is not None or isinstance(amount, OfArealDensity)
-    found = measured(file, shell=shell, diagnosed=diagnose)
+    measurement = measured(file, shell=shell, diagnosed=diagnose)
     if not shell:
-        require_closed(found, allowed=allow_open, flip=flip)
-    require_extent(found, shell=shell)
+        require_closed(measurement, allowed=allow_open, flip=flip)
+    require_extent(measurement, shell=shell)
     width = next((len(number.slopes) for number in numbers), None)
-    lift = Lift(found, unit_of(found, length_unit), width or 0)
+    lift = Lift(measurement, unit_of(measurement, length_unit), width or 0)
     measure = lift.measure()
     mass, density = _mass_and_density(amount, measure, thickness, shell=shell)
     view = view_of(about, about_point, turn, axes=axes, product_sign=product_sign, shaft=shaft)
-    made = properties(
+    report = properties(
         Lump(mass, lift.centroid(), lift.second(density)),
         view,
         volume=None if shell else measure,
         area=measure if shell else None,
         spread=lift.spread(density),
-        checks=checks_of(found, shell),
-        advice=advice_of(found, shell=shell, wall=lift.in_file_unit(thickness)),
-        numerics=Numerics(METHODS[found.way]),
+        checks=checks_of(measurement, shell),
+        advice=advice_of(measurement, shell=shell, wall=lift.in_file_unit(thickness)),
+        numerics=Numerics(METHODS[measurement.way]),
     )
-    whole = MassProperties(**{**made.__dict__, "surface": surface_of(found, lift)})
+    whole = MassProperties(**{**report.__dict__, "surface": surface_of(measurement, lift)})
     return whole if width is not None else _plain(whole)
 
 
@@ -156,12 +156,12 @@ def _tracked(thing: "Any") -> "Iterator[Any]":
             yield from _tracked(getattr(thing, name))
 
 
-def _plain(made: MassProperties) -> MassProperties:
+def _plain(report: MassProperties) -> MassProperties:
     """The record with floats for tracked numbers, and their bounds stated beside it."""
     bounds: list[ErrorBound] = []
-    out = _floats(made, "", bounds)
-    assert made.numerics is not None
-    kept = Numerics(made.numerics.method, (*bounds, *made.numerics.bounds))
+    out = _floats(report, "", bounds)
+    assert report.numerics is not None
+    kept = Numerics(report.numerics.method, (*bounds, *report.numerics.bounds))
     return MassProperties(**{**out.__dict__, "numerics": kept})
 
 

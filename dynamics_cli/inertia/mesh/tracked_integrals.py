@@ -26,9 +26,9 @@ SMALLEST = 1e-270
 class Lift:
     """A mesh's integrals in SI, each with its bound and no slopes."""
 
-    def __init__(self, found: "Measured", unit: "LengthUnit", width: int) -> None:
-        self.found = found
-        self.moments = found.moments
+    def __init__(self, mesh: "Measured", unit: "LengthUnit", width: int) -> None:
+        self.found = mesh
+        self.moments = mesh.moments
         self.slopes = (0.0,) * width
         self.ratio = unit.ratio
 
@@ -38,8 +38,8 @@ class Lift:
         tracked = Tracked(float(value), float(error), self.slopes)
         for _ in range(abs(power)):
             up, down = up * self.ratio[0], down * self.ratio[1]
-        made: float = _or_unknown(tracked * (up / self.ratio[0]) / (down / self.ratio[1]))
-        return made
+        lifted: float = _or_unknown(tracked * (up / self.ratio[0]) / (down / self.ratio[1]))
+        return lifted
 
     def in_file_unit(self, length: "float | None") -> float:
         """A length in the unit of the file; none is zero."""

@@ -1,4 +1,4 @@
-"""Contours of a section in whole numbers: all that was typed, or given as doubles, has a common denominator."""
+"""Contours of a section in integers: all numbers, typed or given as doubles, have a common denominator."""
 
 from math import lcm
 
@@ -70,24 +70,24 @@ class Contour:
 def contours(
     polygon: "tuple[float, ...]", pieces: "tuple[Piece, ...]", holes: "tuple[Hole, ...]"
 ) -> "tuple[list[Contour], int]":
-    """Every contour, and how many of the unit that all their numbers are whole multiples of make a metre."""
-    made: list[tuple[str, int, list[tuple[Ratio, ...]], Ratio]] = []
+    """Every contour in a common unit, and the number of these units in a metre."""
+    shapes: list[tuple[str, int, list[tuple[Ratio, ...]], Ratio]] = []
     if polygon:
         require(len(polygon) % 2 == 0, "the polygon has an odd number of coordinates", code="polygon")
-        made.append(("the polygon", 1, [(part.as_integer_ratio(),) for part in polygon], NOTHING))
-    made += [_shape(f"piece {index}", 1, item) for index, item in enumerate(pieces, 1)]
-    made += [_shape(f"hole {index}", -1, item) for index, item in enumerate(holes, 1)]
+        shapes.append(("the polygon", 1, [(part.as_integer_ratio(),) for part in polygon], NOTHING))
+    shapes += [_shape(f"piece {index}", 1, item) for index, item in enumerate(pieces, 1)]
+    shapes += [_shape(f"hole {index}", -1, item) for index, item in enumerate(holes, 1)]
     require(
-        any(sign > 0 for _, sign, _, _ in made),
+        any(sign > 0 for _, sign, _, _ in shapes),
         "there is no material",
         code="missing",
         hint="give a polygon or a piece",
     )
     unit = lcm(
-        *(part[1] for _, _, numbers, diameter in made for number in (*numbers, (_half(diameter),)) for part in number)
+        *(part[1] for _, _, numbers, diameter in shapes for number in (*numbers, (_half(diameter),)) for part in number)
     )
     out = []
-    for name, sign, numbers, diameter in made:
+    for name, sign, numbers, diameter in shapes:
         whole = [sum(up * (unit // down) for up, down in number) for number in numbers]
         corners = list(zip(whole[0::2], whole[1::2], strict=True))
         round_ = diameter != NOTHING
@@ -156,7 +156,7 @@ def _ends(middle: "Ratio", width: "Ratio") -> "tuple[tuple[Ratio, Ratio], tuple[
 
 
 def all_typed(polygon: "tuple[float, ...]", shapes: "tuple[Piece | Hole, ...]") -> bool:
-    """Whether every number is what was typed, and not a double that it may have been rounded to."""
+    """Whether every number is the decimal as typed, not a rounded double."""
     numbers = [*polygon, *(part for shape in shapes for part in shape.polygon)]
     numbers += [
         part for shape in shapes for part in (shape.diameter, shape.width, shape.height, shape.x, shape.y) if part

@@ -13,7 +13,7 @@ PI, PI_SCALE = (
 # Common denominator of all integrals, beside the powers of the unit: 24 of polygons, 64 of circles.
 _D = 24 * 64 * PI_SCALE
 _ROOT_BITS = 160
-# Enough for the distance of a fibre from an axis that it is nearly on.
+# Enough for the distance of a fibre that is nearly on an axis.
 _DIRECTION_BITS = 400
 
 
@@ -22,10 +22,10 @@ class Integrals:
 
     __slots__ = ("area", "unit", "x", "xx", "xy", "y", "yy")
 
-    def __init__(self, found: "list[Contour]", unit: int) -> None:
+    def __init__(self, contours: "list[Contour]", unit: int) -> None:
         self.unit = unit
         self.area = self.x = self.y = self.xx = self.yy = self.xy = 0
-        for contour in found:
+        for contour in contours:
             parts = _circle(contour) if contour.diameter else _polygon(contour)
             sign = contour.sign if parts[0] >= 0 else -contour.sign
             self.area += sign * parts[0]

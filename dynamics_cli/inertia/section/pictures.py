@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.section.task import Drawn
 
 STEPS = 96
-# Points of Mohr's circle this close, as a share of its radius, share a name.
+# Points of Mohr's circle this close, relative to its radius, share a label.
 CLOSE = 0.06
 # A circle this small beside its distance from zero is a point.
 SHRUNK = 1e-6
@@ -32,9 +32,9 @@ def _shape(
     pieces: "tuple[Piece, ...]",
     holes: "tuple[Hole, ...]",
 ) -> Panel:
-    found, unit = contours(polygon, pieces, holes)
+    shapes, unit = contours(polygon, pieces, holes)
     items: list[Curve | Mark | Arrow] = []
-    for contour in found:
+    for contour in shapes:
         points = [(x / unit, y / unit) for x, y in contour.corners]
         if contour.diameter:
             (x0, y0), r = points[0], 0.5 * (contour.diameter / unit)

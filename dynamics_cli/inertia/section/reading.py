@@ -18,7 +18,7 @@ _RESULTS = {
 
 
 def conditions(
-    found: "list[Contour]", unit: int, centroid: "tuple[float, float]", values: "dict[str, float]"
+    shapes: "list[Contour]", unit: int, centroid: "tuple[float, float]", values: "dict[str, float]"
 ) -> "tuple[Condition, ...]":
     """Relative changes of results per relative change of the coordinates, in the worst case.
 
@@ -26,7 +26,7 @@ def conditions(
     its greatest weight along the side, and a shift of the centroid changes central moments in second order only.
     """
     rows = []
-    for contour in found:
+    for contour in shapes:
         for swept, ends in _sides(contour, unit):
             x2, y2 = (max((end[k] - centroid[k]) ** 2 for end in ends) for k in (0, 1))
             rows.append((swept, swept * y2, swept * x2, swept * (x2 + y2)))
@@ -50,9 +50,9 @@ def _sides(contour: "Contour", unit: int) -> "list[tuple[float, list[tuple[float
     return sides
 
 
-def advice(found: "tuple[Condition, ...]") -> "tuple[Advice, ...]":
+def advice(changes: "tuple[Condition, ...]") -> "tuple[Advice, ...]":
     """A warning where the rounding of the coordinates as they were typed may be seen in the results."""
-    change = max((condition.value for condition in found), default=0.0) * UNIT_ROUNDOFF
+    change = max((condition.value for condition in changes), default=0.0) * UNIT_ROUNDOFF
     if change <= SILENT:
         return ()
     message = f"coordinates are rounded to doubles when read, which may change moments by a share of {change:.2g}"

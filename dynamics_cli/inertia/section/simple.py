@@ -7,16 +7,16 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.section.contours import Contour, Point
 
 
-def require_sound(found: "list[Contour]") -> None:
+def require_sound(shapes: "list[Contour]") -> None:
     """Refuse contours that cross themselves or one another, and holes outside the material or within one another.
 
     Contours may touch, and pieces may share sides.
 
     Raises InadmissibleError naming the contours and sides at fault.
     """
-    _require_no_crossing(found)
-    for contour in found:
-        around = [other for other in found if other is not contour and _holds(other, contour)]
+    _require_no_crossing(shapes)
+    for contour in shapes:
+        around = [other for other in shapes if other is not contour and _holds(other, contour)]
         depth = sum(other.sign for other in around)
         if contour.sign < 0 or depth < 0:
             holes = [contour] if contour.sign < 0 else [other for other in around if other.sign < 0]
@@ -31,16 +31,16 @@ def require_sound(found: "list[Contour]") -> None:
             depth == (contour.sign < 0),
             "{contour} lies within {others}: its material would count twice",
             code="pieces-overlap",
-            hint="draw what overlaps as one polygon",
+            hint="draw the overlapping contours as one polygon",
             contour=contour.name,
             others=" and ".join(other.name for other in around),
         )
 
 
-def _require_no_crossing(found: "list[Contour]") -> None:
+def _require_no_crossing(shapes: "list[Contour]") -> None:
     """Sides by their least x, each against those that begin before it ends."""
     sides = []
-    for number, contour in enumerate(found):
+    for number, contour in enumerate(shapes):
         for place, (a, b) in enumerate(contour.sides(), 1):
             sides.append((min(a[0], b[0]), max(a[0], b[0]), number, place, a, b))
     sides.sort(key=lambda side: (side[0], side[1]))
@@ -55,13 +55,13 @@ def _require_no_crossing(found: "list[Contour]") -> None:
                 code="polygon",
                 hint="give corners in order along the contour",
                 side=its,
-                other=found[other].name,
+                other=shapes[other].name,
                 crossed=place,
-                contour=found[number].name,
+                contour=shapes[number].name,
             )
         open_.append(side)
-    for outer in found:
-        for inner in found:
+    for outer in shapes:
+        for inner in shapes:
             if outer is not inner and not (outer.diameter or inner.diameter):
                 places = _all_places(outer, inner)
                 require(
@@ -72,15 +72,15 @@ def _require_no_crossing(found: "list[Contour]") -> None:
                     inner=inner.name,
                     outer=outer.name,
                 )
-    _require_circles_clear(found)
+    _require_circles_clear(shapes)
 
 
-def _require_circles_clear(found: "list[Contour]") -> None:
+def _require_circles_clear(shapes: "list[Contour]") -> None:
     """Circles against sides and against circles."""
-    circles = [contour for contour in found if contour.diameter]
+    circles = [contour for contour in shapes if contour.diameter]
     for index, circle in enumerate(circles):
         (x, y), d = circle.corners[0], circle.diameter
-        for other in found:
+        for other in shapes:
             inside = [4 * _square(corner, (x, y)) < d * d for corner in other.corners] if not other.diameter else []
             crossed = any(inside) and not all(inside)
             crossed = crossed or any(_cuts(a, b, (x, y), d) for a, b in other.sides())

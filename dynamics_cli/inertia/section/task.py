@@ -78,23 +78,23 @@ def section(
     >>> section(pieces=(Piece(width=3.0, height=4.0),)).centroidal.ix
     16.0
     """
-    found, unit = contours(polygon, pieces, holes)
-    for contour in found:
+    shapes, unit = contours(polygon, pieces, holes)
+    for contour in shapes:
         own = Integrals([contour], unit).area
         require(own != 0, "{contour} has no area", code="polygon", hint="check its corners", contour=contour.name)
-    require_sound(found)
-    sums = Integrals(found, unit)
+    require_sound(shapes)
+    sums = Integrals(shapes, unit)
     require(sums.area > 0, "the holes leave no material", code="no-area")
     up, down = sums.moment(sums.area, 2)
     require(up / down > SMALLEST, "an area of {area} is out of range", code="range", area=(up / down, Area))
-    return _Report(found, sums, typed=all_typed(polygon, (*pieces, *holes))).made()
+    return _Report(shapes, sums, typed=all_typed(polygon, (*pieces, *holes))).made()
 
 
 class _Report:
     """Numbers of a section, each rounded from its exact ratio."""
 
-    def __init__(self, found: "list[Contour]", sums: Integrals, *, typed: bool) -> None:
-        self.found = found
+    def __init__(self, shapes: "list[Contour]", sums: Integrals, *, typed: bool) -> None:
+        self.found = shapes
         self.sums = sums
         self.typed = typed
         self.unit = sums.unit
@@ -217,9 +217,9 @@ def _bounds() -> "list[ErrorBound]":
     return out
 
 
-def _advice(found: "list[Contour]") -> "tuple[Advice, ...]":
-    if all(contour.diameter for contour in found):
-        centres = {contour.corners[0] for contour in found}
+def _advice(shapes: "list[Contour]") -> "tuple[Advice, ...]":
+    if all(contour.diameter for contour in shapes):
+        centres = {contour.corners[0] for contour in shapes}
         if len(centres) == 1:
             return ()
     message = "the polar second moment is not the torsion constant of this section, which is not round"

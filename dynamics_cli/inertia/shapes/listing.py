@@ -1,4 +1,4 @@
-"""The shapes there are, as a table."""
+"""The available shapes, as a table."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes import HOLLOW, PLATES, RODS, SHELLS, SOLIDS
@@ -15,7 +15,7 @@ class ShapeRow:
     shape: Annotated[Text, "Its name."]
     kind: Annotated[Text, "Rod, lamina, shell, solid or hollow."]
     sizes: Annotated[Text, "The options that give its sizes; those in brackets may be left out."]
-    frame: Annotated[Text, "Where its own axes lie."]
+    frame: Annotated[Text, "Position of its axes."]
     formula: Annotated[Text, "Its centroid and moments, about the centroid unless a point is named."]
 
 

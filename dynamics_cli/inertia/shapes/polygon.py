@@ -35,7 +35,7 @@ def polygon_unit(vertices: "tuple[Vertex, ...]", height: float = 0.0, *, solid: 
     _require_simple(corners)
     area, x, y = _first_moments(corners)
     require(area > 0.0 or area < 0.0, "the polygon has no area", code="polygon", hint="check the order of the corners")
-    # seen from near the centroid nothing large is subtracted; any point serves, so this one is a mere number
+    # seen from near the centroid nothing large is subtracted; any point serves, so this one is a plain number
     middle = (plain(x / (3.0 * area)), plain(y / (3.0 * area)))
     seen = [(px - middle[0], py - middle[1]) for px, py in corners]
     area, x, y = _first_moments(seen)
@@ -74,7 +74,7 @@ def _first_moments(corners: "list[Pair]") -> "tuple[float, float, float]":
 
 
 def _require_simple(corners: "list[Pair]") -> None:
-    """Refuse sides that cross: such an outline has no one area."""
+    """Refuse sides that cross: such an outline has no definite area."""
     sides = _sides([(getattr(x, "value", x), getattr(y, "value", y)) for x, y in corners])
     for i, (a, b) in enumerate(sides):
         for j in range(i + 2, len(sides) - (i == 0)):

@@ -1,4 +1,4 @@
-"""Shells of no thickness. The measure is the area."""
+"""Shells of zero thickness. The measure is the area."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes.sizes import require_ring
@@ -38,7 +38,7 @@ class CylindricalShell:
         wall, end = 2.0 * length / total, r / total
         across = r * r * (0.5 * wall + 0.25 * count * end)
         square = length * length
-        # one end moves the centroid; two pull evenly
+        # one end shifts the centroid; two do not
         along = square * (wall / 12.0 + 0.25 * (end * wall if count == 1 else count * end))
         middle = -0.5 * length * end if count == 1 else 0.0
         return Unit(PI * r * total, (0.0, 0.0, middle), across, across, along)

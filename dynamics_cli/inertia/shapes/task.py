@@ -39,12 +39,12 @@ def shape(
     Returns
     -------
     MassProperties
-        Everything about the shape's mass.
+        The mass properties of the shape.
 
     Raises
     ------
     InadmissibleError
-        When sizes contradict one another, a density is of the wrong dimension, or there is no mass.
+        When sizes contradict each other, a density is of the wrong dimension, or there is no mass.
 
     Notes
     -----

@@ -1,4 +1,4 @@
-"""What a shape says of itself: its measure, and mass centre and second moments for a mass of one."""
+"""The unit form of a shape: its measure, and mass centre and second moments for a mass of 1 kg."""
 
 from dynamics_cli.inertia.bodies.mass_moments import Lump, scaled, symmetric
 from dynamics_cli.numerics.exact.constants import Constant
@@ -7,7 +7,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.inertia.bodies.mass_moments import Vector
 
-# Numbers of half and quarter circles, of which subtraction would cost digits.
+# Constants of half and quarter circles whose subtraction would cost digits.
 PI = Constant("3.141592653589793238462643383279502884197169399375105820974944592307816")
 FIFTH = Constant("0.2")
 FOUR_THIRDS = Constant("1.333333333333333333333333333333333333333333333333333333333333333333333")
@@ -38,7 +38,7 @@ class Unit:
         yz: float = 0.0,
         zx: float = 0.0,
     ) -> None:
-        # dividing by one changes no bit and counts a rounding: that of the constants in the formulas, of π above all
+        # dividing by one changes no bit but counts a rounding, for the constants in the formulas, above all π
         self.measure = measure / 1.0 / 1.0
         self.centroid = (centroid[0] / 1.0, centroid[1] / 1.0, centroid[2] / 1.0)
         self.second = symmetric(xx / 1.0, yy / 1.0, zz / 1.0, xy / 1.0, yz / 1.0, zx / 1.0)

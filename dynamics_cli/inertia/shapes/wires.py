@@ -68,18 +68,18 @@ def _round(shape: "Any") -> "list[Wire]":
         whole = not name.lower().replace("hollow", "").startswith("hemi")
         return _ball(base, base, base, whole=whole)
     wall = getattr(shape, "thickness", 0.0)
-    made = [ring(base, low, None, first, last)]
+    lines = [ring(base, low, None, first, last)]
     if 0.0 < wall < base:
-        made.append(ring(base - wall, low))
+        lines.append(ring(base - wall, low))
     if high > low:
-        made.append(ring(top, high, None, first, last))
+        lines.append(ring(top, high, None, first, last))
         sides = [first, last] if last - first < 2.0 * pi else [k * pi / 2.0 for k in range(4)]
-        made += [[(base * cos(t), base * sin(t), low), (top * cos(t), top * sin(t), high)] for t in sides]
+        lines += [[(base * cos(t), base * sin(t), low), (top * cos(t), top * sin(t), high)] for t in sides]
     if last - first < 2.0 * pi:
-        made += [
+        lines += [
             [(0.0, 0.0, z), (r * cos(t), r * sin(t), z)] for z, r in ((low, base), (high, top)) for t in (first, last)
         ]
-    return made
+    return lines
 
 
 def _span(name: str) -> "tuple[float, float]":
@@ -117,11 +117,11 @@ SQUARE = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
 
 def _prism(corners: "list[tuple[float, float]]", low: float, high: float) -> "list[Wire]":
     closed = [*corners, corners[0]]
-    made: list[Wire] = [[(x, y, low) for x, y in closed]]
+    lines: list[Wire] = [[(x, y, low) for x, y in closed]]
     if high > low:
-        made.append([(x, y, high) for x, y in closed])
-        made += [[(x, y, low), (x, y, high)] for x, y in corners]
-    return made
+        lines.append([(x, y, high) for x, y in closed])
+        lines += [[(x, y, low), (x, y, high)] for x, y in corners]
+    return lines
 
 
 def _flat(shape: "Any") -> "list[Wire]":

@@ -1,1 +1,1 @@
-"""Given inertia tensors: what they say, and the torque of a moving body."""
+"""Given inertia tensors: their properties, and the torque of a moving body."""

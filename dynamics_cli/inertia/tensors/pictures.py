@@ -1,4 +1,4 @@
-"""What there is to look at in inertia tensors: Mohr's circles, where a torque comes from, two bodies compared."""
+"""Pictures of inertia tensors: Mohr's circles, the parts of a torque, two bodies compared."""
 
 from math import cos, pi, sin
 
@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 STEPS = 96
 
 
-def mohr(made: "Any", **_: "Any") -> Picture:
+def mohr(result: "Any", **_: "Any") -> Picture:
     """Mohr's three circles: every direction's moment and product lies between them."""
-    answer = bare(made)
+    answer = bare(result)
     main = [float(one) for one in (answer.principal_moments.first, answer.principal_moments.second,
                                    answer.principal_moments.third)]  # fmt: skip
     items: list[Any] = []
@@ -33,9 +33,9 @@ def mohr(made: "Any", **_: "Any") -> Picture:
     return Picture((Panel(*axes, tuple(items), equal=True),), "Mohr's circles")
 
 
-def torque(made: "Any", **_: "Any") -> Picture:
+def torque(result: "Any", **_: "Any") -> Picture:
     """The inertia torque by components, and what angular acceleration and rotation add to each."""
-    answer = bare(made)
+    answer = bare(result)
     names, values = [], []
     for title, vector in (
         ("acceleration", answer.acceleration_part),
@@ -50,9 +50,9 @@ def torque(made: "Any", **_: "Any") -> Picture:
     return Picture((Panel(Axis("torque", Torque), Axis(""), items),), "inertia torque and its parts")
 
 
-def compared(made: "Any", *_: "Any", **__: "Any") -> Picture:
+def compared(result: "Any", *_: "Any", **__: "Any") -> Picture:
     """Each moment of the second body against the first's."""
-    answer = bare(made)
+    answer = bare(result)
     rows = [(row.moment, float(row.ratio) - 1.0) for row in answer.moments if row.ratio is not None]
     rows.insert(0, ("mass", float(answer.mass_ratio) - 1.0))
     ends = [value for _, value in rows]

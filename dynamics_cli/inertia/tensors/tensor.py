@@ -1,4 +1,4 @@
-"""What a given inertia tensor says: principal moments and axes, whether a body can have it, extreme products."""
+"""Properties of a given inertia tensor: principal moments and axes, whether a body can have it, extreme products."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.lines import unit
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.bodies.mass_moments import Matrix
 
 HALF_ROOT = 0.7071067811865476
-# A lamina's moments add up to within their rounding; a tensor printed with few digits needs more room.
+# A lamina's moments add up within their rounding; a tensor printed with few digits needs more tolerance.
 TOLERANCE = 1e-9
 # A deficit beyond the rounding of three printed digits.
 PRINTED = 1e-2
@@ -108,7 +108,7 @@ class TensorProperties:
         InertiaTensor,
         "The matrix ∫ r rᵀ dm = ½ tr(I)·1 − I in the same axes, as simulators' pseudo-inertia holds it [kg*m^2].",
     ]
-    product_sign: Annotated[Text, "What products mean."]
+    product_sign: Annotated[Text, "Sign convention of the products."]
     direction_moment: Annotated[
         Inertia | None, "Moment about the axis along `direction`, when it is given [kg*m^2]."
     ] = None
@@ -127,7 +127,7 @@ def tensor(
     *,
     inertia: Annotated[Whole | Parts, "The tensor as its matrix, or its moments and products."],
     mass: Annotated[Mass | None, "Mass of the body, for radii of gyration and the equivalent box, e.g. 40 kg."] = None,
-    turn: Annotated[Turn | None, "Rotation of further axes to give the tensor in."] = None,
+    turn: Annotated[Turn | None, "Rotation of further axes, in which the tensor is given too."] = None,
     direction: Annotated[
         Direction | None, "An axis through the same point to give the moment about, of any length [-]."
     ] = None,
@@ -226,14 +226,14 @@ def require_tensor(
 ) -> "tuple[tuple[float, ...], Matrix, str]":
     """Principal moments (ascending), axes and words about them, of a tensor that a body can have.
 
-    The hint gives the remedy for impossible moments, unless the other sign of the products is one.
+    The hint gives the remedy for impossible moments, or suggests the other sign of the products.
 
     Raises InadmissibleError when no body can have it.
     """
     bare = tuple(tuple(plain(x) for x in row) for row in matrix)
     # the least moment of a needle is a small difference of the tensor's elements
-    found = eigen(bare).refined()  # type: ignore[arg-type]
-    least, middle, most = values = found.values[::-1]
+    eigenvalues = eigen(bare).refined()  # type: ignore[arg-type]
+    least, middle, most = values = eigenvalues.values[::-1]
     require(most > 0.0, "the tensor has no positive moment", code="tensor", hint="moments of inertia are positive")
     room = plain(tolerance) * most
     other = _other_sign(bare, room)  # type: ignore[arg-type]
@@ -248,7 +248,7 @@ def require_tensor(
     )
     require(
         least + middle - most >= -room,
-        "impossible moments: {most:6} exceeds the sum of {least:6} and {middle:6} by a share of {excess:3}",
+        "impossible moments: {most:6} exceeds the sum of {least:6} and {middle:6} by {excess:3} of it",
         code="triangle-inequality",
         hint=other or "{remedy}",
         remedy=hint,
@@ -264,7 +264,7 @@ def require_tensor(
         return eigen_of_many_digits(matrix)[0][::-1], own.axes, own.degeneracy  # type: ignore[return-value]
     if not any(is_tracked(x) for row in matrix for x in row):
         return values, own.axes, own.degeneracy
-    moments = bounded(matrix, values, found.vectors[::-1])
+    moments = bounded(matrix, values, eigenvalues.vectors[::-1])
     own = principal(second_of(bare), each(error_of, moments))  # type: ignore[arg-type]
     return moments, own.axes, own.degeneracy
 

@@ -1,4 +1,4 @@
-"""Inertia force and torque of a moving rigid body: what d'Alembert adds to the applied forces."""
+"""Inertia force and torque of a moving rigid body: d'Alembert's addition to the applied forces."""
 
 from dynamics_cli.errors import require_given
 from dynamics_cli.inertia.bodies.mass_moments import minus, plus, times
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @record
 class InertiaTorque:
-    """The inertia torque and what it is made of."""
+    """The inertia torque and its parts."""
 
     inertia_torque: Annotated[TorqueVector, "T* = −(I·α + ω × (I·ω)) about the mass centre [N*m]."]
     magnitude: Annotated[Torque, "Its size [N*m]."]
@@ -68,12 +68,12 @@ def torque(
     Raises
     ------
     InadmissibleError
-        When the tensor is one no body has.
+        When no body can have the tensor.
 
     Notes
     -----
-    The gyroscopic part vanishes when ω lies along a principal axis: what is left of it then is rounding, and its
-    stated bound says so.
+    The gyroscopic part vanishes when ω lies along a principal axis: its remainder is then rounding, as its
+    stated bound shows.
 
     References
     ----------

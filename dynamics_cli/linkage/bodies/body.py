@@ -21,7 +21,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     Pair = tuple[float, float]
 
-# Points that part faster than this share of their relative velocity are no points of one rigid body.
+# Points that separate faster than this share of their relative velocity are not on one rigid body.
 RIGID = 1e-3
 ROUNDING = 1e-12
 
@@ -60,7 +60,7 @@ class PlacedPoint:
     speed: Annotated[Speed, "The magnitude of it [m/s]."]
     acceleration: Annotated[PartAcceleration | None, "Its acceleration [m/s^2]."]
     radius_of_curvature: Annotated[
-        Coordinate | None, "Radius of curvature of its path, positive where it turns left; none where straight [m]."
+        Coordinate | None, "Radius of curvature of its path, positive where it turns left; absent where straight [m]."
     ]
 
 
@@ -89,7 +89,7 @@ def body(
     velocity: Annotated[PartVelocity, "Its velocity, e.g. 2, 0 m/s."],
     acceleration: Annotated[PartAcceleration | None, "Its acceleration, e.g. 0, -5 m/s^2."] = None,
     rest: Annotated[TwoPoints | Turning, "A second point with its velocity, or the body's angular velocity."],
-    places: Annotated[tuple[Place, ...], "Further points whose motion is wanted."] = (),
+    places: Annotated[tuple[Place, ...], "Further points to report the motion of."] = (),
 ) -> BodyMotion:
     """Plane motion of a body from two points, or one and its rotation: centres of velocity and acceleration.
 
@@ -106,7 +106,7 @@ def body(
     Raises
     ------
     InadmissibleError
-        When the two points coincide, or part faster than a rigid body allows.
+        When the two points coincide, or separate faster than a rigid body allows.
 
     References
     ----------
@@ -161,7 +161,7 @@ def body(
         else (
             Advice(
                 "translation",
-                "the body does not turn: its instant centre is at infinity, square to the velocity",
+                "the body does not turn: its instant centre is at infinity, perpendicular to the velocity",
                 severity="note",
                 result="instant_centre",
             ),
@@ -174,13 +174,13 @@ def _rotation(
 ) -> "tuple[float, float | None, float]":
     rx, ry = second.second_point[0] - point[0], second.second_point[1] - point[1]
     square = rx * rx + ry * ry
-    require(square > 0.0, "the two points coincide: they say nothing of the rotation", code="one-point")
+    require(square > 0.0, "the two points coincide: they do not determine the rotation", code="one-point")
     ux, uy = second.second_velocity[0] - velocity[0], second.second_velocity[1] - velocity[1]
     length = hypot(rx, ry)
     parting = (rx * ux + ry * uy) / length
     require(
         absolute(parting) <= RIGID * hypot(ux, uy) + ROUNDING * (absolute(velocity[0]) + absolute(velocity[1])),
-        "the two points part at {parting}: no points of one rigid body do",
+        "the two points separate at {parting}, which points of a rigid body cannot",
         parting=(absolute(parting), Speed),
         code="not-rigid",
         hint="give velocities whose parts along the line between the points are equal",
@@ -220,9 +220,9 @@ def _checks(point: "Pair", velocity: "Pair", omega: float, centre: "Pair | None"
     # the coordinates of the centre are rounded beside those of the point
     size = abs(vx) + abs(vy) + abs(w) * (abs(plain(point[0])) + abs(plain(point[1])))
     left = hypot(vx - w * y, vy + w * x) / size if size else 0.0
-    return (Check("the instant centre stands still", left <= ROUNDING, left, ROUNDING),)
+    return (Check("the instant centre has no velocity", left <= ROUNDING, left, ROUNDING),)
 
 
 def body_line(result: BodyMotion) -> str:
-    """What the picture says of the rotation."""
+    """The picture's text about the rotation."""
     return worded("ω = {omega}", omega=(result.angular_velocity, TurnRate))

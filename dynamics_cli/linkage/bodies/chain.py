@@ -100,7 +100,7 @@ def chain(
     for number, link in enumerate(group, 1):
         require(
             link.length > 0.0,
-            "link {number} has a length of {length}: a link needs more than zero",
+            "link {number} has a length of {length}; a link needs more than zero",
             number=number,
             length=(link.length, Size),
             code="no-length",

@@ -122,14 +122,14 @@ COUPLER = Task(
 
 SYNTHESIZE = Task(
     "synthesize",
-    "Four-bar for three angle pairs, three poses of its coupler, or a swing with a time ratio; with its defects.",
+    "Four-bar for three angle pairs, three coupler poses, or a swing with a time ratio; with its defects.",
     Model(
         "prescribed positions",
         "dynamics_cli.linkage.fourbar.synthesis:synthesize",
         source="Freudenstein, Transactions of the ASME 77, 1955",
         formula="R₁·cos θ₄ − R₂·cos θ₂ + R₃ = cos(θ₂ − θ₄); R₁ = {ground|d}/{crank|a}, R₂ = {ground|d}/{rocker|c}",
         assumptions=(RIGID,),
-        method="closed form; for a swing the best of a family, by golden section",
+        method="closed form; for a swing, the best of a family by golden section",
     ),
     headline=(
         "crank: crank a",

@@ -8,7 +8,7 @@ SIX_BAR = "examples/six_bar.toml"
 
 
 def _shown() -> "dict[str, str]":
-    """What a template shows: a four-bar with its crank driven."""
+    """Template values: a four-bar with a driven crank."""
     links = (
         ("ground", ("O2", "0, 0 mm"), ("O4", "100, 0 mm")),
         ("crank", ("O2", "0, 0 mm"), ("A", "40, 0 mm")),
@@ -42,7 +42,6 @@ SOLVE = Task(
     ),
     headline=(
         "assembly: assembly",
-        "pin_error: pins proved to",
         "driver_from: driver from",
         "driver_to: driver to",
         "followed_by: this motion is",
@@ -85,7 +84,7 @@ CENTRES = Task(
 
 MOBILITY = Task(
     "mobility",
-    "Degrees of freedom of a linkage: counted, and true at its pose; conditions that repeat others.",
+    "Degrees of freedom of a linkage: counted, and true at its pose; redundant conditions.",
     Model(
         "Grübler's count and the rank of the Jacobian",
         "dynamics_cli.linkage.scenes.mobility:mobility",
@@ -100,8 +99,8 @@ MOBILITY = Task(
         "links: links n",
         "pins: pins j₁",
         "slides: slides j₂",
-        "repeated: repeated conditions",
-        "named: in them take part",
+        "repeated: redundant conditions",
+        "named: conditions involved",
     ),
     scene=SHOWN,
     examples=(f"dynamics linkage mobility {SIX_BAR}",),

@@ -1,6 +1,6 @@
-"""One whole motion of a four-bar over a parameter in which it is analytic, through toggles and change points too.
+"""One complete motion of a four-bar over a parameter in which it is analytic, even through toggles and change points.
 
-A crank that turns fully is its own parameter. Between limits θ₂ runs to and fro: with sin(θ₂/2) = S sin u the root that
+A crank that turns fully is its own parameter. Between limits θ₂ oscillates: with sin(θ₂/2) = S sin u the root that
 vanishes at the limits is 2√(ad)·S·cos u exactly, so that both branches are one smooth closed curve in u.
 """
 
@@ -126,7 +126,7 @@ class Circuit:
 
 
 class CouplerPath:
-    """A coupler curve as fitting and its proof ask for it: over u, cut where it has cusps."""
+    """A coupler curve with the interface for fitting and proof: over u, cut at its cusps."""
 
     parameter = "parameter"
     sharp = "the point nearly stops there: allow a wider tolerance, or draw lines"

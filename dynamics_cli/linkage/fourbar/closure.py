@@ -28,7 +28,7 @@ OPEN = Branch("open")
 
 @record
 class Frame:
-    """What the four lengths alone decide.
+    """Quantities of the four lengths alone.
 
     `outer` is b + c − a − d and `inner` |a − d| − |b − c|, both exact for decimals; they are zero at change points and
     negative where the crank has limits.
@@ -65,7 +65,7 @@ def frame(a: float, b: float, c: float, d: float) -> Frame:
 
 @record
 class Closed:
-    """The loop at one crank angle: f² and f⃗ from A to O₄, b⃗ and c⃗, the two roots, and how the angles respond.
+    """The loop at one crank angle: f² and f⃗ from A to O₄, b⃗ and c⃗, the two roots, and the derivatives of the angles.
 
     `response` is K = a·d·sin θ₂/(√D₁·√D₂) and `change` its derivative by θ₂, both finite at change points.
     """
@@ -141,7 +141,7 @@ def close(
     a, ad = links.a, links.product
     smooth_first, smooth_second = links.outer == 0.0, links.inner == 0.0
     root = sqrt(ad)
-    # a change point's own root may be the square root of what rounding left below zero
+    # the root of a change point may be that of a rounding error below zero
     one = _either(smooth_first, lambda: 2.0 * root * half_cosine, lambda: sqrt(_kept(first)))
     two = _either(smooth_second, lambda: 2.0 * root * half_sine, lambda: sqrt(_kept(second)))
     square = links.apart * links.apart + 4.0 * ad * (half_sine * half_sine)
@@ -159,7 +159,7 @@ def close(
 
 
 def _kept(x: float) -> float:
-    """Zero for what is below it."""
+    """The value, or zero if it is below zero."""
     return maximum(x, 0.0 * x) if single(x) else x.clip(0.0)  # type: ignore[attr-defined]
 
 

@@ -12,7 +12,7 @@ from dynamics_cli.sampling import drawing
 
 
 class Form(Choice):
-    """What the drawing is made of."""
+    """Kind of pieces of the drawing."""
 
     names = ("arcs", "cubics", "lines")
     aliases = {"splines": "cubics", "spline": "cubics", "polyline": "lines", "arc": "arcs"}  # noqa: RUF012
@@ -46,7 +46,7 @@ class CouplerCurve:
     right: Annotated[Coordinate, "Largest x [m]."]
     bottom: Annotated[Coordinate, "Smallest y [m]."]
     top: Annotated[Coordinate, "Largest y [m]."]
-    crank_turns: Annotated[Count, "Turns of the crank in which it closes; 0 where the crank swings."]
+    crank_turns: Annotated[Count, "Turns of the crank in which it closes; 0 if the crank swings."]
     kind: Annotated[Text, "Class of the linkage."]
     cognates: Annotated[tuple[Cognate, ...], "The two other four-bars that trace it."]
     points: Annotated[Columns[CurvePoint], "The curve, its first point not repeated."]
@@ -71,7 +71,7 @@ def coupler(
         Branch, "Which of two circuits: the branch of a crank that turns fully, else open for the crank above O₂–O₄."
     ] = OPEN,
     points: Annotated[Count, "Points of the table."] = 72,
-    form: Annotated[Form, "What a drawing is made of: arcs (with bulges), cubics (splines) or lines."] = ARCS,
+    form: Annotated[Form, "Pieces of a drawing: arcs (with bulges), cubics (splines) or lines."] = ARCS,
     tolerance: Annotated[Size, "Largest deviation of a drawing allowed [m]."] = 1e-5,
 ) -> CouplerCurve:
     """Curve of a coupler point over the whole motion: length, extremes, cusps, crossings, cognates and a drawing.

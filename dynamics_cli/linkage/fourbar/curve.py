@@ -15,17 +15,17 @@ if TYPE_CHECKING:
 
 START, MOST = 72, 36_864
 SETTLED = 1e-13
-# A point slower than this share of its mean speed stands still: the rest is rounding.
+# A point slower than this share of its mean speed is at rest: the remainder is rounding.
 STILL = 1e-7
 SAMPLES = 1440
-# Newton's method ends where it moves no more than rounding.
+# Newton's method ends at steps below this, which are rounding.
 NEAREST = 2.0**-52
 SEGMENTS = 360
 STEPS = 8
 
 
 def measures(circuit: Circuit, point: complex) -> "tuple[float, float, float]":
-    """Length of the closed curve, an estimate of its error, and the area it goes round, anticlockwise positive."""
+    """Length of the closed curve, an estimate of its error, and the enclosed area, anticlockwise positive."""
     count, before = START, np.inf
     while True:
         u = np.arange(count) * (FULL / count)
@@ -84,7 +84,7 @@ def angle_at(circuit: Circuit, u: "Any") -> "Any":
 
 
 def cusp_places(circuit: Circuit, point: complex, length: float) -> "list[float]":
-    """Where over the parameter the point stops: minima of its speed that are zero but for rounding."""
+    """Where over the parameter the point stops: minima of its speed that are zero within rounding."""
     u = np.arange(SAMPLES) * (FULL / SAMPLES)
     h = 1e-6
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     Pair = tuple[float, float]
 
 MANY = 1_000_000
-# What rounding may leave of a loop that closes, by the sum of its lengths.
+# Rounding of a closed loop, relative to the sum of its lengths.
 CLOSES = 1e-12
 # Transmission angles nearer than this to 0 or 180 degrees are poor in a machine (the usual 40 degrees).
 POOR = 0.6981317007977318
@@ -53,8 +53,8 @@ def four_bar(
 
     Equation
     --------
-    f² = (a − d)² + 4ad·sin²(θ₂/2), D₁ = (b + c)² − f², D₂ = f² − (b − c)²; B = A + (f⃗(f² + b² − c²) ± √(D₁D₂) k×f⃗)/2f²;
-    μ = 2 atan2(√D₂, √D₁); ω₃, ω₄ from ω₂ k×a⃗ + ω₃ k×b⃗ = ω₄ k×c⃗; T₂ = T₄·ω₄/ω₂.
+    f² = (a − d)² + 4ad·sin²(θ₂/2), D₁ = (b + c)² − f², D₂ = f² − (b − c)²; B = A + (f⃗(f² + b² − c²) ± √(D₁D₂)
+    k×f⃗)/2f²; μ = 2 atan2(√D₂, √D₁); ω₃, ω₄ from ω₂ k×a⃗ + ω₃ k×b⃗ = ω₄ k×c⃗; T₂ = T₄·ω₄/ω₂.
 
     Returns
     -------
@@ -69,7 +69,7 @@ def four_bar(
 
     Notes
     -----
-    A branch is a side, not the pose nearest to the last one: every row stands for itself. At an exact change point the
+    A branch is a side, not the pose nearest to the last one: rows are independent. At an exact change point the
     branch is a whole smooth motion, named by its side at small positive crank angles: a parallelogram stays one.
 
     References
@@ -93,7 +93,7 @@ def four_bar(
 
         require(
             alone,
-            "rows need a crank angle: a table is of one linkage",
+            "rows need a crank angle: a table is for a single linkage",
             code="no-angle",
             hint="add a column crank_angle",
         )
@@ -136,7 +136,7 @@ def _moving(
     crank: "tuple[float | None, float]",
     point: "Pair | None",
 ) -> "dict[str, Any]":
-    """What the crank's motion makes of coupler, rocker and coupler point."""
+    """The motion of coupler, rocker and coupler point from the crank's."""
     place = None if point is None else _carried(links, loop, pin, point)
     speed, bend = crank
     if speed is None:
@@ -156,7 +156,7 @@ def _moving(
 
 
 def require_closed(links: Frame, both: "Pair", crank_angle: float) -> None:
-    """Refuse a crank angle that the links cannot reach: the gap, what closes it, and the nearest angle that can be."""
+    """Refuse a crank angle that the links cannot reach, with the gap, the remedy, and the nearest possible angle."""
     b, c = links.b, links.c
     sine = turned(0.5 * crank_angle)[1]
     reach = sqrt(links.apart * links.apart + 4.0 * links.product * (sine * sine))
@@ -179,7 +179,7 @@ def require_closed(links: Frame, both: "Pair", crank_angle: float) -> None:
         reach > 0.0,
         "the crank's pin lies on the rocker's pivot: coupler and rocker turn about it freely",
         code="free",
-        hint="give a crank angle beside it",
+        hint="give a crank angle near it",
     )
 
 
@@ -188,7 +188,7 @@ def _require_movable(loop: Closed, links: Frame) -> None:
         (loop.first * loop.second != 0.0) | (links.outer == 0.0) | (links.inner == 0.0),
         "coupler and rocker are in line (a toggle): the crank cannot move through this pose, only the rocker can drive",
         code="toggle",
-        hint="give a crank angle beside it, or let the rocker drive",
+        hint="give a crank angle near it, or let the rocker drive",
     )
 
 
@@ -227,7 +227,7 @@ def _side(kind: str, side: float, sine: float) -> str:
     """The circuit in words: poses of one circuit are joined without taking the linkage apart."""
     name = "open" if side > 0.0 else "crossed"
     if kind in ("crank-rocker", "double crank"):
-        return f"{name}, a circuit of its own"
+        return f"{name}, a separate circuit"
     if kind in ("double rocker", "rocker-crank"):
         return f"{name}, on the circuit with the crank {'above' if sine >= 0.0 else 'below'} the ground link"
     if kind.startswith("change"):
@@ -254,7 +254,7 @@ def _poor(transmission: float, shown: bool) -> "tuple[Advice, ...]":
             Advice(
                 "toggle",
                 "coupler and rocker are in line (a toggle): the crank's speed does not determine the rocker's",
-                remedy="give a crank angle beside it",
+                remedy="give a crank angle near it",
                 result="rocker_ratio",
             ),
         )
@@ -264,8 +264,8 @@ def _poor(transmission: float, shown: bool) -> "tuple[Advice, ...]":
     return (
         Advice(
             "poor-transmission",
-            "the transmission angle is more than 50 deg from square: friction may lock the linkage here",
+            "the transmission angle is more than 50 deg from 90 deg: friction may lock the linkage here",
             severity="note",
-            remedy="keep it between 40 and 140 deg where force is passed on",
+            remedy="keep it between 40 and 140 deg where force is transmitted",
         ),
     )

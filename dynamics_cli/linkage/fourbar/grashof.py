@@ -2,18 +2,18 @@
 
 from dynamics_cli.linkage.fourbar.closure import Frame, frame
 from dynamics_cli.linkage.fourbar.lengths import LINKS, margin, require_links, whole_numbers
-from dynamics_cli.numerics.elementary import absolute, atan2, pi_beside, sqrt
+from dynamics_cli.numerics.elementary import absolute, atan2, maximum, pi_beside, sqrt
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, record
 
-# A margin below this share of the perimeter makes the linkage nearly a change point: play decides what it does.
+# A margin below this share of the perimeter is nearly a change point: play decides the motion.
 NEARLY = 1e-3
 TURNS = {"crank": "crank-rocker", "coupler": "double rocker", "rocker": "rocker-crank", "ground": "double crank"}
 
 
 @record
 class ChangePoint:
-    """A pose with all four links in one line, where the linkage can go on in two ways."""
+    """A pose with all four links in line, where the motion can continue in two ways."""
 
     crank_angle: Annotated[Angle, "Crank angle there, 0 or 180 degrees [rad]."]
     coupler_angle: Annotated[Angle, "Coupler angle there [rad]."]
@@ -26,7 +26,7 @@ class ChangePoint:
 
 @record
 class Class:
-    """What a four-bar can do."""
+    """The class of a four-bar and its limits."""
 
     kind: Annotated[Text, "The class by Grashof's rule, on the decimals as typed."]
     margin: Annotated[Coordinate, "Longest and shortest link together fall short of the other two by this [m]."]
@@ -35,7 +35,7 @@ class Class:
         Angle | None, "The crank reaches ± this angle, where coupler and rocker are stretched; none if it passes [rad]."
     ]
     inner_limit: Annotated[
-        Angle | None, "The crank comes no nearer to zero than ± this angle, coupler and rocker folded [rad]."
+        Angle | None, "The crank comes no nearer to zero than ± this angle, where coupler and rocker are folded [rad]."
     ]
     swing: Annotated[Angle | None, "Angle through which the rocker swings; none if it turns fully [rad]."]
     rocker_least: Annotated[Angle | None, "Smallest rocker angle, of the half above the ground link [rad]."]
@@ -46,7 +46,8 @@ class Class:
     least_transmission_angle: Annotated[Angle, "Smallest transmission angle μ [rad]."]
     greatest_transmission_angle: Annotated[Angle, "Largest transmission angle μ [rad]."]
     change_points: Annotated[
-        tuple[ChangePoint, ...] | None, "Poses with all links in line, with both continuations; none of most linkages."
+        tuple[ChangePoint, ...] | None,
+        "Poses with all links in line, with both continuations; most linkages have none.",
     ] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -72,14 +73,6 @@ def kind_of(lengths: "tuple[float, ...]") -> str:
     if (a == b and c == d) or (b == c and a == d):
         return "change point, kite"
     return f"change point, shortest link the {LINKS[order[0]]}"
-
-
-def triangle_angle(opposite: float, one: float, other: float) -> float:
-    """Angle of a triangle between the sides `one` and `other`, stable for flat ones; zero or π where it is flatter."""
-    apart = absolute(one - other)
-    near = (opposite - apart) * (opposite + apart)
-    far = (one + other - opposite) * (one + other + opposite)
-    return 2.0 * atan2(sqrt(near if near > 0.0 else 0.0 * near), sqrt(far if far > 0.0 else 0.0 * far))
 
 
 def limits(links: Frame) -> "tuple[float | None, float | None]":
@@ -113,7 +106,7 @@ def classify(
     Returns
     -------
     Class
-        The class with its margin, and what follows from it.
+        The class with its margin, and its consequences.
 
     Raises
     ------
@@ -202,9 +195,22 @@ def _ends(lengths: "tuple[float, ...]", kind: str) -> "tuple[float, float] | Non
     """Crank angles at the ends of the rocker's swing, of a crank that turns fully, on the open branch."""
     if kind != "crank-rocker":
         return None
-    a, b, c, d = lengths
-    pi = pi_beside(a, b, c, d)
-    return triangle_angle(c, a + b, d), pi + triangle_angle(c, absolute(b - a), d)
+    return _flat_triangle((1, 1, 1, 1), lengths), pi_beside(*lengths) + _flat_triangle((-1, 1, 1, 1), lengths)
+
+
+def _flat_triangle(signs: "tuple[int, ...]", lengths: "tuple[float, ...]") -> float:
+    """Angle opposite the rocker where crank and coupler are in line, the crank's sign first; by margins as typed.
+
+    Beside a change point doubles would take a flat triangle for one that cannot close.
+    """
+    a, b, _, d = signs
+
+    def of(crank: int, coupler: int, rocker: int, ground: int) -> float:
+        return margin((crank, coupler, rocker, ground), lengths)
+
+    near = of(-a, -b, 1, d) * of(a, b, 1, -d)
+    far = of(a, b, -1, d) * of(a, b, 1, d)
+    return 2.0 * atan2(sqrt(near), sqrt(far))
 
 
 def transmission(links: Frame) -> "tuple[float, float]":
@@ -213,13 +219,20 @@ def transmission(links: Frame) -> "tuple[float, float]":
     pi = pi_beside(a, b, c, d)
     gap = absolute(links.slim)
     least, greatest = 0.0 * a, pi + 0.0 * a
-    if links.inner >= 0.0:
-        second, first = links.inner * (links.apart + gap), (b + c - links.apart) * (b + c + links.apart)
+    inner, outer = _not_below_zero(links.inner), _not_below_zero(links.outer)
+    if inner is not None:
+        second, first = inner * (links.apart + gap), (b + c - links.apart) * (b + c + links.apart)
         least = 2.0 * atan2(sqrt(second), sqrt(first))
-    if links.outer >= 0.0:
-        first, second = links.outer * (a + b + c + d), (a + d - gap) * (a + d + gap)
+    if outer is not None:
+        first, second = outer * (a + b + c + d), (a + d - gap) * (a + d + gap)
         greatest = 2.0 * atan2(sqrt(second), sqrt(first))
     return least, greatest
+
+
+def _not_below_zero(number: float) -> float | None:
+    """A margin that is zero or more, or may be by its own bound; None where it is below."""
+    reach = getattr(number, "error", 0.0)
+    return maximum(number, 0.0) if number + reach >= 0.0 else None
 
 
 def change_points(lengths: "tuple[float, ...]") -> "list[ChangePoint]":
@@ -260,7 +273,7 @@ def _continuations(
 
 
 def closeness(lengths: "tuple[float, ...]", kind: str) -> "tuple[Advice, ...]":
-    """What to say of a linkage at, or near, a change point."""
+    """Advice on a linkage at, or near, a change point."""
     if kind.startswith("change"):
         return (
             Advice(

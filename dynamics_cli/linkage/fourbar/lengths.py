@@ -1,7 +1,7 @@
 """Lengths of a four-bar as they were typed: sums and differences that decide are formed from the decimals.
 
-A length reaches physics as the double nearest to what was typed. The shortest decimal of that double is what was typed
-whenever it had up to fifteen digits and a decimal unit (millimetres and inches are): 0.1 + 0.7 equals 0.5 + 0.3.
+A length reaches physics as the nearest double. The shortest decimal of that double is the number as typed whenever
+that had up to fifteen digits and a decimal unit (millimetres and inches are): 0.1 + 0.7 equals 0.5 + 0.3.
 """
 
 from dynamics_cli.errors import require
@@ -14,9 +14,11 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-# A margin smaller than this share of the lengths is formed from decimals; above it doubles lose nothing that matters.
+# A margin smaller than this share of the lengths is formed from decimals; above it doubles are accurate enough.
 NEAR = 2.0**-10
 UNIT = 2.0**-53
+# Covers the rounding of a bound's own arithmetic.
+SLACK = 1.0 + 2.0**-40
 # Fourth powers of lengths beyond these leave the range of a double.
 SMALLEST, LARGEST = 1e-75, 1e75
 LINKS = ("crank", "coupler", "rocker", "ground")
@@ -80,9 +82,9 @@ def margin(signs: "Sequence[int]", lengths: "Sequence[float]") -> float:
     exact = _signed_sum(signs, lengths)
     if not is_tracked(total):
         return exact
-    # the bound is of the doubles: it covers what the decimals differ by
+    # the bound is that of the doubles and covers their difference from the decimals
     own: Any = total
-    error = own.error + abs(exact - own.value) + UNIT * abs(exact)
+    error = (own.error + abs(exact - own.value) + UNIT * abs(exact)) * SLACK
     return type(own)(exact, error, own.slopes)  # type: ignore[no-any-return]
 
 

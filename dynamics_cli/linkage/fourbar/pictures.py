@@ -7,7 +7,7 @@ from dynamics_cli.errors import worded
 from dynamics_cli.linkage.animation import animated
 from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, frame
 from dynamics_cli.linkage.fourbar.grashof import kind_of
-from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Angle, Coordinate, Size
 
 TYPE_CHECKING = False
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 FRAMES = 120
 GHOSTS = 8
 SAMPLES = 361
-# The pose drawn out where none is asked for: an eighth of the motion on.
+# The default pose drawn in full: an eighth of the motion from the start.
 SHOWN = 45
 # Beyond this a speed ratio near a toggle only squeezes the rest of its curve.
 STEEP = 8.0
@@ -47,11 +47,6 @@ def _frames(lengths: "tuple[float, ...]", side: float, point: "complex | None", 
     return list(zip(*tracks, strict=True))
 
 
-def _line(points: "Any", label: str, style: "Any", role: int) -> Curve:
-    points = list(points)
-    return Curve([p.real for p in points], [p.imag for p in points], label, style, role)
-
-
 def linkage_items(
     lengths: "tuple[float, ...]", side: float, point: "complex | None", shown: "tuple[complex, complex] | None"
 ) -> "list[Any]":
@@ -61,20 +56,20 @@ def linkage_items(
     items: list[Any] = []
     for index in range(0, SAMPLES - 1, (SAMPLES - 1) // GHOSTS):
         a, b, _ = every[index]
-        items.append(_line((0j, a, b, complex(d)), "", "dots", 6))
-    items.append(_line([frame_[1] for frame_ in every], "", "thin", 2))
+        items.append(complex_curve((0j, a, b, complex(d)), "", "dots", 6))
+    items.append(complex_curve([frame_[1] for frame_ in every], "", "thin", 2))
     if point is not None:
-        items.append(_line([*(frame_[2] for frame_ in every), every[0][2]], "path of P", "solid", 3))
+        items.append(complex_curve([*(frame_[2] for frame_ in every), every[0][2]], "path of P", "solid", 3))
     pins = shown or every[SHOWN][:2]
     turn = (pins[1] - pins[0]) / lengths[1]
     items += [
-        _line((0j, pins[0]), "crank", "thick", 0),
-        _line((pins[0], pins[1]), "coupler", "thick", 1),
-        _line((complex(d), pins[1]), "rocker", "thick", 2),
+        complex_curve((0j, pins[0]), "crank", "thick", 0),
+        complex_curve((pins[0], pins[1]), "coupler", "thick", 1),
+        complex_curve((complex(d), pins[1]), "rocker", "thick", 2),
     ]
     if point is not None:
         tip = pins[0] + turn * point
-        items.append(_line((pins[0], tip, pins[1]), "", "solid", 1))
+        items.append(complex_curve((pins[0], tip, pins[1]), "", "solid", 1))
         items.append(Mark(tip.real, tip.imag, "P"))
     items += [Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(d, 0.0, "O₄", (5.0, -12.0))]
     items += [Mark(pins[0].real, pins[0].imag, "A", (-12.0, 5.0)), Mark(pins[1].real, pins[1].imag, "B")]
@@ -138,7 +133,7 @@ def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | Non
         Panel(
             way, Axis("transmission angle μ", Angle, ends=(0.0, pi), step=pi / 4.0),
             (Curve(angles, mu, role=0), Band(2.0 * pi / 9.0, 7.0 * pi / 9.0, "good", vertical=False), *here),
-            "transmission angle; between 40 and 140 deg force is passed on well",
+            "transmission angle; force is transmitted well between 40 and 140 deg",
         ),
     )  # fmt: skip
 
@@ -164,13 +159,13 @@ def coupler_picture(
         Axis("x", Coordinate),
         Axis("y", Coordinate),
         (
-            _line([*(one[2] for one in every), every[0][2]], "one curve", "solid", 3),
-            _line((0j, a, b, complex(ground)), "linkage", "thick", 0),
-            _line((a, tip, b), "", "thin", 0),
-            _line((0j, left, second_left, third), "left cognate", "solid", 1),
-            _line((left, tip, second_left), "", "thin", 1),
-            _line((complex(ground), right, second_right, third), "right cognate", "dashed", 2),
-            _line((right, tip, second_right), "", "thin", 2),
+            complex_curve([*(one[2] for one in every), every[0][2]], "one curve", "solid", 3),
+            complex_curve((0j, a, b, complex(ground)), "linkage", "thick", 0),
+            complex_curve((a, tip, b), "", "thin", 0),
+            complex_curve((0j, left, second_left, third), "left cognate", "solid", 1),
+            complex_curve((left, tip, second_left), "", "thin", 1),
+            complex_curve((complex(ground), right, second_right, third), "right cognate", "dashed", 2),
+            complex_curve((right, tip, second_right), "", "thin", 2),
             Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(ground, 0.0, "O₄", (5.0, -12.0)),
             Mark(third.real, third.imag, "C₀"), Mark(tip.real, tip.imag, "P"),
         ),
@@ -188,17 +183,17 @@ def class_picture(result: "Any", *, crank: float, coupler: float, rocker: float,
         if limit is not None:
             for sign in (1.0, -1.0):
                 tip = 1.25 * crank * exp(1j * sign * limit)
-                items.append(_line((0j, tip), word if sign > 0.0 else "", "centre", 5))
+                items.append(complex_curve((0j, tip), word if sign > 0.0 else "", "centre", 5))
     for angle in (result.rocker_least, result.rocker_greatest):
         if angle is not None:
             tip = ground + 1.15 * rocker * exp(1j * angle)
-            items.append(_line((complex(ground), tip), "", "centre", 6))
+            items.append(complex_curve((complex(ground), tip), "", "centre", 6))
     scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     return Picture((scene,), _title(lengths, str(result.kind)))
 
 
 def synthesis_picture(result: "Any", **_: "Any") -> Picture:
-    """The linkage at every pair or pose that it meets, or over its motion."""
+    """The linkage at every pair or pose that it reaches, or over its motion."""
     lengths = (result.crank, result.coupler, result.rocker, result.ground)
     d = complex(result.ground)
     items: list[Any] = []
@@ -206,7 +201,10 @@ def synthesis_picture(result: "Any", **_: "Any") -> Picture:
         items = linkage_items(lengths, 1.0, None, None)
     for index, one in enumerate(result.met or ()):
         a, b = result.crank * exp(1j * one.crank_angle), d + result.rocker * exp(1j * one.rocker_angle)
-        items += [_line((0j, a, b, d), f"pair {index + 1}, {one.branch}", "thick", index), Mark(b.real, b.imag, "")]
+        items += [
+            complex_curve((0j, a, b, d), f"pair {index + 1}, {one.branch}", "thick", index),
+            Mark(b.real, b.imag, ""),
+        ]
     if result.met:
         items += [Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(result.ground, 0.0, "O₄", (5.0, -12.0))]
     scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
@@ -217,7 +215,7 @@ def moving_four_bar(
     result: "Any", crank: float = 0.0, coupler: float = 0.0, rocker: float = 0.0, ground: float = 0.0,
     crank_angle: "float | None" = None, branch: Branch = OPEN, point: "tuple[float, float] | None" = None, **_: "Any",
 ) -> str:  # fmt: skip
-    """One whole motion of the linkage as an SVG that moves by itself."""
+    """One complete motion of the linkage as an animated SVG."""
     del result
     lengths = (crank, coupler, rocker, ground)
     place = None if point is None else complex(*point)

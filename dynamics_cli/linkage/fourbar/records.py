@@ -1,4 +1,4 @@
-"""What `linkage four-bar` gives, and the points of coupler curves."""
+"""Results of `linkage four-bar`, and points of coupler curves."""
 
 from dynamics_cli.quantities import (
     Angle,
@@ -55,7 +55,7 @@ class FourBar:
     position: Annotated[PartPoint | None, "The coupler point P [m]."] = None
     velocity: Annotated[PartVelocity | None, "Its velocity [m/s]."] = None
     acceleration: Annotated[PartAcceleration | None, "Its acceleration [m/s^2]."] = None
-    kind: Annotated[Text | None, "What the linkage is by Grashof's rule, on the decimals as typed."] = None
+    kind: Annotated[Text | None, "Class of the linkage by Grashof's rule, on the decimals as typed."] = None
     side: Annotated[Text | None, "Which assembly this is."] = None
     table: Annotated[tuple[Step, ...] | None, "The crank angles that can be reached, where none was given."] = None
     checks: tuple[Check, ...] = ()

@@ -1,4 +1,4 @@
-"""Four-bars from what they should do: three angle pairs, three poses of a body, or swing and time ratio."""
+"""Synthesis of four-bars: three angle pairs, three poses of a body, or swing and time ratio."""
 
 from itertools import pairwise
 
@@ -16,13 +16,13 @@ STEPS = 60
 GOLDEN = 0.6180339887498949
 CLOSES = 1e-9
 POOR = 0.6981317007977318
-# No link of a crank-rocker for a swing is longer than so many rockers: in line, longer ones are always a little better.
+# Maximum length of a crank-rocker's links, in rockers: in line, longer ones are always slightly better.
 LONGEST = 3.0
 
 
 @record
 class Pair:
-    """A crank angle with the rocker angle that belongs to it."""
+    """A crank angle with its rocker angle."""
 
     crank_angle: Annotated[Angle, "Crank angle θ₂, e.g. 40 deg."]
     rocker_angle: Annotated[Angle, "Rocker angle θ₄, e.g. 70 deg."]
@@ -38,10 +38,10 @@ class AnglePairs:
 
 @record
 class Pose:
-    """Where a body should be."""
+    """A required pose of a body."""
 
     x: Annotated[Coordinate, "Its reference point, e.g. 100 mm."]
-    y: Annotated[Coordinate, "The same, upwards, e.g. 40 mm."]
+    y: Annotated[Coordinate, "Its height y, e.g. 40 mm."]
     angle: Annotated[Angle, "Its angle, e.g. 30 deg."]
 
 
@@ -56,7 +56,7 @@ class Poses:
 
 @record
 class QuickSwing:
-    """A crank-rocker by what its rocker should do."""
+    """A crank-rocker by the motion of its rocker."""
 
     swing: Annotated[Angle, "Angle through which the rocker swings, e.g. 60 deg."]
     time_ratio: Annotated[Positive, "Time of the slow stroke over that of the quick one, e.g. 1.2."]
@@ -65,11 +65,11 @@ class QuickSwing:
 
 @record
 class Met:
-    """One pair or pose as the linkage meets it."""
+    """One pair or pose as the linkage reaches it."""
 
     crank_angle: Annotated[Angle, "Crank angle from the line of the pivots [rad]."]
     rocker_angle: Annotated[Angle, "Rocker angle from it [rad]."]
-    branch: Annotated[Text, "The branch on which it is met."]
+    branch: Annotated[Text, "The branch on which it is reached."]
 
 
 @record
@@ -81,11 +81,11 @@ class Synthesis:
     rocker: Annotated[Size, "Length c [m]."]
     ground: Annotated[Size, "Length d [m]."]
     kind: Annotated[Text, "Class by Grashof's rule."]
-    defects: Annotated[Text, "What is wrong with it for this task."]
+    defects: Annotated[Text, "Its defects for this task."]
     least_transmission_angle: Annotated[Angle, "Smallest transmission angle over the whole motion [rad]."]
     crank_pivot: Annotated[PartPoint | None, "Pivot O₂, where poses were given [m]."] = None
     rocker_pivot: Annotated[PartPoint | None, "Pivot O₄ [m]."] = None
-    met: Annotated[tuple[Met, ...] | None, "The pairs or poses as it meets them."] = None
+    met: Annotated[tuple[Met, ...] | None, "The pairs or poses as it reaches them."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -105,12 +105,12 @@ def synthesize(
     Returns
     -------
     Synthesis
-        Lengths, class, and whether all is met on one branch and in order.
+        Lengths, class, and whether all are reached on one branch and in order.
 
     Raises
     ------
     InadmissibleError
-        When there are not three pairs or poses, they have no linkage, or no crank-rocker has such a swing.
+        When there are not three pairs or poses, they have no linkage, or no crank-rocker has this swing.
 
     References
     ----------
@@ -125,7 +125,7 @@ def synthesize(
     if isinstance(task, QuickSwing):
         return _by_swing(task)
     count = len(task.pairs if isinstance(task, AnglePairs) else task.poses)
-    require(count == 3, "{count} given; three are wanted", count=count, code="count")
+    require(count == 3, "{count} given; three are needed", count=count, code="count")
     return _by_angles(task) if isinstance(task, AnglePairs) else _by_poses(task)
 
 
@@ -143,7 +143,7 @@ def _by_angles(task: AnglePairs) -> Synthesis:
     determinant = one[0] * two[1] - one[1] * two[0]
     require(
         absolute(determinant) > 1e-12,
-        "these pairs have no linkage: two of them say the same",
+        "these pairs have no linkage: two of them are the same",
         code="no-linkage",
         hint="take pairs farther apart",
     )
@@ -152,13 +152,13 @@ def _by_angles(task: AnglePairs) -> Synthesis:
     third = c - a * first - b * second
     require(
         (first != 0.0) & (second != 0.0),
-        "these pairs want a link of infinite length",
+        "these pairs need a link of infinite length",
         code="no-linkage",
         hint="change a pair a little",
     )
     crank, rocker, ground = task.ground / first, task.ground / second, task.ground
     square = crank * crank + rocker * rocker + ground * ground - 2.0 * crank * rocker * third
-    require(square > 0.0, "these pairs want a coupler without length", code="no-linkage", hint="change a pair a little")
+    require(square > 0.0, "these pairs need a coupler of zero length", code="no-linkage", hint="change a pair a little")
     # a negative length is one turned by half a turn
     met = [(t + (PI if crank < 0.0 else 0.0), r + (PI if rocker < 0.0 else 0.0)) for t, r in met]
     back = [name for name, length in (("crank", crank), ("rocker", rocker)) if length < 0.0]
@@ -172,7 +172,7 @@ def _centre(places: "list[complex]") -> complex:
     across = 2.0 * (one.conjugate() * two).imag
     require(
         abs(across) > 1e-9 * abs(one) * abs(two),
-        "three places of a pin lie on a line: its pivot would be at infinity",
+        "three positions of a pin lie on a line: its pivot would be at infinity",
         code="no-pivot",
         hint="move the pin on the body, or use a slide",
     )
@@ -222,7 +222,7 @@ def _judged(lengths: "tuple[float, float, float, float]", met: "list[tuple[float
     least = _least(lengths)
     return Synthesis(
         a, b, c, d, kind, "; ".join(faults) or "none", least, met=tuple(rows),
-        checks=(Check("every pair is met", worst <= CLOSES, worst, CLOSES),),
+        checks=(Check("every pair is reached", worst <= CLOSES, worst, CLOSES),),
         advice=_poor(least),
     )  # fmt: skip
 
@@ -247,7 +247,9 @@ def _poor(least: float) -> "tuple[Advice, ...]":
 
 def _by_swing(task: QuickSwing) -> Synthesis:
     require(0.0 < task.swing < PI, "a swing of {swing} is not between 0 and 180 deg", swing=(task.swing, Angle))
-    require(task.time_ratio >= 1.0, "a time ratio is of the slow stroke over the quick one: at least 1", code="ratio")
+    require(
+        task.time_ratio >= 1.0, "a time ratio is the slow stroke's time over the quick one's: at least 1", code="ratio"
+    )
     lag = PI * (task.time_ratio - 1.0) / (task.time_ratio + 1.0)
     count = range(1, PLACES)
     best = max(count, key=lambda k: _quality(task, lag, k / PLACES))

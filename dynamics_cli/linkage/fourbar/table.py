@@ -62,7 +62,7 @@ def reachable(links: Frame) -> "tuple[tuple[float, float], ...]":
 
 
 def table(links: Frame, side: float, steps: int) -> "tuple[Step, ...]":
-    """Rows over every range of crank angles, its ends among them.
+    """Rows over every range of crank angles, including its ends.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def table(links: Frame, side: float, steps: int) -> "tuple[Step, ...]":
     Returns
     -------
     tuple
-        The rows; what does not exist at a toggle is left out.
+        The rows; quantities that do not exist at a toggle are left out.
     """
     require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
     links = in_doubles(links)
@@ -109,5 +109,5 @@ def _rows(links: Frame, theta: "Any", side: float, toggles: "Any") -> "list[Step
 
 
 def _known(column: "Any") -> "list[float | None]":
-    """Numbers; none where there is none."""
+    """The number, or None where there is none."""
     return [value if np.isfinite(value) else None for value in column.tolist()]

@@ -1,4 +1,4 @@
-"""Instant centres of every two links of a linkage, those at infinity among them."""
+"""Instant centres of every two links of a linkage, including those at infinity."""
 
 from itertools import combinations
 
@@ -10,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.linkage.scenes.solve import Solution
 
-# A difference of angular velocities below this share of the largest is none: the centre is at infinity.
+# A difference of angular velocities below this share of the largest is zero: the centre is at infinity.
 PARALLEL = 1e-12
 
 
@@ -22,16 +22,18 @@ class Centre:
     second: Annotated[Text, "The other."]
     position: Annotated[PartPoint | None, "The point that moves alike on both; none at infinity [m]."]
     direction: Annotated[Angle | None, "Direction in which it lies at infinity [rad]."]
-    ratio: Annotated[Ratio | None, "Angular velocity of the second over that of the first; of ground none."]
+    ratio: Annotated[Ratio | None, "Angular velocity of the second over that of the first; absent for ground."]
 
 
 @record
 class Centres:
     """All instant centres."""
 
-    count: Annotated[Count, "How many, n(n − 1)/2."]
+    count: Annotated[Count, "Their number, n(n − 1)/2."]
     centres: Annotated[tuple[Centre, ...], "The centres."]
-    kennedy: Annotated[Ratio | None, "How far any three centres of three links are from one line, of their distances."]
+    kennedy: Annotated[
+        Ratio | None, "How far the three centres of any three links are from one line, relative to their distances."
+    ]
     checks: tuple[Check, ...] = ()
 
 
@@ -95,7 +97,7 @@ def centres(
 
 
 def _moving(scene: Scene) -> Scene:
-    """The scene with its first driver moving, where none does: centres do not depend on how fast."""
+    """The scene with its first driver moving if none does: centres do not depend on the speed."""
     from dynamics_cli.linkage.scenes.records import Driver
 
     if any(driver.speed or driver.velocity for driver in scene.drivers):

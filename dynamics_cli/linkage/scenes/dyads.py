@@ -1,4 +1,4 @@
-"""All assemblies of a scene: dyads in closed form, each on what is placed before it, and the rest by Newton."""
+"""All assemblies of a scene: dyads in closed form, each based on parts already placed, the rest by Newton."""
 
 from itertools import pairwise
 
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from typing import Any
 
     Pins = dict[str, complex]
-    # the pin or link that has places, and each place with the word for it
+    # the pin or link with several places, and each place with its name
     Choices = tuple[str, list[tuple[str, Pins]]]
 
-# Newton from these many starts looks for the assemblies of what no dyads make.
+# Number of starts of Newton's method for assemblies that are not dyads.
 STARTS = 240
 STEPS = 60
 SETTLED = 1e-13
@@ -26,7 +26,7 @@ TOUCH = 1e-13
 
 
 class Assembly:
-    """One way to put the linkage together."""
+    """One assembly of the linkage."""
 
     def __init__(self, at: "Pins", words: "tuple[tuple[str, str], ...]", dyads: int) -> None:
         self.at = at
@@ -75,7 +75,7 @@ class Assembler:
             yield from self._walk(at | more, (*words, (name, word)) if word else words, dyads + 1)
 
     def _closed(self, at: "Pins", words: "tuple[tuple[str, str], ...]", dyads: int) -> "Iterator[Assembly]":
-        """The assembly, if what was not used to place its pins holds too."""
+        """The assembly, if the conditions not used to place its pins hold too."""
         q = self.system.vector(at)
         gaps = np.abs(self.system.residuals(q))
         worst = float(gaps.max(initial=0.0))
@@ -97,7 +97,7 @@ class Assembler:
         return None
 
     def _carry(self, at: "Pins") -> bool:
-        """Place what follows without a decision; whether there was any."""
+        """Place the parts that need no decision; returns whether there were any."""
         for driver in self.scene.drivers:
             if driver.point:
                 slide = next(one for one in self.scene.slides if one.point == driver.point)
@@ -198,7 +198,7 @@ class Assembler:
         return [("", {pin: at[one.start] + share * line})]
 
     def _slot(self, shape: Shape, slide: Slide, pivot: str, at: "Pins") -> "list[tuple[str, Pins]]":
-        """A link that hangs on one pin and whose line passes through another."""
+        """A link on one pin whose line passes through another."""
         start, line = shape.points[slide.start], shape.points[slide.end] - shape.points[slide.start]
         line = line / abs(line)
         # the line as seen from the pivot, in the link's own axes along the line
@@ -218,7 +218,7 @@ class Assembler:
         return places
 
     def _by_newton(self, at: "Pins") -> "Iterator[Pins]":
-        """Assemblies of what no dyad makes, by Newton from sketches and from spread starts."""
+        """Assemblies without dyads, by Newton's method from sketches and from distributed starts."""
         system = self.system
         rest = [pin for pin in system.unknown if pin not in at]
         sketch = {near.pin: complex(*near.at) / system.scale for near in self.scene.near}
@@ -243,7 +243,7 @@ class Assembler:
         solutions.sort(key=lambda q: q.round(9).tolist())
         for q in solutions:
             places = system.positions(q)
-            # the dyads that stand already keep their side
+            # dyads already placed keep their side
             if all(abs(places[pin] - at[pin]) < SAME for pin in at):
                 yield places
 

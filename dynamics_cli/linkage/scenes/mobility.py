@@ -1,4 +1,4 @@
-"""Freedoms of a linkage: counted (Grübler), and true at a pose, with the conditions that repeat others."""
+"""Degrees of freedom of a linkage: counted (Grübler), and true at a pose, with redundant conditions."""
 
 from dynamics_cli.linkage.scenes.records import Scene
 from dynamics_cli.quantities import Annotated, Count, Text
@@ -8,23 +8,23 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# Singular values below this share of the largest are zero but for rounding.
+# Singular values below this share of the largest are zero within rounding.
 ZERO = 1e-9
-# A condition takes part in a dependency with at least this share of it.
+# A condition is involved in a dependency with at least this share of it.
 PART = 1e-3
 
 
 @record
 class Mobility:
-    """How a linkage can move."""
+    """The degrees of freedom of a linkage."""
 
-    freedom: Annotated[Count, "Ways in which it moves at this pose, from the rank of its conditions."]
+    freedom: Annotated[Count, "Degrees of freedom at this pose, from the rank of its conditions."]
     counted: Annotated[int, "3(n − 1) − 2 j₁ − j₂."]
     links: Annotated[Count, "Links n, ground among them."]
     pins: Annotated[Count, "Pins j₁: a pin of three links counts twice."]
     slides: Annotated[Count, "Pins in slots j₂."]
-    repeated: Annotated[Count, "Conditions that repeat others: the linkage is over-constrained by so many."]
-    named: Annotated[Text | None, "The conditions that take part in that."] = None
+    repeated: Annotated[Count, "Redundant conditions: the linkage is over-constrained by this number."]
+    named: Annotated[Text | None, "The conditions involved."] = None
     gap: Annotated[float | None, "Ratio of the smallest singular value counted to the largest left out."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -43,7 +43,7 @@ def mobility(
     Returns
     -------
     Mobility
-        Both counts, and the conditions that repeat others.
+        Both counts, and the redundant conditions.
 
     Raises
     ------
@@ -88,7 +88,7 @@ def mobility(
         advice=(
             Advice(
                 "over-constrained",
-                "the linkage moves only because its lengths fit exactly: play or errors make it bind",
+                "the linkage moves only because its lengths fit exactly: manufacturing errors make it bind",
                 remedy="give a pin play, or leave a link out",
             ),
         )
@@ -98,7 +98,7 @@ def mobility(
 
 
 def _undriven(system: "Any", q: "Any", free: "list[int]") -> "Any":
-    """Conditions without drivers; a driven link gets its length back, which its driver stood for."""
+    """Conditions without drivers; a driven link gets back the length condition that its driver replaced."""
     import numpy as np
 
     rows = [system.jacobian(q)[index] for index in free]

@@ -4,7 +4,7 @@ from math import pi
 
 from dynamics_cli.linkage.animation import animated
 from dynamics_cli.linkage.scenes.records import GROUND, Scene
-from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
+from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Angle, Coordinate, TurnRate
 
 TYPE_CHECKING = False
@@ -18,7 +18,7 @@ GHOSTS = 8
 ARROW = 0.25
 # How far a pushed pin goes in a picture, in sizes of the linkage.
 PUSH = 0.5
-# Centres this near one another have their labels on different sides.
+# Centres this close have their labels on different sides.
 CLOSE = 0.12
 ASIDE = ((5.0, 5.0), (5.0, -12.0), (-36.0, 5.0), (-36.0, -12.0), (5.0, 17.0))
 
@@ -69,13 +69,13 @@ def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     moving = [link.name for link in scene.links if link.name != GROUND]
     items: list[Any] = []
     for pose in poses[:: max(1, len(poses) // GHOSTS)]:
-        items += [_line(_shape(scene, name, pose), "", "dots", 6) for name in moving]
+        items += [complex_curve(_shape(scene, name, pose), "", "dots", 6) for name in moving]
     fixed = {pin.name for link in scene.links if link.name == GROUND for pin in link.points}
     closed = [*poses, poses[0]]
-    items += [_line([pose[pin] for pose in closed], "", "thin", 3) for pin in at if pin not in fixed]
-    items += [_line(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)]
+    items += [complex_curve([pose[pin] for pose in closed], "", "thin", 3) for pin in at if pin not in fixed]
+    items += [complex_curve(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)]
     for slide in scene.slides:
-        items.append(_line((at[slide.start], at[slide.end]), "", "centre", 5))
+        items.append(complex_curve((at[slide.start], at[slide.end]), "", "centre", 5))
     size = max(abs(one - other) for one in at.values() for other in at.values())
     speeds = {pin.name: complex(*pin.velocity) for pin in result.pins if pin.velocity is not None}
     longest = max((abs(speed) for speed in speeds.values()), default=0.0)
@@ -90,7 +90,7 @@ def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
 
 
 def _curves(result: "Any") -> "tuple[Panel, ...]":
-    """What was followed, over the driver's angle: a link's angle and speed, or a pin's coordinates."""
+    """The followed link's angle and speed, or pin's coordinates, over the driver's angle."""
     if not result.motion:
         return ()
     pushed = result.motion[0].driver_angle is None
@@ -120,7 +120,9 @@ def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     size = max(abs(one - other) for one in at.values() for other in at.values())
     middle = sum(at.values()) / len(at)
     moving = [link.name for link in scene.links if link.name != GROUND]
-    items: list[Any] = [_line(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)]
+    items: list[Any] = [
+        complex_curve(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)
+    ]
     names = {link.name: str(number) for number, link in enumerate(scene.links, 1)}
     far = []
     taken: list[tuple[complex, int]] = []
@@ -140,7 +142,7 @@ def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
 
 
 def moving_scene(result: "Any", scene: Scene, **_: "Any") -> str:
-    """The linkage over its driver's range as an SVG that moves by itself."""
+    """The linkage over its driver's range as an animated SVG."""
     result = _posed(result, scene)
     at = {pin.name: complex(*pin.position) for pin in result.pins}
     poses = motion(scene, at, FRAMES)
@@ -152,8 +154,3 @@ def moving_scene(result: "Any", scene: Scene, **_: "Any") -> str:
     traces += [[at[slide.start], at[slide.end]] for slide in scene.slides if slide.link == GROUND]
     pins = [[pose[pin] for pin in free] for pose in poses]
     return animated("A linkage in motion", frames, traces, [at[pin] for pin in fixed], pins)
-
-
-def _line(points: "Any", label: str, style: "Any", role: int) -> Curve:
-    points = list(points)
-    return Curve([p.real for p in points], [p.imag for p in points], label, style, role)

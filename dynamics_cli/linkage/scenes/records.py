@@ -1,4 +1,4 @@
-"""A linkage as users write it: links with points, slides, drivers, and which assembly is meant."""
+"""A linkage as users write it: links with points, slides, drivers, and the choice of assembly."""
 
 from dynamics_cli.quantities import (
     Acceleration,
@@ -17,7 +17,7 @@ GROUND = "ground"
 
 
 class Way(Choice):
-    """Which of two places a pin takes."""
+    """Which of two positions a pin takes."""
 
     names = ("left", "right", "ahead", "behind")
     aliases = {"+": "left", "-": "right"}  # noqa: RUF012
@@ -57,7 +57,7 @@ class Driver:
     against: Annotated[Text, "The link against which the angle is measured."] = GROUND
     angle: Annotated[Angle, "The angle, e.g. 40 deg."] = 0.0
     speed: Annotated[TurnRate, "Its rate, e.g. 10 rad/s."] = 0.0
-    angular_acceleration: Annotated[AngularAcceleration, "Its second rate, e.g. 5 rad/s^2."] = 0.0
+    angular_acceleration: Annotated[AngularAcceleration, "Its second derivative, e.g. 5 rad/s^2."] = 0.0
     point: Annotated[Text, "Or the pin that is pushed along its slide."] = ""
     position: Annotated[Coordinate, "Its position from the start of the line, e.g. 120 mm."] = 0.0
     velocity: Annotated[Speed, "Its velocity along the line, e.g. 0.2 m/s."] = 0.0
@@ -76,10 +76,10 @@ class Side:
 
 @record
 class Near:
-    """Roughly where a pin is, for linkages that no chain of dyads makes."""
+    """Approximate position of a pin, for linkages that are not chains of dyads."""
 
     pin: Annotated[Text, "The pin."]
-    at: Annotated[PartPoint, "Roughly where it is, e.g. 120, 60 mm."]
+    at: Annotated[PartPoint, "Its approximate position, e.g. 120, 60 mm."]
 
 
 @record
@@ -89,5 +89,5 @@ class Scene:
     links: Annotated[tuple[Link, ...], "The links, ground among them."]
     drivers: Annotated[tuple[Driver, ...], "What drives it."]
     slides: Annotated[tuple[Slide, ...], "Pins that slide along lines."] = ()
-    sides: Annotated[tuple[Side, ...], "Which assembly is meant, pin by pin."] = ()
-    near: Annotated[tuple[Near, ...], "Roughly where pins are."] = ()
+    sides: Annotated[tuple[Side, ...], "The assembly, pin by pin."] = ()
+    near: Annotated[tuple[Near, ...], "Approximate positions of pins."] = ()

@@ -1,4 +1,4 @@
-"""A linkage from a scene: every assembly, and of the one meant position, velocity and acceleration, proved."""
+"""A linkage from a scene: every assembly, and position, velocity and acceleration of the chosen one, with proof."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.scenes.following import Followed, followed
@@ -21,7 +21,7 @@ class AssemblyPin:
     """Where one pin is in one assembly."""
 
     number: Annotated[Count, "The assembly."]
-    sides: Annotated[Text, "Its decisions, as a scene's sides take them."]
+    sides: Annotated[Text, "Its sides, as a scene states them."]
     pin: Annotated[Text, "The pin."]
     position: Annotated[PartPoint, "Where it is [m]."]
 
@@ -32,9 +32,9 @@ class Solution:
 
     links: Annotated[tuple[LinkMotion, ...] | None, "The links that move; left out where a motion is followed."]
     pins: Annotated[tuple[PinMotion, ...] | None, "The pins; left out where a motion is followed."]
-    assembly: Annotated[Text, "The assembly that was taken."]
-    assemblies: Annotated[Count, "How many there are at this position of the drivers."]
-    solved_by: Annotated[Text, "What it was solved by."]
+    assembly: Annotated[Text, "The assembly solved."]
+    assemblies: Annotated[Count, "Number of assemblies at this position of the drivers."]
+    solved_by: Annotated[Text, "Method of the solution."]
     pin_error: Annotated[Size | None, "All pins together are within this of the true ones, as proved [m]."] = None
     nearest_other: Annotated[
         Size | None, "No other assembly is nearer than this, all pins together, as proved [m]."
@@ -44,7 +44,7 @@ class Solution:
     driver_to: Annotated[Angle | None, "Where it ends [rad]."] = None
     followed_by: Annotated[Text | None, "How the poses of the motion are joined to each other."] = None
     motion: Annotated[tuple[Followed, ...] | None, "What was followed over the first driver's range."] = None
-    every_assembly: Annotated[tuple[AssemblyPin, ...] | None, "All assemblies, where they are asked for."] = None
+    every_assembly: Annotated[tuple[AssemblyPin, ...] | None, "All assemblies, if requested."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -82,8 +82,8 @@ def solve(
 
     Notes
     -----
-    Dyads (two links and a pin or slide between what is placed) are solved in closed form, what no dyad makes by Newton
-    from 240 starts: assemblies of such linkages are those found, and the scene names one by `near`.
+    Dyads (two links and a pin or slide between what is placed) are solved in closed form, others by Newton's method
+    from 240 starts: their list of assemblies may be incomplete, and the scene selects one by `near`.
 
     A motion is followed from pose to pose: between two of them every position of the driver has one solution near by,
     which the same theorem proves, so that the linkage cannot change its assembly unnoticed.
@@ -107,7 +107,7 @@ def require_driven(system: "System") -> None:
     missing = system.size - len(system.rows)
     require(
         missing <= 0,
-        "the linkage still moves in {count} ways with its drivers held: give {count} more drivers",
+        "the linkage still has {count} degrees of freedom with its drivers held: give {count} more drivers",
         count=missing,
         code="under-driven",
         hint="add [[drivers]], or links and pins that are missing",
@@ -124,7 +124,7 @@ def assembled(system: "System") -> "tuple[list[Assembly], bool]":
     gap, what = walk.gap
     require(
         bool(possible) or gap != float("inf"),
-        "the linkage cannot be placed: the links hang on each other in a way that leaves no solution",
+        "the linkage cannot be placed: its links depend on each other in a way that leaves no solution",
         code="no-assembly",
     )
     require(
@@ -141,7 +141,7 @@ def assembled(system: "System") -> "tuple[list[Assembly], bool]":
 
 
 def chosen(system: "System", possible: "list[Assembly]", listed: bool) -> "Assembly":
-    """The assembly that the scene means; a refusal with the list where it does not say."""
+    """The assembly chosen by the scene; a refusal with the list if it does not choose."""
     wanted = {side.pin: str(side.side) for side in system.scene.sides}
     decided = {pin for one in possible for pin, _ in one.words}
     for pin in wanted:

@@ -43,7 +43,7 @@ class Shape:
 
 
 def checked(scene: Scene) -> None:
-    """Refuse scenes whose names do not fit together, and links without size."""
+    """Refuse scenes with inconsistent names, and links of zero size."""
     names = [link.name for link in scene.links]
     require(GROUND in names, "no link is called ground: one link must be fixed", code="no-ground")
     for name in names:
@@ -54,7 +54,7 @@ def checked(scene: Scene) -> None:
         ends = [complex(*pin.at) for pin in link.points]
         require(
             link.name == GROUND or (len(ends) >= 2 and max(abs(end - ends[0]) for end in ends) > 0.0),
-            "link {link} needs two points apart: a length of zero is no link",
+            "link {link} needs two points apart: a link needs a length above zero",
             link=repr(link.name),
             code="no-length",
         )
@@ -89,7 +89,7 @@ def checked(scene: Scene) -> None:
 
 
 class System:
-    """The equations of a scene and what is known of their solutions."""
+    """The equations of a scene and the proof of their solutions."""
 
     def __init__(self, scene: Scene) -> None:
         checked(scene)
@@ -158,7 +158,7 @@ class System:
                 self._add(f"driver of {driver.link}", ("angle", *ends, other.first, other.last, angle, driver))
 
     def _add(self, name: str, row: "Row") -> None:
-        # what only fixed points take part in says nothing of the unknowns
+        # conditions on fixed points only do not involve the unknowns
         if any(part in self.place for part in row if isinstance(part, str)):
             self.names.append(name)
             self.rows.append(row)
@@ -244,7 +244,7 @@ def _drift(row: "Row", at: "dict[str, complex]", scale: float) -> float:
 
 
 def _second_drift(row: "Row", at: "dict[str, complex]", moving: "dict[str, complex]", scale: float) -> float:
-    """What the second derivative of an equation by time holds beside J·q̈ and q̇·H·q̇."""
+    """Terms of an equation's second time derivative besides J·q̈ and q̇·H·q̇."""
     if row[0] == "turn":
         driver = row[5]
         change = -(1j * driver.angular_acceleration - driver.speed * driver.speed) * row[3]
@@ -263,7 +263,7 @@ def _second_drift(row: "Row", at: "dict[str, complex]", moving: "dict[str, compl
 
 
 class Certificate:
-    """Kantorovich's theorem at a solution: how far the true one is at most, and any other at least."""
+    """Kantorovich's theorem at a solution: maximum distance of the true one, and minimum distance of any other."""
 
     def __init__(self, system: System, q: "Any", jacobian: "Any") -> None:
         inverse = np.linalg.pinv(jacobian)

@@ -3,8 +3,8 @@
 from math import cos, pi, sin, tan
 
 from dynamics_cli.errors import worded
-from dynamics_cli.linkage.sliders.pictures import _block, _line
-from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.linkage.sliders.pictures import _block
+from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Angle, CamVelocity, Coordinate, Size
 
 TYPE_CHECKING = False
@@ -36,16 +36,16 @@ def yoke_picture(
     half = 1.2 * crank * complex(lean, 1.0)
     edge = 0.12 * crank / cos(slot_angle)
     items: list[Any] = [
-        _line(_circle(0j, crank), "", "thin", 6),
-        _line((complex(-2.6 * reach), complex(2.6 * reach)), "", "centre", 5),
-        _line(
+        complex_curve(_circle(0j, crank), "", "thin", 6),
+        complex_curve((complex(-2.6 * reach), complex(2.6 * reach)), "", "centre", 5),
+        complex_curve(
             (at - half - edge, at + half - edge, at + half + edge, at - half + edge, at - half - edge),
             "yoke",
             "solid",
             1,
         ),
-        _line((at + edge, at + edge + 1.3 * reach), "", "solid", 1),
-        _line((0j, pin), "crank", "thick", 0),
+        complex_curve((at + edge, at + edge + 1.3 * reach), "", "solid", 1),
+        complex_curve((0j, pin), "crank", "thick", 0),
         Mark(0.0, 0.0, "O", (-14.0, -12.0)),
         Mark(pin.real, pin.imag, "A"),
     ]
@@ -72,10 +72,10 @@ def oldham_picture(result: "Any", *, offset: float, shaft_angle: float = 0.0, **
     way = _wave(shaft_angle)
     reach = 1.6 * offset
     items: list[Any] = [
-        _line(_circle(0.5 * offset + 0j, 0.5 * offset), "path of the centre", "thin", 3),
-        _line(_circle(centre, reach), "disc", "solid", 6),
-        _line((-reach * way, reach * way), "first slot", "thick", 0),
-        _line((offset - 1j * reach * way, offset + 1j * reach * way), "second slot", "thick", 1),
+        complex_curve(_circle(0.5 * offset + 0j, 0.5 * offset), "path of the centre", "thin", 3),
+        complex_curve(_circle(centre, reach), "disc", "solid", 6),
+        complex_curve((-reach * way, reach * way), "first slot", "thick", 0),
+        complex_curve((offset - 1j * reach * way, offset + 1j * reach * way), "second slot", "thick", 1),
         Mark(0.0, 0.0, "first shaft", (-52.0, -14.0)),
         Mark(offset, 0.0, "second shaft", (8.0, -14.0)),
         Mark(centre.real, centre.imag, "C"),
@@ -90,12 +90,12 @@ def trammel_picture(result: "Any", *, bar: float, angle: float, point: float = 0
     far = foot + (top - foot) * max(1.0, point / bar)
     near = foot + (top - foot) * min(0.0, point / bar)
     items: list[Any] = [
-        _line((complex(-1.1 * bar), complex(1.1 * bar)), "", "centre", 5),
-        _line((complex(0.0, -1.1 * bar), complex(0.0, 1.1 * bar)), "", "centre", 5),
-        _line([complex((bar - point) * cos(t), point * sin(t)) for t in turns], "path of P", "thin", 3),
-        _line((foot, foot + top, top), "", "dots", 6),
-        _line((near, far), "bar", "thick", 0),
-        *(_line(_block(end, 0.05 * bar), "", "solid", 2) for end in (foot, top)),
+        complex_curve((complex(-1.1 * bar), complex(1.1 * bar)), "", "centre", 5),
+        complex_curve((complex(0.0, -1.1 * bar), complex(0.0, 1.1 * bar)), "", "centre", 5),
+        complex_curve([complex((bar - point) * cos(t), point * sin(t)) for t in turns], "path of P", "thin", 3),
+        complex_curve((foot, foot + top, top), "", "dots", 6),
+        complex_curve((near, far), "bar", "thick", 0),
+        *(complex_curve(_block(end, 0.05 * bar), "", "solid", 2) for end in (foot, top)),
         Mark(foot.real, foot.imag, "A", (8.0, -14.0)),
         Mark(top.real, top.imag, "B", (-16.0, 6.0)),
         Mark(at.real, at.imag, "P"),

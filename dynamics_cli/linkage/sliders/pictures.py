@@ -5,7 +5,7 @@ from math import cos, pi, sin
 from dynamics_cli.errors import worded
 from dynamics_cli.linkage.animation import animated
 from dynamics_cli.linkage.sliders.slider_crank import RIGHT, End, slider_crank
-from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Angle, CamVelocity, Coordinate, Size
 
 TYPE_CHECKING = False
@@ -15,11 +15,6 @@ if TYPE_CHECKING:
 FRAMES = 120
 STEPS = 360
 SHOWN = pi / 3.0
-
-
-def _line(points: "Any", label: str, style: "Any", role: int) -> Curve:
-    points = list(points)
-    return Curve([p.real for p in points], [p.imag for p in points], label, style, role)
 
 
 def _pins(crank: float, rod: float, offset: float, end: End, angle: float) -> "tuple[complex, complex] | None":
@@ -49,19 +44,19 @@ def slider_picture(
     for index in range(12):
         pins = _pins(crank, rod, offset, end, index * pi / 6.0)
         if pins:
-            items.append(_line((0j, *pins), "", "dots", 6))
+            items.append(complex_curve((0j, *pins), "", "dots", 6))
     pins = _pins(crank, rod, offset, end, SHOWN if crank_angle is None else crank_angle)
     low, high = min(columns["position"]), max(columns["position"])
     size = 0.1 * rod
     if pins:
         items += [
-            _line((0j, pins[0]), "crank", "thick", 0),
-            _line(pins, "rod", "thick", 1),
-            _line(_block(pins[1], size), "slider", "solid", 2),
+            complex_curve((0j, pins[0]), "crank", "thick", 0),
+            complex_curve(pins, "rod", "thick", 1),
+            complex_curve(_block(pins[1], size), "slider", "solid", 2),
             Mark(pins[0].real, pins[0].imag, "A", (-12.0, 5.0)),
         ]
     ends = (complex(low - 1.5 * size, offset), complex(high + 1.5 * size, offset))
-    items += [_line(ends, "", "centre", 5), Mark(0.0, 0.0, "O", (-14.0, -12.0))]
+    items += [complex_curve(ends, "", "centre", 5), Mark(0.0, 0.0, "O", (-14.0, -12.0))]
     scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     way = Axis("crank angle θ", Angle, ends=(0.0, 2.0 * pi), step=pi / 6.0)
     here = () if crank_angle is None else (Band(crank_angle % (2.0 * pi), crank_angle % (2.0 * pi)),)
@@ -81,12 +76,12 @@ def slider_picture(
 def moving_slider(
     result: "Any", crank: float = 0.0, rod: float = 0.0, offset: float = 0.0, end: End = RIGHT, **_: "Any"
 ) -> str:
-    """One turn of the crank, or to and fro between its limits, as an SVG that moves by itself."""
+    """One turn of the crank, or its oscillation between limits, as an animated SVG."""
     del result
     poses = [_pins(crank, rod, offset, end, 2.0 * pi * index / FRAMES) for index in range(FRAMES)]
     every = [pins for pins in poses if pins]
     if len(every) < FRAMES:
-        # the poses in one stretch, there and back
+        # the poses of one stretch, forward and back
         gaps = [index for index in range(FRAMES) if poses[index] is None]
         start = gaps[-1] + 1
         ordered = [poses[(start + index) % FRAMES] for index in range(FRAMES)]
@@ -107,7 +102,9 @@ def quick_return_picture(
     pivot = complex(ground)
     length = lever or 1.1 * (crank + ground)
     items: list[Any] = [
-        _line([crank * complex(cos(0.01745 * k), sin(0.01745 * k)) for k in range(361)], "path of the pin", "thin", 6)
+        complex_curve(
+            [crank * complex(cos(0.01745 * k), sin(0.01745 * k)) for k in range(361)], "path of the pin", "thin", 6
+        )
     ]
 
     def lever_at(angle: float) -> "tuple[complex, complex]":
@@ -117,11 +114,11 @@ def quick_return_picture(
 
     for index in range(12):
         pin, tip = lever_at(index * pi / 6.0 + 1e-9)
-        items.append(_line((0j, pin), "", "dots", 6))
-        items.append(_line((pivot, tip), "", "dots", 6))
+        items.append(complex_curve((0j, pin), "", "dots", 6))
+        items.append(complex_curve((pivot, tip), "", "dots", 6))
     pin, tip = lever_at(SHOWN if crank_angle is None else crank_angle)
     items += [
-        _line((0j, pin), "crank", "thick", 0), _line((pivot, tip), "lever", "thick", 1),
+        complex_curve((0j, pin), "crank", "thick", 0), complex_curve((pivot, tip), "lever", "thick", 1),
         Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(ground, 0.0, "O₄"), Mark(pin.real, pin.imag, "A"),
     ]  # fmt: skip
     scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)

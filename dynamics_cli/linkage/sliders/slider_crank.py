@@ -35,7 +35,7 @@ CLOSES = 1e-12
 
 
 class End(Choice):
-    """On which side of the crank's pin the slider is."""
+    """Side of the crank pin on which the slider is."""
 
     names = ("right", "left")
     aliases = {"+": "right", "-": "left", "−": "left"}  # noqa: RUF012
@@ -86,9 +86,9 @@ def slider_crank(
     *,
     crank: Annotated[Size, "Length a of the crank, e.g. 50 mm."],
     rod: Annotated[Size, "Length b of the connecting rod, e.g. 150 mm."],
-    offset: Annotated[Coordinate, "Height e of the slide above the crank's pivot, e.g. 20 mm."] = 0.0,
+    offset: Annotated[Coordinate, "Offset e of the slide above the crank's pivot, e.g. 20 mm."] = 0.0,
     crank_angle: Annotated[Angle | None, "Crank angle θ from the slide's direction; without it a table."] = None,
-    end: Annotated[End, "The side of the crank's pin on which the slider is."] = RIGHT,
+    end: Annotated[End, "Side of the crank pin on which the slider is."] = RIGHT,
     speed: Annotated[TurnRate | None, "Angular velocity ω of the crank, e.g. 3000 rpm."] = None,
     angular_acceleration: Annotated[AngularAcceleration, "Angular acceleration α of the crank [rad/s^2]."] = 0.0,
     load_force: Annotated[Force | None, "Force that the slider delivers along x, e.g. 500 N."] = None,
@@ -109,8 +109,8 @@ def slider_crank(
     Raises
     ------
     InadmissibleError
-        When a length is not above zero, the rod does not reach the slide at this angle, or stands square to it where a
-        velocity is asked for.
+        When a length is not above zero, the rod does not reach the slide at this angle, or is perpendicular to it
+        where a velocity is requested.
 
     References
     ----------
@@ -129,7 +129,7 @@ def slider_crank(
     if crank_angle is None:
         require(
             single(crank, rod, offset),
-            "rows need a crank angle: a table is of one mechanism",
+            "rows need a crank angle: a table is for a single mechanism",
             code="no-angle",
             hint="add a column crank_angle",
         )
@@ -152,7 +152,7 @@ def slider_crank(
     if speed is not None or load_force is not None:
         require(
             across > 0.0,
-            "the rod stands square to the slide: the crank cannot move the slider through this pose",
+            "the rod is perpendicular to the slide: the crank cannot move the slider through this pose",
             code="toggle",
             hint="give a crank angle beside it",
         )

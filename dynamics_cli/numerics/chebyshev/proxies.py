@@ -1,8 +1,8 @@
 """Chebyshev proxies of smooth functions, piece by piece, and all their extremes, certified by bounds of derivatives.
 
 Many functions on many pieces are sampled and searched at once: the cost is that of a few array operations. Nodes lie
-inside the pieces, so that a function that jumps at their ends is never asked there. Proxies whose error is proved are
-made by `numerics.remainders`.
+inside the pieces, so that a function that jumps at their ends is never evaluated there. `numerics.remainders` builds
+proxies whose error is proved.
 """
 
 from functools import lru_cache
@@ -28,7 +28,7 @@ SPLIT = 8
 END = 1e-4
 NOISE = 1.5e-15
 CALM = 1e-15
-# values this close to the best are as good: the first is named
+# values this close to the best are equal: the first is reported
 ALIKE = 1e-14
 ROUNDING = 2.0**-45
 
@@ -51,7 +51,7 @@ class Proxies:
 
 @record
 class Extremes:
-    """Every candidate for an extreme of one function: ends of pieces and places where it turns, in order of place."""
+    """Every candidate for an extremum of one function: ends of pieces and stationary points, in order of place."""
 
     owner: Annotated["Any", "The given piece each place lies in."]
     places: Annotated["Any", "Where."]
@@ -74,12 +74,12 @@ class Extremes:
     ] = None
 
     def largest(self) -> tuple[float, float]:
-        """The largest value, and the first of the places whose values rounding cannot tell from it."""
+        """The largest value, and the first place whose value equals it within rounding."""
         top = float(self.values.max())
         return top, float(self.places[int(np.argmax(self.values >= top - min(self.error, ALIKE * abs(top))))])
 
     def smallest(self) -> tuple[float, float]:
-        """The smallest value, and the first of the places whose values rounding cannot tell from it."""
+        """The smallest value, and the first place whose value equals it within rounding."""
         least = float(self.values.min())
         return least, float(self.places[int(np.argmax(self.values <= least + min(self.error, ALIKE * abs(least))))])
 
@@ -106,7 +106,7 @@ def _basis(count: int) -> "tuple[Any, ...]":
 
 
 def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *, depth: int = 24) -> Proxies:
-    """Interpolate functions on pieces, halving those that are not resolved; what is left out is estimated.
+    """Interpolate functions on pieces, halving those that are not resolved; the remainder is estimated.
 
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
@@ -116,9 +116,14 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     function is not finite at a node.
 
     A piece is resolved when its last four coefficients are below 4e-15 of their sum, or when halving no longer helps
-    (rounding of the function itself). For an analytic function the coefficients left out go on falling as the last
-    ones do; `error` is twice the last four, which is no proof: for searches whose result is certified otherwise. With
-    proof, see `numerics.remainders`. Trefethen, Approximation Theory and Approximation Practice, chapters 3-8.
+    (rounding of the function itself). For an analytic function the omitted coefficients decrease like the last
+    ones; `error` is twice the last four, which is an estimate, not a proof: for searches whose result is certified
+    otherwise. With proof, see `numerics.remainders`. Trefethen, Approximation Theory and Approximation Practice,
+    chapters 3-8.
+
+    References
+    ----------
+    L. N. Trefethen, Approximation Theory and Approximation Practice, SIAM 2013, chapters 3 to 8.
 
     Examples
     --------
@@ -136,13 +141,13 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
         values = function(middle[:, None] + half[:, None] * nodes, origin)
         if not np.isfinite(values).all():
             raise ValueError("the function is not finite inside a piece")
-        made = values @ matrix
-        size = np.abs(made).sum(axis=2)
-        tail = np.abs(made[:, :, -4:]).sum(axis=2)
+        coefficients = values @ matrix
+        size = np.abs(coefficients).sum(axis=2)
+        tail = np.abs(coefficients[:, :, -4:]).sum(axis=2)
         worst = np.max(tail / np.where(size > 0.0, size, 1.0), axis=0)
         hopeless = (worst > 0.2 * before) & (worst < 1e-6) & (level > 1)
         good = (worst <= RESOLVED) | hopeless | (level == depth) | (middle <= low) | (middle >= high)
-        done.append((low[good], high[good], made[:, good], 2.0 * tail[:, good], origin[good]))
+        done.append((low[good], high[good], coefficients[:, good], 2.0 * tail[:, good], origin[good]))
         if good.all():
             break
         bad = ~good
@@ -162,20 +167,24 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     )
 
 
-def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any" = None) -> Extremes:
-    """Find the greatest and the least value of one of the functions, or every place where it turns.
+def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "Any" = None) -> Extremes:
+    """Find the maximum and the minimum of one of the functions, or every stationary point.
 
     f′ = 0 is looked for in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
     above h²/8·max|f‴|, exactly one when f″ keeps its sign likewise; a cell that is neither is divided.
 
-    `made`: the interpolated functions; `every`: whether places are wanted that decide neither the greatest nor the
-    least value; `margin`: how far below the greatest or above the least value a place may be and is wanted all the
-    same, by pieces. Returns ends of pieces and places where the function turns.
+    `proxy`: the interpolated functions; `every`: also return places that decide neither maximum nor minimum; `margin`:
+    how far below the maximum or above the minimum a place may lie and still be returned, by pieces. Returns ends of
+    pieces and places where the function turns.
 
     Derivatives are bounded by Σ kⁿ|c_k|, and what rounding does to them by 2⁻⁴⁵ Σ kⁿ|c_k| (angles kt to 23π, sums of 24
     terms), so no turn of the proxy is missed; cells still undecided within which it moves by less than 1e-15 of its
     size are candidates themselves. `error` adds to what is proved for the proxies the rounding of the values, what
     coefficients too small to be searched come to, and what Newton's method leaves at the places.
+
+    References
+    ----------
+    Derived: bounds of the derivatives of a Chebyshev sum exclude or isolate every root of f′.
 
     Examples
     --------
@@ -184,29 +193,29 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     >>> abs(place - np.pi / 2) < 1e-7, abs(value - 1.0) < 1e-15
     (True, True)
     """
-    whole = made.coefficients[which]
+    whole = proxy.coefficients[which]
     count = whole.shape[1]
     t, basis, first, second = _basis(count)
     k = np.arange(count, dtype=float)
     size = np.abs(whole)
-    # a coefficient that is rounding alone would be searched for turns of its own
+    # a coefficient that is only rounding would add turning points of its own
     c = np.where(size > NOISE * size.sum(axis=1)[:, None], whole, 0.0)
     size = np.abs(c)
     bounds = [size @ k**power for power in (2, 3, 4)]
     slack = [ROUNDING * (size @ k), ROUNDING * bounds[0]]
     scale = size.sum(axis=1)
-    # what the values may be off the largest and least of the proxy
+    # error of the values against the maximum and minimum of the proxy
     off = 2.0 * np.abs(whole - c).sum(axis=1) + ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-51 * scale
     step = np.pi / GRID
     roots: list[tuple[Any, Any, Any]] = []
     calm: list[tuple[Any, Any, Any]] = []
     q, d1, d2 = c @ basis, c @ first, c @ second
-    # the mean last: what it is added to is small beside it on a short piece
+    # the mean last: the other terms are small beside it on a short piece
     moving, mean = whole[:, 1:], whole[:, 0]
     ends = np.concatenate((moving @ np.where(k[1:] % 2, -1.0, 1.0) + mean, moving.sum(axis=1) + mean))
     most, least = ends.max(), ends.min()
     owner, grid = np.arange(c.shape[0]), np.broadcast_to(t, (c.shape[0], t.size))
-    # a piece that is constant to its rounding has no extremes
+    # a piece that is constant to rounding has no extremum
     bounds[0] = np.where(step * bounds[0] <= 1e-15 * scale, 0.0, bounds[0])
     for level in range(LEVELS + 1):
         turning, unsure = _cells(d1, d2, step, bounds, slack, owner[:, None])
@@ -229,7 +238,7 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
         rows, left = owner[found], grid[found, cells]
         if not rows.size:
             break
-        # where the function hardly moves within a cell, any place of it will do
+        # where the function hardly varies within a cell, any place in it will do
         moves = step * np.maximum(np.abs(d1[found, cells]), np.abs(d1[found, cells + 1]))
         moves += 0.125 * step**3 * bounds[1][rows] + step * slack[0][rows]
         still = (moves <= CALM * scale[rows]) | (level == LEVELS)
@@ -246,29 +255,29 @@ def extremes(made: Proxies, which: int = 0, *, every: bool = False, margin: "Any
     turns, slope = _refined(c, at[0], at[1], at[2])
     np.maximum.at(off, at[0], off[at[0]] + (np.abs(slope) + slack[0][at[0]]) * np.abs(at[1] - at[2]))
     place = np.concatenate([turns, *(part[1] for part in calm)])
-    half, middle = 0.5 * (made.ends - made.starts), 0.5 * (made.ends + made.starts)
+    half, middle = 0.5 * (proxy.ends - proxy.starts), 0.5 * (proxy.ends + proxy.starts)
     inner = (moving[row] * np.cos(k[1:] * place[:, None])).sum(axis=1) + mean[row]
-    places = np.concatenate((made.starts, made.ends, middle[row] + half[row] * np.cos(place)))
+    places = np.concatenate((proxy.starts, proxy.ends, middle[row] + half[row] * np.cos(place)))
     values = np.concatenate((ends, inner))
     # by t, every function turns at the ends of its piece
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
     rows = np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))
     about = np.concatenate((np.zeros(ends.size + at[0].size), *(part[2] for part in calm)))
     units = np.concatenate((np.full(c.shape[0], -1.0), np.ones(c.shape[0]), np.cos(place)))
-    owners = made.owner[rows]
+    owners = proxy.owner[rows]
     order = np.lexsort((places, owners))
-    # a piece that stays below the greatest value by more than its error has no part in the error of that
+    # a piece below the maximum by more than its error does not contribute to the maximum's error
     room = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
     return Extremes(
         owners[order], places[order], values[order], inside[order],
-        float(max(np.max(made.error[which] + off + room) * UP, 0.0)), rows[order], units[order], about[order], off,
+        float(max(np.max(proxy.error[which] + off + room) * UP, 0.0)), rows[order], units[order], about[order], off,
     )  # fmt: skip
 
 
 def _cells(
     d1: "Any", d2: "Any", step: float, bounds: "list[Any]", slack: "list[Any]", rows: "Any"
 ) -> "tuple[Any, Any]":
-    """Cells with exactly one root of the derivative, and cells about which nothing is known yet."""
+    """Cells with exactly one root of the derivative, and undecided cells."""
     a, b = d1[:, :-1], d1[:, 1:]
     changes = (a > 0.0) != (b > 0.0)
     room = 0.125 * step * step
@@ -293,7 +302,7 @@ def _derivatives(c: "Any", t: "Any") -> "tuple[Any, Any, Any]":
 
 
 def _refined(c: "Any", rows: "Any", high: "Any", low: "Any") -> "tuple[Any, Any]":
-    """Newton kept within a hair of its cell, where the derivative is monotone, and the derivative that is left."""
+    """Newton's method kept close to its cell, where the derivative is monotone; and the remaining derivative."""
     if not rows.size:
         return np.zeros(0), np.zeros(0)
     own, hair = c[rows], 0.01 * (high - low)

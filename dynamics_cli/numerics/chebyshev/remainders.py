@@ -1,7 +1,7 @@
 """Chebyshev proxies with a proved remainder: the function is bounded on discs of the complex plane around each piece.
 
-What a proxy leaves out follows from the largest value of the function on a disc that holds the piece, in disc
-arithmetic (`numerics.discs`), and not from the function's samples.
+The remainder of a proxy follows from the largest value of the function on a disc containing the piece, in
+disc arithmetic (`numerics.discs`), not from samples of the function.
 """
 
 import numpy as np
@@ -20,20 +20,20 @@ RESOLVED = 3e-15
 """A remainder this small beside the largest value is small enough."""
 LEBESGUE = 3.0
 U = 2.0**-53
-# radii of the discs tried about a piece, by its half width, and what their bound of the function is multiplied by in
-# the remainder of the piece and of its halves, quarters, eighths and sixteenths
+# radii of the discs tried about a piece, in half widths, and the factors from their bound of the function to the
+# remainder of the piece and of its halves, quarters, eighths and sixteenths
 MULTIPLES = np.array([0.3, 0.6, 1.0, 1.6, 2.1, 2.7, 3.5, 5.0])
 UNIT = 2
-# below this nothing is told from zero
+# below this nothing can be distinguished from zero
 SMALLEST = 1e-280
-# pieces of one round: more are left as they are, with the remainder there is
+# pieces per round: further ones stay as they are, with the remainder so far
 MOST = 4096
 
 
 def _remainders() -> "Any":
     inside = np.maximum(2.0 ** np.arange(5)[:, None] * MULTIPLES, 1.0)
     rho = inside + np.sqrt((inside - 1.0) * (inside + 1.0))
-    # nothing is known without room around the piece; a constant is left alone by any number
+    # a disc needs space around the piece; a constant is unaffected by any number
     return np.where(rho > 1.0, 4.0 * rho ** (1.0 - COUNT) / np.where(rho > 1.0, rho - 1.0, 1.0), 1e300) * UP
 
 
@@ -41,7 +41,7 @@ REMAINDERS = _remainders()
 
 
 def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", *, rounds: int = 16) -> Proxies:
-    """Interpolate analytic functions on pieces cut as fine as the remainder that is proved for them asks.
+    """Interpolate analytic functions on pieces fine enough for the proved remainder.
 
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
@@ -60,6 +60,10 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
     The derivative of what is left out is (n + 2)² times as large at most: Markov's n² for all that is a polynomial on
     the nodes, and Σ k²ρ⁻ᵏ ≤ (n² + 2n/(ρ − 1) + (ρ + 1)/(ρ − 1)²) Σ ρ⁻ᵏ for the rest, ρ ≥ 2.8.
     Trefethen, Approximation Theory and Approximation Practice, chapters 4, 8 and 15.
+
+    References
+    ----------
+    L. N. Trefethen, Approximation Theory and Approximation Practice, SIAM 2013, chapters 4, 8 and 15.
 
     Examples
     --------
@@ -84,12 +88,12 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
         slip = slip + np.minimum(steep * (moved / np.where(half > 0.0, half, 1.0)), 2.0 * wide)
     slip = np.where(np.isfinite(slip), slip, np.inf)
     away = values - middle[:, :, None]
-    made = away @ matrix
-    made[:, :, 0] += middle
+    coefficients = away @ matrix
+    coefficients[:, :, 0] += middle
     rounded = LEBESGUE * slip + 2.0**-52 * ((COUNT + 12.0) * np.abs(away).sum(axis=2) + np.abs(middle))
     error, steep = left_out + rounded, (COUNT + 2.0) ** 2 * (spectral + rounded)
     error, steep = (np.where(np.isfinite(part), part * UP, np.inf) for part in (error, steep))
-    return Proxies(origin, low, high, made, error, True, steep)
+    return Proxies(origin, low, high, coefficients, error, True, steep)
 
 
 def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rounds: int) -> "tuple[Any, ...]":
@@ -121,7 +125,7 @@ def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rou
         done.append((low[good], high[good], origin[good], *(one[:, good] for one in parted)))
         if good.all():
             break
-        # as many parts as would do if the discs of the parts were no worse than those of the whole
+        # as many parts as would suffice if the discs of the parts were no worse than that of the whole piece
         with np.errstate(over="ignore"):
             enough = np.array([((wide * row).min(axis=2) <= wanted).all(axis=0) for row in REMAINDERS[1:]])
         parts = np.where(enough.any(axis=0), 2 ** (1 + enough.argmax(axis=0)), 16)[~good]
@@ -131,7 +135,7 @@ def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rou
         first, last = low[~good][owner], high[~good][owner]
         low, high = first + number * step[owner], first + (number + 1.0) * step[owner]
         high = np.where(number == parts[owner] - 1, last, high)
-        # neighbours share their end to the bit
+        # neighbouring pieces share their end to the bit
         high[:-1] = np.where(number[1:] > 0, low[1:], high[:-1])
         origin = origin[~good][owner]
     all_low, owner = np.concatenate([part[0] for part in done]), np.concatenate([part[2] for part in done])

@@ -1,8 +1,8 @@
-"""The greatest value of a proxied function to the rounding of one evaluation: values at turning places, not proxies.
+"""The maximum of a proxied function to the rounding of one evaluation, from its values at stationary points.
 
-A proxy (`numerics.remainders`) tells where a function may be greatest; it errs itself by far more than one evaluation
-of the function does. At a place where it turns, though, the function's value hardly depends on the place: what is left
-is second order in the error of the proxy's slope, and the bound that of the value at the very place.
+A proxy (`numerics.remainders`) shows where a function may be greatest, but its error is far larger than that of one
+evaluation of the function. At a stationary point, though, the function's value hardly depends on the place: the error
+is of second order in that of the proxy's slope, and the bound is that of the value at that place.
 """
 
 from functools import lru_cache
@@ -19,11 +19,11 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# cells of a piece, in which nothing moves, that are looked into
+# number of nearly constant cells of a piece that are examined
 CALM = 8
 # more places than these are not compared with one another
 COVERED = 256
-# what the derivatives of a polynomial of 24 terms round by, of Σ k²|c| and Σ k⁴|c|
+# rounding of the derivatives of a polynomial of 24 terms, relative to Σ k²|c| and Σ k⁴|c|
 SLACK = (2.0**-44, 2.0**-43)
 
 
@@ -33,9 +33,7 @@ class Summits:
 
     rows: Annotated["Any", "The proxies' piece that each place lies in."]
     units: Annotated["Any", "Where in that piece, between -1 and 1."]
-    gains: Annotated[
-        "Any", "How much greater than at its place the function may be about it; infinite where that is not known."
-    ]
+    gains: Annotated["Any", "How much the function may exceed its value at the place nearby; infinite where unknown."]
     tops: Annotated["Any", "What no value of the function on each of the pieces is above."]
     errors: Annotated["Any", "What the proxies leave out on each piece."]
     level: Annotated["Any", "Values of the proxy that places were looked for from, by pieces."]
@@ -45,19 +43,19 @@ class Summits:
 @lru_cache(maxsize=2)
 def _derivative(count: int) -> "Any":
     """The matrix that turns Chebyshev coefficients into those of the derivative."""
-    made = np.zeros((count, count))
+    matrix = np.zeros((count, count))
     for k in range(count):
         for j in range(k - 1, -1, -2):
-            made[k, j] = 2.0 * k if j else 1.0 * k
-    return made
+            matrix[k, j] = 2.0 * k if j else 1.0 * k
+    return matrix
 
 
 def summits(
-    made: Proxies, which: int = 0, still: "Any" = False, ways: "tuple[float, ...]" = (1.0, -1.0)
+    proxy: Proxies, which: int = 0, still: "Any" = False, ways: "tuple[float, ...]" = (1.0, -1.0)
 ) -> "tuple[Summits, ...]":
-    """Find the places that may hold the greatest value of a function, and those that may hold its least.
+    """Find the places that may be the maximum of a function, and those that may be its minimum.
 
-    `made`: the functions, their error proved; `still`: pieces on which the functions are known to be constant; `ways`:
+    `proxy`: the functions, their error proved; `still`: pieces on which the functions are known to be constant; `ways`:
     1 for the greatest value, -1 for the least. Returns those of each way; for the least value, of the function upside
     down.
 
@@ -67,6 +65,10 @@ def summits(
     from there to one of the places, and is below that level at r already. Where p hardly moves within a cell, r has to
     reach beyond the cell. Pieces without such a proof keep p + E.
 
+    References
+    ----------
+    Derived: a parabola below the function about a place where its proxy turns.
+
     Examples
     --------
     >>> from dynamics_cli.numerics.chebyshev.remainders import proved_proxies
@@ -74,43 +76,43 @@ def summits(
     >>> float(summits(made)[0].gains[0]) < 1e-18
     True
     """
-    whole = made.coefficients[which]
-    small = made.error[which] * UP
+    whole = proxy.coefficients[which]
+    small = proxy.error[which] * UP
     # with what the values of the proxies round by
     moving = np.abs(whole[:, 1:]).sum(axis=1)
     wide = small + 2.0 * ROUNDING * moving + 2.0**-50 * np.abs(whole[:, 0])
     best = float(np.where(np.isfinite(wide), wide, 0.0)[_reaching(whole)].max(initial=0.0))
     with np.errstate(invalid="ignore"):
         margin = np.where(np.isfinite(wide), 2.0 * wide + 4.0 * best, 0.0)
-    # on a piece that varies by less than that, every place is as good as any other
+    # on a piece that varies by less than that, all places are equivalent
     even = (moving <= margin) & ~np.broadcast_to(still, margin.shape)
-    found = extremes(made, which, margin=np.where(even, 0.0, margin))
-    # the polynomial that was searched has no coefficients that are rounding alone
+    candidates = extremes(proxy, which, margin=np.where(even, 0.0, margin))
+    # the searched polynomial has no coefficients that are only rounding
     sizes = np.abs(whole)
     searched = np.where(sizes > NOISE * sizes.sum(axis=1)[:, None], whole, 0.0)
     dropped = np.abs(whole - searched).sum(axis=1)
-    steep = (np.full(small.shape, inf) if made.steep is None else made.steep[which]) + whole.shape[1] ** 2 * dropped
+    steep = (np.full(small.shape, inf) if proxy.steep is None else proxy.steep[which]) + whole.shape[1] ** 2 * dropped
     # all that it is off, with the rounding of its values
-    errors = small + found.off
+    errors = small + candidates.off
     parts = []
     for sign in ways:
-        values = sign * found.values
+        values = sign * candidates.values
         level = values.max() - margin
         tops = np.full(errors.shape, -inf)
-        np.maximum.at(tops, found.rows, values)
-        near = values >= level[found.rows]
-        # many places in which it hardly moves are no better than one
-        calm = even | (np.bincount(found.rows[near & (found.about > 0.0)], minlength=even.size) > CALM)
-        near &= ~calm[found.rows] | (values == tops[found.rows])
+        np.maximum.at(tops, candidates.rows, values)
+        near = values >= level[candidates.rows]
+        # many places where it hardly varies are no better than one
+        calm = even | (np.bincount(candidates.rows[near & (candidates.about > 0.0)], minlength=even.size) > CALM)
+        near &= ~calm[candidates.rows] | (values == tops[candidates.rows])
         tops = np.where(even, values.max(), tops) + errors
         parts.append((sign, values, np.flatnonzero(near), level, tops, calm))
     near = np.concatenate([part[2] for part in parts])
-    rows = found.rows[near]
+    rows = candidates.rows[near]
     signs = np.concatenate([np.full(part[2].shape, part[0]) for part in parts])
     values = np.concatenate([part[1][part[2]] for part in parts])
-    levels = np.concatenate([part[3][found.rows[part[2]]] for part in parts])
+    levels = np.concatenate([part[3][candidates.rows[part[2]]] for part in parts])
     turned = signs[:, None] * searched[rows]
-    units, about = _nearer(turned, found.units[near], found.about[near])
+    units, about = _nearer(turned, candidates.units[near], candidates.about[near])
     gains, wide = _gains(turned, units, values + errors[rows] - levels, steep[rows], about)
     gains = _covered(gains, wide, about, signs * (1.0 + rows), units, values)
     gains = np.where(np.broadcast_to(still, small.shape)[rows], 0.0, gains)
@@ -124,7 +126,7 @@ def summits(
 
 
 def _reaching(whole: "Any") -> "Any":
-    """Pieces that may hold the greatest or the least value, by what they have at their ends and middles."""
+    """Pieces that may contain the maximum or minimum, judged by their ends and middles."""
     count = whole.shape[1]
     k = np.arange(count)
     some = np.stack((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1), whole @ np.cos(0.5 * np.pi * k)))
@@ -146,10 +148,10 @@ def _nearer(own: "Any", units: "Any", about: "Any") -> "tuple[Any, Any]":
         bend = (second * basis).sum(axis=1)
         step = np.where(bend < 0.0, -(first * basis).sum(axis=1) / np.where(bend < 0.0, bend, 1.0), 0.0)
         place = np.clip(place + np.clip(step, -about[calm], about[calm]), -1.0, 1.0)
-    made, wide = units.copy(), about.copy()
+    refined, wide = units.copy(), about.copy()
     wide[calm] += np.abs(place - units[calm])
-    made[calm] = place
-    return made, wide
+    refined[calm] = place
+    return refined, wide
 
 
 def _gains(own: "Any", units: "Any", above: "Any", steep: "Any", about: "Any") -> "tuple[Any, Any]":
@@ -186,23 +188,23 @@ def _covered(gains: "Any", wide: "Any", about: "Any", rows: "Any", units: "Any",
     if not 1 < gains.size <= COVERED:
         return gains
     same = rows[:, None] == rows
-    # only what is known about the best of a piece counts: it is in no other's care
+    # only the bound about the best place of a piece counts: no other place covers it
     first = ~(same & (values[:, None] > values)).any(axis=0)
     within = np.abs(units[:, None] - units) + about < wide[:, None]
     return np.where((same & first[:, None] & within).any(axis=0) & ~first, 0.0, gains)
 
 
-def doubtful(found: Summits, sure: float) -> "Any":
+def doubtful(summits_known: Summits, sure: float) -> "Any":
     """Pieces (array of m, of bool) that may hold more than is `sure`, and about whose places nothing is known."""
     # places were looked for from a level that has to be below what is certain, by the error of the piece
-    return (found.tops >= sure) & (found.loose | (found.level > sure - found.errors))
+    return (summits_known.tops >= sure) & (summits_known.loose | (summits_known.level > sure - summits_known.errors))
 
 
-def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, float]":
+def settled(summits_known: Summits, values: "Any", errors: "Any") -> "tuple[float, int, float]":
     """The greatest value, the first of the places that rounding cannot tell from it, and the bound of its error.
 
-    `found`: the places; `values`: the function at each of them; `errors`: what each of these values may err by. Returns
-    the value, the index of its place, and what the greatest value may be off.
+    `summits_known`: places; `values`: the function at each of them; `errors`: the error bound of each value. Returns
+    the value, the index of its place, and the error bound of the maximum.
 
     The greatest value is at least what is certain at the best place, and at most the most of what is possible at every
     place and on every piece without a proof of its own.
@@ -216,14 +218,18 @@ def settled(found: Summits, values: "Any", errors: "Any") -> "tuple[float, int, 
     True
     """
     best = float(values.max())
-    index = int(np.argmax(values >= best - min(ALIKE * abs(best), float(found.errors[found.rows[values.argmax()]]))))
+    index = int(
+        np.argmax(
+            values >= best - min(ALIKE * abs(best), float(summits_known.errors[summits_known.rows[values.argmax()]]))
+        )
+    )
     sure = float((values - errors).max())
-    loose = doubtful(found, sure)
+    loose = doubtful(summits_known, sure)
     with np.errstate(invalid="ignore"):
-        reach = values + errors + np.where(np.isinf(found.gains), 0.0, found.gains)
+        reach = values + errors + np.where(np.isinf(summits_known.gains), 0.0, summits_known.gains)
         # what the piece's proxy says may be less still
-        reach = float(np.maximum(values + errors, np.minimum(reach, found.tops[found.rows])).max())
-    rest = found.tops[loose]
+        reach = float(np.maximum(values + errors, np.minimum(reach, summits_known.tops[summits_known.rows])).max())
+    rest = summits_known.tops[loose]
     if rest.size:
         reach = max(reach, float(rest.max()))
     return best, index, max(reach - best, best - sure) * UP

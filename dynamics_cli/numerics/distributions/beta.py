@@ -27,7 +27,12 @@ _tables: "dict[tuple[float, float], Array]" = {}
 
 
 def tails(odds: float, a: float, b: float) -> tuple[float, float]:
-    """P(X < x) and P(X > x), for the x of these log-odds."""
+    """P(X < x) and P(X > x), for the x of these log-odds.
+
+    References
+    ----------
+    NIST Digital Library of Mathematical Functions, section 8.17 (incomplete beta functions).
+    """
     x, rest = _share(odds), _share(-odds)
     front = _front(odds, a, b)
     if x < (a + 1.0) / (a + b + 2.0):

@@ -14,13 +14,18 @@ _SPLITTER = 134217729.0
 
 
 def upper(z: float) -> float:
-    """P(Z > z) of a standard normal Z."""
+    """P(Z > z) of a standard normal Z.
+
+    References
+    ----------
+    P(Z > z) = ½ erfc(z/√2): NIST Digital Library of Mathematical Functions, section 7.18.
+    """
     x = z / ROOT_TWO
     if abs(x) < 1.0:
         return 0.5 * math.erfc(x)
     if x > 30.0:
         return 0.0
-    # A relative error ε of x becomes 2x²ε of its tail: what the division lost is put back to first order.
+    # A relative error ε of x becomes 2x²ε of its tail: the rounding of the division is corrected to first order.
     rest = _quotient_rest(z, x)
     tail = math.erfc(x)
     return 0.5 * (tail - rest * 1.1283791670955126 * math.exp(-x * x))
@@ -40,7 +45,12 @@ def density(z: float) -> float:
 
 
 def quantile(p: float) -> float:
-    """The z below which a standard normal variable is with probability p, 0 < p < 1; near 1 use −quantile(1 − p)."""
+    """The z below which a standard normal variable is with probability p, 0 < p < 1; near 1 use −quantile(1 − p).
+
+    References
+    ----------
+    M. J. Wichura, Algorithm AS 241, Appl. Statist. 37 (1988) 477, and one Newton step.
+    """
     if not 0.0 < p < 1.0:
         if p in (0.0, 1.0):
             return -math.inf if p == 0.0 else math.inf
@@ -57,7 +67,7 @@ def quantile(p: float) -> float:
 
 
 def _quotient_rest(z: float, x: float) -> float:
-    """What z/√2 is more than x = z/ROOT_TWO as rounded."""
+    """The rounding error of x = z/ROOT_TWO against z/√2."""
     big = _SPLITTER * x
     high = big - (big - x)
     low = x - high

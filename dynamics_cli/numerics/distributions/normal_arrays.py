@@ -98,13 +98,18 @@ def probability(z: "Array") -> "Array":
     return np.fromiter(map(erfc, flat), dtype=float, count=z.size).reshape(z.shape) * 0.5
 
 
-# Below about so many values the C library's erfc, called one by one, costs less than fifty array operations.
+# Below about this many values the C library's erfc, called one by one, costs less than fifty array operations.
 _FEW = 1000
 
 
 def truncated_moments(a: float, b: float) -> tuple[float, float]:
-    """Mean and deviation of a standard normal between a and b, by tanh–sinh quadrature: no term cancels."""
-    # Beyond these the density is 1e-18 of its largest value.
+    """Mean and deviation of a standard normal between a and b, by tanh–sinh quadrature: no term cancels.
+
+    References
+    ----------
+    H. Takahasi, M. Mori, Double exponential formulas for numerical integration, Publ. RIMS Kyoto 9 (1974) 721.
+    """
+    # Beyond this the density is below 1e-18 of its maximum.
     b = min(b, math.sqrt(max(a, 0.0) ** 2 + 84.0))
     a = max(a, -9.2)
     steps = np.arange(-72, 73) / 18.0

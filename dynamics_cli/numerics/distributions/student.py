@@ -26,7 +26,12 @@ _tables: "dict[float, Array]" = {}
 
 
 def upper(t: float, freedom: float) -> float:
-    """P(T > t) for t ≥ 0."""
+    """P(T > t) for t ≥ 0.
+
+    References
+    ----------
+    NIST Digital Library of Mathematical Functions, section 8.17 (Student's t as an incomplete beta function).
+    """
     if t == 0.0:
         return 0.5
     square = t * t
@@ -54,7 +59,7 @@ def quantile(z: float, freedom: float) -> float:
 
 
 def quantiles(z: "Array", freedom: float) -> "Array":
-    """The same for an array of z."""
+    """The quantile for an array of z."""
     x = np.abs(z)
     if freedom == 1.0:
         with np.errstate(over="ignore", divide="ignore"):
@@ -70,11 +75,11 @@ def quantiles(z: "Array", freedom: float) -> "Array":
     total = table[_DEGREE][piece]
     for k in range(_DEGREE - 1, -1, -1):
         total = total * own + table[k][piece]
-    made = z * np.exp(total)
+    t = z * np.exp(total)
     far = x > _REACH
     if far.any():
-        made[far] = [quantile(value, freedom) for value in z[far].tolist()]
-    return made  # type: ignore[no-any-return]
+        t[far] = [quantile(value, freedom) for value in z[far].tolist()]
+    return t  # type: ignore[no-any-return]
 
 
 def _solve(z: float, freedom: float, guess: float) -> float:
@@ -82,12 +87,12 @@ def _solve(z: float, freedom: float, guess: float) -> float:
     wanted = normal.upper(z)
     t = guess
     for _ in range(100):
-        found = upper(t, freedom)
+        tail = upper(t, freedom)
         if z < 1.0:
-            step = (found - wanted) / density(t, freedom)
+            step = (tail - wanted) / density(t, freedom)
         else:
-            slope = t * density(t, freedom) / found
-            step = t * math.expm1(max(min(math.log(found / wanted) / slope, 2.0), -2.0))
+            slope = t * density(t, freedom) / tail
+            step = t * math.expm1(max(min(math.log(tail / wanted) / slope, 2.0), -2.0))
         t = max(t + step, 0.25 * t)
         if abs(step) <= 4e-16 * t:
             break
@@ -104,7 +109,7 @@ def _table(freedom: float) -> "Array":
     for piece in range(_REACH):
         for k in order.tolist():
             target = piece + 0.5 * (1.0 + float(local[k]))
-            # dt/dz = φ(z)/f(t): a step along it is a fair guess.
+            # dt/dz = φ(z)/f(t): a step along it is a good first guess.
             slope = normal.density(z) / density(t, freedom)
             z, t = target, _solve(target, freedom, t + slope * (target - z))
             values[k, piece] = math.log(t / z)
@@ -116,17 +121,17 @@ def _table(freedom: float) -> "Array":
 def powers_of(chebyshev: "Array") -> "Array":
     """The same polynomials by powers."""
     count = len(chebyshev)
-    made = np.zeros_like(chebyshev)
+    powers = np.zeros_like(chebyshev)
     before, now = np.zeros(count), np.zeros(count)
     before[0] = 1.0
     now[1] = 1.0
-    made += np.outer(before, chebyshev[0])
+    powers += np.outer(before, chebyshev[0])
     for k in range(1, count):
-        made += np.outer(now, chebyshev[k])
+        powers += np.outer(now, chebyshev[k])
         after = -before
         after[1:] += 2.0 * now[:-1]
         before, now = now, after
-    return made
+    return powers
 
 
 def _at_zero(freedom: float) -> float:
@@ -146,7 +151,13 @@ def _front(freedom: float, t: float) -> float:
 
 
 def incomplete_fraction(a: float, b: float, x: float) -> float:
-    """The continued fraction of the incomplete beta function by Lentz's method (DLMF 8.17.22)."""
+    """The continued fraction of the incomplete beta function by Lentz's method (DLMF 8.17.22).
+
+    References
+    ----------
+    NIST Digital Library of Mathematical Functions, 8.17.22; Lentz's method: W. H. Press et al., Numerical
+    Recipes, 3rd ed., Cambridge 2007, section 5.2.
+    """
     tiny = 1e-300
     c = 1.0
     d = 1.0 - (a + b) * x / (a + 1.0)

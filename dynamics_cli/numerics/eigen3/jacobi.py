@@ -17,20 +17,20 @@ _PAIRS = ((0, 1, 2), (0, 2, 1), (1, 2, 0))
 
 
 class Eigen:
-    """Eigenvalues, the greatest first, their unit vectors as rows in that order, and a bound of each one's error."""
+    """Eigenvalues in decreasing order, their unit vectors as rows, and a bound of each one's error."""
 
     __slots__ = ("_bounds", "_matrix", "values", "vectors")
 
     def __init__(self, values: "Triple", vectors: "Rows", matrix: "Rows | None") -> None:
         self.values = values
         self.vectors = vectors
-        # None of a diagonal matrix, which is its own answer
+        # None for a diagonal matrix, which needs no rotation
         self._matrix = matrix
         self._bounds: Triple | None = None if matrix is not None else (0.0, 0.0, 0.0)
 
     @property
     def bounds(self) -> "Triple":
-        """How far each eigenvalue is at most from that of the matrix given, proved afterwards."""
+        """Error bounds of the eigenvalues of the given matrix, proved afterwards."""
         if self._bounds is None:
             assert self._matrix is not None
             from dynamics_cli.numerics.eigen3.residual import residual_bounds
@@ -39,7 +39,7 @@ class Eigen:
         return self._bounds
 
     def refined(self) -> "Eigen":
-        """The same with every eigenvalue to its own last bits, be it ever so small beside the others."""
+        """The same with every eigenvalue accurate to its last bits, however small beside the others."""
         if self._matrix is None:
             return self
         from dynamics_cli.numerics.eigen3.residual import quotients
@@ -65,6 +65,10 @@ def eigen(matrix: "Rows") -> Eigen:
     Equation
     --------
     A ← Jᵀ A J with t = tan φ the smaller root of t² + 2 ϑ t − 1 = 0, ϑ = (a_qq − a_pp)/(2 a_pq).
+
+    References
+    ----------
+    J. Demmel, K. Veselić, Jacobi's method is more accurate than QR, SIAM J. Matrix Anal. Appl. 13 (1992) 1204.
 
     Examples
     --------

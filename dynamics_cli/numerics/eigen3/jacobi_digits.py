@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 SWEEPS = 40
 _PAIRS = ((0, 1, 2), (0, 2, 1), (1, 2, 0))
-# An element beside the diagonal this small counts for nothing: as a share of its two diagonal ones, of the largest one.
+# An off-diagonal element this small is negligible: relative to its two diagonal elements, or to the largest one.
 _FAINT, _NOTHING = Decimal(10) ** -(2 * DIGITS + 6), Decimal(10) ** -(2 * DIGITS)
 _ZERO, _ONE = Decimal(0), Decimal(1)
 
@@ -29,6 +29,10 @@ def eigen_of_many_digits(matrix: "Sequence[Sequence[ManyDigits | float]]") -> "t
     vectors.
 
     To be called within `many_digits.run`, whose context the arithmetic takes.
+
+    References
+    ----------
+    J. Demmel, K. Veselić, Jacobi's method is more accurate than QR, SIAM J. Matrix Anal. Appl. 13 (1992) 1204.
     """
     a = [[_decimal(matrix[max(i, j)][min(i, j)]) for j in range(3)] for i in range(3)]
     axes = [[_ONE if i == j else _ZERO for j in range(3)] for i in range(3)]
@@ -46,7 +50,7 @@ def _decimal(number: "ManyDigits | float") -> Decimal:
 
 
 def _rotate(a: "list[list[Decimal]]", axes: "list[list[Decimal]]", p: int, q: int, r: int, nothing: Decimal) -> bool:
-    """Annihilate a[p][q] unless it counts for nothing."""
+    """Annihilate a[p][q] unless it is negligible."""
     off = a[p][q]
     if abs(off) <= nothing or off * off <= _FAINT * abs(a[p][p] * a[q][q]):
         a[p][q] = a[q][p] = _ZERO

@@ -1,6 +1,6 @@
-"""Bounds of eigenvalues proved afterwards, by what is left of a matrix beside the diagonal along its vectors.
+"""A posteriori bounds of eigenvalues, from the off-diagonal part of the matrix in the basis of its vectors.
 
-Doubles are whole multiples of a power of two, so that the matrix along the vectors is had without rounding.
+Doubles are integer multiples of a power of two, so that the matrix in that basis is formed without rounding.
 """
 
 from math import asin, frexp, hypot, inf, ldexp, sqrt
@@ -26,21 +26,26 @@ _OTHERS = ((1, 2), (0, 2), (0, 1))
 
 
 def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
-    """How far given eigenvalues are at most from those of a symmetric 3 × 3 matrix.
+    """Error bounds of given eigenvalues of a symmetric 3 × 3 matrix.
 
     `matrix`: the symmetric matrix A, of finite numbers; `values`: its eigenvalues as they were found, in order of size;
     `vectors`: its eigenvectors V as they were found, as rows: orthonormal to some roundings; `errors`: how far each
     element of the matrix may be off; nothing when not given. Returns a bound for each, in the order of the values.
 
-    The three terms are how far Rayleigh's quotient is from the value; how far it is from an eigenvalue, quadratic over
-    the gap η to the others (Li and Li, A note on eigenvalues of perturbed Hermitian matrices, Linear Algebra Appl. 395
-    (2005) 183), or the norm of what is beside the diagonal where there is no gap (Weyl); and by how much vectors that
-    are not quite orthogonal stretch every eigenvalue (Ostrowski). The first is exact, and the others are of second
+    The three terms are the distance of Rayleigh's quotient from the value; its distance from an eigenvalue, quadratic
+    over the gap η to the others (Li and Li, A note on eigenvalues of perturbed Hermitian matrices, Linear Algebra Appl.
+    395 (2005) 183), or the norm of the off-diagonal part where there is no gap (Weyl); and the relative change of every
+    eigenvalue by vectors that are not quite orthogonal (Ostrowski). The first is exact, and the others are of second
     order or a rounding of the value. Errors E of the matrix add |V| E |V|ᵀ to T.
 
     Equation
     --------
     G = V Vᵀ, T = V A Vᵀ, tᵢⱼ over √(gᵢᵢ gⱼⱼ); |λ − λₖ| ≤ |tₖₖ − λₖ| + Σ tₖⱼ²/η + f |λ|, f = ‖G − 1‖.
+
+    References
+    ----------
+    C.-K. Li, R.-C. Li, A note on eigenvalues of perturbed Hermitian matrices, Linear Algebra Appl. 395 (2005)
+    183; Weyl's and Ostrowski's theorems: R. A. Horn, C. R. Johnson, Matrix Analysis, Cambridge, chapter 4.
 
     Examples
     --------
@@ -51,26 +56,30 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "
     if errors is not None and not all(error < inf for row in errors for error in row):
         return inf, inf, inf
     seen = _Seen(matrix, values, vectors, errors)
-    found = []
+    bounds = []
     for k, spread in enumerate(_spreads(seen.quotients, seen.beside, seen.blur)):
         known = abs(seen.quotients[k]) + seen.blur[k] + spread
-        found.append((seen.away[k] + seen.blur[k] + spread + seen.skew * known) * _SLACK)
-    return _back(_paired(values, found, seen.size), seen.size)
+        bounds.append((seen.away[k] + seen.blur[k] + spread + seen.skew * known) * _SLACK)
+    return _back(_paired(values, bounds, seen.size), seen.size)
 
 
 def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
-    """How far vectors are at most turned from the eigenvectors of a symmetric 3 × 3 matrix.
+    """Bounds of the angles between given vectors and the eigenvectors of a symmetric 3 × 3 matrix.
 
     `matrix`: the symmetric matrix A, of finite numbers; `vectors`: its eigenvectors V as they were found, as rows:
     orthonormal to some roundings; `errors`: how far each element of the matrix may be off; nothing when not given.
-    Returns an angle for each vector [rad]; infinite where its eigenvalue is not told from another.
+    Returns an angle for each vector [rad]; infinite where its eigenvalue cannot be separated from another.
 
     The residual over the gap: Davis and Kahan, The rotation of eigenvectors by a perturbation III, SIAM J. Numer. Anal.
-    7 (1970) 1. What vectors lack of being orthonormal is added.
+    7 (1970) 1. The vectors' departure from orthonormality is added.
 
     Equation
     --------
     T and G as of `residual_bounds`; sin θₖ ≤ √(Σ (tₖⱼ − tₖₖ gₖⱼ)²)/minⱼ |tₖₖ − λⱼ|, j other than k.
+
+    References
+    ----------
+    C. Davis, W. M. Kahan, The rotation of eigenvectors by a perturbation III, SIAM J. Numer. Anal. 7 (1970) 1.
 
     Examples
     --------
@@ -82,7 +91,7 @@ def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -
         return inf, inf, inf
     seen = _Seen(matrix, (0.0, 0.0, 0.0), vectors, errors)
     spreads = _spreads(seen.quotients, seen.beside, seen.blur)
-    found = []
+    bounds = []
     for k, others in enumerate(_OTHERS):
         gap = min(
             abs(seen.quotients[k] - seen.quotients[j]) * (1.0 - _CLOSE) - seen.blur[k] - seen.blur[j] - spreads[j]
@@ -90,8 +99,8 @@ def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -
         )
         off = hypot(*(seen.residual(k, j) for j in others))
         known = off < gap
-        found.append((asin(off / gap) + 2.0 * seen.skew + seen.long[k]) * _SLACK if known else inf)
-    return found[0], found[1], found[2]
+        bounds.append((asin(off / gap) + 2.0 * seen.skew + seen.long[k]) * _SLACK if known else inf)
+    return bounds[0], bounds[1], bounds[2]
 
 
 class _Seen:
@@ -142,7 +151,11 @@ def quotients(matrix: "Rows", vectors: "Rows") -> "Triple":
     """Rayleigh's quotients vᵀ A v/vᵀ v of a symmetric 3 × 3 matrix, each rounded once.
 
     `matrix`: the symmetric matrix A, of finite numbers; `vectors`: vectors v. Returns a quotient for each vector: its
-    eigenvalue but for the square of what the vector is off.
+    eigenvalue, with an error of second order in that of the vector.
+
+    References
+    ----------
+    B. N. Parlett, The Symmetric Eigenvalue Problem, SIAM 1998 (Rayleigh's quotient).
 
     Examples
     --------
@@ -181,7 +194,7 @@ def along(matrix: "Sequence[Sequence[int]]", lines: "Sequence[Sequence[int]]") -
 
 
 def grams(lines: "Sequence[Sequence[int]]") -> "list[list[int]]":
-    """V Vᵀ: the products of vectors with one another."""
+    """V Vᵀ: the Gram matrix of the vectors."""
     return [[_dot(one, line) for line in lines] for one in lines]
 
 
@@ -199,7 +212,7 @@ def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]"
     for one, (i, j) in enumerate(_OTHERS):
         gap = min(apart[i], apart[j]) - beside[one]
         if gap > 0.0:
-            # the element of its own, and the other two as a matrix
+            # its own diagonal element, and the other two as a matrix
             square = (beside[i] * beside[i] + beside[j] * beside[j]) / gap
             within = beside[one] * min(1.0, beside[one] / apart[one] if apart[one] > 0.0 else 1.0)
             spreads[one] = min(spreads[one], square)
@@ -208,7 +221,7 @@ def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]"
 
 
 def _paired(values: "Triple", bounds: "list[float]", size: int) -> "list[float]":
-    """Bounds of values that may be one another's: the larger of the two."""
+    """Bounds of values that may be interchanged: the larger of the two."""
     for _ in range(2):
         for k in range(2):
             if not abs(ldexp(values[k] - values[k + 1], -size)) > (bounds[k] + bounds[k + 1]) * _SLACK:

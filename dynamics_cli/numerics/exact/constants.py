@@ -1,4 +1,4 @@
-"""Numbers of formulas that a double only comes near to: π, and what is made of it."""
+"""Constants of formulas that are not doubles: π and multiples of it."""
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -6,23 +6,23 @@ if TYPE_CHECKING:
 
 
 class Constant(float):
-    """A double, known to all its digits beside numbers of many digits, which would take its rounding for exact.
+    """A double that is used to all its digits beside numbers of many digits, which would take its rounding for exact.
 
-    It has to stand on the left of these, alone or times floats and other constants: ½ π r, not r·π/2. Beside any other
-    number it is the double that it is.
+    It has to be on the left of these, alone or times floats and other constants: ½ π r, not r·π/2. Beside any
+    other number it is a plain double.
     """
 
     __slots__ = ("_factors",)
     _factors: "tuple[str | float, ...]"
 
     def __new__(cls, *factors: "str | float") -> "Constant":
-        """The constant that is the product of numbers in digits and of doubles."""
+        """The constant that is the product of decimal numbers and doubles."""
         value = float(factors[0])
         for factor in factors[1:]:
             value *= float(factor)
-        made = super().__new__(cls, value)
-        made._factors = factors
-        return made
+        constant = super().__new__(cls, value)
+        constant._factors = factors
+        return constant
 
     def __mul__(self, other: "Any") -> "Any":
         if isinstance(other, float):
@@ -39,12 +39,12 @@ class Constant(float):
 
     @classmethod
     def _of(cls, value: float, factors: "tuple[str | float, ...]") -> "Constant":
-        made = super().__new__(cls, value)
-        made._factors = factors
-        return made
+        constant = super().__new__(cls, value)
+        constant._factors = factors
+        return constant
 
     def ratio(self) -> "tuple[int, int]":
-        """The constant to all the digits it was given in, as a ratio of whole numbers."""
+        """The constant to all its given digits, as a ratio of integers."""
         up = down = 1
         for factor in self._factors:
             if isinstance(factor, str):

@@ -1,7 +1,7 @@
 """Elementary functions of decimals, within some units of the last digit of the current context.
 
-Arguments are reduced until Taylor's series needs about thirty terms; a root or an angle where a series would cancel is
-taken with as many digits more as that loses.
+Arguments are reduced until Taylor's series needs about thirty terms; where a series would cancel, roots and angles are
+calculated with as many more digits as are lost.
 """
 
 from decimal import Decimal, getcontext, localcontext
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from contextlib import AbstractContextManager
     from decimal import Context
 
-# 120 digits of π: enough for angles of up to 10²⁰ radians beside 60 digits of what is left of them, be it only 10⁻²⁴.
+# 120 digits of π: enough to reduce angles of up to 10²⁰ radians to 60 digits, even if only 10⁻²⁴ remains.
 PI = Decimal(
     "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534211706798214808651"
     "3282306647"
@@ -26,7 +26,7 @@ def _more(digits: int) -> "AbstractContextManager[Context]":
 
 
 def _reduced(x: Decimal) -> "tuple[Decimal, int]":
-    """What is left of an angle after quarter turns, and how many quarter turns modulo four."""
+    """An angle reduced by quarter turns, and the number of quarter turns modulo four."""
     if abs(x) > LARGEST_ANGLE:
         raise ArithmeticError("an angle too large to reduce")
     digits = max(x.adjusted(), 0) + _NEAR_QUARTERS
@@ -126,7 +126,7 @@ def hypotenuse(x: Decimal, y: Decimal) -> Decimal:
 
 
 def hyperbolic_sine(x: Decimal) -> Decimal:
-    """Hyperbolic sine; the exponentials cancel for small arguments, and are taken to more digits."""
+    """Hyperbolic sine; the exponentials cancel for small arguments and are calculated to more digits."""
     lost = max(0, -2 * x.adjusted()) if x else 0
     if lost > 20 * getcontext().prec:
         return +x
@@ -147,7 +147,7 @@ def roll_less_arc(x: Decimal) -> Decimal:
 
 
 def _lost_beside_cubes(x: Decimal) -> int:
-    """How many digits vanish where what is left of x is of the size of x³."""
+    """How many digits cancel in a difference of the order of x³."""
     lost = max(0, -2 * x.adjusted()) if x else 0
     if lost > 20 * getcontext().prec:
         raise ArithmeticError("an angle too small to tell its involute")
@@ -155,7 +155,12 @@ def _lost_beside_cubes(x: Decimal) -> int:
 
 
 def inverse_involute(value: Decimal) -> Decimal:
-    """The angle whose tan φ − φ is `value`, by Newton's method from above."""
+    """The angle whose tan φ − φ is `value`, by Newton's method from above.
+
+    References
+    ----------
+    Derived: Newton's method on tan φ − φ, convex, so that the steps from above decrease.
+    """
     if value <= 0:
         if value < 0:
             raise ArithmeticError("the involute function of no angle is negative")

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
     Mask = NDArray[Any]
 
-# π cut after 100 decimals: its error, 2^-332, is nothing beside the 2^-107 of a pair of doubles.
+# π cut after 100 decimals: its error, 2^-332, is negligible beside the 2^-107 of a pair of doubles.
 _PI = 31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679
 _PI_SCALE = 10**100
 _SPLITTER = 134217729.0
@@ -26,13 +26,20 @@ _SMALLEST, _LARGEST = 1e-270, 1e290
 _FACTOR_RANGE = (1e-140, 1e140)
 _DOUBT = 2.0**-100
 WHOLE_LIMIT = 2**53
-# Powers of ten that are doubles, and the digits of a decimal that a double always tells apart.
+# Powers of ten that are doubles, and the digits of a decimal that a double always distinguishes.
 TENS = tuple(10.0**k for k in range(23))
 DECIMAL_DIGITS = 15
 
 
 class Factor:
-    """y = x · numerator/denominator · π^pi + shift, exactly; `shift` is a ratio."""
+    """y = x · numerator/denominator · π^pi + shift, exactly; `shift` is a ratio.
+
+    References
+    ----------
+    T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971) 224; A.
+    Ziv, Fast evaluation of elementary mathematical functions with correctly rounded last bit, ACM Trans. Math.
+    Softw. 17 (1991) 410.
+    """
 
     __slots__ = (
         "_by_tens", "denominator", "direct", "gives_ties", "high", "inverse", "low", "numerator", "pi", "shift",
@@ -181,12 +188,12 @@ class Decimals:
             for power in (self.power, *range(len(TENS))):
                 ten = TENS[power]
                 whole = np.rint(values * ten)
-                found = (whole / ten == values) & (np.abs(whole) < TENS[DECIMAL_DIGITS])
-                lost = found.size - int(np.count_nonzero(found))
+                mask = (whole / ten == values) & (np.abs(whole) < TENS[DECIMAL_DIGITS])
+                lost = mask.size - int(np.count_nonzero(mask))
                 if best is None or lost < missing:
-                    best, missing = (whole, power, found), lost
+                    best, missing = (whole, power, mask), lost
                 if lost == 0:
                     break
         assert best is not None
-        whole, self.power, found = best
-        return whole, self.power, ~found if missing else None
+        whole, self.power, mask = best
+        return whole, self.power, ~mask if missing else None

@@ -1,8 +1,8 @@
 """A number of 60 decimal digits that goes through a physics function as a tracked number does.
 
 A rounding bound adds up the worst of every operation; where these add up to much more than a last bit, a second pass in
-many digits tells what rounding really did (`measured_error`). What an iteration takes from such a number by `value` is
-a double, as from a tracked number.
+many digits measures the actual error (`measured_error`). `value`, which iterations use, is a double as with a tracked
+number.
 """
 
 from decimal import Context, Decimal, DivisionByZero, InvalidOperation, Overflow, localcontext
@@ -132,21 +132,25 @@ _FUNCTIONS: "dict[str, Callable[..., Decimal]]" = {
 
 
 def run(call: "Callable[[], Any]") -> "Any":
-    """What `call` gives in arithmetic of 60 digits."""
+    """The result of `call` in 60-digit arithmetic."""
     with localcontext(CONTEXT):
         return call()
 
 
 def measured_error(value: float, number: ManyDigits, bound: float) -> float:
-    """What rounding did to `value`, from the same number in many digits; never more than `bound`, its running bound.
+    """The rounding error of `value`, from the same number in many digits; never more than `bound`, its running bound.
 
     The running bound of 60-digit arithmetic is that of doubles times 10⁻⁶⁰·2⁵³ and some units for its functions: far
     below 10⁻³⁰ of the bound, which is added. So are two last bits of the value: for the constants of a formula that are
     doubles in both passes, and for what a Newton step from a double's root leaves.
+
+    References
+    ----------
+    Derived: the difference of two evaluations of one formula, the second with a far smaller running bound.
     """
     with localcontext(CONTEXT):
         apart = float(abs(Decimal(value) - number.exact))
-    # a difference outside the bound is of another kind: −π beside π, or the other side of a switch
+    # a difference outside the bound has another cause: −π instead of π, or the other side of a switch
     if not apart <= bound:
         return bound
     return min(bound, apart * (1.0 + 2.0**-50) + 4.0 * UNIT_ROUNDOFF * abs(value) + 1e-30 * bound + TINY)

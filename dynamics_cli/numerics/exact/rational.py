@@ -1,6 +1,7 @@
 """Linear systems of whole numbers solved exactly, and exact ratios turned into doubles with one rounding.
 
-Rows are integers, so elimination needs no type of its own: `fractions` costs a shell user two interpreter starts.
+Rows are integers, so elimination needs no special type: importing `fractions` costs a shell user two interpreter
+starts.
 """
 
 from math import gcd
@@ -62,6 +63,10 @@ def reduce_rows(rows: "Sequence[Sequence[int]]") -> tuple[list[list[int]], list[
     """Reduced row echelon form of integer rows: the rows that are not zero, and the column of each one's pivot.
 
     Every row is kept in lowest terms; its pivot is positive and alone in its column.
+
+    References
+    ----------
+    Gauss–Jordan elimination in integers: each row is divided by its greatest common divisor.
     """
     work = [list(row) for row in rows]
     done: list[list[int]] = []

@@ -1,4 +1,4 @@
-"""Doubles that know the decimals they were typed as, for sums that are formed in exact ratios."""
+"""Doubles that remember the decimals they were typed as, for sums formed in exact ratios."""
 
 from math import gcd
 
@@ -16,9 +16,9 @@ class TypedNumber(float):
     def __new__(cls, numerator: int, denominator: int) -> "TypedNumber":
         """Reduce the ratio and round it."""
         common = gcd(numerator, denominator)
-        made = super().__new__(cls, numerator / denominator)
-        made.ratio = numerator // common, denominator // common
-        return made
+        number = super().__new__(cls, numerator / denominator)
+        number.ratio = numerator // common, denominator // common
+        return number
 
     def __getnewargs__(self) -> tuple[int, int]:  # type: ignore[override]
         """The ratio, for copies."""

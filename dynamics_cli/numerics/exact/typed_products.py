@@ -1,8 +1,9 @@
 """Sums of products of numbers as they were typed: exact, and rounded once.
 
-Whether three vectors are coplanar, two parallel, forces in equilibrium is decided by a sum of products that cancels.
-0.1·0.5 − 0.5·0.1 is zero; in doubles that are only near these decimals it need not be. A double whose shortest text has
-at most 15 digits is taken for that decimal, since every such decimal reads back; any other double is taken as it is.
+Whether three vectors are coplanar, two parallel, or forces in equilibrium is decided by a sum of products that
+cancels. 0.1·0.9 − 0.3·0.3 is zero for the decimals, but 1.4e-17 in doubles. A double whose
+shortest text has at most 15 digits is taken as that decimal, since every such decimal reads back; any other double is
+taken as it is.
 """
 
 from math import isfinite
@@ -22,9 +23,9 @@ if TYPE_CHECKING:
 
     Vector = tuple[float, float, float]
 
-# Every decimal of so many digits comes back from its double.
+# Every decimal of at most this many digits is recovered from its double.
 DECIMAL_DIGITS = 15
-# Room for what the first order leaves out of a bound.
+# Margin for second-order terms of a bound.
 SLACK = 1.0 + 2.0**-20
 
 
@@ -49,6 +50,10 @@ def sum_of_products(*terms: "Sequence[float]") -> float:
     """The sum of products of single numbers, each term its factors; a leading −1.0 subtracts.
 
     Doubles and tracked numbers give the exact sum of the numbers as typed, rounded once; other numbers the plain sum.
+
+    References
+    ----------
+    Derived: exact rational arithmetic of the decimals as typed, rounded once.
     """
     factors = [factor for term in terms for factor in term]
     if any(is_many(factor) for factor in factors):
@@ -139,7 +144,7 @@ def norm(a: "Vector") -> float:
 
 
 def unit(a: "Vector") -> "Vector":
-    """The unit vector; the caller has seen that it is not zero."""
+    """The unit vector; the caller has checked that it is not zero."""
     length = norm(a)
     return a[0] / length, a[1] / length, a[2] / length
 

@@ -196,27 +196,27 @@ def isolated(p: "Sequence[int]") -> "list[tuple[Pair, Pair]]":
         return []
     sturm = chain(p, derivative(p))
     bound = root_bound(p)
-    found: list[tuple[Pair, Pair]] = []
+    intervals: list[tuple[Pair, Pair]] = []
     waiting = [((-bound, 1), (bound, 1), changes_far(sturm, -1), changes_far(sturm, 1))]
     while waiting:
         low, high, before, after = waiting.pop()
         if before == after:
             continue
         if before - after == 1 and sign_at(p, high):
-            found.append((low, high))
+            intervals.append((low, high))
             continue
         middle = _middle(low, high)
         between = changes_at(sturm, middle)
         # Sturm's count is of the roots above the lower end, the upper end among them
         if not sign_at(p, middle):
-            found.append((middle, middle))
+            intervals.append((middle, middle))
             waiting.append((middle, high, between, after))
             gap = _below(p, sturm, low, middle, between + 1)
             waiting.append((low, gap, before, between + 1))
         else:
             waiting.append((middle, high, between, after))
             waiting.append((low, middle, before, between))
-    return sorted((_off_root(p, *interval) for interval in found), key=cmp_to_key(_order))
+    return sorted((_off_root(p, *interval) for interval in intervals), key=cmp_to_key(_order))
 
 
 def _order(one: "tuple[Pair, Pair]", other: "tuple[Pair, Pair]") -> int:

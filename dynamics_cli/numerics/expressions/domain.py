@@ -1,4 +1,4 @@
-"""Where a formula has a pole, a corner or no real value: looked for with all numbers of a cell at once (discs)."""
+"""Where a formula has a pole, a corner or no real value: found by evaluating whole cells at once (discs)."""
 
 import math
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.numerics.expressions.grammar import Tree
 
-# Cells at first, and how often one in which something may go wrong is halved.
+# Initial cells, and how often a suspicious one is halved.
 CELLS, HALVINGS = 64, 36
 MOST_CELLS = 4096
 
@@ -22,8 +22,7 @@ MOST_CELLS = 4096
 def first_fault(formula: Expression, name: str, low: float, high: float, **others: float) -> "float | None":
     """The first place between two ends where the formula has a pole, a corner or no real value; None where none is.
 
-    Every cell is tried with all numbers in it (discs); one in which something may go wrong is halved until nothing
-    can, or until it is a point.
+    Every cell is evaluated as a whole (discs); a suspicious one is halved until it is cleared or is a point.
     """
     edges = np.linspace(low, high, CELLS + 1)
     left, right = edges[:-1], edges[1:]
@@ -39,7 +38,7 @@ def first_fault(formula: Expression, name: str, low: float, high: float, **other
         left, right, middle = left[wrong], right[wrong], middle[wrong]
         if step == HALVINGS - 1:
             break
-        # the first fault is wanted
+        # the first fault is reported
         left, right, middle = left[:MOST_CELLS], right[:MOST_CELLS], middle[:MOST_CELLS]
         left, right = np.concatenate([left, middle]), np.concatenate([middle, right])
         order = np.argsort(left, kind="stable")
@@ -49,7 +48,7 @@ def first_fault(formula: Expression, name: str, low: float, high: float, **other
 
 
 def _over(tree: "Tree", variables: "Mapping[str, Disc]", count: int) -> Disc:
-    """The tree on cells; an infinite radius says that something may go wrong in a cell."""
+    """The tree on cells; an infinite radius marks a suspicious cell."""
     operation = tree[0]
     if operation in ("number", "pi"):
         return Disc(np.full(count, math.pi if operation == "pi" else tree[1]), np.zeros(count))

@@ -1,4 +1,4 @@
-"""Formulas as people type them, `20*t - 2*t^2`, read into a small tree and evaluated; never by `eval`.
+"""Formulas as typed, `20*t - 2*t^2`, parsed into a small tree and evaluated; never by `eval`.
 
 Numbers, variables, pi, + − * / ^ (also **), brackets and the functions of `FUNCTIONS`. A tree is evaluated on doubles,
 arrays, tracked numbers, numbers of many digits and jets (`jets.Jet`), which give exact derivatives.
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
     from typing import Any, TypeAlias
 
-    # an operation, then what it is of: numbers, names, trees
+    # an operation and its operands: numbers, names, trees
     Tree: TypeAlias = tuple[Any, ...]
 
 
@@ -51,14 +51,14 @@ def parse(text: str, variables: "frozenset[str] | set[str] | tuple[str, ...] | N
     >>> parse("3*t^2 - sin(t)")(t=2.0)
     11.090702573174319
     """
-    made = begin(text)
-    if made.end < len(text.rstrip()):
-        rest = text[made.end :]
-        at = made.end + len(rest) - len(rest.lstrip())
-        _refuse(text, at, f"{rest.strip()[:20]!r} does not continue the formula")
+    formula = begin(text)
+    if formula.end < len(text.rstrip()):
+        rest = text[formula.end :]
+        at = formula.end + len(rest) - len(rest.lstrip())
+        _refuse(text, at, f"{rest.strip()[:20]!r} cannot follow here in the formula")
     if variables is not None:
-        check_names(made, variables)
-    return made
+        check_names(formula, variables)
+    return formula
 
 
 def check_names(formula: Expression, variables: "frozenset[str] | set[str] | tuple[str, ...]") -> None:
@@ -99,7 +99,7 @@ class _Reader:
 
     def sum(self, depth: int) -> "Tree":
         if depth > MOST_DEPTH:
-            _refuse(self.text, self.at, "too many brackets within each other")
+            _refuse(self.text, self.at, "brackets are nested too deeply")
         tree = self.product(depth)
         while self.peek() in SUMS:
             sign = self.take()
@@ -136,7 +136,7 @@ class _Reader:
     def operand(self, depth: int) -> "Tree":
         letter = self.peek()
         if not letter:
-            _refuse(self.text, len(self.text), "the formula ends where a number, a variable or a bracket is wanted")
+            _refuse(self.text, len(self.text), "the formula ends where a number, a variable or a bracket is expected")
         if letter == "(":
             self.take()
             return self.closed(depth)
@@ -145,7 +145,7 @@ class _Reader:
         if letter.isalpha() or letter == "_":
             return self.name(depth)
         self.take()
-        _refuse(self.text, self.at - 1, f"{letter!r} is not wanted here")
+        _refuse(self.text, self.at - 1, f"{letter!r} is not expected here")
         raise AssertionError
 
     def closed(self, depth: int) -> "Tree":
@@ -190,7 +190,7 @@ class _Reader:
             self.take()
             return (word, self.closed(depth))
         if word in FUNCTIONS:
-            _refuse(self.text, start, f"{word} wants its argument in brackets", hint=f"for example {word}(2*t)")
+            _refuse(self.text, start, f"{word} needs its argument in brackets", hint=f"for example {word}(2*t)")
         return ("pi",) if word == "pi" else ("name", word)
 
 
@@ -233,7 +233,7 @@ def _value(tree: "Tree", variables: "Mapping[str, Any]", pi: "Any") -> "Any":
         return _function(operation, first)
     second = _value(tree[2], variables, pi)
     if isinstance(second, jets.Jet) and not isinstance(first, jets.Jet):
-        # numbers that carry more than a double do not know jets
+        # numbers that carry more than a double cannot operate on jets
         first = jets.Jet([first, *[0.0] * (len(second.parts) - 1)])
     if operation == "+":
         return first + second
@@ -262,5 +262,5 @@ def _power(base: "Any", exponent: "Any") -> "Any":
 
 
 def constant(tree: "Tree") -> "float | None":
-    """The number that a tree without variables is; None where it has some."""
+    """The value of a tree without variables; None where it has some."""
     return float(_value(tree, {}, math.pi)) if not any(_names(tree)) else None

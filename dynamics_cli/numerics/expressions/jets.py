@@ -1,7 +1,7 @@
-"""Taylor coefficients that go through a formula as numbers do, so that its derivatives come out exactly.
+"""Taylor coefficients that pass through a formula like numbers, so that its derivatives come out exactly.
 
 A `Jet` holds f, f′, f″/2, f‴/6 … at one point. Its coefficients are doubles, arrays, tracked numbers or numbers of many
-digits: what they are of, the jet is of. Functions follow the recurrences of their differential equations (Moore,
+digits. Functions follow the recurrences of their differential equations (Moore,
 Methods and Applications of Interval Analysis, SIAM 1979, section 3.4).
 """
 
@@ -15,10 +15,15 @@ if TYPE_CHECKING:
 
 
 class Jet:
-    """The Taylor coefficients of a function at a point, from its value up."""
+    """The Taylor coefficients of a function at a point, from its value up.
+
+    References
+    ----------
+    R. E. Moore, Methods and Applications of Interval Analysis, SIAM 1979, section 3.4.
+    """
 
     __slots__ = ("parts",)
-    # arrays leave the operation to the jet
+    # makes arrays leave the operation to the jet
     __array_ufunc__ = None
 
     def __init__(self, parts: "Sequence[Any]") -> None:

@@ -28,9 +28,9 @@ def law_of(
     used = [one.name for one in let if one.unit and one.name in read.names]
     require(
         not used or formula.factor == 1.0,
-        "the formula {text} ends in {unit}, and {names} in it has a unit of its own",
+        "the formula {text} ends in {unit}, but {names} in it has a unit too",
         code="mixed-units",
-        hint="variables count in m, s and rad: end the formula in m, rad or m/s^2",
+        hint="variables are in m, s and rad: end the formula in m, rad or m/s^2",
         text=repr(formula.text),
         unit=formula.unit,
         names=", ".join(used),

@@ -1,4 +1,4 @@
-"""Motion along a line under a law a(t, x, v), by Taylor series of high order with steps by their own convergence.
+"""Motion along a line under a law a(t, x, v), by Taylor series of high order with steps chosen by their convergence.
 
 Each piece holds the Taylor polynomials of position and velocity about its start, so values anywhere within it, and
 places where something is reached, cost a polynomial.
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from typing import Any
 
 ORDER = 18
-# What the last term of a piece may be, as a share of the first.
+# Size of the last term of a piece relative to the first.
 SHARE = 1e-17
 GROWTH = 8.0
 MOST_PIECES = 600
 SAMPLES = 16
-# A step this small beside the time gone is no step: the law has a pole there.
+# A step this small relative to the elapsed time means a pole of the law.
 SMALLEST = 1e-11
 
 
@@ -68,7 +68,7 @@ def _series(law: "Callable[..., Any]", state: "tuple[float, float, float]") -> "
 
 
 def _step(parts: "Sequence[float]") -> float:
-    """A length in which the last terms are the share of the first that is allowed."""
+    """The step at which the last terms have the allowed size relative to the first."""
     first = next((j for j, part in enumerate(parts) if part), None)
     if first is None:
         return math.inf
@@ -83,7 +83,13 @@ def _step(parts: "Sequence[float]") -> float:
 def pieces(
     law: "Callable[..., Any]", speed: float, *, first: float, most: float = math.inf, halved: bool = False
 ) -> "Any":
-    """The motion from x = 0 at t = 0, piece by piece; `first` is the longest first piece, `most` the end of time."""
+    """The motion from x = 0 at t = 0, piece by piece; `first` is the longest first piece, `most` the end of time.
+
+    References
+    ----------
+    G. Corliss, Y. F. Chang, Solving ordinary differential equations using Taylor series, ACM Trans. Math. Softw.
+    8 (1982) 114.
+    """
     state = (0.0, 0.0, speed)
     longest = first
     for _ in range(MOST_PIECES * (2 if halved else 1)):

@@ -46,6 +46,10 @@ def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, poi
     InadmissibleError when it would take more than four million cells, or nothing is known of the curve's acceleration.
 
     See the module. The ends are those written: that they are on the curve is not assumed.
+
+    References
+    ----------
+    Derived: the error of linear interpolation between nodes, w²/8·max|e″|.
     """
     coarse = _coarse(path, piece, places)
     size = float(np.abs(points).max() if form != "cubics" else max(np.abs(points).max(), np.abs(shape).max()))
@@ -136,9 +140,9 @@ def _block(
     width = (nodes[after] - theta) * UP
     steps = np.abs(place[after] - place[: theta.size]) * UP + bent[3]
     second = (width * width * bend[cell] + bent[2][owner] * steps * steps) * (0.125 * UP)
-    found = np.maximum(near[: theta.size], near[after]) + second + SLIVER * (1.0 + np.abs(theta)) * fast[cell]
+    errors = np.maximum(near[: theta.size], near[after]) + second + SLIVER * (1.0 + np.abs(theta)) * fast[cell]
     bounds = np.zeros(chosen.size)
-    np.maximum.at(bounds, owner, np.where(np.isfinite(found), found, np.inf))
+    np.maximum.at(bounds, owner, np.where(np.isfinite(errors), errors, np.inf))
     return bounds * UP
 
 

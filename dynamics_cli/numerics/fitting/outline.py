@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from dynamics_cli.numerics.fitting.path import Path
 
 TRIES = 5
-# What the fit leaves to the proof: its samples miss a little, and its cells cost a little.
+# Margin between fit and proof: samples miss a little, and cells add a little.
 FIT = 0.96
 
 
@@ -83,7 +83,7 @@ def _fitted(path: "Path", form: str, aim: float, tolerance: float, joints: "Any"
         if made_of == "cubics":
             cx, cy = controls(own, places, shape)
             shape = np.stack((cx[:, 1:3], cy[:, 1:3]), axis=2)
-        # what is proved is what is written, to the bit
+        # the proof is for the coordinates as written, to the bit
         bounds.append(float(proved(path, index, places, shape, made_of, points, tolerance).max()))
         ends = points.tolist()
         if made_of == "arcs":

@@ -1,4 +1,4 @@
-"""What fitting and its proof ask of a curve."""
+"""The curve interface that fitting and its proof use."""
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 
 class OnPiece:
-    """A curve seen from within one of its pieces: what is fitted to it needs no more."""
+    """A curve seen from within one of its pieces, which is all that fitting needs."""
 
     def __init__(self, path: "Path", piece: int) -> None:
         self.path = path

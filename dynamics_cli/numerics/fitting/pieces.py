@@ -1,7 +1,8 @@
 """Arcs, cubics or lines along a path, as few as a tolerance allows, split at every joint of its smooth pieces.
 
 Pieces touch the exact curve at their ends with its direction. A pair of arcs meets on the curve; a cubic also meets it
-at two places inside, which leaves an error of sixth order. Places are spread so that every piece errs alike.
+at two places inside, which leaves an error of sixth order. Places are distributed so that every piece has the same
+error.
 """
 
 from math import pi
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from dynamics_cli.numerics.fitting.path import OnPiece, Path
 
 ORDER = {"arcs": 3, "cubics": 6, "lines": 2}
-# (1 − x²)²(x² − a²) is least at its worst for this a
+# this a minimises the maximum of |(1 − x²)²(x² − a²)|
 INSIDE = 0.5 * 0.3254077
 FRACTIONS = np.array([0.5 - INSIDE, 0.5 + INSIDE])
 SAMPLES = (np.arange(24) + 0.5) / 24.0
@@ -38,22 +39,22 @@ def form_of(path: "Path", piece: int, form: str) -> str:
 
 
 def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]]":
-    """Places of the pieces' ends on every smooth piece of the curve, and what stands between them.
+    """Places of the pieces' ends on every smooth piece of the curve, and the shape between them.
 
     `path`: the curve; `form`: "arcs", "cubics" or "lines"; `tolerance`: what a piece may err, as sampled; the proof is
     made afterwards [m]. Returns for each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles (n,
     2). Raises InadmissibleError when it would take more than 20,000 pieces.
     """
-    made = []
+    fits = []
     for index, (start, end) in enumerate(zip(path.starts, path.ends, strict=True)):
         if path.still[index] and form == "arcs":
             count = max(1, int(np.ceil((end - start) / pi - 1e-9)))
             places = np.linspace(start, end, count + 1)
-            made.append((index, places, np.full(count, -path.turn * np.tan(0.25 * (end - start) / count))))
+            fits.append((index, places, np.full(count, -path.turn * np.tan(0.25 * (end - start) / count))))
             continue
         own = form_of(path, index, form)
-        made.append((index, *_spread(path.on(index), own, float(start), float(end), tolerance)))
-    return made
+        fits.append((index, *_spread(path.on(index), own, float(start), float(end), tolerance)))
+    return fits
 
 
 def _spread(path: "OnPiece", form: str, start: float, end: float, tolerance: float) -> "tuple[Any, Any]":
@@ -63,7 +64,7 @@ def _spread(path: "OnPiece", form: str, start: float, end: float, tolerance: flo
     places = np.linspace(start, end, count + 1)
     best = None
     for attempt in range(60):
-        # an arc form with its pair counts as one here
+        # a pair of arcs counts as one here
         shape, errors = _shaped(path, form, places)
         load = np.maximum(errors / tolerance, 1e-9) ** (1.0 / order)
         worst = float(load.max())
@@ -100,7 +101,7 @@ def _spread(path: "OnPiece", form: str, start: float, end: float, tolerance: flo
 
 
 def _equal(places: "Any", load: "Any", count: int) -> "Any":
-    """Places that share the load equally, its density taken as constant between the places there are."""
+    """Places that share the load equally, its density taken as constant between the present places."""
     total = np.concatenate(([0.0], np.cumsum(load)))
     new = np.interp(np.linspace(0.0, total[-1], count + 1), total, places)
     new[0], new[-1] = places[0], places[-1]
@@ -145,7 +146,7 @@ def _pairs(path: "OnPiece", places: "Any") -> "tuple[Any, Any]":
         same = (excess(middle)[0] > 0.0) == sign
         low, high = np.where(same, middle, low), np.where(same, high, middle)
     middle = 0.5 * (low + high)
-    # where every place will do (an exact circle), the middle does
+    # where every place will do (an exact circle), the middle is used
     _, first, second = excess(middle)
     bulges = np.stack((np.tan(0.5 * first), np.tan(0.5 * second)), axis=1)
     both = np.empty(2 * places.size - 1)
@@ -195,11 +196,11 @@ def controls(path: "OnPiece", places: "Any", handles: "Any", chosen: "Any" = sli
     """Control points of the chosen cubics, (n, 4) for each coordinate."""
     x, y, tx, ty, _ = path.at(places)
     a, b = handles[chosen, 0], handles[chosen, 1]
-    made = []
+    points = []
     for start, end, early, late in ((x[:-1], x[1:], tx[:-1], tx[1:]), (y[:-1], y[1:], ty[:-1], ty[1:])):
         start, end, early, late = start[chosen], end[chosen], early[chosen], late[chosen]
-        made.append(np.stack((start, start + a * early, end - b * late, end), axis=1))
-    return made[0], made[1]
+        points.append(np.stack((start, start + a * early, end - b * late, end), axis=1))
+    return points[0], points[1]
 
 
 def _cubics(path: "OnPiece", places: "Any") -> "tuple[Any, Any]":

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 DEGREE = 5
-# More knots than these are thinned: the decomposition takes their cube.
+# More knots than this are thinned: the cost of the decomposition grows with their cube.
 MOST_KNOTS = 300
 FEWEST_POINTS = 8
 DECADES, PER_DECADE = 24.0, 8
@@ -73,7 +73,7 @@ class Smooth:
         return functions, np.maximum(values, 0.0)
 
     def _chosen(self, penalties: "Any", parts: "Any", rest: float, count: int, sigma: float | None) -> "Any":
-        """How much of each function is kept, by the criterion's minimum over λ."""
+        """The weight of each function, from the criterion's minimum over λ."""
         squares = (parts**2).sum(axis=1)
         width = parts.shape[1]
         scale = float(np.median(penalties[3:]))
@@ -107,7 +107,7 @@ class Smooth:
     def at(self, times: "Any", order: int) -> "tuple[Any, Any]":
         """Values or derivatives at some times, a row for each, and the standard deviation of every coordinate there.
 
-        The deviation has the share of what smoothing takes away (Wahba, Bayesian confidence intervals for the
+        The deviation includes the part that smoothing removes (Wahba, Bayesian confidence intervals for the
         cross-validated smoothing spline, J. R. Statist. Soc. B 45 (1983)).
         """
         basis = self.basis(times, order)

@@ -13,7 +13,7 @@ from dynamics_cli.numerics.vectors import Vector
 Quaternion = tuple[float, float, float, float]
 
 NO_TURN: Quaternion = (1.0, 0.0, 0.0, 0.0)
-# The axis shown for no turn at all, where any would do.
+# The axis shown for a zero rotation, where any would do.
 UPWARD: Vector = (0.0, 0.0, 1.0)
 
 
@@ -31,7 +31,7 @@ def length(v: Vector) -> float:
 
 
 def multiply(p: Quaternion, q: Quaternion) -> Quaternion:
-    """The turn q in axes already turned by p: p·q."""
+    """The rotation q in axes already rotated by p: p·q."""
     a, b, c, d = p
     w, x, y, z = q
     return (
@@ -43,7 +43,7 @@ def multiply(p: Quaternion, q: Quaternion) -> Quaternion:
 
 
 def conjugate(q: Quaternion) -> Quaternion:
-    """The turn back."""
+    """The inverse rotation."""
     return q[0], opposite(q[1]), opposite(q[2]), opposite(q[3])
 
 
@@ -63,7 +63,7 @@ def normalized(q: Quaternion, what: str = "the quaternion has no length") -> Qua
 
 
 def upright(q: Quaternion) -> Quaternion:
-    """The one of q and −q with w ≥ 0; of a half turn, that whose first component off zero is positive."""
+    """The one of q and −q with w ≥ 0; for a half turn, the one whose first nonzero component is positive."""
     w, x, y, z = q
     first = where(x != 0.0, x, where(y != 0.0, y, z))
     turn = where(w != 0.0, w, first) < 0.0
@@ -95,6 +95,10 @@ def of_rotation(m: Matrix) -> Quaternion:
 
     The matrix 4·q qᵀ follows from that of the rotation; its row with the largest diagonal, at least one, is along q and
     has no cancellation in its length.
+
+    References
+    ----------
+    S. W. Shepperd, Quaternion from rotation matrix, J. Guid. Control 1 (1978) 223.
     """
     (a, b, c), (d, e, f), (g, h, i) = m
     wx, wy, wz = h - f, c - g, d - b
@@ -135,6 +139,10 @@ def between_directions(first: Vector, second: Vector) -> Quaternion:
     ------
     InadmissibleError
         When a direction is the zero vector, or the two are opposite, which leaves the axis open.
+
+    References
+    ----------
+    Derived: half the sum of two unit vectors is along their bisector.
     """
     (a, b, c), (x, y, z) = unit(first), unit(second)
     # half the sum is along the bisector, whose length is the cosine of half the angle

@@ -10,7 +10,7 @@ from dynamics_cli.records import record
 Matrix = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
 
 IDENTITY: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-# A matrix further than this from a rotation is a mistake; one that is nearer was rounded by who wrote it.
+# A matrix farther than this from a rotation is a mistake; a nearer one was rounded in writing.
 NEAR_ROTATION = 1e-3
 ORDERS = ("xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz")
 
@@ -81,7 +81,12 @@ def transposed(matrix: Matrix) -> Matrix:
 
 
 def axis_angle(axis: "tuple[float, float, float]", angle: float) -> Matrix:
-    """Rodrigues' rotation cos θ·1 + (1 − cos θ) n nᵀ + sin θ [n×], small angles by the half, which loses nothing."""
+    """Rodrigues' rotation cos θ·1 + (1 − cos θ) n nᵀ + sin θ [n×], small angles by the half, which loses nothing.
+
+    References
+    ----------
+    Rodrigues' formula: Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 4.
+    """
     x, y, z = axis
     square = x * x + y * y + z * z
     require(square > 0.0, "the rotation axis has no length", code="rotation")
@@ -139,7 +144,12 @@ def about_axis(k: int, angle: float) -> Matrix:
 
 
 def from_rows(rows: "tuple[tuple[float, float, float], ...]") -> Matrix:
-    """The rotation nearest to a matrix that was written with few digits; anything further off is refused."""
+    """The rotation nearest to a matrix that was written with few digits; anything further off is refused.
+
+    References
+    ----------
+    N. J. Higham, Computing the polar decomposition—with applications, SIAM J. Sci. Stat. Comput. 7 (1986) 1160.
+    """
     require(len(rows) == 3, "read {count} rows of a rotation matrix, wanted 3", code="rotation", count=len(rows))
     matrix: Matrix = (rows[0], rows[1], rows[2])
     off = departure(matrix)
@@ -170,14 +180,14 @@ def from_rows(rows: "tuple[tuple[float, float, float], ...]") -> Matrix:
 
 
 def _chosen(first: bool, a: Matrix, b: Matrix) -> Matrix:
-    """The first matrix where that is to be, the second elsewhere."""
+    """The first matrix where the condition holds, the second elsewhere."""
     if first is False:
         return b
     return tuple(tuple(where(first, x, y) for x, y in zip(p, q, strict=True)) for p, q in zip(a, b, strict=True))  # type: ignore[return-value]
 
 
 def departure(matrix: Matrix) -> float:
-    """The greatest element of R Rᵀ − 1."""
+    """The largest element of R Rᵀ − 1."""
     grown = product(matrix, transposed(matrix))
     off = [abs(grown[i][j] - (1.0 if i == j else 0.0)) for i in range(3) for j in range(3)]
     if single(*off):

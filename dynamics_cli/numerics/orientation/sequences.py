@@ -27,7 +27,7 @@ NAMES = {
     "ros": "XYZ",
 }
 
-# What a sequence may be called, for completion.
+# Names of sequences, for completion.
 ALL = (*ORDERS, *(order.upper() for order in ORDERS), *NAMES)
 
 
@@ -62,7 +62,7 @@ class Sequence:
 
 @record
 class Angles:
-    """Angles of a rotation, their alternative, and how far they are from lock."""
+    """Angles of a rotation, their alternative, and their distance from lock."""
 
     angles: Vector
     alternative: Vector
@@ -101,7 +101,7 @@ def sequence_of(text: str) -> Sequence:
 
 
 def names_of(sequence: Sequence) -> str:
-    """The same turns in the words of others.
+    """Other names of the same rotations.
 
     >>> names_of(sequence_of("zyx"))
     'body zyx = fixed xyz reversed = scipy "ZYX"; yaw, pitch, roll (SAE), URDF rpy reversed'
@@ -165,7 +165,13 @@ def angles_of_rotation(m: Matrix, sequence: Sequence, *, zero_third: bool = Fals
 
 
 def angles_of_quaternion(q: Quaternion, sequence: Sequence, *, zero_third: bool = False) -> Angles:
-    """The angles of a unit quaternion, by half sums and half differences (Bernardes & Viollet 2022)."""
+    """The angles of a unit quaternion, by half sums and half differences (Bernardes & Viollet 2022).
+
+    References
+    ----------
+    E. Bernardes, S. Viollet, Quaternion to Euler angles conversion: a direct, general and computationally
+    efficient method, PLoS ONE 17 (2022) e0276302.
+    """
     i, j, _ = sequence.axes
     e = sequence.cycle
     w, v = q[0], q[1:]
@@ -189,13 +195,13 @@ def angles_of_quaternion(q: Quaternion, sequence: Sequence, *, zero_third: bool 
     a, c = plus + minus, plus - minus
     if not sequence.repeats:
         c = _signed(-e, c)
-    # at lock the turn is all in one of them, which the half sums share between both
+    # at lock the whole rotation is in one of them; the half sums divide it between both
     a, c = where(locked, 0.0, a), where(locked, 2.0 * c, c)
     return _ordered(wrapped(a), b, wrapped(c), margin, distance, locked, sequence, zero_third)
 
 
 def _angle_or_zero(y: float, x: float, size: float) -> float:
-    """atan2, without what signs of zero would make of a point at the origin."""
+    """atan2, but 0 at the origin whatever the signs of zero."""
     return where(size == 0.0, 0.0, atan2(y, x))
 
 
@@ -242,10 +248,10 @@ def _whole(off: float) -> float:
     return float(round(value / 6.283185307179586))
 
 
-def nearest(found: Angles, near: Vector) -> Vector:
-    """Of both triples and their whole turns, the angles nearest to those given."""
-    one = tuple(wrapped(angle, beside) for angle, beside in zip(found.angles, near, strict=True))
-    two = tuple(wrapped(angle, beside) for angle, beside in zip(found.alternative, near, strict=True))
+def nearest(angles: Angles, near: Vector) -> Vector:
+    """Of both triples and their whole turns, the angles nearest to the given ones."""
+    one = tuple(wrapped(angle, beside) for angle, beside in zip(angles.angles, near, strict=True))
+    two = tuple(wrapped(angle, beside) for angle, beside in zip(angles.alternative, near, strict=True))
     far = [sum(abs(angle - beside) for angle, beside in zip(triple, near, strict=True)) for triple in (one, two)]
     nearer = far[0] <= far[1]
     return tuple(where(nearer, p, q) for p, q in zip(one, two, strict=True))  # type: ignore[return-value]

@@ -4,7 +4,12 @@ import math
 
 
 def legendre(count: int) -> tuple[tuple[float, float], ...]:
-    """Nodes and weights on (0, 1), by Newton's method from Tricomi's estimate; exact to a few roundings."""
+    """Nodes and weights on (0, 1), by Newton's method from Tricomi's estimate; exact to a few roundings.
+
+    References
+    ----------
+    W. H. Press et al., Numerical Recipes, 3rd ed., Cambridge 2007, section 4.6.
+    """
     pairs = []
     for index in range(count):
         x = math.cos(math.pi * (index + 0.75) / (count + 0.5))

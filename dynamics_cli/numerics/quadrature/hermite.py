@@ -41,14 +41,25 @@ _made: "dict[int, tuple[Array, Array]]" = {}
 
 
 def gauss_hermite(count: int) -> "tuple[Array, Array]":
-    """Nodes and weights with Σ w f(z) = E f(Z) for polynomials of degree 2·count − 1."""
+    """Nodes and weights with Σ w f(z) = E f(Z) for polynomials of degree 2·count − 1.
+
+    References
+    ----------
+    G. H. Golub, J. H. Welsch, Calculation of Gauss quadrature rules, Math. Comp. 23 (1969) 221.
+    """
     if count not in _made:
         _made[count] = _gauss_hermite(count)
     return _made[count]
 
 
 def genz_keister(count: int) -> "tuple[Array, Array]":
-    """The embedded rule of 1, 3, 9, 19 or 35 points: 0, then pairs ± in the order in which the rules add them."""
+    """The embedded rule of 1, 3, 9, 19 or 35 points: 0, then pairs ± in the order in which the rules add them.
+
+    References
+    ----------
+    A. Genz, B. D. Keister, Fully symmetric interpolatory rules for multiple integrals over infinite regions with
+    Gaussian weight, J. Comput. Appl. Math. 71 (1996) 299.
+    """
     weights = GENZ_KEISTER_WEIGHTS[count]
     nodes = [0.0]
     for node in GENZ_KEISTER_NODES[: count // 2]:
@@ -92,8 +103,13 @@ def _orthonormal(x: "Array", count: int) -> "tuple[Array, Array, Array]":
 
 
 def polynomials(z: "Array", degree: int) -> "Array":
-    """Orthonormal Hermite polynomials h_0 … h_degree at `z`, stacked first."""
-    made = [np.ones_like(z), z]
+    """Orthonormal Hermite polynomials h_0 … h_degree at `z`, stacked first.
+
+    References
+    ----------
+    NIST Digital Library of Mathematical Functions, section 18.9: the three-term recurrence, normalised.
+    """
+    rows = [np.ones_like(z), z]
     for k in range(2, degree + 1):
-        made.append((z * made[-1] - math.sqrt(k - 1) * made[-2]) / math.sqrt(k))
-    return np.array(made[: degree + 1])
+        rows.append((z * rows[-1] - math.sqrt(k - 1) * rows[-2]) / math.sqrt(k))
+    return np.array(rows[: degree + 1])

@@ -29,21 +29,32 @@ _EDGE = 2.0**-54
 
 
 def uniforms(seed: int, count: int) -> "list[float]":
-    """Numbers in (0, 1) by SplitMix64 (Steele, Lea & Flood 2014): shifts need no generator worth an import."""
-    made = []
+    """Numbers in (0, 1) by SplitMix64 (Steele, Lea & Flood 2014): shifts do not need a generator that costs an import.
+
+    References
+    ----------
+    G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014.
+    """
+    numbers = []
     state = (seed * 0xD1342543DE82EF95 + 0x2545F4914F6CDD1D) & _MASK
     for _ in range(count):
         state = (state + _GOLDEN) & _MASK
         mixed = ((state ^ (state >> 30)) * 0xBF58476D1CE4E5B9) & _MASK
         mixed = ((mixed ^ (mixed >> 27)) * 0x94D049BB133111EB) & _MASK
-        made.append(((mixed ^ (mixed >> 31)) + 0.5) / 2.0**64)
-    return made
+        numbers.append(((mixed ^ (mixed >> 31)) + 0.5) / 2.0**64)
+    return numbers
 
 
 def lattice(dimensions: int, count: int, shifts: int, seed: int = DEFAULT_SEED) -> "Array":
     """Points (dimensions, shifts · count) in the open unit cube, shift by shift.
 
     `count` is a power of two up to 2^14.
+
+    References
+    ----------
+    I. H. Sloan, S. Joe, Lattice Methods for Multiple Integration, Oxford 1994; baker transform: F. J. Hickernell,
+    Obtaining O(N^(−2+ε)) convergence for lattice quadrature rules, in Monte Carlo and Quasi-Monte Carlo Methods
+    2000, Springer 2002.
     """
     if dimensions > MOST_DIMENSIONS or count > MOST_POINTS or count & (count - 1):
         raise ValueError(f"no lattice of {count} points in {dimensions} dimensions")

@@ -1,6 +1,6 @@
 """Sparse grids for independent standard normals: Smolyak's combination of embedded Genz–Keister rules.
 
-The one-dimensional rules grow only when the degree asks for it (1, 3, 3, 9, 9, …, 19, …: Petras 2003), so a grid of
+The one-dimensional rules grow only when the degree requires it (1, 3, 3, 9, 9, …, 19, …: Petras 2003), so a grid of
 level L is exact for polynomials of total degree 2L + 1 with few points: 1 + 2d, then O(d²) and so on.
 """
 
@@ -26,7 +26,14 @@ _made: "dict[tuple[int, int], tuple[Array, Array]]" = {}
 
 
 def smolyak(dimensions: int, level: int) -> "tuple[Array, Array]":
-    """Points (dimensions, n) and weights (n, some negative) of the sparse grid."""
+    """Points (dimensions, n) and weights (n, some negative) of the sparse grid.
+
+    References
+    ----------
+    T. Gerstner, M. Griebel, Numerical integration using sparse grids, Numer. Algorithms 18 (1998) 209; K. Petras,
+    Smolyak cubature of given polynomial degree with few nodes for increasing dimension, Numer. Math. 93 (2003)
+    729.
+    """
     key = (dimensions, level)
     if key not in _made:
         _made[key] = _build(dimensions, level)
@@ -34,7 +41,7 @@ def smolyak(dimensions: int, level: int) -> "tuple[Array, Array]":
 
 
 def size(dimensions: int, level: int) -> int:
-    """How many points the grid has, without building it."""
+    """Number of points of the grid, without building it."""
     new = [SIZES[0]] + [SIZES[k] - SIZES[k - 1] for k in range(1, level + 1)]
     # The coefficient of x^k in (Σ new x^i)^d, by repeated multiplication.
     counts = [1] + [0] * level
@@ -122,7 +129,7 @@ def exact_degree(level: int) -> int:
 
 
 def chaos_terms(dimensions: int, degree: int) -> int:
-    """How many Hermite polynomials of total degree ≤ `degree` there are."""
+    """Number of Hermite polynomials of total degree ≤ `degree`."""
     return comb(dimensions + degree, degree)
 
 

@@ -1,1 +1,1 @@
-"""Motion of a vehicle on a road that several families need: drag along it, slides, phases."""
+"""Motion of a vehicle on a road, shared by several families: drag along it, slides, phases."""

@@ -1,4 +1,4 @@
-"""Drag factor of a road, its deceleration over gravity, and what nobody finds on one."""
+"""Drag factor of a road (deceleration over gravity), and limits of plausible values."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, multiply_add, sqrt
@@ -6,14 +6,14 @@ from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import DragFactor, Friction, Slope
 from dynamics_cli.records import Advice
 
-# Steeper than this its square leaves the range of doubles.
+# Above this the square of a grade leaves the range of doubles.
 STEEPEST = 1e150
 STEEPEST_ROAD = 0.3
 HIGHEST_FRICTION = 1.5
 
 
 def level(grade: float) -> bool:
-    """Whether this is one grade, tracked or not, and exactly zero: then nothing is rounded."""
+    """Whether this is a single grade of exactly zero, tracked or not: then nothing is rounded."""
     return single(grade) and plain(grade) == 0.0 and getattr(grade, "error", 0.0) == 0.0
 
 
@@ -26,12 +26,24 @@ def secant(grade: float) -> float:
 
 
 def along_the_road(resistance: float, grade: float) -> float:
-    """Drag factor (μ + G)/√(1 + G²) of a resistance μ per normal force on a grade G."""
+    """Drag factor (μ + G)/√(1 + G²) of a resistance μ per normal force on a grade G.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10; on a grade by Newton's second
+    law.
+    """
     return resistance + grade if level(grade) else (resistance + grade) / secant(grade)
 
 
 def drag_along(friction: float, grade: float, braking: float) -> float:
-    """Drag factor (ημ + G)/√(1 + G²), its numerator rounded once however nearly it cancels."""
+    """Drag factor (ημ + G)/√(1 + G²), its numerator rounded once even where it nearly cancels.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10; on a grade by Newton's second
+    law.
+    """
     if level(grade):
         return braking * friction + grade
     return multiply_add(braking, friction, grade) / secant(grade)
@@ -51,7 +63,7 @@ def require_drag(drag: float, where_: str = "") -> float:
 
 
 def drag_advice(friction: float, grade: float, braking: float, name: str = "") -> tuple[Advice, ...]:
-    """Say so when friction or grade is none of a road, and when drag is their small difference."""
+    """Advice when friction or grade is implausible, and when drag is their small difference."""
     absurd = friction_advice(friction, name + "friction") + grade_advice(grade, name + "grade")
     if not single(friction, grade, braking) or not plain(grade) < 0.0:
         return absurd
@@ -64,8 +76,8 @@ def drag_advice(friction: float, grade: float, braking: float, name: str = "") -
         Advice(
             code="drag-by-difference",
             message=worded(
-                "{name}friction of {grip} hardly exceeds the falling grade of {grade}: an error of 1 % in friction is "
-                "one of {percent} in the drag factor",
+                "{name}friction of {grip} hardly exceeds the downhill grade of {grade}: an error of 1 % in friction "
+                "becomes {percent} in the drag factor",
                 name=name,
                 grip=(grip, Friction),
                 grade=(-plain(grade), Slope),
@@ -78,17 +90,17 @@ def drag_advice(friction: float, grade: float, braking: float, name: str = "") -
 
 
 def friction_advice(friction: float, name: str = "friction", remedy: str = "write 0.7 or 70 %") -> tuple[Advice, ...]:
-    """Say so when a coefficient of friction is higher than any tyre's."""
+    """Advice when a coefficient of friction is higher than any tyre's."""
     if not single(friction) or not plain(friction) > HIGHEST_FRICTION:
         return ()
     message = worded(
-        "{name} of {friction} is more than tyres have on any road", name=name, friction=(friction, Friction)
+        "{name} of {friction} is more than tyres reach on any road", name=name, friction=(friction, Friction)
     )
     return (Advice(code="high-friction", message=message, remedy=remedy),)
 
 
 def grade_advice(grade: float, name: str = "grade") -> tuple[Advice, ...]:
-    """Say so when a slope is steeper than any road's."""
+    """Advice when a slope is steeper than any road."""
     if not single(grade) or not abs(plain(grade)) > STEEPEST_ROAD:
         return ()
     message = worded("{name} of {grade} is steeper than roads are", name=name, grade=(grade, Slope))

@@ -1,4 +1,4 @@
-"""Phases of a motion along a path: each by what is known of it, chained forward from a speed or back from one."""
+"""Phases of a motion along a path: each given by its known quantities, chained forward or back from a known speed."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, hypot, maximum, sqrt, where
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Kind(Choice):
-    """What a party does in a phase."""
+    """Kind of motion in a phase."""
 
     names = ("waiting", "constant", "reaction", "build-up", "braking", "coasting", "accelerating", "start-up")
     aliases = {  # noqa: RUF012
@@ -43,11 +43,12 @@ EVEN = ("waiting", "constant", "reaction")
 
 @record
 class Phase:
-    """One phase of a motion; of its duration, distance, speed and acceleration it needs two, or one when even."""
+    """One phase of a motion; it needs two of duration, distance, speed and acceleration, or one at constant speed."""
 
     kind: Annotated[
         Kind,
-        "What it does: waiting, constant, reaction, build-up, braking, coasting, accelerating, start-up; e.g. braking.",
+        "Kind of phase: waiting, constant, reaction, build-up, braking, coasting, accelerating, start-up; e.g. "
+        "braking.",
     ]
     duration: Annotated[Time | None, "How long it takes, e.g. 1.2 s [s]."] = None
     distance: Annotated[Distance | None, "How far it goes, e.g. 14 m [m]."] = None
@@ -68,23 +69,23 @@ class Phase:
 
 
 def legs(phases: "tuple[Phase, ...]", gravity: float, *, start: "float | None", end: "float | None") -> "list[Leg]":
-    """The phases with all their numbers, from the speed that is known at the start or at the end of them all."""
+    """The phases with all quantities, from the speed known at the start or at the end of all."""
     require(len(phases) > 0, "no phase is given", code="no-phase")
     if start is not None:
         speed, order = start, range(len(phases))
     else:
         assert end is not None
         speed, order = end, range(len(phases) - 1, -1, -1)
-    found: list[Any] = [None] * len(phases)
+    chain: list[Any] = [None] * len(phases)
     for index in order:
         leg = _leg(phases, index, speed, gravity, forward=start is not None)
         speed = leg.end if start is not None else leg.start
-        found[index] = leg
-    return found
+        chain[index] = leg
+    return chain
 
 
 def _leg(phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, *, forward: bool) -> Leg:
-    """One phase, from the speed at the side where the chain comes from."""
+    """One phase, from the speed at its known side."""
     phase = phases[index]
     name = f"phases[{index}]: " if len(phases) > 1 else ""
     require(
@@ -106,7 +107,7 @@ def _leg(phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, 
         (other <= speed) if slowing == forward else (other >= speed),
         "{name}a phase of {kind} cannot lead from {before} to {after}",
         code="wrong-direction",
-        hint="look at the phase's speed, distance and duration, or at its kind",
+        hint="check the phase's speed, distance and duration, or its kind",
         name=name, kind=str(phase.kind),
         before=(speed if forward else other, RoadSpeed), after=(other if forward else speed, RoadSpeed),
     )  # fmt: skip
@@ -119,7 +120,7 @@ def rate_of(phase: Phase, gravity: float, name: str = "") -> "float | None":
     """The amount of a phase's acceleration: as given, or by its friction and grade."""
     require(
         phase.friction is None or phase.acceleration is None,
-        "{name}friction and acceleration both say how the speed changes",
+        "{name}friction and acceleration are both given; one of them determines how the speed changes",
         code="twice",
         hint="give one of them",
         name=name,
@@ -130,7 +131,7 @@ def rate_of(phase: Phase, gravity: float, name: str = "") -> "float | None":
 
 
 def _even(phase: Phase, speed: float, name: str, *, forward: bool) -> Leg:
-    """A phase of one speed: by its duration or its distance."""
+    """A phase at constant speed: by its duration or its distance."""
     duration, distance = phase.duration, phase.distance
     for word in ("friction", "acceleration"):
         require(
@@ -139,7 +140,7 @@ def _even(phase: Phase, speed: float, name: str, *, forward: bool) -> Leg:
             name=name, word=word, kind=str(phase.kind),
         )  # fmt: skip
     if phase.kind == "waiting":
-        # who sets out at a walk is taken to have it at once: looking back, waiting ends where the walk begins
+        # a pedestrian is assumed to reach walking speed at once: going back, waiting ends where the walk begins
         require(
             (speed == 0.0) | (not forward), "{name}a phase of waiting begins and ends at rest, not at {speed}",
             code="moving", hint="use kind=constant for a steady speed", name=name, speed=(speed, RoadSpeed),
@@ -150,8 +151,8 @@ def _even(phase: Phase, speed: float, name: str, *, forward: bool) -> Leg:
     if phase.speed is not None:
         require(
             speed == phase.speed or speed == 0.0,
-            "{name}the speed of {own} is not the {chain} of the phases beside it",
-            code="speeds-differ", hint="leave the speed out: the chain gives it",
+            "{name}the speed of {own} is not the {chain} of the adjacent phase",
+            code="speeds-differ", hint="leave the speed out: it follows from the adjacent phase",
             name=name, own=(phase.speed, RoadSpeed), chain=(speed, RoadSpeed),
         )  # fmt: skip
         speed = phase.speed
@@ -192,7 +193,7 @@ def _build_up(
 
 
 def _require_count(phase: Phase, words: "tuple[str, ...]", count: int, name: str) -> None:
-    """Refuse a phase of which more or less is given than it needs."""
+    """Refuse a phase with more or fewer quantities than it needs."""
     known = [word for word in words if getattr(phase, word) is not None]
     everything = ("duration", "distance") if phase.kind in EVEN else ("duration", "distance", "speed")
     surplus = [word for word in everything if word not in words and getattr(phase, word) is not None]
@@ -260,7 +261,7 @@ def _uniform(speed: float, phase: Phase, rate: "float | None", name: str) -> "tu
 def _by_two(
     speed: float, time: "float | None", way: "float | None", other: "float | None", name: str
 ) -> "tuple[float, float, float, float]":
-    """The same, where duration, distance and speed give the rate."""
+    """The same, with the rate from duration, distance and speed."""
     if way is None:
         assert time is not None
         assert other is not None
@@ -269,13 +270,13 @@ def _by_two(
         assert other is not None
         time = _crossing(way, speed, other, name)
     else:
-        require(time > 0.0, "{name}a distance takes time", code="no-time", name=name)
+        require(time > 0.0, "{name}a distance needs a time above zero", code="no-time", name=name)
         other = 2.0 * way / time - speed
         require(
             other >= 0.0, "{name}{way} in {time} is too short: the party would have to turn back",
             code="stops-early", name=name, way=(way, Distance), time=(time, Time),
         )  # fmt: skip
-    require(time > 0.0, "{name}a change of speed takes time", code="no-time", name=name)
+    require(time > 0.0, "{name}a change of speed needs a time above zero", code="no-time", name=name)
     return other, time, way, (other - speed) / time
 
 

@@ -1,4 +1,4 @@
-"""Work and energy over the surfaces that a vehicle slid across, followed back from where it ended."""
+"""Work and energy over the surfaces that a vehicle slid across, followed back from its end."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot, sqrt, where
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @record
 class SurfaceCrossed:
-    """What happened on one surface."""
+    """The slide on one surface."""
 
     entry_speed: Annotated[RoadSpeed, "Speed where the surface begins [m/s]."]
     exit_speed: Annotated[RoadSpeed, "Speed where the surface ends [m/s]."]
@@ -24,7 +24,7 @@ class SurfaceCrossed:
 
 
 def require_kept(kept: object, what: str) -> None:
-    """Refuse where a number that is not zero became zero."""
+    """Refuse a nonzero number that underflowed to zero."""
     require(
         kept,
         what + " is too small: the calculation leaves the range of a double",
@@ -34,7 +34,12 @@ def require_kept(kept: object, what: str) -> None:
 
 
 def crossing_time(distance: float, entry_speed: float, exit_speed: float) -> float:
-    """Time 2d/(v₁ + v₂) of a uniformly slowed stretch; zero where there is neither way nor speed."""
+    """Time 2d/(v₁ + v₂) of a uniformly slowed stretch; zero where there is neither distance nor speed.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3.
+    """
     both = entry_speed + exit_speed
     require_kept((both > 0.0) | (distance == 0.0), "the speed over the distance")
     return 2.0 * distance / where(both > 0.0, both, 1.0)
@@ -45,7 +50,11 @@ def crossed_back(
 ) -> "tuple[tuple[SurfaceCrossed, ...], float]":
     """Every stretch in the order it was crossed, and Σ f d of them all: v² = v_e² + 2g Σ f d.
 
-    A stretch has friction, grade, braking and distance; its name stands before what is refused of it.
+    A stretch has friction, grade, braking and distance; its name precedes its refusals.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10.
     """
     crossed: list[SurfaceCrossed] = []
     work: float = 0.0

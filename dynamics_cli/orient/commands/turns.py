@@ -19,7 +19,7 @@ CONVERT = Task(
     ),
     headline=(
         "euler_angles: angles",
-        "names: that is",
+        "names: also called",
         "quaternion: quaternion w, x, y, z",
         "rotation_angle: angle of the turn θ",
         "rotation_axis: axis of the turn n",
@@ -40,7 +40,7 @@ CONVERT = Task(
 
 COMPOSE = Task(
     "compose",
-    "Total of a chain of turns, and direction cosines between all frames.",
+    "Total of a chain of rotations, and direction cosines between all frames.",
     Model(
         "product of turns",
         "dynamics_cli.orient.turns.compose:compose",
@@ -68,7 +68,7 @@ COMPOSE = Task(
 
 BETWEEN = Task(
     "between",
-    "Turn from one orientation to another, its part about an axis, orientations on the way.",
+    "Rotation from one orientation to another, its part about an axis, orientations in between.",
     Model(
         "quaternions",
         "dynamics_cli.orient.turns.between:between",
@@ -83,7 +83,7 @@ BETWEEN = Task(
         "part_about: part about the axis given",
         "rest: tilt of that axis",
         "quaternion: quaternion w, x, y, z",
-        "steps: on the way",
+        "steps: in between",
     ),
     table="steps",
     names={"sequence": NAMES},
@@ -97,7 +97,7 @@ BETWEEN = Task(
 
 SCREW = Task(
     "screw",
-    "Screw axis, turn and travel of a displacement.",
+    "Screw axis, rotation angle and travel of a displacement.",
     Model(
         "screw axis",
         "dynamics_cli.orient.turns.screw:screw",
@@ -128,7 +128,7 @@ ALIGN = Task(
         "dynamics_cli.orient.turns.align:align",
         source="Wahba 1965; Davenport's q-method",
         formula="Σ wᵢ·|R·bᵢ − aᵢ|² = least",
-        assumptions=(SENSE, "directions before are in the body, those after by fixed components"),
+        assumptions=(SENSE, "directions before are in body components, those after in fixed components"),
         method="Jacobi rotations",
     ),
     headline=(

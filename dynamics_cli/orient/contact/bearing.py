@@ -83,7 +83,7 @@ def bearing(
         contact > 0.0,
         "at a radius of {radius} of the balls' circle the shaft has no radius left",
         code="size",
-        hint="take it larger than the balls' radius",
+        hint="it must be larger than the balls' radius",
         radius=(radius if single(radius) else 0.0, Size),
     )
     # of the ball's angular velocity, each of the two equal components along and across the shaft, for Ω = 1

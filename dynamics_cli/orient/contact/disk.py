@@ -58,7 +58,7 @@ def disk(
     heading_acceleration: Annotated[AngularAcceleration, "Second rate of the heading, e.g. 0.2 rad/s^2."] = 0.0,
     tilt_acceleration: Annotated[AngularAcceleration, "Second rate of the tilt, e.g. -0.3 rad/s^2."] = 0.0,
     heading: Annotated[Angle, "Angle φ of the line of nodes from the fixed x, e.g. 20 deg."] = 0.0,
-    rim_angle: Annotated[Angle, "Rim point wanted, from the top in the sense of the spin, e.g. 90 deg."] = 0.0,
+    rim_angle: Annotated[Angle, "Rim point to report, from the top in the sense of the spin, e.g. 90 deg."] = 0.0,
 ) -> Disk:
     """Motion of a thin disk that rolls on a level floor without slipping.
 

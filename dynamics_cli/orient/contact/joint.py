@@ -123,6 +123,6 @@ def _through(beta: float, theta: float) -> tuple[float, float, float]:
 def _advice(first: float, second: float | None) -> tuple[Advice, ...]:
     advice = []
     if any(absolute(angle) > USUAL for angle in (first, second) if angle is not None):
-        message = "universal joints of practice bend by at most about 45 deg"
+        message = "universal joints in practice bend by at most about 45 deg"
         advice.append(Advice("steep-joint", message))
     return tuple(advice)

@@ -32,7 +32,7 @@ class Roller:
         Direction | None,
         "Axis about which its rate is unknown; the known part carries it, e.g. 1, 0, 0.",
     ] = None
-    point: Annotated[Position, "A point of it (on that axis) whose velocity is known; the origin unless given."] = (
+    point: Annotated[Position, "A point of it (on that axis) whose velocity is known; the origin if left out."] = (
         NOTHING
     )
     velocity: Annotated[Velocity, "Velocity of that point, e.g. 3, 0, 0 m/s."] = NOTHING
@@ -74,7 +74,7 @@ def rolling(
     contact: Annotated[Position, "The point of contact, e.g. 0.2, 0, 0 m."],
     normal: Annotated[Direction, "Normal of the surfaces there, of any length, e.g. 0, 0, 1."],
     first: Annotated[Roller, "The first body."],
-    second: Annotated[Roller, "The second body; at rest unless given."] = GROUND,
+    second: Annotated[Roller, "The second body; at rest if left out."] = GROUND,
 ) -> Rolling:
     """Rates at which two bodies roll on each other, or their slip; spin and roll parts of the relative motion.
 
@@ -151,8 +151,8 @@ def _rates(off: Vector, one: "Vector | None", two: "Vector | None") -> "tuple[fl
     for way, square in ((one, a), (two, b)):
         require(
             way is None or square > 0.0,
-            "an axis passes through the contact, or turning about it moves the contact along the normal: its rate does "
-            "not matter there",
+            "an axis passes through the contact, or rotation about it moves the contact along the normal: its rate is "
+            "not determined",
             code="axis",
             hint="give another axis, or leave it out",
         )
@@ -185,7 +185,7 @@ def _moved(body: Roller, axis: "Vector | None", arm: Vector, rate: "float | None
 def _advice(slip: float, closing: float, size: float, asked: bool) -> tuple[Advice, ...]:
     advice = []
     if asked and plain(slip) > TOLERANCE * size:
-        message = worded("no rate makes the bodies roll: at the best one {slip} of slip is left", slip=(slip, Speed))
+        message = worded("no rate makes the bodies roll: at the best one {slip} of slip remains", slip=(slip, Speed))
         advice.append(Advice("slips", message, severity="serious", remedy="check the axis, or free a second rate"))
     if abs(plain(closing)) > TOLERANCE * size:
         message = worded(

@@ -25,7 +25,7 @@ TOLERANCE = 1e-13
 class Link:
     """A body of the chain, turning about an axis fixed in the body before it."""
 
-    axis: Annotated[Direction, "Axis of the turn by components in the body before, of any length, e.g. 0, 0, 1."]
+    axis: Annotated[Direction, "Axis of the rotation in components of the body before, of any length, e.g. 0, 0, 1."]
     rate: Annotated[AngularRate, "Rate of the turn, e.g. 1500 rpm."]
     acceleration: Annotated[AngularAcceleration, "Second rate of the turn, e.g. 3 rad/s^2."] = 0.0
     angle: Annotated[Angle, "Angle of the turn now, e.g. 30 deg."] = 0.0
@@ -55,7 +55,7 @@ class Chain:
     angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
     angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration of the last body [rad/s^2]."]
     angular_acceleration_size: Annotated[AngularAcceleration, "Its size [rad/s^2]."]
-    links: Annotated[tuple[LinkMotion, ...], "Each body in its turn."]
+    links: Annotated[tuple[LinkMotion, ...], "Each body in order."]
     checks: tuple[Check, ...] = ()
 
 

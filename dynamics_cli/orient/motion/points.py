@@ -35,7 +35,7 @@ class BodyPoint:
     """A point of the body; with its velocity where that was measured."""
 
     position: Annotated[Position, "Where it is, e.g. 1, 2, 0 m."]
-    velocity: Annotated[Velocity | None, "Its velocity, where the body's motion is wanted, e.g. 3, 0, 1 m/s."] = None
+    velocity: Annotated[Velocity | None, "Its velocity, to find the body's motion from, e.g. 3, 0, 1 m/s."] = None
     name: Annotated[Text | None, "Its name, e.g. P."] = None
 
 
@@ -160,7 +160,7 @@ def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, 
     given = [point.velocity for point in points if point.velocity is not None]
     require(
         len(given) == len(points) and len(points) >= 3,
-        "the body's motion is not given, and velocities of {count} points do not tell it",
+        "the body's motion is not given, and velocities of {count} points do not determine it",
         code="missing",
         hint="give --angular-velocity, or velocities of 3 or more points that are not on one line; of two points of a "
         "plane motion: dynamics linkage body",
@@ -184,9 +184,9 @@ def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, 
     line = [part / size if known else 0.0 for part in longest]
     require(
         determinant > COLLINEAR * trace * trace * trace,
-        "the points lie on one line: nothing tells how the body turns about its direction ({x:3}, {y:3}, {z:3})",
+        "the points lie on one line: they do not determine the rotation about its direction ({x:3}, {y:3}, {z:3})",
         code="collinear",
-        hint="give a point beside that line",
+        hint="give a point off that line",
         x=(line[0], Direction),
         y=(line[1], Direction),
         z=(line[2], Direction),

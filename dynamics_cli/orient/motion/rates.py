@@ -81,7 +81,7 @@ class Rates:
     first_partial: Annotated[Direction, "Partial angular velocity of the first angle: the axis it turns about [-]."]
     second_partial: Annotated[Direction, "That of the second angle [-]."]
     third_partial: Annotated[Direction, "That of the third angle [-]."]
-    names: Annotated[Text, "What others call these angles."]
+    names: Annotated[Text, "Other names of these angles."]
     condition: Annotated[
         Positive | None, "How many times the angular velocity the rates of angles may be; at lock without limit [-]."
     ]

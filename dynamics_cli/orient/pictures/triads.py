@@ -71,7 +71,7 @@ def aligned(answer: "Any", *, pairs: "Any", **_: "Any") -> Picture:
         given = unit(numbers(pair.after))
         items += [arrow(given, "", 1), words(tuple(1.12 * part for part in given), fit.name, 1)]
         items.append(arrow(rotated(matrix, unit(numbers(pair.before))), "", 0, dashed=True))  # type: ignore[arg-type]
-    subtitle = worded("measured, and turned (dashed); {off} left", off=(answer.residual, Angle))
+    subtitle = worded("measured, and rotated (dashed); {off} remains", off=(answer.residual, Angle))
     return Picture((scene(items, subtitle, room=ROOM),), "directions and the rotation that fits")
 
 

@@ -57,7 +57,7 @@ class Aligned:
     rotation_matrix: Annotated[RotationMatrixKind, "Takes directions before to those after [-]."]
     euler_angles: Annotated[AngleTriple, "Angles in the sequence asked for [rad]."]
     euler_order: Annotated[Text, "The sequence."]
-    residual: Annotated[Angle, "Root mean square of the angles left, by weight [rad]."]
+    residual: Annotated[Angle, "Weighted root mean square of the remaining angles [rad]."]
     largest_residual: Annotated[Angle, "The largest of them [rad]."]
     sharpness: Annotated[Ratio, "How well directions tell the rotation: 0 on one line, 1 and more spread out [-]."]
     pairs: Annotated[tuple[Fit, ...], "Each pair."]
@@ -69,7 +69,7 @@ def align(
     *,
     pairs: Annotated[Pair | tuple[Pair, ...], "Pairs of directions, two or more."],
     fit: Annotated[Method, "least-squares, or triad: of two pairs the first exactly."] = LEAST_SQUARES,
-    sequence: Annotated[Text, "Angles wanted: zyx, zxz, XYZ …, or rpy, e.g. zyx."] = "zyx",
+    sequence: Annotated[Text, "Angles to report: zyx, zxz, XYZ …, or rpy, e.g. zyx."] = "zyx",
 ) -> Aligned:
     """Rotation that takes directions to measured ones, by least squares or with the first exact.
 
@@ -102,11 +102,11 @@ def align(
     only_in_doubles(*(part for pair in given for part in (*pair.before, *pair.after, pair.weight)))
     require(
         len(given) >= 2,
-        "one pair of directions does not tell a rotation: any turn about it may be added",
+        "one pair of directions does not determine a rotation: any turn about it may be added",
         code="undetermined",
         hint='give --pair "before=…, after=…" twice or more',
     )
-    require(fit == "least-squares" or len(given) == 2, "triad is of two pairs; there are {count}", count=len(given))
+    require(fit == "least-squares" or len(given) == 2, "triad needs two pairs; there are {count}", count=len(given))
     total = sum(pair.weight for pair in given)
     before = [unit(pair.before) for pair in given]
     after = [unit(pair.after) for pair in given]
@@ -162,9 +162,9 @@ def _require_spread(before: "list[Vector]", gap: float) -> None:
     line = before[0]
     require(
         gap > AMBIGUOUS,
-        "the directions do not tell the rotation: turns about ({x:3}, {y:3}, {z:3}) fit as well",
+        "the directions do not determine the rotation: any turn about ({x:3}, {y:3}, {z:3}) fits as well",
         code="undetermined",
-        hint="add a direction across it",
+        hint="add a direction at an angle to it",
         x=(plain(line[0]), Direction),
         y=(plain(line[1]), Direction),
         z=(plain(line[2]), Direction),
@@ -190,7 +190,7 @@ def _advice(gap: float) -> tuple[Advice, ...]:
     if gap >= WEAK:
         return ()
     message = worded(
-        "the directions are nearly on one line: errors of theirs are magnified about {times:3} times about it",
+        "the directions are nearly on one line: rotation about it magnifies their errors about {times:3} times",
         times=(1.0 / gap, Ratio),
     )
-    return (Advice("weak", message, remedy="add a direction across it"),)
+    return (Advice("weak", message, remedy="add a direction at an angle to it"),)

@@ -49,7 +49,7 @@ class Between:
     rotation_matrix: Annotated[RotationMatrixKind, "R₁ᵀ·R₂ [-]."]
     part_about: Annotated[Angle | None, "The part of it about the axis given [rad]."] = None
     rest: Annotated[Angle | None, "What the rest tilts that axis by [rad]."] = None
-    steps: Annotated[tuple[Step, ...] | None, "Orientations on the way, where they were asked for."] = None
+    steps: Annotated[tuple[Step, ...] | None, "Orientations in between, if requested."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -59,10 +59,10 @@ def between(
     first: Annotated[Oriented, "The orientation before."],
     second: Annotated[Oriented, "The orientation after."],
     about: Annotated[
-        Direction | None, "An axis in the first body to give the part of the turn about, e.g. 0, 0, 1."
+        Direction | None, "An axis in the first body; the part of the rotation about it is given, e.g. 0, 0, 1."
     ] = None,
-    count: Annotated[Count, "How many orientations to give on the way, e.g. 5."] = 0,
-    sequence: Annotated[Text, "Angles wanted on the way: zyx, zxz, XYZ …, or rpy, e.g. zyx."] = "zyx",
+    count: Annotated[Count, "Number of orientations in between, e.g. 5."] = 0,
+    sequence: Annotated[Text, "Angles to report in between: zyx, zxz, XYZ …, or rpy, e.g. zyx."] = "zyx",
 ) -> Between:
     """Turn from one orientation to another: its angle and axis, its part about an axis, orientations on the way.
 
@@ -93,7 +93,7 @@ def between(
     2.094395102
     """
     wanted = sequence_of(sequence)
-    require(count <= MOST_STEPS, "{count} orientations on the way are more than {most}", count=count, most=MOST_STEPS)
+    require(count <= MOST_STEPS, "{count} orientations in between are more than {most}", count=count, most=MOST_STEPS)
     start, end = orientation(first.turn), orientation(second.turn)
     q = upright(multiply(conjugate(start.quaternion), end.quaternion))
     axis, angle = axis_and_angle(q)
@@ -126,13 +126,13 @@ def between(
 def _checks(start: "tuple[tuple[float, ...], ...]", q: Quaternion, end: object) -> tuple[Check, ...]:
     bare = from_quaternion(tuple(map(plain, q)))  # type: ignore[arg-type]
     off = distance_of(product(start, bare), end)  # type: ignore[arg-type]
-    return (Check("the turn takes the first to the second", off <= TOLERANCE, off, TOLERANCE),)
+    return (Check("the rotation takes the first to the second", off <= TOLERANCE, off, TOLERANCE),)
 
 
 def _advice(q: Quaternion) -> tuple[Advice, ...]:
     if plain(q[0]) == 0.0:
-        message = "half a turn apart: both ways round are equally long, and the one shown is one of two"
+        message = "half a turn apart: both directions of rotation are equally long, and one of the two is shown"
         return (Advice("half-turn", message, severity="note"),)
     if not any(map(plain, q[1:])):
-        return (Advice("no-turn", "both orientations are the same: the axis shown is any", severity="note"),)
+        return (Advice("no-turn", "both orientations are the same: the axis shown is arbitrary", severity="note"),)
     return ()

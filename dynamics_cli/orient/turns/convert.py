@@ -72,7 +72,7 @@ class Converted:
     euler_order: Annotated[Text, "The sequence: small letters about the body's axes, capitals about fixed ones."]
     lock: Annotated[Text, "Gimbal lock: none, near, or locked, where the input does not determine two of the angles."]
     names: Annotated[Text, "What others call these angles."]
-    convention: Annotated[Text, "What the numbers mean."]
+    convention: Annotated[Text, "Meaning of the numbers."]
     departure: Annotated[Ratio | None, "How far a given matrix is from the rotation nearest to it [-]."] = None
     sequences: Annotated[tuple[SequenceAngles, ...], "The angles of all 24 sequences."] = ()
     checks: tuple[Check, ...] = ()
@@ -84,7 +84,8 @@ def convert(
     turn: Annotated[Attitude, "The rotation, in one of the notations."],
     sequence: Annotated[
         Text,
-        "Angles wanted: zyx, zxz … about the body's turned axes, XYZ … about the fixed ones, or yaw-pitch-roll, rpy, "
+        "Angles to report: zyx, zxz … about the body's turned axes, XYZ … about the fixed ones, or yaw-pitch-roll, "
+        "rpy, "
         "bryan, euler, e.g. zyx.",
     ] = "zyx",
     near: Annotated[AngleTriple | None, "Give the angles nearest to these, e.g. 170, 0, 0 deg."] = None,
@@ -172,9 +173,9 @@ def _all_sequences(read: Orientation) -> tuple[SequenceAngles, ...]:
     bare = _bare(read)
     rows = []
     for order in ORDERS:
-        found = bare.angles(sequence_of(order))
-        first, second, third = found.angles
-        rows.append(SequenceAngles(order, order[::-1].upper(), first, second, third, found.distance))
+        angles = bare.angles(sequence_of(order))
+        first, second, third = angles.angles
+        rows.append(SequenceAngles(order, order[::-1].upper(), first, second, third, angles.distance))
     return tuple(rows)
 
 
@@ -205,7 +206,7 @@ def _advice(turn: Attitude, read: Orientation, angles: Angles, zero: Zeroed) -> 
         message = "a half turn: the axis and its opposite give the same rotation, and Rodrigues parameters do not exist"
         advice.append(Advice("half-turn", message, severity="note", result="rodrigues"))
     elif not any(rest):
-        advice.append(Advice("no-turn", "no turn at all: any axis would do, and z is shown", severity="note"))
+        advice.append(Advice("no-turn", "no rotation: the axis is arbitrary, and z is shown", severity="note"))
     return tuple(advice)
 
 
@@ -242,5 +243,5 @@ def _lock(angles: Angles, zero: Zeroed) -> "list[Advice]":
         distance=(angles.distance, Angle),
         times=(1.0 / margin, Ratio),
     )
-    remedy = "the rotation they give is right; another sequence is better placed (table sequences)"
+    remedy = "the rotation they give is right; another sequence is farther from lock (table sequences)"
     return [Advice("near-lock", message, severity="note", remedy=remedy)]

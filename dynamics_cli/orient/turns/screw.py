@@ -24,7 +24,7 @@ class Screw:
     axis: Annotated[Direction, "Unit vector along the screw axis [-]."]
     point: Annotated[Position | None, "The point of the axis nearest to the origin; of a pure translation none [m]."]
     travel: Annotated[Length, "Travel along the axis [m]."]
-    lead: Annotated[Length | None, "Travel for a whole turn; of a pure translation none [m]."]
+    lead: Annotated[Length | None, "Travel for a whole turn; absent for a pure translation [m]."]
     displacement: Annotated[Position, "Displacement of the body's point that was at the origin [m]."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -91,12 +91,12 @@ def screw(
 def _translation(d: "tuple[float, float, float]", angle: float) -> Screw:
     require(
         plain(length(d)) > 0.0,
-        "nothing moves: neither a turn nor a displacement",
+        "nothing moves: there is neither a rotation nor a displacement",
         code="no-motion",
         hint="give a turn or a displacement",
     )
     note = Advice(
-        "translation", "a pure translation: the axis shown is its direction, at no certain place", severity="note",
+        "translation", "a pure translation: the axis shown is its direction; its place is arbitrary", severity="note",
         result="point",
     )  # fmt: skip
     return Screw(angle, unit(d), None, length(d), None, d, advice=(note,))
@@ -122,5 +122,5 @@ def _checks(
 def _advice(angle: float) -> tuple[Advice, ...]:
     if plain(angle) > SMALL:
         return ()
-    message = "the turn is tiny: the axis is far away, and as uncertain as the angle is relatively"
+    message = "the rotation is tiny: the axis is far away, and its relative uncertainty is that of the angle"
     return (Advice("tiny-turn", message),)

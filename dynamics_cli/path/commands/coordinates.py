@@ -58,7 +58,8 @@ POLAR = Task(
         "dynamics_cli.path.coordinates:polar",
         source=BOOK + "3.8",
         formula="{radial_acceleration|a_r} = {radial_speed_rate|r̈} − {radius|r}·{angular_velocity|θ̇}²; "
-        "{transverse_acceleration|a_θ} = {radius|r}·{angular_acceleration|θ̈} + 2·{radial_speed|ṙ}·{angular_velocity|θ̇}",
+        "{transverse_acceleration|a_θ} = {radius|r}·{angular_acceleration|θ̈} + "
+        "2·{radial_speed|ṙ}·{angular_velocity|θ̇}",
         assumptions=(RIGHT_HANDED,),
     ),
     arrays=False,
@@ -166,7 +167,7 @@ RELATIVE = Task(
         formula="{closest_time|t} = −Δr·Δv/‖Δv‖²; {closest_distance|d} = ‖Δr×Δv‖/‖Δv‖ (without relative acceleration)",
         assumptions=(
             "accelerations are constant, or positions formulas of t",
-            "seen from the first, which does not turn",
+            "seen from the first point, in axes that do not turn",
         ),
     ),
     arrays=False,
@@ -174,7 +175,7 @@ RELATIVE = Task(
         "closest_distance: closest approach",
         "closest_time: closest after",
         "closest_speed: relative speed there",
-        "distance: distance at the time given",
+        "distance: distance at the given time",
         "closing_speed",
         "position: relative position",
         "velocity: relative velocity",
@@ -191,7 +192,7 @@ RELATIVE = Task(
 
 MOVING_FRAME = Task(
     "moving-frame",
-    "A point in a moving, turning frame: the five terms of its acceleration, Coriolis among them.",
+    "A point in a moving, turning frame: the five terms of its acceleration, including Coriolis.",
     Model(
         "moving frame",
         "dynamics_cli.path.moving:moving_frame",

@@ -43,19 +43,19 @@ def events(motion: "MovingPoint", start: float, end: float) -> tuple[Event, ...]
     states = [motion.state(time) for time in times]
     fastest = max(state.bend.speed for state in states)
     tightest = max((state.bend.curvature or 0.0 for state in states), default=0.0)
-    found: list[Event] = []
+    events_met: list[Event] = []
     for at, rising in _turns(motion, times, states, _speeding):
         state = motion.state(at)
         slow = state.bend.speed <= ZERO * fastest
-        found.append(_event("cusp or rest" if rising and slow else "slowest" if rising else "fastest", at, state))
-    still = [one.time for one in found if one.event == "cusp or rest"]
+        events_met.append(_event("cusp or rest" if rising and slow else "slowest" if rising else "fastest", at, state))
+    still = [one.time for one in events_met if one.event == "cusp or rest"]
     for at, rising in _turns(motion, times, states, _bending):
         if any(abs(at - time) <= 2.0 * (end - start) / SAMPLES for time in still):
             continue
         state = motion.state(at)
         flat = (state.bend.curvature or 0.0) <= ZERO * tightest
-        found.append(_event("inflection" if rising and flat else "flattest" if rising else "tightest", at, state))
-    return tuple(sorted(found, key=lambda one: one.time)[:MOST_EVENTS])
+        events_met.append(_event("inflection" if rising and flat else "flattest" if rising else "tightest", at, state))
+    return tuple(sorted(events_met, key=lambda one: one.time)[:MOST_EVENTS])
 
 
 def _event(what: str, at: float, state: "State") -> Event:
@@ -86,16 +86,16 @@ def _turns(
     motion: "MovingPoint", times: list[float], states: "list[State]", rate: "Callable[[State], tuple[float, float]]"
 ) -> list[tuple[float, bool]]:
     """Where a rate changes its sign, and whether from falling to rising."""
-    made = []
+    turns = []
     before: tuple[float, float] | None = None
     for time, state in zip(times, states, strict=True):
         value, size = rate(state)
         if abs(value) <= NOTHING * size:
             continue
         if before is not None and (before[1] < 0.0) != (value < 0.0):
-            made.append((_halved(motion, before[0], time, before[1], rate), value > 0.0))
+            turns.append((_halved(motion, before[0], time, before[1], rate), value > 0.0))
         before = time, value
-    return made
+    return turns
 
 
 def _halved(

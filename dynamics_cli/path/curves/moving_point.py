@@ -158,7 +158,7 @@ class MovingPoint:
                 fault is None,
                 "{name} = {text} has a pole, a corner or no value at {time:6}",
                 code="pole",
-                hint="choose a range of times without it: it is from {start} to {end} now",
+                hint="choose a range of times without it; now it runs from {start} to {end}",
                 name=name,
                 text=formula.text,
                 time=(fault or 0.0, Time),
@@ -180,8 +180,8 @@ def over_plain(tree: "Any") -> "Any":
     return over_parts(tree, over_plain) if isinstance(tree, tuple) or hasattr(tree, "fields") else plain(tree)
 
 
-def _numbers(made: Bend) -> "list[Any]":
-    values = [getattr(made, name) for name in ("speed", "tangential", "normal", "curvature", "torsion")]
+def _numbers(motion: Bend) -> "list[Any]":
+    values = [getattr(motion, name) for name in ("speed", "tangential", "normal", "curvature", "torsion")]
     return [value for value in values if is_tracked(value)]
 
 

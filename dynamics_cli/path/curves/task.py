@@ -83,16 +83,18 @@ class CurveMotion:
 
 def curve(
     *,
-    x: Annotated[LengthFormula | None, "x over the time t [s], e.g. 20*t m."] = None,
-    y: Annotated[LengthFormula | None, "y over t, e.g. 5*t - 4.9*t^2 m."] = None,
-    z: Annotated[LengthFormula | None, "z over t, e.g. exp(-t) m."] = None,
+    x: Annotated[LengthFormula | None, "x as a function of the time t [s], e.g. 20*t m."] = None,
+    y: Annotated[LengthFormula | None, "y as a function of t, e.g. 5*t - 4.9*t^2 m."] = None,
+    z: Annotated[LengthFormula | None, "z as a function of t, e.g. exp(-t) m."] = None,
     shape: Annotated[Shape | None, "A curve by its name, in place of formulas."] = None,
-    angle_law: Annotated[AngleFormula | None, "Angle along a named curve, e.g. 90*t deg."] = None,
-    length_law: Annotated[LengthFormula | None, "Length or x along a named curve, e.g. 3*t m."] = None,
+    angle_law: Annotated[AngleFormula | None, "Angle along a named curve as a function of t, e.g. 90*t deg."] = None,
+    length_law: Annotated[
+        LengthFormula | None, "Length or x along a named curve as a function of t, e.g. 3*t m."
+    ] = None,
     let: Annotated[tuple[Variable, ...], "Variables of the formulas, e.g. a=3 m, w=2 rad/s."] = (),
     start: Annotated[Time, "Start of the range of times, e.g. 0 s."] = 0.0,
-    end: Annotated[Time | None, "End of the range; the state shown is there, e.g. 5 s."] = None,
-    at: Annotated[Time | None, "Another time of the state shown, e.g. 2 s."] = None,
+    end: Annotated[Time | None, "End of the range, where the state is shown, e.g. 5 s."] = None,
+    at: Annotated[Time | None, "Another time at which to show the state, e.g. 2 s."] = None,
     steps: Annotated[Count, "Intervals of the table [-]."] = 10,
 ) -> CurveMotion:
     """Velocity, acceleration, curvature and torsion along a curve over time, with exact derivatives.
@@ -132,7 +134,7 @@ def curve(
     state = motion.sharp(now)
     made = state.bend
     lengths: tuple[float | None, float] = (None, 0.0)
-    found: tuple[Event, ...] = ()
+    events_met: tuple[Event, ...] = ()
     rows: tuple[Point, ...] = ()
     if not is_many(now) and drawing() and last > first:
         arcs, doubt = arc_lengths(motion.plainly(), [first, last])
@@ -142,7 +144,7 @@ def curve(
         times = [first + (last - first) * i / steps for i in range(steps)] + [last]
         arcs, doubt = arc_lengths(plainly, times)
         rows = tuple(_row(plainly.sharp(time), time, arc, plainly.flat) for time, arc in zip(times, arcs, strict=True))
-        found = events(plainly, first, last)
+        events_met = events(plainly, first, last)
         lengths = (arcs[-1], doubt)
     return CurveMotion(
         time=now,
@@ -158,7 +160,7 @@ def curve(
         torsion=None if motion.flat else made.torsion,
         jerk_size=_size(state),
         arc_length=lengths[0],
-        events=found or None,
+        events=events_met or None,
         points=rows,
         numerics=_numerics(lengths),
         checks=(*parts_check(made), *(_quotient(motion.plainly(), plain(now), first, last) if whole else ())),
@@ -172,7 +174,7 @@ def _parameter(shape: "Any", angle: Formula | None, length: Formula | None) -> F
     if not given:
         return None
     require(
-        shape is not None, "a law of the {law} is for named curves", code="law", hint="--curve circle", law=given[0]
+        shape is not None, "a law of the {law} needs a named curve", code="law", hint="--curve circle", law=given[0]
     )
     require(
         shape.parameter in (given[0], "time"),
@@ -187,7 +189,7 @@ def _parameter(shape: "Any", angle: Formula | None, length: Formula | None) -> F
 
 def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, float, Any]":
     require(1 <= steps <= MOST_STEPS, "the table cannot have {steps} intervals", code="steps", steps=steps)
-    require(end is not None or at is not None, "a time is wanted", code="missing", hint="--end '5 s', or --at '2 s'")
+    require(end is not None or at is not None, "a time is missing", code="missing", hint="--end '5 s', or --at '2 s'")
     now = at if at is not None else end
     last = plain(end if end is not None else at)
     first = plain(start)
@@ -211,11 +213,11 @@ def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, flo
 
 
 def _row(state: State, time: float, arc: float, flat: bool) -> Point:
-    made = state.bend
+    motion = state.bend
     size = math.hypot(*state.position)
     x, y, z = (_without_dust(part, size) for part in state.position)
-    tangential = None if made.tangential is None else _without_dust(made.tangential, made.magnitude)
-    return Point(time, x, y, None if flat else z, made.speed, tangential, made.normal, made.curvature, arc)
+    tangential = None if motion.tangential is None else _without_dust(motion.tangential, motion.magnitude)
+    return Point(time, x, y, None if flat else z, motion.speed, tangential, motion.normal, motion.curvature, arc)
 
 
 def _without_dust(part: float, size: float) -> float:
@@ -274,10 +276,10 @@ def _quotient(motion: MovingPoint, now: float, first: float, last: float) -> tup
     return (Check("velocity is the difference of positions", apart <= allowed, apart, allowed),)
 
 
-def _advice(made: Bend, flat: bool) -> tuple[Advice, ...]:
-    names = ["radius_of_curvature"] if made.reason else []
-    if made.reason and not flat:
+def _advice(motion: Bend, flat: bool) -> tuple[Advice, ...]:
+    names = ["radius_of_curvature"] if motion.reason else []
+    if motion.reason and not flat:
         names.append("torsion")
-    if made.reason == "rest":
+    if motion.reason == "rest":
         names += ["tangential", "normal", "curvature"]
-    return advice_of(made, *names)
+    return advice_of(motion, *names)

@@ -69,7 +69,7 @@ def _first_step(
 ) -> float:
     """A time of the size that the motion takes."""
     if time is not None:
-        require(time > 0.0, "the time is zero: nothing happens", code="no-time", hint="give a time above zero")
+        require(time > 0.0, "the time is zero: there is no motion", code="no-time", hint="give a time above zero")
         return time
     try:
         rate = abs(float(law(t=0.0, x=0.0, v=speed)))
@@ -117,10 +117,10 @@ def _refuse_pole(pole: Pole) -> None:
 
 
 def _not_reached(parts: "list[Piece]", stop: float | None, distance: float | None, wanted: float) -> Run:
-    require(bool(parts), "without speed or acceleration it goes nowhere", code="not-reached")
+    require(bool(parts), "without speed or acceleration it does not move", code="not-reached")
     last = parts[-1]
     position, velocity, _ = last.at(last.length)
-    made = Run(parts, last.start + last.length, stop)
+    stopped = Run(parts, last.start + last.length, stop)
     what = "{wanted_distance}" if distance is not None else "{wanted_speed}"
     require(
         False,
@@ -130,13 +130,13 @@ def _not_reached(parts: "list[Piece]", stop: float | None, distance: float | Non
         hint="give a time, or another end",
         wanted_distance=(distance or 0.0, Length),
         wanted_speed=(wanted, Speed),
-        turn=(made.at(stop)[0] if stop is not None else 0.0, Length),
+        turn=(stopped.at(stop)[0] if stop is not None else 0.0, Length),
         stop=(stop or 0.0, Time),
-        time=(made.end, Time),
+        time=(stopped.end, Time),
         position=(position, Length),
         velocity=(velocity, Speed),
     )  # fmt: skip
-    return made
+    return stopped
 
 
 def estimate(value: float, again: float) -> float:

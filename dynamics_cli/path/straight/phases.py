@@ -67,7 +67,7 @@ def solutions(phase: Phase) -> list[Solution]:
     missing = ", ".join(WORDS[name] for name in NAMES if name not in given)
     require(
         len(given) >= 3,
-        "three of the five numbers are wanted, and {count} given",
+        "three of the five numbers are needed, {count} given",
         code="three-of-five",
         hint="give {more} more of: {missing}",
         count=len(given),
@@ -75,11 +75,11 @@ def solutions(phase: Phase) -> list[Solution]:
         missing=missing,
     )
     first = tuple(given)[:3]
-    found = [one for one in _SOLVERS[first](*(given[name] for name in first)) if one is not None]
-    later = [one for one in found if plain(one.time) >= 0.0]
+    motions = [one for one in _SOLVERS[first](*(given[name] for name in first)) if one is not None]
+    later = [one for one in motions if plain(one.time) >= 0.0]
     if not later:
         require(
-            all(plain(one.time) < 0.0 for one in found),
+            all(plain(one.time) < 0.0 for one in motions),
             "the time of this motion leaves the range of a double",
             code="range",
             hint="check the sizes of speed, acceleration and distance",
@@ -89,32 +89,32 @@ def solutions(phase: Phase) -> list[Solution]:
             "the motion would have to end {time} before it starts",
             code="negative-time",
             hint="check the signs of speed, acceleration and distance",
-            time=(-plain(found[0].time), Time),
+            time=(-plain(motions[0].time), Time),
         )
     later = _agreeing(later, given, first)
     return sorted(later, key=lambda one: plain(one.time))
 
 
-def _agreeing(found: list[Solution], given: "dict[str, Any]", used: tuple[str, ...]) -> list[Solution]:
+def _agreeing(motions: list[Solution], given: "dict[str, Any]", used: tuple[str, ...]) -> list[Solution]:
     """Those that have the fourth and fifth number too, where more than three were given."""
     for name in given:
         if name in used:
             continue
         kind = {"time": Time, "distance": Length, "acceleration": Acceleration}.get(name, Speed)
         wanted = plain(given[name])
-        near = [one for one in found if _near(one, name, wanted)]
+        near = [one for one in motions if _near(one, name, wanted)]
         require(
             bool(near),
-            "the numbers contradict one another: from {names} the {name} is {value:6}, not {wanted:6}",
+            "the numbers contradict each other: from {names} the {name} is {value:6}, not {wanted:6}",
             code="inconsistent",
             hint="leave out one of them",
             names=", ".join(WORDS[one] for one in used),
             name=WORDS[name],
-            value=(plain(getattr(found[0], name)), kind),
+            value=(plain(getattr(motions[0], name)), kind),
             wanted=(wanted, kind),
         )
-        found = near
-    return found
+        motions = near
+    return motions
 
 
 def _near(one: Solution, name: str, wanted: float) -> bool:
@@ -150,7 +150,7 @@ def _speeds_distance(u: float, v: float, s: float) -> list[Solution]:
             s=(plain(s), Length),
         )
     if plain(s) == 0.0:
-        require(plain(u) == plain(v), "a change of speed takes some distance", code="inconsistent")
+        require(plain(u) == plain(v), "a change of speed needs a distance above zero", code="inconsistent")
         _open("the acceleration")
     t = 2.0 * s / (u + v)
     return [Solution(u, v, (v - u) * (v + u) / (2.0 * s), s, t)]
@@ -206,7 +206,7 @@ def _passage(u: float, v: float, a: float, s: float) -> Solution:
 
 
 def _at_once(speed: float, a: float, s: float) -> list[Solution]:
-    require(plain(s) == 0.0 and plain(a) != 0.0, "at rest without acceleration it goes nowhere", code="not-reached")
+    require(plain(s) == 0.0 and plain(a) != 0.0, "at rest without acceleration it does not move", code="not-reached")
     return [Solution(speed, speed, a, s, 0.0 * speed)]
 
 

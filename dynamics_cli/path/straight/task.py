@@ -1,7 +1,7 @@
 """The task `rectilinear`: phases of constant acceleration, or a law of the acceleration, with a table over time."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import only_in_doubles
+from dynamics_cli.numerics.elementary import only_in_doubles, summed
 from dynamics_cli.numerics.expressions.laws import law_of
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.path.straight.laws import Run, estimate, run
@@ -30,7 +30,7 @@ TOLERANCE = 1e-9
 class Moment:
     """One row of the motion."""
 
-    phase: Annotated[int, "Which phase it is of."]
+    phase: Annotated[int, "Number of its phase."]
     time: Annotated[Time, "Time since the start [s]."]
     distance: Annotated[Length, "Displacement since the start [m]."]
     speed: Annotated[Speed, "Velocity [m/s]."]
@@ -50,7 +50,7 @@ class Straight:
     stop_time: Annotated[Time | None, "When it first comes to rest, of one phase that goes on or a law [s]."]
     stop_distance: Annotated[Length | None, "Where it first comes to rest [m]."]
     end_acceleration: Annotated[Acceleration | None, "Acceleration at the end; under a law [m/s^2]."]
-    alternatives: Annotated[tuple[Solution, ...] | None, "Other motions with the same numbers, of one phase."]
+    alternatives: Annotated[tuple[Solution, ...] | None, "Other motions with the same numbers, for a single phase."]
     motion: Annotated[tuple[Moment, ...], "Time, displacement, velocity and acceleration along the way."]
     numerics: Numerics | None = None
     checks: tuple[Check, ...] = ()
@@ -102,7 +102,7 @@ def rectilinear(
     -4.0
     """
     _check_steps(steps)
-    require(law is None, "a law is for the model of laws", code="model")
+    require(law is None, "a law needs the model for laws", code="model")
     several = phases if isinstance(phases, tuple) else (phases,)
     ways = []
     speed: float | None = None
@@ -121,7 +121,7 @@ def rectilinear(
         ways.append(solutions(given))
         speed = ways[-1][0].end_speed
     chosen = [way[0] for way in ways]
-    time, distance = _total([one.time for one in chosen]), _total([one.distance for one in chosen])
+    time, distance = summed([one.time for one in chosen]), summed([one.distance for one in chosen])
     alone = chosen[0] if len(chosen) == 1 else None
     stop = _stop(alone) if alone is not None else None
     return Straight(
@@ -178,39 +178,39 @@ def rectilinear_law(
     """
     _check_steps(steps)
     one = phases[0] if isinstance(phases, tuple) else phases
-    require(not isinstance(phases, tuple) or len(phases) == 1, "a law is for one phase", code="one-phase")
+    require(not isinstance(phases, tuple) or len(phases) == 1, "a law takes one phase only", code="one-phase")
     require(law is not None, "no law is given", code="no-law", hint="--law '-0.004*v^2 m/s^2'")
-    require(one.start_speed is not None, "the start speed is wanted with a law", code="missing", hint="--start-speed")
+    require(one.start_speed is not None, "a law needs the start speed", code="missing", hint="--start-speed")
     require(one.acceleration is None, "the law gives the acceleration: leave out the number", code="exclusive")
     ends = [name for name in ("time", "distance", "end_speed") if getattr(one, name) is not None]
     require(
         len(ends) <= 1,
         "a law with a start speed needs one end, not {ends}",
         code="exclusive",
-        hint="give time, distance or end speed; without one it goes on to rest",
+        hint="give time, distance or end speed; without one the motion runs until rest",
         ends=" and ".join(name.replace("_", " ") for name in ends),
     )
     numbers = (one.start_speed, one.time, one.distance, one.end_speed, *(each.value for each in let))
     only_in_doubles(*numbers)
     plainly = Phase(plain(one.start_speed), plain(one.end_speed), None, plain(one.distance), plain(one.time))
     function = law_of(law, tuple(type(each)(each.name, plain(each.value), each.unit) for each in let))  # type: ignore[arg-type]
-    made, again = run(function, plainly), run(function, plainly, halved=True)
-    distance, speed, rate = made.at(made.end)
-    stop = made.stop
+    motion, again = run(function, plainly), run(function, plainly, halved=True)
+    distance, speed, rate = motion.at(motion.end)
+    stop = motion.stop
     return Straight(
         start_speed=plainly.start_speed,  # type: ignore[arg-type]
         end_speed=speed,
         acceleration=None,
         distance=distance,
-        time=made.end,
-        mean_speed=distance / made.end,
+        time=motion.end,
+        mean_speed=distance / motion.end,
         stop_time=stop,
-        stop_distance=made.at(stop)[0] if stop is not None else None,
+        stop_distance=motion.at(stop)[0] if stop is not None else None,
         end_acceleration=rate,
         alternatives=None,
-        motion=tuple(_rows(made, steps)),
-        numerics=_numerics(made, again),
-        checks=_work(made, function),
+        motion=tuple(_rows(motion, steps)),
+        numerics=_numerics(motion, again),
+        checks=_work(motion, function),
     )
 
 
@@ -220,13 +220,6 @@ def _check_steps(steps: int) -> None:
 
 def _continued(phase: Phase, speed: float) -> Phase:
     return Phase(speed, phase.end_speed, phase.acceleration, phase.distance, phase.time)
-
-
-def _total(parts: "list[float]") -> float:
-    total = parts[0]
-    for part in parts[1:]:
-        total = total + part
-    return total
 
 
 def _stop(one: Solution) -> "tuple[float, float] | None":
@@ -251,9 +244,9 @@ def _table(chosen: "list[Solution]", steps: int) -> "list[Moment]":
     return rows
 
 
-def _rows(made: Run, steps: int) -> "list[Moment]":
-    times = [made.end * step / steps for step in range(steps)] + [made.end]
-    return [Moment(1, time, *made.at(time)) for time in times]
+def _rows(motion: Run, steps: int) -> "list[Moment]":
+    times = [motion.end * step / steps for step in range(steps)] + [motion.end]
+    return [Moment(1, time, *motion.at(time)) for time in times]
 
 
 def _energy(chosen: "list[Solution]") -> tuple[Check, ...]:
@@ -270,10 +263,10 @@ def _several_advice(ways: "list[list[Solution]]") -> tuple[Advice, ...]:
     if all(len(way) == 1 for way in ways):
         return ()
     if len(ways) > 1:
-        return (Advice("two-motions", "a phase has two motions with its numbers: the earlier is taken", "note"),)
+        return (Advice("two-motions", "a phase has two motions with these numbers: the earlier one is taken", "note"),)
     other = ways[0][1]
     message = worded(
-        "another motion has these numbers too: in {time:6}, from {start:6} to {end:6}",
+        "another motion has the same numbers: in {time:6}, from {start:6} to {end:6}",
         time=(plain(other.time), Time),
         start=(plain(other.start_speed), Speed),
         end=(plain(other.end_speed), Speed),
@@ -281,24 +274,24 @@ def _several_advice(ways: "list[list[Solution]]") -> tuple[Advice, ...]:
     return (Advice("two-motions", message, "note"),)
 
 
-def _numerics(made: Run, again: Run) -> Numerics:
-    here, there = made.at(made.end), again.at(again.end)
-    bounds = [("time", made.end, again.end), ("distance", here[0], there[0]), ("end_speed", here[1], there[1])]
-    if made.stop is not None and again.stop is not None:
-        bounds.append(("stop_time", made.stop, again.stop))
+def _numerics(motion: Run, again: Run) -> Numerics:
+    here, there = motion.at(motion.end), again.at(again.end)
+    bounds = [("time", motion.end, again.end), ("distance", here[0], there[0]), ("end_speed", here[1], there[1])]
+    if motion.stop is not None and again.stop is not None:
+        bounds.append(("stop_time", motion.stop, again.stop))
     return Numerics(
         "Taylor series of order 18; errors estimated with half the steps",
         tuple(ErrorBound(name, estimate(*values), relative=False) for name, *values in bounds),
     )
 
 
-def _work(made: Run, law: "Any") -> tuple[Check, ...]:
+def _work(motion: Run, law: "Any") -> tuple[Check, ...]:
     """The law at the end beside the slope of the series there."""
-    distance, speed, rate = made.at(made.end)
+    distance, speed, rate = motion.at(motion.end)
     try:
-        wanted = float(law(t=made.end, x=distance, v=speed))
+        wanted = float(law(t=motion.end, x=distance, v=speed))
     except (ArithmeticError, ValueError):
         return ()
-    size = max(abs(wanted), abs(made.at(0.0)[2]), abs(speed / made.end))
+    size = max(abs(wanted), abs(motion.at(0.0)[2]), abs(speed / motion.end))
     apart = abs(rate - wanted) / size if size else 0.0
-    return (Check("acceleration at the end is the law's", apart <= TOLERANCE, apart, TOLERANCE),)
+    return (Check("acceleration at the end is that of the law", apart <= TOLERANCE, apart, TOLERANCE),)

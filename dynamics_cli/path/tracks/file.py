@@ -65,7 +65,7 @@ def read_track(file: str) -> Track:
 
 def _columns(header: "list[str]") -> "dict[str, tuple[int, float]]":
     """Where each column is, and its unit's factor."""
-    found: dict[str, tuple[int, float]] = {}
+    columns: dict[str, tuple[int, float]] = {}
     for place, cell in enumerate(header):
         name, _, unit = cell.strip().lower().partition("[")
         name, unit = name.strip(), unit.strip().rstrip("]").strip()
@@ -74,14 +74,14 @@ def _columns(header: "list[str]") -> "dict[str, tuple[int, float]]":
             continue
         require(
             not unit or unit in UNITS,
-            "the column {cell} has a unit that tracks are not read in",
+            "the column {cell} has a unit that tracks cannot have",
             code="unit",
             hint="use one of {known}",
             cell=repr(cell),
             known=", ".join(UNITS),
         )
-        found[key] = place, UNITS[unit] if unit else 1.0
-    enough = "t" in found and ("x" in found or ("lat" in found and "lon" in found))
+        columns[key] = place, UNITS[unit] if unit else 1.0
+    enough = "t" in columns and ("x" in columns or ("lat" in columns and "lon" in columns))
     require(
         enough,
         "the header {header} has no columns of a time and a position",
@@ -89,7 +89,7 @@ def _columns(header: "list[str]") -> "dict[str, tuple[int, float]]":
         hint="name them t[s],x[m],y[m] (and z[m]), or t[s],lat[deg],lon[deg]",
         header=repr(",".join(header)[:60]),
     )
-    return found
+    return columns
 
 
 def _row(row: "list[str]", columns: "dict[str, tuple[int, float]]", line: int) -> "dict[str, float]":

@@ -75,7 +75,7 @@ class TrackMotion:
     length: Annotated[Distance, "Length of the smoothed path [m]."]
     speed_noise: Annotated[Speed, "Standard deviation of the speed, median over the track [m/s]."]
     acceleration_noise: Annotated[Acceleration, "Standard deviation of the acceleration, median [m/s^2]."]
-    position_noise: Annotated[Length, "Standard deviation of a measured coordinate: given, or found [m]."]
+    position_noise: Annotated[Length, "Standard deviation of a measured coordinate: given or estimated [m]."]
     measured_noise: Annotated[Length, "Standard deviation as the residuals have it [m]."]
     raw_noise: Annotated[Acceleration, "What raw second differences would have had [m/s^2]."]
     freedom: Annotated[Ratio, "Equivalent number of parameters of the smoothed track [-]."]
@@ -92,9 +92,9 @@ def table(
     /,
     *,
     sigma: Annotated[
-        Noise | None, "Standard deviation of a measured coordinate; estimated unless given, e.g. 3 cm."
+        Noise | None, "Standard deviation of a measured coordinate; estimated if left out, e.g. 3 cm."
     ] = None,
-    smoothing: Annotated[Smoothing, "spline; or none, which is refused with the noise it would have."] = SPLINE,
+    smoothing: Annotated[Smoothing, "spline; none is refused, and the message gives the noise it would have."] = SPLINE,
 ) -> TrackMotion:
     """Speed, acceleration and curvature from measured positions, by a smoothing spline, with the noise of each.
 
@@ -143,7 +143,7 @@ def table(
         smoothing != "none",
         "raw second differences of this track have a noise of {noise} (σ = {sigma}, one point every {step})",
         code="raw",
-        hint="leave out --smoothing: a spline keeps the noise out, and states what is left",
+        hint="leave out --smoothing: a spline removes most noise, and states what remains",
         noise=(raw * math.sqrt(6.0) / step**2, Acceleration),
         sigma=(raw, Length),
         step=(step, Time),
@@ -191,17 +191,17 @@ class _Motion:
         import numpy as np
 
         top = int(self.speed.argmax())
-        made: dict[str, Any] = {"top_speed": float(self.speed[top]), "top_speed_time": float(self.times[top])}
+        extremes: dict[str, Any] = {"top_speed": float(self.speed[top]), "top_speed_time": float(self.times[top])}
         along = np.where(self.moves, self.tangential, 0.0)
         low, high, side = int(along.argmin()), int(along.argmax()), int(self.normal.argmax())
         braked = along[low] < 0.0
-        made["hardest_braking"] = -float(along[low]) if braked else None
-        made["hardest_braking_time"] = float(self.times[low]) if braked else None
-        made["strongest_acceleration"] = float(along[high]) if along[high] > 0.0 else None
+        extremes["hardest_braking"] = -float(along[low]) if braked else None
+        extremes["hardest_braking_time"] = float(self.times[low]) if braked else None
+        extremes["strongest_acceleration"] = float(along[high]) if along[high] > 0.0 else None
         planar = self.place.shape[1] > 1
-        made["strongest_lateral"] = float(self.normal[side]) if planar else None
-        made["strongest_lateral_time"] = float(self.times[side]) if planar else None
-        return made
+        extremes["strongest_lateral"] = float(self.normal[side]) if planar else None
+        extremes["strongest_lateral_time"] = float(self.times[side]) if planar else None
+        return extremes
 
     def rows(self) -> tuple[TrackPoint, ...]:
         """The table."""
@@ -250,17 +250,17 @@ class _Motion:
 def _advice(fit: "Smooth", track: Track, count: int) -> tuple[Advice, ...]:
     from dynamics_cli.errors import worded
 
-    made = []
+    advice = []
     if fit.sigma_given is not None and not 1.0 / TOO_FAR < fit.measured_sigma / fit.sigma_given < TOO_FAR:
         apart = worded(
-            "the positions scatter by {found} about the smoothed track, not by the {given} stated",
+            "the positions scatter by {found} about the smoothed track, not by the stated {given}",
             found=(fit.measured_sigma, Length),
             given=(fit.sigma_given, Length),
         )
-        made.append(Advice("sigma", apart, remedy="leave out --sigma, or look for outliers in the track"))
+        advice.append(Advice("sigma", apart, remedy="leave out --sigma, or look for outliers in the track"))
     if fit.freedom > BUSY * count or (fit.thinned and fit.freedom > BUSY * len(fit.knots)):
-        text = "the motion changes nearly as fast as it was measured: little noise can be told from it"
-        made.append(Advice("busy", text, remedy="measure more often, or give a part of the track"))
+        text = "the motion changes nearly as fast as it was sampled: noise can hardly be told from motion"
+        advice.append(Advice("busy", text, remedy="measure more often, or give a part of the track"))
     if track.globe and max(map(abs, (x for place in track.places for x in place[:2]))) > FLAT:
-        made.append(Advice("far", "the track is longer than a plane is good for", remedy="give a part of it"))
-    return tuple(made)
+        advice.append(Advice("far", "the track is too long for a plane map", remedy="give a part of it"))
+    return tuple(advice)

@@ -21,11 +21,11 @@ ROLLOVER = Task(
     headline=(
         "speed: speed before the trip",
         "roll_speed: speed as it began to roll",
-        "trip_speed: least speed that trips it, soil",
-        "kerb_speed: least speed that trips it, kerb",
-        "curve_speed: tips in the curve at",
+        "trip_speed: least trip speed in soil",
+        "kerb_speed: least trip speed at a kerb",
+        "curve_speed: speed that tips in the curve",
         "stability: static stability factor",
-        "tip_drag: tips at a lateral drag factor of",
+        "tip_drag: lateral drag factor that tips",
         "roll_rate: mean roll rate",
         "roll_time: time of the rolling",
     ),
@@ -56,7 +56,7 @@ VALUES = Task(
     listing=True,
     arrays=False,
     tracked=False,
-    names={"surface": "dynamics_cli.skid.values.task:surfaces"},
+    names={"surface": "dynamics_cli.skid.values.task:SURFACES"},
     headline=("values: ranges",),
     layout="dynamics_cli.skid.values.layout:lines",
 )
@@ -79,13 +79,13 @@ SWERVE = Task(
     ),
     headline=(
         "total_distance: distance with reaction and lag",
-        "total_time: time with them",
+        "total_time: time with reaction and lag",
         "distance: distance of two arcs",
         "time: time of two arcs",
         "one_arc_distance: distance of one arc",
         "sine_time: time as a sine",
-        "braking_distance: to stop instead",
-        "equal_speed: braking needs as much at",
+        "braking_distance: stopping distance instead",
+        "equal_speed: swerving is shorter above",
     ),
     examples=(
         'dynamics skid swerve --speed "90 km/h" --lateral-shift "3.5 m" --lateral-acceleration "0.35 g" '

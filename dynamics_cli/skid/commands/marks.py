@@ -136,16 +136,24 @@ YAW = Task(
         "circular motion at the limit of side friction",
         "dynamics_cli.skid.yaw:yaw",
         source="Newton's second law on a banked curve; as commonly published for yaw marks",
-        formula="{speed|v} = √({gravity|g}·{path_radius|R}·({friction|f} + {superelevation|e})"
-        "/(1 − {friction|f}·{superelevation|e}))",
+        formula=(
+            "{speed|v} = √({gravity|g}·{path_radius|R}·(f + {superelevation|e})/(1 − f·{superelevation|e}))"
+            "/(1 + {test_error|ε}), f = √({friction|μ}² − {braking_drag|b}²)",
+            "{speed|v} = √({gravity|g}·{path_radius|R}·(f + {superelevation|e})/(1 − f·{superelevation|e})), "
+            "f = √({friction|μ}² − {braking_drag|b}²)",
+            "{speed|v} = √({gravity|g}·{path_radius|R}·({friction|f} + {superelevation|e})"
+            "/(1 − {friction|f}·{superelevation|e}))/(1 + {test_error|ε})",
+            "{speed|v} = √({gravity|g}·{path_radius|R}·({friction|f} + {superelevation|e})"
+            "/(1 − {friction|f}·{superelevation|e}))",
+        ),
         assumptions=("the mark is the path of a vehicle sliding sideways at its limit", POINT),
     ),
     headline=(
         "speed: critical speed",
-        "speed_deviation: σ by the points alone",
+        "speed_deviation: σ of the speed by the points",
         "path_radius: path radius R",
         "mark_radius",
-        "radius_deviation: its σ by the points",
+        "radius_deviation: σ of the radius by the points",
         "point_scatter: scatter of the points",
         "first_half_radius: radius of the first half",
         "second_half_radius: radius of the second half",
@@ -163,7 +171,7 @@ YAW = Task(
 
 VAULT = Task(
     "vault",
-    "Take-off speed of an airborne vehicle, its angle known or the least over all angles.",
+    "Take-off speed of an airborne vehicle, for a known angle or the minimum over all angles.",
     Model(
         "least speed over all angles",
         "dynamics_cli.skid.vault:vault_least_speed",

@@ -5,7 +5,7 @@ from dynamics_cli.skid.commands.marks import POINT
 
 
 def _stopping(body: str, speed: str) -> "dict[str, str]":
-    """What a template shows of a driver who reacts and brakes to a stop."""
+    """Template values of a driver who reacts and brakes to a stop."""
     return {
         f"{body}start_speed": speed,
         f"{body}phases[0].kind": "reaction",
@@ -17,7 +17,7 @@ def _stopping(body: str, speed: str) -> "dict[str, str]":
 
 
 def _steady(body: str, speed: str) -> "dict[str, str]":
-    """The same of one who goes on as before."""
+    """Template values of one who continues at constant speed."""
     return {f"{body}start_speed": speed, f"{body}phases[0].kind": "constant", f"{body}phases[0].duration": "5 s"}
 
 
@@ -61,13 +61,13 @@ MEET = Task(
         formula="{stopping_speed|v_s} = 2·D'/(T + √(T² + 2·D'/a)), D' = {first_distance|D} + a·t_b²/24, "
         "T = t_r + t_b/2; "
         "{late_speed|v_l} = ({first_distance|D} + ½·a·({clear_time|t_c} − T)² + a·t_b²/24)/{clear_time|t_c}",
-        assumptions=(POINT, "before its first phase each party keeps its speed", "the second does not change its way"),
+        assumptions=(POINT, "before its first phase each party keeps its speed", "the second does not change its path"),
     ),
     headline=(
         "avoidable",
         "hazard_time: hazard began, before the impact",
-        "first_distance: first then away",
-        "first_speed: first then travelled at",
+        "first_distance: first at a distance of",
+        "first_speed: first travelling at",
         "sufficient_speed: speed that suffices",
         "stopping_speed: to stop short",
         "late_speed: to arrive when the way is clear",
@@ -102,9 +102,9 @@ FOLLOW = Task(
         "contact",
         "contact_time: contact after",
         "closing_speed",
-        "leader_speed: leader then at",
-        "follower_speed: follower then at",
-        "follower_distance: follower has gone",
+        "leader_speed: leader travelling at",
+        "follower_speed: follower travelling at",
+        "follower_distance: follower has travelled",
         "least_gap",
         "least_gap_time: nearest after",
         "moments | time, gap, leader_speed, follower_speed",
@@ -123,7 +123,7 @@ FOLLOW = Task(
 
 SIGHT = Task(
     "sight",
-    "When two parties on crossing ways could see one another past an obstruction.",
+    "When two parties on crossing paths could see each other past an obstruction.",
     Model(
         "line of sight past a corner",
         "dynamics_cli.skid.timing.sight:sight",
@@ -134,7 +134,7 @@ SIGHT = Task(
     ),
     headline=(
         "time_left: in sight, before the impact",
-        "first_distance: first then away",
+        "first_distance: first at a distance of",
         "first_speed: first then at",
         "second_distance: second then away",
         "second_speed: second then at",

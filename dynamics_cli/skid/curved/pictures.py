@@ -61,7 +61,7 @@ def swerve(
             "one arc", "dashed", role=1,
         ),
         Mark(start, 0.0, "steering acts", aside=(4.0, -14.0), role=0),
-        Mark(start + 2.0 * half, lateral_shift, "straight again", aside=(-4.0, -16.0), role=0),
+        Mark(start + 2.0 * half, lateral_shift, "straight again", aside=(4.0, -16.0), role=0),
     ]  # fmt: skip
     if made.braking_distance is not None:
         stop = start + float(made.braking_distance)

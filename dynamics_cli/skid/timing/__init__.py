@@ -1,1 +1,1 @@
-"""Time and distance of a crash: phases of motion, two parties that meet, and what could be seen."""
+"""Time and distance of a crash: phases of motion, two parties that meet, and sight."""

@@ -1,4 +1,4 @@
-"""A motion through phases as polynomials of the time, for two parties to be laid side by side."""
+"""A motion through phases as polynomials of time, so that two parties can be compared."""
 
 from itertools import pairwise
 from math import inf, isfinite
@@ -81,7 +81,7 @@ class Course:
         return begin, distance
 
     def on(self, time: "Any") -> Stretch:
-        """The piece that a time falls on; at a corner the earlier one."""
+        """The piece that contains a time; at a corner the earlier one."""
         at = plain(time)
         require_kept(isfinite(at), "a speed or an acceleration, or the difference of two,")
         return next(piece for piece in self.stretches if at <= piece.end)
@@ -102,7 +102,7 @@ def changes(
     """
     ends = {piece.end for course in (first, second) for piece in course.stretches}
     corners = sorted({begin, end, *(corner for corner in ends if begin < corner < end)})
-    found: list[tuple[Any, bool]] = []
+    times: list[tuple[Any, bool]] = []
     for low, high in pairwise(corners):
         pieces = (first.on(0.5 * (low + high)), second.on(0.5 * (low + high)))
         whole = combined(*(shifted(piece.coefficients, low - piece.origin) for piece in pieces))
@@ -113,14 +113,14 @@ def changes(
         for root in roots_between([plain(part) for part in whole], 0.0, high - low):
             steep = plain(value(slope, root))
             # a root at a corner belongs to both pieces
-            again = found and abs(plain(found[-1][0]) - (low + root)) <= 1e-12 * (1.0 + abs(low))
+            again = times and abs(plain(times[-1][0]) - (low + root)) <= 1e-12 * (1.0 + abs(low))
             if steep != 0.0 and not again:
-                found.append((low + _settled(whole, root, steep), steep > 0.0))
-    return found
+                times.append((low + _settled(whole, root, steep), steep > 0.0))
+    return times
 
 
 def _settled(whole: "list[Any]", root: float, steep: float) -> "Any":
-    """The root with what the coefficients carry: one step of Newton's from the double nearest to it."""
+    """The root with the bounds and derivatives of the coefficients: one Newton step from the nearest double."""
     left = value(whole, root)
     only_in_doubles(left)
     return root - left / steep

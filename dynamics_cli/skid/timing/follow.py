@@ -69,12 +69,11 @@ def follow(
     Raises
     ------
     InadmissibleError
-        When the gap is not above zero, a phase cannot be as given, or steps is not within 1 to 10000.
+        When the gap is not above zero, a phase is impossible as given, or steps is not within 1 to 10000.
 
     Notes
     -----
-    Both in one lane. The contact is looked for until both keep their speeds, and from then on as well, if the follower
-    is the faster.
+    Both in one lane. The contact is sought until both speeds are constant, and beyond if the follower is faster.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Two parties that meet at a point: where each was when, and from what speed the impact could have been avoided."""
+"""Two parties that meet: their positions over time, and the speed that would have avoided the impact."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import sqrt, total
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @record
 class Party:
-    """One party: its way to the impact in phases."""
+    """One party: its motion to the impact in phases."""
 
     phases: Annotated[Phase | tuple[Phase, ...], "Its phases up to the impact, in order of time."]
     known: Annotated[StartSpeed | EndSpeed, "Its speed, at the start or at the impact."]
@@ -106,7 +106,7 @@ def meet(
     Raises
     ------
     InadmissibleError
-        When a phase cannot be as given, or steps is not within 1 to 10000.
+        When a phase is impossible as given, or steps is not within 1 to 10000.
 
     Notes
     -----
@@ -168,7 +168,7 @@ def meet(
 
 
 def _beyond_tyres(needed: "float | None", gravity: float) -> "tuple[Advice, ...]":
-    """Say so when no braking could have stopped it short."""
+    """Advice when no braking could have stopped it short."""
     if needed is None or not plain(needed) > HIGHEST_FRICTION * plain(gravity):
         return ()
     message = worded(
@@ -189,7 +189,7 @@ def motion_of(party: "Party | Obstruction", gravity: float) -> "list[Leg]":
 
 
 def _sets_out(motion: "list[Leg]") -> float:
-    """How long before the impact a party begins to move."""
+    """Time before the impact at which a party begins to move."""
     rows = summed(motion)
     return next((row.begins for row in rows if row.phase != "waiting"), rows[-1].begins)
 
@@ -210,7 +210,7 @@ def _driver(motion: "list[Leg]") -> "tuple[float, float, float] | None":
 
 
 def _stopping_speed(distance: float, reaction: float, build_up: float, deceleration: float) -> float:
-    """The greatest speed that is gone within the distance."""
+    """The highest speed that can be stopped within the distance."""
     mean = reaction + 0.5 * build_up
     room = distance + deceleration * build_up * build_up / 24.0
     speed = 2.0 * room / (mean + sqrt(mean * mean + 2.0 * room / deceleration))
@@ -233,7 +233,7 @@ def _short_stop(distance: float, reaction: float, build_up: float, deceleration:
 
 
 def _late_speed(distance: float, clear: float, reaction: float, build_up: float, deceleration: float) -> "float | None":
-    """The greatest speed from which the first, braking, is not there before the way is clear; none where it stands."""
+    """The highest speed from which the first, braking, arrives only after the path is clear; None if it stops."""
     if plain(clear) <= plain(reaction):
         return distance / clear
     since = clear - reaction
@@ -247,7 +247,7 @@ def _late_speed(distance: float, clear: float, reaction: float, build_up: float,
 
 
 def _needed(distance: float, speed: float, reaction: float, build_up: float) -> "float | None":
-    """The deceleration that stops it short from its own speed, or none where its reaction takes the whole way."""
+    """The deceleration that stops it short from its own speed, or None if its reaction takes the whole distance."""
     left = distance - speed * (reaction + 0.5 * build_up)
     if plain(left) <= 0.0:
         return None
@@ -255,7 +255,7 @@ def _needed(distance: float, speed: float, reaction: float, build_up: float) -> 
 
 
 def _earlier(distance: float, speed: float, reaction: float, build_up: float, deceleration: float) -> float:
-    """How much earlier it would have had to react, at the speed it then had; less than zero is time to spare."""
+    """How much earlier it would have had to react, at its speed then; negative for time to spare."""
     if plain(speed) >= plain(0.5 * deceleration * build_up):
         way = speed * (reaction + 0.5 * build_up) + 0.5 * speed * speed / deceleration
         return (way - deceleration * build_up * build_up / 24.0 - distance) / speed

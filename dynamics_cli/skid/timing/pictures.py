@@ -38,7 +38,7 @@ def _curves(motion: "list[Leg]", role: int = -1) -> "tuple[list[Any], list[Any]]
     return ways, speeds
 
 
-def timeline(made: "Any", *, phases: "Any", known: "Any", gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
+def timeline(result: "Any", *, phases: "Any", known: "Any", gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
     """Distance and speed over the time before the end, phase by phase."""
     motion = legs(
         phases if isinstance(phases, tuple) else (phases,), gravity,
@@ -46,9 +46,9 @@ def timeline(made: "Any", *, phases: "Any", known: "Any", gravity: float = STAND
         end=known.end_speed if isinstance(known, EndSpeed) else None,
     )  # fmt: skip
     ways, speeds = _curves(motion)
-    for row in made.phases:
+    for row in result.phases:
         ways.append(Mark(row.begins, row.from_distance, ""))
-    axis = _before(made.duration, "the end")
+    axis = _before(result.duration, "the end")
     return Picture(
         (Panel(axis, LEFT, tuple(ways)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))), "time and distance"
     )
@@ -58,9 +58,9 @@ def _named(party: Party, otherwise: str) -> str:
     return str(party.name) if party.name else otherwise
 
 
-def meet(made: "Any", *, first: Party, second: Party, gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
+def meet(result: "Any", *, first: Party, second: Party, gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
     """Both parties' distances and speeds over the time before the impact, with the moment the hazard began."""
-    longest = made.moments[0].time_left
+    longest = result.moments[0].time_left
     times = [longest * (1.0 - i / (4 * POINTS)) for i in range(4 * POINTS + 1)]
     ways: list[Any] = []
     speeds: list[Any] = []
@@ -76,9 +76,9 @@ def meet(made: "Any", *, first: Party, second: Party, gravity: float = STANDARD_
                 for row in summed(motion)
             ]
     for items in (ways, speeds):
-        items.append(Band(made.hazard_time, made.hazard_time, "hazard begins"))
-    if made.sufficient_speed is not None:
-        speeds.append(Band(made.sufficient_speed, made.sufficient_speed, "speed that suffices", vertical=False))
+        items.append(Band(result.hazard_time, result.hazard_time, "hazard begins"))
+    if result.sufficient_speed is not None:
+        speeds.append(Band(result.sufficient_speed, result.sufficient_speed, "speed that suffices", vertical=False))
     axis = _before(longest)
     return Picture(
         (Panel(axis, AWAY, tuple(ways)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
@@ -87,12 +87,12 @@ def meet(made: "Any", *, first: Party, second: Party, gravity: float = STANDARD_
 
 
 def follow(
-    made: "Any", *, leader: Party, follower: Party, gap: float, gravity: float = STANDARD_GRAVITY, **_: "Any"
+    result: "Any", *, leader: Party, follower: Party, gap: float, gravity: float = STANDARD_GRAVITY, **_: "Any"
 ) -> Picture:
     """Places of both and speeds over time, up to the contact."""
     from dynamics_cli.skid.timing.courses import Course
 
-    end = made.moments[-1].time
+    end = result.moments[-1].time
     times = [end * i / (4 * POINTS) for i in range(4 * POINTS + 1)]
     ways: list[Any] = []
     speeds: list[Any] = []
@@ -101,8 +101,8 @@ def follow(
         states = [course.at(time) for time in times]
         ways.append(Curve(times, [way for way, _, _ in states], _named(party, name), role=role))
         speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
-    if made.contact:
-        ways.append(Mark(made.contact_time, made.follower_distance, "contact", aside=(-5.0, -12.0)))
+    if result.contact:
+        ways.append(Mark(result.contact_time, result.follower_distance, "contact", aside=(-5.0, -12.0)))
     axis = Axis("time", Time, ends=(0.0, 1.08 * end))
     place = Axis("place", Length)
     return Picture(
@@ -111,19 +111,20 @@ def follow(
 
 
 def sight(
-    made: "Any", *, corner_before: float, corner_aside: float, eye_behind: float = 0.0, crossing: float = 0.5 * math.pi,
-    obstruction: "Any" = None, obstruction_length: "float | None" = None, gravity: float = STANDARD_GRAVITY, **_: "Any",
+    result: "Any", *, corner_before: float, corner_aside: float, eye_behind: float = 0.0,
+    crossing: float = 0.5 * math.pi, obstruction: "Any" = None, obstruction_length: "float | None" = None,
+    gravity: float = STANDARD_GRAVITY, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The plan at the opening of the sight: ways, obstruction, eye, target and the line between them."""
-    eye = -(made.first_distance + eye_behind)
-    target = (-made.second_distance * math.cos(crossing), -made.second_distance * math.sin(crossing))
-    depth = max(2.0 * made.second_distance * math.sin(crossing), 3.0 * corner_aside)
+    eye = -(result.first_distance + eye_behind)
+    target = (-result.second_distance * math.cos(crossing), -result.second_distance * math.sin(crossing))
+    depth = max(2.0 * result.second_distance * math.sin(crossing), 3.0 * corner_aside)
     back = 1.1 * eye
     span = depth / math.tan(crossing) if abs(crossing - 0.5 * math.pi) > 1e-9 else 0.0
     corner, heading = (-corner_before, -corner_aside), 0.0
     if obstruction is not None:
         heading = obstruction.heading
-        left = -course_to_impact(motion_of(obstruction, gravity)).at(-made.time_left)[0]
+        left = -course_to_impact(motion_of(obstruction, gravity)).at(-result.time_left)[0]
         corner = (corner[0] - left * math.cos(heading), corner[1] - left * math.sin(heading))
     if obstruction is None and obstruction_length is None:
         x, y = [back, corner[0], corner[0], back], [corner[1], corner[1], -depth, -depth]
@@ -162,11 +163,16 @@ def _block(corner: "tuple[float, float]", heading: float, length: float) -> "tup
 
 
 def record(
-    made: "Any", *, interval: float = 0.5, greatest_age: "float | None" = None, tolerance: float = 1.0 / 3.6, **_: "Any"
+    result: "Any",
+    *,
+    interval: float = 0.5,
+    greatest_age: "float | None" = None,
+    tolerance: float = 1.0 / 3.6,
+    **_: "Any",
 ) -> Picture:
     """Recorded speeds with their tolerance, what the last deceleration leads to at the event, and the decelerations."""
     oldest = interval if greatest_age is None else greatest_age
-    rows = made.intervals
+    rows = result.intervals
     times = [row.time_left + oldest for row in rows]
     speeds = [row.speed for row in rows]
     outline = [speed + tolerance for speed in speeds] + [max(speed - tolerance, 0.0) for speed in reversed(speeds)]
@@ -174,10 +180,10 @@ def record(
         Curve(times, speeds, "recorded", role=0),
         Curve(times, speeds, style="points", role=0),
         Curve([*times, *reversed(times)], outline, "tolerance", "filled", role=0),
-        Curve([times[-1], 0.0], [speeds[-1], made.least_event_speed], "to the event", "dashed", role=1),
+        Curve([times[-1], 0.0], [speeds[-1], result.least_event_speed], "to the event", "dashed", role=1),
     ]
-    if made.brake_earliest is not None and made.brake_latest is not None:
-        items.append(Band(made.brake_latest, made.brake_earliest, "braking began"))
+    if result.brake_earliest is not None and result.brake_latest is not None:
+        items.append(Band(result.brake_latest, result.brake_earliest, "braking began"))
     axis = Axis("time before the event, at its greatest", Time, ends=(1.03 * times[0], 0.0))
     changes = [row.acceleration for row in rows[:-1]]
     steps = [time for pair in pairwise(times) for time in pair]

@@ -1,4 +1,4 @@
-"""The pre-crash table of an event data recorder: what its speeds say of the way, the braking and the event."""
+"""The pre-crash table of an event data recorder: distance, braking and event speed from its speeds."""
 
 from itertools import pairwise
 
@@ -28,7 +28,7 @@ MOST_OF_TYRES = 1.0
 
 @record
 class Interval:
-    """One sample, and what happened up to the next."""
+    """One sample, and the interval up to the next."""
 
     time_left: Annotated[Time, "Time to the last sample [s]."]
     speed: Annotated[RoadSpeed, "Recorded speed [m/s]."]
@@ -41,7 +41,7 @@ class Interval:
 
 @record
 class SkidRecord:
-    """What the recorded speeds say."""
+    """Results from the recorded speeds."""
 
     distance: Annotated[Distance, "Distance from the first sample to the last [m]."]
     distance_deviation: Annotated[Distance, "Standard deviation of it by tolerance and rounding of the record [m]."]
@@ -117,7 +117,7 @@ def record_of(
     Notes
     -----
     Tolerance and resolution are those that 49 CFR 563.8, table III, asks of recorders (±1 km/h, 1 km/h), as limits:
-    uniform, the first common to all samples, the second of each. What the wheels did is not what the vehicle did.
+    uniform, the first common to all samples, the second of each. Wheel speed is not vehicle speed.
 
     References
     ----------
@@ -207,7 +207,7 @@ def _rows(
 def _limits(
     speeds: "tuple[float, ...]", interval: float, most: "float | None", distance: float
 ) -> "tuple[float | None, float | None]":
-    """The least and the greatest way when the speed may change by no more than `most` between the samples."""
+    """Minimum and maximum distance if the acceleration between samples is at most `most`."""
     if most is None:
         return None, None
     more = less = 0.0 * distance
@@ -230,7 +230,7 @@ def _limits(
 def _advice(
     speeds: "tuple[float, ...]", changes: "list[float]", brake_on: "int | None", slip: float, gravity: float
 ) -> "tuple[Advice, ...]":
-    """What makes recorded speeds differ from those of the vehicle."""
+    """Advice on causes of recorded speeds that differ from the vehicle's."""
     if not single(*speeds, *changes, gravity, slip):
         return ()
     told: list[Advice] = []

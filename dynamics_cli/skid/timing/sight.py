@@ -1,4 +1,4 @@
-"""Sight past an obstruction: when two parties on crossing ways could first see one another."""
+"""Sight past an obstruction: when two parties on crossing paths could first see each other."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import cos, hypot, sin
@@ -73,12 +73,12 @@ def sight(
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Sight:
-    """When two parties on crossing ways could see one another past the corner of an obstruction.
+    """When two parties on crossing paths could see each other past the corner of an obstruction.
 
     Equation
     --------
     (C − E) × (Q − E) = 0 with eye E, target Q and corner C: quadratic in the time for steady speeds, a polynomial for
-    every pair of phases otherwise. All its roots are looked at; the answer is the last opening before the impact.
+    every pair of phases otherwise. All its roots are examined; the answer is the last opening before the impact.
 
     Returns
     -------
@@ -131,7 +131,7 @@ def sight(
         heading = 0.0 if obstruction is None else obstruction.heading
         wall = Wall(corner_before, corner_aside, heading, obstruction_length, crossing)
         all_times = openings(wall, one, other, mover, eye_behind, -plain(start))
-    # where eye and target meet, at the impact, is no opening
+    # the meeting of eye and target at the impact is not an opening
     times = [entry for entry in all_times if plain(entry[0]) < -AT_IMPACT]
     rows = tuple(_change(time, opens, one, other) for time, opens in times)
     opening = next((time for time, opens in reversed(times) if opens), None)

@@ -1,4 +1,4 @@
-"""A motion in phases, forward from its first speed or back from its last: where it was, how fast, and when."""
+"""A motion in phases, forward from its first speed or back from its last: position and speed over time."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.road.phases import Phase, legs
@@ -99,8 +99,8 @@ def timeline(
     Raises
     ------
     InadmissibleError
-        When a phase has more or fewer numbers than it needs, stops before it ends, or leads to a speed that its kind
-        cannot lead to.
+        When a phase has more or fewer numbers than it needs, stops before it ends, or leads to a speed impossible
+        for its kind.
 
     Notes
     -----
@@ -150,7 +150,7 @@ def summed(motion: "list[Leg]") -> "list[PhaseTravelled]":
 
 
 def _moments(motion: "list[Leg]", travelled: "list[PhaseTravelled]", steps: int) -> "list[Moment]":
-    """Equal steps of time within each phase; the first row is the start, and the last has nothing left."""
+    """Equal steps of time within each phase; the first row is the start, the last the end."""
     time, way = 0.0, 0.0
     rows = [Moment(motion[0].kind, time, travelled[0].begins, way, travelled[0].from_distance, motion[0].start)]
     for index, leg in enumerate(motion):

@@ -27,14 +27,8 @@ class Values:
     values: Annotated[tuple[Range, ...], "Published ranges, each with its source."]
 
 
-def topics() -> tuple[str, ...]:
-    """What there are ranges of."""
-    return tuple(dict.fromkeys(row[0] for row in ROWS))
-
-
-def surfaces() -> tuple[str, ...]:
-    """The surfaces that ranges are of."""
-    return tuple(dict.fromkeys(row[3] for row in ROWS if row[3]))
+TOPICS = tuple(dict.fromkeys(row[0] for row in ROWS))
+SURFACES = tuple(dict.fromkeys(row[3] for row in ROWS if row[3]))
 
 
 def values(
@@ -68,16 +62,16 @@ def values(
     """
     wanted = surface.lower().strip() if surface is not None else None
     require(
-        wanted is None or any(wanted in name for name in surfaces()),
+        wanted is None or any(wanted in name for name in SURFACES),
         "no range is of the surface {surface}", surface=repr(surface), code="unknown-surface",
-        hint="there is " + ", ".join(surfaces()),
+        hint="there is " + ", ".join(SURFACES),
     )  # fmt: skip
     asked = " ".join(words).lower().replace("-", " ").split()
     rows = [row for row in ROWS if _fits(row, asked, wanted)]
     require(
         bool(rows), "no range has {words}", code="unknown-value",
         words=" and ".join([*map(repr, asked), *([f"the surface {surface!r}"] if surface else [])]),
-        hint="topics: " + ", ".join(topics()),
+        hint="topics: " + ", ".join(TOPICS),
     )  # fmt: skip
     return Values(tuple(Range(*row) for row in rows))
 

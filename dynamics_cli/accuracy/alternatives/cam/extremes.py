@@ -38,14 +38,14 @@ def by_proxies(geometry: "Geometry", motion: "Any") -> "Found":
     from dynamics_cli.cam.geometry.analysis import analyse, pressure_bounds
     from dynamics_cli.cam.geometry.profile import convex, radius_bounds
 
-    found = analyse(geometry, motion)
-    bounds = {bound.result: bound.bound for bound in pressure_bounds(found)}
-    radii = {bound.result: bound.bound for bound in radius_bounds(geometry, found)}
-    large, least = found.pressure.largest()[0], found.pressure.smallest()[0]
+    analysis = analyse(geometry, motion)
+    bounds = {bound.result: bound.bound for bound in pressure_bounds(analysis)}
+    radii = {bound.result: bound.bound for bound in radius_bounds(geometry, analysis)}
+    large, least = analysis.pressure.largest()[0], analysis.pressure.smallest()[0]
     return {
         PRESSURE[0]: (large, _of(bounds, PRESSURE[0], large)),
         PRESSURE[1]: (least, _of(bounds, PRESSURE[1], least)),
-        CONVEX: (convex(geometry, found)[0], radii.get(CONVEX)),
+        CONVEX: (convex(geometry, analysis)[0], radii.get(CONVEX)),
     }
 
 
@@ -141,7 +141,7 @@ def compared(
         return comparing.rows(methods, comparing.cases(*FILES, task="profile"), answer)
 
 
-def extremes_counted(errors: Errors, case: Case, geometry: "Geometry", found: "Found") -> None:
+def extremes_counted(errors: Errors, case: Case, geometry: "Geometry", analysis: "Found") -> None:
     """Angles in shares of themselves, or of a thousandth of a radian; a radius in shares of it and the roller.
 
     An arm's angle is what sums of directions leave, its start's and its swing's: of the two extremes one may all but
@@ -149,7 +149,7 @@ def extremes_counted(errors: Errors, case: Case, geometry: "Geometry", found: "F
     """
     follower = geometry.follower
     leaning = max(abs(float(case.results[address])) for address in PRESSURE)
-    for address, (value, bound) in found.items():
+    for address, (value, bound) in analysis.items():
         reference = float(case.results[address])
         if value is None or (address == CONVEX and reference < 0.0):
             continue

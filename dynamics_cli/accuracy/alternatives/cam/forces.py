@@ -25,18 +25,18 @@ def given(case: Case) -> "dict[str, Any]":
     from dynamics_cli.cam.geometry import followers
     from dynamics_cli.cam.program.reading import Program
 
-    made: dict[str, Any] = {"scene": Program(), "rotation": followers.Rotation(case.inputs["rotation"])}
+    arguments: dict[str, Any] = {"scene": Program(), "rotation": followers.Rotation(case.inputs["rotation"])}
     for name, tree in case.inputs.items():
         if name == "shaft_speed":
-            made[name] = float(tree)
+            arguments[name] = float(tree)
         elif name == "program":
-            made[name] = tree
+            arguments[name] = tree
         elif name == "contact":
-            made[name] = records.Contact(width=float(tree["width"]))
+            arguments[name] = records.Contact(width=float(tree["width"]))
         elif name in ("train", "follower"):
             values = {key: float(value) for key, value in tree.items() if key != "record"}
-            made[name] = getattr(records if name == "train" else followers, tree["record"])(**values)
-    return made
+            arguments[name] = getattr(records if name == "train" else followers, tree["record"])(**values)
+    return arguments
 
 
 def certified(arguments: "dict[str, Any]") -> "Found":
@@ -44,12 +44,12 @@ def certified(arguments: "dict[str, Any]") -> "Found":
     from dynamics_cli.cam.forces.forces import force
 
     rest = dict(arguments)
-    found = force(rest.pop("scene"), count=2, **rest)
-    assert found.numerics is not None
-    bounds = {one.result: one for one in found.numerics.bounds}
+    forces = force(rest.pop("scene"), count=2, **rest)
+    assert forces.numerics is not None
+    bounds = {one.result: one for one in forces.numerics.bounds}
     out: Found = {}
     for name, bound in bounds.items():
-        value = getattr(found, name)
+        value = getattr(forces, name)
         out[name] = value, bound.bound * abs(value) if bound.relative else bound.bound
     return out
 
@@ -114,8 +114,8 @@ def sampled(count: int) -> "Answer":
         import numpy as np
 
         motion, curves = _curves(arguments)
-        found = curves(*motion.at(np.arange(count) * (2.0 * np.pi / count), 2))
-        return _told({name: (float(v.min()), float(v.max())) for name, v in found.items()}, arguments)
+        samples = curves(*motion.at(np.arange(count) * (2.0 * np.pi / count), 2))
+        return _told({name: (float(v.min()), float(v.max())) for name, v in samples.items()}, arguments)
 
     return answer
 
@@ -171,12 +171,12 @@ def compare(comparing: "Comparing") -> "list[Row]":
         return comparing.rows(METHODS, comparing.cases(*FILES, task="force"), answer)
 
 
-def counted(errors: Errors, case: Case, found: "Found") -> None:
+def counted(errors: Errors, case: Case, forces: "Found") -> None:
     """Extremes in shares of the larger magnitude of the two, speeds of themselves, stresses as the radii they tell."""
     from decimal import Decimal
 
     for address, text in case.results.items():
-        value, bound = found[address]
+        value, bound = forces[address]
         size = abs(float(text))
         for end, other in (("least_", "greatest_"), ("greatest_", "least_")):
             if address.startswith(end):

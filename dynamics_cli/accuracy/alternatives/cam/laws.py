@@ -85,7 +85,7 @@ def _one_formula(
     sines: "Sequence[tuple[float, float]]",
     cosines: "Sequence[tuple[float, float]]",
 ) -> "list[float]":
-    found = []
+    values = []
     turns: tuple[tuple[Any, Any, float, float], ...] = (
         (sin, cos, 1.0, 1.0), (cos, sin, 1.0, -1.0), (sin, cos, -1.0, -1.0), (cos, sin, -1.0, 1.0),
     )  # fmt: skip
@@ -98,8 +98,8 @@ def _one_formula(
             total = total * x + factor
         total += sum(one * a * k**order * first(k * x) for a, k in sines)
         total += sum(two * a * k**order * second(k * x) for a, k in cosines)
-        found.append(total)
-    return found
+        values.append(total)
+    return values
 
 
 def peaks(case: Case) -> "tuple[float, ...]":

@@ -35,8 +35,8 @@ def by_doubles(case: "Case") -> "Callable[[], Any]":
     def answer() -> "Any":
         count = len(conditions)
         rows = np.array([[_power(x, i, order) for i in range(count)] for x, order, _ in conditions])
-        found = np.linalg.solve(rows, np.array([value for _, _, value in conditions]))
-        return tuple(float(sum(found[i] * _power(at, i, order) for i in range(count))) for order in range(4))
+        coefficients = np.linalg.solve(rows, np.array([value for _, _, value in conditions]))
+        return tuple(float(sum(coefficients[i] * _power(at, i, order) for i in range(count))) for order in range(4))
 
     return answer
 
@@ -60,8 +60,8 @@ def by_bernstein(case: "Case") -> "Callable[[], Any]":
 
     def answer() -> "Any":
         rows = np.array([value(x, order) for x, order, _ in conditions])
-        found = np.linalg.solve(rows, np.array([wanted for _, _, wanted in conditions]))
-        return tuple(float(value(at, order) @ found) if order <= degree else 0.0 for order in range(4))
+        coefficients = np.linalg.solve(rows, np.array([wanted for _, _, wanted in conditions]))
+        return tuple(float(value(at, order) @ coefficients) if order <= degree else 0.0 for order in range(4))
 
     return answer
 

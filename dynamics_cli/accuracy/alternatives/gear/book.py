@@ -33,7 +33,7 @@ def spur(
     base = reference * cos(transverse)
     tip = reference + 2.0 * module * (ADDENDUM + x)
     angle = acos(base / tip)
-    found = {
+    results = {
         "reference_diameter": abs(reference), "base_diameter": abs(base), "tip_diameter": abs(tip),
         "root_diameter": abs(reference - 2.0 * module * (DEDENDUM - x)), "tip_pressure_angle": angle,
         "tip_thickness": tip * ((0.5 * pi + 2.0 * x * slope) / z + inv(transverse) - inv(angle)),
@@ -45,18 +45,18 @@ def spur(
             outer = acos(min(base / (reference + 2.0 * module * (ADDENDUM + shift)), 1.0))
             return (0.5 * pi + 2.0 * shift * slope) / z + inv(transverse) - inv(outer)
 
-        found["least_shift"] = (
+        results["least_shift"] = (
             DEDENDUM - CORNER * (1.0 - sin(pressure_angle)) - z * sin(transverse) ** 2 / (2.0 * cos(beta))
         )
-        found["pointed_shift"] = (crossing or by_secants)(half, -ADDENDUM)
+        results["pointed_shift"] = (crossing or by_secants)(half, -ADDENDUM)
     if helix_angle is not None:
         base_helix = asin(sin(beta) * cos(pressure_angle))
-        found |= {
+        results |= {
             "transverse_pressure_angle": transverse, "base_helix_angle": base_helix,
             "normal_base_pitch": pi * module * cos(pressure_angle),
             "virtual_teeth": z / (cos(base_helix) ** 2 * cos(beta)), "lead": pi * reference / tan(beta),
         }  # fmt: skip
-    return found
+    return results
 
 
 def by_secants(f: "Function", low: float) -> float:

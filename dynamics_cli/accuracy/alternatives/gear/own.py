@@ -19,14 +19,14 @@ def pair(*, tips: str, **given: "Any") -> "dict[str, Any]":
     from dynamics_cli.gear.pair.shift_split import Tips
 
     answer = own(tips=Tips(tips), **given)
-    found = flat(answer)
-    found["nominal"] = answer.nominal_contact_ratio or answer.transverse_contact_ratio
-    found["margin"] = answer.verdicts[0].margin
+    results = flat(answer)
+    results["nominal"] = answer.nominal_contact_ratio or answer.transverse_contact_ratio
+    results["margin"] = answer.verdicts[0].margin
     if answer.nominal_contact_ratio is None:
         # where root form circles cut the path, its ends are not those of the tips
-        found["first_sliding_at_start"] = answer.points[0].first_sliding
-        found["second_sliding_at_end"] = answer.points[-1].second_sliding
-    return found
+        results["first_sliding_at_start"] = answer.points[0].first_sliding
+        results["second_sliding_at_end"] = answer.points[-1].second_sliding
+    return results
 
 
 def measure(*, module: float, internal: bool, helix_angle: float, **given: "Any") -> "Any":
@@ -69,11 +69,11 @@ def data_block(**given: "Any") -> Stated:
     answer = own(**given)
     assert answer.numerics is not None
     bounds = {bound.result: bound for bound in answer.numerics.bounds}
-    made, kept = Stated(), []
+    stated, kept = Stated(), []
     for index, row in enumerate(answer.rows):
         bound = bounds.get(f"rows[{index}].data")
         if bound is not None:
-            made[row.symbol] = float(row.data)
+            stated[row.symbol] = float(row.data)
             kept.append(ErrorBound(row.symbol, bound.bound, bound.relative))
-    made.numerics = Numerics("", tuple(kept))
-    return made
+    stated.numerics = Numerics("", tuple(kept))
+    return stated

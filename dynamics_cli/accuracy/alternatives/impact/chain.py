@@ -26,20 +26,20 @@ def _by_differences(
     masses, before = [one.mass for one in bodies], [one.velocity for one in bodies]
     ratios = [restitution if one.restitution is None else one.restitution for one in bodies[:-1]]
     energy = sum(0.5 * m * v * v for m, v in zip(masses, before, strict=True))
-    found = {"momentum": sum(m * v for m, v in zip(masses, before, strict=True))}
+    results = {"momentum": sum(m * v for m, v in zip(masses, before, strict=True))}
     place = 0
     asked = {"sequential": (pairs,), "simultaneous": (at_once,)}.get(law, (pairs, at_once))
     for index, method in enumerate(asked):
         after, impulses, rounds = method(masses, before, ratios)
         left = sum(0.5 * m * v * v for m, v in zip(masses, after, strict=True))
-        found |= {f"laws[{index}].energy_lost": energy - left, f"laws[{index}].collisions": float(rounds)}
+        results |= {f"laws[{index}].energy_lost": energy - left, f"laws[{index}].collisions": float(rounds)}
         for number, (old, new) in enumerate(zip(before, after, strict=True)):
             row = f"bodies[{place}]"
-            found |= {f"{row}.body": number + 1.0, f"{row}.velocity": new, f"{row}.delta_v": new - old}
+            results |= {f"{row}.body": number + 1.0, f"{row}.velocity": new, f"{row}.delta_v": new - old}
             if number < len(impulses):
-                found[f"{row}.impulse_to_next"] = impulses[number]
+                results[f"{row}.impulse_to_next"] = impulses[number]
             place += 1
-    return found
+    return results
 
 
 def _pair_by_pair(masses: "list[float]", before: "list[float]", ratios: "list[float]") -> "Answer":
@@ -92,13 +92,13 @@ def _active(k: "Any", closing: "Any") -> "Any":
 
     acting = closing > 0.0
     for _ in range(len(closing) + 1):
-        found = np.zeros(len(closing))
-        found[acting] = np.linalg.solve(k[np.ix_(acting, acting)], closing[acting])
-        more = ~acting & (k @ found < closing - 1e-14 * np.abs(closing).max())
+        impulses = np.zeros(len(closing))
+        impulses[acting] = np.linalg.solve(k[np.ix_(acting, acting)], closing[acting])
+        more = ~acting & (k @ impulses < closing - 1e-14 * np.abs(closing).max())
         if not more.any():
             break
         acting |= more
-    return found
+    return impulses
 
 
 def by_velocities(*, bodies: "Any", restitution: float, law: str) -> "dict[str, float]":

@@ -55,7 +55,7 @@ def _damage(
     if lever:
         k2 = vehicle.yaw_inertia / mass
         share = k2 / (k2 + lever**2)
-    found = {
+    results = {
         "energy": whole, "energy_normal": normal, "equivalent_barrier_speed": sqrt(2.0 * whole / mass),
         "force": width * (a + b * middle), "stiffness_a": a, "stiffness_b": b, "stiffness_g": a**2 / (2.0 * b),
         "mean_crush": middle, "mass": mass, "effective_mass": mass * share, "effective_share": share,
@@ -65,8 +65,8 @@ def _damage(
             (k + (c + 2.0 * d) / (3.0 * (c + d))) * 0.5 * (c + d) if c + d else 0.0
             for k, (c, d) in enumerate(pairwise(depths))
         )
-        found["crush_centre"] = width * moment / (pieces * (pieces * middle))
-    return {f"{name}.{key}": value for key, value in found.items()}
+        results["crush_centre"] = width * moment / (pieces * (pieces * middle))
+    return {f"{name}.{key}": value for key, value in results.items()}
 
 
 def _crush(
@@ -75,25 +75,25 @@ def _crush(
     """Closing speed u = √(2E/(m_r·(1 − e²))), p = m_r·(1 + e)·u, ΔV = p/m."""
     mass = mass_of(first.bulk, gravity)
     assert mass is not None
-    found = _damage("first", first, mass, energy)
-    found["energy"] = found["first.energy"]
+    results = _damage("first", first, mass, energy)
+    results["energy"] = results["first.energy"]
     if second is None:
-        return found
+        return results
     other = mass_of(second.bulk, gravity)
-    reduced = found["first.effective_mass"]
+    reduced = results["first.effective_mass"]
     if other is not None:
         partner = other
         if second.profile is not None:
-            found |= _damage("second", second, other, energy)
-            found["energy"] += found["second.energy"]
-            partner = found["second.effective_mass"]
+            results |= _damage("second", second, other, energy)
+            results["energy"] += results["second.energy"]
+            partner = results["second.effective_mass"]
         reduced = reduced * partner / (reduced + partner)
-    closing = sqrt(2.0 * found["energy"] / (reduced * (1.0 - e**2)))
+    closing = sqrt(2.0 * results["energy"] / (reduced * (1.0 - e**2)))
     push = reduced * (1.0 + e) * closing
-    found |= {"closing_speed": closing, "impulse": push, "first.delta_v": push / mass}
+    results |= {"closing_speed": closing, "impulse": push, "first.delta_v": push / mass}
     if other is not None:
-        found["second_delta_v" if second.profile is None else "second.delta_v"] = push / other
-    return found
+        results["second_delta_v" if second.profile is None else "second.delta_v"] = push / other
+    return results
 
 
 def crush_as_printed(*, first: "Any", restitution: float, gravity: float, second: "Any" = None) -> "dict[str, float]":
@@ -118,8 +118,8 @@ def yaw_by_gyration(
     every = [*moments.values(), 0.7 * moments["dynamic-index"], 1.1 * moments["dynamic-index"]]
     values = list(moments.values())
     estimate = sum(values[1:], values[0]) / len(values) if rule == "mean" else moments[rule]
-    found = {f"rules[{k}].yaw_inertia": value for k, value in enumerate(values)}
-    return found | {
+    results = {f"rules[{k}].yaw_inertia": value for k, value in enumerate(values)}
+    return results | {
         "yaw_inertia": estimate, "lowest": min(every), "highest": max(every), "mass": mass,
         "radius_of_gyration": root(estimate / mass),
     }  # fmt: skip

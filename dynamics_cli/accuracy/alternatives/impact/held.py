@@ -44,17 +44,17 @@ def _results(b: Held, spin: "Array", velocity: "Array") -> "dict[str, float]":
     impulse = b.mass * velocity - b.mass * b.velocity
     before, after = energy(b.spin, b.velocity), energy(spin, velocity)
     size, old = (float(np.linalg.norm(v)) for v in (spin, b.spin))
-    found = {
+    results = {
         "angular_speed": size, "impulse_size": float(np.linalg.norm(impulse)), "energy_before": before,
         "energy_after": after, "energy_lost": before - after, "energy_ratio": after / before,
     }  # fmt: skip
     vectors = {"angular_velocity": spin, "centre_velocity": velocity, "impulse": impulse}
     if old:
-        found["angular_ratio"] = size / old
+        results["angular_ratio"] = size / old
     if b.axis is not None:
         vectors["couple"] = b.inertia @ spin - b.inertia @ b.spin - np.cross(b.point, impulse)
-        found["couple_size"] = float(np.linalg.norm(vectors["couple"]))
-    return found | {f"{name}[{k}]": float(x) for name, vector in vectors.items() for k, x in enumerate(vector)}
+        results["couple_size"] = float(np.linalg.norm(vectors["couple"]))
+    return results | {f"{name}[{k}]": float(x) for name, vector in vectors.items() for k, x in enumerate(vector)}
 
 
 def seize_by_book(*, body: "Any") -> "dict[str, float]":
@@ -120,11 +120,11 @@ def step_by_book(
     about = w.inertia + radius**2
     kept = (w.inertia + radius * (radius - height)) / about
     least = sqrt(2.0 * gravity * height / about) * radius / kept
-    found = _climbs(w, speed, kept, least, gravity)
+    climbs = _climbs(w, speed, kept, least, gravity)
     if speed is not None and mass is not None:
         angle, after = acos((radius - height) / radius), kept * speed
-        found |= {
+        climbs |= {
             "impulse_forward": mass * after * cos(angle) - mass * speed,
             "impulse_upward": mass * after * sin(angle),
         }
-    return found
+    return climbs

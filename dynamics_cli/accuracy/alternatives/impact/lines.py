@@ -25,17 +25,17 @@ def _central(
     """ΔV, impulse and energies as differences of what was before and after."""
     (m1, m2), (v1, v2), (w1, w2) = masses, before, after
     gain = 0.5 * m1 * w1 * w1 - 0.5 * m1 * v1 * v1
-    found = {
+    results = {
         "first.velocity": w1, "second.velocity": w2, "first.delta_v": w1 - v1, "second.delta_v": w2 - v2,
         "first.energy_change": gain, "first.mass": m1, "impulse": m1 * v1 - m1 * w1,
         "closing_speed": v1 - v2, "separation_speed": w2 - w1,
     }  # fmt: skip
     if m2 is None:
-        return found | {"reduced_mass": m1, "common_velocity": v2, "compression_impulse": m1 * (v1 - v2)}
+        return results | {"reduced_mass": m1, "common_velocity": v2, "compression_impulse": m1 * (v1 - v2)}
     common, reduced = (m1 * v1 + m2 * v2) / (m1 + m2), m1 * m2 / (m1 + m2)
     more = 0.5 * m2 * w2 * w2 - 0.5 * m2 * v2 * v2
     lost = -gain - more
-    return found | {
+    return results | {
         "second.energy_change": more, "second.mass": m2, "energy_lost": lost,
         "share_lost": lost / (0.5 * reduced * (v1 - v2) * (v1 - v2)), "reduced_mass": reduced,
         "common_velocity": common, "compression_impulse": m1 * v1 - m1 * common,
@@ -77,15 +77,15 @@ def drop(
     """Hₙ = h·e²ⁿ, T = t₀·(1 + e)/(1 − e), S = h·(1 + e²)/(1 − e²) as printed: digits go as e comes near one."""
     e, h = _restitution(evidence, height, gravity)
     fall, speed = sqrt(2.0 * h / gravity), sqrt(2.0 * gravity * h)
-    found = {
+    results = {
         "restitution": e, "drop_height": h, "impact_speed": speed, "fall_time": fall, "share_lost": 1.0 - e**2,
     }  # fmt: skip
     if e < 1.0:
-        found |= {"time_to_rest": fall * (1.0 + e) / (1.0 - e), "way_to_rest": h * (1.0 + e**2) / (1.0 - e**2)}
+        results |= {"time_to_rest": fall * (1.0 + e) / (1.0 - e), "way_to_rest": h * (1.0 + e**2) / (1.0 - e**2)}
     if mass is not None:
-        found["energy_lost"] = mass * gravity * h - mass * gravity * h * e**2
+        results["energy_lost"] = mass * gravity * h - mass * gravity * h * e**2
     for n in range(bounces):
-        found |= {
+        results |= {
             f"bounces[{n}].number": n + 1.0,
             # t₀·(1 + 2e + … + 2eⁿ)
             f"bounces[{n}].time": fall * (1.0 + 2.0 * sum(e**k for k in range(1, n + 1))),
@@ -94,7 +94,7 @@ def drop(
             f"bounces[{n}].height": h * e ** (2 * n + 2),
             f"bounces[{n}].flight_time": 2.0 * speed * e ** (n + 1) / gravity,
         }
-    return found
+    return results
 
 
 def _rise(swing: "Any") -> float:
@@ -131,6 +131,6 @@ def pendulum(*, shot_mass: float, block: "Any", swing: "Any", restitution: float
     effective, u = swing.inertia / arm**2, arm * spin
     v = (shot_mass + effective) / ((1.0 + restitution) * shot_mass) * u
     rise = lift / (mass + along) * (1.0 - cos(swing.swing))
-    found = _shot(shot_mass, effective, v, u - restitution * v, u, rise)
-    hinge = found["impulse"] - mass * swing.centre_distance * spin
-    return found | {"angular_velocity": spin, "hinge_impulse": hinge}
+    results = _shot(shot_mass, effective, v, u - restitution * v, u, rise)
+    hinge = results["impulse"] - mass * swing.centre_distance * spin
+    return results | {"angular_velocity": spin, "hinge_impulse": hinge}

@@ -54,7 +54,7 @@ def _results(c: Crash) -> "dict[str, float]":
     size = hypot(x, y)
     closing, parting = -(before[0] * x + before[1] * y) / size, (after[0] * x + after[1] * y) / size
     total = [sum(m * v[k] for m, v in zip(c.masses, vectors[2:], strict=True)) for k in (0, 1)]
-    found = {
+    results = {
         "impulse": size, "impulse_heading": heading_of(x, y, c.axes), "closing_speed": hypot(*before),
         "closing_along_impulse": closing, "separation_along_impulse": parting, "restitution": parting / closing,
         "total_momentum": hypot(*total), "momentum_heading": heading_of(total[0], total[1], c.axes),
@@ -64,13 +64,13 @@ def _results(c: Crash) -> "dict[str, float]":
         v, u, m = c.speeds[k], c.speeds[k + 2], c.masses[k]
         gain = 0.5 * m * u * u - 0.5 * m * v * v
         lost -= gain
-        found |= {
+        results |= {
             f"{name}.approach_speed": v, f"{name}.approach_heading": headings[k], f"{name}.exit_speed": u,
             f"{name}.exit_heading": headings[k + 2], f"{name}.energy_change": gain,
         }  # fmt: skip
         nose = headings[k] if c.vehicles[k].nose is None else c.vehicles[k].nose
-        found |= change(name, vectors[k], vectors[k + 2], nose, c.axes, c.zero)
-    return found | {"energy_lost": lost}
+        results |= change(name, vectors[k], vectors[k + 2], nose, c.axes, c.zero)
+    return results | {"energy_lost": lost}
 
 
 def _condition(one: float, other: float) -> float:
@@ -85,13 +85,13 @@ def by_components(**given: "Any") -> "dict[str, float]":
     speeds = [k for k in range(4) if c.speeds[k] is None]
     angles = [k for k in range(4) if c.angles[k] is None]
     x, y = c.rest()
-    found: dict[str, float] = {}
+    results: dict[str, float] = {}
     if len(speeds) == 2 and not angles:
         i, j = speeds
         (a, b), (p, q) = ([c.amount(k) * f(c.angles[k]) for k in speeds] for f in (cos, sin))
         whole = a * q - b * p
         c.speeds[i], c.speeds[j] = (b * y - q * x) / whole, (p * x - a * y) / whole
-        found["angle_condition"] = _condition(c.angles[i], c.angles[j])
+        results["angle_condition"] = _condition(c.angles[i], c.angles[j])
     elif len(speeds) == 1 and speeds == angles:
         k = speeds[0]
         c.speeds[k] = hypot(x, y) / c.masses[k % 2]
@@ -105,7 +105,7 @@ def by_components(**given: "Any") -> "dict[str, float]":
         c.angles[j] = c.closing(j)
     else:
         raise ArithmeticError
-    return _results(c) | found
+    return _results(c) | results
 
 
 class Line:
@@ -126,10 +126,10 @@ class Line:
         """Everything from velocities before along the line."""
         c, (u1, u2) = self.crash, self.after
         c.speeds[0], c.speeds[1] = v1, self.sense * v2
-        found = _results(c)
+        results = _results(c)
         (m1, m2), way = c.masses, (cos(self.line), sin(self.line))
         size = m1 * v1 - m1 * u1
-        found |= {
+        results |= {
             "impulse": abs(size), "closing_along_impulse": v1 - v2, "separation_along_impulse": u2 - u1,
             "restitution": (u2 - u1) / (v1 - v2), "impulse_heading": heading_of(-size * way[0], -size * way[1], c.axes),
             "energy_lost": 0.5 * m1 * (v1**2 - u1**2) + 0.5 * m2 * (v2**2 - u2**2),
@@ -138,8 +138,8 @@ class Line:
             old = polar(c.speeds[k], angle_of(c.angles[k], c.axes), c.axes)
             new = old[0] + (u - v) * way[0], old[1] + (u - v) * way[1]
             nose = angle_of(c.angles[k], c.axes) if c.vehicles[k].nose is None else c.vehicles[k].nose
-            found |= change(name, old, new, nose, c.axes, c.zero)
-        return found
+            results |= change(name, old, new, nose, c.axes, c.zero)
+        return results
 
 
 def energy_by_quadratic(**given: "Any") -> "dict[str, float]":

@@ -75,7 +75,7 @@ def _results(m: Meeting, parts: "Array") -> "dict[str, float]":
     push = m.frame.T @ parts
     after: After = []
     vectors: dict[str, Array] = {"impulse": -push}
-    found: dict[str, float] = {}
+    results: dict[str, float] = {}
     lost = 0.0
     for name, body, impulse in zip(("first", "second"), m.bodies, (push, -push), strict=True):
         velocity, spin = body.velocity, body.spin
@@ -89,26 +89,26 @@ def _results(m: Meeting, parts: "Array") -> "dict[str, float]":
             turn = atan2(body.nose[1], body.nose[0]) - atan2(-way[1], -way[0])
             angle = turn - 2.0 * pi * round(turn / (2.0 * pi))
             hours = round(angle * 6.0 / pi)
-            found |= {
+            results |= {
                 f"{name}.delta_v_magnitude": float(np.linalg.norm(way)), f"{name}.pdof": angle,
                 f"{name}.clock": float(hours if hours > 0 else hours + 12),
                 f"{name}.elevation": atan2(-way[2], hypot(way[0], way[1])), f"{name}.energy_change": gain,
             }  # fmt: skip
         after.append((velocity, spin))
-        found[f"{name}.speed"] = float(np.linalg.norm(velocity))
+        results[f"{name}.speed"] = float(np.linalg.norm(velocity))
         vectors |= {f"{name}.velocity": velocity, f"{name}.spin": spin, f"{name}.spin_change": spin - body.spin}
     new = m.relative(after)
     across = float(np.hypot(parts[0], parts[1]))
     vectors["sliding_before"] = m.u[:2] @ m.frame[:2]
     vectors["sliding_after"] = new[:2] @ m.frame[:2]
     if m.bodies[1].mass is not None:
-        found["energy_lost"] = lost
-    found |= {
+        results["energy_lost"] = lost
+    results |= {
         "impulse_magnitude": float(np.linalg.norm(push)), "normal_impulse": float(parts[2]),
         "tangential_impulse": across, "impulse_ratio": across / float(parts[2]),
         "closing_speed": -float(m.u[2]), "separation_speed": float(new[2]),
     }  # fmt: skip
-    return found | {f"{name}[{k}]": float(x) for name, vector in vectors.items() for k, x in enumerate(vector)}
+    return results | {f"{name}[{k}]": float(x) for name, vector in vectors.items() for k, x in enumerate(vector)}
 
 
 def by_system(**given: "Any") -> "dict[str, float]":

@@ -44,9 +44,9 @@ def bounded(case: "Case", function: "Callable[..., Any]") -> "Any":
         return function(**arguments(case, numbers))
 
     doubles = list(leaves(case.inputs))
-    made = call(Tracked.inputs(doubles))
-    tighten(made, doubles, call)
-    return made
+    answer = call(Tracked.inputs(doubles))
+    tighten(answer, doubles, call)
+    return answer
 
 
 def own(name: str, function: "Callable[..., Any]", stated: "Callable[[Case], Any] | None" = None) -> Way:
@@ -84,10 +84,12 @@ def both_stated(case: "Case") -> "dict[str, Any]":
     """Two assemblies compared, with the bound of the angle between their axes, which carries none itself."""
     from dynamics_cli.numerics.tracked import Tracked
 
-    made = bounded(case, both)
-    found = flat(made)
-    bounds = {bound.result: bound.bound for bound in made.numerics.bounds}
-    return found | {name: Tracked(found[name], bounds.get(name, inf), ()) for name in ("axes_angle",) if name in found}
+    answer = bounded(case, both)
+    results = flat(answer)
+    bounds = {bound.result: bound.bound for bound in answer.numerics.bounds}
+    return results | {
+        name: Tracked(results[name], bounds.get(name, inf), ()) for name in ("axes_angle",) if name in results
+    }
 
 
 def tensor(**given: "Any") -> "Any":
@@ -162,8 +164,8 @@ def from_centre(case: "Any") -> "Callable[[], dict[str, Any]]":
 
 
 def _results(centre: "Array", whole: "Array", moments: "Array") -> "dict[str, Any]":
-    found = named(0.0, centre.tolist(), whole.tolist(), moments.tolist(), shell=False)
-    return {name: value for name, value in found.items() if name != "volume"}
+    results = named(0.0, centre.tolist(), whole.tolist(), moments.tolist(), shell=False)
+    return {name: value for name, value in results.items() if name != "volume"}
 
 
 ASSEMBLY = (

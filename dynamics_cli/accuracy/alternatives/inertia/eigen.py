@@ -23,8 +23,8 @@ def jacobi(rows: "Matrix") -> "Answer":
     """The program's own, with its bounds."""
     from dynamics_cli.numerics.eigen3.jacobi import eigen
 
-    found = eigen(rows).refined()  # type: ignore[arg-type]
-    return list(found.values), list(found.bounds)
+    eigenvalues = eigen(rows).refined()  # type: ignore[arg-type]
+    return list(eigenvalues.values), list(eigenvalues.bounds)
 
 
 def lapack(rows: "Matrix") -> "Answer":

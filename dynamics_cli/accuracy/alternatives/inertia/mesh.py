@@ -47,12 +47,12 @@ def twice(case: "Case") -> "Callable[[], dict[str, Any]]":
     from dynamics_cli.inertia.mesh.surface import LengthUnit
     from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 
-    found, shell = corners(case), case.inputs["shell"]
+    triangles, shell = corners(case), case.inputs["shell"]
 
     def answer() -> "dict[str, Any]":
         import numpy as np
 
-        source = Corners("", "", found.reshape(-1, 3), np.arange(3 * len(found)).reshape(-1, 3))
+        source = Corners("", "", triangles.reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3))
         lift = Lift(Measured(source, shell=shell), LengthUnit("m"), 0)
         tensor = tensor_of(lift.second(1.0))
         return named(lift.measure(), lift.centroid(), tensor, lift.spread(1.0).moments, shell=shell)
@@ -64,28 +64,28 @@ def about_origin(case: "Case") -> "Callable[[], dict[str, Any]]":
     """The textbook: signed tetrahedra on the origin of the file, parallel axes at the end."""
     import numpy as np
 
-    found = corners(case)
+    triangles = corners(case)
     sums = areas if case.inputs["shell"] else tetrahedra
-    return lambda: moved(*sums(found, np.zeros(3)), np.zeros(3), shell=case.inputs["shell"])
+    return lambda: moved(*sums(triangles, np.zeros(3)), np.zeros(3), shell=case.inputs["shell"])
 
 
 def about_middle(case: "Case") -> "Callable[[], dict[str, Any]]":
     """The same on the middle of the box about the corners."""
-    found = corners(case)
+    triangles = corners(case)
     sums = areas if case.inputs["shell"] else tetrahedra
 
     def answer() -> "dict[str, Any]":
-        middle = 0.5 * (found.min(axis=(0, 1)) + found.max(axis=(0, 1)))
-        return moved(*sums(found, middle), middle, shell=case.inputs["shell"])
+        middle = 0.5 * (triangles.min(axis=(0, 1)) + triangles.max(axis=(0, 1)))
+        return moved(*sums(triangles, middle), middle, shell=case.inputs["shell"])
 
     return answer
 
 
-def _seen(found: "Array", point: "Array") -> "tuple[Array, Array, Array]":
+def _seen(triangles: "Array", point: "Array") -> "tuple[Array, Array, Array]":
     """The three corners from a point, coordinates by triangles."""
     import numpy as np
 
-    a, b, c = np.ascontiguousarray(found.transpose(1, 2, 0)) - point[:, None]
+    a, b, c = np.ascontiguousarray(triangles.transpose(1, 2, 0)) - point[:, None]
     return a, b, c
 
 
@@ -95,20 +95,20 @@ def _cross(a: "Array", b: "Array") -> "Array":
     return np.stack([a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2] for k in range(3)])
 
 
-def tetrahedra(found: "Array", point: "Array") -> "tuple[float, Array, Array]":
+def tetrahedra(triangles: "Array", point: "Array") -> "tuple[float, Array, Array]":
     """Volume, first and second moments about a point: of a tetrahedron Σ d·(s sᵀ + a aᵀ + b bᵀ + c cᵀ)/120."""
-    a, b, c = _seen(found, point)
+    a, b, c = _seen(triangles, point)
     d = (a * _cross(b, c)).sum(axis=0)
     s = a + b + c
     second = sum((d * v) @ v.T for v in (s, a, b, c))
     return float(d.sum()) / 6.0, s @ d / 24.0, second / 120.0
 
 
-def areas(found: "Array", point: "Array") -> "tuple[float, Array, Array]":
+def areas(triangles: "Array", point: "Array") -> "tuple[float, Array, Array]":
     """Area, first and second moments of the triangles about a point."""
     import numpy as np
 
-    a, b, c = _seen(found, point)
+    a, b, c = _seen(triangles, point)
     d = np.linalg.norm(_cross(b - a, c - a), axis=0)
     s = a + b + c
     second = sum((d * v) @ v.T for v in (s, a, b, c))
@@ -129,11 +129,11 @@ def moved(measure: float, first: "Array", second: "Array", point: "Array", *, sh
 
 def named(measure: "Any", centre: "Any", tensor: "Any", moments: "Any", *, shell: bool) -> "dict[str, Any]":
     """Results by address, for unit density."""
-    found = {"area" if shell else "volume": measure}
-    found |= {f"centroid[{k}]": centre[k] for k in range(3)}
-    found |= {f"moments.{name}": tensor[k][k] for k, name in enumerate(("xx", "yy", "zz"))}
-    found |= {f"products.{name}": tensor[i][j] for name, i, j in PAIRS}
-    return found | {f"principal_moments.{name}": moments[k] for k, name in enumerate(NAMES)}
+    results = {"area" if shell else "volume": measure}
+    results |= {f"centroid[{k}]": centre[k] for k in range(3)}
+    results |= {f"moments.{name}": tensor[k][k] for k, name in enumerate(("xx", "yy", "zz"))}
+    results |= {f"products.{name}": tensor[i][j] for name, i, j in PAIRS}
+    return results | {f"principal_moments.{name}": moments[k] for k, name in enumerate(NAMES)}
 
 
 METHODS = (

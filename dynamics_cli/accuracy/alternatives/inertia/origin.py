@@ -22,13 +22,13 @@ def properties(pieces: "Sequence[Piece]", mass: float, measure: str) -> "dict[st
     xx, yy, zz, xy, yz, zx = (sizes @ np.array([piece[2] for piece in pieces]) / whole).tolist()
     second = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]) - np.outer(centre, centre)
     tensor = mass * (np.trace(second) * np.eye(3) - second)
-    found = {measure: whole, "mass": mass} | {f"centroid[{k}]": float(x) for k, x in enumerate(centre)}
-    found |= {f"moments.{name}": float(tensor[k, k]) for k, name in enumerate(("xx", "yy", "zz"))}
+    results = {measure: whole, "mass": mass} | {f"centroid[{k}]": float(x) for k, x in enumerate(centre)}
+    results |= {f"moments.{name}": float(tensor[k, k]) for k, name in enumerate(("xx", "yy", "zz"))}
     pairs = (("xy", 0, 1), ("yz", 1, 2), ("zx", 2, 0))
-    found |= {f"products.{name}": float(tensor[i, j]) for name, i, j in pairs}
+    results |= {f"products.{name}": float(tensor[i, j]) for name, i, j in pairs}
     moments = np.linalg.eigvalsh(tensor).tolist()
     names = ("first", "second", "third")
-    return found | {f"principal_moments.{name}": moment for name, moment in zip(names, moments, strict=True)}
+    return results | {f"principal_moments.{name}": moment for name, moment in zip(names, moments, strict=True)}
 
 
 def measure_of(shape: "Any") -> str:

@@ -24,13 +24,13 @@ def exact(**given: "Any") -> "dict[str, Any]":
     from dynamics_cli.inertia.section.task import section
     from dynamics_cli.numerics.tracked import Tracked
 
-    made = section(**given)
-    found: dict[str, Any] = flat(made)
-    assert made.numerics is not None
-    for stated in made.numerics.bounds:
-        value = found[stated.result]
-        found[stated.result] = Tracked(value, stated.bound * abs(value), ())
-    return found
+    answer = section(**given)
+    results: dict[str, Any] = flat(answer)
+    assert answer.numerics is not None
+    for stated in answer.numerics.bounds:
+        value = results[stated.result]
+        results[stated.result] = Tracked(value, stated.bound * abs(value), ())
+    return results
 
 
 def _contours(polygon: "tuple[float, ...]", pieces: "tuple[Piece, ...]", holes: "tuple[Hole, ...]") -> "list[Contour]":
@@ -135,8 +135,8 @@ def about_corner(
     *, polygon: "tuple[float, ...]" = (), pieces: "tuple[Piece, ...]" = (), holes: "tuple[Hole, ...]" = ()
 ) -> "dict[str, float]":
     """The same seen from a corner of the section."""
-    found = _contours(polygon, pieces, holes)
-    return _answer(found, found[0][1][0])
+    shapes = _contours(polygon, pieces, holes)
+    return _answer(shapes, shapes[0][1][0])
 
 
 def _way(name: str, function: "Callable[..., Any]") -> Way:

@@ -89,11 +89,11 @@ def _answer(errors: Errors, case: "Case", method: "Any", index: int) -> "Callabl
     return call
 
 
-def count(errors: Errors, case: "Case", found: "dict[str, Any]", index: int) -> None:
+def count(errors: Errors, case: "Case", results: "dict[str, Any]", index: int) -> None:
     """Count the results of a case that a method gives, with the bounds that it states."""
     true = {name: Decimal(text) for name, text in case.results.items()}
     sizes = {name: value.copy_abs() for name, value in true.items()}
-    shown = {name: found[name] for name in true if name in found}
+    shown = {name: results[name] for name in true if name in results}
     values = {name: Decimal(getattr(value, "value", value)) for name, value in shown.items()}
     if not values or not all(value.is_finite() for value in values.values()):
         raise ArithmeticError

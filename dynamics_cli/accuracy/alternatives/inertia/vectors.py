@@ -33,8 +33,8 @@ PLACES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 def _tensor(moments: "list[float]") -> "dict[str, float]":
     """What follows from principal moments, by differences: the greatest product, and how far I₁ + I₂ is above I₃."""
     one, two, three = moments
-    found = {f"principal_moments.{name}": moment for name, moment in zip(NAMES, moments, strict=True)}
-    return found | {"greatest_product": 0.5 * (three - one), "slack": (one + two - three) / three}
+    results = {f"principal_moments.{name}": moment for name, moment in zip(NAMES, moments, strict=True)}
+    return results | {"greatest_product": 0.5 * (three - one), "slack": (one + two - three) / three}
 
 
 def _matrix(case: "Case") -> "tuple[tuple[float, ...], ...]":
@@ -62,10 +62,10 @@ def _torque(own: "Array", gyroscopic: "Array", momentum: "Array", spin: "Array")
     import numpy as np
 
     total = own + gyroscopic
-    found = {"magnitude": float(np.linalg.norm(total)), "rotational_energy": float(0.5 * spin @ momentum)}
+    results = {"magnitude": float(np.linalg.norm(total)), "rotational_energy": float(0.5 * spin @ momentum)}
     vectors = {"inertia_torque": total, "acceleration_part": own, "gyroscopic_part": gyroscopic}
     vectors["angular_momentum"] = momentum
-    return found | {f"{name}[{k}]": float(x) for name, vector in vectors.items() for k, x in enumerate(vector)}
+    return results | {f"{name}[{k}]": float(x) for name, vector in vectors.items() for k, x in enumerate(vector)}
 
 
 def torque_by_cross(*, tensor: "Any", angular_velocity: "Any", angular_acceleration: "Any") -> "dict[str, float]":
@@ -87,19 +87,19 @@ def torque_along_axes(*, tensor: "Any", angular_velocity: "Any", angular_acceler
     spin, rise = np.array(angular_velocity) @ axes, np.array(angular_acceleration) @ axes
     (a, b, c), (x, y, z) = moments, spin
     turning = np.array([(b - c) * y * z, (c - a) * z * x, (a - b) * x * y])
-    found = _torque(axes @ -(moments * rise), axes @ turning, axes @ (moments * spin), np.array(angular_velocity))
-    return found | {"rotational_energy": float(0.5 * moments @ (spin * spin))}
+    results = _torque(axes @ -(moments * rise), axes @ turning, axes @ (moments * spin), np.array(angular_velocity))
+    return results | {"rotational_energy": float(0.5 * moments @ (spin * spin))}
 
 
-def _whole(found: "dict[str, Any]") -> "tuple[float, Array, Array, list[float]]":
+def _whole(results: "dict[str, Any]") -> "tuple[float, Array, Array, list[float]]":
     """Mass, mass centre, tensor and principal moments from results by address."""
     import numpy as np
 
-    centre = np.array([found[f"centroid[{k}]"] for k in range(3)])
-    tensor = np.diag([found[f"moments.{name}"] for name in ("xx", "yy", "zz")])
+    centre = np.array([results[f"centroid[{k}]"] for k in range(3)])
+    tensor = np.diag([results[f"moments.{name}"] for name in ("xx", "yy", "zz")])
     for name, i, j in (("xy", 0, 1), ("yz", 1, 2), ("zx", 2, 0)):
-        tensor[i, j] = tensor[j, i] = found[f"products.{name}"]
-    return found["mass"], centre, tensor, [found[f"principal_moments.{name}"] for name in NAMES]
+        tensor[i, j] = tensor[j, i] = results[f"products.{name}"]
+    return results["mass"], centre, tensor, [results[f"principal_moments.{name}"] for name in NAMES]
 
 
 def _lapack_axes(tensor: "Array") -> "Array":
@@ -137,21 +137,21 @@ def _differences(
 
     (m, c, a, moments), (n, d, b, others) = first, second
     shift = d - c
-    found = {
+    results = {
         "first_mass": m, "second_mass": n, "mass_difference": n - m, "mass_ratio": n / m,
         "centroid_distance": float(np.linalg.norm(shift)),
         "tensor_distance": float(np.linalg.norm(b - a) / np.linalg.norm(a)),
     }  # fmt: skip
-    found |= {f"centroid_shift[{k}]": float(x) for k, x in enumerate(shift)}
+    results |= {f"centroid_shift[{k}]": float(x) for k, x in enumerate(shift)}
     rows = [(float(a[i, j]), float(b[i, j])) for i, j in PLACES] + list(zip(moments, others, strict=True))
     for k, (one, other) in enumerate(rows):
-        found |= {f"moments[{k}].first": one, f"moments[{k}].second": other, f"moments[{k}].difference": other - one}
+        results |= {f"moments[{k}].first": one, f"moments[{k}].second": other, f"moments[{k}].difference": other - one}
     # of the four senses that leave right-handed axes right-handed the smallest turn: cos φ = (tr R − 1)/2
     shares = np.diag(axes(a) @ axes(b).T)
     if np.linalg.det(axes(a)) * np.linalg.det(axes(b)) < 0.0:
         shares = -shares
     traces = [float(np.array(signs) @ shares) for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))]
-    return found | {"axes_angle": float(np.arccos(np.clip(0.5 * (max(traces) - 1.0), -1.0, 1.0)))}
+    return results | {"axes_angle": float(np.arccos(np.clip(0.5 * (max(traces) - 1.0), -1.0, 1.0)))}
 
 
 compare_by_centre = compared(from_centre, _lapack_axes)

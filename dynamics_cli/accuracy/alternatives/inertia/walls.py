@@ -97,11 +97,11 @@ def _results(
 ) -> "dict[str, float]":
     x, y, z = (mass * part for part in second)
     moments = (y + z, z + x, x + y)
-    found = {"area" if flat else "volume": measure, "mass": mass, "centroid[2]": height}
-    found |= dict.fromkeys(("centroid[0]", "centroid[1]", "products.xy", "products.yz", "products.zx"), 0.0)
-    found |= {f"moments.{name}": value for name, value in zip(("xx", "yy", "zz"), moments, strict=True)}
+    results = {"area" if flat else "volume": measure, "mass": mass, "centroid[2]": height}
+    results |= dict.fromkeys(("centroid[0]", "centroid[1]", "products.xy", "products.yz", "products.zx"), 0.0)
+    results |= {f"moments.{name}": value for name, value in zip(("xx", "yy", "zz"), moments, strict=True)}
     names = ("first", "second", "third")
-    return found | {f"principal_moments.{n}": value for n, value in zip(names, sorted(moments), strict=True)}
+    return results | {f"principal_moments.{n}": value for n, value in zip(names, sorted(moments), strict=True)}
 
 
 METHODS = (

@@ -82,9 +82,9 @@ def yaw_by_bank_angle(
 
 def friction_by_sums(*, skids: "Any", gravity: float, m: "Any" = math) -> "dict[str, float]":
     """Mean and deviation from Σμ and Σμ² in one pass: digits go as the skids come near one another."""
-    made = skids if isinstance(skids, tuple) else (skids,)
+    several = skids if isinstance(skids, tuple) else (skids,)
     found, drags = [], []
-    for one in made:
+    for one in several:
         theta = m.atan(one.grade)
         drags.append(one.speed * one.speed / (2 * gravity * one.distance))
         found.append((drags[-1] - m.sin(theta)) / (one.braking * m.cos(theta)))

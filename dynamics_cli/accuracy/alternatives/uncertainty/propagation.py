@@ -98,15 +98,15 @@ def own(case: Case, options: "dict[str, Any]") -> "Answer":
     """The program's engine by one of its methods."""
     from dynamics_cli.core.uncertainty.propagation import propagate
 
-    made = distributions(case)
-    names = [f"x{i}" for i in range(len(made))]
+    inputs = distributions(case)
+    names = [f"x{i}" for i in range(len(inputs))]
     formula = FORMULAS[case.task]
 
     def model(x: "dict[str, Any]") -> "tuple[dict[str, Any], Any]":
         return {"y": formula([x[name] for name in names], _arrays())}, None
 
     pairs = {(names[i], names[j]): rho for i, j, rho in correlations(case)}
-    spread = propagate(model, dict(zip(names, made, strict=True)), pairs, shares=False, **options).spreads["y"]
+    spread = propagate(model, dict(zip(names, inputs, strict=True)), pairs, shares=False, **options).spreads["y"]
     return (*spread.interval, spread.median, spread.mean, spread.std), spread.estimate
 
 

@@ -1,1 +1,1 @@
-"""Rows: how a stream of cases is read in blocks, answered one by one or by arrays, and written, to the same bits."""
+"""Rows: a stream of cases read in blocks, answered singly or by arrays to the same bits, and written."""

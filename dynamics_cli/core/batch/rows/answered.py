@@ -1,4 +1,4 @@
-"""Columns of results: rows that were answered alike, their numbers as they are shown, and as text."""
+"""Columns of results: rows answered in the same way, their numbers as shown, and as text."""
 
 import numpy as np
 
@@ -24,7 +24,7 @@ NAN = float("nan")
 
 
 class Answered:
-    """Rows that were answered alike: which they are, their results, and what tells them from others."""
+    """Rows answered in the same way: their indices, their results, and what distinguishes them from other groups."""
 
     __slots__ = ("results", "rows", "signature")
 
@@ -35,7 +35,7 @@ class Answered:
 
 
 def kept(rows: "Rows", columns: "list[Result]", good: "Mask", trail: "tuple[Any, ...]") -> "Answered | None":
-    """The results of the rows that are good."""
+    """The results of the rows without errors."""
     if not good.all():
         if not good.any():
             return None
@@ -53,7 +53,7 @@ def constant(part: Part, record: "Any") -> "Any":
 
 
 def shown(found: "Any", part: Part, factor: "Factor | None", good: "Mask") -> "Any":
-    """A column of results as it is shown: doubles, or what a compound unit or a flag is written as."""
+    """A column of results as shown: doubles, or the text of compound units and flags."""
     if part.how != "number":
         return np.asarray(found).astype(object)
     values = np.asarray(found, dtype=float)
@@ -62,12 +62,12 @@ def shown(found: "Any", part: Part, factor: "Factor | None", good: "Mask") -> "A
     if factor is None:
         return _mapped(values, part.shown, good)
     with np.errstate(all="ignore"):
-        made = scale(np.where(good, values, 0.0), factor, _one_by_one(part.shown))
-    lost = np.isnan(made)
+        column = scale(np.where(good, values, 0.0), factor, _one_by_one(part.shown))
+    lost = np.isnan(column)
     if lost.any():
         good &= ~lost
-        made[lost] = 0.0
-    return made
+        column[lost] = 0.0
+    return column
 
 
 def _one_by_one(shown: Shown) -> "Any":
@@ -81,13 +81,13 @@ def _one_by_one(shown: Shown) -> "Any":
 
 
 def _mapped(values: "Array", shown: Shown, good: "Mask") -> "Any":
-    made = np.empty(len(values), dtype=object)
+    mapped = np.empty(len(values), dtype=object)
     one = _one_by_one(shown)
     for row in np.flatnonzero(good).tolist():
-        made[row] = one(float(values[row]))
-        if made[row] != made[row]:
+        mapped[row] = one(float(values[row]))
+        if mapped[row] != mapped[row]:
             good[row] = False
-    return made
+    return mapped
 
 
 def shown_factor(shown: "Shown | None") -> "Factor | None":
@@ -112,7 +112,7 @@ def written(results: "list[Result]", form: str) -> "list[Result]":
             if value.dtype == object:
                 value = _listed(value.tolist(), part, form)
             elif form == "csv":
-                # Neighbours are written together, which saves a cut and a join a row.
+                # Neighbouring columns are written together, which saves a split and a join for each row.
                 side.append(value)
                 if len(side) > 1:
                     made.pop()

@@ -22,14 +22,14 @@ class BoundPart(Part):
         super().__init__(("error_bound",), ("error_bound",), "number")
 
     def value(self, record: "Any") -> "Any":
-        """Nothing: the record does not hold it; the case fills it in."""
+        """Nothing: the record does not contain it; the case fills it in."""
         return None
 
 
 def largest_bound(document: "dict[str, Any]", parts: "Sequence[Part]") -> float | None:
     """The largest error bound that a document states of these results, relative to them; None where one has none.
 
-    A result that its own bound may make zero is zero: it has nothing to be relative to.
+    A result not larger than its bound may be zero: a relative bound would mean nothing.
     """
     bounds = document["numerics"].get("error_bound", {})
     largest = None
@@ -53,7 +53,7 @@ def largest_bound(document: "dict[str, Any]", parts: "Sequence[Part]") -> float 
 
 
 def _places(parts: "Sequence[Part]") -> "Iterator[tuple[str, tuple[str | int, ...]]]":
-    """Every result of a row by name, vectors whole and by component, and the way to it in a document."""
+    """Every result of a row by name, vectors as a whole and by component, with its path in a document."""
     seen = set()
     for part in parts:
         whole = ".".join(part.keys)
@@ -87,5 +87,5 @@ def _numbers(value: "Any") -> "Iterator[float]":
 
 
 def bound_of(task: "Task", bound: "Fields", asked: str, display: "Display", parts: "Sequence[Part]") -> float | None:
-    """What a single call would state of the results that a row shows."""
+    """The bound that a single call would state for the results of a row."""
     return largest_bound(build(task, bound, answer(task, bound, asked), display, []), parts)

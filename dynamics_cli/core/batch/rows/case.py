@@ -1,4 +1,4 @@
-"""One row answered as one command would answer it; every faster way through a stream must agree with this one."""
+"""One row answered as one command would answer it; every faster route must agree with this one."""
 
 from dynamics_cli.core.answering.gather import gather, keys_of, merge, put, read_words
 from dynamics_cli.core.answering.models import call_model, choose
@@ -35,14 +35,14 @@ class Case:
             # The call itself may refer to files where its rows may not.
             self.reader.references = tuple(_references(self.base))
         self.origins = dict(self.reader.origins)
-        # What the command line itself says wins over the rows; what its files say does not.
+        # Options on the command line override the rows; values from its files do not.
         self.fixed, _ = read_words(task.specification.fields, call.words, rows=True)
         for name, value in call.options.items():
             put(self.fixed, task.options[name].path, value)
         self.measure = self._measure()
         self.default_unit = ""
         self.settings = settings
-        # What asks for distributions before any row is seen.
+        # Settings that ask for distributions before any row is seen.
         spread = bool(settings.coverage or settings.method or settings.samples or settings.seed or settings.correlate)
         display = Display(settings.units, settings.to)
         self.layout = self._layout(display, self.fixed.get(self.measure[1]), spread=spread and not self.measure[0])
@@ -93,7 +93,7 @@ class Case:
             try:  # noqa: SIM105  contextlib would have to be imported
                 self.bind(row, uncertain=True)
             except Exception:
-                pass  # what is wrong with this row is reported in its place
+                pass  # errors of this row are reported in its place
             if self.reader.uncertain:
                 self.layout = self._layout(self.layout.display, spread=True)
 
@@ -134,13 +134,13 @@ class Case:
         return reader.read(self.task.specification.fields, self.raw(row))
 
     def values(self, row: "Raw") -> "list[Any]":
-        """What the row shows; raises what a single call would."""
+        """The results of the row; raises what a single call would."""
         bound = self.bind(row, uncertain=True)
         model, _ = choose(self.task, bound, self.asked)
         return self.shown(model, bound, self.called(model, bound))
 
     def called(self, model: "Model", bound: Fields) -> "Any":
-        """The model's record; a judgement that refuses uncertain inputs says what their uncertainty leaves."""
+        """The model's record; a judgement about uncertain inputs gets the intervals that remain."""
         try:
             return call_model(self.task, model, bound)
         except InadmissibleError as error:
@@ -151,7 +151,7 @@ class Case:
             raise
 
     def shown(self, model: "Model", bound: Fields, record: "Any") -> "list[Any]":
-        """What a row shows of a record, with its largest bound, and distributions where inputs are uncertain."""
+        """What a row shows of a record: results, largest bound, distributions of uncertain ones."""
         values = self.layout.values(record)
         if self.settings.bounds:
             from dynamics_cli.core.batch.rows.bounds import bound_of
@@ -161,24 +161,24 @@ class Case:
             return values
         if not self.layout.spread:
             raise UsageError(
-                "the row holds an uncertain value, and the rows before it did not",
+                "this row has an uncertain value, and the rows before it had none",
                 code="uncertain",
-                hint="say --coverage '95 %', so that every row has room for its distribution",
+                hint="give --coverage '95 %', so that every row has columns for the distribution",
             )
         from dynamics_cli.core.uncertainty.document import spread_of
 
         only = tuple(part.of_result for part in self.layout.parts if isinstance(part, SpreadPart))
-        made = spread_of(
+        spreads = spread_of(
             self.task, model, bound, record, self.reader, self.settings, only=only if self.settings.only else ()
         )
-        vary = made.varying()
+        vary = spreads.varying()
         for place, part in enumerate(self.layout.parts):
             if isinstance(part, SpreadPart) and part.of_result.partition("[")[0] in vary:
-                values[place] = part.shown_value(made.spreads[part.of_result].number(part.which))
+                values[place] = part.shown_value(spreads.spreads[part.of_result].number(part.which))
         return values
 
     def words(self, words: "list[str]") -> "Raw":
-        """The parameters that a line of words gives: those positional ones that the call does not fix."""
+        """The parameters given by a line of words: the positional ones that the call does not fix."""
         free = tuple(field for field in self.task.specification.words if field.key not in self.fixed)
         raw, scene = read_words(free, words, rows=False)
         if scene:
@@ -187,7 +187,7 @@ class Case:
 
 
 def _references(raw: "Any") -> "Iterator[str]":
-    """The texts below raw input that refer to files."""
+    """The texts within raw input that refer to files."""
     if isinstance(raw, str):
         if "@" in raw:
             yield raw

@@ -1,4 +1,4 @@
-"""Rows that one array call can answer: what makes them alike, and the plan that answers them."""
+"""Rows that one array call can answer: what they have in common, and the plan that answers them."""
 
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.plan import Plan
@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.batch.text.columns import Column
 
-# Smaller groups cost more together than one by one.
+# Groups smaller than this are cheaper one by one.
 SMALLEST_GROUP = 64
-# More makes of rows than this in one stream, and most rows are a make of their own.
+# With more kinds of rows than this in a stream, most rows are of a kind of their own.
 MOST_MAKES = 64
 MOST_TRIES = 6
 
@@ -40,14 +40,14 @@ class Group:
 def make_plan(
     case: Case, raw: "dict[str, Any]", addresses: "Sequence[str]", units: "Sequence[str | None]"
 ) -> "Plan | ExactPlan":
-    """The plan for rows like this one; raises Unsuited, or what is wrong with this one row."""
+    """The plan for rows like this one; raises Unsuited, or the error of this one row."""
     if case.measure[0]:
         return ExactPlan(case, raw, addresses)
     return Plan(case, raw, addresses, units)
 
 
 class Groups:
-    """How one format of rows is sorted."""
+    """How the rows of one format are grouped."""
 
     def uniform(self, lines: "list[bytes]") -> "list[Group] | None":
         """All lines as one group like the last one, or None."""

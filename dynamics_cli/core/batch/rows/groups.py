@@ -1,4 +1,4 @@
-"""Lines sorted into groups that one array call can answer; what fits no group is left to the single call.
+"""Lines sorted into groups that one array call can answer; rows that fit no group are left to the single call.
 
 Most blocks are one group: that is tried first, by whole-block operations. Only when it fails is each line looked at.
 """
@@ -20,13 +20,13 @@ class WordGroups(Groups):
         self.pairs = Pairs(case)
 
     def uniform(self, lines: "list[bytes]") -> "list[Group] | None":
-        """Bare numbers, all of the unit that the call fixes."""
+        """Bare numbers, all in the unit that the call fixes."""
         plan = self.pairs.plan(b"", b"1")
         column = column_of(lines) if plan is not None else None
         return [Group(plan, [column])] if plan is not None and column is not None else None
 
     def sorted(self, lines: "list[bytes]") -> "list[Group]":
-        """Groups by what follows the number."""
+        """Groups by the text after the number."""
         parts = [line.partition(b" ") for line in lines]
         column = column_of([part[0] for part in parts])
         rows: list[int] | None = None

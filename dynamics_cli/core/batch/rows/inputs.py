@@ -1,6 +1,6 @@
-"""Rows as they come in: what parameters a line of CSV, of NDJSON or of words gives, and how it goes out again.
+"""Input rows: the parameters given by a line of CSV, of NDJSON or of words, and how the line is written out again.
 
-A line that cannot be split as its header says is given back as one quoted cell, so that what follows stays aligned.
+A line that cannot be split as its header says is written out as one quoted cell, so that later columns stay aligned.
 """
 
 from itertools import pairwise
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     Raw = dict[str, Any]
 
 ENVELOPE = ("schema", "command", "version", "inputs", "model", "numerics", "checks", "warnings", "files", "timing")
-# A list in one row; an index of a billion must not fill the memory.
+# Longest list in a row: an index of a billion must not fill the memory.
 LONGEST_LIST = 1000
 
 
 class CarriedError(UsageError):
-    """The row failed in an earlier step of the pipe; its error goes on with it."""
+    """The row failed in an earlier step of the pipe; its error is passed on."""
 
     def __init__(self, error: "Any") -> None:
         known = error if isinstance(error, dict) else {"message": str(error)}
@@ -35,7 +35,7 @@ class CarriedError(UsageError):
 
 
 def decode_line(line: bytes) -> str:
-    """A line as text; refuses what is not UTF-8."""
+    """A line as text; refuses bytes that are not UTF-8."""
     try:
         return line.decode()
     except UnicodeDecodeError as error:
@@ -98,7 +98,7 @@ def split_header(text: str) -> "tuple[str, str]":
 
 
 def nest(raw: "Raw", path: "tuple[str | int, ...]", value: "Any") -> None:
-    """Put a value where its path of keys and indices says, making lists long enough."""
+    """Put a value at its path of keys and indices, extending lists as needed."""
     node: Any = raw
     for step, after in pairwise(path):
         empty: Any = [] if isinstance(after, int) else {}
@@ -111,9 +111,9 @@ def nest(raw: "Raw", path: "tuple[str | int, ...]", value: "Any") -> None:
 
 
 def _extend(node: "Any", step: "str | int", filler: "Any", path: "tuple[str | int, ...]") -> None:
-    """Make a list long enough for an index; refuses a place within what is given as a whole."""
+    """Make a list long enough for an index; refuses an item of a list that is given as a whole."""
     if not isinstance(node, list if isinstance(step, int) else dict):
-        raise UsageError(f"{path[0]} is given as a whole and in parts", parameter=str(path[0]), code="exclusive")
+        raise UsageError(f"{path[0]} is given both whole and in parts", parameter=str(path[0]), code="exclusive")
     if isinstance(step, int):
         if step >= LONGEST_LIST:
             raise UsageError(f"{path[0]} has an index of {step}, at most {LONGEST_LIST - 1} is possible", code="index")
@@ -122,10 +122,10 @@ def _extend(node: "Any", step: "str | int", filler: "Any", path: "tuple[str | in
 
 
 class Input:
-    """What every format of rows in can do."""
+    """Interface of every format of input rows."""
 
     format = ""
-    # Columns of CSV that the row itself takes.
+    # Columns of CSV that the row itself occupies.
     heads: "list[str]"
 
     def __init__(self, case: Case) -> None:
@@ -141,7 +141,7 @@ class Input:
         raise NotImplementedError
 
     def json(self, line: bytes) -> bytes:
-        """The row's own object, without its closing brace; a row that is none, as its text."""
+        """The row's object without its closing brace; a row that is not an object, as its text."""
         raise NotImplementedError
 
     @staticmethod
@@ -213,21 +213,21 @@ class CsvInput(Input):
         return line + b"," * (len(self.heads) - len(cells))
 
     def json(self, line: bytes) -> bytes:
-        """An object that a next step can read: quantities with their units, nested as their addresses say."""
+        """An object that a later step can read: quantities with their units, nested by their addresses."""
         try:
             cells = split_csv(decode_line(line))
         except UsageError:
             return self.unread(line)
         if len(cells) != len(self.columns):
             return self.unread(line)
-        made: Raw = {}
+        object_: Raw = {}
         for index, (column, cell) in enumerate(zip(self.columns, cells, strict=True)):
-            if cell.strip() and index not in self.errors and not (index not in self._order and column.name in made):
+            if cell.strip() and index not in self.errors and not (index not in self._order and column.name in object_):
                 if column.path:
-                    nest(made, column.path, column.raw(cell))
+                    nest(object_, column.path, column.raw(cell))
                 else:
-                    made[column.name] = f"{without_guard(cell)} {column.unit}".strip()
-        return compact(made)[:-1].encode()
+                    object_[column.name] = f"{without_guard(cell)} {column.unit}".strip()
+        return compact(object_)[:-1].encode()
 
 
 def _is_error(column: Column) -> bool:
@@ -268,7 +268,7 @@ class TextInput(Input):
 
 
 class JsonInput(Input):
-    """One object a line; what earlier steps put under `results` is read as parameters of the same name."""
+    """One object a line; what earlier steps wrote under `results` is read as parameters of the same name."""
 
     format = "ndjson"
 
@@ -281,14 +281,14 @@ class JsonInput(Input):
             entries = []
         # Only CSV out needs columns: those of the first row.
         self.units = {name: unit for name, _, unit in entries}
-        # Half a surrogate pair, which JSON may hold, is no text that can be written.
+        # Half a surrogate pair, which JSON may hold, cannot be written as text.
         self.heads = [header(name, unit).encode(errors="replace").decode() for name, unit in self.units.items()]
 
     def object(self, line: bytes) -> "Raw":
         """The line as an object."""
         raw = parse_json(decode_line(line), "the row")
         if not isinstance(raw, dict):
-            raise UsageError("the row is no JSON object", code="json", hint='for example {"distance": "60 ft"}')
+            raise UsageError("the row is not a JSON object", code="json", hint='for example {"distance": "60 ft"}')
         return raw
 
     def read(self, line: bytes) -> "Raw":
@@ -316,12 +316,12 @@ class JsonInput(Input):
     def csv(self, line: bytes) -> bytes:
         """The cells of the first row's columns; a unit that differs from the header's stays with its number."""
         try:
-            found = {name: (value, unit) for name, value, unit in self._flat(line)}
+            flat = {name: (value, unit) for name, value, unit in self._flat(line)}
         except UsageError:
             return self.unread_cells(line)
         cells = []
         for name, unit in self.units.items():
-            value, own = found.get(name, (None, ""))
+            value, own = flat.get(name, (None, ""))
             text = "" if value is None else value if isinstance(value, str) else compact(value)
             cells.append(csv_cell(f"{text} {own}" if own and own != unit else text))
         return ",".join(cells).encode(errors="replace")

@@ -1,7 +1,7 @@
-"""Rows as they go out: the row that came in, its results, and an error if there was one."""
+"""Output rows: the input row, its results, and an error if there was one."""
 
 from dynamics_cli.core.batch.rows.inputs import Input
-from dynamics_cli.core.output.csv_cells import csv_cell, header
+from dynamics_cli.core.output.csv_cells import csv_cell, free_name, header
 from dynamics_cli.core.output.failure import as_object
 from dynamics_cli.core.output.row_layout import Layout, Part, compact
 from dynamics_cli.errors import DynamicsError
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    # For weaving: the same bytes in every row, or one piece a row.
+    # For weaving: the same bytes in every row, or one piece for each row.
     Piece = bytes | list[bytes]
 
 
@@ -36,14 +36,14 @@ def error_object(error: DynamicsError) -> "dict[str, Any]":
 
 
 class Slot:
-    """Stands in a template for the number that differs from row to row."""
+    """A placeholder in a template for a number that differs from row to row."""
 
     def __repr__(self) -> str:
         return "\0"
 
 
 class Output:
-    """What every format of rows out can do."""
+    """Interface of every format of output rows."""
 
     format = ""
 
@@ -52,11 +52,11 @@ class Output:
         self.layout = layout
 
     def head(self) -> bytes:
-        """What stands before all rows."""
+        """The text before all rows."""
         return b""
 
     def echo(self, line: bytes) -> bytes:
-        """The row as it came in."""
+        """The input row."""
         raise NotImplementedError
 
     def good(self, line: bytes, values: "Sequence[Any]") -> bytes:
@@ -83,8 +83,8 @@ class CsvOutput(Output):
     def __init__(self, source: Input, layout: Layout) -> None:
         super().__init__(source, layout)
         taken = {head.rpartition("[")[0] if head.endswith("]") else head for head in source.heads} | set(source.heads)
-        self.columns = [header(_free(name, taken), unit) for part in layout.parts for name, unit in part.names]
-        self.error_column = _free("error", taken)
+        self.columns = [header(free_name(name, taken), unit) for part in layout.parts for name, unit in part.names]
+        self.error_column = free_name("error", taken)
 
     def head(self) -> bytes:
         """The header: the row's own columns, the results', and `error`."""
@@ -128,12 +128,6 @@ def _measured_cells(part: Part, columns: "list[list[bytes]]", units: "list[str]"
     for column in columns:
         pieces += [b";", column]
     return pieces[1:] if part.unit else [*pieces[1:], b"," + csv_cell(";".join(units)).encode()]
-
-
-def _free(name: str, taken: "set[str]") -> str:
-    while name in taken:
-        name = f"results.{name}"
-    return name
 
 
 class JsonOutput(Output):

@@ -1,11 +1,11 @@
 """Many rows answered by few calls of the physics: the inputs of one row as template, arrays in place of its numbers.
 
-Formulas that branch on their numbers part the rows by the way they go (`numerics.lanes`). Physics that takes no arrays
+Formulas that branch on their numbers split the rows by branch (`numerics.lanes`). Physics that takes no arrays
 is called row by row with the template's inputs, which saves reading each row and writing it.
 
-Whatever this cannot settle (a row that physics refuses, a number out of range or bounds) is left to the single call,
-which also words the error. A division by zero or an overflow anywhere counts as that too, since numpy would go on where
-Python stops: the rows are halved until the one that does it is alone.
+Whatever this cannot answer (a row that physics refuses, a number out of range or bounds) is left to the single call,
+which also writes the error message. A division by zero or an overflow anywhere counts as that too, since numpy would go
+on where Python stops: the rows are halved until the one that causes it is alone.
 """
 
 import numpy as np
@@ -36,12 +36,12 @@ if TYPE_CHECKING:
     Mask = NDArray[Any]
 
 
-# What such a result is shown in depends on its numbers.
+# The unit that such a result is shown in depends on its numbers.
 OWN_UNITS = ("measured", "components")
 
 
 def _is_fixed(fixed: "dict[str, Any]", address: str) -> bool:
-    """Whether the call itself gives what a column at this address would."""
+    """Whether the call itself gives the value of a column at this address."""
     inner: Any = fixed
     for step in address.split("."):
         name = step.partition("[")[0]
@@ -54,13 +54,13 @@ def _is_fixed(fixed: "dict[str, Any]", address: str) -> bool:
 
 
 class Plan:
-    """How rows of one make are answered: the template's inputs, where its numbers go, and the model."""
+    """How rows of one kind are answered: the template's inputs, where its numbers go, and the model."""
 
     def __init__(
         self, case: Case, raw: "dict[str, Any]", addresses: "Sequence[str]", units: "Sequence[str | None]"
     ) -> None:
         self.case = case
-        # How rows went of which the first and the last have been compared with single calls.
+        # Branches whose first and last rows have been compared with single calls.
         self.proved: set[tuple[Any, ...]] = set()
         self.failures = 0
         self.bound = case.bind(raw)
@@ -76,7 +76,7 @@ class Plan:
             raise Unsuited(f"{unknown} are not numbers that arrays can stand for", set(self._leaves))
         self.addresses = list(addresses)
         self.slots = [self._slot(address, unit) for address, unit in zip(addresses, units, strict=True)]
-        # Whether the physics takes arrays; known when it has been tried.
+        # Whether the physics takes arrays; known once it has been tried.
         self.lanes = True
         self._constants = {address: si for address, _, si in self.bound.leaves()}
         self._mirrored = list(self._mirrors())
@@ -99,7 +99,7 @@ class Plan:
         wanted = parse_unit(kind.unit)
         read = parse_unit(leaf.unit, wanted)
         if read.dimension != wanted.dimension:
-            raise Unsuited(f"{address} is read in a way of its own")
+            raise Unsuited(f"{address} needs a reader of its own")
         return Slot(address, kind, read)
 
     def _model(self, values: "dict[str, Any]") -> Model:
@@ -118,7 +118,7 @@ class Plan:
         return self._model(values).call()(*args, **kwargs)
 
     def run(self, columns: "list[Column]") -> "list[Answered]":
-        """The results of all rows that can be answered together, those alike together; the others are left out."""
+        """The results of all rows that can be answered together, grouped by branch; the others are left out."""
         count = len(columns[0].tokens)
         arrays: dict[str, Array] = {}
         bad: Mask = np.zeros(count, dtype=bool)
@@ -147,7 +147,7 @@ class Plan:
             return self._one_by_one(arrays, count)
 
     def _taken(self, part: LanePart) -> "Answered | None":
-        """The results of rows that went the same way."""
+        """The results of rows that took the same branch."""
         good = _finite(part.outcome, len(part.rows))
         if not good.any():
             return None
@@ -156,7 +156,7 @@ class Plan:
         for layout, factor in zip(self.case.layout.parts, self._scales, strict=True):
             value = layout.of(record)
             if layout.how in OWN_UNITS and value is not None:
-                raise Unsuited("results with units of their own are written one by one")
+                raise Unsuited("results that carry their own units are written one by one")
             if not isinstance(value, np.ndarray) or not value.ndim:
                 columns.append((layout, "all", constant(layout, record)))
                 continue
@@ -193,7 +193,7 @@ class Plan:
             self.case.layout.parts, self._scales, missing, zip(*lists, strict=True), strict=True
         ):
             if part.how in OWN_UNITS and not absent:
-                raise Unsuited("results with units of their own are written one by one")
+                raise Unsuited("results that carry their own units are written one by one")
             if absent:
                 columns.append((part, "all", None))
             elif part.how == "number":
@@ -214,21 +214,21 @@ def _refused(error: Exception) -> "Any":
         raise error
     if isinstance(error, DynamicsError):
         return True
-    # An array that is none of lanes has been asked for its truth.
+    # An array that is not one of lanes was asked for its truth value.
     if isinstance(error, ArithmeticError | ValueError) and "ambiguous" not in str(error):
         return None
     raise Unsuited(f"the physics does not take arrays: {error}") from error
 
 
 def _finite(node: "Any", count: int) -> "Mask":
-    """Where every number below a record is finite and every check has passed."""
+    """Mask of the rows with finite numbers throughout the record and all checks passed."""
     good = np.ones(count, dtype=bool)
     for item in _below(node):
         if isinstance(item, Check):
             good &= np.asarray(item.passed, dtype=bool)
         elif isinstance(item, np.ndarray):
             if item.ndim and item.shape != good.shape:
-                raise Unsuited("a number of the record is no column")
+                raise Unsuited("a number of the record has no column")
             if item.dtype.kind == "f":
                 good &= np.isfinite(np.asarray(item))
         elif isinstance(item, float) and not -np.inf < item < np.inf:
@@ -238,7 +238,7 @@ def _finite(node: "Any", count: int) -> "Mask":
 
 def _below(node: "Any") -> "Iterator[Any]":
     if isinstance(node, Columns):
-        raise Unsuited("the task answers with a table of its own")
+        raise Unsuited("the task's answer is a table")
     if isinstance(node, tuple | list):
         for item in node:
             yield from _below(item)

@@ -11,15 +11,15 @@ if TYPE_CHECKING:
     from dynamics_cli.core.terminal import Terminal
 
     class Work(Protocol):
-        """What is to be done, and how much of it has been: of a stream, bytes."""
+        """The amount of work, and how much of it is done; for a stream, in bytes."""
 
         @property
         def size(self) -> int | None:
-            """All of it, where that is known."""
+            """The total, where it is known."""
 
         @property
         def bytes_read(self) -> int:
-            """What has been done."""
+            """The amount done."""
 
 
 PATIENCE = 1.0
@@ -71,5 +71,5 @@ class Progress:
             self._text.detach()  # standard error outlives the bar
 
     def _show_cursor(self) -> None:
-        """What the bar hid."""
+        """Show the cursor that the bar hid."""
         self._terminal.tell("\x1b[?25h\n")

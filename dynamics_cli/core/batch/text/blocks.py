@@ -1,4 +1,4 @@
-"""Lines from a file or a pipe, in blocks: as many as have come, never more than fit in a little memory."""
+"""Lines from a file or a pipe, in blocks: as many as have arrived, never more than fit into a little memory."""
 
 from dynamics_cli.errors import UsageError
 
@@ -14,7 +14,7 @@ BLOCK_ROWS = 6000
 # Texts of so many results stay in the cache until they are put together.
 BLOCK_NUMBERS, FEWEST_ROWS = 60_000, 2000
 LEAST_BYTES, MOST_BYTES = 1 << 16, 1 << 22
-# A longer line is nobody's case, and must not eat the memory.
+# A longer line cannot be a case, and must not fill the memory.
 LONGEST_LINE = 1 << 24
 BOM = b"\xef\xbb\xbf"
 
@@ -30,7 +30,7 @@ class Source:
         self.bytes_read = 0
         self.size: int | None = None
         self._file = terminal.stdin if name == "-" else self._open(name)
-        # `read1` gives what has come; a buffered `read` would wait for a whole block.
+        # `read1` returns what has arrived; a buffered `read` would wait for a whole block.
         self._read = getattr(self._file, "read1", self._file.read)
         self._first = True
         self._block = LEAST_BYTES
@@ -83,7 +83,7 @@ class Source:
             yield self._lines(last)
 
     def _next(self) -> bytes:
-        """Some bytes: one read, and what more has already come, up to a block."""
+        """Some bytes: one read, and whatever else has already arrived, up to a block."""
         data: bytes = self._read(self._block)
         if data and len(data) < self._block and self._more():
             parts = [data]
@@ -99,7 +99,7 @@ class Source:
         return data
 
     def _beginning(self) -> bytes:
-        """The first bytes: of long rows as many as later blocks have, if they have come."""
+        """The first bytes; for long rows as many as in later blocks, if they have arrived."""
         data = self._next()
         if len(data) < LEAST_BYTES or (self.size is None and not self._more()):
             return data
@@ -108,7 +108,7 @@ class Source:
         return data + self._next() if self._block >= LEAST_BYTES else data
 
     def _more(self) -> bool:
-        """Whether more bytes wait in a pipe; "no" where it cannot be asked."""
+        """Whether more bytes wait in a pipe; false where this cannot be determined."""
         if self.size is not None:
             return False
         from select import select

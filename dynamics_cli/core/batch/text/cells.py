@@ -1,4 +1,4 @@
-"""Lines of cells, sorted by what stands in them beside numbers."""
+"""Lines of cells, grouped by the text around their numbers."""
 
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.group import (
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 
 
 def _tidy(data: bytes) -> bool:
-    """Whether words are parted by one space each and no quote can join them."""
+    """Whether words are separated by single spaces and no quote can join them."""
     return not (b"  " in data or b"'" in data or b"\t" in data or data.startswith(b" ") or data.endswith(b" "))
 
 
 class _Make:
-    """Lines whose words are alike: for each parameter's column the unit behind its number, or the whole cell."""
+    """Lines with the same words: for each parameter's column the unit behind its number, or the whole cell."""
 
     def __init__(self, key: "tuple[tuple[bool, bytes], ...]", plan: "Plan | ExactPlan | None") -> None:
         self.key = key
@@ -44,20 +44,20 @@ class CellGroups(Groups):
         self.addresses = addresses
         self.units = units
         self.parameters = [index for index, address in enumerate(addresses) if address]
-        # Columns whose numbers no array can stand for: counts, and whatever a plan would not have.
+        # Columns whose numbers an array cannot replace: counts, and whatever a plan does not accept.
         self.literal: set[int] = set()
         self.makes: dict[tuple[tuple[bool, bytes], ...], _Make] = {}
         self.recent: _Make | None = None
 
     def _cells(self, lines: "list[bytes]") -> "list[list[bytes]] | None":
-        """Columns of cells, or None when some line has others than the header's."""
+        """Columns of cells, or None when some line has a different number of them than the header."""
         count, width = len(lines), len(self.addresses)
         separator = self.separator
         data = (separator + b"\n" + separator).join(lines)
         if b'"' in data or not readable(data) or (separator == b" " and not _tidy(data)):
             return None
         cells = data.split(separator)
-        # Between two lines stands a cell of its own; if each is in its place, every line has the right number of cells.
+        # A marker cell separates lines; if each marker is in its place, every line has the right number of cells.
         if len(cells) != count * (width + 1) - 1 or cells[width :: width + 1].count(b"\n") != count - 1:
             return None
         return [cells[index :: width + 1] for index in range(width)]
@@ -91,7 +91,7 @@ class CellGroups(Groups):
         return columns
 
     def sorted(self, lines: "list[bytes]") -> "list[Group]":
-        """Groups by what stands in the parameters' columns beside numbers."""
+        """Groups by the text around the numbers in the parameters' columns."""
         width = len(self.addresses) - 1
         rows = [
             row
@@ -155,7 +155,7 @@ class CellGroups(Groups):
                 raw = self.source.read(line)
                 plan = make_plan(self.case, raw, [self.addresses[index] for index in numbers], units)
             except DynamicsError:
-                continue  # this row is wrong; another may serve as template
+                continue  # this row has an error; another may serve as template
             except Unsuited as error:
                 if error.numeric is not None:
                     self.literal |= {index for index in numbers if self.addresses[index] not in error.numeric}

@@ -30,7 +30,7 @@ _PLAIN_LOW, _PLAIN_HIGH = 1e-4, 1e16
 
 
 class Unsuited(Exception):
-    """These rows cannot be answered together; `numeric` are the addresses of the numbers that could have been."""
+    """These rows cannot be answered together; `numeric` holds the addresses of the numbers that could be."""
 
     def __init__(self, why: str, numeric: "set[str] | None" = None) -> None:
         super().__init__(why)
@@ -56,7 +56,7 @@ class Column:
         return Column([self.tokens[row] for row in rows], self.values[rows])
 
     def suspicious(self) -> "Mask | None":
-        """Where a number left the range of a double, so that the single call's own words are wanted."""
+        """Mask of numbers beyond the range of a double, for which the single call writes the message."""
         odd = ~np.isfinite(self.values)
         for row in np.flatnonzero(self.values == 0.0).tolist():
             mantissa = self.tokens[row].lower().partition(b"e")[0]
@@ -65,7 +65,7 @@ class Column:
 
 
 def column_of(tokens: "list[bytes]") -> "Column | None":
-    """The column, or None when some token is no JSON number."""
+    """The column, or None when some token is not a JSON number."""
     try:
         values = _decode(b"[" + b",".join(tokens) + b"]")
     except (msgspec.MsgspecError, ValueError):
@@ -113,7 +113,7 @@ class Slot:
             return NAN
 
     def read(self, column: Column) -> "tuple[Array, Mask | None]":
-        """SI values, and where a single call would refuse them (None: nowhere)."""
+        """SI values, and a mask of those that a single call would refuse (None: none)."""
         odd = column.suspicious()
         if self.factor.is_one:
             values = column.values + 0.0
@@ -163,7 +163,7 @@ def _odd_sized(values: "Array") -> "list[int]":
 
 
 def weave(pieces: "list[bytes | list[bytes]]", count: int) -> bytes:
-    """Rows of pieces, one after another: a piece is the same in every row, or a list with one for each."""
+    """Rows of pieces, joined: a piece is the same in every row, or a list with one item for each."""
     merged: list[Any] = []
     for piece in pieces:
         if isinstance(piece, bytes) and merged and isinstance(merged[-1], bytes):

@@ -1,4 +1,4 @@
-"""Exact conversions by the million: the same rational factor for all rows of a pair of units, each row rounded once."""
+"""Exact conversions in bulk: the same rational factor for all rows of a pair of units, each row rounded once."""
 
 from math import gcd
 
@@ -78,7 +78,7 @@ class Conversion:
     def _exactness(
         self, column: Column, values: "Array", whole: "Array", power: int, singly: "list[int]"
     ) -> "list[bool]":
-        """Whether each number is the exact result: whether what is left of the denominator divides N."""
+        """Whether each number is the exact result: whether the remaining denominator divides N."""
         factor = self.factor
         ten = 10**power
         if factor.shift[0]:
@@ -92,7 +92,7 @@ class Conversion:
             odd //= odd & -odd
             divides = np.fmod(whole, float(odd)) == 0.0 if odd < WHOLE_LIMIT else whole == 0.0
             exact = divides.tolist()
-            # A quotient of more than 53 bits is no double, however exact.
+            # A quotient of more than 53 bits is not a double, even if exact.
             if float(np.abs(whole).max(initial=0.0)) * abs(factor.numerator) >= WHOLE_LIMIT:
                 singly = sorted({*singly, *np.flatnonzero(divides).tolist()})
         for row in singly:
@@ -118,7 +118,7 @@ class ExactPlan:
         self.addresses = list(addresses)
         given = case.raw(raw)
         if set(given) != {name, targets} or self.addresses != [name]:
-            raise Unsuited("more than a value and its units is given", {name})
+            raise Unsuited("more than a value and its unit is given", {name})
         bound = case.bind(raw)
         value, wanted = bound.fields[name], bound.fields[targets]
         assert isinstance(value, Constant)
@@ -126,7 +126,7 @@ class ExactPlan:
         assert isinstance(wanted, Several)
         self.targets = [str(item.assemble()) for item in wanted.items]
         if not value.value.unit or not self.targets or any(";" in target for target in self.targets):
-            raise Unsuited("only plain units are converted together", {name})
+            raise Unsuited("only plain units can be converted as a column", {name})
         self.conversions = [Conversion(*parse_pair(value.value.unit, target)) for target in self.targets]
 
     def run(self, columns: "list[Column]") -> "list[Answered]":

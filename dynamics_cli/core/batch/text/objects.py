@@ -1,4 +1,4 @@
-"""Lines of JSON objects, sorted by their shapes."""
+"""Lines of JSON objects, grouped by shape."""
 
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.group import (
@@ -58,17 +58,17 @@ class JsonGroups(Groups):
                 tries += not self._learn(line)
                 index, match = self._shape(line)
             if match is not None and self.shapes[index].plan is not None and readable(line):
-                rows, found = groups.setdefault(index, ([], []))
+                rows, chosen = groups.setdefault(index, ([], []))
                 rows.append(row)
-                found.append(match.groups())
+                chosen.append(match.groups())
         made: list[Group] = []
-        for index, (rows, found) in sorted(groups.items(), key=lambda item: -len(item[1][0])):
+        for index, (rows, chosen) in sorted(groups.items(), key=lambda item: -len(item[1][0])):
             if len(rows) < SMALLEST_GROUP:
                 break
             self.recent = self.recent if made else self.shapes[index]
             made += (
                 self._group(
-                    self.shapes[index], [lines[row] for row in rows], list(map(list, zip(*found, strict=True))), rows
+                    self.shapes[index], [lines[row] for row in rows], list(map(list, zip(*chosen, strict=True))), rows
                 )
                 or []
             )
@@ -82,7 +82,7 @@ class JsonGroups(Groups):
         return -1, None
 
     def _learn(self, line: bytes, numeric: "set[str] | None" = None) -> bool:
-        """Make a shape of this line; "no" when the line is wrong or has no shape."""
+        """Learn the shape of this line; false when the line is invalid or has no shape."""
         try:
             raw = self.source.read(line)
         except DynamicsError:
@@ -95,7 +95,8 @@ class JsonGroups(Groups):
         except DynamicsError:
             return False
         except Unsuited as error:
-            # Numbers that no array can stand for are part of the shape; if that is not it, its lines go one by one.
+            # Numbers that an array cannot replace become part of the shape; if that does not help, its lines go one by
+            # one.
             if error.numeric is not None and numeric is None:
                 return self._learn(line, error.numeric)
         self.shapes.append(shape)

@@ -8,12 +8,12 @@ if TYPE_CHECKING:
 
     Lines = list[bytes | None]
 
-# A quote that nobody closes must not swallow the rest of the stream.
+# A quote that is never closed must not swallow the rest of the stream.
 MOST_LINES = 1000
 
 
 def cleared(blocks: "Iterable[Lines]") -> "Iterator[Lines]":
-    """Blocks without empty lines; blocks of nothing else are left out."""
+    """Blocks without empty lines; blocks of only empty lines are left out."""
     for lines in blocks:
         kept = [line for line in lines if line is None or line] if b"" in lines else lines
         if kept:
@@ -56,7 +56,7 @@ class _Joiner:
 
     def joined(self, lines: "list[bytes]") -> "Lines":
         """The records that these lines complete."""
-        waiting, made = deque(lines), list[bytes | None]()
+        waiting, records = deque(lines), list[bytes | None]()
         while waiting:
             line = waiting.popleft()
             self.held.append(line)
@@ -66,25 +66,25 @@ class _Joiner:
             first, *others = self.held
             self.held = []
             if whole:
-                made.append(b"\n".join((first, *others)))
+                records.append(b"\n".join((first, *others)))
             else:
-                made.append(first)
+                records.append(first)
                 waiting.extendleft(reversed(others))
-        return made
+        return records
 
     def rest(self) -> "Lines":
-        """What still waits when no more lines come: its first line as it is, the others as records."""
-        made: Lines = []
+        """Lines still waiting at the end: the first one as it is, the others as records."""
+        records: Lines = []
         while self.held:
             first, *others = self.held
             self.held = []
-            made += [first, *self.joined(others)]
-        return made
+            records += [first, *self.joined(others)]
+        return records
 
 
 def _whole(lines: "list[bytes]") -> bool | None:
     """Whether lines are one record; None where its last cell is still open."""
-    # a return within a line is a character like others, but the csv module takes it for an end
+    # a carriage return within a line is an ordinary character, but the csv module takes it for an end
     text = b"\n".join(lines).replace(b"\r", b" ")
     if b'"' not in text:
         return True

@@ -1,6 +1,6 @@
 """Objects of one shape: found by one pattern, which also proves that each line is strict JSON of just that shape.
 
-A shape is an object with its numbers taken out, and without the strings that are no parameters. The pattern matches
+A shape is an object with its numbers removed, and without the strings that are not parameters. The pattern matches
 only numbers and strings as JSON writes them, so a line that matches means the same to a JSON parser.
 """
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 # Short enough that every match is a double.
 NUMBER = rb"-?(?:0|[1-9][0-9]{0,40})(?:\.[0-9]{1,40})?(?:[eE][+-]?[0-9]{1,2})?"
-# Numbers of whatever length that only pass through; strings without escapes.
+# Numbers of any length that only pass through; strings without escapes.
 _OTHER_NUMBER = rb"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?"
 _OTHER_STRING = rb'"[^"\\\x00-\x1f]*"'
 _TOKEN = re.compile(rb'"(?:[^"\\]|\\.)*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
@@ -74,7 +74,7 @@ def members(line: bytes) -> "dict[str, tuple[int, int]]":
     """Where each member of the object begins (at its key) and ends."""
     depth = 0
     name, start = "", -1
-    found: dict[str, tuple[int, int]] = {}
+    spans: dict[str, tuple[int, int]] = {}
     for match in _TOKEN.finditer(line):
         text = match[0]
         if text in b"{[":
@@ -84,20 +84,20 @@ def members(line: bytes) -> "dict[str, tuple[int, int]]":
         elif depth == 1 and text not in b":," and start < 0:
             name, start = _unescaped(text), match.start()
         if start >= 0 and ((depth == 1 and text == b",") or depth == 0):
-            found[name] = (start, match.start())
+            spans[name] = (start, match.start())
             start = -1
-    return found
+    return spans
 
 
 def without_members(line: bytes, names: "tuple[str, ...]") -> bytes:
-    """The object without some members and without its closing brace; what stands before the first of them as it is."""
-    found = members(line)
-    kept = list(found)
+    """The object without some members and without its closing brace; the text before the first of them unchanged."""
+    spans = members(line)
+    kept = list(spans)
     while kept and kept[-1] in names:
         kept.pop()
-    head = line[: found[kept[-1]][1]].rstrip() if kept else b"{"
+    head = line[: spans[kept[-1]][1]].rstrip() if kept else b"{"
     if names and any(name in names for name in kept):
-        parts = [line[start:end].rstrip() for name, (start, end) in found.items() if name not in names]
+        parts = [line[start:end].rstrip() for name, (start, end) in spans.items() if name not in names]
         return b"{" + b",".join(parts)
     return head
 
@@ -130,14 +130,14 @@ class Shape:
         if self.cut:
             pattern = b"(" + pattern
         self.whole = re.compile(pattern)
-        # The numbers found are read by a JSON parser afterwards, so a looser, faster pattern does for whole blocks.
+        # A JSON parser reads the numbers afterwards, so a looser, faster pattern is enough for whole blocks.
         self._search = re.compile(pattern.replace(b"(" + NUMBER + b")", b"([-+.0-9eE]+)"))
 
     def find(self, data: bytes, count: int) -> "list[list[bytes]] | None":
-        """What each group finds in each of so many lines, or None when some line is of another shape."""
+        """The matches of each group in all lines, or None when some line has another shape."""
         stride = self._search.groups + 1
         parts = self._search.split(data)
-        # Between matches, and only there, stands the end of a line.
+        # Line ends occur between matches, and only there.
         ends = parts[stride:-1:stride]
         if len(parts) != count * stride + 1 or parts[0] or parts[-1] or ends.count(b"\n") != count - 1:
             return None
@@ -182,7 +182,7 @@ def _piece(
     if not string:
         return (b"(" + NUMBER + b")", address) if _is_number(token.text) else (fixed, "")
     quantity = _QUANTITY.fullmatch(token.text)
-    # Of a value and its unit only the value is a number, and `1/s` is no number with a unit `/s`.
+    # In a value with its unit only the value is a number, and `1/s` is not a number with a unit `/s`.
     if quantity is None or token.path[-1] == "unit" or quantity[2][:1].isdigit():
         return fixed, ""
     return b'"(' + NUMBER + b")" + re.escape(quantity[2]) + b'"', address
@@ -199,12 +199,12 @@ def _is_number(text: bytes) -> bool:
 
 def _address(path: Path, pairs: "set[Path]", skipped: int, whole: Path) -> str:
     """`first.mass` of a path of keys; the `value` of a value with its unit has the address of both."""
-    made = ""
+    address = ""
     for index, step in enumerate(path):
         if step == "value" and whole[: index + skipped] in pairs:
             continue
-        made += f"[{step}]" if isinstance(step, int) else f".{step}"
-    return made.lstrip(".")
+        address += f"[{step}]" if isinstance(step, int) else f".{step}"
+    return address.lstrip(".")
 
 
 def shape_of(line: bytes, names: "set[str]", numeric: "set[str] | None" = None) -> "Shape | None":

@@ -1,1 +1,1 @@
-"""Inputs in forms of their own: tensors, formulas and their variables."""
+"""Inputs in special forms: tensors, formulas and their variables."""

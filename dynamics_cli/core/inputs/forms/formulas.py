@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.inputs.context import Context
 
-# A variable of formulas may not have the name of what they have already.
+# A variable may not have a name that formulas already use.
 TAKEN = (*FUNCTIONS, "pi", "t")
 
 
@@ -42,7 +42,7 @@ def read_formula(text: str, kind: Kind) -> Formula:
         unit = parse_unit(unit_text, wanted) if unit_text else wanted
     except UsageError as error:
         raise UsageError(
-            f"{unit_text!r} is neither a unit nor goes on with the formula {text[: body.end]!r}",
+            f"{unit_text!r} is neither a unit nor a continuation of the formula {text[: body.end]!r}",
             code=error.code,
             hint=f"write products with *, and the unit last: {kind.example}",
         ) from None
@@ -59,7 +59,7 @@ def read_let(text: str, address: str, context: "Context", number: "Callable[...,
     if not equals or not value or not name.isidentifier():
         raise UsageError(f"read {text!r}, wanted NAME=VALUE", code="syntax", hint="for example a=3 m")
     if name in TAKEN:
-        raise UsageError(f"{name!r} has a meaning in formulas already", code="syntax", hint="take another name")
+        raise UsageError(f"{name!r} already has a meaning in formulas", code="syntax", hint="choose another name")
     unit = _unit_of(value)
     kind = Kind("variable", unit, example="3 m", about="a variable of the formulas")
     own = f"{address.partition('[')[0]}.{name}"

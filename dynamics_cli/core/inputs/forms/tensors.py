@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
     Matrix = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
 
-# A product of three matrices leaves elements across the diagonal this share of the largest one apart.
+# Rounding of a product of three matrices leaves mirrored elements apart by this share of the largest one.
 ROUNDING = 16.0 * 2.0**-53
 
 
@@ -53,7 +53,7 @@ def _symmetric(rows: "list[list[Any]]") -> "tuple[Matrix, list[list[Any]], str]"
 
 
 def _require_square(sizes: "list[int]") -> None:
-    """Refuse rows that are not three by three: six elements in two rows are no moments and products."""
+    """Refuse rows that are not three by three: six elements in two rows are not moments and products."""
     if sizes != [3, 3, 3]:
         count = " and ".join(map(str, sizes))
         raise UsageError(f"read rows of {count} elements, wanted 3 rows of 3", hint="or 3 or 6 elements in one list")

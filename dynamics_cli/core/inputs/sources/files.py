@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.terminal import Terminal
 
-# More than any scene or document; an endless device must not eat the memory.
+# More than any scene or document; an endless device must not fill the memory.
 MOST_BYTES = 1 << 28
 DOCUMENT_SCHEMA = "dynamics/2"
 # Earlier documents are read too.
@@ -118,12 +118,12 @@ def _finite_token(text: str) -> Token:
 
 
 def _unique(pairs: "list[tuple[str, Any]]") -> "dict[str, Any]":
-    made: dict[str, Any] = {}
+    object_: dict[str, Any] = {}
     for name, value in pairs:
-        if name in made:
+        if name in object_:
             raise UsageError(f"the name {name!r} is given twice", code="json", parameter=name)
-        made[name] = value
-    return made
+        object_[name] = value
+    return object_
 
 
 def _plain(value: "Any") -> "Any":

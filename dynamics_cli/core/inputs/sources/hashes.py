@@ -1,11 +1,11 @@
-"""The SHA-256 of every file a document rests on, of the very bytes that were read."""
+"""The SHA-256 of every file a document depends on, of the very bytes that were read."""
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
     from typing import Any
 
-# A file of so many bytes is hashed in a thread of its own.
+# A file larger than this is hashed in a thread of its own.
 LARGE = 1 << 24
 
 

@@ -1,4 +1,4 @@
-"""What `dynamics.toml` sets for every call: units, digits, format and gravity, beneath the environment's variables."""
+"""Preferences of `dynamics.toml` (units, digits, format, gravity), which environment variables override."""
 
 import os
 

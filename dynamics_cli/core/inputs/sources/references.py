@@ -32,28 +32,30 @@ def split_address(address: str) -> "list[str | int]":
 
 
 def _near_results(raw: "Any", address: str) -> "str | None":
-    """The results of a document that may be meant, else all of them."""
-    found = raw.get("results") if isinstance(raw, dict) else None
-    if not isinstance(found, dict) or not found:
+    """The results of a document with similar names, else all of them."""
+    results = raw.get("results") if isinstance(raw, dict) else None
+    if not isinstance(results, dict) or not results:
         return "a result document is wanted, as --json writes it"
     from dynamics_cli.core.documents import flatten
     from dynamics_cli.core.units.near_names import nearest_words
 
-    known = [name for name, _, unit in flatten(found) if unit] or list(found)
+    known = [name for name, _, unit in flatten(results) if unit] or list(results)
     near = nearest_words(address, known)
     return f"did you mean {' or '.join(near)}?" if near else f"there is {', '.join(known)}"
 
 
 def resolve(text: str, context: "Context", own: str) -> "Any":
-    """The raw value a reference stands for at the address `own`; the file's name is kept for the document."""
+    """The raw value of a reference at the address `own`; the file is recorded for the document."""
     if context.references is not None and not any(text in known for known in context.references):
-        message = f"read {text!r}: rows take nothing from files"
-        raise UsageError(message, code="reference", hint="--references allows it, for rows that you trust")
+        message = f"read {text!r}: rows may not read from files"
+        raise UsageError(message, code="reference", hint="add --references to allow it, for rows that you trust")
     name, colon, address = text[1:].rpartition(":")
     if not colon or not name or not address:
         raise UsageError(f"read {text!r}, wanted a file and an address", hint="for example @crash.json:first.speed")
     if name == "-":
-        raise UsageError("a reference names a file: standard input is for --input", hint="--input - reads a document")
+        raise UsageError(
+            "a reference names a file: standard input is for --input", hint="to read a document use --input -"
+        )
     path = name if os.path.isabs(name) else os.path.join(context.folder, name)
     data = read_bytes(path, Terminal())
     raw = parse_json(decode(data, name), name)

@@ -1,1 +1,1 @@
-"""Uncertain inputs as they are written: distributions, values and vectors."""
+"""Uncertain inputs as written: distributions, values and vectors."""

@@ -1,4 +1,4 @@
-"""Distributions of uncertain inputs, in SI: each maps a standard normal z to its own quantile x = F⁻¹(Φ(z)).
+"""Distributions of uncertain inputs, in SI: each maps a standard normal z to its quantile x = F⁻¹(Φ(z)).
 
 For z > 0 the upper tail is used, so both ends keep their digits. `mean` is an input's nominal value.
 """
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# A beta distribution of smaller shapes is its two bounds, of larger ones normal.
+# With smaller shapes a beta distribution degenerates to its two bounds, with larger ones to a normal one.
 LEAST_SHAPE, MOST_SHAPE = 0.2, 1e4
-# The greatest angle of which a tangent is taken.
+# The largest angle whose tangent is taken.
 _UPRIGHT = 0.5 * math.pi
 
 
 class Distribution:
-    """What is known of an uncertain number: mean, standard deviation, support, and `at(z)`.
+    """An uncertain number: mean, standard deviation, support, and `at(z)`.
 
-    `smooth` says that `at` has all derivatives and no bound near enough to slow quadrature down.
+    `smooth`: `at` has all derivatives, and no bound is near enough to slow quadrature down.
     """
 
     name = ""
@@ -44,7 +44,7 @@ class Distribution:
         raise NotImplementedError
 
     def parameters(self) -> "dict[str, Any]":
-        """What defines it, by the names of its JSON form; in the unit of the values."""
+        """Its parameters by their JSON names, in the unit of the values."""
         raise NotImplementedError
 
     def interval(self, coverage: float) -> tuple[float, float]:
@@ -74,7 +74,7 @@ class Normal(Distribution):
 
 
 class Uniform(Distribution):
-    """`0.65..0.75`: anything between two bounds alike."""
+    """`0.65..0.75`: all values between two bounds equally likely."""
 
     name = "uniform"
 
@@ -183,7 +183,7 @@ class Truncated(Distribution):
         _check(low < high, f"the lower bound {low:g} is not below the upper one {high:g}")
         self.centre, self.width, self.low, self.high = centre, width, low, high
         a, b = (low - centre) / width, (high - centre) / width
-        # Mirrored, if need be, so that the nearer bound is the lower one and tails stay small numbers.
+        # Mirrored if necessary, so that the nearer bound is the lower one and tails stay small numbers.
         self._mirrored = a + b < 0.0
         self._a, self._b = (-b, -a) if self._mirrored else (a, b)
         _check(self._a < 37.0, f"hardly anything of {centre:g} ± {width:g} is between {low:g} and {high:g}")
@@ -202,8 +202,8 @@ class Truncated(Distribution):
         below = normal.lower(self._a) + part * (np.where(z < 0.0, t, 1.0 - t))
         score = np.where(above <= 0.5, -_quantile(np.minimum(above, 0.5)), _quantile(np.minimum(below, 0.5)))
         score = np.clip(score, self._a, self._b)
-        made = self.centre + self.width * (-score if self._mirrored else score)
-        return np.clip(made, self.low, self.high)
+        quantile = self.centre + self.width * (-score if self._mirrored else score)
+        return np.clip(quantile, self.low, self.high)
 
     def parameters(self) -> "dict[str, Any]":
         """The normal distribution before it was cut, and the bounds."""
@@ -261,13 +261,13 @@ class Empirical(Distribution):
 
 
 class Result(Distribution):
-    """An earlier result, known by median and interval: normal, or bent like a shifted lognormal."""
+    """An earlier result, known by median and interval: normal, or skewed like a shifted lognormal."""
 
     name = "result"
     smooth = True
 
     def __init__(self, median: float, low: float, high: float, coverage: float) -> None:
-        _check(low <= median <= high and 0.0 < coverage < 1.0, "an interval that does not hold its median")
+        _check(low <= median <= high and 0.0 < coverage < 1.0, "an interval that does not contain its median")
         self.median, self.ends, self.coverage = median, (low, high), coverage
         score = -normal.quantile(0.5 * (1.0 - coverage))
         below, above = median - low, high - median
@@ -294,10 +294,10 @@ class Result(Distribution):
 
 
 class Tangent(Distribution):
-    """The tangent of an uncertain angle, such as a grade in degrees: each quantile of the angle has its own tangent.
+    """The tangent of an uncertain angle, such as a grade in degrees: the tangent of each quantile.
 
-    The nominal value is the tangent of the mean angle; `std` is to first order there. Where the angle is upright or
-    beyond, there is no tangent (NaN).
+    The nominal value is the tangent of the mean angle; `std` is to first order there. At 90 degrees and beyond
+    there is no tangent (NaN).
     """
 
     def __init__(self, angle: Distribution) -> None:

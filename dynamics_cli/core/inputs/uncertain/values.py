@@ -1,7 +1,7 @@
 """Uncertain values as written: `0.72 ± 0.04`, `20..25 m`, `truncated(0.72 ± 0.1, 0.5, 0.9)`, `[0.71, 0.74]`, JSON.
 
-Every number is read as a certain value of its parameter would be, with its unit and bounds; only a width (after ±) is a
-difference. A unit written last belongs to the numbers before it that have none.
+Every number is read like a certain value of its parameter, with its unit and bounds; only a width (after ±) is a
+difference. A unit at the end also belongs to earlier numbers without one.
 """
 
 from math import inf
@@ -31,7 +31,7 @@ FORMS = (
     "0.72 ± 0.04, 0.65..0.75, 0.6..0.7..0.8, uniform(0.65, 0.75), triangular(0.6, 0.7, 0.8), beta(2, 3, 0.6, 0.8), "
     "lognormal(0.72 ± 0.04), truncated(0.72 ± 0.1, 0.5, 0.9), [0.71, 0.74, 0.70], empirical(0.71, 0.74)"
 )
-# What each JSON form is made of, in the order its class takes it; "readings" and "values" are lists.
+# The parts of each JSON form, in the order of its class's arguments; "readings" and "values" are lists.
 PARAMETERS = {
     "normal": ("mean", "std"),
     "uniform": ("low", "high"),
@@ -50,7 +50,7 @@ LISTS = ("readings", "values")
 
 
 class UncertainValue(Value):
-    """A number with its distribution; its nominal value is the mean, or that of the earlier result that it is."""
+    """A number with its distribution; its nominal value is the mean, or that of the earlier result it refers to."""
 
     def __init__(
         self,
@@ -73,7 +73,7 @@ class UncertainValue(Value):
 
 
 class Scale:
-    """How the numbers of one text become SI numbers, and numbers of the one unit they are shown in.
+    """Conversion of the numbers of one text to SI, and to the one unit they are shown in.
 
     `angular` says whether a slope's numbers are angles (None before the first): the distribution is then the angle's.
     """
@@ -100,7 +100,7 @@ class Scale:
         return reading.si, reading.value
 
     def width(self, text: str, centre: float, shown: float) -> "tuple[float, float]":
-        """The same of a difference; `3 %` of a centre with a dimension is relative to it."""
+        """The same for a difference; `3 %` of a centre with a dimension is relative to it."""
         amount = read_amount(text)
         if self.default_unit and len(amount.parts) == 1 and not amount.parts[0][2]:
             amount = read_amount(f"{text} {self.default_unit}")
@@ -124,7 +124,7 @@ class Scale:
 
 
 def read_uncertain(kind: Kind, raw: "Any", address: str, default_unit: str) -> "tuple[UncertainValue, list[str]]":
-    """Read a distribution from text or JSON: the bound value and what had to be decided."""
+    """Read a distribution from text or JSON: the parsed value and notes on its interpretation."""
     try:
         if isinstance(raw, dict):
             raw = without_parts(raw) if ";" in str(raw.get("unit")) else raw
@@ -225,7 +225,7 @@ def _arguments(name: str, inside: str, scale: Scale) -> "list[Any]":
             read = _pure(item) if key in PURE else None
             parts.append(read or (scale.width(item, *parts[0]) if key in WIDTHS else scale.location(item)))
     if len(items) + bool(sign) != len(wanted):
-        raise UsageError(f"{name}({inside}) does not consist of {', '.join(wanted)}", code="syntax")
+        raise UsageError(f"{name}({inside}) does not have the form {', '.join(wanted)}", code="syntax")
     return parts
 
 
@@ -253,14 +253,14 @@ def _mixed(text: str) -> UsageError:
 
 def _ambiguous(text: str) -> UsageError:
     return UsageError(
-        f"{text.strip()} of a pure number may be a share of it or a difference",
+        f"{text.strip()} of a pure number may be a share of the value or a difference",
         code="ambiguous",
         hint="write both in the same way, for example 0.72 ± 0.04 or 72 % ± 4 %",
     )
 
 
 def _shared(items: "list[str]") -> "list[str]":
-    """Give the last item's unit to those that have none."""
+    """Give the last item's unit to items without one."""
     unit = _unit_of(items[-1]) if items else ""
     return [item if _unit_of(item) or not unit else f"{item} {unit}" for item in items]
 
@@ -321,7 +321,7 @@ def _number(value: "Any") -> str:
 
 def read_correlations(texts: "list[str]", known: "list[str]") -> "dict[tuple[str, str], float]":
     """`distance,friction=0.3`: two uncertain inputs by address, and the correlation of their normal scores."""
-    made: dict[tuple[str, str], float] = {}
+    correlations: dict[tuple[str, str], float] = {}
     for text in texts:
         names, equals, value = text.rpartition("=")
         pair = [name.strip().replace("-", "_") for name in names.split(",")]
@@ -329,18 +329,18 @@ def read_correlations(texts: "list[str]", known: "list[str]") -> "dict[tuple[str
             hint = "for example --correlate distance,friction=0.3"
             raise UsageError(f"read {text!r}, wanted A,B=RHO", parameter="correlate", hint=hint)
         one, other = (_address(name, known) for name in pair)
-        if (one, other) in made or (other, one) in made:
+        if (one, other) in correlations or (other, one) in correlations:
             raise UsageError(f"{one} and {other} are correlated twice", parameter="correlate")
         try:
             reading = read_scalar(value.strip(), Kind("correlation", "", low=-1.0, high=1.0, example="0.3"))
         except UsageError as error:
             error.parameter = "correlate"
             raise
-        made[one, other] = reading.si
-    return made
+        correlations[one, other] = reading.si
+    return correlations
 
 
 def _address(name: str, known: "list[str]") -> str:
-    """An address, or the last part of one if only one ends so."""
+    """An address, or the last part of one if it is unambiguous."""
     ending = [address for address in known if address.rpartition(".")[2] == name]
     return ending[0] if name not in known and len(ending) == 1 else name

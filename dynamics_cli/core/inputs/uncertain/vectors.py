@@ -1,4 +1,4 @@
-"""Uncertain vectors: components that are distributions each, or a magnitude and a direction that are.
+"""Uncertain vectors: each component a distribution, or magnitude and direction.
 
 Written `3 ± 0.1, 0 m/s` or `30 ± 2 mph @ 45 ± 3 deg`. Components have the addresses `velocity[0]`, the others
 `velocity.magnitude` and `velocity.direction`.
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.quantities import Kind
 
-# What a result of an earlier document says of its components, beside their values.
+# What a result of an earlier document states about its components, beside their values.
 _LISTS = ("mean", "median", "std")
 
 
@@ -31,12 +31,12 @@ class UncertainVector(VectorValue):
 
     def echo(self) -> "Any":
         """The JSON form, which reads back: nominal value, unit, and the distribution of every uncertain component."""
-        made = [part.echo() if isinstance(part, UncertainValue) else None for part in self._parts]
-        return {**super().echo(), "distributions": made}
+        echoes = [part.echo() if isinstance(part, UncertainValue) else None for part in self._parts]
+        return {**super().echo(), "distributions": echoes}
 
 
 def component_items(raw: "dict[str, Any]", size: int) -> "list[Any]":
-    """The components of an object with `value`, each an object with what is said of its distribution."""
+    """The components of an object with `value`, each an object with its part of the distribution."""
     unit = {"unit": raw["unit"]} if raw.get("unit") else {}
     items: list[dict[str, Any]] = [{"value": value, **unit} for value in raw["value"]]
     stated = {key: raw[key] for key in ("distributions", *_LISTS) if raw.get(key) is not None}
@@ -55,7 +55,7 @@ def component_items(raw: "dict[str, Any]", size: int) -> "list[Any]":
             items[place] = own
             continue
         interval = [end[place] for end in ends]
-        # A component that does not vary has an interval without width.
+        # A component that does not vary has an interval of zero width.
         if interval and _same(*interval):
             continue
         item |= {key: stated[key][place] for key in _LISTS if key in stated}
@@ -65,7 +65,7 @@ def component_items(raw: "dict[str, Any]", size: int) -> "list[Any]":
 
 
 def _same(low: "Any", high: "Any") -> bool:
-    """Whether two bare numbers, as text or not, are one."""
+    """Whether two bare numbers, as text or not, are equal."""
     try:
         return float(low) == float(high)
     except (TypeError, ValueError):
@@ -73,7 +73,7 @@ def _same(low: "Any", high: "Any") -> bool:
 
 
 def trailing_unit(text: str) -> str:
-    """The unit that stands last in an uncertain value as written, if any: `m/s` of `3 ± 0.1 m/s`."""
+    """The unit at the end of an uncertain value as written, if any: `m/s` of `3 ± 0.1 m/s`."""
     return _units(text)[-1]
 
 
@@ -83,7 +83,7 @@ def has_unit(text: str) -> bool:
 
 
 def _units(text: str) -> "list[str]":
-    """What stands after every number, and after a closing bracket."""
+    """The text after every number, and after a closing bracket."""
     _, opened, inside = text.partition("(") if not text.lstrip().startswith("[") else text.partition("[")
     body, closed, after = inside.rpartition(")" if "(" in text else "]") if opened else (text, "", "")
     for sign in (*PLUS_MINUS, ".."):

@@ -58,8 +58,8 @@ def files_of(
     if form in task.writers:
         writer = load(task.writers[form])
         words, options = given if writer.__code__.co_argcount > 1 else ([], {})
-        made = writer(record, *words, **options)
-        data = made.encode() if isinstance(made, str) else bytes(made)
+        text = writer(record, *words, **options)
+        data = text.encode() if isinstance(text, str) else bytes(text)
         entry: dict[str, Any] = {**entry_of(name, data), "written": True}
     else:
         data, entry = _drawn(_gathered(task, record), form, name, units)
@@ -68,12 +68,12 @@ def files_of(
 
 def drawing_fields(task: "Task") -> "list[Field]":
     """The results that are drawings."""
-    found = []
+    drawings = []
     for field in task.specification.result.fields:
         item = field.node.item if isinstance(field.node, Many) else field.node
         if isinstance(item, Leaf) and item.kind.form == "drawing":
-            found.append(field)
-    return found
+            drawings.append(field)
+    return drawings
 
 
 def _gathered(task: "Task", record: "Any") -> Drawing:
@@ -91,7 +91,7 @@ def _gathered(task: "Task", record: "Any") -> Drawing:
     if not outlines:
         names = {field.key for field in fields}
         advice = [item.message for item in getattr(record, "advice", ()) if item.result in names]
-        raise InadmissibleError("there is no drawing of this case", code="no-drawing", hint="; ".join(advice) or None)
+        raise InadmissibleError("this case has no drawing", code="no-drawing", hint="; ".join(advice) or None)
     return Drawing(tuple(outlines), title or f"dynamics {task.path}", tuple(construction))
 
 
@@ -114,7 +114,7 @@ def _drawn(drawing: Drawing, form: str, name: str, units: str) -> "tuple[bytes, 
 
 
 def _pieces(drawing: Drawing) -> str:
-    """What a drawing is made of: "43 arcs, closed"."""
+    """The pieces of a drawing: "43 arcs, closed"."""
     counts: dict[str, int] = {}
     for outline in drawing.outlines:
         for piece in outline.pieces:

@@ -25,7 +25,7 @@ APPLICATION = "DYNAMICS"
 CLOSED, PLANAR = 1, 8
 # Dash, gap, dot and gap of construction lines, as shares of the size of the drawing.
 CENTRE = (0.04, -0.008, 0.008, -0.008)
-# What a layer's name may not hold.
+# Characters not allowed in a layer's name.
 FORBIDDEN = '<>/\\":;?*|=`,'
 
 
@@ -49,7 +49,7 @@ def write(drawing: "Drawing", unit: "FileUnit") -> bytes:
 
     ezdxf = need()
     before = ezdxf.options.write_fixed_meta_data_for_testing
-    # else the file holds the time of day and a random identifier
+    # else the file would contain the time of day and a random identifier
     ezdxf.options.write_fixed_meta_data_for_testing = True
     try:
         document = ezdxf.new("R2000")
@@ -92,17 +92,17 @@ def _fill(document: "Any", drawing: "Drawing", unit: "FileUnit") -> None:
 
 def _entities(space: "Any", outline: "Outline") -> "list[Any]":
     """Lines and arcs that follow one another as one polyline, cubics that do as one spline."""
-    made: list[Any] = []
+    entities: list[Any] = []
     runs = [(kind, list(run)) for kind, run in groupby(outline.pieces, key=lambda piece: isinstance(piece, Cubic))]
     for cubic, run in runs:
         closed = outline.closed and len(runs) == 1
         if cubic:
-            made.append(_spline(space, run, closed=closed))
+            entities.append(_spline(space, run, closed=closed))
             continue
         vertices = [vertex for piece in run for vertex in _vertices(piece)]
         ends = vertices if closed else [*vertices, (*run[-1].end, 0.0)]
-        made.append(space.add_lwpolyline(ends, format="xyb", close=closed))
-    return made
+        entities.append(space.add_lwpolyline(ends, format="xyb", close=closed))
+    return entities
 
 
 def _spline(space: "Any", cubics: "list[Any]", *, closed: bool) -> "Any":

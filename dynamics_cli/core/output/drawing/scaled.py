@@ -1,4 +1,4 @@
-"""A drawing in the unit of its file: coordinates rounded once, and the bound of all that the file adds to it."""
+"""A drawing in the unit of its file: coordinates rounded once, and the bound of the error that the file adds."""
 
 from itertools import pairwise
 from math import hypot, ulp
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     from dynamics_cli.core.units.unit import Unit
     from dynamics_cli.outlines import Pair, Piece
 
-# The bulge of a quarter turn, and a little.
+# The bulge of a quarter turn, with a small margin.
 QUARTER = 0.4143
 # A bulge below this bends an arc by less than the rounding of its ends.
 STRAIGHT = 1e-15
-# Halving arcs and working out their radii takes fewer roundings of the size of the drawing than this.
+# Halving arcs and calculating their radii takes fewer roundings (of the drawing's size) than this.
 HALVING = 64 * 2.0**-53
 
 
@@ -81,7 +81,7 @@ def _scaled_outline(outline: Outline, unit: "Unit", name: str) -> Outline:
             vanished = made.start == made.control1 == made.control2 == made.end
         elif isinstance(piece, Arc):
             made = Arc(pair(piece.start), pair(piece.end), piece.bulge)
-            # an arc follows its ends: each of its points moves by no more than this many times what they do
+            # an arc follows its ends: its points move by no more than this multiple of the ends' movement
             stretch = max(stretch, hypot(1.0, piece.bulge))
             vanished = made.start == made.end
         else:
@@ -137,7 +137,7 @@ def _halves(arc: Arc) -> "Iterator[Piece]":
 
 
 def box(drawing: Drawing) -> "tuple[float, float, float, float]":
-    """A box that holds a drawing: least and greatest x, least and greatest y."""
+    """Bounding box of a drawing: minimum and maximum x, minimum and maximum y."""
     xs: list[float] = []
     ys: list[float] = []
     parts = quartered(drawing)
@@ -160,13 +160,13 @@ def box(drawing: Drawing) -> "tuple[float, float, float, float]":
 
 
 def round_bound(bound: float) -> float:
-    """A bound in four digits, never below itself nor below what its own sums may have rounded away."""
+    """A bound rounded up to four digits, allowing for the rounding of its own sums."""
     bound *= 1.0 + 1e-12
     rounded = float(f"{bound:.3e}")
     return rounded if rounded >= bound else float(f"{bound * 1.001:.3e}")
 
 
 def stated(outline: Outline, unit: FileUnit) -> str:
-    """What a file says of an outline."""
+    """The description of an outline in a file."""
     ends = "closed" if outline.closed else "open"
     return f"{outline.name}: {ends}, at most {outline.deviation!r} {unit.name} from the exact curve (proved)"

@@ -1,6 +1,6 @@
-"""Pictures of an answer: which there are, in a file by matplotlib, or small in the terminal.
+"""Pictures of an answer: which ones exist; in a file by matplotlib, or small in the terminal.
 
-What is pictured: the task's own picture; a sweep's results over the swept parameter; with uncertain inputs the
+Shown are the task's own picture; a sweep's results over the swept parameter; with uncertain inputs the
 distribution of the first result that varies, and what drives it.
 """
 
@@ -47,21 +47,21 @@ def check_asked(task: "Task", settings: "Settings") -> None:
 
 
 def own_picture(task: "Task", record: "Any", arguments: "tuple[list[Any], dict[str, Any]]") -> "Picture | None":
-    """The picture that the task has of its own."""
+    """The task's own picture."""
     if not task.plot:
         return None
     words, options = arguments
-    made: Picture = load(task.plot)(record, *words, **options)
-    return made
+    picture: Picture = load(task.plot)(record, *words, **options)
+    return picture
 
 
 def refuse_none(task: "Task") -> UsageError:
-    """What to say when there is nothing to look at."""
+    """Refuse a picture that does not exist, with the remedy."""
     return UsageError(
         f"{task.path} has no picture of one certain case",
         parameter="plot",
         code="no-picture",
-        hint="sweep a parameter, or make an input uncertain, to have one",
+        hint="sweep a parameter, or make an input uncertain, to get one",
     )
 
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class Scale:
-    """How an axis shows its SI numbers, and what it is called."""
+    """Conversion of an axis's SI numbers to the numbers shown, and its label."""
 
     def __init__(self, axis: "Axis", system: str) -> None:
         self.factor, self.offset, unit = 1.0, 0.0, ""
@@ -50,5 +50,5 @@ def _number(value: "float | list[float]") -> float:
 
 
 def finite(values: "Sequence[float]") -> "list[float]":
-    """The numbers that are."""
+    """The finite numbers."""
     return [value for value in values if value - value == 0.0]

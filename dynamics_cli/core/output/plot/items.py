@@ -19,6 +19,7 @@ DASHES: "tuple[Any, ...]" = (
     "-", (0, (7, 2)), (0, (7, 2, 1.5, 2)), (0, (3, 1.5)), (0, (7, 2, 1.5, 2, 1.5, 2)), (0, (1.2, 1.2)), (0, (12, 3)),
 )  # fmt: skip
 MARKERS = "os^Dv<>"
+GROUND, TRACK = "#eceef0", "#8f8f8f"
 _STYLES: "dict[str, dict[str, Any]]" = {
     "solid": {"linestyle": "-", "linewidth": 1.5},
     "dashed": {"linestyle": "--", "linewidth": 1.3},
@@ -31,8 +32,11 @@ _STYLES: "dict[str, dict[str, Any]]" = {
     "fill": {"linestyle": "none"},
     "dots": {"linestyle": ":", "linewidth": 0.8},
     "thick": {"linestyle": "-", "linewidth": 2.6, "solid_capstyle": "butt"},
+    "track": {"linestyle": "-", "linewidth": 2.2, "solid_capstyle": "butt", "zorder": 1.0},
     "centre": {"linestyle": (0, (9, 2, 1.5, 2)), "linewidth": 0.7},
 }
+# Words stand out from the lines that they cross.
+_BACKGROUND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.4}
 _SHAFT = {"lw": 1.4, "shrinkA": 0, "shrinkB": 0}
 _DIMENSION = {"lw": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 8}
 
@@ -52,7 +56,9 @@ class Pens:
             self.last += 1
         nth = (item.role if item.role >= 0 else self.last) % len(COLOURS)
         style = {**_STYLES[item.style], "color": COLOURS[nth]}
-        if item.style == "points":
+        if item.style == "track":
+            style["color"] = TRACK
+        elif item.style == "points":
             style["marker"] = MARKERS[nth]
         elif self.dashed and item.style in ("solid", "steps"):
             style["linestyle"] = DASHES[nth]
@@ -61,6 +67,9 @@ class Pens:
 
 def _curve(axes: "Any", item: Curve, x: Scale, y: Scale, pens: Pens) -> None:
     across, up = x(item.x), y(item.y)
+    if item.style == "ground":
+        axes.fill(across, up, color=GROUND, linewidth=0.0, zorder=0.0)
+        return
     style = pens.style(item)
     axes.plot(across, up, label=item.label or None, **style)
     if item.style in ("filled", "fill"):
@@ -75,7 +84,9 @@ def _mark(axes: "Any", item: Mark, x: Scale, y: Scale, pens: Pens) -> None:
     if not item.dot:
         side = side if item.aside[0] else "center"
         height = ("top" if item.aside[1] < 0.0 else "bottom") if item.aside[1] else "center"
-    place = {"xytext": item.aside, "textcoords": "offset points", "ha": side, "va": height}
+    if not item.label:
+        return
+    place = {"xytext": item.aside, "textcoords": "offset points", "ha": side, "va": height, "bbox": _BACKGROUND}
     axes.annotate(written(item.label, x.system), (across, up), fontsize=8.0, color=colour, **place)
 
 
@@ -86,8 +97,11 @@ def _arrow(axes: "Any", item: Arrow, x: Scale, y: Scale, pens: Pens) -> None:
     axes.plot([x0, x1], [y0, y1], alpha=0.0)
     shaft = {**_SHAFT, "linestyle": "--"} if item.dashed else _SHAFT
     axes.annotate("", (x1, y1), (x0, y0), arrowprops={"arrowstyle": "-|>", "color": colour, **shaft})
+    if not item.label:
+        return
     # Away from the shaft, and the odd ones below, so that arrows side by side keep their words apart.
-    place = {"ha": "left" if x1 >= x0 else "right", "va": "top" if item.role % 2 else "bottom"}
+    place: dict[str, Any] = {"ha": "left" if x1 >= x0 else "right", "va": "top" if item.role % 2 else "bottom"}
+    place["bbox"] = _BACKGROUND
     shift = (4 if x1 >= x0 else -4, -3 if item.role % 2 else 3)
     axes.annotate(item.label, (x1, y1), xytext=shift, textcoords="offset points", fontsize=8.0, color=colour, **place)
 
@@ -138,7 +152,9 @@ def _label(axes: "Any", item: Label, x: Scale, y: Scale, pens: Pens) -> None:
     (across,), (up,) = x((item.x,)), y((item.y,))
     side = "left" if item.left else "center"
     colour = COLOURS[item.role % len(COLOURS)]
-    axes.text(across, up, written(item.text, x.system), fontsize=8.5, color=colour, ha=side, va="center")
+    axes.text(
+        across, up, written(item.text, x.system), fontsize=8.5, color=colour, ha=side, va="center", bbox=_BACKGROUND
+    )
 
 
 def _dimension(axes: "Any", item: Dimension, x: Scale, y: Scale, pens: Pens) -> None:

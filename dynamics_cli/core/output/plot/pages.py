@@ -19,15 +19,22 @@ if TYPE_CHECKING:
 
 # Inches by the number of columns: what a page of paper takes with hardly any shrinking of the words.
 WIDTHS = (6.6, 7.6, 8.4)
+# A picture for a column of a page.
+NARROW = 5.0
 HEIGHT = 3.0
+# Panels above one another over one axis: inches, and at most this share of a narrow picture's width.
+SHARED_SHAPE = 0.34
 SHARED_HEIGHT, ROOM_FOR_TICKS = 1.9, 0.4
 EQUAL_HEIGHT = 5.0
 LEAST_HEIGHT = 1.8
+# Shapes in a narrow column are no higher than this share of its width.
+CAPPED, CAPPED_BELOW = 0.8, 4.0
 # Letters of a title and ticks of an axis over the whole width.
 LONGEST_TITLE = 84
 LETTERS_PER_INCH = 11
 MOST_TICKS = 12
 RESOLUTION = 160
+KEPT = 0.25
 _SETTINGS = {
     "svg.hashsalt": "dynamics",
     "svg.fonttype": "path",
@@ -48,7 +55,7 @@ _SETTINGS = {
     "axes.formatter.useoffset": False,
 }
 # More names than this find no place among the curves.
-MOST_INSIDE = 4
+MOST_INSIDE, FEW = 4, 2
 # Letters that the line of a curve and the room around it take in a legend.
 LETTERS_OF_A_LINE = 8
 # No dates and no version of a library, so that a file depends on its numbers alone.
@@ -114,11 +121,15 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
     lines = _lines(panels, columns)
     wide = picture.width or WIDTHS[min(columns, len(WIDTHS)) - 1]
     tall = [max(_height(panel, columns if len(line) > 1 else 1, wide) for panel in line) for line in lines]
+    # what the words of other panels take, all panels lose alike; a scene shall keep its size
+    bare = [len(lines) > 1 and len(line) == 1 and line[0].bare for line in lines]
+    tall = [height * (1.0 + KEPT * alone) for height, alone in zip(tall, bare, strict=True)]
     head = 0.5 if picture.subtitle else 0.3 if picture.title else 0.0
     # panels one below another over the same stretch of one axis name it once
     shared = [columns == 1 and _shares_axis(*pair) for pair in itertools.pairwise(panels)] + [False]
     for index in [index for index, share in enumerate(shared) if share]:
-        tall[index : index + 2] = [SHARED_HEIGHT, SHARED_HEIGHT + ROOM_FOR_TICKS]
+        height = min(SHARED_HEIGHT, SHARED_SHAPE * wide)
+        tall[index : index + 2] = [height, height + ROOM_FOR_TICKS]
     figure = _blank(wide, sum(tall) + head, layout="constrained")
     grid = figure.add_gridspec(len(lines), columns, height_ratios=tall)
     for row, line in enumerate(lines):
@@ -158,7 +169,7 @@ def _head(figure: "Any", picture: "Picture", system: str) -> None:
 
 def sentence(text: str) -> str:
     """A title, its first letter large where it begins a word."""
-    return text[:1].upper() + text[1:] if text[1:2].isalpha() else text
+    return text[:1].upper() + text[1:] if text[1:2].isalpha() or text.startswith("a ") else text
 
 
 def _settle(figure: "Any") -> None:
@@ -166,7 +177,19 @@ def _settle(figure: "Any") -> None:
     figure.get_layout_engine().execute(figure)
     figure.set_layout_engine("none")
     for axes in figure.axes:
+        # a scene has no axes to stand in line with those of other panels
+        if not axes.axison and axes.get_aspect() != "auto" and len(figure.axes) > 1 and whole_width(axes):
+            place = axes.get_position(original=True).bounds
+            axes.set_position([0.01, round(place[1], 6), 0.98, round(place[3], 6)])
+            axes.apply_aspect()
+            continue
         axes.set_position([round(part, 6) for part in axes.get_position().bounds])
+
+
+def whole_width(axes: "Any") -> bool:
+    """Whether a panel takes the whole line of its grid."""
+    place = axes.get_subplotspec()
+    return bool(place.colspan.start == 0 and place.colspan.stop == place.get_gridspec().ncols)
 
 
 def _shares_axis(panel: "Panel", below: "Panel") -> bool:
@@ -197,13 +220,18 @@ def _height(panel: "Panel", columns: int, wide: float) -> float:
     """Height of a panel that shares a line of this width with `columns`."""
     legend = 0.2 * len(_legend(panel)) if columns > 1 else 0.0
     if panel.equal:
+        row = _in_one_row(panel, wide) if columns == 1 and wide < NARROW else 0
+        legend += 0.2 * (-(-len(_legend(panel)) // row)) if row else 0.0
+        highest = CAPPED * wide if wide < CAPPED_BELOW else EQUAL_HEIGHT
         share = (0.97 if panel.bare else 0.85) * wide / columns
-        return legend + min(EQUAL_HEIGHT, max(LEAST_HEIGHT, (0.1 if panel.bare else 0.7) + share * _slenderness(panel)))
+        return legend + min(highest, max(LEAST_HEIGHT, (0.1 if panel.bare else 0.7) + share * _slenderness(panel)))
     tables = [len(item.rows) for item in panel.items if isinstance(item, Rows)]
     if tables:
         return 0.3 + 0.26 * max(tables)
     bars = [len(item.names) * (1 + isinstance(item, Ranges)) for item in panel.items if isinstance(item, Bars | Ranges)]
-    return legend + (max(1.2, 0.6 + 0.28 * max(bars)) if bars else min(HEIGHT, 0.55 * wide))
+    return legend + (
+        max(1.2, 0.6 + 0.28 * max(bars)) if bars else min(HEIGHT, (0.42 if wide < CAPPED_BELOW else 0.55) * wide)
+    )
 
 
 def _slenderness(panel: "Panel") -> float:
@@ -278,16 +306,35 @@ def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]"
                 isinstance(item, Bars) or (isinstance(item, Curve) and item.style == "filled") for item in panel.items
             )
         )
-        names = _legend(panel)
-        if not full or not panel.equal or sum(map(len, names)) + LETTERS_OF_A_LINE * len(names) > LONGEST_TITLE:
+        ncols = _in_one_row(panel, axes.figure.get_figwidth())
+        if not full or not panel.equal or not ncols:
+            if len(_legend(panel)) <= FEW and _free_beneath(panel):
+                return {"loc": "lower right"}
             return {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if full else {"loc": "best"}
-        ncols = len(names)
     else:
         ncols = 1
     from matplotlib.transforms import ScaledTranslation
 
-    below = axes.transAxes + ScaledTranslation(0.0, -0.42, axes.figure.dpi_scale_trans)
+    below = axes.transAxes + ScaledTranslation(0.0, -0.05 if panel.bare else -0.42, axes.figure.dpi_scale_trans)
     return {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": below, "ncols": ncols}
+
+
+def _free_beneath(panel: "Panel") -> bool:
+    """Whether the lowest bars leave the right half free, as those of a tornado do."""
+    bars = next((item for item in panel.items if isinstance(item, Bars)), None)
+    if bars is None or len(bars.names) <= FEW + 1:
+        return False
+    low, high = min(bars.low), max(bars.high)
+    return all(end < low + 0.65 * (high - low) for end in bars.high[-FEW:])
+
+
+def _in_one_row(panel: "Panel", wide: float) -> int:
+    """How many names of shapes stand side by side under a picture; none where they are long for a whole page."""
+    names = _legend(panel)
+    letters = [len(name) + LETTERS_OF_A_LINE for name in names]
+    if sum(letters) <= LONGEST_TITLE * wide / WIDTHS[0]:
+        return len(names)
+    return int(LONGEST_TITLE * wide / WIDTHS[0] / max(letters)) if wide < NARROW else 0
 
 
 def _ticks(side: "Any", axis: "Axis", columns: int) -> None:

@@ -28,7 +28,7 @@ def sketch(picture: "Picture", system: str, columns: int, lines: int) -> str:
     parts = [words(picture.title, system)] if picture.title else []
     for panel in picture.panels:
         if any(isinstance(item, Rows) for item in panel.items):
-            continue  # a table of results: the answer stands above
+            continue  # a table of results: the answer is printed above
         bars = [item for item in panel.items if isinstance(item, Bars)]
         if bars:
             parts += [_bars(panel, item, system, min(columns, MARGIN + MOST_WIDTH)) for item in bars]
@@ -81,7 +81,7 @@ def _named(panel: "Panel", canvas: "_Canvas", x: Scale, y: Scale, system: str) -
 
 
 def _lines(panel: "Panel", canvas: "_Canvas", x: Scale, y: Scale) -> "list[str]":
-    """Lines across the panel, dotted, and what they and shaded stretches are."""
+    """Dotted lines across the panel, and labels for them and for shaded ranges."""
     told = []
     for item in panel.items:
         if not isinstance(item, Band):
@@ -105,7 +105,7 @@ def _back(value: float, logarithmic: bool) -> str:
 
 
 def _paths(item: object, x: Scale, y: Scale) -> "list[list[Point]]":
-    """What an item draws, its numbers as they lie along the axes."""
+    """The lines that an item draws, in axis units."""
     paths = _shown(item, x, y)
     if x.logarithmic:
         paths = [[(_log(a), b) for a, b in path] for path in paths]
@@ -115,6 +115,8 @@ def _paths(item: object, x: Scale, y: Scale) -> "list[list[Point]]":
 
 
 def _shown(item: object, x: Scale, y: Scale) -> "list[list[Point]]":
+    if isinstance(item, Curve) and item.style == "ground":
+        return []
     if isinstance(item, Curve):
         points = list(zip(x(item.x), y(item.y), strict=True))
         return [[point] for point in points] if item.style == "points" else [points]
@@ -144,7 +146,7 @@ class _Canvas:
         self.text: list[dict[int, str]] = [{} for _ in range(height)]
 
     def path(self, points: "list[Point]") -> None:
-        """A line through points; what is not finite breaks it."""
+        """A line through points, broken at non-finite ones."""
         before: Point | None = None
         for a, b in points:
             if not (a - a == 0.0 and b - b == 0.0):
@@ -178,7 +180,7 @@ class _Canvas:
             self.text[row][column] = text
 
     def words(self, point: "Point", text: str) -> None:
-        """Words beside a point, on whichever side there is room; else none."""
+        """A label beside a point on whichever side it fits; else none."""
         place = self._cell(point)
         if place is None:
             return

@@ -1,6 +1,6 @@
 """Three views of one body on one scale: the top view over the front view, the side view beside it, notes in the corner.
 
-Words are placed where they overlap neither other words nor arrows; those that find no place are left out.
+Labels are placed where they overlap neither other labels nor arrows; those that do not fit are left out.
 """
 
 from dynamics_cli.core.output.plot.axes import Scale
@@ -17,13 +17,13 @@ if TYPE_CHECKING:
     # left, bottom, right, top in inches
     Box = tuple[float, float, float, float]
 
-# All in inches: what both views side by side and one over the other may take, and the margins of a view.
+# In inches: space for two views side by side and one above the other, and the margins of a view.
 LARGEST = 6.4, 6.8
 LEFT, RIGHT, BELOW, ABOVE = 0.7, 0.15, 0.5, 0.35
 # A letter of 8 points, and how far words stand from their point.
 LETTER, LINE, ASIDE = 0.068, 0.15, 0.07
 STEP = 0.08
-# Behind words, so that a line under them does not strike them out.
+# A background behind labels, so that a line under them does not strike them out.
 BEHIND = {"facecolor": "white", "edgecolor": "none", "pad": 0.4, "alpha": 0.75}
 ARROW = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0}
 
@@ -119,7 +119,7 @@ def _words(panel: "Panel", size: "tuple[float, float]") -> "Iterator[tuple[Mark 
 
 
 def _sides(dx: float, dy: float) -> "tuple[tuple[float, float], ...]":
-    """Where words may stand about a point: ahead of an arrow, then beside its end; about a mark, on any side."""
+    """Possible places of a label about a point: ahead of an arrow, then beside its end; about a mark, on any side."""
     around = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0), (0.0, 1.2), (0.0, -1.2), (1.0, 0.0), (-1.0, 0.0))
     return ((dx, dy), (dx - dy, dy + dx), (dx + dy, dy - dx), (-dy, dx), (dy, -dx)) if dx or dy else around
 
@@ -133,7 +133,7 @@ def _overlap(one: "Box", other: "Box") -> bool:
 
 
 def _notes(corner: "Any", drawn: "list[Any]", picture: "Picture", system: str) -> None:
-    """What lines mean, and the numbers that belong to the picture."""
+    """The legend of lines, and the picture's numbers."""
     corner.set_axis_off()
     named = {label: handle for axes in drawn for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)}
     legend = corner.legend(

@@ -1,9 +1,9 @@
 """Which method gives a result's quantiles, moments and probabilities: a table, tried from the top.
 
-A method is tried when it suits the problem and what is known so far is worse than its limit; the first outcome within
-the accuracy asked for ends the search, else the best of all is taken. Errors are in standard deviations of the result.
+A method is tried when it suits the problem and the best error so far is above its limit; the first outcome within the
+requested accuracy ends the search, else the best of all is taken. Errors are in standard deviations of the result.
 The factors of the estimates were fitted on thousands of random problems so that the true error stays below them; plain
-differences of levels or replicates do not achieve that.
+differences between levels or replicates do not achieve that.
 """
 
 import numpy as np
@@ -33,15 +33,15 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
     Method = Callable[[Space, int, Array, Array, Goal], Outcome | None]
 
-# More results than this are several: those that turn, jump or have kinks share their points.
+# With more results than this, those that turn, jump or have kinks share their points.
 FEW_RESULTS = 4
-# Grids of scanned lines are for so many inputs at the most.
+# Grids of scanned lines are for at most this many inputs.
 FEW_INPUTS = 3
 ANY = float("inf")
 
 
 class Problem:
-    """One result of a model, and what is asked of it."""
+    """One result of a model, and the accuracy requested."""
 
     def __init__(self, space: Space, goal: Goal, asked: str, result: int) -> None:
         self.space = space
@@ -50,13 +50,13 @@ class Problem:
         self.narrow = space.size <= MOST_DIMENSIONS
         self.several = len(space.results) > FEW_RESULTS
         self.counted = asked == "auto" and result in space.whole and not (space.slow or space.heavy or goal.limits)
-        # Calls one by one, for many results: points must be shared.
+        # The model is called case by case for many results: points must be shared.
         self.dear = self.several and space.slow
         self.sharing = self.several and not goal.limits and asked == "auto" and suits_shared_lines(space)
 
 
 class Way:
-    """A row of the table: the method, the problems it suits, and how poor what is known must be for it to be tried."""
+    """A row of the table: the method, the problems it suits, and the error above which it is tried."""
 
     def __init__(
         self, method: "Method", suits: "Callable[[Problem], bool]", *, above: float = 0.0, whole: bool = False
@@ -64,21 +64,21 @@ class Way:
         self.method = method
         self.suits = suits
         self.above = above
-        # Whether it may use all of the goal's points, as it does so once for all results.
+        # Whether it may use all of the goal's points because it does so once for all results.
         self.whole = whole
 
 
 def _nested(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
-    """Nested integrals where these settle; where they do not they say nothing."""
-    found = nested(space, result, goal)
-    if found is None or not found.estimate <= goal.accuracy:
+    """Nested integrals where they settle; no outcome where they do not."""
+    solution = nested(space, result, goal)
+    if solution is None or not solution.estimate <= goal.accuracy:
         return None
     centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
-    made = Outcome("nested integrals, cut at the corners of the densities", found.quantiles, centre)
-    made.scan = found  # type: ignore[assignment]
-    made.mean, made.std = found.mean, found.std
-    made.estimate, made.admissible = found.estimate, found.admissible
-    return made
+    outcome = Outcome("nested integrals, cut at the corners of the densities", solution.quantiles, centre)
+    outcome.scan = solution  # type: ignore[assignment]
+    outcome.mean, outcome.std = solution.mean, solution.std
+    outcome.estimate, outcome.admissible = solution.estimate, solution.admissible
+    return outcome
 
 
 # What a method costs, in evaluations of the model for one result.
@@ -121,9 +121,9 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
         known = ANY if best is None else best.estimate
         if not known > max(way.above, own.accuracy) or not way.suits(problem):
             continue
-        made = way.method(space, result, direction, across, goal if way.whole else own)
-        if made is not None and (best is None or made.estimate < best.estimate):
-            best = made
+        outcome = way.method(space, result, direction, across, goal if way.whole else own)
+        if outcome is not None and (best is None or outcome.estimate < best.estimate):
+            best = outcome
         if best is not None and (way.method is counted or (way.method is grids and asked == "quadrature")):
             break
     assert best is not None

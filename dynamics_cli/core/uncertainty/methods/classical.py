@@ -1,6 +1,6 @@
-"""The classical methods: linear, second order, unscented, Monte Carlo. They are asked for by name and never chosen.
+"""The classical methods: linear, second order, unscented, Monte Carlo. They are used only if named, never chosen.
 
-The first three state what they cannot see themselves, their truncation, against a quadrature made beside them.
+The truncation error of the first three, which they cannot see themselves, is measured against a quadrature.
 """
 
 import numpy as np
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 DEFAULT_SAMPLES = 1_000_000
-# Values of a sample that are kept, of all results together: a gigabyte.
+# Values of a sample that are kept for all results together: a gigabyte.
 MOST_VALUES = 125_000_000
 _STEP = 0.05
 
 
 class Plain:
-    """Quantiles, mean and deviation of one result, and the error where the method knows it."""
+    """Quantiles, mean and deviation of one result, and the error if the method knows it."""
 
     def __init__(self, method: str, quantiles: "Array", mean: float, std: float, estimate: float = np.inf) -> None:
         self.method = method
@@ -38,8 +38,8 @@ class Plain:
 def linear(space: Space, result: int, goal: Goal, slopes: "Mapping[str, float] | None") -> Plain:
     """First order at the means: derivatives as tracked through the formula, or by differences where not known."""
     count = space.size
-    centre = np.array([made.mean for made in space.distributions])
-    deviations = np.array([made.std for made in space.distributions])
+    centre = np.array([distribution.mean for distribution in space.distributions])
+    deviations = np.array([distribution.std for distribution in space.distributions])
     cases = np.concatenate([centre[:, None], centre[:, None] + np.diag(deviations * 1e-3)], axis=1)
     if slopes is None:
         cases = np.concatenate([cases, centre[:, None] - np.diag(deviations * 1e-3)], axis=1)
@@ -102,7 +102,7 @@ class Sample:
         count = samples or DEFAULT_SAMPLES
         most = MOST_VALUES // len(space.results)
         if count > most:
-            message = f"a sample of {count} cases with {len(space.results)} results each is too large to be kept"
+            message = f"a sample of {count} cases with {len(space.results)} results each is too large for memory"
             raise UsageError(message, parameter="samples", code="too-many", hint=f"at most {most} are possible here")
         generator = np.random.default_rng(seed)
         block = 1 << 14

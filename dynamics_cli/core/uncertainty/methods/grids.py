@@ -1,4 +1,4 @@
-"""Quantiles along the gradient on tensor Gauss–Hermite and Smolyak grids: for models that rise along every line."""
+"""Quantiles along the gradient on tensor Gauss–Hermite and Smolyak grids: for models that increase along every line."""
 
 import numpy as np
 
@@ -17,13 +17,13 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 TENSOR_COUNTS = (3, 5, 8, 12, 18, 27, 40, 60)
-# A level that moves less than this share of the level before is converging.
+# A level whose change is less than this share of the change before is converging.
 CONVERGING = 0.2
-# Levels that do not settle, at a kink, may be off by so many times more than they are apart.
+# Levels that do not settle, at a kink, may be off by this multiple of their difference.
 UNSETTLED = 3.0
 MOST_LEVEL = 4
 MOST_GRID_LINES = 12_000
-# So many lines are not tried when the level before does not promise that they will do.
+# More lines than this are not tried unless the previous level suggests that they will suffice.
 MANY_LINES = 2_000
 _rules: "dict[tuple[int, int, int], tuple[Array, Array]]" = {}
 
@@ -65,23 +65,27 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
         if roots is None and guess is not None:
             roots = solve(lines, goal.p, goal.scores, goal.tolerance)
         if roots is None or (level == 2 and not order_moments(lines, ORDERS[1]).rising):
-            # Far lines of a finer grid that turn or leave the admissible region would bias a coarser one: start anew.
+            # Far lines of a finer grid that turn or leave the admissible region would bias a coarser one: start again.
             return None
-        made = Outcome(f"{name} along the gradient, {lines.weights.size} lines", roots.quantiles, lines)
-        made.roots = roots
+        outcome = Outcome(f"{name} along the gradient, {lines.weights.size} lines", roots.quantiles, lines)
+        outcome.roots = roots
         if last is not None:
             width = width_of(roots.quantiles, goal)
             differences.append(float(np.abs(roots.quantiles - last[1].quantiles).max()) / width if width > 0.0 else 0.0)
-            made.before = last[0]
+            outcome.before = last[0]
             now = differences[-1]
-            made.estimate = max(own * now, factor * differences[-2] if len(differences) > 1 else np.inf, FLOOR)
+            outcome.estimate = max(own * now, factor * differences[-2] if len(differences) > 1 else np.inf, FLOOR)
             if len(differences) == 1 and now < 1e-3 * goal.accuracy:
-                made.estimate = max(30.0 * now, FLOOR)
-            made.estimate = max(made.estimate, roots.residual)
-        if best is None or made.estimate <= best.estimate:
-            best = made
+                outcome.estimate = max(30.0 * now, FLOOR)
+            outcome.estimate = max(outcome.estimate, roots.residual)
+        if best is None or outcome.estimate <= best.estimate:
+            best = outcome
         last = (lines, roots, shape)
-        if made.estimate <= goal.accuracy or _stalled(differences, rest) or _hopeless(space, level, differences, goal):
+        if (
+            outcome.estimate <= goal.accuracy
+            or _stalled(differences, rest)
+            or _hopeless(space, level, differences, goal)
+        ):
             break
     return _with_moments(best, goal)
 
@@ -94,7 +98,7 @@ def _stalled(differences: "list[float]", rest: int) -> bool:
 
 
 def _hopeless(space: Space, level: int, differences: "list[float]", goal: Goal) -> bool:
-    """Whether the next sparse grid would be large and, by what bounded inputs do to it, not good enough."""
+    """Whether the next sparse grid would be large and still, because of bounded inputs, not good enough."""
     rest = space.size - 1
     if rest <= 2 or space.smooth or not differences:
         return False
@@ -102,17 +106,17 @@ def _hopeless(space: Space, level: int, differences: "list[float]", goal: Goal) 
 
 
 def _with_moments(outcome: Outcome | None, goal: Goal) -> Outcome | None:
-    """Mean and deviation on the lines found; None when the values along them do not rise."""
+    """Mean and deviation on the lines; None when the values along them do not increase."""
     if outcome is None:
         return None
-    made = moments(outcome.lines, goal.accuracy, outcome.before)
-    if not made.rising:
+    spread = moments(outcome.lines, goal.accuracy, outcome.before)
+    if not spread.rising:
         return None
-    outcome.mean, outcome.std = made.mean, made.std
-    error = made.error
-    if outcome.before is not None and made.std > 0.0:
-        before = order_moments(outcome.before, made.order)
-        apart = max(abs(before.mean - made.mean), abs(before.std - made.std)) / made.std
+    outcome.mean, outcome.std = spread.mean, spread.std
+    error = spread.error
+    if outcome.before is not None and spread.std > 0.0:
+        before = order_moments(outcome.before, spread.order)
+        apart = max(abs(before.mean - spread.mean), abs(before.std - spread.std)) / spread.std
         error = max(error, apart if outcome.estimate > goal.accuracy else min(apart, 0.3 * apart + goal.accuracy))
     outcome.estimate = max(outcome.estimate, error)
     if outcome.estimate > GOOD:

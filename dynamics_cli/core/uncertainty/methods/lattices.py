@@ -67,20 +67,20 @@ def lattices(space: Space, result: int, direction: "Array", across: "Array", goa
         roots = solve(lines, goal.p, goal.scores, goal.tolerance, guess)
         if roots is None:
             return None
-        made = Outcome(
+        outcome = Outcome(
             f"{SHIFTS} shifted lattices of {count} lines along the gradient", roots.quantiles, lines, groups=SHIFTS
         )
-        made.roots = roots
-        made.estimate = max(replicate_estimate(made, goal), roots.residual)
+        outcome.roots = roots
+        outcome.estimate = max(replicate_estimate(outcome, goal), roots.residual)
         last = (lines, roots)
-        grown = larger(count, made.estimate / goal.accuracy)
+        grown = larger(count, outcome.estimate / goal.accuracy)
         cost = 4 * SHIFTS * grown * goal.p.size
         most = grown == count or space.points + cost > goal.points
-        if made.estimate <= goal.accuracy or most:
-            done = _lattice_moments(made, goal)
+        if outcome.estimate <= goal.accuracy or most:
+            done = _lattice_moments(outcome, goal)
             if done is None or done.estimate <= goal.accuracy or most:
                 return done
-            # moments may need more lines than quantiles do
+            # moments may need more lines than quantiles
             grown = larger(count, done.estimate / goal.accuracy)
             if grown == count or space.points + 4 * SHIFTS * grown * goal.p.size > goal.points:
                 return done
@@ -124,28 +124,28 @@ def replicate_estimate(outcome: Outcome, goal: Goal) -> float:
 def _lattice_moments(outcome: Outcome | None, goal: Goal) -> Outcome | None:
     if outcome is None:
         return None
-    made = moments(outcome.lines, max(goal.accuracy, 0.1 * outcome.estimate), _thinned(outcome.lines))
-    if not made.rising:
+    spread = moments(outcome.lines, max(goal.accuracy, 0.1 * outcome.estimate), _thinned(outcome.lines))
+    if not spread.rising:
         return None
-    outcome.mean, outcome.std = made.mean, made.std
-    outcome.estimate = max(outcome.estimate, made.error, _moment_scatter(made))
+    outcome.mean, outcome.std = spread.mean, spread.std
+    outcome.estimate = max(outcome.estimate, spread.error, _moment_scatter(spread))
     return outcome
 
 
-def _moment_scatter(made: Moments) -> float:
+def _moment_scatter(spread: Moments) -> float:
     """The scatter of the replicates' means and deviations, in deviations: σ changes by half of what σ² does."""
-    if made.by_line is None or not made.std > 0.0:
+    if spread.by_line is None or not spread.std > 0.0:
         return 0.0
-    first, second = (part.reshape(SHIFTS, -1).mean(axis=1) for part in made.by_line)
-    apart = max(float(first.std(ddof=1)) / made.std, float(second.std(ddof=1)) / (2.0 * made.std * made.std))
+    first, second = (part.reshape(SHIFTS, -1).mean(axis=1) for part in spread.by_line)
+    apart = max(float(first.std(ddof=1)) / spread.std, float(second.std(ddof=1)) / (2.0 * spread.std * spread.std))
     return REPLICATE_FACTOR * apart / float(np.sqrt(SHIFTS))
 
 
 def _thinned(lines: Lines) -> Lines:
-    """Every so many of the lines, about a thousand."""
-    made = Lines.__new__(Lines)
+    """A regular selection of about a thousand lines."""
+    thinner = Lines.__new__(Lines)
     part = slice(None, None, max(1, lines.weights.size // 1024))
-    made.space, made.result, made.direction = lines.space, lines.result, lines.direction
-    made.rest, made.base = lines.rest[:, part], lines.base[:, part]
-    made.weights = np.full(made.rest.shape[1], 1.0 / made.rest.shape[1])
-    return made
+    thinner.space, thinner.result, thinner.direction = lines.space, lines.result, lines.direction
+    thinner.rest, thinner.base = lines.rest[:, part], lines.base[:, part]
+    thinner.weights = np.full(thinner.rest.shape[1], 1.0 / thinner.rest.shape[1])
+    return thinner

@@ -24,11 +24,11 @@ FIRST_DIFFERENCE = 1e-3
 LONGEST_STEP = 2.0
 # The orders of the rule along the lines, for moments.
 ORDERS = (7, 12, 20, 33, 55)
-# Half the curvature over the slope that a model may have for the estimate of what a last step leaves over; and how much
-# of it is let stand, in units of the squared tolerance.
+# Half the curvature over the slope assumed for the error that the last step leaves; and how much of that is accepted,
+# in units of the squared tolerance.
 _CURVATURE = 0.1
 _LEFT = 50.0
-# Lines of less weight say nothing about whether the model rises along them.
+# Lines of less weight do not decide whether the model increases.
 _NEGLIGIBLE = 1e-9
 
 
@@ -56,7 +56,7 @@ class Lines:
 
 
 class Roots:
-    """Converged roots: s (lines, quantiles), the quantiles, the slopes there, and what the last step left over."""
+    """Converged roots: s (lines, quantiles), the quantiles, the slopes there, and the error left by the last step."""
 
     __slots__ = ("quantiles", "residual", "s", "slopes", "steps")
 
@@ -100,21 +100,21 @@ def solve(
         move = np.minimum(np.maximum((v - value) / slope, -LONGEST_STEP), LONGEST_STEP)
         s_next = s + move
         rest = float((absolute @ np.abs(move)).max())
-        # A secant's slope is wrong by the curvature over the step before: the product of both steps is what is left.
+        # A secant's slope is wrong by the curvature times the previous step: the product of both steps remains.
         left = _CURVATURE * rest * last
         if rest < tolerance and left < _LEFT * tolerance * tolerance:
             return Roots(s_next, v, slope, step, left)
         last = rest
         before, s = value, s_next
         value = lines.values(s)
-        # Secant; where the step was too small to tell, the old slope stands.
+        # Secant; where the step was too small, the old slope is kept.
         far = np.abs(move) > 1e-9
         slope = np.where(far, (value - before) / np.where(far, move, 1.0), slope)
     return None
 
 
 class Moments:
-    """Mean and deviation of a result over the lines, and how far the rule along them can be trusted.
+    """Mean and deviation of a result over the lines, and the error estimate of the rule along them.
 
     `by_line` has the mean and the mean square about the common mean of every line.
     """
@@ -140,22 +140,22 @@ def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> Moment
     """
     trial = trial or lines
     if lines.space.heavy:
-        made = order_moments(lines, ORDERS[1])
-        made.mean = made.std = np.nan
-        made.error = 0.0
-        return made
+        moments_of = order_moments(lines, ORDERS[1])
+        moments_of.mean = moments_of.std = np.nan
+        moments_of.error = 0.0
+        return moments_of
     last = order_moments(trial, ORDERS[0])
     if not last.rising:
         return last
     for count in ORDERS[1:]:
-        made = order_moments(trial, count)
-        if not made.rising or made.std == 0.0:
-            return made
-        last.error = max(abs(made.mean - last.mean), abs(made.std - last.std)) / made.std
+        moments_of = order_moments(trial, count)
+        if not moments_of.rising or moments_of.std == 0.0:
+            return moments_of
+        last.error = max(abs(moments_of.mean - last.mean), abs(moments_of.std - last.std)) / moments_of.std
         if last.error <= 0.3 * accuracy:
             break
-        made.error = last.error
-        last = made
+        moments_of.error = last.error
+        last = moments_of
     if trial is lines:
         return last
     final = order_moments(lines, last.order)
@@ -166,7 +166,7 @@ def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> Moment
 def order_moments(lines: Lines, count: int) -> Moments:
     """Mean and deviation by a rule of so many points along every line."""
     nodes, along = gauss_hermite(count)
-    # Nodes of no weight would only find out that the model ends somewhere beyond.
+    # Nodes of negligible weight would only meet the end of the model's domain.
     heavy = along > 1e-18
     nodes, along = nodes[heavy], along[heavy]
     values = lines.values(np.broadcast_to(nodes, (lines.weights.size, nodes.size)))
@@ -182,12 +182,12 @@ def order_moments(lines: Lines, count: int) -> Moments:
 
 
 def features(rest: "Array") -> "Array":
-    """Terms of a quadratic in y (with products while there are few axes): what carries roots to other lines."""
+    """Terms of a quadratic in y (with products while there are few axes), which extrapolates roots to other lines."""
     axes, count = rest.shape
-    made = [np.ones(count), *rest, *(rest * rest)]
+    terms = [np.ones(count), *rest, *(rest * rest)]
     if axes <= 4:
-        made += [rest[i] * rest[j] for i in range(axes) for j in range(i)]
-    return np.array(made).T
+        terms += [rest[i] * rest[j] for i in range(axes) for j in range(i)]
+    return np.array(terms).T
 
 
 _projections: "dict[tuple[object, object], Array]" = {}
@@ -209,7 +209,7 @@ def carry(old: Lines, roots: Roots, new: Lines, key: "tuple[object, object] | No
         if key not in _projections:
             _projections[key] = features(new.rest) @ _fit(old)
         s, slope = _projections[key] @ roots.s, _projections[key] @ roots.slopes
-    # A quadratic may be far off on far lines: it must not leave what the old roots spanned.
+    # A quadratic may be far off on distant lines: it must stay within the range of the old roots.
     room = 1.0 + roots.s.max(axis=0) - roots.s.min(axis=0)
     s = np.clip(s, roots.s.min(axis=0) - room, roots.s.max(axis=0) + room)
     return s, np.maximum(slope, 0.1 * roots.slopes.min(axis=0))

@@ -1,7 +1,7 @@
 """Grids along the gradient for each of the values that listed inputs may have: a mixture of smooth problems.
 
-An input of listed values (`empirical(…)`) is a step in its score, which no smooth rule takes. Its values one by one
-leave the other inputs, and these are integrated as ever; all lines of all values are solved together.
+An input of listed values (`empirical(…)`) is a step in its score, which no smooth rule can integrate. For each of
+its values the other inputs are integrated as usual; all lines of all values are solved together.
 """
 
 import numpy as np
@@ -27,7 +27,7 @@ MOST_VALUES, MOST_LINES = 64, 20_000
 
 
 def _stepped(space: Space) -> "list[int]":
-    return [axis for axis, made in enumerate(space.distributions) if isinstance(made, Empirical)]
+    return [axis for axis, distribution in enumerate(space.distributions) if isinstance(distribution, Empirical)]
 
 
 def suits(space: Space) -> bool:
@@ -57,19 +57,19 @@ def listed_grids(space: Space, result: int, direction: "Array", across: "Array",
         roots = solve(lines, goal.p, goal.scores, goal.tolerance)
         if roots is None or (level == 2 and not order_moments(lines, ORDERS[1]).rising):
             return None
-        made = Outcome(f"grids along the gradient for {scores.shape[1]} listed values", roots.quantiles, lines)
-        made.roots = roots
+        outcome = Outcome(f"grids along the gradient for {scores.shape[1]} listed values", roots.quantiles, lines)
+        outcome.roots = roots
         if len(smooth) == 1:
-            made.estimate = FLOOR
+            outcome.estimate = FLOOR
         elif before is not None:
-            made.before = before.lines
+            outcome.before = before.lines
             width = width_of(roots.quantiles, goal)
             apart = float(np.abs(roots.quantiles - before.quantiles).max()) / width if width > 0.0 else 0.0
-            made.estimate = max(1.5 * apart, FLOOR)
-        made.estimate = max(made.estimate, roots.residual)
-        best = made if best is None or made.estimate <= best.estimate else best
-        before = made
-        if made.estimate <= goal.accuracy:
+            outcome.estimate = max(1.5 * apart, FLOOR)
+        outcome.estimate = max(outcome.estimate, roots.residual)
+        best = outcome if best is None or outcome.estimate <= best.estimate else best
+        before = outcome
+        if outcome.estimate <= goal.accuracy:
             break
     return None if best is None else _with_moments(best, goal)
 
@@ -92,20 +92,20 @@ def _lines(
     else:
         points, weights = rule(len(smooth) - 1, level, accuracy)
     cases = scores.shape[1]
-    made = Lines.__new__(Lines)
-    made.space, made.result, made.direction = space, result, own
-    made.rest = np.concatenate([np.tile(points, cases), np.repeat(scores, weights.size, axis=1)])
-    made.base = np.zeros((space.size, weights.size * cases))
-    made.base[smooth] = np.tile(complement(own[smooth]) @ points, cases)
-    made.base[listed] = np.repeat(scores, weights.size, axis=1)
-    made.weights = np.tile(weights, cases) / cases
-    return made
+    lines = Lines.__new__(Lines)
+    lines.space, lines.result, lines.direction = space, result, own
+    lines.rest = np.concatenate([np.tile(points, cases), np.repeat(scores, weights.size, axis=1)])
+    lines.base = np.zeros((space.size, weights.size * cases))
+    lines.base[smooth] = np.tile(complement(own[smooth]) @ points, cases)
+    lines.base[listed] = np.repeat(scores, weights.size, axis=1)
+    lines.weights = np.tile(weights, cases) / cases
+    return lines
 
 
 def _with_moments(outcome: Outcome, goal: Goal) -> Outcome | None:
-    made = moments(outcome.lines, goal.accuracy, outcome.before)
-    if not made.rising:
+    spread = moments(outcome.lines, goal.accuracy, outcome.before)
+    if not spread.rising:
         return None
-    outcome.mean, outcome.std = made.mean, made.std
-    outcome.estimate = max(outcome.estimate, made.error)
+    outcome.mean, outcome.std = spread.mean, spread.std
+    outcome.estimate = max(outcome.estimate, spread.error)
     return outcome

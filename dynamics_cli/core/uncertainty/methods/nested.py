@@ -1,9 +1,9 @@
 """Two or three independent inputs of any shape: integrals nested input by input, cut wherever a density has a corner.
 
-Along scores a bounded or triangular input bends the model without end, and no smooth rule settles. Here each input is
+In scores a bounded or triangular input makes the model non-smooth, and no smooth rule settles. Here each input is
 integrated in a coordinate of its own (its value within bounds, its score else) by Gauss–Legendre panels. The innermost
 integral is the first input's own distribution function at the root of the model; where that root meets a corner of the
-first input (a bound, a mode), the panels of the others are cut. What is left to integrate is smooth on every panel.
+first input (a bound, a mode), the panels of the others are cut. The remaining integrand is smooth on every panel.
 """
 
 import numpy as np
@@ -24,33 +24,33 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# How near, in widths of an axis, the last step but one must come: a secant step squares it. A cut need not be as exact.
+# Tolerance, in widths of an axis, of the last step but one: a secant step squares it. A cut need not be as exact.
 ROOT, CUT = 5e-4, 5e-3
 LEAST_FREEDOM = 5.0
-# What the coarse level's error says of the fine one's: measured on thousands of problems.
+# Ratio of the fine level's error to the coarse one's, measured on thousands of problems.
 GAIN = 0.05
 CHECKED = 9
 MOST_INADMISSIBLE = 1e-4
-# What the roots' own tolerance leaves.
+# The error left by the roots' tolerance.
 FLOOR = 1e-5
 
 
 def suits(space: "Space", goal: Goal) -> bool:
-    """Whether inputs are few, independent, and of shapes that smooth rules are slow with."""
+    """Whether inputs are few, independent, and of shapes for which smooth rules are slow."""
     if not 2 <= space.size <= 3 or space.factor is not None or space.smooth or space.stepped:
         return False
-    own = [getattr(made, "angle", made) for made in space.distributions]
-    students = [made for made in own if isinstance(made, StudentT)]
-    return goal.accuracy >= 5.0 * FLOOR and all(made.freedom >= LEAST_FREEDOM for made in students)
+    own = [getattr(distribution, "angle", distribution) for distribution in space.distributions]
+    students = [distribution for distribution in own if isinstance(distribution, StudentT)]
+    return goal.accuracy >= 5.0 * FLOOR and all(distribution.freedom >= LEAST_FREEDOM for distribution in students)
 
 
 class Nested:
-    """The model of one result on the axes, the first of which matters most; rising and falling are settled."""
+    """The model of one result on the axes, the most important one first; the sense of each is known."""
 
     def __init__(self, space: "Space", result: int) -> None:
         self.space = space
         self.result = result
-        self.axes = [Axis(made) for made in space.distributions]
+        self.axes = [Axis(distribution) for distribution in space.distributions]
         self.order = list(range(len(self.axes)))
         self.signs = [0] * len(self.axes)
         self.whole = True
@@ -61,8 +61,8 @@ class Nested:
         inputs: dict[str, Any] = dict(self.space.fixed)
         for place, t in zip(self.order, coordinates, strict=True):
             inputs[self.space.names[place]] = self.axes[place].value(t)
-        made = self.space.evaluate_inputs(inputs, coordinates[0].size)[self.result]
-        return made if self.whole else np.where(np.isnan(made), -np.inf, made)
+        values = self.space.evaluate_inputs(inputs, coordinates[0].size)[self.result]
+        return values if self.whole else np.where(np.isnan(values), -np.inf, values)
 
     @property
     def ordered(self) -> "list[Axis]":
@@ -70,7 +70,7 @@ class Nested:
         return [self.axes[place] for place in self.order]
 
     def _look(self) -> bool:
-        """Whether the result rises or falls along every axis, all over a coarse grid; inadmissible only below."""
+        """The sense of the result along every axis, on a coarse grid; inadmissible cases lie only below."""
         lines = [np.linspace(axis.cuts[0], axis.cuts[-1], CHECKED) for axis in self.axes]
         mesh = np.meshgrid(*lines, indexing="ij")
         self.whole = False
@@ -186,7 +186,7 @@ def moments(nested: Nested, count: int) -> "tuple[float, float, float]":
 
 
 def _edge(nested: Nested, rest: "list[Array]") -> "Array":
-    """Where along the first axis results begin to be admissible; its end where they all are."""
+    """Where results become admissible along the first axis; its end if all are."""
     cuts = nested.ordered[0].cuts
     low, high = (cuts[0], cuts[-1]) if nested.rising else (cuts[-1], cuts[0])
     a, b = np.full(rest[0].size, low), np.full(rest[0].size, high)
@@ -237,8 +237,8 @@ def nested(space: "Space", result: int, goal: Goal) -> Found | None:
         return None
     fine, dense = below(model, v, FINE)
     last = (wanted - fine) / np.maximum(dense, 1e-12 / std)
-    found = Found(model, v + last, mean, std, 1.0 - refused)
+    solution = Found(model, v + last, mean, std, 1.0 - refused)
     rough = np.abs(fine - share) / np.maximum(dense, 1e-12 / std)
     apart = max(float(rough.max()), abs(mean - rough_mean), abs(std - rough_std))
-    found.estimate = (GAIN * apart + float(np.abs(last).max()) ** 2 / std) / std + FLOOR
-    return found
+    solution.estimate = (GAIN * apart + float(np.abs(last).max()) ** 2 / std) / std + FLOOR
+    return solution

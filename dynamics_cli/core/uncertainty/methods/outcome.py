@@ -1,4 +1,4 @@
-"""What is wanted of a propagation, what comes of it, and the direction it is integrated along."""
+"""The goal of a propagation, its outcome, and the direction of integration."""
 
 from copy import copy
 
@@ -23,24 +23,25 @@ if TYPE_CHECKING:
 
 SHIFTS = 8
 # Student's 97.5 % quantile with seven degrees of freedom, nearly tripled: five numbers must hold at once, replicates
-# are few and not quite normal, and a kink common to all of them biases all alike.
+# are few and not quite normal, and a common kink biases all of them.
 REPLICATE_FACTOR = 2.8 * 2.365
 FLOOR = 1e-13
-# In standard deviations: what is known so well needs no other method; and no dear one, nor a warning.
+# Errors in standard deviations: below the first no other method is needed; below the second no expensive one and no
+# warning.
 GOOD = 5e-3
 FAIR = 0.02
-# Model evaluations, unless asked: about a second of a formula's time.
+# Default number of model evaluations: about a second of a formula's time.
 DEFAULT_POINTS = 3_000_000
-# More results than this have no smaller part of the points each: most of them need few.
+# With more results than this each still gets this part of the points: most need few.
 MOST_PARTS = 8
 
 
-# Probabilities no farther apart are one.
+# Probabilities closer than this are equal.
 SAME = 1e-9
 
 
 class Goal:
-    """What is wanted of every result: probabilities of the quantiles, accuracy, at most how many points, a curve."""
+    """The goal for every result: probabilities of the quantiles, accuracy, maximum number of points, a curve."""
 
     def __init__(
         self, p: "Array", scores: "Array", accuracy: float, points: int, seed: int, *, curve: bool = False
@@ -51,36 +52,37 @@ class Goal:
         self.points = points
         self.seed = seed
         self.curve = curve
-        # Values whose exceedance is asked, probabilities whose quantiles are, and those of `p` that every result has.
+        # Limits whose exceedance is requested, probabilities whose quantiles are, and those of `p` that every result
+        # has.
         self.limits: Sequence[float] = ()
         self.levels: Sequence[float] = ()
         self.main = np.arange(p.size)
 
     def asking(self, limits: "Sequence[float]", levels: "Sequence[float]", *, curve: bool) -> "Goal":
-        """The goal of one result of which more is asked."""
-        made = copy(self)
-        made.limits, made.levels, made.curve = limits, levels, curve
+        """The goal of one result with further requests."""
+        goal = copy(self)
+        goal.limits, goal.levels, goal.curve = limits, levels, curve
         further = [level for level in levels if np.abs(self.p - level).min() > SAME]
         if further:
-            made.p = np.unique([*self.p, *further])
-            made.main = np.searchsorted(made.p, self.p)
-            made.scores = np.array([normal.quantile(p) for p in made.p.tolist()])
-            made.scores[made.main] = self.scores
-        return made
+            goal.p = np.unique([*self.p, *further])
+            goal.main = np.searchsorted(goal.p, self.p)
+            goal.scores = np.array([normal.quantile(p) for p in goal.p.tolist()])
+            goal.scores[goal.main] = self.scores
+        return goal
 
     def at_levels(self, quantiles: "Array") -> "list[tuple[float, float]]":
-        """The levels asked, each with its quantile."""
+        """The requested levels, each with its quantile."""
         return [(level, float(quantiles[np.abs(self.p - level).argmin()])) for level in self.levels]
 
     def own(self, space: Space) -> "Goal":
         """The goal of the next of the results, with its part of the points."""
-        made = copy(self)
-        made.points = space.points + self.points // min(max(len(space.results), 1), MOST_PARTS)
-        return made
+        goal = copy(self)
+        goal.points = space.points + self.points // min(max(len(space.results), 1), MOST_PARTS)
+        return goal
 
     @property
     def tolerance(self) -> float:
-        """How near roots must come before the last step, which squares it."""
+        """Tolerance of the roots before the last step, which squares it."""
         return min(max(0.06 * float(np.sqrt(self.accuracy)), 1e-8), 3e-3)
 
 
@@ -102,7 +104,7 @@ class Outcome:
 
 
 def width_of(quantiles: "Array", goal: Goal) -> float:
-    """A standard deviation, about: the interval's width in those of a normal distribution."""
+    """Approximate standard deviation: from the interval's width as for a normal distribution."""
     spread = float(quantiles[-1] - quantiles[0])
     return spread / float(goal.scores[-1] - goal.scores[0])
 
@@ -113,20 +115,20 @@ def direction_of(space: Space, probe: "Array", result: int) -> "Array":
     centre, ahead, behind = probe[result, 0], probe[result, 1 : count + 1], probe[result, count + 1 : 2 * count + 1]
     gradient = np.nan_to_num(ahead - behind)
     bend = np.nan_to_num(ahead + behind - 2.0 * centre)
-    made = np.zeros(count)
+    direction = np.zeros(count)
     if space.heavy:
         # Along the axis of the heaviest tail, so that the lines beside it differ little.
         heaviest = [made_.std == np.inf for made_ in space.distributions]
-        made[int(np.argmax(np.where(heaviest, np.abs(gradient) + 1e-300, 0.0)))] = 1.0
-        return made
+        direction[int(np.argmax(np.where(heaviest, np.abs(gradient) + 1e-300, 0.0)))] = 1.0
+        return direction
     size = float(np.sqrt(gradient @ gradient))
     if size > 1e-9 * float(np.abs(bend).max(initial=0.0)) and size > 0.0:
         return gradient / size  # type: ignore[no-any-return]
     overall = _overall(space, result)
     if overall is not None:
         return overall
-    made[int(np.argmax(np.abs(bend)))] = 1.0
-    return made
+    direction[int(np.argmax(np.abs(bend)))] = 1.0
+    return direction
 
 
 def _overall(space: Space, result: int) -> "Array | None":
@@ -142,7 +144,7 @@ def _overall(space: Space, result: int) -> "Array | None":
     plane, _, _, _ = np.linalg.lstsq(terms, values[good], rcond=None)
     slope = plane[1:]
     size = float(np.sqrt(slope @ slope))
-    # Of an even function only the scatter is left.
+    # For an even function only the scatter remains.
     return slope / size if size > 0.1 * float(values[good].std()) else None
 
 
@@ -155,12 +157,12 @@ def tail_direction(space: Space, result: int, direction: "Array", score: float) 
     step = 0.5 * np.eye(count)
     ends = [score * direction[:, None], -score * direction[:, None]]
     values = space.evaluate(np.concatenate([part for end in ends for part in (end + step, end - step)], axis=1))[result]
-    made = direction.copy()
+    blended = direction.copy()
     for part in values.reshape(2, 2, count):
         gradient = part[0] - part[1]
         size = float(np.sqrt(gradient @ gradient))
         if not size > 0.0:
             return direction
-        made += 0.5 * gradient / size
-    size = float(np.sqrt(made @ made))
-    return made / size if size > 0.5 else direction
+        blended += 0.5 * gradient / size
+    size = float(np.sqrt(blended @ blended))
+    return blended / size if size > 0.5 else direction

@@ -1,6 +1,7 @@
 """Quantiles from one sample for all results: for many results that turn, jump or have kinks, each in its own way.
 
-Replicates of a shifted lattice; a number is that of all points together, its error the scatter of the replicates.
+Replicates of a shifted lattice; each number is taken over all points together, its error from the scatter of the
+replicates.
 """
 
 import numpy as np
@@ -48,7 +49,7 @@ class Pool:
         self.count = min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, FEWEST_POINTS), MOST_POINTS)
         more = min(max(most / DEFAULT_POINTS, 1.0), MOST_TIMES)
         room = int(min(MOST_BYTES // (8 * results * self.count), MOST_SHIFTS) * more)
-        # Lines that results share have left few of them poor.
+        # Shared lines have left only a few results inaccurate.
         self.shifts = SHIFTS if space.slow or space.shared or points else max(min(most // self.count, room), SHIFTS)
         total = self.shifts * self.count
         if space.size <= MOST_DIMENSIONS:
@@ -63,25 +64,25 @@ class Pool:
         good = ~np.isnan(values)
         counts = good.sum(axis=1)
         if counts.min() < 2:
-            message = "hardly any case within the inputs' uncertainty is admissible"
+            message = "almost no case within the inputs' uncertainty is admissible"
             raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
         whole = bool(good.all())
         ordered = np.sort(values.ravel() if whole else values[good])
         method = f"{self.shifts} shifted lattices of {self.count} points, one sample for all results"
-        made = Outcome(method, np.quantile(ordered, goal.p), centre)
-        made.admissible = float(counts.sum() / values.size)
-        made.scan = Listed(ordered)  # type: ignore[assignment]
+        outcome = Outcome(method, np.quantile(ordered, goal.p), centre)
+        outcome.admissible = float(counts.sum() / values.size)
+        outcome.scan = Listed(ordered)  # type: ignore[assignment]
         find = np.quantile if whole else np.nanquantile
         scatter = list(find(values, goal.p, axis=1).std(axis=1, ddof=1))
-        width = width_of(made.quantiles, goal)
+        width = width_of(outcome.quantiles, goal)
         if not centre.space.heavy:
-            made.mean, made.std = float(ordered.mean()), float(ordered.std())
-            width = made.std
-            apart = values - made.mean
+            outcome.mean, outcome.std = float(ordered.mean()), float(ordered.std())
+            width = outcome.std
+            apart = values - outcome.mean
             scatter += [np.nanmean(apart, axis=1).std(ddof=1), np.sqrt(np.nanmean(apart**2, axis=1)).std(ddof=1)]
         error = REPLICATE_FACTOR * max(scatter) / float(np.sqrt(self.shifts))
-        made.estimate = max(float(error) / width, FLOOR) if width > 0.0 else FLOOR
-        return made
+        outcome.estimate = max(float(error) / width, FLOOR) if width > 0.0 else FLOOR
+        return outcome
 
 
 def counted(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
@@ -96,7 +97,7 @@ def counted(space: Space, result: int, direction: "Array", across: "Array", goal
 
 
 def pooled(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
-    """One result by the sample that all of them share, made when first asked for."""
+    """One result from the sample that all of them share, generated when first needed."""
     if space.pool is None:
         space.pool = Pool(space, goal)
     pool: Pool = space.pool

@@ -1,8 +1,8 @@
 """Probabilities on lines along which the model may turn, jump, stay flat or be inadmissible: scan, split, bracket.
 
-Each line is looked at in steps of half a standard deviation from −8.3 to 8.3. Where admissibility changes its boundary
-is bisected; where the values turn the extremum is found; so every piece left is monotone with known ends. P(result ≤ v)
-is then the measure of the pieces below v and of the parts of those that straddle it.
+Each line is scanned in steps of half a standard deviation from −8.3 to 8.3. Where admissibility changes, its boundary
+is bisected; where the values turn, the extremum is located; so every remaining piece is monotone with known ends.
+P(result ≤ v) is then the measure of the pieces below v and of the parts of those that straddle it.
 """
 
 import numpy as np
@@ -48,8 +48,8 @@ class Pieces:
 class Scan:
     """The scanned lines; probabilities are given that the model is admissible.
 
-    `offsets`, shares of a step from −½ to ½, shift each line's scan: a kink then lies anywhere between two points,
-    and what a fixed scan would always err by on one side averages out.
+    `offsets`, shares of a step from −½ to ½, shift each line's scan: kinks then lie anywhere between two points,
+    and the one-sided error of a fixed scan averages out.
     """
 
     def __init__(self, lines: "Lines", offsets: "Array | None" = None, points: int = POINTS) -> None:
@@ -73,10 +73,10 @@ class Scan:
         values, s = self.values, self.s
         sound = ~np.isnan(values)
         line, cell = np.nonzero(sound[:, :-1] & sound[:, 1:])
-        made = Pieces(line, s[line, cell], s[line, cell + 1], values[line, cell], values[line, cell + 1])
-        made = self._with_turns(made, cell, sound)
+        pieces = Pieces(line, s[line, cell], s[line, cell + 1], values[line, cell], values[line, cell + 1])
+        pieces = self._with_turns(pieces, cell, sound)
         edges = self._edges(sound)
-        return _joined(made, edges) if edges is not None else made
+        return _joined(pieces, edges) if edges is not None else pieces
 
     def _edges(self, sound: "NDArray[Any]") -> Pieces | None:
         """The part of a cell between an admissible end and the boundary of admissibility, which is bisected."""
@@ -89,10 +89,10 @@ class Scan:
         value = f_start
         for _ in range(_BISECTIONS):
             middle = 0.5 * (inner + outer)
-            found = self.lines.at(line, middle)
-            good = ~np.isnan(found)
+            at_middle = self.lines.at(line, middle)
+            good = ~np.isnan(at_middle)
             inner, outer = np.where(good, middle, inner), np.where(good, outer, middle)
-            value = np.where(good, found, value)
+            value = np.where(good, at_middle, value)
         forward = start <= inner
         return Pieces(
             line,
@@ -107,7 +107,7 @@ class Scan:
         """Cut the two cells beside a local extremum at the extremum."""
         values, s = self.values, self.s
         rise = np.diff(values, axis=1)
-        # Steps of rounding turn nowhere.
+        # Steps of rounding size are not turns.
         with np.errstate(invalid="ignore"):
             rise[np.abs(rise) <= 1e-13 * np.abs(values[:, 1:])] = 0.0
             turns = rise[:, :-1] * rise[:, 1:] < 0.0
@@ -133,16 +133,16 @@ class Scan:
             left = ~(f1 < f2)
             a, b = np.where(left, a, x1), np.where(left, x2, b)
             fresh = np.where(left, a + _GOLDEN * (b - a), b - _GOLDEN * (b - a))
-            found = sign * self.lines.at(line, fresh)
+            value = sign * self.lines.at(line, fresh)
             x1, x2 = np.where(left, fresh, x2), np.where(left, x1, fresh)
-            f1, f2 = np.where(left, found, f2), np.where(left, f1, found)
+            f1, f2 = np.where(left, value, f2), np.where(left, f1, value)
         best = f1 >= f2
         return np.where(best, x1, x2), sign * np.where(best, f1, f2)
 
     def below(self, v: "Array", tolerance: float) -> "tuple[Array, Array]":
         """P(result ≤ v and admissible) on every line, (lines, k), and the density of the result at v, (k)."""
         weights = self.lines.weights
-        made = np.empty((weights.size, v.size))
+        shares = np.empty((weights.size, v.size))
         slopes = np.empty(v.size)
         found = [np.nonzero((self.low <= value) & (self.high > value))[0] for value in v]
         index = np.concatenate(found)
@@ -159,9 +159,9 @@ class Scan:
             whole = self.high <= value
             line = np.concatenate([pieces.line[whole], pieces.line[part]])
             share = np.concatenate([self.measures[whole], inside])
-            made[:, k] = np.bincount(line, share, minlength=weights.size)
+            shares[:, k] = np.bincount(line, share, minlength=weights.size)
             slopes[k] = (weights[pieces.line[part]] * density(own) / slope).sum()
-        return made, slopes
+        return shares, slopes
 
     def _cross(self, index: "Index", level: "Array", tolerance: float) -> "tuple[Array, Array]":
         """Where pieces cross a level: bracketed secant steps (Illinois), a bisection every third; and the slopes there.
@@ -189,13 +189,13 @@ class Scan:
             f = np.where(np.isnan(f), np.inf, f)
             first = (f <= 0.0) == under[open_]
             # The chord to the nearer end is the slope. One end may be at a pole, its chord far too steep: the flatter
-            # of both says how near the root is.
+            # of the two tells how near the root is.
             with np.errstate(all="ignore"):
                 ahead, behind = np.abs((fb[open_] - f) / (lb - x)), np.abs((f - fa[open_]) / (x - la))
                 chord = np.where(lb - x < x - la, ahead, behind)
                 flat = np.fmin(ahead, behind)
             steep[open_] = np.where(np.isfinite(chord) & (chord > 0.0), chord, steep[open_])
-            # The end that stays put loses half its weight, so that it is not kept for ever.
+            # The end that stays loses half its weight (Illinois), so that it is not kept for ever.
             ga[open_] = np.where(first, f, 0.5 * pa)
             gb[open_] = np.where(first, 0.5 * pb, f)
             fa[open_], fb[open_] = np.where(first, f, fa[open_]), np.where(first, fb[open_], f)
@@ -266,9 +266,9 @@ class Scan:
         return first, second
 
     def beyond(self) -> "tuple[Array, Array]":
-        """About what lies of both moments beyond the ends, (lines,): what decays there goes on as it did last."""
+        """Estimate of both moments beyond the ends, (lines,): the decay is extrapolated."""
         mass = density(self.s) * self.step
-        made = []
+        parts = []
         values = self.values - self.centre
         for part in (np.abs(values) * mass, values * values * mass):
             total = np.zeros(len(part))
@@ -276,8 +276,8 @@ class Scan:
                 with np.errstate(all="ignore"):
                     share = last / before
                     total += np.where(last > 0.0, last * share / np.maximum(1.0 - share, self.step), 0.0)
-            made.append(np.where(np.isfinite(total), total, 0.0))
-        return made[0], made[1]
+            parts.append(np.where(np.isfinite(total), total, 0.0))
+        return parts[0], parts[1]
 
     def broken_error(self) -> "tuple[float, float]":
         """How far both moments of the lines that are partly admissible move with a rule of two points for three."""

@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 # Points along the only line when one input is uncertain.
 FINE_SCAN = 1025
-# The same where every point is a call of its own.
+# The same where every point is a separate call.
 SLOW_SCAN = 49
-# Scans of smaller steps can be looked at with a quarter of their points.
+# Scans with smaller steps can be compared with a quarter of their points.
 FINE_STEP = 0.05
 
 
@@ -36,9 +36,9 @@ def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome:
     scan = Scan(lines, points=SLOW_SCAN if space.slow else FINE_SCAN)
     if not np.isnan(scan.values).any() and bool((np.diff(scan.values[0]) >= 0.0).all()):
         quantiles = lines.values(goal.scores[None, :])[0]
-        made = _with_moments(Outcome("the input's own quantiles through the model", quantiles, lines), scan)
-        made.estimate = _coarser(scan, made) if made.std > 0.0 and not space.heavy else FLOOR
-        return made
+        outcome = _with_moments(Outcome("the input's own quantiles through the model", quantiles, lines), scan)
+        outcome.estimate = _coarser(scan, outcome) if outcome.std > 0.0 and not space.heavy else FLOOR
+        return outcome
     # where every point is a call of its own, no finer than is asked
     fine = goal if space.slow else Goal(goal.p, goal.scores, 1e-9, goal.points, goal.seed)
     return _scan_outcome(scan, fine, 1, "monotone pieces of the only input")
@@ -49,16 +49,16 @@ def _atoms(space: Space, result: int, lines: Lines, goal: Goal) -> Outcome:
     values = space.distributions[0].values  # type: ignore[attr-defined]
     with np.errstate(all="ignore"):
         results, refused = space.model({**space.fixed, space.names[0]: values})
-    found = np.array(np.broadcast_to(results[space.results[result]], values.shape), dtype=float)
+    values_at = np.array(np.broadcast_to(results[space.results[result]], values.shape), dtype=float)
     if refused is not None:
-        found[refused] = np.nan
-    good = np.sort(found[np.isfinite(found)])
+        values_at[refused] = np.nan
+    good = np.sort(values_at[np.isfinite(values_at)])
     place = np.ceil(goal.p * good.size - 1e-12).astype(int) - 1
-    made = Outcome("the model at every listed value", good[np.clip(place, 0, good.size - 1)], lines)
-    made.estimate, made.admissible = FLOOR, good.size / values.size
-    made.mean, made.std = float(good.mean()), float(good.std())
-    made.scan = Listed(good)  # type: ignore[assignment]
-    return made
+    outcome = Outcome("the model at every listed value", good[np.clip(place, 0, good.size - 1)], lines)
+    outcome.estimate, outcome.admissible = FLOOR, good.size / values.size
+    outcome.mean, outcome.std = float(good.mean()), float(good.std())
+    outcome.scan = Listed(good)  # type: ignore[assignment]
+    return outcome
 
 
 class Listed:
@@ -98,16 +98,16 @@ def scanned_grids(space: Space, result: int, direction: "Array", across: "Array"
     before = np.inf
     for level in range(2, 7):
         lines = Lines(space, result, direction, across, *rule(space.size - 1, level, goal.accuracy))
-        made = _scan_outcome(Scan(lines), goal, 1, f"tensor Gauss–Hermite, {lines.weights.size} scanned lines")
+        outcome = _scan_outcome(Scan(lines), goal, 1, f"tensor Gauss–Hermite, {lines.weights.size} scanned lines")
         if last is not None:
-            now = _apart(made, last, goal)
-            made.estimate = max(now, 0.3 * before, made.estimate)
-            if made.estimate <= goal.accuracy:
-                return made
+            now = _apart(outcome, last, goal)
+            outcome.estimate = max(now, 0.3 * before, outcome.estimate)
+            if outcome.estimate <= goal.accuracy:
+                return outcome
             if level >= 4 and now > 0.5 * before:
                 return None
             before = now
-        last = made
+        last = outcome
     return None
 
 
@@ -127,43 +127,43 @@ def _scan_outcome(scan: Scan, goal: Goal, groups: int, method: str) -> Outcome:
         )
     tolerance = min(max(0.02 * goal.accuracy, 1e-11), 1e-4)
     quantiles, share, slope = scan.quantiles(goal.p, tolerance)
-    made = _with_moments(Outcome(method, quantiles, scan.lines, groups=groups), scan)
+    outcome = _with_moments(Outcome(method, quantiles, scan.lines, groups=groups), scan)
     heavy = scan.lines.space.heavy
-    width = width_of(quantiles, goal) if heavy else made.std
+    width = width_of(quantiles, goal) if heavy else outcome.std
     if groups > 1 and width > 0.0:
-        made.estimate = _scan_estimate(scan, made, goal, share, slope, width)
+        outcome.estimate = _scan_estimate(scan, outcome, goal, share, slope, width)
     elif width == 0.0 or heavy:
-        made.estimate = FLOOR
+        outcome.estimate = FLOOR
     else:
-        made.estimate = _coarser(scan, made)
-    made.estimate = max(made.estimate, tolerance, _broken(scan, made))
-    return made
+        outcome.estimate = _coarser(scan, outcome)
+    outcome.estimate = max(outcome.estimate, tolerance, _broken(scan, outcome))
+    return outcome
 
 
-def _broken(scan: Scan, made: Outcome) -> float:
-    """What the rule on lines that are partly admissible leaves of mean and deviation, in deviations."""
-    if scan.lines.space.heavy or not made.std > 0.0:
+def _broken(scan: Scan, outcome: Outcome) -> float:
+    """Error of mean and deviation from the rule on partly admissible lines, in deviations."""
+    if scan.lines.space.heavy or not outcome.std > 0.0:
         return 0.0
     first, second = (error / scan.admissible for error in scan.broken_error())
     # of the second moment about the scan's centre the mean's part is taken away again
-    away = abs(made.mean - scan.centre)
-    return max(first / made.std, (0.5 * second + away * first) / made.std**2)
+    away = abs(outcome.mean - scan.centre)
+    return max(first / outcome.std, (0.5 * second + away * first) / outcome.std**2)
 
 
-def _with_moments(made: Outcome, scan: Scan) -> Outcome:
-    """The outcome with what the scan knows: the admissible share, mean and deviation where these exist."""
-    made.scan, made.admissible = scan, scan.admissible
+def _with_moments(outcome: Outcome, scan: Scan) -> Outcome:
+    """The outcome with the scan's further numbers: the admissible share, mean and deviation where these exist."""
+    outcome.scan, outcome.admissible = scan, scan.admissible
     if scan.lines.space.heavy:
-        return made
+        return outcome
     first, second = scan.moments()
     weights = scan.lines.weights
     mean = float(weights @ first) / scan.admissible
-    made.mean = scan.centre + mean
-    made.std = float(np.sqrt(max(float(weights @ second) / scan.admissible - mean * mean, 0.0)))
-    return made
+    outcome.mean = scan.centre + mean
+    outcome.std = float(np.sqrt(max(float(weights @ second) / scan.admissible - mean * mean, 0.0)))
+    return outcome
 
 
-def _coarser(scan: Scan, made: Outcome) -> float:
+def _coarser(scan: Scan, outcome: Outcome) -> float:
     """How far mean and deviation move with parts of the scan's points, and what may lie beyond its ends.
 
     On smooth lines every part gives the same. The trapezoid rule errs by (½ − t) h of a jump and by
@@ -172,18 +172,18 @@ def _coarser(scan: Scan, made: Outcome) -> float:
     """
     every, share = (4, 1.0 / 6.0) if scan.step < FINE_STEP else (2, 0.3)
     weights = scan.lines.weights
-    means, stds = [made.mean - scan.centre], [made.std]
+    means, stds = [outcome.mean - scan.centre], [outcome.std]
     for start in range(every if every == 4 else 1):
         first, second = (float(weights @ part) / scan.admissible for part in scan.moments(every, start))
         means.append(first)
         stds.append(float(np.sqrt(max(second - first * first, 0.0))))
-    apart = share * max(max(means) - min(means), max(stds) - min(stds)) / made.std
+    apart = share * max(max(means) - min(means), max(stds) - min(stds)) / outcome.std
     cut, squared = (float(weights @ part) / scan.admissible for part in scan.beyond())
     # d std = ½ d(std²)/std
-    return max(apart, cut / made.std, 0.5 * squared / made.std**2, FLOOR)
+    return max(apart, cut / outcome.std, 0.5 * squared / outcome.std**2, FLOOR)
 
 
-def _scan_estimate(scan: Scan, made: Outcome, goal: Goal, share: "Array", slope: "Array", width: float) -> float:
+def _scan_estimate(scan: Scan, outcome: Outcome, goal: Goal, share: "Array", slope: "Array", width: float) -> float:
     """The scatter of replicates: of probabilities over the density (not at atoms and gaps), and of the moments."""
     weights = scan.lines.weights
     pieces = scan.pieces
@@ -195,14 +195,15 @@ def _scan_estimate(scan: Scan, made: Outcome, goal: Goal, share: "Array", slope:
     errors: list[float] = []
     if not scan.lines.space.heavy:
         means, squares = (part.reshape(SHIFTS, -1).mean(axis=1) / mass for part in scan.moments())
-        mean = made.mean - scan.centre
+        mean = outcome.mean - scan.centre
         deviations = np.sqrt(np.maximum(squares - 2.0 * mean * means + mean * mean, 0.0))
         errors = [means.std(ddof=1) / width, deviations.std(ddof=1) / width]
     scatter = shares.std(axis=0, ddof=1)
     dense = slope * width / scan.admissible
-    # Where the density vanishes a probability says nothing of the quantile: the replicates' error stays a probability.
+    # Where the density vanishes a probability does not determine the quantile: the replicates' error stays a
+    # probability.
     sure = REPLICATE_FACTOR * scatter
-    before = scan.below(made.quantiles - 1e-7 * width, 1e-9)[0]
+    before = scan.below(outcome.quantiles - 1e-7 * width, 1e-9)[0]
     under, over = (weights @ part / scan.admissible for part in (before, share))
     for e, d, low, high, p in zip(scatter, dense, under + sure, over - sure, goal.p, strict=True):
         # Well within an atom the quantile is the atom, whatever the scatter.
@@ -214,7 +215,7 @@ def exceedance(outcome: Outcome, limits: "Array", goal: Goal) -> "Array":
     """P(result > limit), given admissibility, for each limit."""
     scan = outcome.scan or Scan(outcome.lines)
     outcome.scan = scan
-    # A few lines cost nothing: their roots are found to rounding.
+    # A few lines cost nothing: their roots are solved to rounding.
     tolerance = min(max(0.01 * goal.accuracy, 1e-11), 1e-4) if outcome.lines.weights.size > 1 else 1e-12
     share, _ = scan.below(limits, tolerance)
     weights = outcome.lines.weights if share.shape[0] == outcome.lines.weights.size else np.ones(1)

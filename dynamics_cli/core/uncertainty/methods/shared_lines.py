@@ -1,8 +1,8 @@
 """Quantiles from lines that many results share: for results that turn, jump or have kinks, each in its own way.
 
-The model is evaluated once at dense points on parallel lines, for all results together. Along a line a result is what
-pieces between the points say, and the measure of each piece is nearly exact: what is left to sample lies across the
-lines, where kinks have been integrated away. Results that rise in like directions share their lines.
+The model is evaluated once at dense points on parallel lines, for all results together. Along a line a result is
+represented by pieces between the points, and the measure of each piece is nearly exact: only the directions across the
+lines are sampled, where kinks have been integrated out. Results that rise in like directions share their lines.
 """
 
 import numpy as np
@@ -22,31 +22,31 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# In standard deviations: what results that share their lines are known to, surely (as a rule to a fifth of that); finer
-# lines cost more than that is worth.
+# In standard deviations: the accuracy of results on shared lines (typically five times better); finer lines are not
+# worth their cost.
 ACCURACY = 5e-3
-# How far lines reach, in standard deviations; a normal one is beyond with 2e-8.
+# Reach of the lines in standard deviations; a normal variable is beyond it with 2e-8.
 REACH = 5.6
 POINTS = 97
-# Of a single input the only line has more; where many lines are needed, each has fewer.
+# For a single input the only line has more; where many lines are needed, each has fewer.
 POINTS_ALONE, POINTS_OF_MANY = 4097, 49
-# Lines across: on a grid of so many a dimension where one or two are left over, else so many of each lattice; tried
-# first, and where that is not near enough.
+# Lines across: on a grid with this many for each of one or two remaining dimensions, else this many of each
+# lattice; the first try, and the finer one if needed.
 GRIDS = {0: (1,), 1: (48, 144), 2: (26, 44)}
 COUNTS = (256,)
 # The cosine between a result's direction and that of the lines it may share.
 ALIKE, OWN = 0.5, 0.95
-# More sets of lines than this cost more than the one sample that is left for what they serve badly.
+# More sets of lines than this cost more than one sample for the results they serve badly.
 MOST_SETS = 4
 STEPS = 8
-# What twice the step changes is this much of what the step itself errs by, at kinks.
+# Change on doubling the step, as a multiple of the step's own error, at kinks.
 OF_TWICE = 0.5
-# How far a grid of lines reaches, and weights beside the largest that are not worth a line.
+# Reach of a grid of lines, and relative weights too small for a line.
 GRID_REACH, LEAST_WEIGHT = 5.0, 1e-6
 OFF, TURN = (0.31, -0.17), np.array([[0.8, -0.6], [0.6, 0.8]])
 # The parts of a grid, each of every second or fourth line, are replicates of one another.
 PARTS = 4
-# Together they err by far less than lattices whose shifts are drawn would: a tenth or less, where it was measured.
+# Together they err far less than lattices with random shifts would: a tenth or less, as measured.
 OF_PARTS = 0.25
 
 
@@ -65,20 +65,20 @@ class SharedLines:
         self.lines = weights.size
         self.points = POINTS_ALONE if space.size == 1 else POINTS if space.size - 1 in GRIDS else POINTS_OF_MANY
         grid = np.linspace(-REACH, REACH, self.points)
-        # A kink then lies anywhere between two points, and what a fixed grid errs by averages out.
+        # Kinks then lie anywhere between two points, and the error of a fixed grid averages out.
         shift = (np.arange(self.lines) * 0.6180339887498949 + 0.5) % 1.0 - 0.5
         self.s = grid + (shift * (grid[1] - grid[0]))[:, None]
         z = (complement(direction) @ rest)[:, :, None] + direction[:, None, None] * self.s
         values = space.evaluate(z.reshape(space.size, -1))
         self.values = values.reshape(len(values), self.lines, self.points)
         below = probability(self.s)
-        # What lies beyond the ends is as at the ends.
+        # Beyond the ends the values of the ends are used.
         below[:, 0], below[:, -1] = 0.0, 1.0
         self.mass = np.diff(below, axis=1) * weights[:, None]
 
     @property
     def method(self) -> str:
-        """What they are, in words."""
+        """Their description in words."""
         if self.lines == 1:
             return f"{self.points} points of the only input, shared by all results"
         if self.group.max() == PARTS - 1:
@@ -86,7 +86,7 @@ class SharedLines:
         return f"{SHIFTS} shifted lattices of {self.count} lines that results share, {self.points} points on each"
 
     def cells(self, result: int, every: int = 1) -> "Cells":
-        """One result between each two neighbouring points, or between every so many."""
+        """One result between neighbouring points, or between every few of them."""
         mass = self.mass if every == 1 else self.mass.reshape(len(self.mass), -1, every).sum(axis=2)
         s = self.s[:, ::every]
         return Cells(
@@ -145,7 +145,7 @@ class Cells:
         return self.replicates(share), float((mass / np.abs(rise)).sum())
 
     def quantile(self, p: float, start: float, scale: float) -> "tuple[float, Array, float]":
-        """The value that a share of the admissible cases stays below; the shares there, and the density."""
+        """The value below which a given share of the admissible cases lies; the shares there, and the density."""
         wanted = p * self.admissible
         low, high = float(self.low.min()), float(self.high.max())
         v = min(max(start, low), high)
@@ -180,34 +180,34 @@ def _across(rest: int, count: int, seed: int) -> "tuple[Array, Array, Array]":
     if rest == 0:
         return np.zeros((0, 1)), np.ones(1), np.zeros(1, dtype=int)
     if rest > max(GRIDS):
-        made = quantile(lattice(rest, count, SHIFTS, seed))
-        lines = made.shape[1]
-        return made, np.full(lines, 1.0 / lines), np.repeat(np.arange(SHIFTS), lines // SHIFTS)
-    # The trapezoid rule: nothing is better for what decays as a normal density does.
+        across = quantile(lattice(rest, count, SHIFTS, seed))
+        lines = across.shape[1]
+        return across, np.full(lines, 1.0 / lines), np.repeat(np.arange(SHIFTS), lines // SHIFTS)
+    # The trapezoid rule: the best for functions that decay like a normal density.
     places = np.indices((count,) * rest).reshape(rest, -1)
     step = 2.0 * GRID_REACH / (count - 1)
     # Off the middle and turned: the replicates of a grid that lies like the model's own symmetries would all be alike.
-    made = (places - 0.5 * (count - 1) + np.array(OFF[:rest])[:, None]) * step
+    across = (places - 0.5 * (count - 1) + np.array(OFF[:rest])[:, None]) * step
     if rest == 2:
-        made = TURN @ made
-    weights = np.exp(-0.5 * (made * made).sum(axis=0))
+        across = TURN @ across
+    weights = np.exp(-0.5 * (across * across).sum(axis=0))
     kept = weights > LEAST_WEIGHT
-    made, places, weights = made[:, kept], places[:, kept], weights[kept]
+    across, places, weights = across[:, kept], places[:, kept], weights[kept]
     group = places[0] % PARTS if rest == 1 else places[0] % 2 + 2 * (places[1] % 2)
-    # Each replicate is a rule of its own.
+    # Each replicate is a separate rule.
     for part in range(PARTS):
         weights[group == part] /= weights[group == part].sum() * PARTS
-    return made, weights, group
+    return across, weights, group
 
 
 def _bend(a: "Array", b: "Array") -> "Array":
     """Half the second difference of each cell: the smaller of those at its ends, none where these turn (kinks)."""
-    made = np.zeros_like(a)
+    bend = np.zeros_like(a)
     rise = b - a
     step = np.diff(rise, axis=1)
     one, other = step[:, :-1], step[:, 1:]
-    made[:, 1:-1] = np.where(one * other > 0.0, 0.5 * np.where(np.abs(one) < np.abs(other), one, other), 0.0)
-    return made
+    bend[:, 1:-1] = np.where(one * other > 0.0, 0.5 * np.where(np.abs(one) < np.abs(other), one, other), 0.0)
+    return bend
 
 
 def _moments(cells: Cells) -> "tuple[Array, float, float, tuple[Array, Array]]":
@@ -228,14 +228,16 @@ class Found:
         self.admissible = cells.admissible
         self.share, self.mean, self.std, self.replicates = _moments(cells)
         scale = self.std or 1.0
-        made = [cells.quantile(q, s, scale) for q, s in zip(p.tolist(), cells.first_quantiles(p).tolist(), strict=True)]
-        self.quantiles = np.array([v for v, _, _ in made])
-        self.shares = [(shares, dense) for _, shares, dense in made]
+        quantiles = [
+            cells.quantile(q, s, scale) for q, s in zip(p.tolist(), cells.first_quantiles(p).tolist(), strict=True)
+        ]
+        self.quantiles = np.array([v for v, _, _ in quantiles])
+        self.shares = [(shares, dense) for _, shares, dense in quantiles]
 
     def below(self, v: "Array", tolerance: float) -> "tuple[Array, Array]":
         """The admissible share up to each value, as one line's."""
-        made = [self.cells.below(float(value)) for value in np.asarray(v, dtype=float)]
-        return np.array([[share.sum() for share, _ in made]]), np.array([dense for _, dense in made])
+        shares = [self.cells.below(float(value)) for value in np.asarray(v, dtype=float)]
+        return np.array([[share.sum() for share, _ in shares]]), np.array([dense for _, dense in shares])
 
     def scatter(self) -> float:
         """The scatter of the replicates, in deviations: of mean and deviation, and of probabilities over densities."""
@@ -249,7 +251,7 @@ class Found:
             if before + sure < p < float(share.sum()) / self.admissible - sure:
                 continue  # well within an atom the quantile is the atom, whatever the scatter
             steep = dense / self.admissible * self.std
-            # Where the density vanishes a probability says nothing of the quantile.
+            # Where the density vanishes a probability does not determine the quantile.
             errors.append(own / steep if steep > 1e-3 else own)
         factor = OF_PARTS if self.share.size == PARTS else 1.0
         return factor * REPLICATE_FACTOR * max(errors) / float(np.sqrt(self.share.size))
@@ -270,17 +272,17 @@ class Found:
 
 
 def shared_lines(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
-    """One result by lines that it shares with others; finer ones where the first are not near enough."""
+    """One result by lines that it shares with others; finer ones where the first are not accurate enough."""
     wanted = max(goal.accuracy, ACCURACY)
     counts = GRIDS.get(space.size - 1, COUNTS)
-    made = _outcome(_lines(space, direction, counts[0], ALIKE, goal.seed), space, result, across, goal)
-    # Errors fall about as the count of lines grows: by less than is missing, finer ones are no use.
-    if wanted < made.estimate <= 8.0 * wanted and counts[-1] > counts[0]:
-        made = _outcome(_lines(space, direction, counts[-1], ALIKE, goal.seed), space, result, across, goal)
-    if made.estimate > FAIR and len(space.shared) < MOST_SETS:
+    outcome = _outcome(_lines(space, direction, counts[0], ALIKE, goal.seed), space, result, across, goal)
+    # Errors fall about in proportion to the number of lines: where that cannot suffice, finer ones are not tried.
+    if wanted < outcome.estimate <= 8.0 * wanted and counts[-1] > counts[0]:
+        outcome = _outcome(_lines(space, direction, counts[-1], ALIKE, goal.seed), space, result, across, goal)
+    if outcome.estimate > FAIR and len(space.shared) < MOST_SETS:
         own = _outcome(_lines(space, direction, counts[0], OWN, goal.seed), space, result, across, goal)
-        made = own if own.estimate < made.estimate else made
-    return made
+        outcome = own if own.estimate < outcome.estimate else outcome
+    return outcome
 
 
 def turns(space: Space, result: int, direction: "Array", goal: Goal) -> bool:
@@ -304,12 +306,12 @@ def _lines(space: Space, direction: "Array", count: int, alike: float, seed: int
 def _outcome(lines: SharedLines, space: Space, result: int, across: "Array", goal: Goal) -> Outcome:
     cells = lines.cells(result)
     if not cells.admissible > 1e-6:
-        message = "hardly any case within the inputs' uncertainty is admissible"
+        message = "almost no case within the inputs' uncertainty is admissible"
         raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
-    found = Found(cells, goal.p)
+    numbers = Found(cells, goal.p)
     centre = Lines(space, result, lines.direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
-    made = Outcome(lines.method, found.quantiles, centre)
-    made.mean, made.std, made.admissible = found.mean, found.std, min(found.admissible, 1.0)
-    made.scan = found  # type: ignore[assignment]
-    made.estimate = max(found.scatter() + OF_TWICE * found.apart(lines.cells(result, 2)), FLOOR)
-    return made
+    outcome = Outcome(lines.method, numbers.quantiles, centre)
+    outcome.mean, outcome.std, outcome.admissible = numbers.mean, numbers.std, min(numbers.admissible, 1.0)
+    outcome.scan = numbers  # type: ignore[assignment]
+    outcome.estimate = max(numbers.scatter() + OF_TWICE * numbers.apart(lines.cells(result, 2)), FLOOR)
+    return outcome

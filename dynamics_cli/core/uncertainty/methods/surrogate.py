@@ -1,8 +1,8 @@
-"""A slow model stood in for by polynomials of its inputs, fitted once for all its results.
+"""A slow model replaced by polynomials of its inputs, fitted once for all its results.
 
-Every result would ask a model that is called case by case some hundreds of times, each along a direction of its own.
-The polynomials are fitted by least squares at a lattice's points and tried at others farther out; what they are off by
-there is part of every error stated.
+Every result would need hundreds of calls of a model that takes one case at a time, each along its own direction.
+The polynomials are fitted by least squares at a lattice's points and tested at others farther out; their deviation
+there is part of every stated error.
 """
 
 from itertools import combinations_with_replacement
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Tried first, and where that is not near enough.
+# The degree tried first, and the one tried if that is not accurate enough.
 DEGREES = (3, 6)
 MOST_TERMS = 250
-# Points beside those of the fit, how much farther out they lie, and how much worse it may be between them.
+# Number of test points, how much farther out they lie, and how much worse the fit may be between them.
 TRIALS = 32
 FARTHER = 1.25
 SAFETY = 3.0
@@ -42,7 +42,7 @@ def suits(space: Space) -> bool:
 
 
 class StandIn:
-    """The polynomials: `space` has them as the model of the same inputs.
+    """The polynomials; `space` has them as its model, with the same inputs.
 
     `errors` are those of each result (infinite where some case is refused), `missed` the share of its variance that the
     polynomials leave out.
@@ -50,7 +50,8 @@ class StandIn:
 
     def __init__(self, space: Space, seed: int, accuracy: float) -> None:
         self._scales = {
-            name: (made.mean, made.std) for name, made in zip(space.names, space.distributions, strict=True)
+            name: (distribution.mean, distribution.std)
+            for name, distribution in zip(space.names, space.distributions, strict=True)
         }
         self._results = space.results
         n = space.size
@@ -77,8 +78,8 @@ class StandIn:
         whole = np.array(np.isfinite(values).all(axis=1) & np.isfinite(there).all(axis=1))
         self._whole = whole[:, None]
         known, wanted = np.where(self._whole, values, 0.0), np.where(self._whole, there, 0.0)
-        made, _, _, _ = np.linalg.lstsq(self._terms(points).T, known.T, rcond=None)
-        self._coefficients = made.T
+        coefficients, _, _, _ = np.linalg.lstsq(self._terms(points).T, known.T, rcond=None)
+        self._coefficients = coefficients.T
         off = self._coefficients @ self._terms(tried) - wanted
         near = self._coefficients @ self._terms(points) - known
         variance = wanted.var(axis=1)
@@ -87,16 +88,16 @@ class StandIn:
 
     def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], None]":
         """Results by address."""
-        found = self._coefficients @ self._terms(self._standard(inputs))
-        return dict(zip(self._results, np.where(self._whole, found, np.nan), strict=True)), None
+        values = self._coefficients @ self._terms(self._standard(inputs))
+        return dict(zip(self._results, np.where(self._whole, values, np.nan), strict=True)), None
 
     def _terms(self, u: "Array") -> "Array":
         """Every product of Hermite polynomials (terms, points)."""
         tables = polynomials(u, self.degree)
-        made = np.ones((len(self._exponents), u.shape[1]))
+        terms = np.ones((len(self._exponents), u.shape[1]))
         for axis in range(len(u)):
-            made *= tables[self._exponents[:, axis], axis]
-        return made
+            terms *= tables[self._exponents[:, axis], axis]
+        return terms
 
 
 def _products(n: int, degree: int) -> "Array":
@@ -106,12 +107,12 @@ def _products(n: int, degree: int) -> "Array":
 
 
 def _grown(space: Space, points: "Array", values: "Array", count: int, seed: int) -> "tuple[Array, Array]":
-    """A lattice and the model's values at it; every so many of a larger lattice's points are those of a smaller one."""
+    """A lattice and the model's values on it; a larger lattice contains the points of a smaller one."""
     made = quantile(lattice(space.size, count, 1, seed))
-    found = np.empty((len(values), count))
+    values_at = np.empty((len(values), count))
     known = np.zeros(count, dtype=bool)
     if points.shape[1]:
         known[:: count // points.shape[1]] = True
-        found[:, known] = values
-    found[:, ~known] = space.evaluate(made[:, ~known])
-    return made, found
+        values_at[:, known] = values
+    values_at[:, ~known] = space.evaluate(made[:, ~known])
+    return made, values_at

@@ -1,1 +1,1 @@
-"""What is wrong with a surface: open edges, crossings, repeated and overlapping parts."""
+"""Faults of a surface: open edges, crossings, repeated and overlapping parts."""

@@ -1,7 +1,7 @@
 """Pairs that may meet: boxes with boxes, and points with the rectangles around them, by a sweep within strips.
 
 The space is cut into strips along one axis, about as wide as two boxes, and each strip is swept along another: the
-work grows with the number of pairs that are near each other, not with the square of all.
+work grows with the number of neighbouring pairs, not with the square of all.
 """
 
 import numpy as np
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 # Pairs that are formed at once.
 AT_ONCE = 200_000
-# Strips are no more than boxes, and no narrower than this many of them are wide.
+# There are no more strips than boxes, and none is narrower than this many box widths.
 WIDTH = 2.0
 # Places along the sweep take half of the way from one strip's number to the next.
 HALF, SLACK = 0.5, 1e-9
@@ -30,7 +30,7 @@ class Pairs:
 
     @property
     def count(self) -> int:
-        """How many pairs are looked at."""
+        """Number of pairs examined."""
         return int(self.sizes.sum())
 
     def blocks(self) -> "Iterator[tuple[Array, Array]]":
@@ -92,7 +92,7 @@ class MeetingBoxes:
     def __init__(self, low: "Array", high: "Array") -> None:
         along, across, rest = _slender(low, high)
         strips = _Strips(low, high, along, across)
-        # what neither strip nor sweep has told yet comes first
+        # the coordinate that neither strip nor sweep has tested comes first
         self.ranges = [_column(low, high, axis) for axis in (rest, across, along)]
         owner, strip = strips.entries(low, high)
         key = strip + strips.place(low)[owner]
@@ -106,7 +106,7 @@ class MeetingBoxes:
     def __iter__(self) -> "Iterator[tuple[Array, Array]]":
         for entry, place in self.pairs.blocks():
             one, other = self.owner[entry], self.owner[place]
-            # a pair of several strips is taken in the first that both reach
+            # a pair in several strips is counted in the first that both reach
             once = self.strip[entry] == np.maximum(self.first[one], self.first[other])
             one, other = one[once], other[once]
             for low, high in self.ranges:

@@ -1,8 +1,8 @@
-"""Proof that triangles close, in constant memory: every directed edge must be met by one the other way.
+"""Proof that triangles form a closed surface, in constant memory: every directed edge must have an opposite one.
 
 Each vertex v gets two 64-bit numbers h(v), m(v) of the bits of its coordinates. The sum of h_u m_v − h_v m_u over the
 directed edges u → v vanishes, modulo 2⁶⁴, when the boundary of the triangles is empty, and with a probability of about
-2⁻⁶⁴ otherwise. An empty boundary is what the divergence theorem needs, no less and no more.
+2⁻⁶⁴ otherwise. An empty boundary is exactly what the divergence theorem needs.
 """
 
 import numpy as np
@@ -34,7 +34,7 @@ class Boundary:
 
     @property
     def empty(self) -> bool:
-        """Whether every directed edge was met by one the other way."""
+        """Whether every directed edge has an opposite one."""
         return self.total == 0
 
 

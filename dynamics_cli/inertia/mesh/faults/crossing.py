@@ -1,9 +1,9 @@
-"""Where a surface passes through itself, and where it lies within what it bounds: what closure alone does not see.
+"""Self-intersections of a surface, and parts of it inside its own volume: faults that closure does not show.
 
 A closed surface bounds each point of a solid once: just outside a triangle the winding number is 0 and just inside it
 is 1. It is counted along a ray parallel to an axis, by the triangles that the ray leaves and enters; a ray that meets
-an edge or runs along a face is moved aside by less than any number (by ε and ε², in signs alone). A point that other
-triangles touch is not judged.
+an edge or runs along a face is shifted infinitesimally (by ε and ε², in signs only). A point touched by other
+triangles is not judged.
 """
 
 import numpy as np
@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
     Array = np.ndarray[Any, np.dtype[Any]]
 
-# Determinants below this share of their terms have no sign that rounding could not have made.
+# The sign of a determinant below this share of its terms may be rounding.
 _ROUNDING = 1e-13
-# The same beside the product of three lengths, which the terms of a determinant do not exceed; with room.
+# The same relative to the product of three lengths, an upper bound of a determinant's terms; with a margin.
 _APART = 16.0 * _ROUNDING
 
 
@@ -32,12 +32,12 @@ class Crossings:
 
     @property
     def cost(self) -> int:
-        """How many pairs of triangles are looked at."""
+        """Number of pairs of triangles examined."""
         return self.boxes.pairs.count if self.boxes else 0
 
     def triangles(self) -> "Array":
         """Their numbers."""
-        found = [np.empty(0, dtype=int)]
+        numbers = [np.empty(0, dtype=int)]
         planes = _Planes(self.corners)
         columns = [np.ascontiguousarray(self.faces[:, k]) for k in range(3)]
         for one, other in self.boxes or ():
@@ -52,12 +52,12 @@ class Crossings:
             for through, along in ((one, other), (other, one)):
                 for k in range(3):
                     p, q = self.corners[along, k], self.corners[along, k - 1]
-                    found.append(through[_pierced(p, q, self.corners[through])])
-        return np.unique(np.concatenate(found))
+                    numbers.append(through[_pierced(p, q, self.corners[through])])
+        return np.unique(np.concatenate(numbers))
 
 
 class _Planes:
-    """The planes of triangles, and how far from them rounding may decide."""
+    """The planes of triangles, and the distance within which rounding may decide."""
 
     def __init__(self, corners: "Array") -> None:
         self.corners = corners
@@ -67,7 +67,7 @@ class _Planes:
         self.lengths = _APART * np.sqrt((u * u).sum(axis=1) * (v * v).sum(axis=1))
 
     def clear_sides(self, number: "Array", points: "Array") -> "Array":
-        """Which side of the planes points are clearly on; 0 where it takes a closer look."""
+        """The side of the planes that points are clearly on; 0 if undecided."""
         away = points - self.start[number]
         height = np.einsum("ij,ij->i", self.normals[number], away)
         clear = self.lengths[number] * np.sqrt(np.einsum("ij,ij->i", away, away))
@@ -118,7 +118,7 @@ def _side(a: "Array", b: "Array", c: "Array", d: "Array") -> "Array":
 
 
 class Windings:
-    """How often a closed surface goes round points, each seen along an axis; triangles of its label are left out."""
+    """Winding numbers of a surface about points, seen along an axis; triangles of a point's label are left out."""
 
     def __init__(self, corners: "Array", at: "Array", axis: "Array", without: "Array", label: "Array") -> None:
         self.corners, self.at, self.without, self.label = corners, at, without, label
@@ -132,7 +132,7 @@ class Windings:
 
     @property
     def cost(self) -> int:
-        """How many pairs of points and triangles are looked at."""
+        """Number of pairs of points and triangles examined."""
         return sum(boxes.pairs.count for _, _, boxes in self.rays)
 
     def numbers(self) -> "Array":
@@ -147,7 +147,7 @@ class Windings:
                 touched[point[flush]] = True
                 turn = -side
                 for k in range(3):
-                    # a triangle that is seen from its inside is left by the ray; it stands before a point there
+                    # the ray leaves a triangle that is seen from inside
                     own = _turn(self.corners[triangle, k - 1], self.corners[triangle, k], self.at[point], plane)
                     kept = (own == turn) & (own != 0.0)
                     point, triangle, turn = point[kept], triangle[kept], own[kept]
@@ -177,7 +177,7 @@ class Placement:
         corners = points[faces]
         count = np.arange(len(faces))
         normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        # along the axis that a triangle faces most, its middle is seen well within it
+        # along the axis that a triangle faces most, its middle is well inside it
         axis = np.argmax(np.abs(normal), axis=1)
         self.inwards = normal[count, axis] < 0.0
         middle = corners - corners.mean(axis=(0, 1))
@@ -189,7 +189,7 @@ class Placement:
 
     @property
     def cost(self) -> int:
-        """How many pairs of points and triangles are looked at."""
+        """Number of pairs of points and triangles examined."""
         return self.middles.cost + (self.corners.cost if self.corners else 0)
 
     def triangles(self) -> "tuple[Array, Array]":

@@ -1,4 +1,4 @@
-"""What is wrong with a surface: faulty edges, flipped, duplicated and degenerate triangles, with counts and places."""
+"""Diagnosis of a surface: faulty edges, flipped, duplicated and degenerate triangles, with counts and places."""
 
 import numpy as np
 
@@ -19,9 +19,9 @@ NAMED = 3
 
 
 def diagnose(source: "Source", *, closed: bool, most: "int | None" = None) -> "Faults | None":
-    """Count and place what keeps a surface from bounding a solid.
+    """Count and locate the faults that keep a surface from bounding a solid.
 
-    None where more pairs of triangles are near each other than `most`: memory and time grow with their number.
+    None if more than `most` pairs of triangles are near each other: memory and time grow with their number.
     """
     corners, flat = _corners(source)
     faces, points = _joined(corners)
@@ -117,7 +117,7 @@ class _Edges:
 def _turned(edges: _Edges, count: int) -> "tuple[list[int], Array]":
     """Triangles turned against most of their piece, and the piece of each, joined by edges of two triangles.
 
-    Each piece is gone through from one triangle outward, front by front, carrying which way each is turned.
+    Each piece is traversed from one triangle outward, front by front, with the orientation of each.
     """
     paired = edges.start[edges.count == 2]
     left, right = edges.face[paired], edges.face[paired + 1]
@@ -139,11 +139,11 @@ def _turned(edges: _Edges, count: int) -> "tuple[list[int], Array]":
             links = np.repeat(begin[front] - np.concatenate(([0], np.cumsum(sizes)[:-1])), sizes) + np.arange(
                 sizes.sum()
             )
-            found, turned = others[links], np.repeat(way[front], sizes) ^ clash[links]
-            fresh = piece[found] < 0
-            found, first = np.unique(found[fresh], return_index=True)
-            piece[found], way[found] = pieces, turned[fresh][first]
-            front = found
+            neighbours, turned = others[links], np.repeat(way[front], sizes) ^ clash[links]
+            fresh = piece[neighbours] < 0
+            neighbours, first = np.unique(neighbours[fresh], return_index=True)
+            piece[neighbours], way[neighbours] = pieces, turned[fresh][first]
+            front = neighbours
         pieces += 1
         rest = np.flatnonzero(piece[seed:] < 0)
         seed = seed + int(rest[0]) if rest.size else count
@@ -168,7 +168,7 @@ def _joined_pieces(edges: _Edges, piece: "Array") -> "Array":
             other = number[other]
         number[max(one, other)] = min(one, other)
     for at, to in enumerate(number):
-        # what a piece was joined to has a lower number, and is known already
+        # a piece is joined to one of a lower number, which is already known
         number[at] = number[to]
     joined: Array = np.array(number)[piece]
     return joined

@@ -1,0 +1,108 @@
+"""The slide to scale: outlines at every eighth of a turn, the path of the mass centre, and the marks of the wheels."""
+
+from dynamics_cli.impact.conventions import AXES, Axes
+from dynamics_cli.impact.scene_labels import Words
+from dynamics_cli.impact.scene_pictures import about, finished, outline
+from dynamics_cli.impact.slide.marks import at_wheel, marking
+from dynamics_cli.impact.slide.motion import Run, run
+from dynamics_cli.impact.slide.records import AtRest
+from dynamics_cli.impact.slide.task import car_of, start_of
+from dynamics_cli.pictures import Arrow, Curve, Mark, Picture
+from dynamics_cli.quantities import STANDARD_GRAVITY
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+EIGHTH = 0.7853981633974483
+# Overhangs beyond the axles and outside of the tracks, of a common car.
+OVERHANG, OUTSIDE = 0.8, 0.25
+SPEED_PER_METRE = 4.0
+# Inches of the picture.
+WIDE, HIGH = 7.2, 4.6
+
+
+def slide(made: "Any", **given: "Any") -> Picture:
+    """The car from the separation to rest, seen from above."""
+    axes: Axes = given.get("axes", AXES)
+    flip = -1.0 if axes == "sae" else 1.0
+    shares = [given[name] if given.get(name) is not None else given["braking"] for name in
+              ("left_front", "right_front", "left_rear", "right_rear")]  # fmt: skip
+    car = car_of(
+        given["front_axle"], given["rear_axle"], given["track"], given["radius_of_gyration"], given["friction"],
+        shares, given.get("grip_slope", 0.1), given.get("steer", 0.0), given.get("gravity", STANDARD_GRAVITY),
+        given.get("grounds", ()), axes,
+    )  # fmt: skip
+    motion = given["motion"]
+    if isinstance(motion, AtRest):
+        motion = made.roots[0]
+    start = start_of(motion, given.get("nose", 0.0), given.get("place", (0.0, 0.0)), axes)
+    done = run(car, start)
+    size = {"length": car.wheels[0].ahead - car.wheels[2].ahead + 2.0 * OVERHANG,
+            "width": given["track"] + 2.0 * OUTSIDE}  # fmt: skip
+    items: list[Any] = []
+    words: list[Words] = []
+    for index, wheel in enumerate(car.wheels):
+        items += _marks(wheel, done, 1 if index < 2 else 2, flip)
+    shown = _eighths(done)
+    for index, (x, y, nose) in enumerate(shown):
+        drawn = outline((x, flip * y), _way(nose, flip), 0, **size)
+        if 0 < index < len(shown) - 1:
+            # between the ends the body and the nose are enough
+            drawn = [Curve(one.x, one.y, "", "outline", 0) for one in (drawn[0], drawn[2])]
+        items += drawn
+    dense = [done.at(done.end.time * i / 200) for i in range(201)]
+    items.append(Curve([one[0] for one in dense], [flip * one[1] for one in dense], "", "dashed", 6))
+    speed = (start.vx * start.vx + start.vy * start.vy) ** 0.5
+    scale = 1.0 / SPEED_PER_METRE
+    if speed > 0.0:
+        items.append(Arrow(start.x, flip * start.y, scale * start.vx, flip * scale * start.vy, "", 3))
+        tip = start.x + scale * start.vx, flip * (start.y + scale * start.vy)
+        words.append(Words(tip, (start.vx / speed, flip * start.vy / speed), f"{about(speed)} at the separation", 3))
+    end = done.end
+    ahead = end.x - start.x, flip * (end.y - start.y)
+    length = max((ahead[0] ** 2 + ahead[1] ** 2) ** 0.5, 1e-9)
+    way = ahead[0] / length, ahead[1] / length
+    front = end.x + 0.5 * size["length"] * way[0], flip * end.y + 0.5 * size["length"] * way[1]
+    words.append(Words(front, way, "at rest", 0))
+    items += [Mark(start.x, flip * start.y, "", role=6)]
+    north = (0.0, 1.0) if axes == "compass" else None
+    note = "outlines at every eighth of a turn, of common overhangs"
+    panel = finished(items, words, (WIDE, HIGH), (scale, speed), north, note)
+    return Picture((panel,), "from the separation to rest, to scale", width=WIDE, scene=True)
+
+
+def _way(nose: float, flip: float) -> "tuple[float, float]":
+    from dynamics_cli.numerics.elementary import cos, sin
+
+    return cos(nose), flip * sin(nose)
+
+
+def _eighths(done: Run) -> "list[tuple[float, float, float]]":
+    """The car at both ends and wherever its nose has turned through another eighth of a turn."""
+    moments = done.moments
+    listed = [(moments[0].x, moments[0].y, moments[0].nose)]
+    for one in moments[1:-1]:
+        if abs(one.nose - listed[-1][2]) >= EIGHTH:
+            listed.append((one.x, one.y, one.nose))
+    if abs(moments[-1].nose - listed[-1][2]) < 0.5 * EIGHTH and len(listed) > 2:
+        listed.pop()
+    listed.append((moments[-1].x, moments[-1].y, moments[-1].nose))
+    return listed
+
+
+def _marks(wheel: "Any", done: Run, role: int, flip: float) -> "list[Any]":
+    """The mark of a wheel, broken where it does not slip."""
+    pieces: list[tuple[list[float], list[float]]] = [([], [])]
+    for moment in done.moments:
+        if marking(wheel, moment) or (moment is done.end and pieces[-1][0]):
+            x, y = at_wheel(wheel, moment)
+            pieces[-1][0].append(x)
+            pieces[-1][1].append(flip * y)
+        elif pieces[-1][0]:
+            pieces.append(([], []))
+    drawn: list[Any] = [Curve(x, y, "", "solid", role) for x, y in pieces if len(x) > 1]
+    if drawn and wheel.left < 0.0:
+        x, y = drawn[0].x[0], drawn[0].y[0]
+        drawn.append(Mark(x, y, "front wheel" if wheel.ahead > 0.0 else "rear wheel", (4.0, -9.0), False, role))
+    return drawn

@@ -1,0 +1,105 @@
+"""A data sheet: one result on one page, as its task lays it out, with what vouches for it at the foot."""
+
+import os
+from math import floor, isfinite, log10
+
+from dynamics_cli.core.output.plot.axes import Scale, words
+from dynamics_cli.core.output.plot.pages import draw
+from dynamics_cli.pictures import Listing, Picture
+from dynamics_cli.report.blocks import Beside, Break, Heading, Image, Paragraph, Table, Title
+from dynamics_cli.report.front import description
+from dynamics_cli.report.recalculation import system_of
+from dynamics_cli.report.sections import basis, warnings_of
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dynamics_cli.report.blocks import Block
+    from dynamics_cli.report.calculation import Calculation
+
+# A table of more columns than this is set small.
+MOST_COLUMNS = 5
+# Digits of the largest number of a column, and decimals at most.
+DIGITS, MOST_PLACES = 5, 5
+
+
+def sheets(made: "Sequence[Calculation]", title: str, facts: "Sequence[str]") -> "list[Block]":
+    """A page for each calculation; the first carries the title block."""
+    blocks: list[Block] = []
+    for one in made:
+        sheet = one.again.sheet
+        assert sheet is not None
+        system = system_of(one.source.document)
+        name = words(sheet.title, system)
+        if one.section == 1:
+            blocks.append(Title(title or name, facts))
+            blocks += [Heading(2, name)] if title else []
+        else:
+            blocks += [Break(), Heading(2, name)]
+        blocks.append(Paragraph(words(sheet.subtitle, system), small=True))
+        blocks.append(Beside(_parts(sheet.left, system), _parts(sheet.right, system)))
+        blocks += [*_parts(sheet.foot, system), *_foot(one)]
+    return blocks
+
+
+def file_title(made: "Sequence[Calculation]") -> str:
+    """What a file of data sheets is called unless a title is given."""
+    sheet = made[0].again.sheet
+    assert sheet is not None
+    return words(sheet.title, system_of(made[0].source.document))
+
+
+def _parts(parts: "Sequence[Picture | Listing]", system: str) -> "list[Block]":
+    blocks: list[Block] = []
+    for part in parts:
+        if isinstance(part, Listing):
+            blocks.append(_table(part, system))
+        else:
+            bare = Picture(part.panels, "", part.columns, width=part.width)
+            text = words(part.title, system)
+            svg = draw(bare, "svg", system)
+            said = f"{text}. {description(bare)}"
+            blocks.append(Image(svg, text[:1].upper() + text[1:], said, min(1.0, _inches(svg) / part.width)))
+    return blocks
+
+
+def _inches(svg: bytes) -> float:
+    """How wide a picture is; one without axes is cut to what it shows."""
+    return float(svg.partition(b' width="')[2].partition(b"pt")[0]) / 72.0
+
+
+def _table(part: Listing, system: str) -> Table:
+    """A listing as a table; numbers of one column have the same decimals."""
+    head: list[str] = []
+    columns: list[list[str]] = []
+    for top, cells in zip(part.head, zip(*part.rows, strict=True), strict=True):
+        if isinstance(top, str):
+            head.append(top)
+            columns.append([words(cell, system) for cell in cells])
+        else:
+            scale = Scale(top, system)
+            head.append(scale.label)
+            columns.append(_decimals(scale([float(cell) for cell in cells])))
+    rows = list(zip(*columns, strict=True))
+    right = range(2 if isinstance(part.head[0], str) else 0, len(head))
+    return Table(head, rows, part.title, tuple(right), small=len(head) > MOST_COLUMNS, tight=True)
+
+
+def _decimals(values: "Sequence[float]") -> "list[str]":
+    """Numbers with as many decimals as give the largest so many digits."""
+    largest = max((abs(value) for value in values if isfinite(value)), default=0.0)
+    places = min(MOST_PLACES, max(0, DIGITS - 1 - floor(log10(largest)))) if largest else 0
+    while places and all(round(value, places) == round(value, places - 1) for value in values if isfinite(value)):
+        places -= 1
+    return [f"{round(value, places) + 0.0:.{places}f}" if isfinite(value) else "–" for value in values]
+
+
+def _foot(one: "Calculation") -> "list[Block]":
+    """Warnings, model and source, and whether the numbers were calculated here."""
+    assert one.document is not None
+    name = "standard input" if one.source.file == "-" else os.path.basename(one.source.file)
+    again = "Calculated again: the same" if one.again.same else f"Not the same: {one.again.words}"
+    proof = f"{name}, SHA-256 {one.source.digest[:16]}…: dynamics report --full gives every number, bound and formula."
+    said = [Paragraph(text, small=True) for items in warnings_of(one.document) for text in items.texts]
+    return [*said, Paragraph(f"{basis(one)} {again}. {proof}", small=True)]

@@ -1,0 +1,113 @@
+"""Tasks of `dynamics vibration` about shafts and rotors."""
+
+from dynamics_cli.core.answering.task import Model, Task
+
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+PICTURES = "dynamics_cli.vibration.shafts.pictures"
+
+SHAFT = Task(
+    "shaft",
+    "Torsional vibration of a shaft line with gears and branches; critical speeds by order.",
+    Model(
+        "torsional line",
+        "dynamics_cli.vibration.shafts.shaft:shaft",
+        source=BOOK + "section 13.7; Holzer's method",
+        formula="(K − ω²·J)·φ = 0, reduced to the reference's speed; n = 60·f/h",
+        assumptions=("massless shafts between rigid rotors", "gears without backlash, their teeth rigid"),
+        method="one-sided Jacobi on the factor; exact counts",
+    ),
+    headline=(
+        "rotors: angles list", "rigid_modes: rigid modes", "modes_below: modes below",
+        "modes: modes | number=mode, frequency, nodes, damping_ratio=ζ, twisted=most twisted, angles",
+        "criticals: critical speeds | speed, order, mode, frequency, place=running",
+    ),
+    examples=(
+        'dynamics vibration shaft --rotor "name=motor, inertia=0.5 kg*m^2" --rotor "name=pinion, inertia=0.01 kg*m^2" '
+        '--rotor "name=wheel, inertia=0.3 kg*m^2" --rotor "name=drum, inertia=4 kg*m^2" '
+        '--shaft "from=motor, to=pinion, stiffness=2000 N*m/rad" --shaft "from=wheel, to=drum, stiffness=9000 N*m/rad" '
+        '--gear "driver=pinion, driven=wheel, driver_teeth=20, driven_teeth=60" --orders 1,2 --lowest-speed "300 rpm" '
+        '--highest-speed "1500 rpm"',
+    ),
+    scene={
+        "rotors[0].name": "motor", "rotors[0].inertia": "0.5 kg*m^2", "rotors[1].name": "drum",
+        "rotors[1].inertia": "4 kg*m^2", "shafts[0].from": "motor", "shafts[0].to": "drum",
+        "shafts[0].stiffness": "2000 N*m/rad",
+    },
+    table="modes",
+    plot=f"{PICTURES}:shaft",
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
+ROTORS = "dynamics_cli.vibration.shafts.rotor_pictures"
+
+ABSORBER = Task(
+    "absorber",
+    "Tuned mass absorber: Den Hartog's tuning or the least peak, and the peaks that result.",
+    Model(
+        "damped absorber on an undamped machine",
+        "dynamics_cli.vibration.shafts.absorber:absorber",
+        source="Den Hartog, Mechanical Vibrations; least peak after Nishihara & Asami (2002)",
+        formula="{frequency_ratio|f} = 1/(1 + {mass_ratio|μ}), {damping_ratio|ζ}² = 3·{mass_ratio|μ}/(8·(1 + "
+        "{mass_ratio|μ}))",
+        assumptions=("the machine has no damping of its own", "a sine force acts on the machine"),
+    ),
+    headline=(
+        "frequency_ratio: frequency ratio f", "damping_ratio: damping ratio ζ (absorber alone)",
+        "lower_peak: first peak", "lower_ratio: at", "upper_peak: second peak", "upper_ratio: at",
+        "frequency: tune the absorber to", "stiffness: spring", "damping: damper",
+    ),
+    examples=(
+        'dynamics vibration absorber --mass "200 kg" --absorber-mass "10 kg" --natural-frequency "12 Hz"',
+        "dynamics vibration absorber --mass-ratio 0.05 --tuning minimax",
+    ),
+    plot=f"{ROTORS}:absorber",
+)  # fmt: skip
+
+BEAM = Task(
+    "beam",
+    "Bending frequencies, shapes and nodes of a uniform beam by its ends.",
+    Model(
+        "Euler–Bernoulli beam",
+        "dynamics_cli.vibration.shafts.beam:beam",
+        source="Thomson, Theory of Vibration with Applications, appendix D",
+        formula="{first_frequency|f} = (βL)²/(2π·{length|L}²)·√({elastic_modulus|E}·I/m)",
+        assumptions=("slender and uniform; shear and rotary inertia are neglected", "small deflections"),
+    ),
+    headline=(
+        "first_frequency: lowest frequency", "modes: modes | number=mode, frequency, root=βL, nodes=nodes at x/L",
+    ),
+    examples=(
+        'dynamics vibration beam --ends clamped-free --length "800 mm" --width "40 mm" --height "10 mm"',
+        'dynamics vibration beam --ends pinned-pinned --length "6 ft" --diameter "2 in" --bore "1.5 in" --units us',
+    ),
+    table="modes",
+    plot=f"{ROTORS}:beam",
+)  # fmt: skip
+
+WHIRL = Task(
+    "whirl",
+    "A disk on a flexible shaft: critical speed, whirl, bearing force; a disk that tilts.",
+    Model(
+        "Jeffcott rotor",
+        "dynamics_cli.vibration.shafts.whirl:whirl",
+        source="Jeffcott, Phil. Mag. 37 (1919) 304; " + BOOK + "section 13.6",
+        formula="{critical_speed|Ω_c} = √({stiffness|k}/{mass|m}), {amplitude|w} = {eccentricity|e}·r²/√((1 − r²)² + "
+        "(2·{damping_ratio|ζ}·r)²)",
+        assumptions=("a massless shaft in rigid, short bearings", "external damping; none inside the shaft"),
+    ),
+    headline=(
+        "critical_speed", "amplitude: whirl of the shaft", "phase: lag", "ratio: speed over critical",
+        "bearing_force: force on both bearings", "peak_amplitude: whirl at the critical speed", "static_deflection",
+        "forward_speed: forward, disk tilting", "backward_speed: backward, disk tilting",
+    ),
+    examples=(
+        'dynamics vibration whirl --mass "30 kg" --diameter "40 mm" --length "900 mm" --position "300 mm" '
+        '--eccentricity "20 um" --speed "3600 rpm" --damping-ratio 0.02 --polar-inertia "0.5 kg*m^2" '
+        '--diametral-inertia "0.25 kg*m^2"',
+        'dynamics vibration whirl --mass "30 kg" --stiffness "4000 N/mm" --eccentricity "20 um" --speed "1500 rpm"',
+    ),
+    plot=f"{ROTORS}:whirl",
+)  # fmt: skip
+
+TASKS = (SHAFT, ABSORBER, BEAM, WHIRL)

@@ -1,0 +1,1 @@
+"""Nonlinear oscillators: Krylov and Bogoliuboff beside the integrated truth."""

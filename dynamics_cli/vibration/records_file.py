@@ -1,0 +1,83 @@
+"""Files of measured signals: CSV with a time and a value, and matrices of numbers."""
+
+import math
+from itertools import pairwise
+
+from dynamics_cli.errors import require
+from dynamics_cli.quantities import Time
+
+# What a bracket behind the name of the time may say.
+TIMES = {"": 1.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0}
+MOST = 200_000
+
+
+def _cells(file: str) -> "list[list[str]]":
+    import csv
+
+    with open(file, encoding="utf-8-sig", newline="") as stream:
+        rows = [row for row in csv.reader(stream) if row and not row[0].lstrip().startswith("#")]
+    require(bool(rows), "the file is empty", code="record")
+    return rows
+
+
+def _number(text: str, line: int) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    require(math.isfinite(value), "line {line}: {text} is not a number", code="number", line=line, text=repr(text[:30]))
+    return value
+
+
+def read_record(file: str, units: "dict[str, float] | None" = None) -> "tuple[list[float], list[float]]":
+    """Times and values of the first two columns; `units` are those that the value's bracket may name, as SI factors.
+
+    Times must increase; a header like `t[s],a[g]` is wanted.
+    """
+    rows = _cells(file)
+    require(
+        len(rows[0]) >= 2,
+        "the file has one column; a time and a value are wanted",
+        code="header",
+        hint="name the columns t[s] and, for example, a[g]",
+    )
+    names = [cell.strip().partition("[") for cell in rows[0][:2]]
+    time, unit = (part[2].strip().rstrip("]").strip() for part in names)
+    known = units if units is not None else {unit: 1.0}
+    require(
+        names[0][0].strip().lower() in ("t", "time") and time in TIMES and unit in known,
+        "the header {header} has no columns of a time and a value that is wanted",
+        header=repr(",".join(rows[0])[:60]),
+        code="header",
+        hint="name them t[s],{value}",
+        value=f"a[{next(iter(known))}]" if units else "x[mm]",
+    )
+    require(
+        3 <= len(rows) - 1 <= MOST, "the record has {count} samples; 3 to 200,000 are read", code="length",
+        count=str(len(rows) - 1),
+    )  # fmt: skip
+    table = [[_number(cell.strip(), line) for cell in row[:2]] for line, row in enumerate(rows[1:], 2)]
+    require(all(len(row) == 2 for row in table), "a row of the record has no value", code="number")
+    times = [row[0] * TIMES[time] for row in table]
+    for line, (before, after) in enumerate(pairwise(times), 3):
+        require(
+            after > before,
+            "line {line}: the time of {after:6} is not later than the one before",
+            line=line,
+            after=(after, Time),
+            code="times",
+        )
+    return times, [row[1] * known[unit] for row in table]
+
+
+def read_matrix(file: str) -> "list[list[float]]":
+    """A square matrix of numbers without a header."""
+    rows = [[_number(cell.strip(), line) for cell in row] for line, row in enumerate(_cells(file), 1)]
+    require(
+        all(len(row) == len(rows) for row in rows),
+        "the matrix in the file is not square: {count} rows of {width}",
+        count=str(len(rows)),
+        width=", ".join(sorted({str(len(row)) for row in rows})),
+        code="shape",
+    )
+    return rows

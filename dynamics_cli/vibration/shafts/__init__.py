@@ -1,0 +1,1 @@
+"""Torsional shaft lines with gears and branches, and whirling rotors."""

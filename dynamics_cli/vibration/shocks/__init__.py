@@ -1,0 +1,1 @@
+"""Pulses, steps and records that strike one mass, and shock spectra."""

@@ -1,0 +1,158 @@
+"""Largest and smallest value of a response over a pulse or a record: found between the samples, not at them."""
+
+import math
+
+import numpy as np
+
+from dynamics_cli.vibration.shocks.pulses import Oscillators, Piece, slopes
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# Looks at each cycle of the oscillator or of the load.
+LOOKS = 16
+NEWTON = 6
+# Samples of a record that are handled at once.
+BLOCK = 2048
+# Steps of a record that differ by less, relatively, differ by the rounding of its times.
+EVEN = 1e-9
+
+
+class Extremes:
+    """Maxima and minima with their times, oscillator by oscillator, of y = α·z + β·ż."""
+
+    def __init__(self, count: int) -> None:
+        self.high, self.low = np.zeros(count), np.zeros(count)
+        self.high_time, self.low_time = np.zeros(count), np.zeros(count)
+
+    def take(self, rows: "Any", values: "Any", times: "Any") -> None:
+        """Values at times, of the oscillators `rows`."""
+        for row, value, time in zip(np.ravel(rows), np.ravel(values), np.ravel(times), strict=True):
+            if value > self.high[row]:
+                self.high[row], self.high_time[row] = value, time
+            elif value < self.low[row]:
+                self.low[row], self.low_time[row] = value, time
+
+
+def over_piece(
+    of: Oscillators, start: "tuple[Any, Any]", piece: Piece, length: float, mix: "Any", into: Extremes
+) -> None:
+    """Extremes over a piece: sign changes of the derivative at close looks, each refined by Newton's method."""
+    fastest = max(float(np.max(of.omega)), piece.p)
+    looks = max(int(LOOKS * fastest * length / (2.0 * math.pi)) + 1, LOOKS)
+    times = np.linspace(0.0, length, looks + 1)
+    column = Oscillators(of.omega[:, None], of.zeta)
+    z0, v0 = start[0][:, None], start[1][:, None]
+    alpha, beta = np.broadcast_to(mix[0], of.omega.shape), np.broadcast_to(mix[1], of.omega.shape)
+    y, dy, _ = slopes(column, column.after(z0, v0, piece, times), piece, times, (alpha[:, None], beta[:, None]))
+    rows = np.arange(len(of.omega))
+    into.take(rows, y[:, 0], np.full(len(rows), piece.start))
+    into.take(rows, y[:, -1], np.full(len(rows), piece.start + length))
+    row, cell = np.nonzero(dy[:, :-1] * dy[:, 1:] < 0.0)
+    if not len(row):
+        return
+    some = of.some(row)
+    low, high = times[cell], times[cell + 1]
+    mixed = (alpha[row], beta[row])
+    t = low + (high - low) * dy[row, cell] / (dy[row, cell] - dy[row, cell + 1])
+    for _ in range(NEWTON):
+        value, first, second = slopes(some, some.after(start[0][row], start[1][row], piece, t), piece, t, mixed)
+        with np.errstate(all="ignore"):
+            step = np.where(second != 0.0, first / second, 0.0)
+        t = np.clip(t - step, low, high)
+    value, _, _ = slopes(some, some.after(start[0][row], start[1][row], piece, t), piece, t, mixed)
+    into.take(row, value, piece.start + t)
+
+
+def over_rest(of: Oscillators, start: "tuple[Any, Any]", at: float, mix: "Any", into: Extremes) -> None:
+    """Extremes of the free vibration that follows: the first of each sign are the largest."""
+    y, dy, _ = slopes(of, start, Piece(at, math.inf), 0.0, mix)
+    damped = of.damped.real
+    first = np.arctan2(damped * dy, of.sigma * dy + of.omega * of.omega * y)
+    first = np.where(first <= 0.0, first + math.pi, first)
+    rows = np.arange(len(of.omega))
+    into.take(rows, y, np.full(len(rows), at))
+    for half in (0.0, 1.0):
+        t = (first + half * math.pi) / damped
+        s, c = of.kernel(t)
+        into.take(rows, y * c + (dy + of.sigma * y) * s, at + t)
+
+
+def over_record(of: Oscillators, times: "Any", loads: "Any", mix: "Any", into: Extremes) -> "tuple[Any, Any]":
+    """Extremes over a record of straight lines between samples, and the state at its end."""
+    state = np.zeros((2, len(of.omega)))
+    alpha, beta = np.broadcast_to(mix[0], of.omega.shape), np.broadcast_to(mix[1], of.omega.shape)
+    last_step = -1.0
+    factors: tuple[Any, ...] = ()
+    for begin in range(0, len(times) - 1, BLOCK):
+        end = min(begin + BLOCK, len(times) - 1)
+        states = np.empty((2, end - begin + 1, len(of.omega)))
+        states[:, 0] = state
+        for i in range(begin, end):
+            step = float(times[i + 1] - times[i])
+            if abs(step - last_step) > EVEN * step:
+                last_step, factors = step, _factors(of, step)
+            slope = (loads[i + 1] - loads[i]) / step
+            of_z, of_v, of_load, of_slope = factors
+            state = of_z * state[0] + of_v * state[1] + (of_load * loads[i] + of_slope * slope)
+            states[:, i - begin + 1] = state
+        _within(of, times[begin : end + 1], loads[begin : end + 1], states, (alpha, beta), into)
+    return state[0], state[1]
+
+
+def _factors(of: Oscillators, step: float) -> "tuple[Any, ...]":
+    """What state and load at the start of a step give at its end."""
+    zero, one = np.zeros_like(of.omega), np.ones_like(of.omega)
+    nothing = Piece(0.0, step)
+    cases = (
+        (one, zero, nothing), (zero, one, nothing), (zero, zero, Piece(0.0, step, a=1.0)),
+        (zero, zero, Piece(0.0, step, b=1.0)),
+    )  # fmt: skip
+    return tuple(np.array(of.after(*case, step)) for case in cases)
+
+
+def _within(of: Oscillators, times: "Any", loads: "Any", states: "Any", mix: "Any", into: Extremes) -> None:
+    """Extremes at and between the samples of a block."""
+    alpha, beta = mix
+    z, v = states
+    rate = of.second(z, v, loads[:, None])
+    y, dy = alpha * z + beta * v, alpha * v + beta * rate
+    rows = np.arange(len(of.omega))
+    for pick in (y.argmax(axis=0), y.argmin(axis=0)):
+        into.take(rows, y[pick, rows], times[pick])
+    cell, row = np.nonzero(dy[:-1] * dy[1:] < 0.0)
+    # only cells beside a sample that comes near to an extreme can hold a larger one
+    reach = np.maximum(abs(y[cell, row]), abs(y[cell + 1, row]))
+    steps = times[cell + 1] - times[cell]
+    room = 0.5 * np.maximum(abs(dy[cell, row]), abs(dy[cell + 1, row])) * steps
+    worth = reach + room > np.minimum(into.high[row], -into.low[row])
+    cell, row, steps = cell[worth], row[worth], steps[worth]
+    if not len(row):
+        return
+    some = of.some(row)
+    piece = Piece(0.0, math.inf, a=loads[cell], b=(loads[cell + 1] - loads[cell]) / steps)
+    mixed = (alpha[row], beta[row])
+    begin = (z[cell, row], v[cell, row])
+    t = steps * dy[cell, row] / (dy[cell, row] - dy[cell + 1, row])
+    for _ in range(NEWTON):
+        _, first, second = slopes(some, some.after(*begin, piece, t), piece, t, mixed)
+        with np.errstate(all="ignore"):
+            t = np.clip(t - np.where(second != 0.0, first / second, 0.0), 0.0, steps)
+    value, _, _ = slopes(some, some.after(*begin, piece, t), piece, t, mixed)
+    into.take(row, value, times[cell] + t)
+
+
+def states_of_record(of: Oscillators, times: "Any", loads: "Any") -> "tuple[Any, Any]":
+    """Displacement and velocity of a lone oscillator at every sample."""
+    made = np.zeros((len(times), 2))
+    last_step = -1.0
+    factors: tuple[Any, ...] = ()
+    for i in range(len(times) - 1):
+        step = float(times[i + 1] - times[i])
+        if abs(step - last_step) > EVEN * step:
+            last_step, factors = step, tuple(one[:, 0] for one in _factors(of, step))
+        z, v = made[i]
+        slope = (loads[i + 1] - loads[i]) / step
+        made[i + 1] = factors[0] * z + factors[1] * v + factors[2] * loads[i] + factors[3] * slope
+    return made[:, 0], made[:, 1]

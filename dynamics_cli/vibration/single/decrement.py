@@ -1,0 +1,195 @@
+"""Damping from measurements: peaks of a decay, a record of it, or the half-power frequencies of a resonance."""
+
+from itertools import pairwise
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.numerics.elementary import atan, exp, log, pi_beside, sin, sqrt, total
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.quantities import Annotated, Count, DampingRatio, Frequency, InputFile, Positive, Ratio
+from dynamics_cli.records import Advice, record
+from dynamics_cli.vibration.records_file import read_record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# Deviations of log peaks from their line beyond this share of the decay say that it is no viscous one.
+CURVED = 0.1
+FEWEST_IN_A_RECORD = 3
+
+
+@record
+class Peaks:
+    """Peaks on one side, read one after another."""
+
+    peaks: Annotated[tuple[Positive, ...], "Sizes of the peaks in one unit, without it, e.g. 12.1, 9.8, 7.9."]
+    every: Annotated[Count, "Cycles from each peak to the next that is given."] = 1
+
+
+@record
+class HalfPower:
+    """The frequencies at which a resonance is down to 1/√2 of its peak."""
+
+    lower_frequency: Annotated[Frequency, "Below the peak, where the amplitude is 1/√2 of it, e.g. 9.52 Hz."]
+    upper_frequency: Annotated[Frequency, "Above the peak, where the amplitude is 1/√2 of it, e.g. 10.5 Hz."]
+
+
+@record
+class Recorded:
+    """A record of the decay."""
+
+    file: Annotated[InputFile, "CSV with t[s] and the signal of a decay; its peaks are searched."]
+
+
+@record
+class Decrement:
+    """Damping as measured."""
+
+    damping_ratio: Annotated[DampingRatio, "Damping over critical damping ζ [-]."]
+    deviation: Annotated[DampingRatio | None, "Its standard deviation, from the scatter of the peaks [-]."]
+    decrement: Annotated[Ratio, "Logarithmic decrement of one cycle δ [-]."]
+    quality: Annotated[Ratio, "Quality factor Q = 1/2ζ [-]."]
+    peak_ratio: Annotated[Ratio, "One peak over the one a cycle before [-]."]
+    scatter: Annotated[Ratio | None, "Root mean square of ln peak beside its line [-]."]
+    natural_frequency: Annotated[Frequency | None, "Undamped natural frequency, of a record or a resonance [Hz]."]
+    peaks_used: Annotated[Count | None, "Number of peaks [-]."]
+    advice: tuple[Advice, ...] = ()
+
+
+def decrement(*, measured: Annotated[Peaks | HalfPower | Recorded, "What was measured."]) -> Decrement:
+    """Damping ratio from peaks of a decay by least squares on their logarithms, or from half-power frequencies.
+
+    Equation
+    --------
+    ln xᵢ = a − δ·i, ζ = δ/√(4π² + δ²); half power: tan 2θ = (f₂² − f₁²)/(f₂² + f₁²), ζ = sin θ.
+
+    Returns
+    -------
+    Decrement
+        Damping ratio with its standard deviation, decrement, quality factor.
+
+    Raises
+    ------
+    InadmissibleError
+        When peaks rise (the damping would be negative), there are fewer than two, or frequencies are not in order.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 13.5.
+
+    Examples
+    --------
+    >>> round(decrement(measured=Peaks((1.0, 0.5))).damping_ratio, 9)
+    0.109652581
+    """
+    if isinstance(measured, HalfPower):
+        return _half_power(measured.lower_frequency, measured.upper_frequency)
+    if isinstance(measured, Recorded):
+        times, sizes = peaks_of(measured.file)
+        return _of_peaks(sizes, 1, (len(times) - 1) / (times[-1] - times[0]))
+    require(measured.every > 0, "peaks cannot be 0 cycles apart", code="every", hint="--every 1")
+    return _of_peaks(measured.peaks, measured.every, None)
+
+
+def _of_peaks(peaks: "tuple[Any, ...]", every: int, frequency: "float | None") -> Decrement:
+    count = len(peaks)
+    require(count >= 2, "one peak says nothing of a decay", code="too-few", hint="give --peaks 12.1,9.8,7.9")
+    logs = [log(peak) for peak in peaks]
+    middle = 0.5 * float(count - 1)
+    below = sum((i - middle) ** 2 for i in range(count))
+    step = total((middle - float(i)) * one for i, one in enumerate(logs)) / below
+    require(
+        step >= 0.0,
+        "the peaks rise, from {first} to {last}: that is no decay",
+        first=(peaks[0], Ratio),
+        last=(peaks[-1], Ratio),
+        code="rising",
+        hint="list them as they follow in time; a motion that grows by itself has negative damping",
+    )
+    delta = step / float(every)
+    turn = 2.0 * pi_beside(delta)
+    root = sqrt(turn * turn + delta * delta)
+    zeta = delta / root
+    deviation = scatter = None
+    if count > 2:
+        mean = total(logs) / float(count)
+        rest = total(_square(one - mean + (float(i) - middle) * step) for i, one in enumerate(logs))
+        scatter = sqrt(rest / float(count))
+        # dζ/dδ = 4π²/(4π² + δ²)^{3/2}
+        deviation = sqrt(rest / (float(count - 2) * below)) / float(every) * turn * turn / (root * root * root)
+    return Decrement(
+        damping_ratio=zeta,
+        deviation=deviation,
+        decrement=delta,
+        quality=0.5 / zeta if step > 0.0 else None,  # type: ignore[arg-type]
+        peak_ratio=exp(0.0 - delta),
+        scatter=scatter,
+        natural_frequency=None if frequency is None else frequency * root / turn,
+        peaks_used=count,
+        advice=_advice(peaks, scatter, step, count),
+    )
+
+
+def _square(x: "Any") -> "Any":
+    return x * x
+
+
+def _half_power(lower: "Any", upper: "Any") -> Decrement:
+    require(lower > 0.0, "the lower frequency is zero", code="half-power", hint="it lies just below the peak")
+    require(
+        upper > lower,
+        "the upper frequency of {upper} does not lie above the lower one of {lower}",
+        upper=(upper, Frequency),
+        lower=(lower, Frequency),
+        code="half-power",
+    )
+    share = (upper - lower) * (upper + lower) / (upper * upper + lower * lower)
+    zeta = sin(0.5 * atan(share))
+    room = (1.0 - zeta) * (1.0 + zeta)
+    delta = 2.0 * pi_beside(zeta) * zeta / sqrt(room)
+    middle = 0.5 * (upper * upper + lower * lower)
+    return Decrement(
+        damping_ratio=zeta, deviation=None, decrement=delta, quality=0.5 / zeta, peak_ratio=exp(0.0 - delta),
+        scatter=None, natural_frequency=sqrt(middle / (1.0 - 2.0 * zeta * zeta)), peaks_used=None,
+    )  # fmt: skip
+
+
+def peaks_of(file: str) -> "tuple[list[float], tuple[float, ...]]":
+    """Times and heights of the maxima above the middle of the end, by parabolas through three samples."""
+    times, values = read_record(file)
+    tail = values[-max(len(values) // 10, 3) :]
+    rest = sum(tail) / len(tail)
+    at, sizes = [], []
+    for i in range(1, len(values) - 1):
+        before, here, after = values[i - 1] - rest, values[i] - rest, values[i + 1] - rest
+        if here > 0.0 and before < here >= after:
+            bend = before - 2.0 * here + after
+            off = 0.5 * (before - after) / bend
+            at.append(times[i] + off * 0.5 * (times[i + 1] - times[i - 1]))
+            sizes.append(here - 0.25 * (before - after) * off)
+    clear = [nth for nth, size in enumerate(sizes) if size > 0.02 * max(sizes)]
+    last = clear[-1] + 1 if clear else 0
+    require(
+        last >= FEWEST_IN_A_RECORD,
+        "the record has {count} clear peaks: a decay needs at least {least}",
+        count=str(last),
+        least=str(FEWEST_IN_A_RECORD),
+        code="few-peaks",
+    )
+    return at[:last], tuple(sizes[:last])
+
+
+def _advice(peaks: "tuple[Any, ...]", scatter: "Any", step: "Any", count: int) -> "tuple[Advice, ...]":
+    if not single(step, peaks[0]):
+        return ()
+    notes = []
+    if plain(step) == 0.0:
+        text = "the peaks do not fall: no damping is measured"
+        notes.append(Advice("no-decay", text, result="quality"))
+    if scatter is not None and plain(scatter) > CURVED * plain(step) * float(count - 1):
+        drops = [plain(one) - plain(other) for one, other in pairwise(peaks)]
+        steady = max(drops) - min(drops) < 0.25 * max(map(abs, drops))
+        text = "the logarithms of the peaks leave a straight line by {scatter:2}: the damping is not viscous"
+        remedy = "peaks that fall by equal amounts are dry friction" if steady else "use peaks of similar size"
+        notes.append(Advice("not-viscous", worded(text, scatter=(scatter, Ratio)), remedy=remedy))
+    return tuple(notes)

@@ -1,0 +1,74 @@
+"""Mode shapes, frequency responses of several masses."""
+
+import math
+
+from dynamics_cli.errors import worded
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Coordinate, Frequency, Size
+from dynamics_cli.vibration.systems.inputs import System
+from dynamics_cli.vibration.systems.response import Receptances
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+GREY = 6
+MOST_SHAPES = 6
+
+
+def modes(made: "Any", **_: "Any") -> Picture:
+    """Each shape over its coordinates."""
+    names = tuple(made.coordinates.split(", "))
+    x = [float(i + 1) for i in range(len(names))]
+    panels = []
+    for mode in made.modes[:MOST_SHAPES]:
+        y = list(mode.shape)
+        if mode.phases is not None:
+            y = [size * math.cos(math.radians(turn)) for size, turn in zip(y, mode.phases, strict=True)]
+        items: list[Any] = [Curve(x, y, "", "solid", role=0), Curve(x, y, "", "points", role=0)]
+        items.append(Band(0.0, 0.0, "", vertical=False))
+        title = f"mode {mode.number}"
+        if mode.frequency is not None:
+            title = worded("mode {n}: {f:5}", n=str(mode.number), f=(mode.frequency, Frequency))
+        ends = (0.5, len(x) + 0.5)
+        limit = 1.15 * max(max(map(abs, y)), 1e-300)
+        panels.append(Panel(Axis("", names=names, ends=ends), Axis("shape", ends=(-limit, limit)), tuple(items), title))
+    return Picture(tuple(panels), "mode shapes", columns=2 if len(panels) > 1 else 1)
+
+
+def _continuous(angles: "list[float]") -> "list[float]":
+    """Angles in degrees without jumps of a turn."""
+    made = angles[:1]
+    for angle in angles[1:]:
+        made.append(angle + 360.0 * round((made[-1] - angle) / 360.0))
+    return made
+
+
+def response(
+    made: "Any", *, system: "Any", force_at: str, read_at: str, force: float = 1.0,
+    damping_ratio: "float | None" = None, excitation: "Any" = None, **_: "Any",
+) -> Picture:  # fmt: skip
+    """Amplitude and lag over frequency, and the curve of Nyquist."""
+    those = System(system)
+    of = Receptances(those, damping_ratio)
+    a, b = (those.kept.index(those.place(name)) for name in (force_at, read_at))
+    low, high = of.limits()
+    rates = of.grid(low, high)
+    curve = of.curve(rates, a, b) * abs(force)
+    hertz = [float(rate) / (2.0 * math.pi) for rate in rates]
+    lags = _continuous([math.degrees(-math.atan2(z.imag, z.real)) % 360.0 for z in curve])
+    frequency = Axis("frequency", Frequency, logarithmic=True, ends=(hertz[0], hertz[-1]))
+    items: list[Any] = [Curve(hertz, [abs(z) for z in curve], role=0)]
+    if made.amplitude is not None:
+        at = excitation.frequency if hasattr(excitation, "frequency") else abs(excitation.speed) / (2.0 * math.pi)
+        items.append(Mark(at, made.amplitude, "running here"))
+    title = f"{read_at} for a force on {force_at}"
+    panels = (
+        Panel(frequency, Axis("amplitude", Size, logarithmic=True), tuple(items), title),
+        Panel(frequency, Axis("lag [deg]", step=90.0), (Curve(hertz, lags, role=0),)),
+        Panel(
+            Axis("in phase with the force", Coordinate), Axis("across", Coordinate),
+            (Curve([z.real for z in curve], [z.imag for z in curve], role=0),), "Nyquist", equal=True,
+        ),
+    )  # fmt: skip
+    return Picture(panels, "frequency response")

@@ -1,0 +1,181 @@
+"""Shocks, nonlinear oscillators and complex modes against references by other formulas; speeds of counts."""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from dynamics_cli.vibration.nonlinear.task import (
+    Custom,
+    Duffing,
+    ForcedDuffing,
+    Pendulum,
+    QuadraticDamping,
+    VanDerPol,
+    nonlinear,
+)  # fmt: skip
+from dynamics_cli.vibration.shafts.beam import shape
+from dynamics_cli.vibration.shocks.pulses import Shape
+from dynamics_cli.vibration.shocks.shock import Pulse, shock
+from dynamics_cli.vibration.shocks.transient import Jolt, Push, transient
+from dynamics_cli.vibration.single.oscillator import DampingShare, Natural, Spring
+from dynamics_cli.vibration.systems.elements import Elements
+from dynamics_cli.vibration.systems.inputs import Line, Matrices
+from dynamics_cli.vibration.systems.modes import modes
+
+REFERENCES: dict[str, Any] = json.loads((Path(__file__).parent / "motion.json").read_text(encoding="utf-8"))
+# Some ten roundings; closed forms with complex exponentials.
+EXACT, WAVES = 5e-15, 2e-13
+# What the integrators state.
+INTEGRATED = 1e-10
+
+
+@pytest.mark.parametrize("case", REFERENCES["shocks"], ids=lambda case: f"{case['shape']}-{case['frequency']:g}")
+def test_shock_spectra(case: dict[str, Any]) -> None:
+    hertz = case["frequency"]
+    made = shock(
+        input_=Pulse(Shape(case["shape"]), 1.0, case["duration"]), damping_ratio=case["damping_ratio"], lowest=hertz,
+        highest=hertz * 2.0, per_octave=1,
+    )  # fmt: skip
+    table = made.spectrum.arrays
+    assert table["positive"][0] == pytest.approx(float(case["positive"]), rel=WAVES)
+    assert table["negative"][0] == pytest.approx(float(case["negative"]), rel=WAVES)
+    # the same oscillator by itself
+    alone = transient(
+        spring=Natural(hertz), damping=DampingShare(case["damping_ratio"]),
+        load=Jolt(1.0, Shape(case["shape"]), case["duration"]),
+    )  # fmt: skip
+    assert abs(alone.peak_acceleration or 0.0) == pytest.approx(float(table["maximax"][0]), rel=WAVES)
+
+
+def test_the_undamped_half_sine() -> None:
+    wanted = REFERENCES["undamped"]
+    for ratio, during in ((float(wanted["at"]), wanted["largest"]), (7.3, wanted["primary"])):
+        made = shock(
+            input_=Pulse(Shape("half-sine"), 1.0, 1.0), damping_ratio=0.0, lowest=0.5 * ratio, highest=ratio,
+            per_octave=1,
+        )  # fmt: skip
+        assert made.spectrum.arrays["primary"][0] == pytest.approx(float(during), rel=WAVES)
+    assert made.spectrum.arrays["residual"][0] == pytest.approx(float(wanted["residual"]), rel=1e-12)
+
+
+def test_step_and_ramp_overshoot() -> None:
+    zeta = 0.1
+    made = transient(mass=500.0, spring=Spring(4e5), damping=DampingShare(zeta), load=Push(2e3, Shape("step")))
+    assert made.overshoot == pytest.approx(math.exp(-math.pi * zeta / math.sqrt(1.0 - zeta**2)), rel=WAVES)
+    # a ramp of a whole period leaves an undamped mass at its new place without overshoot
+    still = transient(spring=Natural(4.0), load=Jolt(1.0, Shape("ramp"), 0.25))
+    assert still.overshoot == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("share", REFERENCES["duffing"])
+def test_duffing(share: str) -> None:
+    made = nonlinear(oscillator=Duffing(float(share)))
+    assert made.true_frequency == pytest.approx(float(REFERENCES["duffing"][share]), rel=EXACT)
+    assert made.averaged_frequency == 1.0 + 0.375 * float(share)
+
+
+@pytest.mark.parametrize("degrees", REFERENCES["pendulum"])
+def test_pendulum(degrees: str) -> None:
+    made = nonlinear(oscillator=Pendulum(math.radians(float(degrees))))
+    assert made.true_frequency == pytest.approx(float(REFERENCES["pendulum"][degrees]), rel=EXACT)
+
+
+def test_van_der_pol() -> None:
+    wanted = REFERENCES["van_der_pol"]["1"]
+    made = nonlinear(oscillator=VanDerPol(1.0))
+    assert made.period == pytest.approx(float(wanted["period"]), rel=INTEGRATED)
+    assert made.true_amplitude == pytest.approx(float(wanted["amplitude"]), rel=INTEGRATED)
+    stiff = nonlinear(oscillator=VanDerPol(25.0))
+    mild = nonlinear(oscillator=VanDerPol(15.0))
+    # period (3 − 2·ln 2)μ + 7.0143/μ^⅓ − …, on both sides of the switch of integrators
+    for made, mu in ((stiff, 25.0), (mild, 15.0)):
+        assert made.period == pytest.approx((3 - 2 * math.log(2)) * mu + 7.01432 * mu ** (-1 / 3), rel=0.02)
+
+
+def test_forced_duffing_and_its_jumps() -> None:
+    made = nonlinear(oscillator=ForcedDuffing(0.5, 0.02, 0.2, 1.6))
+    assert made.jumps == pytest.approx([float(one) for one in REFERENCES["jumps"]], rel=1e-12)
+    assert made.branches is not None
+    assert [row.amplitude for row in made.branches] == pytest.approx(
+        [0.128607851307754735, 1.98822767783297353, 2.08576382212390098], rel=EXACT
+    )
+    assert [row.stable for row in made.branches] == [True, False, True]
+    assert made.branches[2].true_amplitude == pytest.approx(2.0564, abs=5e-5)
+    linear = nonlinear(oscillator=ForcedDuffing(0.0, 0.02, 0.2, 0.9))
+    assert linear.branches is not None
+    assert linear.branches[0].amplitude == pytest.approx(0.2 / math.hypot(1 - 0.81, 0.036), rel=EXACT)
+    assert linear.branches[0].error == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_softening_spring_has_no_amplitude_where_it_pushes_away() -> None:
+    made = nonlinear(oscillator=ForcedDuffing(-0.1, 0.05, 0.1, 0.2))
+    assert made.branches is not None
+    assert [row.stable for row in made.branches] == [True]
+    assert made.jumps == ()
+    assert "pushed-away" in [one.code for one in made.advice]
+    jumps = nonlinear(oscillator=ForcedDuffing(-0.1, 0.04, 0.1, 0.9)).jumps
+    assert jumps is not None
+    assert len(jumps) == 2
+    assert all(one < 1.0 for one in jumps)
+
+
+def test_averaging_of_quadratic_damping_is_its_closed_form() -> None:
+    made = nonlinear(oscillator=QuadraticDamping(0.1, 1.0, 5))
+    time = (made.period or 0.0) * 5
+    assert made.averaged_amplitude == pytest.approx(1.0 / (1.0 + 4.0 * 0.1 * time / (3.0 * math.pi)), rel=1e-6)
+    assert made.true_amplitude == pytest.approx(made.averaged_amplitude, rel=1e-3)
+    viscous = nonlinear(oscillator=Custom("0.02*v", 1.0, 3))
+    decay = math.exp(-0.01 * 3 * 2 * math.pi / math.sqrt(1 - 1e-4))
+    assert viscous.true_amplitude == pytest.approx(decay, rel=INTEGRATED)
+
+
+def test_complex_modes() -> None:
+    made = modes(
+        system=Matrices(
+            (((2, 1), (0, 1)), ((0, 1), (1, 1))), (((300, 1), (-100, 1)), ((-100, 1), (100, 1))),
+            (((1, 2), (0, 1)), ((0, 1), (0, 1))),
+        )
+    )  # fmt: skip
+    for row, (real, imaginary) in zip(made.modes, REFERENCES["complex_modes"], strict=True):
+        size = math.hypot(float(real), float(imaginary))
+        assert row.angular_frequency == pytest.approx(size, rel=1e-13)
+        assert row.damping_ratio == pytest.approx(-float(real) / size, rel=1e-12)
+
+
+def test_soft_modes_where_matrices_fail() -> None:
+    """Assembled, the lowest frequency is 16 times too high; from the factor it is right."""
+    from scipy.linalg import eigh
+
+    made = modes(system=Line((1.0,) * 4, (1e-3, 1e15, 1e15, 1e15)))
+    assert made.modes[0].angular_frequency == pytest.approx(0.015811388300841896653, rel=1e-15)
+    import numpy as np
+
+    k = np.diag([1e-3 + 1e15, 2e15, 2e15, 1e15]) - 1e15 * (np.eye(4, k=1) + np.eye(4, k=-1))
+    assert math.sqrt(abs(eigh(k, eigvals_only=True)[0])) > 5.0 * 0.0158
+
+
+def test_counts_prove_what_a_bound_says() -> None:
+    chain = Elements([1.0, 2.0, 3.0], [(0, -1, 1.0), (1, 0, 1e14), (2, 1, 1e3)])
+    values, _ = chain.modes()
+    assert chain.proved(values) == 2e-15
+    wrong = [values[0] * (1.0 + 1e-6), *values[1:]]
+    assert chain.proved(wrong) is None
+    ring = Elements([1.0] * 3, [(0, 1, 1.0), (1, 2, 1.0), (2, 0, 1.0)])
+    assert ring.proved(ring.modes()[0]) is None
+    assert [ring.modes()[0][0], ring.modes()[0][1]] == pytest.approx([0.0, math.sqrt(3.0)], abs=1e-15)
+
+
+def test_beam_shapes_stay_right_in_high_modes() -> None:
+    """The 14th cantilever: written with cosh and sinh, its shape is off by more than itself."""
+    from mpmath import cos, cosh, findroot, mp, mpf, sin, sinh
+
+    mp.dps = 40
+    beta = findroot(lambda z: cos(z) + 1 / cosh(z), mpf("13.5") * mp.pi)
+    s = (sinh(beta) - sin(beta)) / (cosh(beta) + cos(beta))
+    for i in range(11):
+        x = mpf(i) / 10
+        exact = cosh(beta * x) - cos(beta * x) - s * (sinh(beta * x) - sin(beta * x))
+        assert shape("clamped-free", 14, i / 10) == pytest.approx(float(exact), abs=1e-14)
