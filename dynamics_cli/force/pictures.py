@@ -110,7 +110,9 @@ def _view(
         dx, dy = scale * way[i], scale * way[j]
         seen = math.hypot(dx, dy) > 0.02 * extent
         answer = role == ANSWER
-        items.append(Mark(tail[i], tail[j], name if answer or not seen else "", (6.0, -14.0), role=role))
+        # beside the line of action, on the side that falls away from it
+        aside = (6.0, 6.0 if dx * dy < 0.0 else -14.0)
+        items.append(Mark(tail[i], tail[j], name if answer or not seen else "", aside, role=role))
         if seen:
             items.append(Arrow(tail[i], tail[j], dx, dy, "" if answer else name, role))
     return Panel(Axis("xyz"[i], Length), Axis("xyz"[j], Length), tuple(items), title, equal=True)
