@@ -241,6 +241,8 @@ if TYPE_CHECKING:
     PartLengths = tuple[float, float, float]
     InertiaTriple = tuple[float, float, float]
     TorqueVector = tuple[float, float, float]
+    LoadPoint = tuple[float, float, float]
+    MassMoment = tuple[float, float, float]
     ForceVector = tuple[float, float, float]
     AngularMomentumVector = tuple[float, float, float]
     Quaternion = tuple[float, float, float, float]
@@ -517,6 +519,14 @@ else:
     Position = Kind(
         "position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point", flat=True
     )
+    LoadPoint = Kind(
+        "point", "m", form="vector", size=3, si="m", us="ft", example="1, 2 m", about="a point, in the x–y plane or in space",
+        exact=True, flat=True,
+    )  # fmt: skip
+    MassMoment = Kind(
+        "first moment", "kg*m", form="vector", size=3, si="kg*m", us="lb*ft", example="1, 2, 0 kg*m",
+        about="mass times position",
+    )  # fmt: skip
     # of bodies in space, where a missing z is a mistake
     SpacePosition = Kind("position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point")
     SpaceVelocity = Kind(

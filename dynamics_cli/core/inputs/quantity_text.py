@@ -228,9 +228,13 @@ def split_list(text: str) -> list[str]:
 
 
 def split_pairs(text: str) -> dict[str, str]:
-    """Split `distance=60 ft, friction=0.7` into names and values; quotes around a whole value are taken off."""
+    """Split `force=3, 4 N, at=2, 0 m` into names and values; quotes around a whole value are taken off."""
     pairs: dict[str, str] = {}
+    name = ""
     for item in split_list(text):
+        if name and "=" not in item and number_end(item, 0):  # a further component of the value before
+            pairs[name] += f", {item}"
+            continue
         name, equals, value = (part.strip() for part in item.partition("="))
         if not (equals and name and value):
             hint = "example: distance=60 ft, friction=0.7"
