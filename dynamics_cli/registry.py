@@ -131,6 +131,11 @@ FAMILIES: "dict[str, Entry]" = {
         "A particle: flights, falls, tubes, inclines, bends.",
         references=("particle.json",),
     ),
+    "motion": Entry(
+        "dynamics_cli.motion.commands",
+        GROUPS[5],
+        "Motion of chains of rods: how they move, and how long that is known.",
+    ),
     "stability": Entry(
         "dynamics_cli.stability.commands",
         GROUPS[5],

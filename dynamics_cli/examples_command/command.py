@@ -114,6 +114,12 @@ WORKED = (
         "catapult/catapult.sh",
     ),
     Example(
+        "triple_pendulum",
+        "Three rods let go: a swing that can be followed, a small one, and one with its horizon.",
+        "cd triple_pendulum && sh triple_pendulum.sh",
+        "triple_pendulum/triple_pendulum.sh",
+    ),
+    Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
         "cd pedestrian && sh pedestrian.sh",
