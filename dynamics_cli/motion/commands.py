@@ -35,4 +35,28 @@ CHAIN = Task(
     tracked=False,
 )  # fmt: skip
 
-FAMILIES = {"motion": Family("motion", "Motion of chains of rods: how they move, and how long that is known.", CHAIN)}
+MODES = Task(
+    "modes",
+    "Small oscillations of a hanging chain: frequencies and shapes.",
+    Model(
+        "chain of rods, small angles",
+        "dynamics_cli.motion.modes:modes",
+        source=BOOK + "sections 12.5 and 13.8; Drmač & Veselić, SIAM J. Matrix Anal. Appl. 29 (2008) 1322",
+        formula="({gravity|g}·diag b − ω²·A)·φ = 0",
+        assumptions=("small angles about hanging at rest", "no friction, no drag"),
+        method="one-sided Jacobi",
+    ),
+    headline=("modes: modes | number=mode, frequency, period, shape=angles, ends=ends sideways",),
+    examples=(
+        'dynamics motion modes --lengths "0.5, 0.5, 0.5 m" --masses "1 kg"',
+        'dynamics motion modes --lengths "1, 1, 1 m" --masses "0 kg" --end-masses "1e-6, 1, 1e6 kg"',
+    ),
+    table="modes",
+    plot=f"{PICTURES}:modes",
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
+FAMILIES = {
+    "motion": Family("motion", "Motion of chains of rods: how they move, and how long that is known.", CHAIN, MODES)
+}

@@ -3,7 +3,7 @@
 from dynamics_cli.motion.rods import chain_of, many
 from dynamics_cli.motion.runs import Runs
 from dynamics_cli.pictures import Axis, Band, Curve, Panel, Picture
-from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Length, Time
+from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Length, Ratio, Time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -45,3 +45,16 @@ def chain(made: "Any", *, lengths: "Any", masses: "Any", angles: "Any", duration
         Panel(Axis("time", Time, ends=(0.0, duration)), Axis("angle", Angle), tuple(history)),
     )
     return Picture(panels, f"chain of {n} rods" if n > 1 else "a rod on a pin")
+
+
+def modes(made: "Any", *, lengths: "Any", count: int | None = None, **_: "Any") -> Picture:
+    """Sideways motion of the pins of the slowest modes, the chain hanging down."""
+    n = count or len(lengths)
+    depths = [0.0]
+    for length in many(lengths, n, "lengths", 0.0):
+        depths.append(depths[-1] - length)
+    items: list[Any] = [Curve([0.0, 0.0], [0.0, depths[-1]], "", "centre", role=GREY)]
+    items += [
+        Curve([0.0, *mode.ends], depths, f"mode {mode.number}", role=mode.number - 1) for mode in made.modes[:LINES]
+    ]
+    return Picture((Panel(Axis("sideways", Ratio), Axis("up", Length), tuple(items)),), "small oscillations")

@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.motion.chain import chain
+from dynamics_cli.motion.modes import modes
 from dynamics_cli.motion.rods import PLAIN, Rods, chain_of
 from dynamics_cli.pendulum.simple import Amplitude, simple
 
@@ -180,3 +181,21 @@ def test_the_horizon_in_a_document() -> None:
     ))  # fmt: skip
     assert made["results"]["rods"] is None
     assert made["results"]["horizon"]["value"] < 12.0
+
+
+def test_modes_of_two_rods() -> None:
+    """ω²l/g = 3(1 ∓ 2/√7), and the shapes turn each other's energy away."""
+    made = modes(lengths=(1.0, 1.0), masses=(1.0,), gravity=1.0)
+    wanted = [3.0 * (1.0 - 2.0 / math.sqrt(7.0)), 3.0 * (1.0 + 2.0 / math.sqrt(7.0))]
+    assert [mode.angular_frequency**2 for mode in made.modes] == pytest.approx(wanted, rel=4e-15)
+    # potential energies: b = 3/2 and 1/2
+    one, two = (mode.shape for mode in made.modes)
+    assert 1.5 * one[0] * two[0] + 0.5 * one[1] * two[1] == pytest.approx(0.0, abs=1e-14)
+    assert all(check.passed for check in made.checks)
+
+
+def test_many_rods_are_a_hanging_chain() -> None:
+    made = modes(lengths=(0.025,), masses=(1.0,), count=40, gravity=1.0)
+    assert made.modes[0].angular_frequency == pytest.approx(1.20243581381737717, rel=1e-14)
+    # the limit is half the first zero of J₀
+    assert made.modes[0].angular_frequency == pytest.approx(0.5 * 2.404825557695773, rel=1e-4)
