@@ -46,7 +46,10 @@ MODES = Task(
         assumptions=("small angles about hanging at rest", "no friction, no drag"),
         method="one-sided Jacobi",
     ),
-    headline=("modes: modes | number=mode, frequency, period, shape=angles, ends=ends sideways",),
+    headline=(
+        "slowest: lowest frequency", "fastest: highest frequency",
+        "modes: modes | number=mode, frequency, period, shape=angles, ends=ends sideways",
+    ),
     examples=(
         'dynamics motion modes --lengths "0.5, 0.5, 0.5 m" --masses "1 kg"',
         'dynamics motion modes --lengths "1, 1, 1 m" --masses "0 kg" --end-masses "1e-6, 1, 1e6 kg"',
