@@ -229,8 +229,10 @@ if TYPE_CHECKING:
     Teeth = int
     Vector = tuple[float, float, float]
     Position = tuple[float, float, float]
+    SpacePosition = tuple[float, float, float]
     Direction = tuple[float, float, float]
     Velocity = tuple[float, float, float]
+    SpaceVelocity = tuple[float, float, float]
     AngularVelocity = tuple[float, float, float]
     AngularAccelerationVector = tuple[float, float, float]
     AccelerationVector = tuple[float, float, float]
@@ -239,6 +241,8 @@ if TYPE_CHECKING:
     PartLengths = tuple[float, float, float]
     InertiaTriple = tuple[float, float, float]
     TorqueVector = tuple[float, float, float]
+    LoadPoint = tuple[float, float, float]
+    MassMoment = tuple[float, float, float]
     ForceVector = tuple[float, float, float]
     AngularMomentumVector = tuple[float, float, float]
     Quaternion = tuple[float, float, float, float]
@@ -514,6 +518,19 @@ else:
     Vector = Kind("vector", "", form="vector", size=3, example="1, 0, 2", about="three pure numbers")
     Position = Kind(
         "position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point", flat=True
+    )
+    LoadPoint = Kind(
+        "point", "m", form="vector", size=3, si="m", us="ft", example="1, 2 m", about="a point, in the x–y plane or in space",
+        exact=True, flat=True,
+    )  # fmt: skip
+    MassMoment = Kind(
+        "first moment", "kg*m", form="vector", size=3, si="kg*m", us="lb*ft", example="1, 2, 0 kg*m",
+        about="mass times position",
+    )  # fmt: skip
+    # of bodies in space, where a missing z is a mistake
+    SpacePosition = Kind("position", "m", form="vector", size=3, si="m", us="ft", example="1, 2, 3 m", about="a point")
+    SpaceVelocity = Kind(
+        "velocity", "m/s", form="vector", size=3, si="m/s", us="ft/s", example="3, 0, 1 m/s", about="a velocity"
     )
     Direction = Kind("direction", "", form="vector", size=3, example="0, 0, 1", about="a direction")
     Velocity = Kind(

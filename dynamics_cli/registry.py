@@ -114,6 +114,11 @@ FAMILIES: "dict[str, Entry]" = {
         references=("vibration.json",),
         questions="dynamics_cli.accuracy.alternatives.vibration",
     ),
+    "force": Entry(
+        "dynamics_cli.force.commands",
+        GROUPS[5],
+        "Forces: resultants, moments, reactions, springs, friction.",
+    ),
     "pendulum": Entry(
         "dynamics_cli.pendulum.commands",
         GROUPS[5],

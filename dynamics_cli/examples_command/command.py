@@ -102,6 +102,12 @@ WORKED = (
         "pid_loop/pid_loop.sh",
     ),
     Example(
+        "bracket_loads",
+        "A wall bracket with three loads: their resultant, the moment on the bolts, and a stay in place of the bolts.",
+        "cd bracket_loads && sh bracket_loads.sh",
+        "bracket_loads/bracket_loads.sh",
+    ),
+    Example(
         "catapult",
         "A shot at a wall: both angles, what drag and wind do to it, and the swing of the arm.",
         "cd catapult && sh catapult.sh",

@@ -44,7 +44,7 @@ def test_a_plain_call_loads_nothing_heavy(argv: list[str]) -> None:
     done = subprocess.run([sys.executable, "-I", "-S", "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     measured = " ".join(argv[1:]).startswith(MEASURED)
-    assert done.stderr.split() == (["decimal"] if measured else [])
+    assert set(done.stderr.split()) <= ({"decimal"} if measured else set())
 
 
 @pytest.mark.parametrize("argv", [["--help"], ["skid", "--help"], ["skid", "speed", "--help"]], ids=" ".join)

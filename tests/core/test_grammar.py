@@ -388,6 +388,7 @@ def test_pairs() -> None:
         "friction": "0.7",
         "grade": "-3 %",
     }
+    assert split_pairs("force=3, 4 N, at=-2, .5 m") == {"force": "3, 4 N", "at": "-2, .5 m"}
     assert split_pairs('name="a, b=c", at=(1, 2) m') == {"name": "a, b=c", "at": "(1, 2) m"}
 
 

@@ -80,7 +80,7 @@ def test_numbers_that_share_a_unit_are_all_turned() -> None:
     outcome = run("gear", "crossed", *teeth, *helices, "--json")
     assert outcome.error["message"].startswith("the helices 20 deg and -20 deg cancel")
     outcome = run("inertia", "tensor", "--moments", "1, 2, 3.5 lb*ft^2", "--json")
-    assert "3.5 lb·ft² exceeds the sum of 1 lb·ft² and 2 lb·ft² by a share of 0.1" in outcome.error["message"]
+    assert "3.5 lb·ft² exceeds the sum of 1 lb·ft² and 2 lb·ft² by 0.143 of it" in outcome.error["message"]
 
 
 def test_modules_of_a_series_stay_in_millimetres() -> None:
@@ -155,8 +155,8 @@ class TestMissingMembers:
     [
         (("--friction", "0.02", "--grade", "-5 %"), "the drag factor of -0.02996 is"),
         (("--friction", "2 %", "--grade", "-3 deg"), "the drag factor of -0.03236 is"),
-        (("--friction", "0.05", "--grade", "-4.9 %"), "friction of 0.05 hardly exceeds the falling grade of 4.9 %"),
-        (("--friction", "5 %", "--grade", "-0.049"), "friction of 5 % hardly exceeds the falling grade of 0.049"),
+        (("--friction", "0.05", "--grade", "-4.9 %"), "friction of 0.05 hardly exceeds the downhill grade of 4.9 %"),
+        (("--friction", "5 %", "--grade", "-0.049"), "friction of 5 % hardly exceeds the downhill grade of 0.049"),
     ],
 )
 def test_pure_numbers_are_written_as_those_of_their_kind(argv: tuple[str, ...], said: str) -> None:

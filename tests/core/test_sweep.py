@@ -246,4 +246,4 @@ def test_some_columns_of_a_sweep_with_their_spread() -> None:
     assert [name for name in header[2:] if not name.startswith("speed.")] == []
     assert len(outcome.out.splitlines()) == 3
     refused = run(*call, "--only", "sped")
-    assert (refused.status, "results are speed," in refused.err) == (2, True)
+    assert (refused.status, "results of rows are speed," in refused.err) == (2, True)

@@ -21,8 +21,8 @@ CASES = [
     if f"--{option.name} " in example and option.leaf is not None and option.leaf.kind.form in ("scalar", "slope")
     if not re.search(rf"--{option.name} [\"']?0[a-z]", example)
     and f"{task.name} {option.name}" not in IDLE
-    # a list is uncertain by its items: tests/skid/test_recorder.py
-    and option.name != "speeds"
+    # a list is uncertain by its items (tests/skid/test_recorder.py), and a deviation has none itself
+    and option.name not in ("speeds", "points", "point-deviation")
 ]
 
 

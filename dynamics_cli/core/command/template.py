@@ -75,8 +75,16 @@ def example(field: "Field") -> str:
     return node.kind.example or field.key
 
 
-def _value(text: str) -> str:
+def is_text(field: "Field") -> bool:
+    """Whether a field holds words, which may look like a number."""
+    kind = getattr(field.node, "kind", None)
+    return kind is not None and kind.form == "text"
+
+
+def _value(text: str, *, words: bool = False) -> str:
     """A value as TOML: numbers and truth values as such, anything else as text."""
+    if words:
+        return f'"{text}"'
     if text == "true":
         return text
     try:
@@ -122,7 +130,7 @@ class _Scene:
         node = field.node
         item = node.item if isinstance(node, Many) else node
         if isinstance(item, Leaf):
-            value = _value(self.values.get(f"{path}{field.key}") or example(field))
+            value = _value(self.values.get(f"{path}{field.key}") or example(field), words=is_text(field))
             active = active and (not self.values or f"{path}{field.key}" in self.values)
             self._line(field.key, value, _without_example(field.text), active=active)
         elif isinstance(node, OneOf | Tagged):

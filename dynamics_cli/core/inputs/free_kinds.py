@@ -52,13 +52,14 @@ def kind_of_unit(text: str, size: int) -> Kind:
     """The kind of a vector with this unit and number of components; it keeps the unit for display."""
     form = "planar" if size == 2 else "vector"
     if not text:
-        return Kind("number", "", form=form, size=size, example="3, 4 N")
+        return Kind("number", "", form=form, size=size, example="3, 4 N", exact=True)
     for known in KNOWN:
         wanted = parse_unit(known.unit)
         if conformable(parse_unit(text, wanted), wanted):
             return Kind(
-                known.name, known.unit, form=form, si=text, us=known.us, size=size, example="3, 4 N", about=known.about
-            )
+                known.name, known.unit, form=form, si=text, us=known.us, size=size, example="3, 4 N", about=known.about,
+                exact=True,
+            )  # fmt: skip
     from dynamics_cli.core.units.names import base_expression, kind_name
 
     unit = parse_unit(text)

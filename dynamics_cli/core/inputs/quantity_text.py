@@ -17,12 +17,10 @@ if TYPE_CHECKING:
 
 DIGITS = "0123456789"
 SIGNS = "+-−"
-LONGEST_NUMBER = 400
-LONGEST_TEXT = 1000
+LONGEST_NUMBER, LONGEST_TEXT = 400, 1000
 # Beyond this exponent no unit brings a number back into the range of a double.
 BEYOND = "beyond the range of a double (about 1.8e308)"
-HIGHEST_EXPONENT = 999
-MOST_PARTS = 6
+HIGHEST_EXPONENT, MOST_PARTS = 999, 6
 EXACT_INTEGERS = 2**53
 # A number right after one of these belongs to the unit; elsewhere, after a space, it begins a new part.
 JOINING = "/^*·⋅∙×(-−+"
@@ -169,8 +167,10 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
             hint = f"write for example {kind.example}" if kind.example else "write the number with its unit"
             raise UsageError(f"{_show(text)} has no unit", code=error.code, hint=hint) from None
         article = "an" if kind.name[:1] in tuple("aeiou") else "a"
+        wanted = kind.about if kind.form == "whole" else f"{article} {kind.name}"
+        counted = kind.form == "whole" and error.code in ("whole", "number")
         raise UsageError(
-            f"{_show(text)} is not {article} {kind.name}: {error.message}",
+            f"{_show(text)} is not " + ("a whole number" if counted else f"{wanted}: {error.message}"),
             code=error.code,
             hint=f"{error.hint}; example: {kind.example}" if error.hint else f"example: {kind.example}",
         ) from None
@@ -225,9 +225,13 @@ def split_list(text: str) -> list[str]:
 
 
 def split_pairs(text: str) -> dict[str, str]:
-    """Split `distance=60 ft, friction=0.7` into names and values; quotes around a whole value are taken off."""
+    """Split `force=3, 4 N, at=2, 0 m` into names and values; quotes around a whole value are taken off."""
     pairs: dict[str, str] = {}
+    name = ""
     for item in split_list(text):
+        if name and "=" not in item and number_end(item, 0):  # a further component of the value before
+            pairs[name] += f", {item}"
+            continue
         name, equals, value = (part.strip() for part in item.partition("="))
         if not (equals and name and value):
             hint = "example: distance=60 ft, friction=0.7"

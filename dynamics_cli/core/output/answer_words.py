@@ -1,6 +1,5 @@
 """The words and digits of short answers: labels, names of bodies, numbers rounded to their deviation."""
 
-import re
 from math import floor, log10
 
 from dynamics_cli.core.documents import is_quantity, quantity
@@ -18,6 +17,9 @@ MOST_DIGITS = 15
 
 
 AXES = "xyz"
+# What addresses of inputs are written in; one of the marks tells them from other words.
+ADDRESS = frozenset("abcdefghijklmnopqrstuvwxyz0123456789_.[]")
+ADDRESS_MARKS = frozenset("_.[")
 # A number of so many digits was calculated, not typed.
 CALCULATED = 16
 # Components smaller than this share of a vector's largest are rounding.
@@ -56,13 +58,23 @@ def input_in_words(address: str, inputs: "dict[str, Any]", names: "dict[str, str
     vector = isinstance(node, dict) and isinstance(node.get("value"), list) and len(node["value"]) <= len(AXES)
     if vector:
         return f"{words[: words.rindex('[')]} along {AXES[int(address[:-1].rpartition('[')[2])]}"
-    return re.sub(r"(\w+?)(?<![sui])s?\[(\d+)\]", lambda item: f"{item[1]} {int(item[2]) + 1}", words)
+    return " ".join(_counted(word) for word in words.split(" "))
+
+
+def _counted(word: str) -> str:
+    """`segments[0]` as segment 1; regular expressions would cost a plain call too much."""
+    if not word.endswith("]"):
+        return word
+    name, _, index = word[:-1].partition("[")
+    if name.endswith("s") and name[-2:-1] not in ("s", "u", "i"):
+        name = name[:-1]
+    return f"{name} {int(index) + 1}" if index.isdigit() else word
 
 
 def message_in_words(message: str, inputs: "dict[str, Any]", names: "dict[str, str]") -> str:
     """A message whose first word is an address, with that input as people name it."""
     address, colon, rest = message.partition(": ")
-    if colon and re.fullmatch(r"[a-z_]+(\[\d+\])?(\.[a-z_]+(\[\d+\])?)+|[a-z]+_[a-z_]+", address):
+    if colon and set(address) <= ADDRESS and not ADDRESS_MARKS.isdisjoint(address):
         return f"{input_in_words(address, inputs, names)}: {rest}"
     return message
 

@@ -18,11 +18,11 @@ from dynamics_cli.quantities import (
     InertiaTensor,
     Mass,
     MomentVector,
-    Position,
     ProductOfInertia,
     Ratio,
     Size,
-    Velocity,
+    SpacePosition,
+    SpaceVelocity,
 )
 from dynamics_cli.records import Check, Choice, record
 
@@ -54,8 +54,8 @@ class AnyBody:
         InertiaTensor, "Inertia about the mass centre, in axes fixed in space at the moment of the impact [kg·m²]."
     ]
     angular_velocity: Annotated[AngularVelocity, "Angular velocity before [rad/s]."]
-    point: Annotated[Position, "The point that is held, from the mass centre, e.g. 0.2, -0.1, 0 m [m]."]
-    velocity: Annotated[Velocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
+    point: Annotated[SpacePosition, "The point that is held, from the mass centre, e.g. 0.2, -0.1, 0 m [m]."]
+    velocity: Annotated[SpaceVelocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
     axis: Annotated[
         Direction | None, "Direction of the held axis through the point; if left out, only the point is held."
     ] = None
@@ -74,7 +74,7 @@ class Seized:
     angular_ratio: Annotated[
         Ratio | None, "The same over the angular speed before; none when the body did not spin [-]."
     ]
-    centre_velocity: Annotated[Velocity, "Velocity of the mass centre after [m/s]."]
+    centre_velocity: Annotated[SpaceVelocity, "Velocity of the mass centre after [m/s]."]
     impulse: Annotated[ImpulseVector, "Impulse of what holds the body [N·s]."]
     impulse_size: Annotated[Impulse, "Its size [N·s]."]
     couple: Annotated[

@@ -28,8 +28,8 @@ from dynamics_cli.quantities import (
     Friction,
     Gravity,
     InertiaTensor,
-    Position,
-    Velocity,
+    SpacePosition,
+    SpaceVelocity,
 )
 from dynamics_cli.records import Choice, record
 
@@ -55,14 +55,14 @@ SPATIAL_LAW = SpatialLaw("stronge")
 class LeverInSpace:
     """The contact by its place relative to the mass centre."""
 
-    lever: Annotated[Position, "From the mass centre to the contact, along the axes of the scene [m]."]
+    lever: Annotated[SpacePosition, "From the mass centre to the contact, along the axes of the scene [m]."]
 
 
 @record
 class PlacedInSpace:
     """The contact by where the mass centre is; the contact point is then given for the scene."""
 
-    centre: Annotated[Position, "Place of the mass centre in the scene [m]."]
+    centre: Annotated[SpacePosition, "Place of the mass centre in the scene [m]."]
 
 
 @record
@@ -72,7 +72,7 @@ class BodyInSpace:
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
     inertia: Annotated[InertiaTensor, "Its inertia about the mass centre, along the axes of the scene [kg·m²]."]
     arm: Annotated[LeverInSpace | PlacedInSpace, "Where it is struck."]
-    velocity: Annotated[Velocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
+    velocity: Annotated[SpaceVelocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
     spin: Annotated[AngularVelocity, "Angular velocity before [rad/s]."] = (0.0, 0.0, 0.0)
     nose: Annotated[
         Direction | None, "Direction of its nose, for PDOF; its direction of travel when left out, e.g. 1, 0, 0."
@@ -88,7 +88,7 @@ class TargetInSpace:
         InertiaTensor | None, "Its inertia about the mass centre, along the axes of the scene [kg·m²]."
     ] = None
     arm: Annotated[LeverInSpace | PlacedInSpace | None, "Where it is struck."] = None
-    velocity: Annotated[Velocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
+    velocity: Annotated[SpaceVelocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
     spin: Annotated[AngularVelocity, "Angular velocity before [rad/s]."] = (0.0, 0.0, 0.0)
     nose: Annotated[
         Direction | None, "Direction of its nose, for PDOF; its direction of travel when left out, e.g. 1, 0, 0."
@@ -107,7 +107,7 @@ def spatial(
     ],
     law: Annotated[SpatialLaw, "Law that ends the impact: stronge, newton or poisson."] = SPATIAL_LAW,
     contact_point: Annotated[
-        Position | None, "Where the bodies touch, when bodies are placed by their centres [m]."
+        SpacePosition | None, "Where the bodies touch, when bodies are placed by their centres [m]."
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity, for bodies given by weight [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SpatialImpact:

@@ -27,8 +27,8 @@ from dynamics_cli.quantities import (
     Ratio,
     RoadSpeed,
     RoadVelocity,
+    SpaceVelocity,
     Text,
-    Velocity,
 )
 from dynamics_cli.records import Advice, Check, Numerics, record
 
@@ -39,11 +39,11 @@ PI = 3.141592653589793
 class AfterSpatial:
     """One body after an impact in space."""
 
-    velocity: Annotated[Velocity, "Velocity of the mass centre after [m/s]."]
+    velocity: Annotated[SpaceVelocity, "Velocity of the mass centre after [m/s]."]
     speed: Annotated[RoadSpeed, "Its size [m/s]."]
     spin: Annotated[AngularVelocity, "Angular velocity after [rad/s]."]
     spin_change: Annotated[AngularVelocity, "Change of the angular velocity [rad/s]."]
-    delta_v: Annotated[Velocity | None, "Change of velocity, from the impulse over the mass [m/s]."]
+    delta_v: Annotated[SpaceVelocity | None, "Change of velocity, from the impulse over the mass [m/s]."]
     delta_v_magnitude: Annotated[RoadSpeed | None, "Its size [m/s]."]
     pdof: Annotated[
         Angle | None,
@@ -76,9 +76,9 @@ class SpatialImpact:
     closing_speed: Annotated[RoadSpeed, "Normal relative speed at the contact before [m/s]."]
     separation_speed: Annotated[RoadVelocity, "Normal relative speed at the contact after [m/s]."]
     sliding_before: Annotated[
-        Velocity, "Tangential velocity of the first body relative to the second at the contact before [m/s]."
+        SpaceVelocity, "Tangential velocity of the first body relative to the second at the contact before [m/s]."
     ]
-    sliding_after: Annotated[Velocity, "The same after [m/s]."]
+    sliding_after: Annotated[SpaceVelocity, "The same after [m/s]."]
     energy_lost: Annotated[Energy, "Kinetic energy turned into other forms [J]."]
     energy_lost_normal: Annotated[Energy, "The part the normal impulse took [J]."]
     energy_lost_tangential: Annotated[Energy, "The part friction took [J]."]

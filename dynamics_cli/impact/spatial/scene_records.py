@@ -12,9 +12,9 @@ from dynamics_cli.quantities import (
     Friction,
     Inertia,
     InertiaTensor,
-    Position,
     Restitution,
-    Velocity,
+    SpacePosition,
+    SpaceVelocity,
 )
 from dynamics_cli.records import record
 
@@ -48,7 +48,7 @@ class ByRadius:
 class ByComponents:
     """A velocity by its components."""
 
-    velocity: Annotated[Velocity, "Velocity of the mass centre [m/s]."]
+    velocity: Annotated[SpaceVelocity, "Velocity of the mass centre [m/s]."]
 
 
 @record
@@ -88,7 +88,9 @@ class SceneContact:
     restitution: Annotated[Restitution, "Coefficient of restitution [-]."]
     friction: Annotated[Friction, "Coefficient of friction; zero if left out [-]."] = 0.0
     law: Annotated[SpatialLaw, "What ends the impact: stronge, newton or poisson."] = SPATIAL_LAW
-    point: Annotated[Position | None, "Where the bodies touch, when bodies are placed by their centres [m]."] = None
+    point: Annotated[SpacePosition | None, "Where the bodies touch, when bodies are placed by their centres [m]."] = (
+        None
+    )
 
 
 @record

@@ -1,0 +1,1 @@
+"""Forces: resultants, moments, equivalent systems, supports, springs, gravity, friction."""

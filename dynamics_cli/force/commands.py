@@ -1,0 +1,197 @@
+"""The tasks of `dynamics force`."""
+
+from dynamics_cli.core.answering.task import Family, Model, Task
+
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+TYPED = "numbers are exact as typed; directions by an angle to 15 digits"
+METHOD = "exact sums"
+PICTURES = "dynamics_cli.force.pictures"
+
+RESULTANT = Task(
+    "resultant",
+    "Resultant of forces and couples: class, line of action, wrench.",
+    Model(
+        "central axis",
+        "dynamics_cli.force.resultant:resultant",
+        source=BOOK + "sections 6.2 to 6.6",
+        formula="R = Σ F, M = Σ (r − Q)×F + Σ C, {pitch|p} = R·M/R², axis through Q + R×M/R²",
+        assumptions=("forces act on one rigid body", TYPED),
+        method=METHOD,
+    ),
+    headline=(
+        "system", "arrangement: forces are", "force: resultant R", "magnitude: magnitude |R|", "angle: angle from x",
+        "moment: moment M", "axis_point: axis through", "direction: along", "crosses_x: crosses the x-axis at",
+        "crosses_y: crosses the y-axis at", "pitch: pitch p", "wrench_moment: moment of the wrench",
+    ),
+    examples=(
+        'dynamics force resultant --load "force=0, -500 N, at=2, 0 m" --load "force=300 N @ 30 deg, at=4, 1 m"',
+        'dynamics force resultant --load "force=10, -4, 3 N, at=1, 2, -1 m" '
+        '--load "force=-6, 8, 2 N, at=-2, 0.5, 3 m" --couple "moment=2, -3, 0.5 N*m"',
+    ),
+    arrays=False,
+    tracked=False,
+    plot=f"{PICTURES}:resultant",
+)  # fmt: skip
+
+MOMENT = Task(
+    "moment",
+    "Moment of a force about a point and about a line, with its lever.",
+    Model(
+        "vector product",
+        "dynamics_cli.force.moment:moment",
+        source=BOOK + "section 6.3",
+        formula="M = (r − Q)×F, {lever|h} = |M|/|F|, {about_line|M_n} = M·n/|n|",
+        assumptions=(TYPED,),
+        method=METHOD,
+    ),
+    headline=(
+        "moment: moment M", "magnitude: magnitude |M|", "lever", "foot: foot on the line of action",
+        "about_line: moment about the line", "line_lever: distance of the lines",
+    ),
+    examples=(
+        'dynamics force moment --force "200 N @ -60 deg" --at "0.3, 0.1 m"',
+        'dynamics force moment --force "10, -4, 30 lbf" --at "6, 2, 0 in" --axis "0, 1, 0" --units us',
+    ),
+    arrays=False,
+    tracked=False,
+    plot=f"{PICTURES}:moment",
+)  # fmt: skip
+
+EQUIVALENT = Task(
+    "equivalent",
+    "The same system as force and couple elsewhere, wrench, or two forces.",
+    Model(
+        "equivalent systems",
+        "dynamics_cli.force.equivalent:equivalent",
+        source=BOOK + "sections 6.5 and 6.6",
+        formula="R = Σ F, M_Q = M_O − Q×R",
+        assumptions=("forces act on one rigid body", TYPED),
+        method=METHOD,
+    ),
+    headline=(
+        "form: equivalent to", "force: force", "at", "couple", "second_force: second force", "second_at: at",
+        "pitch: pitch p", "wrench_moment: moment of the wrench",
+    ),
+    examples=(
+        'dynamics force equivalent --load "force=0, -500 N, at=2, 0 m" --about "0.5, 0 m"',
+        'dynamics force equivalent --load "force=10, -4, 3 N, at=1, 2, -1 m" --couple "moment=2, -3, 0.5 N*m" '
+        "--form two-forces",
+    ),
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
+EQUILIBRIUM = Task(
+    "equilibrium",
+    "Reactions of pins, rollers, cables and other supports of a rigid body.",
+    Model(
+        "equations of equilibrium",
+        "dynamics_cli.force.equilibrium:equilibrium",
+        source=BOOK + "section 6.5",
+        formula="Σ F = 0, Σ M = 0",
+        assumptions=("one rigid body at rest", "supports without friction, rigid", TYPED),
+        method="exact elimination",
+    ),
+    headline=("verdict", "reactions: reactions on the body | name, type, force, size, angle, moment, sense"),
+    examples=(
+        'dynamics force equilibrium --load "force=0, -1000 N, at=2, 0 m" --load "force=300, 0 N, at=4, 1 m" '
+        '--support "type=pin, at=0, 0 m" --support "type=roller, at=5, 0 m, direction=1 @ 120 deg"',
+        'dynamics force equilibrium --force "0, -500 lbf" --at "8, 0 ft" --support "type=fixed, at=0, 0 ft" --units us',
+    ),
+    table="reactions",
+    arrays=False,
+    tracked=False,
+    plot=f"{PICTURES}:equilibrium",
+)  # fmt: skip
+
+SPRING = Task(
+    "spring",
+    "Force and energy of a spring, with a damper, between two points.",
+    Model(
+        "linear spring",
+        "dynamics_cli.force.spring:spring",
+        source=BOOK + "section 6.7",
+        formula="{tension|T} = {stiffness|k}·({length|ℓ} − {free_length|ℓ₀}) + {damping|c}·{rate|ℓ̇}",
+        assumptions=("force in proportion to stretch, and to its rate", "the spring pushes as well as pulls"),
+    ),
+    headline=(
+        "state", "tension: tension T", "spring_force: of the spring", "damper_force: of the damper", "stretch",
+        "energy: energy stored", "first_force: on the first end", "second_force: on the second end",
+    ),
+    examples=(
+        'dynamics force spring --length "120 mm" --free-length "100 mm" --stiffness "20 N/mm"',
+        'dynamics force spring --first-end "0, 0 m" --second-end "0.3, 0.4 m" --free-length "450 mm" '
+        '--stiffness "2 kN/m" --damping "50 N*s/m" --rate "0.2 m/s"',
+    ),
+    arrays=False,
+)  # fmt: skip
+
+GRAVITY = Task(
+    "gravity",
+    "Weight at an altitude; attraction of two masses.",
+    Model(
+        "inverse square",
+        "dynamics_cli.force.masses:gravity",
+        source=BOOK + "section 6.7; CODATA 2018",
+        formula="g = {gravity|g₀}·(R/(R + h))², F = m·g, or F = G·m₁·m₂/r²",
+        assumptions=("round bodies, each a mass at its centre", "the earth does not turn; its mean radius is 6371 km"),
+    ),
+    headline=("force: force F", "acceleration: acceleration g", "share: of that on the ground"),
+    examples=(
+        'dynamics force gravity --mass "80 kg" --altitude "400 km"',
+        'dynamics force gravity --mass "1000 kg" --other-mass "5.972e24 kg" --distance "7000 km"',
+    ),
+)
+
+FRICTION = Task(
+    "friction",
+    "A pushed block on an incline: holds, slides or tips; least and largest push.",
+    Model(
+        "Coulomb friction and tipping",
+        "dynamics_cli.force.friction:friction",
+        source=BOOK + "section 6.7",
+        formula="{normal_force|N} = {mass|m}·{gravity|g}·cos {angle|α}",
+        assumptions=(
+            "the block is rigid and at rest", "the push is along the incline",
+            "its centre is above the middle of its base",
+        ),
+    ),
+    headline=(
+        "verdict", "margin", "least_push: least push", "below: below that it", "largest_push: largest push",
+        "above: above that it", "needed_friction: friction needed", "pressure_point: normal force off the middle",
+    ),
+    examples=(
+        'dynamics force friction --mass "80 kg" --friction 0.4 --width "0.5 m" --centre-height "0.6 m" '
+        '--push "200 N" --push-height "1 m"',
+        'dynamics force friction --mass "300 lb" --angle "15 deg" --friction 0.5 --width "20 in" '
+        '--centre-height "18 in" --push-height "10 in" --units us',
+    ),
+    arrays=False,
+)  # fmt: skip
+
+FIRST_MOMENT = Task(
+    "first-moment",
+    "First moment of mass and mass centre of particles.",
+    Model(
+        "first moment",
+        "dynamics_cli.force.masses:first_moment",
+        source=BOOK + "section 6.8",
+        formula="S = Σ m·(r − Q), centre = Q + S/Σ m",
+        assumptions=("products are exact for the numbers as typed, to 15 digits",),
+    ),
+    headline=("first_moment: first moment S", "mass: total mass", "centre: mass centre"),
+    examples=(
+        'dynamics force first-moment --particle "mass=2 kg, at=1, 0 m" --particle "mass=3 kg, at=0, 2 m"',
+        'dynamics force first-moment --particle "mass=4 lb, at=1, 2, 0 ft" --particle "mass=6 lb, at=0, 1, 3 ft" '
+        '--about "1, 1, 1 ft" --units us',
+    ),
+    arrays=False,
+)
+
+FAMILIES = {
+    "force": Family(
+        "force",
+        "Forces: resultants, moments, reactions, springs, friction.",
+        RESULTANT, MOMENT, EQUIVALENT, EQUILIBRIUM, SPRING, GRAVITY, FRICTION, FIRST_MOMENT,
+    )
+}  # fmt: skip

@@ -1,0 +1,130 @@
+"""The task `friction`: whether a pushed block on an incline holds, slides or tips."""
+
+from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import absolute, cos, sin
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.quantities import (
+    STANDARD_GRAVITY,
+    Angle,
+    Annotated,
+    Distance,
+    Force,
+    Friction,
+    Gravity,
+    Length,
+    Mass,
+    Text,
+)
+from dynamics_cli.records import Advice, record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    Limit = tuple[float, str]
+
+QUARTER = 1.5707963267948966
+NONE_HOLDS = "no push along the incline holds this block: it {low} below and {high} above"
+
+
+@record
+class FrictionAnswer:
+    """Whether a block holds, and between which pushes."""
+
+    verdict: Annotated[Text, "Holds, slides or tips, by the limit that is reached first."]
+    margin: Annotated[Force, "The push may change by so much; negative where it does not hold [N]."]
+    least_push: Annotated[Force | None, "Least push along the incline, up positive, that holds it [N]."]
+    below: Annotated[Text | None, "What it does below that."]
+    largest_push: Annotated[Force | None, "Largest push that holds it [N]."]
+    above: Annotated[Text | None, "What it does above that."]
+    normal_force: Annotated[Force, "Force of the incline across it [N]."]
+    friction_force: Annotated[Force, "Friction that holding takes, up the incline positive [N]."]
+    needed_friction: Annotated[Friction, "Coefficient of friction that holding takes [-]."]
+    pressure_point: Annotated[
+        Length, "Where the normal force must act, from the middle of the base, uphill positive [m]."
+    ]
+    advice: tuple[Advice, ...] = ()
+
+
+def friction(
+    *,
+    mass: Annotated[Mass, "Mass of the block, e.g. 80 kg."],
+    angle: Annotated[Angle, "Angle of the incline, e.g. 15 deg."] = 0.0,
+    friction: Annotated[Friction, "Coefficient of friction, e.g. 0.4."],
+    width: Annotated[Distance, "Length of its base along the incline, e.g. 0.5 m."],
+    centre_height: Annotated[Distance, "Height of its mass centre above the base, e.g. 0.6 m."],
+    push: Annotated[Force, "Push along the incline, up positive, e.g. 200 N."] = 0.0,
+    push_height: Annotated[Distance, "Height of the push above the base, e.g. 1 m."],
+    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
+) -> FrictionAnswer:
+    """A block on an incline, pushed at a height: whether it holds, slides or tips, and the pushes that it bears.
+
+    Equation
+    --------
+    N = W·cos α, slides at P = W·(sin α ± μ·cos α), tips at P = W·(c·sin α ± b/2·cos α)/h.
+
+    Returns
+    -------
+    FrictionAnswer
+        The verdict, its margin, and the least and the largest push.
+
+    Raises
+    ------
+    InadmissibleError
+        When mass, base or height of the mass centre is zero, or the angle is not between −90 and 90 degrees.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 6.7.
+
+    Examples
+    --------
+    >>> call = {"mass": 10.0, "friction": 0.5, "width": 0.2, "centre_height": 0.4, "push_height": 0.8}
+    >>> friction(push=20.0, **call).verdict
+    'tips uphill'
+    """
+    for value, name in ((mass, "mass"), (width, "base"), (centre_height, "height of the mass centre")):
+        require(plain(value) > 0.0, "the {name} is zero", name=name, hint="give one above zero")
+    require(plain(absolute(angle)) < QUARTER, "{angle} is no incline", angle=(angle, Angle), code="angle",
+            hint="give an angle between -90 and 90 deg")  # fmt: skip
+    weight = mass * gravity
+    normal, down = weight * cos(angle), weight * sin(angle)
+    lows: list[Limit] = [(down - friction * normal, "slides down")]
+    highs: list[Limit] = [(down + friction * normal, "slides up")]
+    turning, base = centre_height * down, 0.5 * width * normal
+    if plain(push_height) > 0.0:
+        lows.append(((turning - base) / push_height, "tips downhill"))
+        highs.append(((turning + base) / push_height, "tips uphill"))
+    low, high = max(lows, key=_value), min(highs, key=_value)
+    point = (push_height * push - turning) / normal
+    topples = plain(push_height) == 0.0 and abs(plain(point)) > 0.5 * plain(width)
+    exists = plain(low[0]) <= plain(high[0]) and not topples
+    margin = min(push - low[0], high[0] - push, key=plain)
+    if topples:
+        verdict = "tips uphill" if plain(point) > 0.0 else "tips downhill"
+    elif plain(push) < plain(low[0]):
+        verdict = low[1]
+    elif plain(push) > plain(high[0]):
+        verdict = high[1]
+    else:
+        verdict = "holds"
+    needed = down - push
+    return FrictionAnswer(
+        verdict=verdict,
+        margin=margin,
+        least_push=low[0] if exists else None,
+        below=low[1] if exists else None,
+        largest_push=high[0] if exists else None,
+        above=high[1] if exists else None,
+        normal_force=normal,
+        friction_force=needed,
+        needed_friction=absolute(needed) / normal,
+        pressure_point=point,
+        advice=() if exists else (Advice("none-holds", _none(low[1], high[1], topples=topples), severity="caution"),),
+    )
+
+
+def _value(limit: "Limit") -> float:
+    return plain(limit[0])
+
+
+def _none(low: str, high: str, *, topples: bool) -> str:
+    return "at this height no push keeps it from tipping" if topples else NONE_HOLDS.format(low=low, high=high)

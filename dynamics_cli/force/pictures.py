@@ -1,0 +1,139 @@
+"""Forces where they act, with their resultant, its line of action, and what supports do."""
+
+import math
+
+from dynamics_cli.errors import worded
+from dynamics_cli.force import ratios
+from dynamics_cli.force.system import Load, System
+from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
+from dynamics_cli.quantities import Force, Length, Torque
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+    # Where it starts, which way, its words, its colour.
+    Drawn = tuple[tuple[float, ...], tuple[float, ...], str, int]
+
+GIVEN, ANSWER, LEVER = 0, 1, 2
+VIEWS = (((0, 1), "from above"), ((0, 2), "from the front"), ((1, 2), "from the side"))
+# The longest arrow beside the extent of the points.
+LONGEST = 0.45
+
+
+def resultant(made: "Any", *, loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
+    """The forces where they act and the resultant on its axis."""
+    drawn, planar = _given(loads, couples)
+    if made.axis_point is not None:
+        name = worded("R = {size}", size=(made.magnitude, Force))
+        drawn.append((made.axis_point, made.force, name, ANSWER))
+    title = f"forces and their resultant: {made.system}"
+    words = []
+    if made.wrench_moment is not None:
+        words.append(worded("about the axis {moment}", moment=(made.wrench_moment, Torque)))
+    elif made.axis_point is None:
+        words.append(worded("moment {moment}", moment=(math.hypot(*made.moment), Torque)))
+    return _picture(drawn, title, planar=planar, axis=made.axis_point and (made.axis_point, made.force), words=words)
+
+
+def equilibrium(made: "Any", *, loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
+    """The loads, and the reactions where the supports are."""
+    drawn, planar = _given(loads, couples)
+    words = []
+    for one in made.reactions:
+        planar = planar and not one.force[2] and not one.at[2]
+        drawn.append((one.at, one.force, worded("{name}: {size}", name=one.name, size=(one.size, Force)), ANSWER))
+        if one.moment is not None and any(one.moment):
+            turning = one.moment[2] if planar else math.hypot(*one.moment)
+            words.append(worded("{name}: {moment}", name=one.name, moment=(turning, Torque)))
+    return _picture(drawn, "loads and reactions on the body", planar=planar, axis=None, words=words)
+
+
+def moment(made: "Any", *, force: "Any", at: "Any", about: "Any" = (0.0, 0.0, 0.0), **_: "Any") -> Picture:
+    """The force, the point and the lever between."""
+    drawn, planar = _given(Load(force, at), None)
+    planar = planar and at[2] == about[2]
+    drawn = [(at, way, name, role) for _, way, name, role in drawn]
+    lever = (about, made.foot, worded("lever {lever}", lever=(made.lever, Length))) if made.foot else None
+    axis = (at, drawn[0][1]) if drawn else None
+    words = [worded("M = {moment}", moment=(made.moment[2] if planar else made.magnitude, Torque))]
+    return _picture(drawn, "force and its moment about a point", planar=planar, axis=axis, words=words, lever=lever)
+
+
+def _given(loads: "Any", couples: "Any") -> "tuple[list[Drawn], bool]":
+    system = System(loads, couples, needed=False)
+    drawn: list[Drawn] = []
+    for point, force in zip(system.points, system.forces, strict=True):
+        name = worded("{size}", size=(ratios.size(force), Force))
+        drawn.append((ratios.rounded(point), ratios.rounded(force), name, GIVEN))
+    return drawn, system.planar
+
+
+def _picture(
+    drawn: "Sequence[Drawn]", title: str, *, planar: bool, axis: "Any", words: "Sequence[str]", lever: "Any" = None
+) -> Picture:
+    views = VIEWS[:1] if planar else VIEWS
+    points = [tail for tail, *_ in drawn] + ([lever[0], lever[1]] if lever else []) or [(0.0, 0.0, 0.0)]
+    extent = max(max(p[i] for p in points) - min(p[i] for p in points) for i in range(3)) or 1.0
+    longest = max((math.hypot(*way) for _, way, *_ in drawn), default=0.0) or 1.0
+    scale = LONGEST * extent / longest
+    panels = [_view(drawn, points, scale, extent, view, axis, lever, "" if planar else name) for view, name in views]
+    if words:
+        first = panels[0]
+        low = min(min(item.y) for item in first.items if isinstance(item, Curve) and item.style == "fill")
+        left = min(min(item.x) for item in first.items if isinstance(item, Curve) and item.style == "fill")
+        label = Label(left + 0.03 * extent, low + 0.05 * extent, words[0], 6, left=True)
+        panels[0] = Panel(first.x, first.y, (*first.items, label), first.title, equal=True)
+    return Picture(tuple(panels), title, columns=1 if planar else 2)
+
+
+def _view(
+    drawn: "Sequence[Drawn]", points: "Sequence[Any]", scale: float, extent: float, view: "tuple[int, int]",
+    axis: "Any", lever: "Any", title: str,
+) -> Panel:  # fmt: skip
+    """One view: arrows where they act, with room around them."""
+    i, j = view
+    ends = [(p[i], p[j]) for p in points]
+    ends += [(tail[i] + scale * way[i], tail[j] + scale * way[j]) for tail, way, *_ in drawn]
+    room = 0.2 * extent
+    left, right = min(x for x, _ in ends) - room, max(x for x, _ in ends) + room
+    low, high = min(y for _, y in ends) - room, max(y for _, y in ends) + room
+    items: list[Any] = [Curve([left, right], [low, high], "", "fill", 6)]
+    if axis:
+        items += _line(axis, view, (left, right, low, high))
+    if lever:
+        start, foot, name = lever
+        items.append(Curve([start[i], foot[i]], [start[j], foot[j]], "", "dashed", LEVER))
+        items.append(Mark(start[i], start[j], name, (6.0, -12.0), role=LEVER))
+    for tail, way, name, role in drawn:
+        dx, dy = scale * way[i], scale * way[j]
+        seen = math.hypot(dx, dy) > 0.02 * extent
+        answer = role == ANSWER
+        # beside the line of action, on the side that falls away from it
+        aside = (6.0, 6.0 if dx * dy < 0.0 else -14.0)
+        items.append(Mark(tail[i], tail[j], name if answer or not seen else "", aside, role=role))
+        if seen:
+            items.append(Arrow(tail[i], tail[j], dx, dy, "" if answer else name, role))
+    return Panel(Axis("xyz"[i], Length), Axis("xyz"[j], Length), tuple(items), title, equal=True)
+
+
+def _line(axis: "Any", view: "tuple[int, int]", box: "tuple[float, float, float, float]") -> "list[Curve]":
+    """A line across the view, dash-dotted."""
+    (point, way), (i, j) = axis, view
+    size = math.hypot(way[i], way[j])
+    if not size:
+        return []
+    u, v = way[i] / size, way[j] / size
+    low, high = -math.inf, math.inf
+    for start, part, least, most in ((point[i], u, box[0], box[1]), (point[j], v, box[2], box[3])):
+        if part:
+            one, other = (least - start) / part, (most - start) / part
+            low, high = max(low, min(one, other)), min(high, max(one, other))
+    if not low < high:
+        return []
+    return [
+        Curve(
+            [point[i] + low * u, point[i] + high * u], [point[j] + low * v, point[j] + high * v], "", "centre", ANSWER
+        )
+    ]

@@ -1,0 +1,127 @@
+"""Calls of `dynamics force`: refusals, verdicts, pictures."""
+
+import shlex
+from pathlib import Path
+
+import pytest
+from harness import answer, run
+
+PARALLEL = " ".join(f'--support "type=roller, at={x}, 0 m"' for x in (5, 6, 7))
+DOWN = '--load "force=0, -1000 N, at=2, 0 m"'
+SIDE = '--load "force=300, 0 N, at=4, 1 m"'
+PIN, ROLLER = '--support "type=pin, at=0, 0 m"', '--support "type=roller, at=5, 0 m"'
+REFUSED = {
+    "nothing": ("resultant", "missing"),
+    "a length": ('resultant --force "10, 0 m" --at "0, 0 m"', "kind"),
+    "no direction": ('resultant --force "10 N" --at "0, 0 m"', "no-direction"),
+    "couple as a number": ('resultant --moment "5"', "kind"),
+    "axis of a couple": ('equivalent --moment "5 N*m" --form wrench', "couple"),
+    "axis without direction": ('moment --force "1, 0 N" --at "0, 1 m" --axis "0, 0, 0"', "zero-vector"),
+    "spring of no length": (
+        'spring --first-end "1, 0 m" --second-end "1, 0 m" --free-length "1 m" --stiffness "1 N/m"',
+        "no-length",
+    ),
+    "damper without rate": (
+        'spring --length "1 m" --free-length "1 m" --stiffness "1 N/m" --damping "1 N*s/m"',
+        "missing",
+    ),
+    "no mass": ('first-moment --mass "0 kg" --at "1, 0 m"', "no-mass"),
+    "underground": ('gravity --mass "1 kg" --altitude "-1 m"', "altitude"),
+    "one place": ('gravity --mass "1 kg" --other-mass "1 kg" --distance "0 m"', "distance"),
+    "a wall": (
+        'friction --mass "1 kg" --angle "90 deg" --friction 1 --width "1 m" --centre-height "1 m" --push-height "1 m"',
+        "angle",
+    ),
+    "one pin": (f"equilibrium {DOWN} {PIN}", "mechanism"),
+    "rollers in parallel": (f"equilibrium {SIDE} {PARALLEL}", "mechanism"),
+    "two pins": (f"equilibrium {DOWN} {PIN} {PIN.replace('at=0', 'at=5')}", "indeterminate"),
+    "pin in space": ('equilibrium --force "0, 0, 1 N" --at "1, 0, 0 m" --support "type=pin, at=0, 0 m"', "space"),
+    "link without direction": (f'equilibrium {DOWN} --support "type=link, at=0, 0 m"', "no-direction"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_refusals(name: str) -> None:
+    call, code = REFUSED[name]
+    out = run(*shlex.split("force " + call), "--json")
+    assert out.status in (2, 3), out.err
+    assert out.error["code"] == code
+
+
+def test_a_mechanism_is_refused_with_the_motion_that_is_free() -> None:
+    out = run(*shlex.split(f"force equilibrium {DOWN} {PIN}"))
+    assert "turns about the point 0 m, 0 m" in out.err
+    call = 'force equilibrium --force "0, 0, 1 N" --at "1, 0, 0 m" --support "type=ball, at=0, 0, 0 m"'
+    assert "about the axis through 0 m, 0 m, 0 m along y" in run(*shlex.split(call)).err
+
+
+def test_decimals_in_any_unit_are_exact() -> None:
+    loads = " ".join(f'--load "force={x}, 0 lbf, at=0, {y} in"' for x, y in (("0.1", 0), ("0.2", 1), ("-0.3", 2)))
+    made = answer(*shlex.split(f"force resultant {loads} --units us"))
+    assert made["results"]["system"] == "couple"
+    assert made["results"]["moment"]["value"][2] == pytest.approx(0.4 / 12, rel=1e-15)
+
+
+def test_forces_at_angles_that_cancel() -> None:
+    loads = " ".join(f'--load "force=10 N @ {angle} deg, at=0, 0 m"' for angle in (0, 120, 240))
+    assert answer(*shlex.split(f"force resultant {loads}"))["results"]["system"] == "zero: in equilibrium"
+
+
+def test_a_cable_in_compression_is_said_and_not_clipped() -> None:
+    call = 'force equilibrium --force "0, 500 N" --at "1, 0 m" --support "type=pin, at=0, 0 m"'
+    made = answer(*shlex.split(call + ' --support "type=cable, at=2, 0 m, direction=0, 1"'))
+    assert [warning["code"] for warning in made["warnings"]] == ["slack"]
+
+
+def test_a_body_without_loads_is_said_to_have_none() -> None:
+    made = answer(*shlex.split(f"force equilibrium {PIN} {ROLLER}"))
+    assert [warning["code"] for warning in made["warnings"]] == ["no-load"]
+
+
+def test_a_body_that_only_these_loads_leave_at_rest() -> None:
+    made = answer(*shlex.split(f"force equilibrium {DOWN} {ROLLER} {ROLLER.replace('5', '0')}"))
+    assert made["results"]["verdict"] == "held for these loads alone"
+    assert [warning["code"] for warning in made["warnings"]] == ["partial"]
+
+
+BLOCK = 'force friction --mass "80 kg" --friction 0.4 --width "0.5 m" --centre-height "0.6 m"'
+
+
+@pytest.mark.parametrize(
+    ("more", "verdict"),
+    [
+        ('--push "200 N" --push-height "1 m"', "tips uphill"),
+        ('--push "-200 N" --push-height "1 m"', "tips downhill"),
+        ('--push "190 N" --push-height "1 m"', "holds"),
+        ('--push "320 N" --push-height "0.2 m"', "slides up"),
+        ('--push "0 N" --push-height "0.2 m" --angle "22 deg"', "slides down"),
+        ('--push "0 N" --push-height "0 m" --angle "21 deg"', "holds"),
+        ('--push "0 N" --push-height "0 m" --angle "23 deg"', "tips downhill"),
+    ],
+)
+def test_blocks(more: str, verdict: str) -> None:
+    """Sliding sets in at 21.8 degrees, tipping at 22.6."""
+    assert answer(*shlex.split(f"{BLOCK} {more}"))["results"]["verdict"] == verdict
+
+
+def test_uncertain_forces() -> None:
+    made = answer(*shlex.split(f'force equilibrium --load "force=0, -1000±50 N, at=2, 0 m" {PIN} {ROLLER}'))
+    assert made["results"]["load"]["std"][1] == pytest.approx(50.0, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        f"resultant {DOWN} {SIDE}",
+        'resultant --load "force=10, -4, 3 N, at=1, 2, -1 m" --load "force=-6, 8, 2 N, at=-2, 0.5, 3 m"',
+        'resultant --moment "5 N*m"',
+        'moment --force "200 N @ -60 deg" --at "0.3, 0.1 m"',
+        'moment --force "10, -4, 30 N" --at "6, 2, 0 m" --axis "0, 1, 0"',
+        f"equilibrium {DOWN} {SIDE} {PIN} {ROLLER}",
+        'equilibrium --force "0, -5 N" --at "8, 0 m" --support "type=fixed, at=0, 0 m"',
+    ],
+)
+def test_pictures(call: str, tmp_path: Path) -> None:
+    target = tmp_path / "picture.svg"
+    assert run(*shlex.split("force " + call), "--plot", str(target)).status == 0
+    assert target.stat().st_size > 5000
