@@ -9,7 +9,9 @@ closed form and the rest by scrambled Sobol points (their scatter is the noise),
 those of momentum at wide angles are judged by `coverage_experiment.py`.
 """
 
+import json
 import sys
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -224,7 +226,7 @@ def slope(rng: np.random.Generator, correlated: bool) -> tuple[str, list[Verdict
     outcome = run(*argv, "--units", "base", "--json")
     if not outcome.out:
         return outcome.err, []
-    reference = skid.Reference(inputs, correlation)
+    reference = skid.Reference(inputs, correlation, slopes=14 if correlated else 84)
     return "", [
         judged(str(argv), outcome.document, name, lambda c, n=name: (reference.below(n, c), QUADRATURE))
         for name in ("speed", "time")
@@ -288,8 +290,9 @@ def main(problems: int = 20, seed: int = 15) -> None:
         for verdict in made.verdicts:
             if not verdict.held or not 0.93 <= verdict.inside <= 0.97:
                 print(f"    {verdict}")
-        for refusal in made.refusals:
-            print(f"    refused: {refusal.strip()}")
+        codes = Counter(json.loads(refusal)["error"]["code"] for refusal in made.refusals)
+        for code, count in codes.items():
+            print(f"    refused as {code}: {count}")
 
 
 if __name__ == "__main__":
