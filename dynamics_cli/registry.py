@@ -131,6 +131,12 @@ FAMILIES: "dict[str, Entry]" = {
         "A particle: flights, falls, tubes, inclines, bends.",
         references=("particle.json",),
     ),
+    "spin": Entry(
+        "dynamics_cli.spin.commands",
+        GROUPS[5],
+        "Spinning bodies: gyroscopes, free bodies, tops.",
+        references=("spin.json",),
+    ),
     "stability": Entry(
         "dynamics_cli.stability.commands",
         GROUPS[5],
