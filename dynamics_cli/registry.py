@@ -134,7 +134,7 @@ FAMILIES: "dict[str, Entry]" = {
     "spin": Entry(
         "dynamics_cli.spin.commands",
         GROUPS[5],
-        "Spinning bodies: gyroscopes, free bodies, tops.",
+        "Spinning bodies: gyroscopes, free bodies, tops, disks.",
         references=("spin.json",),
     ),
     "stability": Entry(

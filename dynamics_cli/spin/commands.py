@@ -11,7 +11,7 @@ GYRO = Task(
     Model(
         "steady precession",
         "dynamics_cli.spin.gyro:gyro",
-        source=BOOK + "section 14.4",
+        source="Euler's equations",
         formula="{torque|M} = {precession|Ω}·sin {angle|θ}·({axial|C}·({spin|s} + {precession|Ω}·cos {angle|θ}) "
         "− {transverse|A}·{precession|Ω}·cos {angle|θ})",
         assumptions=("the rotor is alike in all directions across its axis", "both rates and the angle are steady"),
@@ -59,7 +59,7 @@ TOP = Task(
     Model(
         "heavy symmetric top",
         "dynamics_cli.spin.top:top",
-        source=BOOK + "section 14.4",
+        source="Euler's equations",
         formula="{transverse|A}·cos {tilt|θ}·Ω² − {axial|C}·{spin|n}·Ω + {mass|m}·{gravity|g}·{distance|ℓ} = 0",
         assumptions=("it stands on a fixed point without friction", "alike in all directions across its axis"),
     ),
@@ -77,4 +77,79 @@ TOP = Task(
     arrays=False,
 )  # fmt: skip
 
-FAMILIES = {"spin": Family("spin", "Spinning bodies: gyroscopes, free bodies, tops.", GYRO, FREE, TOP)}
+SHAFT = Task(
+    "shaft",
+    "Bearing loads of a rotor that is off its axis or skewed on its shaft.",
+    Model(
+        "rigid rotor on a rigid shaft",
+        "dynamics_cli.spin.shaft:shaft",
+        source=BOOK + "sections 8.8 and 15.3",
+        formula=(
+            "{force|F} = {mass|m}·{eccentricity|e}·{speed|Ω}²",
+            "{couple|K} = |C − A|·{speed|Ω}²·sin β·cos β",
+        ),
+        assumptions=(
+            "shaft and bearings are rigid", "the weight is left out",
+            "angles turn with the shaft, counted from the eccentricity",
+        ),
+    ),
+    headline=(
+        "left_load: load on the left bearing", "left_angle: its direction", "right_load: load on the right bearing",
+        "right_angle: its direction", "force: centrifugal force", "couple: couple of the skew",
+        "unbalance", "couple_unbalance: couple unbalance",
+    ),
+    examples=(
+        'dynamics spin shaft --mass "10 kg" --speed "3000 rpm" --span "400 mm" --position "150 mm" --skew "2 deg" '
+        '--axial "0.2 kg*m^2" --transverse "0.1 kg*m^2" --eccentricity "50 um" --skew-direction "90 deg"',
+        'dynamics spin shaft --mass "22 lb" --speed "3600 rpm" --span "16 in" --position "20 in" '
+        '--eccentricity "2 mil" --units us',
+    ),
+    arrays=False,
+)  # fmt: skip
+
+DISK = Task(
+    "disk",
+    "A disk or hoop on the floor: least speeds of rolling and pivoting, steady turns.",
+    Model(
+        "thin disk without slip",
+        "dynamics_cli.spin.disk:disk",
+        source=BOOK + "sections 8.13 and 14.5",
+        formula="(C + m·{radius|r}²)·{spin|ω}·{turn|φ̇}·sin θ = A·{turn|φ̇}²·sin θ·cos θ − m·g·{radius|r}·cos θ",
+        assumptions=("thin, on a level floor", "it does not slip"),
+    ),
+    headline=(
+        "upright: upright rolling", "growth: it falls at", "rolling_limit: rolls stably above",
+        "pivoting_limit: pivots stably above", "spin: steady turn, spin", "path_radius: circle of its centre",
+        "needed_friction: friction it needs",
+    ),
+    examples=(
+        'dynamics spin disk --radius "300 mm" --roll "3 rad/s" --lean "20 deg" --turn "1.5 rad/s"',
+        'dynamics spin disk --radius "12 in" --wheel hoop --roll "40 rpm" --units us',
+    ),
+    arrays=False,
+)  # fmt: skip
+
+ROD = Task(
+    "rod",
+    "A rod pinned to a turning vertical shaft: critical speed, angle, frequency.",
+    Model(
+        "pinned rod",
+        "dynamics_cli.spin.rod:rod",
+        source=BOOK + "section 8.12",
+        formula="cos {angle|θ} = 3·{gravity|g}/(2·{length|L}·{speed|Ω}²)",
+        assumptions=("a uniform rod, its pin level and on the axis of the shaft", "the shaft turns at a steady speed"),
+    ),
+    headline=(
+        "motion", "angle: angle from the vertical", "frequency", "critical: stands out above",
+        "pin_force: force of the pin",
+    ),
+    examples=(
+        'dynamics spin rod --length "0.8 m" --speed "7 rad/s" --mass "2 kg"',
+        'dynamics spin rod --length "30 in" --speed "40 rpm" --units us',
+    ),
+    arrays=False,
+)  # fmt: skip
+
+FAMILIES = {
+    "spin": Family("spin", "Spinning bodies: gyroscopes, free bodies, tops, disks.", GYRO, FREE, TOP, SHAFT, DISK, ROD)
+}

@@ -65,7 +65,7 @@ def top(
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 14.4.
+    Euler's equations, with components along the spin axis and across it.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Writes spin.json: gyroscopes, free bodies and tops to 40 digits, for ordinary and hard inputs.
+"""Writes spin.json: gyroscopes, free bodies, tops, rotors, rods and disks to 40 digits, for ordinary and hard inputs.
 
 Torques come from products of vectors, periods from Legendre's integral of momentum and energy, precession from roots of
 polynomials; the program has products, the arithmetic–geometric mean and conjugate forms.
@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from mpmath import acos, cos, ellipk, mp, mpf, nstr, pi, polyroots, re, sin, sqrt
+from mpmath import acos, atan2, cos, ellipk, mp, mpf, nstr, pi, polyroots, re, sin, sqrt
 
 mp.dps = 90
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
@@ -114,8 +114,65 @@ def tops() -> Iterator[Case]:
         yield "top", "hard" if why else "ordinary", f"top {nth}", why, inputs, results
 
 
+def shafts() -> Iterator[Case]:
+    names = (
+        "mass", "speed", "span", "position", "eccentricity", "skew", "axial", "transverse", "skew_direction",
+    )  # fmt: skip
+    for nth in range(7):
+        texts = (
+            drawn(1, 90), drawn(10, 400), drawn(0.2, 0.9), drawn(-0.2, 1.2), drawn(1e-5, 1e-3, 6), drawn(0.005, 0.5),
+            drawn(0.1, 0.9), drawn(0.5, 0.9), drawn(-3, 3),
+        )  # fmt: skip
+        mass, speed, span, position, offset, skew, axial, transverse, lean = (exact(text) for text in texts)
+        # a tensor along shaft, eccentricity and across both; H of a turn about the shaft, and its rate
+        axis = (cos(skew), sin(skew) * cos(lean), sin(skew) * sin(lean))
+        momentum = [(axial - transverse) * speed * axis[0] * part for part in axis]
+        moment = (-speed * momentum[2], speed * momentum[1])
+        # bearings: forces that sum to the centre's acceleration, with this moment about it
+        accelerated = -mass * offset * speed**2
+        right = ((position * accelerated + moment[1]) / span, -moment[0] / span)
+        left = (accelerated - right[0], -right[1])
+        results = {
+            "force": -accelerated, "couple": sqrt(moment[0] ** 2 + moment[1] ** 2),
+            "left_load": sqrt(left[0] ** 2 + left[1] ** 2), "right_load": sqrt(right[0] ** 2 + right[1] ** 2),
+            "left_angle": atan2(-left[1], -left[0]), "right_angle": atan2(-right[1], -right[0]),
+        }  # fmt: skip
+        yield "shaft", "ordinary", f"rotor {nth}", "", dict(zip(names, texts, strict=True)), results
+
+
+def rods() -> Iterator[Case]:
+    hard = [("4.288069495", "just above the critical speed"), ("1000.0", "all but level")]
+    for nth, (text, why) in enumerate([*hard, *((drawn(4.5, 30), "") for _ in range(5))]):
+        speed, length = exact(text), mpf(float("0.8"))
+        cosine = 3 * GRAVITY / (2 * length * speed**2)
+        angle = acos(cosine)
+        results = {
+            "critical": sqrt(3 * GRAVITY / (2 * length)), "angle": angle, "frequency": speed * sin(angle) / (2 * pi),
+            "pin_force": 2 * sqrt(GRAVITY**2 + (speed**2 * length * sin(angle) / 2) ** 2),
+        }  # fmt: skip
+        inputs = {"length": "0.8", "speed": text, "mass": "2.0"}
+        yield "rod", "hard" if why else "ordinary", f"rod {nth}", why, inputs, results
+
+
+def disks() -> Iterator[Case]:
+    for nth in range(7):
+        texts = {"radius": drawn(0.1, 0.9), "roll": drawn(0.1, 1.5), "lean": drawn(0.1, 1.3), "turn": drawn(0.5, 2)}
+        radius, roll, lean, turn = (exact(text) for text in texts.values())
+        axial, across = radius**2 / 2, radius**2 / 4
+        theta, pull = pi / 2 - lean, GRAVITY * radius
+        steady = across * turn**2 * sin(theta) * cos(theta) - pull * cos(theta)
+        spin = abs(steady / ((axial + radius**2) * turn * sin(theta)))
+        results = {
+            "rolling_limit": sqrt(across * pull / (axial * (axial + radius**2))),
+            "pivoting_limit": sqrt(pull / (across + radius**2)), "spin": spin, "path_radius": spin * radius / turn,
+            "needed_friction": spin * radius * turn / GRAVITY,
+            "growth": sqrt((pull - axial * (axial + radius**2) * roll**2 / across) / (across + radius**2)),
+        }  # fmt: skip
+        yield "disk", "ordinary", f"disk {nth}", "", texts, results
+
+
 def every() -> Iterator[Case]:
-    for part in (gyros, bodies, tops):
+    for part in (gyros, bodies, tops, shafts, rods, disks):
         yield from part()
 
 

@@ -95,7 +95,7 @@ FILES: dict[str, Origin] = {
         "90 digits", "", ".",
     ),
     "spin": Origin(
-        "spin", _same("gyro", "free", "top"),
+        "spin", _same("gyro", "free", "top", "shaft", "rod", "disk"),
         "torques by products of vectors, periods by Legendre's integral, precession by roots of polynomials",
         "90 digits", "", ".",
     ),

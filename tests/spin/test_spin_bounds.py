@@ -9,9 +9,16 @@ from references.comparison import DATA, HERE, build, cases, flat, leaves
 from dynamics_cli.accuracy.catalogue import groups
 from dynamics_cli.core.answering.tightening import tighten
 from dynamics_cli.numerics.tracked import Tracked
-from dynamics_cli.spin import free, gyro, top
+from dynamics_cli.spin import disk, free, gyro, rod, shaft, top
 
-TASKS = {"gyro": gyro.gyro, "free": free.free, "top": top.top}
+TASKS = {
+    "gyro": gyro.gyro,
+    "free": free.free,
+    "top": top.top,
+    "shaft": shaft.shaft,
+    "rod": rod.rod,
+    "disk": disk.disk,
+}
 FILE = "spin.json"
 # Beside the bound itself, the reference is rounded to 40 digits and bounds near zero to the smallest double.
 ROOM = mpf(10) ** -38

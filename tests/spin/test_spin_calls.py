@@ -22,6 +22,12 @@ REFUSED = {
     "falling": (f'{TOP} --spin "50 rpm" --tilt "30 deg"', "falls"),
     "not spinning": (f'{TOP} --spin "0 rpm"', "falls"),
     "upright": (f'{TOP} --spin "900 rpm" --tilt "0 deg"', "upright"),
+    "in line": ('shaft --mass "1 kg" --speed "9 rpm" --span "1 m" --position "1 m"', "in-line"),
+    "no moments": ('shaft --mass "1 kg" --speed "9 rpm" --span "1 m" --position "1 m" --skew "2 deg"', "missing"),
+    "half a turn": ('disk --radius "1 m" --lean "20 deg"', "missing"),
+    "flat": ('disk --radius "1 m" --lean "90 deg" --turn "1 rad/s"', "lean"),
+    "no turn": ('disk --radius "1 m" --lean "20 deg" --turn "0 rad/s"', "turn"),
+    "no rod": ('rod --length "0 m" --speed "9 rpm"', "inadmissible"),
     "thin": (
         'top --mass "0.5 kg" --distance "60 mm" --axial "6e-4 kg*m^2" --transverse "1.8e-3 kg*m^2" --spin "9 rpm"',
         "impossible-body",

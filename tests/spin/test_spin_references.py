@@ -6,8 +6,11 @@ from typing import Any
 import pytest
 
 from dynamics_cli.errors import DynamicsError
+from dynamics_cli.spin.disk import Wheel, disk
 from dynamics_cli.spin.free import free
 from dynamics_cli.spin.gyro import gyro
+from dynamics_cli.spin.rod import rod
+from dynamics_cli.spin.shaft import shaft
 from dynamics_cli.spin.top import top
 
 TOP = {"mass": 0.5, "distance": 0.06, "axial": 0.0006, "transverse": 0.0025}
@@ -114,3 +117,41 @@ def test_both_sides_of_the_least_spin() -> None:
     assert touched.slow == pytest.approx(touched.fast, rel=1e-5)
     with pytest.raises(DynamicsError, match="steady precession"):
         top(**TOP, spin=least * (1 - 1e-9), tilt=0.5)
+
+
+def test_disk() -> None:
+    made = disk(radius=0.3, lean=math.radians(20.0), turn=1.5)
+    near(made.rolling_limit, "3.300951041408795")
+    near(made.pivoting_limit, "5.113811364008913")
+    near(made.spin, "5.202389331378439686")
+    near(made.path_radius, "1.040477866275688")
+    hoop = disk(radius=0.3, wheel=Wheel("hoop"))
+    near(hoop.rolling_limit**2, repr(9.80665 / 1.2))
+    near(hoop.pivoting_limit**2, repr(9.80665 / 0.45))
+
+
+def test_both_sides_of_the_rolling_limit() -> None:
+    limit = disk(radius=0.3).rolling_limit
+    assert disk(radius=0.3, roll=limit * (1 - 1e-9)).growth is not None
+    assert disk(radius=0.3, roll=limit * (1 + 1e-9)).upright == "stable"
+
+
+def test_rod() -> None:
+    made = rod(length=0.8, speed=7.0, mass=2.0)
+    near(math.degrees(made.angle), "67.95995884676926105")
+    near(made.frequency * 2 * math.pi, "6.488452840596781089")
+    assert rod(length=0.8, speed=made.critical * (1 - 1e-9)).angle == 0.0
+    assert rod(length=0.8, speed=made.critical * (1 + 1e-9)).angle > 0.0
+
+
+def test_shaft() -> None:
+    given: Any = {"mass": 10.0, "speed": 100 * math.pi, "span": 0.4, "position": 0.1}
+    skewed: Any = {"skew": math.radians(2.0), "axial": 0.2, "transverse": 0.1}
+    made = shaft(**given, **skewed)
+    near(made.couple, "344.2344001347466793")
+    assert made.left_load == pytest.approx(made.couple / 0.4)
+    assert made.left_load == pytest.approx(made.right_load)
+    offset = shaft(**given, eccentricity=5e-5)
+    both = shaft(**given, **skewed, eccentricity=5e-5)
+    assert both.left_load == pytest.approx(made.left_load + offset.left_load)
+    assert offset.left_load + offset.right_load == pytest.approx(offset.force)
