@@ -67,9 +67,10 @@ class Errors:
         if bound is not None:
             self.bounded += 1
             self.broken += Decimal(bound) < true
-            # an answer that happens to be exact would make any bound infinitely loose
+            # An answer that happens to be exact would make any bound infinitely loose; and what is left beside zero is
+            # chance, of a processor's sines as much as of the method.
             least = max(true, DIGITS.multiply(HALF_ULP, reference.copy_abs()))
-            if bound and least:
+            if bound and near:
                 self.looseness.append(float(min(DIGITS.divide(Decimal(bound), max(least, SMALLEST)), MOST)))
 
     def note(self, where: str, error: float, estimate: "float | None") -> None:

@@ -54,6 +54,12 @@ class TestMeasuring:
         assert (errors.bounded, errors.broken) == (1, 1)
         assert errors.worst[0] == "a"
 
+    def test_no_bound_is_loose_or_tight_beside_zero(self) -> None:
+        errors = Errors()
+        for rounding in (0.0, 2.0**-60, 2.0**-54):
+            errors.add("a", rounding, "0", 2.0**-53)
+        assert (errors.bounded, errors.broken, errors.looseness) == (3, 0, [])
+
     def test_infinite_and_refused_answers_are_not_errors_of_zero(self) -> None:
         case = Case({"task": "t", "kind": "hard", "name": "n", "inputs": {"x": "1"}, "results": {"y": "1"}})
         for function in (lambda x: {"y": math.inf * x}, lambda x: {"y": 1 / (x - 1)}):

@@ -302,7 +302,7 @@ class TestPeers:
         (("gear", "pear"), "did you mean pair?"),
         (
             ("nosuch",),
-            "there are for cam, convert, coords, gear, impact, inertia, linkage, orient, path, skid, uncertainty, vec",
+            "there are for cam, convert, coords, gear, impact, inertia, linkage",
         ),
     ],
 )

@@ -53,17 +53,18 @@ def model(x: dict[str, Any]) -> tuple[dict[str, Any], Any]:
 class Reference:
     """Probabilities of a problem's results, given that drag is admissible."""
 
-    def __init__(self, inputs: dict[str, Normal], correlation: dict[tuple[str, str], float]) -> None:
+    def __init__(self, inputs: dict[str, Normal], correlation: dict[tuple[str, str], float], slopes: int = 14) -> None:
+        """As many panels over the `slopes`: more where these vary much and friction hardly."""
         self._inputs = [inputs[name] for name in NAMES]
         matrix = np.eye(3)
         for (one, other), rho in correlation.items():
             i, j = NAMES.index(one), NAMES.index(other)
             matrix[i, j] = matrix[j, i] = rho
         self._factor = np.linalg.cholesky(matrix)
-        y, w = panels(np.linspace(-7.5, 7.5, 15), 5)
-        w = w * np.exp(-0.5 * y * y)
-        y2, y3 = np.meshgrid(y, y, indexing="ij")
-        weight = np.outer(w, w).ravel() / w.sum() ** 2
+        (y2, w2), (y3, w3) = (panels(np.linspace(-7.5, 7.5, count + 1), 5) for count in (slopes, 14))
+        w2, w3 = (w * np.exp(-0.5 * y * y) for y, w in ((y2, w2), (y3, w3)))
+        y2, y3 = np.meshgrid(y2, y3, indexing="ij")
+        weight = np.outer(w2, w3).ravel() / (w2.sum() * w3.sum())
         kept = weight > 1e-14
         self._y = y2.ravel()[kept], y3.ravel()[kept]
         self._weight = weight[kept]

@@ -35,7 +35,7 @@ def drawn(low: float, high: float, digits: int = 3) -> str:
 def flights() -> Iterator[Case]:
     hard = [
         ("1000.0", "-0.7", "1e-06", "launched downwards over a small drop: the root is a difference"),
-        ("30.0", "1.5707", "2.0", "all but straight up"),
+        ("30.0", "1.5707", "2.0", "all but straight up: the range is the sine of a small angle"),
     ]
     ordinary = [(drawn(5, 60), drawn(0.1, 1.4), drawn(0, 9), "") for _ in range(6)]
     for nth, (speed_text, angle_text, height_text, why) in enumerate([*hard, *ordinary]):
@@ -54,7 +54,7 @@ def flights() -> Iterator[Case]:
         ("100000.0", "1.0", "0.0", "the flatter angle is a difference that loses every digit"),
         ("30.0", "80.0", "5.0", ""),
         ("40.0", "60.0", "-20.0", ""),
-        ("25.0", "1.0", "25.0", "a target all but overhead"),
+        ("25.0", "1.0", "25.0", "a target all but overhead: an angle near 90 degrees has lost the slope"),
     ]
     for nth, (speed_text, x_text, y_text, why) in enumerate(targets):
         v, x, y = exact(speed_text), exact(x_text), exact(y_text)

@@ -188,7 +188,7 @@ pci | pound / inch ** 3 | pci | | pound-mass per cubic inch; a weight density is
 lpm | liter / minute | lpm | | litre per minute
 """  # noqa: E501
 
-# Names that some release of pint from 0.24 on reads otherwise, and why this program does not follow.
+# Names that some release of pint from 0.25.1 on reads otherwise, and why this program does not follow.
 DIFFERENCES = {
     "cycle": "an oscillation is not an angle: cycle/s is Hz, and Hz is not rad/s",
     "cycles": "as cycle",

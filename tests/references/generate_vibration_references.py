@@ -377,12 +377,12 @@ def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     moving = {"mass": 2.0, "spring": spring(50.0), "displacement": 0.1, "start_velocity": -0.2, "time": 0.7}
     for c, why in ((4.0, ""), (20.00000000001, NEAR), (19.99999999999, NEAR),
                    (400.0, "heavy damping: the slow root is a small difference"),
-                   (1e-9, "hardly any damping")):  # fmt: skip
+                   (1e-9, "hardly any damping: decay and phase over many cycles lose digits")):  # fmt: skip
         yield "free", f"damper of {c!r}", why, {**moving, "damping": of("Damper", damping=c)}
     yield (
         "free",
         "a long time, hardly damped",
-        "the phase after 1,600 radians",
+        "the phase after 1,600 radians has lost three digits of its own",
         {"spring": of("Natural", natural_frequency=8.0), "damping": share(1e-6), "displacement": 0.01, "time": 31.7},
     )
     yield (
@@ -402,7 +402,7 @@ def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield (
         "forced",
         "from rest beside resonance by 1e-10",
-        "two cosines that cancel",
+        "beside resonance from rest two cosines all but cancel",
         {
             "mass": 2.0,
             "spring": spring(200.0),
@@ -414,7 +414,7 @@ def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield (
         "forced",
         "from rest at resonance, ζ = 1e-6",
-        "steady and free vibration cancel",
+        "steady and free vibration all but cancel at first",
         {
             "mass": 2.0,
             "spring": spring(200.0),
@@ -438,7 +438,7 @@ def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield (
         "base",
         "far above resonance, hardly damped",
-        "a small transmissibility",
+        "a transmissibility that is a quotient of nearly nothing",
         {
             "spring": ONE,
             "damping": share(1e-4),
@@ -472,7 +472,7 @@ def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield (
         "isolator",
         "one part in 1e8",
-        "a root far out",
+        "a root far out: the frequency ratio is in the ten thousands",
         {
             "excitation": of("AtFrequency", frequency=25.0),
             "wish": of("Passing", transmissibility=1e-8),
@@ -578,7 +578,7 @@ def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     yield (
         "whirl",
         "just beside the critical speed",
-        "the difference of speeds cancels",
+        "the difference of the two speeds all but cancels",
         {
             "mass": 1.0,
             "shaft": of("Known", stiffness=1e4),
