@@ -136,6 +136,12 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[5],
         "Motion of chains of rods: how they move, and how long that is known.",
     ),
+    "spin": Entry(
+        "dynamics_cli.spin.commands",
+        GROUPS[5],
+        "Spinning bodies: gyroscopes, free bodies, tops, disks.",
+        references=("spin.json",),
+    ),
     "stability": Entry(
         "dynamics_cli.stability.commands",
         GROUPS[5],

@@ -40,7 +40,7 @@ GAIN = Task(
         "zeros of the Hurwitz determinant",
         "dynamics_cli.stability.gain:gain",
         source=BOOK + "section 14.7; Gantmacher, Theory of Matrices II (1959) XV",
-        formula="Δ_{n−1}(K)·a₀(K)·a_n(K) = 0 at the ends",
+        formula="Δₙ₋₁(K)·a₀(K)·aₙ(K) = 0 at the ends",
         assumptions=("a linear system with constant coefficients", TYPED, SECONDS),
         method="exact counts",
     ),

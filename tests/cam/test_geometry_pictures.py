@@ -63,8 +63,8 @@ def test_arm_and_pivot_are_drawn() -> None:
         shape = drawn(SWING, follower, start_angle=0.3).panels[0]
         pivot = next(item for item in shape.items if isinstance(item, Mark) and item.label == "pivot")
         assert complex(pivot.x, pivot.y) == pytest.approx(0.1 * complex(math.cos(0.3), math.sin(0.3)))
-        arm = named(shape, "arm")
-        assert (arm.x[0], arm.y[0]) == (pivot.x, pivot.y)
+        curves = [item for item in shape.items if isinstance(item, Curve)]
+        assert any((arm.x[0], arm.y[0]) == (pivot.x, pivot.y) for arm in curves)
 
 
 @pytest.mark.parametrize(("rotation", "sense"), [("ccw", 1.0), ("cw", -1.0)])

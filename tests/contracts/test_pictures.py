@@ -22,6 +22,7 @@ WITHOUT = {
     "force equivalent", "force spring", "force gravity", "force friction", "force first-moment",
     "particle fall", "particle hoop", "particle incline", "particle circle",
     "pendulum compound", "pendulum rod", "pendulum conical", "pendulum design",
+    "spin gyro", "spin top", "spin shaft", "spin disk", "spin rod",
     "vec matrix", "skid values",
 }  # fmt: skip
 TASKS = [task for name in cli.FAMILIES if name != "accuracy" for task in cli.family(name).tasks.values()]

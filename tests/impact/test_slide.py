@@ -188,7 +188,7 @@ def test_the_picture_has_the_marks_and_outlines() -> None:
     result: SlideResult = slide(motion=Separation(12.0, 30 * DEGREE, 3.0), **CAR)
     picture = pictures.slide(result, motion=Separation(12.0, 30 * DEGREE, 3.0), **CAR)
     items = picture.panels[0].items
-    words = " ".join(getattr(one, "label", "") for one in items)
+    words = " ".join(getattr(one, "label", "") or getattr(one, "text", "") for one in items)
     assert "43 km/h at the separation" in words
     assert "at rest" in words
     assert sum(getattr(one, "style", "") == "solid" for one in items) >= 4

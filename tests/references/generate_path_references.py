@@ -118,7 +118,8 @@ def laws() -> Iterator[Case]:
         return top * mp.tanh(rate * t), mp.log(mp.cosh(rate * t)) / k
 
     square = "drag with the square of the speed"
-    yield _law("hard", f"fall with {square}", "the speed approaches its limit, from which it differs by little", "9.80665 - 0.004*v^2", "0.0", "3.0",
+    yield _law("hard", f"fall with {square}", "the speed approaches its limit, from which it differs by little",
+               "9.80665 - 0.004*v^2", "0.0", "3.0",
                fall(exact("0.004"), mpf(3)))  # fmt: skip
     for k in ("1e-09", "0.01", "3.0"):
         u, t, drag = mpf(40), exact("2.5"), exact(k)

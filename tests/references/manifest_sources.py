@@ -94,6 +94,11 @@ FILES: dict[str, Origin] = {
         "flights and targets by roots of polynomials, tubes by the exponential of their matrix, slopes by polygons",
         "90 digits", "", ".",
     ),
+    "spin": Origin(
+        "spin", _same("gyro", "free", "top", "shaft", "rod", "disk"),
+        "torques by products of vectors, periods by Legendre's integral, precession by roots of polynomials",
+        "90 digits", "", ".",
+    ),
     "linkage": Origin(
         "linkage",
         _same("four_bar", "slider_crank", "quick_return", "scotch_yoke", "oldham", "trammel", "body", "chain")

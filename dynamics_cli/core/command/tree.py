@@ -89,7 +89,7 @@ def _root(
         families,
         find,
         terminal,
-        help="Engineering calculations with units, sources and error bounds.\n\n"
+        help="\b\nEngineering calculations with units, sources and error bounds.\n"
         'Example: dynamics skid speed --distance "60 ft" --friction 0.7',
         params=[_version_option(terminal), _completion_option(terminal)],
     )
@@ -151,7 +151,6 @@ class _Families(_Group):
         """The families first, then the few options on one line: the help of a call without words fits a screen."""
         formatter.write_paragraph()
         self.format_commands(ctx, formatter)
-        formatter.write_paragraph()
         formatter.write(f"Options: --version, --help, --show-completion {'|'.join(SHELLS)}\n")
 
 

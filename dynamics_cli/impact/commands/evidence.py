@@ -52,13 +52,7 @@ INVERSE = Task(
         'dynamics impact inverse --first-mass "1500 kg" --first-exit-velocity "11.2, 0.2 m/s" '
         '--first-approach-heading "0 deg" --second-mass "1200 kg" --second-exit-velocity "4.9, 9.9 m/s" '
         '--second-approach-heading "90 deg"',
-        'dynamics impact inverse --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-lever "1.8, -0.3 m" '
-        '--first-exit-velocity "11.2, 0.2 m/s" --first-exit-spin "-0.5 rad/s" --first-approach-spin "0 rad/s" '
-        '--first-approach-heading "0 deg" --first-velocity-sigma "0.5 m/s" --first-spin-sigma "0.3 rad/s" '
-        '--first-heading-sigma "2 deg" --second-mass "1200 kg" --second-inertia "1800 kg*m^2" --second-lever '
-        '"-0.7, 0.9 m" --second-exit-velocity "4.9, 9.9 m/s" --second-exit-spin "-2.7 rad/s" --second-approach-spin '
-        '"0 rad/s" --second-approach-heading "90 deg" --second-velocity-sigma "0.5 m/s" --second-spin-sigma '
-        '"0.4 rad/s" --second-heading-sigma "2 deg" --normal "20 deg"',
+        "dynamics impact inverse --input examples/exit_motion/cars.toml",
     ),
     arrays=False,
     tracked=False,

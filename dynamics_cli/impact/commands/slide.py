@@ -35,7 +35,6 @@ SLIDE = Task(
         "rest_position: rest position",
         "rest_heading: nose at rest",
         "time: time to rest",
-        "mean_share: mean share of friction",
         "wheels: wheels | wheel, braking, energy_share=energy, mark",
     ),
     notes="Wheels: 100 % is locked or jammed, about 2 % rolls freely. The nose at rest counts whole turns: 380 deg for "

@@ -1,0 +1,1 @@
+"""Spinning bodies: gyroscopes, free bodies, tops, skewed rotors, disks, rods on turning shafts."""

@@ -1,0 +1,55 @@
+"""Calls of `dynamics spin`: refusals, pictures."""
+
+import shlex
+from pathlib import Path
+
+import pytest
+from harness import run
+
+TOP = 'top --mass "0.5 kg" --distance "60 mm" --axial "6e-4 kg*m^2" --transverse "2.5e-3 kg*m^2"'
+REFUSED = {
+    "flat rotor": (
+        'gyro --axial "3 kg*m^2" --transverse "1 kg*m^2" --spin "9 rpm" --precession "1 rad/s"',
+        "impossible-body",
+    ),
+    "one bearing": (
+        'gyro --axial "1 kg*m^2" --transverse "1 kg*m^2" --spin "9 rpm" --precession "1 rad/s" --span "0 mm"',
+        "span",
+    ),
+    "triangle": ('free --moments "1, 2, 3.5 kg*m^2" --angular-velocity "0, 1, 1 rad/s"', "impossible-body"),
+    "no body": ('free --moments "0, 2, 2 kg*m^2" --angular-velocity "0, 1, 1 rad/s"', "impossible-body"),
+    "still": ('free --moments "1, 2, 2 kg*m^2" --angular-velocity "0, 0, 0 rad/s"', "at-rest"),
+    "falling": (f'{TOP} --spin "50 rpm" --tilt "30 deg"', "falls"),
+    "not spinning": (f'{TOP} --spin "0 rpm"', "falls"),
+    "upright": (f'{TOP} --spin "900 rpm" --tilt "0 deg"', "upright"),
+    "in line": ('shaft --mass "1 kg" --speed "9 rpm" --span "1 m" --position "1 m"', "in-line"),
+    "no moments": ('shaft --mass "1 kg" --speed "9 rpm" --span "1 m" --position "1 m" --skew "2 deg"', "missing"),
+    "half a turn": ('disk --radius "1 m" --lean "20 deg"', "missing"),
+    "flat": ('disk --radius "1 m" --lean "90 deg" --turn "1 rad/s"', "lean"),
+    "no turn": ('disk --radius "1 m" --lean "20 deg" --turn "0 rad/s"', "turn"),
+    "no rod": ('rod --length "0 m" --speed "9 rpm"', "inadmissible"),
+    "thin": (
+        'top --mass "0.5 kg" --distance "60 mm" --axial "6e-4 kg*m^2" --transverse "1.8e-3 kg*m^2" --spin "9 rpm"',
+        "impossible-body",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_refusals(name: str) -> None:
+    call, code = REFUSED[name]
+    out = run(*shlex.split("spin " + call), "--json")
+    assert out.status in (2, 3)
+    assert out.error["code"] == code
+
+
+def test_the_refusal_names_the_least_spin() -> None:
+    assert "803.4 rpm" in run(*shlex.split(f'spin {TOP} --spin "50 rpm" --tilt "30 deg"')).err
+
+
+@pytest.mark.parametrize("rates", ["0.2, 1, 0.5", "1, 0.1, 0.2", "0, 1, 0", "0, 0, 1"])
+def test_pictures(rates: str, tmp_path: Path) -> None:
+    target = tmp_path / "picture.svg"
+    call = f'spin free --moments "1, 2, 3 kg*m^2" --angular-velocity "{rates} rad/s"'
+    assert run(*shlex.split(call), "--plot", str(target)).status == 0
+    assert target.stat().st_size > 5000
