@@ -258,8 +258,8 @@ HARD_CASES = {"skid": _skid_cases, "impact": _impact_cases, "inertia": _inertia_
 
 # A body of triangles is summed in arrays of pairs of doubles, which no other numbers go through.
 ARRAYS_ONLY = ("inertia mesh",)
-# Every other tracked task is searched.
-OTHERWISE = ()
+# Its sums are exact, of the decimals as typed: nothing is left for a bound.
+OTHERWISE = ("force first-moment",)
 
 
 def starts(family: str = "") -> Iterator[Start]:

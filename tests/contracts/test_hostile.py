@@ -151,7 +151,7 @@ class TestSeveralProcesses:
         assert gone(children[0])
         assert not [path.name for path in tmp_path.iterdir() if "out." in path.name]
         assert long.stderr is not None
-        assert b"ended from outside" in long.stderr.read()
+        assert b"killed from outside" in long.stderr.read()
 
     def test_processes_end_with_a_parent_that_was_killed(self, kind: str, long: "subprocess.Popen[bytes]") -> None:
         children = workers(long)

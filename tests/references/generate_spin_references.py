@@ -31,7 +31,7 @@ def drawn(low: float, high: float, digits: int = 3) -> str:
 
 
 def gyros() -> Iterator[Case]:
-    hard = [("0.03", "0.02", "314.0", "2.0", "1e-09", "the two axes all but agree")]
+    hard = [("0.03", "0.02", "314.0", "2.0", "1e-09", "the two axes all but agree: their sine is small")]
     ordinary = [
         (drawn(0.01, 0.03, 4), drawn(0.016, 0.05, 4), drawn(10, 400), drawn(-5, 5), drawn(0.2, 2.5), "")
         for _ in range(7)
@@ -51,7 +51,11 @@ def gyros() -> Iterator[Case]:
 
 def bodies() -> Iterator[Case]:
     hard = [
-        (("1.0", "2.0", "3.0"), ("1e-06", "1.0", "0.0"), "all but about the middle axis"),
+        (
+            ("1.0", "2.0", "3.0"),
+            ("1e-06", "1.0", "0.0"),
+            "all but about the middle axis: half a turn takes endless time",
+        ),
         (("1.0", "1.000001", "2.0"), ("0.001", "1e-08", "10.0"), "all but alike in two directions"),
         (("1.0", "2.0", "3.0"), ("1e-09", "1e-09", "50.0"), "a wobble that the energy does not show"),
     ]
@@ -141,7 +145,10 @@ def shafts() -> Iterator[Case]:
 
 
 def rods() -> Iterator[Case]:
-    hard = [("4.288069495", "just above the critical speed"), ("1000.0", "all but level")]
+    hard = [
+        ("4.288069495", "just above the critical speed: the angle is a small difference"),
+        ("1000.0", "all but level: the cosine of the angle is nearly nothing"),
+    ]
     for nth, (text, why) in enumerate([*hard, *((drawn(4.5, 30), "") for _ in range(5))]):
         speed, length = exact(text), mpf(float("0.8"))
         cosine = 3 * GRAVITY / (2 * length * speed**2)
