@@ -119,6 +119,12 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[5],
         "Forces: resultants, moments, reactions, springs, friction.",
     ),
+    "energy": Entry(
+        "dynamics_cli.energy.commands",
+        GROUPS[5],
+        "Work, power, kinetic energy, impulse and momentum.",
+        references=("energy.json",),
+    ),
     "pendulum": Entry(
         "dynamics_cli.pendulum.commands",
         GROUPS[5],
@@ -134,7 +140,7 @@ FAMILIES: "dict[str, Entry]" = {
     "motion": Entry(
         "dynamics_cli.motion.commands",
         GROUPS[5],
-        "Motion of chains of rods: how they move, and how long that is known.",
+        "Motion of chains of rods: how they move, how long it is known.",
     ),
     "spin": Entry(
         "dynamics_cli.spin.commands",

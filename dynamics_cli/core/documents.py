@@ -88,13 +88,21 @@ def given_inputs(node: "Any", name: str = "") -> "Iterator[tuple[str, Any, str]]
             if name or key != "sweep":
                 yield from given_inputs(item, f"{name}.{key}" if name else key)
     elif is_table(node):
-        many = name if len(node) > 1 else name.removesuffix("es" if name[-3:] == "hes" else "s")
-        yield "", f"{len(node)} {many.replace('_', ' ').replace('.', ' ')}", ""
+        yield "", f"{len(node)} {(name if len(node) > 1 else singular(name)).replace('_', ' ').replace('.', ' ')}", ""
     elif isinstance(node, list) and node and all(is_quantity(item) and item.keys() <= PLAIN for item in node):
         for unit in dict.fromkeys(item.get("unit", "") for item in node):
             yield name, [item["value"] for item in node if item.get("unit", "") == unit], unit
     else:
         yield from flatten(node, name)
+
+
+def singular(name: str) -> str:
+    """The name of one of several: bodies, body; meshes, mesh; `axis` and `radius` are one already."""
+    if name.endswith("ies"):
+        return f"{name[:-3]}y"
+    if name.endswith("hes"):
+        return name[:-2]
+    return name[:-1] if name.endswith("s") and name[-2:-1] not in ("s", "u", "i") else name
 
 
 def columns(table: "Any") -> "list[tuple[str, str, list[Any]]]":

@@ -21,6 +21,7 @@ WITHOUT = {
     "inertia shapes", "inertia materials", "cam laws", "cam size", "cam check", "cam export",
     "force equivalent", "force spring", "force gravity", "force friction", "force first-moment",
     "particle fall", "particle hoop", "particle incline", "particle circle",
+    "energy body", "energy speed", "energy drop", "energy roll", "energy power", "energy draw-in",
     "pendulum compound", "pendulum rod", "pendulum conical", "pendulum design",
     "spin gyro", "spin top", "spin shaft", "spin disk", "spin rod",
     "vec matrix", "skid values",

@@ -94,6 +94,12 @@ FILES: dict[str, Origin] = {
         "flights and targets by roots of polynomials, tubes by the exponential of their matrix, slopes by polygons",
         "90 digits", "", ".",
     ),
+    "energy": Origin(
+        "energy",
+        _same("work", "body", "speed", "drop", "roll", "power", "drive", "impulse") | {"draw_in": "draw-in"},
+        "speeds and compressions by roots of polynomials, works by integrals, energies by pairs of bodies",
+        "90 digits", "", ".",
+    ),
     "spin": Origin(
         "spin", _same("gyro", "free", "top", "shaft", "rod", "disk"),
         "torques by products of vectors, periods by Legendre's integral, precession by roots of polynomials",

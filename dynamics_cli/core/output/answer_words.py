@@ -2,7 +2,7 @@
 
 from math import floor, log10
 
-from dynamics_cli.core.documents import is_quantity, quantity
+from dynamics_cli.core.documents import is_quantity, quantity, singular
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -66,9 +66,7 @@ def _counted(word: str) -> str:
     if not word.endswith("]"):
         return word
     name, _, index = word[:-1].partition("[")
-    if name.endswith("s") and name[-2:-1] not in ("s", "u", "i"):
-        name = name[:-1]
-    return f"{name} {int(index) + 1}" if index.isdigit() else word
+    return f"{singular(name)} {int(index) + 1}" if index.isdigit() else word
 
 
 def message_in_words(message: str, inputs: "dict[str, Any]", names: "dict[str, str]") -> str:
@@ -91,7 +89,7 @@ def listed(entries: "Iterable[tuple[str, Any, str]]") -> "list[tuple[str, Any, s
         if not (opened and rest.endswith("]") and place.isdigit()):
             made.append((name, value, unit))
         elif isinstance(value, list) or "@" in str(value):
-            made.append((f"{base.removesuffix('s')} {int(place) + 1}:", value, unit))
+            made.append((f"{singular(base)} {int(place) + 1}:", value, unit))
         elif made and made[-1][0] == base and made[-1][2] == unit and isinstance(made[-1][1], list):
             made[-1][1].append(value)
         else:

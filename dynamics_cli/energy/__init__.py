@@ -1,0 +1,1 @@
+"""Work, power and energy."""
