@@ -82,7 +82,7 @@ def speed(
     Examples
     --------
     >>> speed(mass=1500.0, start_speed=33.3, work=1e-6).change
-    2.00200200200140...e-11
+    2.0020020020014e-11
     """
     require(mass > 0.0, "the mass of {mass} is not above zero", mass=(mass, Mass))
     require(start_speed >= 0.0 and (end_speed is None or end_speed >= 0.0), "a speed below zero", code="speed",

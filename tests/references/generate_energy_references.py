@@ -131,7 +131,7 @@ def speeds() -> Iterator[Case]:
 def drops() -> Iterator[Case]:
     hard = [
         ("2.0", "1e-09", "5000.0", "let go on the spring: the fall is nothing beside the compression"),
-        ("0.001", "90.0", "1e6", "a hard stop: the weight is nothing beside the force"),
+        ("0.001", "90.0", "1e6", "stopped within a hair: the weight is nothing beside the force"),
     ]
     for nth, (mass_text, height_text, rate_text, why) in enumerate(
         [*hard, *((drawn(1, 90), drawn(0.01, 3), drawn(900, 90000), "") for _ in range(4))]
