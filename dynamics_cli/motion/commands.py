@@ -60,6 +60,68 @@ MODES = Task(
     tracked=False,
 )  # fmt: skip
 
+
+def _shown() -> "dict[str, str]":
+    """Template values: a slider-crank that a torque starts."""
+    links: tuple[tuple[str, dict[str, str], tuple[tuple[str, str], ...]], ...] = (
+        ("ground", {}, (("O", "0, 0 mm"), ("E", "300, 0 mm"))),
+        ("crank", {"mass": "2 kg", "moment": "0.01 kg*m^2", "angle": "30 deg"},
+         (("O", "0, 0 mm"), ("A", "40, 0 mm"))),
+        ("rod", {"mass": "0.5 kg", "rod": "true"}, (("A", "0, 0 mm"), ("B", "150, 0 mm"))),
+        ("piston", {"mass": "0.4 kg"}, (("B", "0, 0 mm"),)),
+    )  # fmt: skip
+    scene = {}
+    for index, (name, own, points) in enumerate(links):
+        scene[f"links[{index}].name"] = name
+        scene |= {f"links[{index}].{key}": value for key, value in own.items()}
+        for place, (pin, at) in enumerate(points):
+            scene[f"links[{index}].points[{place}].name"] = pin
+            scene[f"links[{index}].points[{place}].at"] = at
+    slide = {"point": "B", "link": "ground", "start": "O", "end": "E", "slider": "piston"}
+    scene |= {f"slides[0].{key}": value for key, value in slide.items()}
+    return scene | {"loads[0].link": "crank", "loads[0].torque": "5 N*m"}
+
+
+SCENES = "dynamics_cli.motion.scenes"
+TAILGATE = "examples/tailgate/tailgate.toml"
+RIGID = ("rigid bodies in one plane", "pins and slides without play and friction")
+
+SCENE = Task(
+    "scene",
+    "Planar bodies from a file: motion, forces in the joints, and how long it can be known.",
+    Model(
+        "bodies and joints, integrated",
+        f"{SCENES}.scene:scene",
+        source=BOOK + "sections 8.10, 11.4 and 12.2",
+        formula="M·a + Jᵀ·λ = Q, J·a = γ; E + loss − work stays",
+        assumptions=RIGID,
+        method="DOP853 or Radau, two tolerances",
+    ),
+    headline=(
+        "verdict: answer", "ends: ends at", "horizon: horizon, about", "tenfold: errors grow tenfold in",
+        "difference: two runs apart by", "energy_error: energy and work balance to",
+        "driver_work: work of drivers", "load_work: work of loads", "damper_loss: lost in dampers",
+        "largest_force: largest joint force", "largest_in: in",
+        "time: state at",
+        "links: link | name, angle, speed, centre, velocity",
+        "reactions: joint | joint, on, force, moment, largest, largest_moment, when",
+        "motion: motion | time, angle, speed, angular_acceleration=α, position, velocity, acceleration, force_x, "
+        "force_y, moment",
+    ),
+    scene=_shown(),
+    examples=(
+        f"dynamics motion scene {TAILGATE} --duration '3 s'",
+        f"dynamics motion scene {TAILGATE} --duration '3 s' --follow gate --steps 6",
+    ),
+    table="motion links",
+    plot=f"{SCENES}.pictures:scene_picture",
+    writers={"svg": f"{SCENES}.pictures:moving_scene"},
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
 FAMILIES = {
-    "motion": Family("motion", "Motion of chains of rods: how they move, and how long that is known.", CHAIN, MODES)
+    "motion": Family(
+        "motion", "Motion of bodies and chains of rods, and how long it is known; equilibrium.", CHAIN, MODES, SCENE
+    )
 }

@@ -1,0 +1,59 @@
+"""Small motions of a scene about a state at rest: stiffness, damping and mass the way its joints leave free."""
+
+import numpy as np
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.motion.scenes.system import System
+
+# Five points: the remainder of fourth order and rounding are alike about here.
+STEP = 1e-3
+POINTS = ((1.0, 8.0 / 12.0), (-1.0, -8.0 / 12.0), (2.0, -1.0 / 12.0), (-2.0, 1.0 / 12.0))
+
+
+def unbalanced(system: "System", t: float, q: "Any", v: "Any", multipliers: "Any") -> "Any":
+    """Forces less what the joints take of them."""
+    state = np.concatenate((q, v, np.zeros(len(system.phases) + 3)))
+    f = system.frame_of(state)
+    out, power = list(system.weights), [0.0, 0.0]
+    for force in system.forces:
+        force.add(t, f, out, power)
+    return np.array(out) - system.jacobian(t, f).T @ multipliers
+
+
+def slopes(system: "System", t: float, q: "Any", multipliers: "Any") -> "tuple[Any, Any]":
+    """Stiffness and damping: minus the derivatives of the unbalanced forces."""
+    n = len(q)
+    stiffness, damping = np.zeros((n, n)), np.zeros((n, n))
+    rest, quick = np.zeros(n), system.gravity**0.5 or 1.0
+    for j in range(n):
+        for times, weight in POINTS:
+            shift = np.zeros(n)
+            shift[j] = times * STEP
+            stiffness[:, j] -= weight / STEP * unbalanced(system, t, q + shift, rest, multipliers)
+            damping[:, j] -= weight / (STEP * quick) * unbalanced(system, t, q, quick * shift, multipliers)
+    return stiffness, damping
+
+
+def reduced(system: "System", t: float, q: "Any", multipliers: "Any") -> "tuple[Any, Any, Any, Any]":
+    """Directions left free, and stiffness, damping and mass along them."""
+    state = np.concatenate((q, np.zeros(len(q) + len(system.phases) + 3)))
+    free = np.linalg.svd(system.jacobian(t, system.frame_of(state)))[2][system.m :].T
+    stiffness, damping = slopes(system, t, q, multipliers)
+    mass = (free.T * system.masses) @ free
+    return free, free.T @ stiffness @ free, free.T @ damping @ free, mass
+
+
+def rates_of(system: "System", state: "Any") -> "tuple[float, float]":
+    """The fastest oscillation and the fastest decay near a state, whether or not it is an equilibrium."""
+    q, n = state[: system.end], system.end
+    multipliers = system.solved(0.0, np.concatenate((q, np.zeros(len(state) - n))))[1]
+    free, stiffness, damping, mass = reduced(system, 0.0, q, multipliers)
+    k = free.shape[1]
+    if not k:
+        return 0.0, 0.0
+    below = -np.linalg.solve(mass, np.hstack((stiffness, damping)))
+    values = np.linalg.eigvals(np.block([[np.zeros((k, k)), np.eye(k)], [below]]))
+    return float(np.abs(values.imag).max()), float(np.abs(values.real).max())
