@@ -105,6 +105,7 @@ SCENE = Task(
         "time: state at",
         "links: link | name, angle, speed, centre, velocity",
         "reactions: joint | joint, on, force, moment, largest, largest_moment, when",
+        "springs: spring | name, length, pull",
         "motion: motion | time, angle, speed, angular_acceleration=α, position, velocity, acceleration, force_x, "
         "force_y, moment",
     ),
@@ -120,8 +121,38 @@ SCENE = Task(
     tracked=False,
 )  # fmt: skip
 
+EQUILIBRIUM = Task(
+    "equilibrium",
+    "Planar bodies from a file: where they stand still, whether that is stable, frequencies.",
+    Model(
+        "balance of forces on the joints",
+        f"{SCENES}.equilibrium:equilibrium",
+        source=BOOK + "section 14.2",
+        formula="Q(q) − Jᵀ·λ = 0; stable where ZᵀKZ > 0",
+        assumptions=RIGID,
+        method="Newton",
+    ),
+    headline=(
+        "stability: the place shown is",
+        "places: place | number, stability, lowest=lowest frequency, energy, angles",
+        "reactions: joint | joint, on, by, force, force_x, force_y, moment",
+        "springs: spring | name, length, pull",
+    ),
+    scene=_shown() | {"loads[0].torque": "-1 N*m"},
+    examples=(f"dynamics motion equilibrium {TAILGATE}", f"dynamics motion equilibrium {TAILGATE} --place 2"),
+    table="places",
+    plot=f"{SCENES}.pictures:equilibrium_picture",
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
 FAMILIES = {
     "motion": Family(
-        "motion", "Motion of bodies and chains of rods, and how long it is known; equilibrium.", CHAIN, MODES, SCENE
+        "motion",
+        "Motion of bodies and chains of rods, and how long it is known; equilibrium.",
+        CHAIN,
+        MODES,
+        SCENE,
+        EQUILIBRIUM,
     )
 }

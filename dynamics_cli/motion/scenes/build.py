@@ -44,11 +44,13 @@ class Body:
 class Built:
     """Bodies, spots, joints, forces; `size`, `mass` and what follows from them are the scene's units in SI."""
 
-    def __init__(self, scene: Scene, gravity: float) -> None:
+    def __init__(self, scene: Scene, gravity: float, *, static: bool = False) -> None:
         self.scene = scene
         require_names(scene)
         self.moving = [link for link in scene.links if link.name != GROUND]
         self.size, self.mass = _size(scene), max(link.mass for link in self.moving)
+        if static and self.mass == 0.0:
+            self.mass = 1.0
         require(self.mass > 0.0, "no link has a mass: {mass}", mass=(0.0, Mass), code="massless", hint="give masses")
         self.force, self.torque = self.mass * self.size, self.mass * self.size**2
         self.gravity = 0.0 if scene.horizontal else gravity / self.size

@@ -7,12 +7,14 @@ from dynamics_cli.motion.scenes.states import (
     LinkState,
     Moment,
     PointState,
+    SpringState,
     followed,
     forces_of,
     joint_rows,
     links_of,
     peaks_of,
     points_of,
+    springs_of,
 )
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -59,6 +61,7 @@ class SceneMotion:
     links: Annotated[tuple[LinkState, ...] | None, "The links then; null past the horizon, or if one is followed."]
     points: Annotated[tuple[PointState, ...] | None, "The points then."]
     reactions: Annotated[tuple[JointForce, ...] | None, "Forces in the joints and of drivers then."]
+    springs: Annotated[tuple[SpringState, ...] | None, "Springs and dampers between points then."]
     motion: Annotated[tuple[Moment, ...] | None, "What is followed, over time."]
     numerics: Numerics
     checks: tuple[Check, ...] = ()
@@ -113,8 +116,9 @@ def scene(
     system, kept = runs.system, runs.energy_error()
     last = None if runs.reached and at is None else runs.end if at is None else at
     state = None if last is None or follow else runs.fine.at(last)
-    peaks = peaks_of(runs)
-    largest = max(((peak[0], joint) for peak, joint in zip(peaks, system.joints, strict=True)
+    # next to a change point forces grow without limit
+    peaks = None if runs.stuck or runs.crossed else peaks_of(runs)
+    largest = max(((peak[0], joint) for peak, joint in zip(peaks or (), system.joints, strict=False)
                    if not system.left & set(joint.rows())), key=lambda pair: pair[0], default=(0.0, None))  # fmt: skip
     energy = system.mass * system.size**2
     work = [float(x) * energy for x in runs.fine.at(runs.end)[-3:]]
@@ -137,6 +141,7 @@ def scene(
         links=None if state is None else links_of(system, state),
         points=None if state is None else points_of(system, state),
         reactions=None if state is None else joint_rows(system, forces_of(system, last or 0.0, state), peaks),
+        springs=None if state is None else springs_of(system, state),
         motion=followed(runs, follow, steps) if follow else None,
         numerics=Numerics(
             "Radau, two tolerances (stiff)" if runs.stiff else "DOP853, two tolerances",

@@ -23,25 +23,30 @@ def unbalanced(system: "System", t: float, q: "Any", v: "Any", multipliers: "Any
     return np.array(out) - system.jacobian(t, f).T @ multipliers
 
 
-def slopes(system: "System", t: float, q: "Any", multipliers: "Any") -> "tuple[Any, Any]":
-    """Stiffness and damping: minus the derivatives of the unbalanced forces."""
-    n = len(q)
-    stiffness, damping = np.zeros((n, n)), np.zeros((n, n))
-    rest, quick = np.zeros(n), system.gravity**0.5 or 1.0
+def stiffness_of(system: "System", t: float, q: "Any", multipliers: "Any") -> "Any":
+    """Minus the derivatives of the unbalanced forces by the coordinates."""
+    return _slopes(lambda shift: unbalanced(system, t, q + shift, np.zeros(len(q)), multipliers), len(q), STEP)
+
+
+def _slopes(forces: "Any", n: int, step: float) -> "Any":
+    out = np.zeros((n, n))
     for j in range(n):
+        shift = np.zeros(n)
         for times, weight in POINTS:
-            shift = np.zeros(n)
-            shift[j] = times * STEP
-            stiffness[:, j] -= weight / STEP * unbalanced(system, t, q + shift, rest, multipliers)
-            damping[:, j] -= weight / (STEP * quick) * unbalanced(system, t, q, quick * shift, multipliers)
-    return stiffness, damping
+            shift[j] = times * step
+            out[:, j] -= weight / step * forces(shift)
+    return out
 
 
 def reduced(system: "System", t: float, q: "Any", multipliers: "Any") -> "tuple[Any, Any, Any, Any]":
     """Directions left free, and stiffness, damping and mass along them."""
     state = np.concatenate((q, np.zeros(len(q) + len(system.phases) + 3)))
     free = np.linalg.svd(system.jacobian(t, system.frame_of(state)))[2][system.m :].T
-    stiffness, damping = slopes(system, t, q, multipliers)
+    stiffness = stiffness_of(system, t, q, multipliers)
+    quick = system.gravity**0.5 or 1.0
+    damping = _slopes(lambda shift: unbalanced(system, t, q, shift, multipliers), len(q), STEP * quick)
+    # what rounding leaves of no damper at all
+    damping[np.abs(damping) < 1e-10 * np.abs(stiffness).max() / quick] = 0.0
     mass = (free.T * system.masses) @ free
     return free, free.T @ stiffness @ free, free.T @ damping @ free, mass
 

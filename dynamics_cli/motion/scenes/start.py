@@ -32,8 +32,9 @@ MOST_TRIES = 256
 class Start:
     """The system of a scene at its start, and what is to be said of that."""
 
-    def __init__(self, scene: "Scene", gravity: float) -> None:
-        self.system = system = System(scene, gravity)
+    def __init__(self, scene: "Scene", gravity: float, *, static: bool = False) -> None:
+        self.static = static
+        self.system = system = System(scene, gravity, static=static)
         self.advice: list[Advice] = []
         self.repeated: tuple[str, ...] = ()
         self.moved = 0.0
@@ -44,9 +45,9 @@ class Start:
         system.arrange()
         self.q = self._closed(guess)
         self._independent()
-        self._require_masses()
+        if not static:
+            self._require_masses()
         self.state = self._rates()
-        system.state = self.state  # type: ignore[attr-defined]
 
     def _loose(self) -> "list[int]":
         """Links whose angle nothing says."""
@@ -152,19 +153,23 @@ class Start:
         return self.system.frame_of([*q, *[0.0] * (3 * self.system.n + len(self.system.phases) + 3)])
 
     def _refuse_gap(self, q: "Any") -> None:
-        """Least squares by damped steps, and the joint with the largest gap there."""
-        system = self.system
-        for _ in range(4 * STEPS):
-            f = self._frame(q)
-            jacobian, missed = system.jacobian(0.0, f), system.gaps(0.0, f)
-            normal = jacobian.T @ jacobian + 1e-3 * np.eye(len(q))
-            q = q - np.linalg.solve(normal, jacobian.T @ missed)
-        missed = np.abs(system.gaps(0.0, self._frame(q)))
-        joint = max(system.joints, key=lambda joint: max(missed[row] for row in joint.rows()))
-        gap = max(missed[row] for row in joint.rows())
-        require(False, "the scene cannot be put together: {joint} misses by {gap} at least", joint=_named(joint),
-                gap=(float(gap) * system.size, Size), code="cannot-be-closed",
-                hint="change a length by about that much, or the angles of the start")  # fmt: skip
+        """Least squares by damped steps; then the joint that misses most takes the whole gap."""
+        system, weights = self.system, np.ones(self.system.rows)
+        for _ in range(2):
+            for _ in range(4 * STEPS):
+                f = self._frame(q)
+                jacobian, missed = system.jacobian(0.0, f) * weights[:, None], system.gaps(0.0, f) * weights
+                normal = jacobian.T @ jacobian + 1e-3 * np.eye(len(q))
+                q = q - np.linalg.solve(normal, jacobian.T @ missed)
+            missed = system.gaps(0.0, self._frame(q))
+            sizes = [math.hypot(*missed[joint.rows()]) for joint in system.joints]
+            joint = system.joints[int(np.argmax(sizes))]
+            weights[:] = 30.0
+            weights[joint.rows()] = 1.0
+        gap = max(sizes)
+        hint = "change a length by about that much, or the angles of the start"
+        require(False, "the scene cannot be put together: {joint} misses by {gap}", joint=_named(joint),
+                gap=(float(gap) * system.size, Size), code="cannot-be-closed", hint=hint)  # fmt: skip
 
     def _independent(self) -> None:
         """Leave out conditions that repeat others everywhere; refuse those that do so at this pose alone."""
@@ -192,7 +197,7 @@ class Start:
         self.freedom = system.end - len(rows)
         moving = any(part.motion.of_rate or any(part.motion.law(t)[1] for t in (0.0, 0.37, 1.0)) or part.motion.knots
                      for part in system.driven)  # fmt: skip
-        require(self.freedom > 0 or moving, "nothing can move: the joints hold every link", code="rigid",
+        require(self.freedom > 0 or moving or self.static, "nothing can move: the joints hold every link", code="rigid",
                 hint="leave a joint out: {names}", names=", ".join(system.joints[k].name for k in range(
                     min(4, len(system.joints)))))  # fmt: skip
 

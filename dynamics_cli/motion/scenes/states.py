@@ -12,6 +12,7 @@ from dynamics_cli.quantities import (
     PartAcceleration,
     PartPoint,
     PartVelocity,
+    Size,
     Text,
     Time,
     Torque,
@@ -69,6 +70,15 @@ class JointForce:
 
 
 @record
+class SpringState:
+    """One spring with its damper."""
+
+    name: Annotated[Text, "Its ends."]
+    length: Annotated[Size, "How long it is [m]."]
+    pull: Annotated[Force, "What it pulls with, its damper too; negative where it pushes [N]."]
+
+
+@record
 class Moment:
     """What is followed, at one time."""
 
@@ -103,6 +113,14 @@ def points_of(system: "System", y: "Any", *, moving: bool = True) -> "tuple[Poin
         speed = (f.vx[k] * size, f.vy[k] * size) if moving else None
         rows.append(PointState(name, (f.x[k] * size, f.y[k] * size), speed))
     return tuple(rows)
+
+
+def springs_of(system: "System", y: "Any") -> "tuple[SpringState, ...] | None":
+    """Every spring; none where there is none."""
+    f = system.frame_of(y)
+    rows = [SpringState(one.name, one.length(f) * system.size, one.tension(f) * system.force)
+            for one in system.forces if hasattr(one, "tension")]  # fmt: skip
+    return tuple(rows) or None
 
 
 def bears_a_couple(joint: "Joint") -> bool:

@@ -23,8 +23,8 @@ class SingularError(ArithmeticError):
 class System(Built):
     """A scene whose pose is found; states are q, v, phases of given rates, work of drivers and loads, loss."""
 
-    def __init__(self, scene: "Scene", gravity: float) -> None:
-        super().__init__(scene, gravity)
+    def __init__(self, scene: "Scene", gravity: float, *, static: bool = False) -> None:
+        super().__init__(scene, gravity, static=static)
         self.kept: list[int] = []
         self.left: set[int] = set()
 
