@@ -120,6 +120,13 @@ WORKED = (
         "triple_pendulum/triple_pendulum.sh",
     ),
     Example(
+        "tailgate",
+        "A tailgate on its gas strut: where it stands still, how it opens, from a scene of bodies.",
+        "cd tailgate && sh tailgate.sh",
+        "tailgate/tailgate.sh",
+        "tailgate/tailgate.toml",
+    ),
+    Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
         "cd pedestrian && sh pedestrian.sh",

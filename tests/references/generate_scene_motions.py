@@ -49,9 +49,7 @@ class FourBar:
         phi, _ = self.angles(theta)
         turn, swing = self.slopes(theta)
         middle = abs(self.a * expj(theta) + self.b / 2 * turn * expj(phi)) ** 2
-        return (
-            self.a**2 / 3 + 2 * (middle + self.b**2 * turn**2 / 12) + mpf("1.5") * self.c**2 * swing**2 / 3
-        )
+        return self.a**2 / 3 + 2 * (middle + self.b**2 * turn**2 / 12) + mpf("1.5") * self.c**2 * swing**2 / 3
 
     def height(self, theta):
         phi, psi = self.angles(theta)

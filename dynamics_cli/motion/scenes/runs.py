@@ -24,7 +24,7 @@ STIFF_FINE, STIFF_COARSE = 1e-9, 1e-8
 APART, NUDGE = 1e-3, 1e-7
 # A decay of so many times the rest's rate, over so many of its own times, takes Radau.
 STIFFNESS, LONG = 50.0, 2000.0
-LONGEST = 30000.0
+LONGEST = 20000.0
 # Beyond so many times at which a table has a corner, steps take the corners as they come.
 MOST_STOPS = 2000
 KEPT = 1e-6
@@ -38,7 +38,7 @@ class Runs:
         self.start, self.system, self.duration = start, start.system, duration
         fast, decay = rates_of(start.system, start.state)
         moving = float(np.abs(start.state[self.system.end : 2 * self.system.end]).max(initial=0.0))
-        self.fast = max(fast, moving)
+        self.fast = max(fast, moving, 0.5 * self.system.gravity**0.5)
         self.stiff = decay * duration > LONG and decay > STIFFNESS * self.fast
         longest = LONGEST / max(self.fast, 0.0 if self.stiff else decay / 5.0, 1e-300)
         require(duration <= longest, "{duration} are too many swings to follow", duration=(duration, Time),

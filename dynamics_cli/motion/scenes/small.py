@@ -52,7 +52,7 @@ def reduced(system: "System", t: float, q: "Any", multipliers: "Any") -> "tuple[
 
 
 def rates_of(system: "System", state: "Any") -> "tuple[float, float]":
-    """The fastest oscillation and the fastest decay near a state, whether or not it is an equilibrium."""
+    """The fastest oscillation or growth and the fastest decay near a state, whether or not it is an equilibrium."""
     q, n = state[: system.end], system.end
     multipliers = system.solved(0.0, np.concatenate((q, np.zeros(len(state) - n))))[1]
     free, stiffness, damping, mass = reduced(system, 0.0, q, multipliers)
@@ -61,4 +61,5 @@ def rates_of(system: "System", state: "Any") -> "tuple[float, float]":
         return 0.0, 0.0
     below = -np.linalg.solve(mass, np.hstack((stiffness, damping)))
     values = np.linalg.eigvals(np.block([[np.zeros((k, k)), np.eye(k)], [below]]))
-    return float(np.abs(values.imag).max()), float(np.abs(values.real).max())
+    quick = max(np.abs(values.imag).max(), values.real.max())
+    return float(quick), float(max(-values.real.min(), 0.0))
