@@ -10,6 +10,7 @@ Run: python tests/references/generate_scene_motions.py [FILE]. The same bytes ev
 
 import json
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 from generate_chain_motions import integrated
@@ -74,30 +75,30 @@ class FourBar:
 
 def slider_crank(time):
     """Crank 40 mm at 100 rad/s from 30°, rod 150 mm of 0.5 kg, piston 0.4 kg: torque, side force, pin forces."""
-    r, l, rod, piston, speed = mpf("0.04"), mpf("0.15"), mpf("0.5"), mpf("0.4"), mpf(100)
+    r, length, rod, piston, speed = mpf("0.04"), mpf("0.15"), mpf("0.5"), mpf("0.4"), mpf(100)
 
     def theta(t):
         return 30 * DEGREE + speed * t
 
     def phi(t):
-        return -mp.asin(r * sin(theta(t)) / l)
+        return -mp.asin(r * sin(theta(t)) / length)
 
     def crosshead(t):
-        return r * cos(theta(t)) + l * cos(phi(t))
+        return r * cos(theta(t)) + length * cos(phi(t))
 
     def middle(k):
-        return lambda t: (r * expj(theta(t)) + l / 2 * expj(phi(t))).real if k == 0 else (
-            r * expj(theta(t)) + l / 2 * expj(phi(t))).imag  # fmt: skip
+        return lambda t: (r * expj(theta(t)) + length / 2 * expj(phi(t))).real if k == 0 else (
+            r * expj(theta(t)) + length / 2 * expj(phi(t))).imag  # fmt: skip
 
     along = piston * diff(crosshead, time, 2)
     mx, my = rod * diff(middle(0), time, 2), rod * (diff(middle(1), time, 2) + STANDARD)
-    couple = rod * l**2 / 12 * diff(phi, time, 2)
+    couple = rod * length**2 / 12 * diff(phi, time, 2)
     # force of the rod on the piston: along x as it accelerates; across from the rod's moments about its centre
     c, s = cos(phi(time)), sin(phi(time))
     bx = along
-    # rod: A + (−B) = m·a; moments about the centre, A at −l/2, −B at +l/2
-    # couple = −l/2·(c·ay − s·ax) + l/2·(c·(−by) − s·(−bx)), ax = mx + bx, ay = my + by
-    by = (-couple - l / 2 * (c * my - s * (mx + bx)) + l / 2 * s * bx) / (l * c)
+    # rod: A + (−B) = m·a; moments about the centre, A at −length/2, −B at +length/2
+    # couple = −length/2·(c·ay − s·ax) + length/2·(c·(−by) − s·(−bx)), ax = mx + bx, ay = my + by
+    by = (-couple - length / 2 * (c * my - s * (mx + bx)) + length / 2 * s * bx) / (length * c)
     ax, ay = mx + bx, my + by
     side = piston * STANDARD - by
     at = r * expj(theta(time))
@@ -119,10 +120,9 @@ def tailgate():
     def slope(q):
         return diff(energy, q)
 
-    roots = []
-    for k in range(-180, 180):
-        if slope(k * DEGREE) * slope((k + 1) * DEGREE) < 0:
-            roots.append(findroot(slope, (k * DEGREE, (k + 1) * DEGREE), solver="anderson"))
+    turns = [k * DEGREE for k in range(-180, 181)]
+    pairs = [pair for pair in pairwise(turns) if slope(pair[0]) * slope(pair[1]) < 0]
+    roots = [findroot(slope, pair, solver="anderson") for pair in pairs]
     stable = [q for q in roots if diff(energy, q, 2) > 0]
     opened = next(q for q in stable if 0 < q < pi / 2)
     inertia = moment + mass * abs(centre) ** 2
