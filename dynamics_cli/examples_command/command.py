@@ -118,13 +118,12 @@ WORKED = (
         "Three rods let go: a swing that can be followed, a small one, and one with its horizon.",
         "cd triple_pendulum && sh triple_pendulum.sh",
         "triple_pendulum/triple_pendulum.sh",
-    ),
+    ),  # fmt: skip
     Example(
         "tailgate",
         "A tailgate on its gas strut: where it stands still, how it opens, from a scene of bodies.",
         "cd tailgate && sh tailgate.sh",
-        "tailgate/tailgate.sh",
-        "tailgate/tailgate.toml",
+        *("tailgate/tailgate.sh", "tailgate/tailgate.toml"),
     ),
     Example(
         "pedestrian",

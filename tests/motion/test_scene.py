@@ -10,8 +10,8 @@ from harness import run
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from dynamics_cli.motion.bodies.records import Driver, Link, Load, Point, Scene, Slide, Spring, Torsion, Weld
 from dynamics_cli.motion.scenes.equilibrium import equilibrium
-from dynamics_cli.motion.scenes.records import Driver, Link, Load, Point, Scene, Slide, Spring, Torsion, Weld
 from dynamics_cli.motion.scenes.scene import scene as motion
 from dynamics_cli.records import Formula
 

@@ -3,10 +3,10 @@
 import math
 
 from dynamics_cli.errors import require
-from dynamics_cli.motion.scenes.forces import PointLoad, SpringForce, TorqueLoad, TorsionForce
-from dynamics_cli.motion.scenes.joints import NONE, Along, Joint, Pin, Turn
-from dynamics_cli.motion.scenes.laws import LOADED, linear, loading, prescribed
-from dynamics_cli.motion.scenes.records import GROUND, Link, Scene
+from dynamics_cli.motion.bodies.forces import PointLoad, SpringForce, TorqueLoad, TorsionForce
+from dynamics_cli.motion.bodies.joints import NONE, Along, Joint, Pin, Turn
+from dynamics_cli.motion.bodies.laws import LOADED, linear, loading, prescribed
+from dynamics_cli.motion.bodies.records import GROUND, Link, Scene
 from dynamics_cli.numerics.fitting.records_file import read_columns
 from dynamics_cli.quantities import Inertia, Mass
 
@@ -14,7 +14,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.motion.scenes.records import Driver, Load, Slide
+    from dynamics_cli.motion.bodies.records import Driver, Load, Slide
 
 MOST_LINKS = 30
 ON_A_POINT = ("t", "x", "y", "vx", "vy")
@@ -151,7 +151,7 @@ class Built:
 
     def frame(self, guess: "list[float]") -> "Any":
         """The bodies at rest in a pose."""
-        from dynamics_cli.motion.scenes.frame import Frame
+        from dynamics_cli.motion.bodies.frame import Frame
 
         return Frame(self.n, self.spots, [*guess[: 3 * self.n], *[0.0] * 3 * self.n])
 

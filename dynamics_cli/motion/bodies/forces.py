@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from dynamics_cli.motion.scenes.frame import Frame
+    from dynamics_cli.motion.bodies.frame import Frame
 
     Given = Callable[[dict[str, float]], float]
 

@@ -8,8 +8,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.motion.scenes.frame import Frame
-    from dynamics_cli.motion.scenes.laws import Motion
+    from dynamics_cli.motion.bodies.frame import Frame
+    from dynamics_cli.motion.bodies.laws import Motion
 
     Places = list[tuple[int, int]]
     Fixed = list[tuple[int, int, float]]

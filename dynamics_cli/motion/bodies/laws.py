@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from dynamics_cli.motion.scenes.records import Driver
+    from dynamics_cli.motion.bodies.records import Driver
     from dynamics_cli.records import Formula
 
     # value, rate and second derivative at a time

@@ -6,9 +6,9 @@ from itertools import product
 import numpy as np
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.motion.scenes.joints import NONE
-from dynamics_cli.motion.scenes.records import GROUND
-from dynamics_cli.motion.scenes.system import System
+from dynamics_cli.motion.bodies.joints import NONE
+from dynamics_cli.motion.bodies.records import GROUND
+from dynamics_cli.motion.bodies.system import System
 from dynamics_cli.quantities import Size
 from dynamics_cli.records import Advice
 
@@ -16,7 +16,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.motion.scenes.records import Scene
+    from dynamics_cli.motion.bodies.records import Scene
 
 CLOSED, MOVED = 1e-13, 1e-9
 STEPS, LARGEST = 80, 0.5

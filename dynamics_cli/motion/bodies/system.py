@@ -6,14 +6,14 @@ Coordinates are those of the mass centres and the angles of the bodies: M·a + J
 import numpy as np
 from scipy.linalg.lapack import dgesv
 
-from dynamics_cli.motion.scenes.build import Built
-from dynamics_cli.motion.scenes.frame import Frame
+from dynamics_cli.motion.bodies.build import Built
+from dynamics_cli.motion.bodies.frame import Frame
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.motion.scenes.records import Scene
+    from dynamics_cli.motion.bodies.records import Scene
 
 
 class SingularError(ArithmeticError):

@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.errors import require
-from dynamics_cli.motion.scenes.records import Scene
+from dynamics_cli.motion.bodies.records import Scene
 from dynamics_cli.motion.scenes.states import (
     JointForce,
     LinkState,
@@ -35,8 +35,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.motion.bodies.start import Start
     from dynamics_cli.motion.scenes.rest import Rest
-    from dynamics_cli.motion.scenes.start import Start
 
 BALANCED = 1e-9
 
@@ -115,8 +115,8 @@ def equilibrium(
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 13.7 and 14.2
     (Lagrange–Dirichlet).
     """
+    from dynamics_cli.motion.bodies.start import Start
     from dynamics_cli.motion.scenes.rest import rests
-    from dynamics_cli.motion.scenes.start import Start
 
     start = Start(scene, gravity, static=True)
     found = rests(start)

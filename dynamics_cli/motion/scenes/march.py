@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from dynamics_cli.motion.scenes.system import SingularError
+from dynamics_cli.motion.bodies.system import SingularError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.motion.scenes.system import System
+    from dynamics_cli.motion.bodies.system import System
 
 # Gaps of the joints, in sizes of the scene, that are put right after a step, and those that stay.
 DRIFT, CLOSED = 1e-13, 1e-14

@@ -2,8 +2,8 @@
 
 import math
 
-from dynamics_cli.motion.scenes.joints import NONE
-from dynamics_cli.motion.scenes.records import GROUND, Scene
+from dynamics_cli.motion.bodies.joints import NONE
+from dynamics_cli.motion.bodies.records import GROUND, Scene
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Coordinate, Force, Time, Torque, TurnRate
 
@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.motion.scenes.system import System
+    from dynamics_cli.motion.bodies.system import System
 
 GREY, GHOSTS, SAMPLES, FRAMES = 6, 8, 400, 90
 MOST_CURVES = 5
@@ -209,8 +209,8 @@ def equilibrium_picture(
     made: "Any", scene: Scene, *, place: int = 1, gravity: float = STANDARD_GRAVITY, **_: "Any"
 ) -> Picture:  # fmt: skip
     """The places found, that shown standing out, beside the start."""
+    from dynamics_cli.motion.bodies.start import Start
     from dynamics_cli.motion.scenes.rest import rests
-    from dynamics_cli.motion.scenes.start import Start
 
     start = Start(scene, gravity, static=True)
     found, shapes = rests(start), Shapes(start.system)

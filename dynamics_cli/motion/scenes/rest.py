@@ -10,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.motion.scenes.start import Start
+    from dynamics_cli.motion.bodies.start import Start
 
 STEPS, LARGEST = 60, 0.3
 # Forces left, over those that act.

@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from dynamics_cli.errors import require
+from dynamics_cli.motion.bodies.system import SingularError
 from dynamics_cli.motion.scenes.march import March
 from dynamics_cli.motion.scenes.small import rates_of
-from dynamics_cli.motion.scenes.system import SingularError
 from dynamics_cli.progress import going
 from dynamics_cli.quantities import Time
 
@@ -15,7 +15,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.motion.scenes.start import Start
+    from dynamics_cli.motion.bodies.start import Start
 
 # Tolerances of DOP853, and of Radau, whose order is lower.
 FINE, COARSE = 1e-11, 1e-10
@@ -161,7 +161,7 @@ _last: "list[tuple[Any, Runs]]" = []
 
 def runs_of(scene: "Any", gravity: float, duration: float) -> Runs:
     """The runs of a scene; its picture asks for those of its answer again."""
-    from dynamics_cli.motion.scenes.start import Start
+    from dynamics_cli.motion.bodies.start import Start
 
     key = (scene, gravity, duration)
     if not _last or _last[0][0] != key:

@@ -1,7 +1,7 @@
 """The task `scene`: how a planar system of bodies moves."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.motion.scenes.records import Scene
+from dynamics_cli.motion.bodies.records import Scene
 from dynamics_cli.motion.scenes.states import (
     JointForce,
     LinkState,

@@ -6,7 +6,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.motion.scenes.system import System
+    from dynamics_cli.motion.bodies.system import System
 
 # Five points: the remainder of fourth order and rounding are alike about here.
 STEP = 1e-3

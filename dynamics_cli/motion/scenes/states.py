@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.errors import require
-from dynamics_cli.motion.scenes.joints import NONE
+from dynamics_cli.motion.bodies.joints import NONE
 from dynamics_cli.quantities import (
     Angle,
     AngularAcceleration,
@@ -24,8 +24,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.motion.scenes.joints import Joint
-    from dynamics_cli.motion.scenes.system import System
+    from dynamics_cli.motion.bodies.joints import Joint
+    from dynamics_cli.motion.bodies.system import System
 
 MOST_SAMPLES = 4000
 GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
