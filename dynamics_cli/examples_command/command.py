@@ -26,6 +26,7 @@ class Example:
         self.files = files
 
 
+GATE = ("tailgate/tailgate.sh", "tailgate/tailgate.toml")
 WORKED = (
     Example(
         "crash",
@@ -118,13 +119,8 @@ WORKED = (
         "Three rods let go: a swing that can be followed, a small one, and one with its horizon.",
         "cd triple_pendulum && sh triple_pendulum.sh",
         "triple_pendulum/triple_pendulum.sh",
-    ),  # fmt: skip
-    Example(
-        "tailgate",
-        "A tailgate on its gas strut: where it stands still, how it opens, from a scene of bodies.",
-        "cd tailgate && sh tailgate.sh",
-        *("tailgate/tailgate.sh", "tailgate/tailgate.toml"),
     ),
+    Example("tailgate", "Where a tailgate rests, and how it opens.", "cd tailgate && sh tailgate.sh", *GATE),
     Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",

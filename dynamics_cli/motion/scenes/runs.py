@@ -135,7 +135,7 @@ class Runs:
         """The largest rate of the motion."""
         end = self.system.end
         sampled = [self.fine.at(self.end * k / 50.0)[end : 2 * end] for k in range(51)]
-        return max(self.fast, max(float(np.abs(rates).max()) for rates in sampled))
+        return float(max(self.fast, max(float(np.abs(rates).max()) for rates in sampled)))
 
     def horizon(self) -> "float | None":
         """Where the runs part: seen, or expected after the end; None where errors hardly grow."""
