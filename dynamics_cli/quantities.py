@@ -270,6 +270,9 @@ if TYPE_CHECKING:
     AngleFormula = Formula
     AccelerationFormula = Formula
     EnergyFormula = Formula
+    ForceFormula = Formula
+    TorqueFormula = Formula
+    TurnRateFormula = Formula
     Variable = Let
     Text = str
     Unit = str
@@ -772,6 +775,16 @@ else:
     EnergyFormula = Kind(
         "energy formula", "J", form="formula", example="4*x^4 - 2*x^2 J", about="an energy, its unit at its end"
     )
+    ForceFormula = Kind(
+        "force formula", "N", form="formula", example="20*sin(5*t) N", about="a force over time, its unit at its end"
+    )
+    TorqueFormula = Kind(
+        "torque formula", "N*m", form="formula", example="2 - 0.01*speed N*m", about="a torque, its unit at its end"
+    )
+    TurnRateFormula = Kind(
+        "angular velocity formula", "rad/s", form="formula", example="300*t rpm",
+        about="an angular velocity over time, its unit at its end",
+    )  # fmt: skip
     Variable = Kind("variable", "", form="let", example="a=3 m", about="a variable of the formulas")
     Text = Kind("text", "", form="text", example="a name", about="words")
     Unit = Kind("unit", "", form="unit", example="ft/s", about="a unit")

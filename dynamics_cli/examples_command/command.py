@@ -26,6 +26,7 @@ class Example:
         self.files = files
 
 
+GATE = ("tailgate/tailgate.sh", "tailgate/tailgate.toml")
 WORKED = (
     Example(
         "crash",
@@ -119,6 +120,7 @@ WORKED = (
         "cd triple_pendulum && sh triple_pendulum.sh",
         "triple_pendulum/triple_pendulum.sh",
     ),
+    Example("tailgate", "Where a tailgate rests, and how it opens.", "cd tailgate && sh tailgate.sh", *GATE),
     Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",

@@ -60,6 +60,90 @@ MODES = Task(
     tracked=False,
 )  # fmt: skip
 
+
+def _shown() -> "dict[str, str]":
+    """Template values: an arm on a spring, turned by a torque."""
+    arm = {"name": "arm", "mass": "2 kg", "rod": "true", "angle": "-50 deg"}
+    scene = {"links[0].name": "ground"} | {f"links[1].{key}": value for key, value in arm.items()}
+    points = ((0, (("O", "0, 0 mm"), ("S", "0, 300 mm"))), (1, (("O", "0, 0 mm"), ("P", "400, 0 mm"))))
+    for link, pair in points:
+        for place, (name, at) in enumerate(pair):
+            scene |= {f"links[{link}].points[{place}].name": name, f"links[{link}].points[{place}].at": at}
+    spring = {"from": "S", "to": "P", "stiffness": "0.2 N/mm", "free_length": "450 mm"}
+    scene |= {f"springs[0].{key}": value for key, value in spring.items()}
+    return scene | {"loads[0].link": "arm", "loads[0].torque": "1 - 0.1*speed N*m"}
+
+
+SCENES = "dynamics_cli.motion.scenes"
+TAILGATE = "examples/tailgate/tailgate.toml"
+RIGID = ("rigid bodies in one plane", "pins and slides without play and friction")
+
+SCENE = Task(
+    "scene",
+    "Planar bodies from a file: motion, forces in the joints, and how long it can be known.",
+    Model(
+        "bodies and joints, integrated",
+        f"{SCENES}.scene:scene",
+        source=BOOK + "section 12.2",
+        formula="M·a + Jᵀ·λ = Q, J·a = γ; E + loss − work stays",
+        assumptions=RIGID,
+        method="DOP853 or Radau, two tolerances",
+    ),
+    headline=(
+        "verdict: answer", "ends: ends at", "horizon: horizon, about", "tenfold: errors grow tenfold in",
+        "difference: two runs apart by", "energy_error: energy and work balance to",
+        "driver_work: work of drivers", "load_work: work of loads", "damper_loss: lost in dampers",
+        "largest_force: largest joint force",
+        "time: state at",
+        "links: link | name, angle, speed, centre, velocity",
+        "reactions: joint | joint, on, force, moment, largest, largest_moment, when",
+        "motion: motion | time, angle, speed, angular_acceleration=α, position, velocity, acceleration, force_x, "
+        "force_y, moment",
+    ),
+    scene=_shown() | {"duration": "2 s"},
+    examples=(
+        f"dynamics motion scene {TAILGATE} --duration '3 s'",
+        f"dynamics motion scene {TAILGATE} --duration '3 s' --follow gate --steps 6",
+    ),
+    table="motion links",
+    plot=f"{SCENES}.pictures:scene_picture",
+    writers={"svg": f"{SCENES}.pictures:moving_scene"},
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
+EQUILIBRIUM = Task(
+    "equilibrium",
+    "Planar bodies from a file: where they stand still, whether that is stable, frequencies.",
+    Model(
+        "balance of forces on the joints",
+        f"{SCENES}.equilibrium:equilibrium",
+        source=BOOK + "section 14.2",
+        formula="Q(q) − Jᵀ·λ = 0; stable where ZᵀKZ > 0",
+        assumptions=RIGID,
+        method="Newton",
+    ),
+    headline=(
+        "stability: the place shown is",
+        "places: place | number, stability, lowest=lowest frequency, energy, angles",
+        "reactions: joint | joint, on, by, force, force_x, force_y, moment",
+        "springs: spring | name, length, pull",
+    ),
+    scene=_shown(),
+    examples=(f"dynamics motion equilibrium {TAILGATE}", f"dynamics motion equilibrium {TAILGATE} --place 2"),
+    table="places",
+    plot=f"{SCENES}.pictures:equilibrium_picture",
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
 FAMILIES = {
-    "motion": Family("motion", "Motion of chains of rods: how they move, and how long that is known.", CHAIN, MODES)
+    "motion": Family(
+        "motion",
+        "Motion of bodies and chains of rods, and how long it is known; equilibrium.",
+        CHAIN,
+        MODES,
+        SCENE,
+        EQUILIBRIUM,
+    )
 }

@@ -9,7 +9,18 @@ import dynamics_cli
 
 PACKAGE = Path(dynamics_cli.__file__).parent
 ROOT = "dynamics_cli"
-LEAVES = {"quantities", "records", "errors", "outlines", "pictures", "markup", "sampling", "version"}
+LEAVES = {
+    "quantities",
+    "records",
+    "errors",
+    "outlines",
+    "pictures",
+    "markup",
+    "sampling",
+    "progress",
+    "animation",
+    "version",
+}
 # The packages of core in their line: each may import those before it.
 CORE = ("units", "inputs", "answering", "output", "uncertainty", "batch", "command")
 # What only one module may import, and which.

@@ -55,6 +55,8 @@ def _execute(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
         return run_rows(task, call, settings, terminal)
     gathered = gather(task, call, settings, terminal)
     _check_files(task, settings)
+    if terminal.shows_progress:
+        _show_progress(terminal)
     status = ExitStatus.DONE
     if settings.sweep:
         from dynamics_cli.core.batch.sweep import sweep
@@ -90,6 +92,18 @@ def _execute(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
     if task.verdict and not all(check["passed"] for check in document["checks"]):
         return ExitStatus.FAULT
     return status or _verdict(document, settings)
+
+
+def _show_progress(terminal: "Terminal") -> None:
+    """A bar for a calculation that says how far it is."""
+    from dynamics_cli.progress import Going, show
+
+    def counted(size: float, what: str) -> Going:
+        from dynamics_cli.core.batch.rows.progress import Counted
+
+        return Counted(size, what, terminal)
+
+    show(counted)
 
 
 def document_of(task: Task, gathered: Gathered, settings: Settings) -> "dict[str, Any]":

@@ -56,7 +56,8 @@ def written_default(option: Option) -> str:
 def describe_options(task: Task) -> "Mapping[tuple[str, ...], str]":
     """Descriptions of all options, from the annotations of the function and of its records."""
     texts: dict[tuple[str, ...], str] = {}
-    for field in task.specification.fields:
+    # an option's own words go before those of a group's field of the same name
+    for field in sorted(task.specification.fields, key=lambda field: not isinstance(field.node, Leaf)):
         if field.place and isinstance(field.node, Record):
             _describe_fields(field.node, (), texts, set())
         else:

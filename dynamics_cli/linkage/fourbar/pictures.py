@@ -3,8 +3,8 @@
 from cmath import exp
 from math import pi
 
+from dynamics_cli.animation import animated
 from dynamics_cli.errors import worded
-from dynamics_cli.linkage.animation import animated
 from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, frame
 from dynamics_cli.linkage.fourbar.grashof import kind_of
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve

@@ -2,7 +2,7 @@
 
 from math import pi
 
-from dynamics_cli.linkage.animation import animated
+from dynamics_cli.animation import animated
 from dynamics_cli.linkage.scenes.records import GROUND, Scene
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Angle, Coordinate, TurnRate

@@ -2,8 +2,8 @@
 
 from math import cos, pi, sin
 
+from dynamics_cli.animation import animated
 from dynamics_cli.errors import worded
-from dynamics_cli.linkage.animation import animated
 from dynamics_cli.linkage.sliders.slider_crank import RIGHT, End, slider_crank
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Angle, CamVelocity, Coordinate, Size

@@ -3,6 +3,7 @@
 import math
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.fitting.records_file import read_record
 from dynamics_cli.quantities import (
     Acceleration,
     Annotated,
@@ -16,7 +17,6 @@ from dynamics_cli.quantities import (
     VibrationSpeed,
 )
 from dynamics_cli.records import Advice, Columns, Numerics, record
-from dynamics_cli.vibration.records_file import read_record
 from dynamics_cli.vibration.shocks.pulses import Shape
 from dynamics_cli.vibration.shocks.transient import ACCELERATIONS
 from dynamics_cli.vibration.single.oscillator import require_damping

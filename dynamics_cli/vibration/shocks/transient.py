@@ -3,6 +3,7 @@
 import math
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.fitting.records_file import read_record
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -20,7 +21,6 @@ from dynamics_cli.quantities import (
     VibrationSpeed,
 )
 from dynamics_cli.records import Columns, Numerics, record
-from dynamics_cli.vibration.records_file import read_record
 from dynamics_cli.vibration.shocks.pulses import Shape
 from dynamics_cli.vibration.single.oscillator import Damper, DampingShare, Natural, Oscillator, Sag, Spring
 

@@ -4,10 +4,10 @@ from itertools import pairwise
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import atan, exp, log, pi_beside, sin, sqrt, total
+from dynamics_cli.numerics.fitting.records_file import read_record
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import Annotated, Count, DampingRatio, Frequency, InputFile, Positive, Ratio
 from dynamics_cli.records import Advice, record
-from dynamics_cli.vibration.records_file import read_record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

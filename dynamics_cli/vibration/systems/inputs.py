@@ -1,9 +1,9 @@
 """What a system of several masses may be given by: a line of springs, bodies and couplings, matrices."""
 
 from dynamics_cli.errors import require, worded
+from dynamics_cli.numerics.fitting.records_file import read_matrix
 from dynamics_cli.quantities import Annotated, InputFile, Mass, Matrix, Stiffness, Text, ViscousDamping
 from dynamics_cli.records import Advice, record
-from dynamics_cli.vibration.records_file import read_matrix
 from dynamics_cli.vibration.single.oscillator import require_damping
 from dynamics_cli.vibration.systems.elements import GROUND, Elements
 

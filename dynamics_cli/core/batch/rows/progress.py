@@ -3,6 +3,7 @@
 from time import monotonic
 
 from dynamics_cli.core.termination import Tidy
+from dynamics_cli.progress import Going
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -73,3 +74,18 @@ class Progress:
     def _show_cursor(self) -> None:
         """Show the cursor that the bar hid."""
         self._terminal.tell("\x1b[?25h\n")
+
+
+class Counted(Going):
+    """A single calculation that says how far it is."""
+
+    def __init__(self, size: float, what: str, terminal: "Terminal") -> None:
+        self.size, self.bytes_read = size, 0.0
+        self._bar = Progress(self, terminal, what)  # type: ignore[arg-type]
+
+    def __exit__(self, *_: object) -> None:
+        self._bar.__exit__()
+
+    def _done(self, amount: float) -> None:
+        self.bytes_read = amount
+        self._bar.advance(round(amount, 2))  # type: ignore[arg-type]

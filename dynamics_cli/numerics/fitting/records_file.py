@@ -59,6 +59,11 @@ def read_record(file: str, units: "dict[str, float] | None" = None) -> "tuple[li
     table = [[_number(cell.strip(), line) for cell in row[:2]] for line, row in enumerate(rows[1:], 2)]
     require(all(len(row) == 2 for row in table), "a row of the record has no value", code="number")
     times = [row[0] * TIMES[time] for row in table]
+    _require_rising(times)
+    return times, [row[1] * known[unit] for row in table]
+
+
+def _require_rising(times: "list[float]") -> None:
     for line, (before, after) in enumerate(pairwise(times), 3):
         require(
             after > before,
@@ -67,7 +72,28 @@ def read_record(file: str, units: "dict[str, float] | None" = None) -> "tuple[li
             after=(after, Time),
             code="times",
         )
-    return times, [row[1] * known[unit] for row in table]
+
+
+def read_columns(file: str, known: "dict[str, dict[str, float]]") -> "tuple[list[float], dict[str, list[float]]]":
+    """Times and the other columns, by name; `known` are the names that may stand there with their units' SI factors."""
+    rows = _cells(file)
+    heads = [cell.strip().rstrip("]").partition("[")[::2] for cell in rows[0]]
+    (time, unit), rest = heads[0], heads[1:]
+    wanted = "t[s]," + ", or ".join(f"{name}[{next(iter(units))}]" for name, units in known.items())
+    require(
+        time.strip().lower() in ("t", "time") and unit in TIMES and rest
+        and all(name in known and one in known[name] for name, one in rest),
+        "the header {header} is not one of a time and columns that are wanted",
+        header=repr(",".join(rows[0])[:60]), code="header", hint="such as {wanted}", wanted=wanted,
+    )  # fmt: skip
+    require(2 <= len(rows) - 1 <= MOST, "the table has {count} rows; 2 to 200,000 are read", code="length",
+            count=str(len(rows) - 1))  # fmt: skip
+    table = [[_number(cell.strip(), line) for cell in row] for line, row in enumerate(rows[1:], 2)]
+    require(all(len(row) == len(heads) for row in table), "a row of the table has a value too few or too many",
+            code="number")  # fmt: skip
+    times = [row[0] * TIMES[unit] for row in table]
+    _require_rising(times)
+    return times, {name: [row[k] * known[name][one] for row in table] for k, (name, one) in enumerate(rest, 1)}
 
 
 def read_matrix(file: str) -> "list[list[float]]":

@@ -1,0 +1,1 @@
+"""Bodies of a planar scene: names, joints, forces, equations, start."""

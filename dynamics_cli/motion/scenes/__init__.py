@@ -1,0 +1,1 @@
+"""Planar scenes of bodies: motion and equilibrium."""
