@@ -270,6 +270,8 @@ if TYPE_CHECKING:
     AngleFormula = Formula
     AccelerationFormula = Formula
     EnergyFormula = Formula
+    ForceFormula = Formula
+    TorqueFormula = Formula
     Variable = Let
     Text = str
     Unit = str
@@ -771,6 +773,12 @@ else:
     )
     EnergyFormula = Kind(
         "energy formula", "J", form="formula", example="4*x^4 - 2*x^2 J", about="an energy, its unit at its end"
+    )
+    ForceFormula = Kind(
+        "force formula", "N", form="formula", example="-20*x_dot N", about="a force, its unit at its end"
+    )
+    TorqueFormula = Kind(
+        "torque formula", "N*m", form="formula", example="3*sin(2*t) N*m", about="a torque, its unit at its end"
     )
     Variable = Kind("variable", "", form="let", example="a=3 m", about="a variable of the formulas")
     Text = Kind("text", "", form="text", example="a name", about="words")
