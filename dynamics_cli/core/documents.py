@@ -97,6 +97,19 @@ def given_inputs(node: "Any", name: str = "") -> "Iterator[tuple[str, Any, str]]
         yield from flatten(node, name)
 
 
+class WithUnit(str):
+    """A cell with its own unit: as text in full, as `number` shows it rounded."""
+
+    value: "Any"
+    unit: str
+
+    def __new__(cls, value: "Any", unit: str) -> "WithUnit":
+        """The cell of a value and its unit."""
+        cell = super().__new__(cls, f"{to_json(value)} {unit}")
+        cell.value, cell.unit = value, unit
+        return cell
+
+
 def columns(table: "Any") -> "list[tuple[str, str, list[Any]]]":
     """A table's columns: name, unit, values."""
     if isinstance(table, dict):
@@ -116,7 +129,7 @@ def columns(table: "Any") -> "list[tuple[str, str, list[Any]]]":
             made.append((name, units.pop(), [value for value, _ in found]))
         else:
             # Rows written in several units each keep their own.
-            made.append((name, "", [f"{to_json(value)} {unit}".rstrip() if unit else value for value, unit in found]))
+            made.append((name, "", [WithUnit(value, unit) if unit else value for value, unit in found]))
     return made
 
 
@@ -134,6 +147,8 @@ def number(value: "Any", digits: int) -> str:
         return "–"
     if isinstance(value, list):
         return "[" + ", ".join(number(item, digits) for item in value) + "]"
+    if isinstance(value, WithUnit):
+        return quantity(value.value, value.unit, digits)
     return str(value)
 
 
