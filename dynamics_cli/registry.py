@@ -134,7 +134,7 @@ FAMILIES: "dict[str, Entry]" = {
     "motion": Entry(
         "dynamics_cli.motion.commands",
         GROUPS[5],
-        "Motion of chains of rods: how they move, and how long that is known.",
+        "Motion of chains and scenes: runs and how long they hold, modes, equations.",
     ),
     "spin": Entry(
         "dynamics_cli.spin.commands",

@@ -84,17 +84,17 @@ EQUATIONS = Task(
         method="exact derivatives by jets",
     ),
     headline=(
-        "equations: coordinate | name, acceleration=q̈, active_force=F_r, velocity_force=F*_r of speeds, "
-        "by_lagrange=q̈ by Lagrange",
+        "equations: coordinate | name, acceleration=q̈, by_lagrange=by Lagrange, active_force=F_r, "
+        "velocity_force=F*_r of speeds",
         "difference: Kane and Lagrange differ by",
         "kinetic_energy: kinetic energy T", "potential_energy: potential energy V",
         "drive_power: power of the drive",
-        "table: part | of, sort, velocity=v_r, force=F, angular_velocity=ω_r, moment=M, share",
+        "terms: part | of, sort, velocity=v_r, force=F, angular_velocity=ω_r, moment=M, share",
     ),
     scene=SHOWN,
     examples=(
         "dynamics motion equations examples/sliding_rod/sliding_rod.toml",
-        "dynamics motion equations examples/sliding_rod/sliding_rod.toml --coordinate theta",
+        "dynamics motion equations examples/sliding_rod/sliding_rod.toml --terms theta",
     ),
     table="equations",
     arrays=False,
@@ -103,7 +103,6 @@ EQUATIONS = Task(
 
 FAMILIES = {
     "motion": Family(
-        "motion", "Motion of chains and of bodies by formulas: how they move, and how long that is known.", CHAIN, MODES,
-        EQUATIONS,
+        "motion", "Motion of chains and scenes: runs and how long they hold, modes, equations.", CHAIN, MODES, EQUATIONS
     )
 }  # fmt: skip

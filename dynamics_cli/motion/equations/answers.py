@@ -48,9 +48,8 @@ def partials(kane: "Kane") -> "Iterator[Partial]":
     for r, name in enumerate(system.names):
         for of in system.places:
             turns = kane.partial_spin[of][r] if system.turns.get(of) else None
-            yield Partial(
-                name, of, _vector(system, kane.partial[of][r], _slope(system, r)), _turn(system, turns, _spin(system, r))
-            )
+            velocity: Any = _vector(system, kane.partial[of][r], _slope(system, r))
+            yield Partial(name, of, velocity, _turn(system, turns, _spin(system, r)))
 
 
 def share_of(system: "System", load: "Load", r: int) -> Share:

@@ -49,9 +49,7 @@ class Load:
     def size(self, r: int) -> float:
         """The size of the terms of that sum."""
         pairs = ((self.force, self.velocities), (self.moment, self.turns))
-        return sum(
-            abs(a * b) for load, ways in pairs if load is not None for a, b in zip(load, ways[r], strict=True)
-        )
+        return sum(abs(a * b) for load, ways in pairs if load is not None for a, b in zip(load, ways[r], strict=True))
 
 
 class Kane:
@@ -60,13 +58,11 @@ class Kane:
     def __init__(self, system: "System", q: "list[float]", rates: "list[float]", time: float, gravity: float) -> None:
         self.system, self.rates, self.gravity = system, rates, gravity
         names = system.names
-        self.numbers = dict(zip(names, q, strict=True)) | {"t": time}
-        along = {name: Jet([x, w, 0.0]) for name, x, w in zip(names, q, rates, strict=True)}
+        self.numbers: dict[str, Any] = dict(zip(names, q, strict=True)) | {"t": time}
+        along: dict[str, Any] = {name: Jet([x, w, 0.0]) for name, x, w in zip(names, q, rates, strict=True)}
         along["t"] = Jet([time, 1.0, 0.0])
         self.along = along
-        self.each = [
-            self.numbers | {name: Jet.variable(self.numbers[name], 1)} for name in names
-        ]
+        self.each: list[dict[str, Any]] = [self.numbers | {name: Jet.variable(self.numbers[name], 1)} for name in names]
         places = {name: system.place(name, along) for name in system.places}
         self.place = {name: coefficients(at, 0) for name, at in places.items()} | {ORIGIN: NOWHERE}
         self.rest = {name: scale(2.0, coefficients(at, 2)) for name, at in places.items()}
@@ -170,7 +166,8 @@ class Kane:
         for twist in scene.torsion_springs:
             law: Any = system.twists[twist.name]
             angle = system.value(twist.name, law, self.along)
-            moment = twist.stiffness * (twist.free_angle - coefficient(angle, 0)) - twist.damping * coefficient(angle, 1)
+            moment = -twist.stiffness * (coefficient(angle, 0) - twist.free_angle)
+            moment -= twist.damping * coefficient(angle, 1)
             slopes = [coefficient(system.value(twist.name, law, each), 1) for each in (*self.each, self.along)]
             made.append(Load(twist.name, "spring", None, [], (0.0, 0.0, moment), [(0.0, 0.0, x) for x in slopes]))
         return made

@@ -1,6 +1,6 @@
 """Lagrange's method: the derivatives of the energies and of the power, by jets of jets, without any vector of Kane's.
 
-A coordinate is a jet in time whose coefficients are jets in two small changes, of which the second derivatives are read.
+A coordinate is a jet in time whose coefficients are jets in two small changes; second derivatives are read from them.
 """
 
 from dynamics_cli.motion.equations.system import NOWHERE
@@ -139,7 +139,7 @@ class Lagrange:
         total: Any = NOWHERE
         for unit in UNITS:
             axis = self.system.turned(name, unit, numbers)
-            part = cross(tuple(map(_value, axis)), _rates(axis))  # type: ignore[arg-type]
+            part = cross(tuple(map(_value, axis)), _rates(axis))
             total = tuple(a + b * 0.5 for a, b in zip(total, part, strict=True))
         return total
 

@@ -61,7 +61,7 @@ class Sliding:
 
 
 @record
-class BodyTurn:
+class Turn:
     """One of successive turns of a body, each about its own axis."""
 
     axis: Annotated[Axis, "The axis: x, y or z."]
@@ -69,7 +69,7 @@ class BodyTurn:
 
 
 @record
-class MovingBody:
+class Body:
     """A rigid body, or a particle."""
 
     name: Annotated[Text, "Its name, which stands for its centre too."]
@@ -79,12 +79,12 @@ class MovingBody:
     z: Annotated[LengthFormula | None, "Its mass centre, in space."] = None
     angle: Annotated[AngleFormula | None, "Its turn in the plane, e.g. theta rad."] = None
     inertia: Annotated[Inertia, "Central inertia in the plane, e.g. 0.05 kg*m^2."] = 0.0
-    turns: Annotated[tuple[BodyTurn, ...], "Its turns in space, the first from the fixed axes."] = ()
+    turns: Annotated[tuple[Turn, ...], "Its turns in space, the first from the fixed axes."] = ()
     moments: Annotated[InertiaTriple | None, "Central principal moments, in space, e.g. 2, 3, 4 kg*m^2."] = None
 
 
 @record
-class NamedPoint:
+class Point:
     """A point that loads or springs act at, or whose partial velocities are asked for."""
 
     name: Annotated[Text, "Its name."]
@@ -94,7 +94,7 @@ class NamedPoint:
 
 
 @record
-class PointForce:
+class Force:
     """A force at a point."""
 
     name: Annotated[Text, "Its name."]
@@ -105,7 +105,7 @@ class PointForce:
 
 
 @record
-class BodyTorque:
+class Torque:
     """A torque on a body, from the ground or from another body."""
 
     name: Annotated[Text, "Its name."]
@@ -116,7 +116,7 @@ class BodyTorque:
 
 
 @record
-class PointSpring:
+class Spring:
     """A spring or a damper between two points."""
 
     name: Annotated[Text, "Its name."]
@@ -143,11 +143,11 @@ class Scene:
     """A system of bodies by generalized coordinates."""
 
     coordinates: Annotated[tuple[Turning | Sliding, ...], "The generalized coordinates."]
-    bodies: Annotated[tuple[MovingBody, ...], "The bodies."]
-    points: Annotated[tuple[NamedPoint, ...], "Further points."] = ()
-    forces: Annotated[tuple[PointForce, ...], "Forces, besides gravity."] = ()
-    torques: Annotated[tuple[BodyTorque, ...], "Torques."] = ()
-    springs: Annotated[tuple[PointSpring, ...], "Springs and dampers between points."] = ()
+    bodies: Annotated[tuple[Body, ...], "The bodies."]
+    points: Annotated[tuple[Point, ...], "Further points."] = ()
+    forces: Annotated[tuple[Force, ...], "Forces, besides gravity."] = ()
+    torques: Annotated[tuple[Torque, ...], "Torques."] = ()
+    springs: Annotated[tuple[Spring, ...], "Springs and dampers between points."] = ()
     torsion_springs: Annotated[tuple[TorsionSpring, ...], "Torsion springs and dampers."] = ()
 
 
@@ -156,12 +156,12 @@ class CoordinateEquation:
     """The equation of one coordinate."""
 
     name: Annotated[Text, "The coordinate."]
-    active_force: Annotated[FreeNumber, "Generalized active force F_r."]
-    inertia_force: Annotated[FreeNumber, "Generalized inertia force F*_r; with F_r it gives zero."]
-    velocity_force: Annotated[FreeNumber, "The part of F*_r that speeds make, without accelerations."]
     acceleration: Annotated[FreeNumber, "Second derivative of the coordinate, from F_r + F*_r = 0."]
     by_lagrange: Annotated[FreeNumber, "The same from d/dt ∂T/∂q̇_r − ∂T/∂q_r = Q_r."]
+    active_force: Annotated[FreeNumber, "Generalized active force F_r."]
     lagrange_force: Annotated[FreeNumber, "Q_r, from potentials and powers."]
+    inertia_force: Annotated[FreeNumber, "Generalized inertia force F*_r; with F_r it gives zero."]
+    velocity_force: Annotated[FreeNumber, "The part of F*_r that speeds make, without accelerations."]
 
 
 @record
@@ -202,7 +202,7 @@ class Equations:
 
     equations: Annotated[tuple[CoordinateEquation, ...], "The equation of each coordinate."]
     difference: Annotated[
-        Ratio, "Largest difference of Kane's and Lagrange's accelerations, as a share of the terms they are made of [-]."
+        Ratio, "Largest difference of Kane's and Lagrange's accelerations, as a share of their terms [-]."
     ]
     kinetic_energy: Annotated[PotentialEnergy, "Kinetic energy T [J]."]
     potential_energy: Annotated[PotentialEnergy, "Potential energy V of gravity and springs [J]."]
@@ -210,7 +210,7 @@ class Equations:
         Power | None, "Power of what imposes the motion that formulas with t prescribe; null where none does [W]."
     ]
     mass_matrix: Annotated[tuple[MassRow, ...], "The mass matrix ∂²T/∂q̇_r∂q̇_s."]
-    table: Annotated[tuple[Share, ...] | None, "Kane's table of the coordinate that was asked for."]
+    terms: Annotated[tuple[Share, ...] | None, "What makes up the equation of the coordinate that was asked for."]
     partials: Annotated[tuple[Partial, ...], "Partial velocities and partial angular velocities."]
     shares: Annotated[tuple[Share, ...], "What each load and each body's inertia contributes."]
     numerics: Numerics

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
     from typing import Any
 
-    from dynamics_cli.motion.equations.records import MovingBody, NamedPoint, Scene
+    from dynamics_cli.motion.equations.records import Body, Point, Scene
     from dynamics_cli.records import Formula, Let
 
     Law = Callable[..., Any]
@@ -36,7 +36,7 @@ class System:
         self.timed = False
         self._check_names()
         self.bodies = {body.name: body for body in scene.bodies}
-        places: list[MovingBody | NamedPoint] = [*scene.bodies, *scene.points]
+        places: list[Body | Point] = [*scene.bodies, *scene.points]
         self.flat = upward != "z" and not any(
             getattr(one, "z", None) or getattr(one, "turns", ()) for one in (*places, *scene.forces)
         )
@@ -95,14 +95,14 @@ class System:
         up = self.up
         return [0.0 if up is None else self.place(body.name, numbers)[up] for body in self.scene.bodies]
 
-    def _turns_of(self, body: "MovingBody") -> "list[tuple[int, Law]]":
+    def _turns_of(self, body: "Body") -> "list[tuple[int, Law]]":
         require(body.angle is None or not body.turns, "{name} has an angle and turns too", name=body.name, code="turns",
                 hint="in space, give turns alone")  # fmt: skip
         require(body.moments is None or body.inertia == 0.0, "{name} has an inertia and moments too", name=body.name,
                 code="inertia", hint="inertia is for the plane, moments are for space")  # fmt: skip
         inert = body.inertia != 0.0 or body.moments is not None
         require(not inert or body.angle is not None or bool(body.turns), "{name} has an inertia, but no angle",
-                name=body.name, code="turns", hint="give its angle; angle = \"0 rad\" where it does not turn")  # fmt: skip
+                name=body.name, code="turns", hint="give its angle; 0 rad where it does not turn")  # fmt: skip
         if body.angle is not None:
             return [(2, self._law(body, "angle"))]  # type: ignore[list-item]
         return [("xyz".index(turn.axis), self._read(turn.angle, (), angular=True)) for turn in body.turns]
@@ -118,8 +118,9 @@ class System:
             name for name, turns in zip(self.names, self.angular, strict=True)
             if {name, f"{name}_dot"} & used and (angular or not turns or f"{name}_dot" in used)
         ]  # fmt: skip
-        require(formula.factor == 1.0 or not mixed, "the formula {text} ends in {unit}, but {names} in it has a unit too",
-                text=repr(formula.text), unit=formula.unit, names=", ".join(mixed), code="mixed-units",
+        require(formula.factor == 1.0 or not mixed,
+                "the formula {text} ends in {unit}, but {names} in it has a unit too", text=repr(formula.text),
+                unit=formula.unit, names=", ".join(mixed), code="mixed-units",
                 hint="coordinates are in m and rad: end the formula in m, rad, N or N*m")  # fmt: skip
         if not speeds:
             self.timed |= "t" in used
@@ -133,11 +134,12 @@ class System:
                 code="count", hint="give 1 to {most}", most=str(MOST_BODIES))  # fmt: skip
         taken = {*TAKEN, *(one.name for one in self.let)}
         for name in self.names:
-            require(name.isidentifier() and name not in taken, "a coordinate cannot be called {name}", name=repr(name),
-                    code="name", hint="a word that no function, variable or other coordinate has, and not t")  # fmt: skip
+            require(name.isidentifier() and name not in taken, "a coordinate cannot be called {name}",
+                    name=repr(name), code="name", hint="a word of its own: no function, no variable, not t")  # fmt: skip
             taken |= {name, f"{name}_dot"}
-        loads = (*scene.forces, *scene.torques, *scene.springs, *scene.torsion_springs)
-        for group in ((*scene.bodies, *scene.points), loads):
+        loads: tuple[Any, ...] = (*scene.forces, *scene.torques, *scene.springs, *scene.torsion_springs)
+        places: tuple[Any, ...] = (*scene.bodies, *scene.points)
+        for group in (places, loads):
             names = [one.name for one in group]
             double = [name for name in names if names.count(name) > 1 or name == ORIGIN]
             require(not double, "the name {name} is given twice", name=repr(double[0] if double else ""), code="name",
@@ -165,7 +167,7 @@ def spun(axis: int, angle: "Any", vector: "Any") -> "Any":
     return tuple(out)
 
 
-def _moments(body: "MovingBody") -> "tuple[float, float, float]":
+def _moments(body: "Body") -> "tuple[float, float, float]":
     if body.moments is None:
         return (0.0, 0.0, body.inertia)
     a, b, c = body.moments

@@ -25,7 +25,7 @@ def equations(
     scene: Annotated[Scene, "The system, from a file."],
     /,
     *,
-    coordinate: Annotated[Text | None, "Show Kane's table of this coordinate."] = None,
+    terms: Annotated[Text | None, "Show what makes up the equation of this coordinate."] = None,
     time: Annotated[Time, "The instant, t in formulas, e.g. 0.5 s."] = 0.0,
     let: Annotated[tuple[Variable, ...], "Variables of formulas, e.g. L=0.8 m."] = (),
     up: Annotated[Upward, "The axis that points up: x, y, z, or none without gravity."] = Upward("y"),  # noqa: B008
@@ -55,24 +55,24 @@ def equations(
 
     Examples
     --------
-    >>> from dynamics_cli.motion.equations.records import MovingBody
+    >>> from dynamics_cli.motion.equations.records import Body
     >>> from dynamics_cli.records import Formula
     >>> at = (Formula("0.5*sin(q)", 1.0, "m"), Formula("-0.5*cos(q)", 1.0, "m"))
-    >>> point = MovingBody("point", 2.0, *at)
+    >>> point = Body("point", 2.0, *at)
     >>> made = equations(Scene((Turning("q", 0.3),), (point,)), gravity=10.0)
     >>> round(made.equations[0].acceleration.value, 6)
     -5.910404
     """
     system = System(scene, let, up)
-    require(coordinate is None or coordinate in system.names, "there is no coordinate {name}", name=repr(coordinate),
+    require(terms is None or terms in system.names, "there is no coordinate {name}", name=repr(terms),
             code="unknown-name", hint="there are {known}", known=", ".join(system.names))  # fmt: skip
     q = [one.angle if isinstance(one, Turning) else one.position for one in scene.coordinates]
     rates = [one.rate if isinstance(one, Turning) else one.velocity for one in scene.coordinates]
     kane = Kane(system, q, rates, time, gravity)
-    return _answer(kane, Lagrange(system, q, rates, time, gravity), coordinate)
+    return _answer(kane, Lagrange(system, q, rates, time, gravity), terms)
 
 
-def _answer(kane: Kane, lagrange: Lagrange, coordinate: "str | None") -> Equations:
+def _answer(kane: Kane, lagrange: Lagrange, asked: "str | None") -> Equations:
     system = kane.system
     n = len(system.names)
     at_rest = [kane.inertia_load(name, [0.0] * n) for name in system.bodies]
@@ -97,7 +97,9 @@ def _answer(kane: Kane, lagrange: Lagrange, coordinate: "str | None") -> Equatio
         )
         for r, name in enumerate(system.names)
     ]  # fmt: skip
-    bounds = [apart[r] + ROUNDING * scales[r] for r in range(n)]
+    bounds = [
+        ErrorBound(f"equations[{r}].acceleration", apart[r] + ROUNDING * scales[r], relative=False) for r in range(n)
+    ]
     return Equations(
         equations=tuple(rows),
         difference=difference,
@@ -105,12 +107,10 @@ def _answer(kane: Kane, lagrange: Lagrange, coordinate: "str | None") -> Equatio
         potential_energy=lagrange.potential,
         drive_power=-math.fsum(powers) if system.timed else None,
         mass_matrix=mass_rows(system, masses),
-        table=tuple(share for share in shares if share.coordinate == coordinate) if coordinate else None,
+        terms=tuple(share for share in shares if share.coordinate == asked) if asked else None,
         partials=tuple(partials(kane)),
         shares=shares,
-        numerics=Numerics(
-            METHOD, bounds=tuple(ErrorBound(f"equations[{r}].acceleration", bounds[r], relative=False) for r in range(n))
-        ),
+        numerics=Numerics(METHOD, bounds=tuple(bounds)),
         checks=tuple(_checks(system, difference, powers)),
     )
 

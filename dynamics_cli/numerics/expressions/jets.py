@@ -1,8 +1,8 @@
 """Taylor coefficients that pass through a formula like numbers, so that its derivatives come out exactly.
 
 A `Jet` holds f, f′, f″/2, f‴/6 … at one point. Its coefficients are doubles, arrays, tracked numbers, numbers of many
-digits, or jets in another variable, for mixed derivatives. Functions follow the recurrences of their differential equations (Moore,
-Methods and Applications of Interval Analysis, SIAM 1979, section 3.4).
+digits, or jets in another variable, for mixed derivatives. Functions follow the recurrences of their differential
+equations (Moore, Methods and Applications of Interval Analysis, SIAM 1979, section 3.4).
 """
 
 from dynamics_cli.numerics import elementary
