@@ -135,6 +135,7 @@ FAMILIES: "dict[str, Entry]" = {
         "dynamics_cli.motion.commands",
         GROUPS[5],
         "Motion of chains and scenes: runs and how long they hold, modes, equations.",
+        references=("motion.json",),
     ),
     "spin": Entry(
         "dynamics_cli.spin.commands",

@@ -98,7 +98,6 @@ EQUATIONS = Task(
     ),
     table="equations",
     arrays=False,
-    tracked=False,
 )  # fmt: skip
 
 FAMILIES = {

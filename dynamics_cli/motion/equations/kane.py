@@ -3,7 +3,9 @@
 from dynamics_cli.errors import require
 from dynamics_cli.motion.equations.records import ORIGIN
 from dynamics_cli.motion.equations.system import NOWHERE
+from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.expressions.jets import Jet
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import add, cross, dot, scale, subtract
 
 TYPE_CHECKING = False
@@ -49,7 +51,9 @@ class Load:
     def size(self, r: int) -> float:
         """The size of the terms of that sum."""
         pairs = ((self.force, self.velocities), (self.moment, self.turns))
-        return sum(abs(a * b) for load, ways in pairs if load is not None for a, b in zip(load, ways[r], strict=True))
+        return sum(
+            abs(plain(a * b)) for load, ways in pairs if load is not None for a, b in zip(load, ways[r], strict=True)
+        )
 
 
 class Kane:
@@ -62,7 +66,9 @@ class Kane:
         along: dict[str, Any] = {name: Jet([x, w, 0.0]) for name, x, w in zip(names, q, rates, strict=True)}
         along["t"] = Jet([time, 1.0, 0.0])
         self.along = along
-        self.each: list[dict[str, Any]] = [self.numbers | {name: Jet.variable(self.numbers[name], 1)} for name in names]
+        self.each: list[dict[str, Any]] = [
+            self.numbers | {"t": Jet([time, 0.0]), name: Jet.variable(self.numbers[name], 1)} for name in names
+        ]
         places = {name: system.place(name, along) for name in system.places}
         self.place = {name: coefficients(at, 0) for name, at in places.items()} | {ORIGIN: NOWHERE}
         self.rest = {name: scale(2.0, coefficients(at, 2)) for name, at in places.items()}
@@ -153,7 +159,7 @@ class Kane:
         made = []
         for one in scene.springs:
             way = subtract(self.place[one.end], self.place[one.start])
-            length = dot(way, way) ** 0.5
+            length = sqrt(dot(way, way))
             slack = one.free_length == 0.0 and one.damping == 0.0
             require(length > 0.0 or slack, "{name} has no length at this instant, so that its direction is unknown",
                     name=one.name, code="no-direction", hint="move an end, or the instant")  # fmt: skip
@@ -174,7 +180,7 @@ class Kane:
 
 
 def _unit(turner: "Any") -> "Three":
-    size = dot(turner.axis, turner.axis) ** 0.5
+    size = sqrt(dot(turner.axis, turner.axis))
     require(size > 0.0, "{name}: its axis is a zero vector", name=turner.name, code="zero-vector",
             hint="0, 0, 1 is the axis of a torque in the plane")  # fmt: skip
-    return scale(1.0 / size, turner.axis)
+    return (turner.axis[0] / size, turner.axis[1] / size, turner.axis[2] / size)

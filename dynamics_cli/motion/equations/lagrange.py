@@ -10,6 +10,7 @@ from dynamics_cli.numerics.vectors import cross, dot, subtract
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Any
 
     from dynamics_cli.motion.equations.system import System
@@ -37,22 +38,20 @@ class Lagrange:
     """Second derivatives of T, slopes of V and of the power of all other loads, at an instant."""
 
     def __init__(self, system: "System", q: "list[float]", rates: "list[float]", time: float, gravity: float) -> None:
-        self.system, self.q, self.rates, self.time, self.gravity = system, q, rates, time, gravity
+        self.system, self.q, self.rates, self.time = system, q, rates, time
         n = len(q)
         none = Change(n)
         self.matrix = [[0.0] * n for _ in range(n)]
         self.forces, self.right = [], []
         motion = Change.motion(rates)
-        self.potential = 0.0
         for r in range(n):
             place, rate = Change(n, place=r), Change(n, rate=r)
             for s in range(r + 1):
                 mixed = _read(self._kinetic(self._numbers(Change(n, rate=s), rate)), 1, 1)
                 self.matrix[r][s] = self.matrix[s][r] = mixed
             numbers = self._numbers(none, place)
-            potential = self._potential(numbers)
-            self.potential = _read(potential, 0, 0)
-            force = _read(self._power(self._numbers(none, rate)), 0, 1) - _read(potential, 0, 1)
+            force = _read(self._power(self._numbers(none, rate)), 0, 1)
+            force -= _read(potential(system, numbers, gravity), 0, 1)
             slope = _read(self._kinetic(numbers), 0, 1)
             carried = _read(self._kinetic(self._numbers(motion, rate)), 1, 1)
             self.forces.append(force)
@@ -88,23 +87,6 @@ class Lagrange:
                     total = total + dot(turned, turned) * (0.5 * second)
         return total
 
-    def _potential(self, numbers: "dict[str, Jet]") -> "Any":
-        system, scene = self.system, self.system.scene
-        total: Any = 0.0
-        for body, height in zip(scene.bodies, system.heights(numbers), strict=True):
-            total = total + _value(height) * (body.mass * self.gravity)
-        for one in scene.springs:
-            square = _value(self._square(one, numbers))
-            if one.free_length:
-                stretch = sqrt(square) - one.free_length
-                square = stretch * stretch
-            total = total + square * (0.5 * one.stiffness)
-        for twist in scene.torsion_springs:
-            law: Any = system.twists[twist.name]
-            angle = _value(system.value(twist.name, law, numbers)) - twist.free_angle
-            total = total + angle * angle * (0.5 * twist.stiffness)
-        return total
-
     def _power(self, numbers: "dict[str, Jet]") -> "Any":
         """Σ F·ṗ and M·ω of given loads, and −½·c·l̇² of dampers, whose slope by a rate is theirs too."""
         system, scene = self.system, self.system.scene
@@ -116,23 +98,19 @@ class Lagrange:
             total = total + dot(force, _rates(system.place(one.at, numbers)))
         for turner in scene.torques:
             law: Any = system.torques[turner.name]
-            size = system.value(turner.name, law, given) / dot(turner.axis, turner.axis) ** 0.5
+            size = system.value(turner.name, law, given) / sqrt(dot(turner.axis, turner.axis))
             for body, sign in ((turner.body, 1.0), (turner.against, -1.0)):
                 if body:
                     total = total + dot(turner.axis, self._spin(body, numbers)) * (sign * size)
         for spring in scene.springs:
             if spring.damping:
-                speed = _rate(sqrt(self._square(spring, numbers)))
+                speed = _rate(sqrt(_square(system, spring, numbers)))
                 total = total - speed * speed * (0.5 * spring.damping)
         for twist in scene.torsion_springs:
             law = system.twists[twist.name]
             speed = _rate(system.value(twist.name, law, numbers))
             total = total - speed * speed * (0.5 * twist.damping)
         return total
-
-    def _square(self, spring: "Any", numbers: "dict[str, Jet]") -> "Any":
-        way = subtract(self.system.place(spring.end, numbers), self.system.place(spring.start, numbers))
-        return dot(way, way)
 
     def _spin(self, name: str, numbers: "dict[str, Jet]") -> "Any":
         """Angular velocity as ½·Σ e_k × ė_k of the body's axes."""
@@ -142,6 +120,30 @@ class Lagrange:
             part = cross(tuple(map(_value, axis)), _rates(axis))
             total = tuple(a + b * 0.5 for a, b in zip(total, part, strict=True))
         return total
+
+
+def potential(system: "System", numbers: "Mapping[str, Any]", gravity: float) -> "Any":
+    """Potential energy of gravity and of springs."""
+    scene = system.scene
+    total: Any = 0.0
+    for body, height in zip(scene.bodies, system.heights(numbers), strict=True):
+        total = total + _value(height) * (body.mass * gravity)
+    for one in scene.springs:
+        square = _value(_square(system, one, numbers))
+        if one.free_length:
+            stretch = sqrt(square) - one.free_length
+            square = stretch * stretch
+        total = total + square * (0.5 * one.stiffness)
+    for twist in scene.torsion_springs:
+        law: Any = system.twists[twist.name]
+        angle = _value(system.value(twist.name, law, numbers)) - twist.free_angle
+        total = total + angle * angle * (0.5 * twist.stiffness)
+    return total
+
+
+def _square(system: "System", spring: "Any", numbers: "Mapping[str, Any]") -> "Any":
+    way = subtract(system.place(spring.end, numbers), system.place(spring.start, numbers))
+    return dot(way, way)
 
 
 def _value(number: "Any") -> "Any":

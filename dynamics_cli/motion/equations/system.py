@@ -6,7 +6,9 @@ from dynamics_cli.errors import require
 from dynamics_cli.motion.equations.records import ORIGIN, Turning
 from dynamics_cli.numerics.elementary import cos, sin
 from dynamics_cli.numerics.expressions import FUNCTIONS, parse
+from dynamics_cli.numerics.expressions.jets import Jet
 from dynamics_cli.numerics.expressions.laws import law_of
+from dynamics_cli.numerics.number import plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -69,6 +71,10 @@ class System:
             good = False
         require(good, "a formula of {name} has no value or no slope at this instant", name=name, code="no-value",
                 hint="look for a root or a logarithm of what is not above zero, or a division by zero")  # fmt: skip
+        clock = numbers["t"]
+        if isinstance(clock, Jet) and not isinstance(value, Jet):
+            # a number that carries more than a double cannot operate on jets
+            return Jet([value, *[0.0] * (len(clock.parts) - 1)])
         return value
 
     def turned(self, name: str, vector: "Any", numbers: "Numbers") -> "Any":
@@ -135,7 +141,8 @@ class System:
         taken = {*TAKEN, *(one.name for one in self.let)}
         for name in self.names:
             require(name.isidentifier() and name not in taken, "a coordinate cannot be called {name}",
-                    name=repr(name), code="name", hint="a word of its own: no function, no variable, not t")  # fmt: skip
+                    name=repr(name), code="name",
+                    hint="a word of its own: no function, no variable, not t")  # fmt: skip
             taken |= {name, f"{name}_dot"}
         loads: tuple[Any, ...] = (*scene.forces, *scene.torques, *scene.springs, *scene.torsion_springs)
         places: tuple[Any, ...] = (*scene.bodies, *scene.points)
@@ -181,5 +188,5 @@ def _moments(body: "Body") -> "tuple[float, float, float]":
 def _numbers(value: "Any") -> "list[float]":
     """The numbers of a jet, or of a jet of jets."""
     if not hasattr(value, "parts"):
-        return [value]
+        return [plain(value)]
     return [number for part in value.parts for number in _numbers(part)]

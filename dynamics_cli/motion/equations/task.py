@@ -1,23 +1,20 @@
 """The task `equations`: Kane's and Lagrange's equations of a scene at an instant."""
 
-import math
-
 from dynamics_cli.errors import require
 from dynamics_cli.motion.equations.answers import acceleration, force, mass_rows, partials, share_of
 from dynamics_cli.motion.equations.kane import Kane, Load
-from dynamics_cli.motion.equations.lagrange import Lagrange
+from dynamics_cli.motion.equations.lagrange import Lagrange, potential
 from dynamics_cli.motion.equations.records import CoordinateEquation, Equations, Scene, Turning, Upward
 from dynamics_cli.motion.equations.system import System
 from dynamics_cli.motion.rods import solved
+from dynamics_cli.numerics.number import over_plain, plain
 from dynamics_cli.quantities import STANDARD_GRAVITY, Annotated, Gravity, Text, Time, Variable
-from dynamics_cli.records import Check, ErrorBound, Numerics
+from dynamics_cli.records import Check, Numerics
 
 # A pivot below this share of its diagonal is rounding: the coordinate moves nothing that others do not.
 DEPENDENT = 1e-13
 # Both methods agree within this share of the terms that they sum.
 SAME = 1e-12
-# Roundings of a term, with a margin; chains of formulas have some dozens.
-ROUNDING = 64.0 * 2.0**-53
 METHOD = "Kane's method beside Lagrange's"
 
 
@@ -66,52 +63,61 @@ def equations(
     system = System(scene, let, up)
     require(terms is None or terms in system.names, "there is no coordinate {name}", name=repr(terms),
             code="unknown-name", hint="there are {known}", known=", ".join(system.names))  # fmt: skip
-    q = [one.angle if isinstance(one, Turning) else one.position for one in scene.coordinates]
-    rates = [one.rate if isinstance(one, Turning) else one.velocity for one in scene.coordinates]
-    kane = Kane(system, q, rates, time, gravity)
-    return _answer(kane, Lagrange(system, q, rates, time, gravity), terms)
+    pull = gravity if system.up is not None else 0.0
+    kane = Kane(system, *_instant(scene), time, pull)
+    # a second opinion needs no bounds
+    doubles = over_plain(scene)
+    beside = System(doubles, over_plain(let), up)
+    return _answer(kane, Lagrange(beside, *_instant(doubles), plain(time), plain(pull)), terms)
+
+
+def _instant(scene: Scene) -> "tuple[list[float], list[float]]":
+    """Values and rates of the coordinates."""
+    turns = [isinstance(one, Turning) for one in scene.coordinates]
+    named = list(zip(scene.coordinates, turns, strict=True))
+    return (
+        [getattr(one, "angle" if turn else "position") for one, turn in named],
+        [getattr(one, "rate" if turn else "velocity") for one, turn in named],
+    )
 
 
 def _answer(kane: Kane, lagrange: Lagrange, asked: "str | None") -> Equations:
     system = kane.system
     n = len(system.names)
     at_rest = [kane.inertia_load(name, [0.0] * n) for name in system.bodies]
-    active = [math.fsum(load.share(r) for load in kane.loads) for r in range(n)]
-    speeds = [math.fsum(load.share(r) for load in at_rest) for r in range(n)]
+    active = [sum(load.share(r) for load in kane.loads) for r in range(n)]
+    speeds = [sum(load.share(r) for load in at_rest) for r in range(n)]
     masses = kane.masses()
     seconds = _accelerations(system, masses, [a + b for a, b in zip(active, speeds, strict=True)])
     others = _accelerations(system, lagrange.matrix, lagrange.right)
     inertia = [kane.inertia_load(name, seconds) for name in system.bodies]
     loads = [*kane.loads, *inertia]
-    scales = _scales(masses, [*loads, *at_rest])
-    apart = [abs(a - b) for a, b in zip(seconds, others, strict=True)]
+    scales = _scales(lagrange.matrix, [*loads, *at_rest])
+    apart = [abs(plain(a) - b) for a, b in zip(seconds, others, strict=True)]
     difference = max(off / scale if scale else 0.0 for off, scale in zip(apart, scales, strict=True))
     powers = [load.share(n) for load in loads]
-    shares = tuple(share_of(system, load, r) for r in range(n) for load in loads if load.share(r) != 0.0)
+    shares = tuple(share_of(system, load, r) for r in range(n) for load in loads if plain(load.share(r)) != 0.0)
     rows = [
         CoordinateEquation(
             name=name, active_force=force(system, r, active[r]),
-            inertia_force=force(system, r, math.fsum(load.share(r) for load in inertia)),
+            inertia_force=force(system, r, sum(load.share(r) for load in inertia)),
             velocity_force=force(system, r, speeds[r]), acceleration=acceleration(system, r, seconds[r]),
             by_lagrange=acceleration(system, r, others[r]), lagrange_force=force(system, r, lagrange.forces[r]),
         )
         for r, name in enumerate(system.names)
     ]  # fmt: skip
-    bounds = [
-        ErrorBound(f"equations[{r}].acceleration", apart[r] + ROUNDING * scales[r], relative=False) for r in range(n)
-    ]
     return Equations(
         equations=tuple(rows),
         difference=difference,
-        kinetic_energy=math.fsum(map(kane.kinetic, system.bodies)),
-        potential_energy=lagrange.potential,
-        drive_power=-math.fsum(powers) if system.timed else None,
+        kinetic_energy=sum(map(kane.kinetic, system.bodies)),
+        potential_energy=potential(system, kane.numbers, kane.gravity),
+        drive_power=-sum(powers) if system.timed else None,
         mass_matrix=mass_rows(system, masses),
         terms=tuple(share for share in shares if share.coordinate == asked) if asked else None,
         partials=tuple(partials(kane)),
         shares=shares,
-        numerics=Numerics(METHOD, bounds=tuple(bounds)),
-        checks=tuple(_checks(system, difference, powers)),
+        numerics=Numerics(METHOD),
+        checks=tuple(_checks(system, difference, list(map(plain, powers)))),
     )
 
 
@@ -123,17 +129,17 @@ def _accelerations(system: System, matrix: "list[list[float]]", right: "list[flo
     except ZeroDivisionError:
         out = []
     for name, row, old, r in zip(system.names, rows, matrix, range(len(rows)), strict=True):
-        require(old[r] > 0.0, "{name} moves no mass at this instant", name=name, code="massless",
+        require(plain(old[r]) > 0.0, "{name} moves no mass at this instant", name=name, code="massless",
                 hint="give what it moves a mass or an inertia, or leave it out")  # fmt: skip
-        require(row[r] > DEPENDENT * old[r], "{name} moves nothing that other coordinates do not move alike",
-                name=name, code="dependent", hint="leave it out, or choose another instant")  # fmt: skip
+        require(plain(row[r]) > DEPENDENT * plain(old[r]),
+                "{name} moves nothing that other coordinates do not move alike", name=name, code="dependent", hint="leave it out, or choose another instant")  # fmt: skip
     return out
 
 
 def _scales(matrix: "list[list[float]]", loads: "list[Load]") -> "list[float]":
     """For each acceleration the size of the terms that it is made of: |M⁻¹| times the sums of sizes."""
     n = len(matrix)
-    sums = [math.fsum(load.size(r) for load in loads) for r in range(n)]
+    sums = [sum(load.size(r) for load in loads) for r in range(n)]
     scales = [0.0] * n
     for s in range(n):
         column = solved([list(row) for row in matrix], [1.0 if r == s else 0.0 for r in range(n)])
@@ -145,7 +151,7 @@ def _scales(matrix: "list[list[float]]", loads: "list[Load]") -> "list[float]":
 def _checks(system: System, difference: float, powers: "list[float]") -> "list[Check]":
     checks = [Check("Kane's and Lagrange's accelerations agree", difference < SAME, difference, SAME)]
     if not system.timed:
-        size = math.fsum(map(abs, powers))
-        off = abs(math.fsum(powers)) / size if size else 0.0
+        size = sum(map(abs, powers))
+        off = abs(sum(powers)) / size if size else 0.0
         checks.append(Check("energy changes by the power of the loads", off < SAME, off, SAME))
     return checks
