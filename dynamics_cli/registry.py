@@ -136,6 +136,7 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[5],
         "Motion of chains and scenes: runs and how long they hold, modes, equations.",
         references=("motion.json",),
+        questions="dynamics_cli.accuracy.alternatives.motion",
     ),
     "spin": Entry(
         "dynamics_cli.spin.commands",

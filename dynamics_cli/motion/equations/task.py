@@ -132,7 +132,8 @@ def _accelerations(system: System, matrix: "list[list[float]]", right: "list[flo
         require(plain(old[r]) > 0.0, "{name} moves no mass at this instant", name=name, code="massless",
                 hint="give what it moves a mass or an inertia, or leave it out")  # fmt: skip
         require(plain(row[r]) > DEPENDENT * plain(old[r]),
-                "{name} moves nothing that other coordinates do not move alike", name=name, code="dependent", hint="leave it out, or choose another instant")  # fmt: skip
+                "{name} moves nothing that other coordinates do not move alike", name=name, code="dependent",
+                hint="leave it out, or choose another instant")  # fmt: skip
     return out
 
 
