@@ -120,6 +120,13 @@ WORKED = (
         "triple_pendulum/triple_pendulum.sh",
     ),
     Example(
+        "sliding_rod",
+        "A rod on a sliding pin with a spring and a damper: its equations by Kane's and Lagrange's methods.",
+        "cd sliding_rod && sh sliding_rod.sh",
+        "sliding_rod/sliding_rod.sh",
+        "sliding_rod/sliding_rod.toml",
+    ),
+    Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
         "cd pedestrian && sh pedestrian.sh",

@@ -95,7 +95,6 @@ def _answer(kane: Kane, lagrange: Lagrange, asked: "str | None") -> Equations:
     scales = _scales(lagrange.matrix, [*loads, *at_rest])
     apart = [abs(plain(a) - b) for a, b in zip(seconds, others, strict=True)]
     difference = max(off / scale if scale else 0.0 for off, scale in zip(apart, scales, strict=True))
-    powers = [load.share(n) for load in loads]
     shares = tuple(share_of(system, load, r) for r in range(n) for load in loads if plain(load.share(r)) != 0.0)
     rows = [
         CoordinateEquation(
@@ -111,13 +110,13 @@ def _answer(kane: Kane, lagrange: Lagrange, asked: "str | None") -> Equations:
         difference=difference,
         kinetic_energy=sum(map(kane.kinetic, system.bodies)),
         potential_energy=potential(system, kane.numbers, kane.gravity),
-        drive_power=-sum(powers) if system.timed else None,
+        drive_power=-sum(load.share(n) for load in loads) if system.timed else None,
         mass_matrix=mass_rows(system, masses),
         terms=tuple(share for share in shares if share.coordinate == asked) if asked else None,
         partials=tuple(partials(kane)),
         shares=shares,
         numerics=Numerics(METHOD),
-        checks=tuple(_checks(system, difference, list(map(plain, powers)))),
+        checks=tuple(_checks(system, difference, loads)),
     )
 
 
@@ -149,10 +148,11 @@ def _scales(matrix: "list[list[float]]", loads: "list[Load]") -> "list[float]":
     return scales
 
 
-def _checks(system: System, difference: float, powers: "list[float]") -> "list[Check]":
+def _checks(system: System, difference: float, loads: "list[Load]") -> "list[Check]":
     checks = [Check("Kane's and Lagrange's accelerations agree", difference < SAME, difference, SAME)]
     if not system.timed:
-        size = sum(map(abs, powers))
-        off = abs(sum(powers)) / size if size else 0.0
+        n = len(system.names)
+        size = sum(load.size(n) for load in loads)
+        off = abs(sum(plain(load.share(n)) for load in loads)) / size if size else 0.0
         checks.append(Check("energy changes by the power of the loads", off < SAME, off, SAME))
     return checks
