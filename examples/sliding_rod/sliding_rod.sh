@@ -7,7 +7,7 @@ echo "the equations, by both methods"
 dynamics motion equations sliding_rod.toml
 
 echo "what makes up the equation of theta"
-dynamics motion equations sliding_rod.toml --terms theta --table terms
+dynamics motion equations sliding_rod.toml --terms theta
 
 echo "energies on a level table, where no gravity acts"
 dynamics motion equations sliding_rod.toml --up none --only potential_energy,kinetic_energy
