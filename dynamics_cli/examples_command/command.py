@@ -26,6 +26,7 @@ class Example:
         self.files = files
 
 
+ROD = ("sliding_rod/sliding_rod.sh", "sliding_rod/sliding_rod.toml")
 WORKED = (
     Example(
         "crash",
@@ -119,13 +120,7 @@ WORKED = (
         "cd triple_pendulum && sh triple_pendulum.sh",
         "triple_pendulum/triple_pendulum.sh",
     ),
-    Example(
-        "sliding_rod",
-        "A rod on a sliding pin with a spring and a damper: its equations by Kane's and Lagrange's methods.",
-        "cd sliding_rod && sh sliding_rod.sh",
-        "sliding_rod/sliding_rod.sh",
-        "sliding_rod/sliding_rod.toml",
-    ),
+    Example("sliding_rod", "A rod on a sliding pin: equations of motion.", "cd sliding_rod && sh sliding_rod.sh", *ROD),
     Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",
