@@ -17,8 +17,7 @@ CHAIN = Task(
         method="DOP853, two tolerances",
     ),
     headline=(
-        "verdict: answer", "horizon: horizon, about", "tenfold: errors grow tenfold in",
-        "difference: two runs apart by",
+        "verdict: answer", "difference: two runs apart by",
         "energy_error: energy kept to", "top_force: largest force in the top pin",
         "rods: at the end",
         "motion: motion | time, angles",
