@@ -140,7 +140,9 @@ FAMILIES: "dict[str, Entry]" = {
     "motion": Entry(
         "dynamics_cli.motion.commands",
         GROUPS[5],
-        "Motion of chains of rods: how they move, how long it is known.",
+        "Motion of bodies and chains, how long it is known; equilibrium.",
+        references=("motion.json",),
+        questions="dynamics_cli.accuracy.alternatives.motion",
     ),
     "spin": Entry(
         "dynamics_cli.spin.commands",

@@ -105,6 +105,19 @@ def singular(name: str) -> str:
     return name[:-1] if name.endswith("s") and name[-2:-1] not in ("s", "u", "i") else name
 
 
+class WithUnit(str):
+    """A cell with its own unit: as text in full, as `number` shows it rounded."""
+
+    value: "Any"
+    unit: str
+
+    def __new__(cls, value: "Any", unit: str) -> "WithUnit":
+        """The cell of a value and its unit."""
+        cell = super().__new__(cls, f"{to_json(value)} {unit}")
+        cell.value, cell.unit = value, unit
+        return cell
+
+
 def columns(table: "Any") -> "list[tuple[str, str, list[Any]]]":
     """A table's columns: name, unit, values."""
     if isinstance(table, dict):
@@ -124,7 +137,7 @@ def columns(table: "Any") -> "list[tuple[str, str, list[Any]]]":
             made.append((name, units.pop(), [value for value, _ in found]))
         else:
             # Rows written in several units each keep their own.
-            made.append((name, "", [f"{to_json(value)} {unit}".rstrip() if unit else value for value, unit in found]))
+            made.append((name, "", [WithUnit(value, unit) if unit else value for value, unit in found]))
     return made
 
 
@@ -142,6 +155,8 @@ def number(value: "Any", digits: int) -> str:
         return "–"
     if isinstance(value, list):
         return "[" + ", ".join(number(item, digits) for item in value) + "]"
+    if isinstance(value, WithUnit):
+        return quantity(value.value, value.unit, digits)
     return str(value)
 
 

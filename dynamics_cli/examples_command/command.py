@@ -27,6 +27,7 @@ class Example:
 
 
 GATE = ("tailgate/tailgate.sh", "tailgate/tailgate.toml")
+ROD = ("sliding_rod/sliding_rod.sh", "sliding_rod/sliding_rod.toml")
 WORKED = (
     Example(
         "crash",
@@ -121,6 +122,7 @@ WORKED = (
         "triple_pendulum/triple_pendulum.sh",
     ),
     Example("tailgate", "Where a tailgate rests, and how it opens.", "cd tailgate && sh tailgate.sh", *GATE),
+    Example("sliding_rod", "A rod on a sliding pin: equations of motion.", "cd sliding_rod && sh sliding_rod.sh", *ROD),
     Example(
         "pedestrian",
         "A child runs out from behind a van: time and distance, sight, and what would have sufficed.",

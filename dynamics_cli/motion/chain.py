@@ -34,7 +34,7 @@ KEPT = 1e-9
 # Amplitudes whose motion is that of small oscillations to a few thousandths.
 SMALL = 0.05
 STILL = 1e-12
-REGULAR = "holds to the end; no horizon in sight yet"
+REGULAR = "holds to the end; no horizon in sight"
 
 
 @record
@@ -137,12 +137,12 @@ def chain(
             code="too-long", hint="give {longest} or less", longest=(longest, Time))  # fmt: skip
     runs = Runs(rods, start, duration)
     slowness, shapes = rods.oscillations()
-    kept, tenfold = runs.energy_error(), runs.tenfold()
+    kept, tenfold, horizon = runs.energy_error(), runs.growth.tenfold(), runs.horizon()
     checks = [Check("energy is kept", kept < KEPT, kept, KEPT), *_small(runs, slowness, shapes)]
     numerics = Numerics("DOP853, two tolerances", bounds=(ErrorBound("motion", runs.difference, relative=False),))
     return Chain(
-        verdict="ends at the horizon" if runs.reached else REGULAR if tenfold is None else "holds to the end",
-        horizon=runs.horizon(),
+        verdict=_verdict(runs, horizon),
+        horizon=horizon,
         tenfold=tenfold,
         difference=runs.difference,
         energy_error=kept,
@@ -154,6 +154,14 @@ def chain(
         checks=tuple(checks),
         advice=_advice(runs),
     )
+
+
+def _verdict(runs: Runs, horizon: float | None) -> str:
+    if horizon is None:
+        return REGULAR
+    if runs.reached:
+        return str(worded("ends at the horizon, {horizon:3}", horizon=(horizon, Time)))
+    return str(worded("holds to the end; means nothing beyond about {horizon:2}", horizon=(horizon, Time)))
 
 
 def _end(rods: Rods, state: "list[float]") -> "tuple[RodState, ...]":

@@ -17,8 +17,7 @@ CHAIN = Task(
         method="DOP853, two tolerances",
     ),
     headline=(
-        "verdict: answer", "horizon: horizon, about", "tenfold: errors grow tenfold in",
-        "difference: two runs apart by",
+        "verdict: answer", "difference: two runs apart by",
         "energy_error: energy kept to", "top_force: largest force in the top pin",
         "rods: at the end",
         "motion: motion | time, angles",
@@ -137,13 +136,50 @@ EQUILIBRIUM = Task(
     tracked=False,
 )  # fmt: skip
 
+SHOWN = {
+    "let": "L=0.8 m",
+    "coordinates[0].name": "x", "coordinates[0].position": "0.1 m", "coordinates[0].velocity": "0.5 m/s",
+    "coordinates[1].name": "theta", "coordinates[1].angle": "30 deg", "coordinates[1].rate": "2 rad/s",
+    "bodies[0].name": "block", "bodies[0].mass": "2 kg", "bodies[0].x": "x m", "bodies[0].y": "0 m",
+    "bodies[1].name": "rod", "bodies[1].mass": "1 kg", "bodies[1].inertia": "0.0533 kg*m^2",
+    "bodies[1].x": "x + L/2*sin(theta) m", "bodies[1].y": "-L/2*cos(theta) m", "bodies[1].angle": "theta rad",
+    "springs[0].name": "spring", "springs[0].start": "origin", "springs[0].end": "block",
+    "springs[0].stiffness": "50 N/m",
+}  # fmt: skip
+
+EQUATIONS = Task(
+    "equations",
+    "Equations of motion of bodies given by formulas: Kane's beside Lagrange's.",
+    Model(
+        "Kane's equations",
+        "dynamics_cli.motion.equations.task:equations",
+        source=BOOK + "chapters 11 and 12",
+        formula="F_r + F*_r = 0, F_r = Σ F·v_r + M·ω_r, F*_r = −Σ m·a·v_r + (I·α + ω × I·ω)·ω_r; "
+        "d/dt ∂T/∂q̇_r − ∂T/∂q_r = Q_r",
+        assumptions=("rigid bodies", "coordinates that are independent, constraints that formulas of them keep"),
+        method="exact derivatives by jets",
+    ),
+    headline=(
+        "equations: coordinate | name, acceleration=q̈, by_lagrange=by Lagrange, active_force=F_r, "
+        "velocity_force=F*_r of speeds",
+        "difference: Kane and Lagrange differ by",
+        "kinetic_energy: kinetic energy T", "potential_energy: potential energy V",
+        "drive_power: power of the drive",
+        "terms: part | of, sort, velocity=v_r, force=F, angular_velocity=ω_r, moment=M, share",
+    ),
+    scene=SHOWN,
+    examples=(
+        "dynamics motion equations examples/sliding_rod/sliding_rod.toml",
+        "dynamics motion equations examples/sliding_rod/sliding_rod.toml --terms theta",
+    ),
+    table="equations",
+    arrays=False,
+)  # fmt: skip
+
 FAMILIES = {
     "motion": Family(
         "motion",
-        "Motion of bodies and chains of rods, and how long it is known; equilibrium.",
-        CHAIN,
-        MODES,
-        SCENE,
-        EQUILIBRIUM,
+        "Motion of bodies and chains, how long it is known; equilibrium.",
+        CHAIN, MODES, SCENE, EQUILIBRIUM, EQUATIONS,
     )
-}
+}  # fmt: skip

@@ -76,7 +76,7 @@ class Rods:
             row[i] = a[i]
             matrix.append(row)
             right.append(total)
-        return w + _solved(matrix, right)
+        return w + solved(matrix, right)
 
     def _rate_by_arrays(self, state: "Any") -> "Any":
         import numpy as np
@@ -144,8 +144,8 @@ def _row(values: "list[float]") -> "Any":
     return np.array(values)
 
 
-def _solved(matrix: "list[list[float]]", right: "list[float]") -> "list[float]":
-    """The solution of a positive definite system, its lower half given; by LDLᵀ on plain floats."""
+def solved(matrix: "list[list[float]]", right: "list[float]") -> "list[float]":
+    """The solution of a positive definite system, its lower half given; by LDLᵀ on plain floats, D in its place."""
     n = len(right)
     for i in range(n):
         row = matrix[i]

@@ -1,12 +1,13 @@
-"""One motion integrated three times: at two tolerances, and from a start that is a hair off.
+"""One motion integrated at two tolerances, and the growth of errors along it.
 
-Where the first two part, the answer is no longer that of the start that was given, whatever the energy says; the third
-tells how fast errors grow.
+Where the two part, the answer is no longer that of the start that was given, whatever the energy says; the growth of
+errors tells when that will be.
 """
 
 import math
 
 from dynamics_cli.errors import require
+from dynamics_cli.motion.growth import Growth
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
     from dynamics_cli.motion.rods import Rods
 
 FINE, COARSE = 1e-13, 1e-12
-# How far the two runs may part [rad], and by how much the third start is off [rad].
-APART, NUDGE = 1e-3, 1e-9
+# How far the two runs may part [rad].
+APART = 1e-3
 # Pieces of the time; in each, samples for the fastest motion, but not fewer and not more.
 PIECES, FEWEST, MOST = 40, 16, 64
 
@@ -30,27 +31,24 @@ class Runs:
         self.states: list[list[float]] = [list(start)]
         self.difference = 0.0
         self.reached = False
-        self._logs: list[tuple[float, float]] = []
         self.speed = rods.scale(start[: rods.n], start[rods.n :])
         self._integrate(start)
+        self.growth = Growth(rods, start, self.times[-1])
 
     def _integrate(self, start: "list[float]") -> None:
         n = self.rods.n
         samples = round(min(max(3.0 * self.duration / PIECES * self.speed, FEWEST), MOST))
-        states = [list(start), list(start), [start[0] + NUDGE, *start[1:]]]
+        states = [list(start), list(start)]
         for piece in range(PIECES):
             times = [self.duration * (piece + k / samples) / PIECES for k in range(samples + 1)]
-            runs = [self._run(times, y, tolerance) for y, tolerance in zip(states, (FINE, COARSE, COARSE), strict=True)]
+            runs = [self._run(times, y, tolerance) for y, tolerance in zip(states, (FINE, COARSE), strict=True)]
             for k in range(1, samples + 1):
-                fine, coarse, nudged = (run[k] for run in runs)
+                fine, coarse = (run[k] for run in runs)
                 apart = max(abs(fine[i] - coarse[i]) for i in range(n))
-                off = max(abs(nudged[i] - coarse[i]) for i in range(n))
                 if apart > APART:
                     self.reached = True
                     return
                 self.difference = max(self.difference, apart)
-                if off <= APART:
-                    self._logs.append((times[k], max(off, NUDGE)))
                 self.times.append(times[k])
                 self.states.append(fine)
             states = [run[-1] for run in runs]
@@ -64,24 +62,13 @@ class Runs:
         require(bool(solved.success), "the integration stopped", code="no-convergence")
         return solved.y.T.tolist()  # type: ignore[no-any-return]
 
-    def tenfold(self) -> float | None:
-        """Time in which an error grows tenfold, where it grows faster than in proportion to time."""
-        if self.rods.n == 1:
-            return None
-        time, off = max(self._logs, key=lambda pair: pair[1], default=(0.0, NUDGE))
-        # a regular motion parts from its neighbours in proportion to time
-        grown = off / NUDGE
-        slow = 3.0 * (1.0 + self.speed * time)
-        return time / math.log10(grown) if grown > slow else None
-
     def horizon(self) -> float | None:
         """Where the two runs part: seen, or by the growth of errors expected after the end; None where none grows."""
         if self.reached:
             return self.times[-1]
-        tenfold = self.tenfold()
-        if tenfold is None or self.difference == 0.0:
+        if self.growth.tenfold() is None:
             return None
-        return self.duration + tenfold * math.log10(APART / self.difference)
+        return self.growth.reaches(self.duration, math.log10(APART / max(self.difference, FINE)))
 
     def energy_error(self) -> float:
         """The largest change of the energy, over that of the start above hanging at rest."""

@@ -13,5 +13,8 @@ rods --angles "30, -20, 45 deg" --duration "2 s" -q
 echo "a small swing: beside its small oscillations"
 rods --angles "1, 1.5, 2 deg" --duration "5 s" --only frequencies,energy_error
 
+echo "let go from 120 degrees: two seconds tell how long it could be followed"
+rods --angles "120 deg" --duration "2 s" --only verdict
+
 echo "let go from 120 degrees: twenty seconds are too many"
 rods --angles "120 deg" --duration "20 s" --only verdict,horizon,tenfold,top_force

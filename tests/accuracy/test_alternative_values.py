@@ -41,6 +41,8 @@ from dynamics_cli.accuracy.questions import Method, Question
 QUESTIONS = [question for question in catalogue.questions("", "") if isinstance(question, Question)]
 # Alternatives that approximate, by words of their names: the median and the worst of their errors over ordinary cases.
 COARSE = {
+    # a step that is as good for second differences
+    "central differences of the formulas": (1e-8, 1e-3),
     "32 bits": (1e-7, 3e-5),
     "golden sections": (1e-8, 1e-7),
     "mean sine by degrees": (1e-5, 1e-4),

@@ -24,7 +24,7 @@ WITHOUT = {
     "energy body", "energy speed", "energy drop", "energy roll", "energy power", "energy draw-in",
     "pendulum compound", "pendulum rod", "pendulum conical", "pendulum design",
     "spin gyro", "spin top", "spin shaft", "spin disk", "spin rod",
-    "vec matrix", "skid values",
+    "vec matrix", "skid values", "motion equations",
 }  # fmt: skip
 TASKS = [task for name in cli.FAMILIES if name != "accuracy" for task in cli.family(name).tasks.values()]
 PICTURED = [task for task in TASKS if task.plot]

@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.motion.chain import chain
+from dynamics_cli.motion.growth import Growth
 from dynamics_cli.motion.modes import modes
 from dynamics_cli.motion.rods import PLAIN, Rods, chain_of
 from dynamics_cli.pendulum.simple import Amplitude, simple
@@ -76,7 +77,7 @@ def _numbers(text: str) -> tuple[float, ...]:
 def test_past_the_horizon_there_is_no_state() -> None:
     made = chain(**POINTS, duration=40.0)
     assert made.rods is None
-    assert made.verdict == "ends at the horizon"
+    assert made.verdict.startswith("ends at the horizon, 2")
     assert made.horizon is not None
     # a difference of 1e-12 grows to 0.01 by 28.5 s
     assert 20.0 < made.horizon < 30.0
@@ -199,3 +200,33 @@ def test_many_rods_are_a_hanging_chain() -> None:
     assert made.modes[0].angular_frequency == pytest.approx(1.20243581381737717, rel=1e-14)
     # the limit is half the first zero of J₀
     assert made.modes[0].angular_frequency == pytest.approx(0.5 * 2.404825557695773, rel=1e-4)
+
+
+@pytest.mark.parametrize("call", [POINTS, {"lengths": (0.5,) * 3, "masses": (1.0,), "angles": (math.radians(120.0),)}])
+def test_a_short_run_tells_the_horizon_of_a_long_one(call: dict[str, Any]) -> None:
+    short, long = chain(**call, duration=1.5), chain(**call, duration=40.0)
+    assert short.rods is not None
+    assert short.horizon == pytest.approx(long.horizon, rel=0.25)
+    assert "means nothing beyond about" in short.verdict
+
+
+def test_a_regular_motion_has_no_horizon() -> None:
+    """Small swings, and one rod, which never is chaotic."""
+    small = chain(lengths=(0.5, 0.5), masses=(1.0,), angles=(0.1, -0.05), duration=2.0)
+    alone = chain(lengths=(0.7,), masses=(1.0,), angles=(3.0,), duration=2.0)
+    for made in (small, alone):
+        assert made.horizon is None
+        assert made.verdict == "holds to the end; no horizon in sight"
+
+
+def test_growth_is_that_of_two_runs_a_hair_apart() -> None:
+    start = [math.pi / 2] * 2 + [0.0] * 2
+    rods = chain_of((1.0, 1.0), (0.0,), (1.0,), (), None, 9.81)
+    growth = Growth(rods, start, 1.0)
+    one, other = (
+        chain(**{**POINTS, "angles": (math.pi / 2 + nudge, math.pi / 2)}, duration=10.0).rods for nudge in (0.0, 1e-8)
+    )
+    assert one is not None
+    assert other is not None
+    apart = max(abs(a.angle - b.angle) for a, b in zip(one, other, strict=True))
+    assert math.log10(apart / 1e-8) == pytest.approx(growth._at(10.0), abs=0.5)

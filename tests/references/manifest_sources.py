@@ -167,6 +167,12 @@ FILES: dict[str, Origin] = {
         "exponentials of the state matrix, complex steady states, roots of definitions, eigenvalues",
         "120 digits", "", r"drawn",
     ),
+    "motion": Origin(
+        "motion", _same("equations", "chain", "modes"),
+        "Lagrange's energies by differences of 150 digits, chains by partial velocities in the plane and extrapolated "
+        "midpoints, frequencies by eigenvalues",
+        "46 to 150 digits", "", r"drawn",
+    ),
     "vec": Origin(
         "vec", _same("resultant", "direction", "angle", "product", "resolve", "polygon", "frame", "lines"),
         "sums in ratios, angles by arc cosines, the law of cosines, projection by normal equations, Gram–Schmidt, "

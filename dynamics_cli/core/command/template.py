@@ -147,9 +147,13 @@ class _Scene:
     def _wanted(self, field: "Field", key: str, named: "dict[str, Any]", path: str) -> str:
         """The alternative in the task's scene, else the one that a description gives as an example, else the first."""
         shown = self.values.get(f"{path}{key}", "")
-        for name in named:
-            if name == shown or (not key and any(self._shown(f"{path}{member}") for member in name.split())):
-                return name
+        if not key:
+            # alternatives may share a name
+            count = {name: sum(self._shown(f"{path}{member}") for member in name.split()) for name in named}
+            most = max(named, key=lambda name: count[name])
+            shown = most if count[most] else ""
+        if shown in named:
+            return shown
         return next((name for name in named if _chosen(field) in name.split()), next(iter(named)))
 
     def _alternatives(
@@ -215,6 +219,7 @@ class _Scene:
             self._alternatives(field, item, f"{address}.", inner, active=active, inside=inside)
             for write in inner:
                 write()
+            self._more(header, address)
 
     def _more(self, header: str, address: str) -> None:
         """Further items of a list, with lists within them, as in the task's scene."""

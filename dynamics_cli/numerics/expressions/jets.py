@@ -1,8 +1,8 @@
 """Taylor coefficients that pass through a formula like numbers, so that its derivatives come out exactly.
 
-A `Jet` holds f, f′, f″/2, f‴/6 … at one point. Its coefficients are doubles, arrays, tracked numbers or numbers of many
-digits. Functions follow the recurrences of their differential equations (Moore,
-Methods and Applications of Interval Analysis, SIAM 1979, section 3.4).
+A `Jet` holds f, f′, f″/2, f‴/6 … at one point. Its coefficients are doubles, arrays, tracked numbers, numbers of many
+digits, or jets in another variable, for mixed derivatives. Functions follow the recurrences of their differential
+equations (Moore, Methods and Applications of Interval Analysis, SIAM 1979, section 3.4).
 """
 
 from dynamics_cli.numerics import elementary
@@ -33,6 +33,10 @@ class Jet:
     def variable(cls, at: "Any", order: int) -> "Jet":
         """The variable itself at a point, with coefficients up to the order."""
         return cls([at, 1.0, *[0.0] * (order - 1)][: order + 1])
+
+    def apply(self, name: str, *_: "Any") -> "Any":
+        """A function of a jet that is the coefficient of another one."""
+        return elementary.pi_beside(self.parts[0]) if name == "pi" else FUNCTIONS[name](self)
 
     def derivative(self, order: int) -> "Any":
         """The derivative of that order."""
@@ -201,7 +205,10 @@ def atan(u: Jet) -> Jet:
 
 def magnitude(u: Jet) -> Jet:
     """Absolute value; at zero it has no derivative."""
-    first = plain(u.parts[0])
+    first = u.parts[0]
+    while isinstance(first, Jet):
+        first = first.parts[0]
+    first = plain(first)
     if getattr(first, "ndim", 0):
         import numpy as np
 

@@ -5,12 +5,12 @@ import math
 from dynamics_cli.errors import DynamicsError, require
 from dynamics_cli.numerics.expressions.jets import Jet
 from dynamics_cli.numerics.expressions.laws import law_of
-from dynamics_cli.numerics.number import is_carrier, is_many, is_tracked, like, plain
+from dynamics_cli.numerics.number import is_carrier, is_many, is_tracked, like, over_plain, plain
 from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF, Tracked
 from dynamics_cli.numerics.vectors import Vector
 from dynamics_cli.path.bends import Bend, bend
 from dynamics_cli.quantities import Time
-from dynamics_cli.records import Formula, Let, over_parts
+from dynamics_cli.records import Formula, Let
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -173,11 +173,6 @@ def _vector(parts: "list[Any]") -> Vector:
 
 def _in_doubles(value: "Any") -> "Any":
     return tuple(map(plain, value)) if isinstance(value, tuple) else plain(value)
-
-
-def over_plain(tree: "Any") -> "Any":
-    """Doubles in place of every number of a record or a vector."""
-    return over_parts(tree, over_plain) if isinstance(tree, tuple) or hasattr(tree, "fields") else plain(tree)
 
 
 def _numbers(motion: Bend) -> "list[Any]":
