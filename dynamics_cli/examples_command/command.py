@@ -173,6 +173,12 @@ WORKED = (
         "peaucellier.toml",
     ),
     Example(
+        "oldham",
+        "An Oldham coupling: a disc sliding in slots that turn with their shafts.",
+        "dynamics linkage solve oldham.toml --follow C --steps 8",
+        "oldham.toml",
+    ),
+    Example(
         "flywheel",
         "A flywheel with holes and a keyway: an assembly of shapes.",
         "dynamics inertia body flywheel.toml --about hub",
