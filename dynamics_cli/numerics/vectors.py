@@ -1,6 +1,7 @@
 """Three-component vectors and symmetric tensors as tuples, for numbers, arrays and tracked numbers alike."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import hypot, multiply_add
 
 Vector = tuple[float, float, float]
 Tensor = tuple[Vector, Vector, Vector]
@@ -14,6 +15,27 @@ def dot(a: Vector, b: Vector) -> float:
 def cross(a: Vector, b: Vector) -> Vector:
     """Vector product."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def product_difference(a: float, b: float, c: float, d: float) -> float:
+    """a·b − c·d, within a rounding or two of exact also where it cancels (Kahan)."""
+    product = c * d
+    rest = multiply_add(c, d, -product)
+    return multiply_add(a, b, -product) - rest
+
+
+def compensated_cross(a: Vector, b: Vector) -> Vector:
+    """Vector product that keeps its digits where the vectors are nearly parallel."""
+    return (
+        product_difference(a[1], b[2], a[2], b[1]),
+        product_difference(a[2], b[0], a[0], b[2]),
+        product_difference(a[0], b[1], a[1], b[0]),
+    )
+
+
+def length(a: Vector) -> float:
+    """Length of a vector, without overflow."""
+    return hypot(hypot(a[0], a[1]), a[2])
 
 
 def add(a: Vector, b: Vector) -> Vector:

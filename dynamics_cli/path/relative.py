@@ -6,8 +6,8 @@ from itertools import pairwise
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import maximum
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.vectors import Vector, add, dot, scale, subtract
-from dynamics_cli.path.bends import cross, norm
+from dynamics_cli.numerics.vectors import Vector, add, dot, length, scale, subtract
+from dynamics_cli.numerics.vectors import compensated_cross as cross
 from dynamics_cli.quantities import (
     Acceleration,
     AccelerationVector,
@@ -118,7 +118,7 @@ def relative(
     a = subtract(second.acceleration, first.acceleration)
     here, now = _at(r, v, a, time), add(v, scale(time, a))
     when, gap = _closest(r, v, a)
-    apart = norm(here)
+    apart = length(here)
     closing = None if plain(apart) == 0.0 else -(dot(here, now) / apart)
     advice: tuple[Advice, ...] = ()
     if closing is None:
@@ -134,14 +134,14 @@ def relative(
     return Relative(
         closest_distance=gap,
         closest_time=when,
-        closest_speed=norm(add(v, scale(when, a))),
+        closest_speed=length(add(v, scale(when, a))),
         distance=apart,
         closing_speed=closing,
         position=here,
         velocity=now,
         acceleration=a,
-        speed=norm(now),
-        acceleration_size=norm(a),
+        speed=length(now),
+        acceleration_size=length(a),
         first_position=_at(first.position, first.velocity, first.acceleration, when),
         second_position=_at(second.position, second.velocity, second.acceleration, when),
         checks=_nearest_check(r, v, a, when, gap),
@@ -211,10 +211,10 @@ def _of_curves(first: Mover, second: Mover, time: float, end: "float | None", le
         for low, high, one, other in zip(grid, grid[1:], rates, rates[1:], strict=False)
         if one < 0.0 <= other
     ]
-    when = min([0.0, *near, last], key=lambda at: norm(pair.seen(at)[0]))
+    when = min([0.0, *near, last], key=lambda at: length(pair.seen(at)[0]))
     r, v, a = pair.seen(time)
-    apart, gap, there = norm(r), norm(pair.seen(when)[0]), norm(pair.seen(when)[1])
-    size = max(norm(pair.of(which, when)[0]) for which in (0, 1))
+    apart, gap, there = length(r), length(pair.seen(when)[0]), length(pair.seen(when)[1])
+    size = max(length(pair.of(which, when)[0]) for which in (0, 1))
     advice: tuple[Advice, ...] = ()
     if apart == 0.0:
         advice += (
@@ -225,12 +225,12 @@ def _of_curves(first: Mover, second: Mover, time: float, end: "float | None", le
     if when in (0.0, last):
         where = "start" if when == 0.0 else "end"
         advice += (Advice("edge", f"they are closest at the {where} of the times that were searched", "note"),)
-    around = [norm(pair.seen(min(max(when + step, 0.0), last))[0]) for step in (-1e-4 * last, 1e-4 * last)]
+    around = [length(pair.seen(min(max(when + step, 0.0), last))[0]) for step in (-1e-4 * last, 1e-4 * last)]
     short = max(0.0, gap - min(around))
     return Relative(
         closest_distance=gap, closest_time=when, closest_speed=there, distance=apart,
-        closing_speed=-dot(r, v) / apart if apart else None, position=r, velocity=v, acceleration=a, speed=norm(v),
-        acceleration_size=norm(a), first_position=pair.of(0, when)[0], second_position=pair.of(1, when)[0],
+        closing_speed=-dot(r, v) / apart if apart else None, position=r, velocity=v, acceleration=a, speed=length(v),
+        acceleration_size=length(a), first_position=pair.of(0, when)[0], second_position=pair.of(1, when)[0],
         checks=(Check("not closer just before or after", short <= 1e-12 * size, short, 1e-12 * size),), advice=advice,
         numerics=Numerics(
             "exact derivatives of the formulas; minima of the distance bisected, its rounding estimated",
@@ -246,20 +246,20 @@ def _at(r: Vector, v: Vector, a: Vector, time: float) -> Vector:
 def _closest(r: Vector, v: Vector, a: Vector) -> tuple[float, float]:
     """When they are closest from time 0 on, and how far apart."""
     if not any(map(plain, a)):
-        speed = norm(v)
+        speed = length(v)
         if plain(speed) == 0.0:
-            return 0.0 * speed, norm(r)
+            return 0.0 * speed, length(r)
         when = -(dot(r, v) / speed / speed)
         if plain(when) <= 0.0:
-            return 0.0 * speed, norm(r)
+            return 0.0 * speed, length(r)
         # not by the positions then, whose difference would cancel
-        return when, norm(cross(r, v)) / speed
+        return when, length(cross(r, v)) / speed
     times = [0.0, *_stationary([plain(x) for x in r], [plain(x) for x in v], [plain(x) for x in a])]
     best = min(times, key=lambda time: math.hypot(*(plain(x) for x in _at(r, v, a, time))))
     if best == 0.0:
-        return 0.0 * norm(a), norm(r)
+        return 0.0 * length(a), length(r)
     when = _polished(r, v, a, best)
-    return when, norm(_at(r, v, a, when))
+    return when, length(_at(r, v, a, when))
 
 
 def _rate(r: Vector, v: Vector, a: Vector, time: float) -> float:

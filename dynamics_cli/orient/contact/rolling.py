@@ -2,8 +2,8 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.orientation.quaternions import length, unit
-from dynamics_cli.numerics.vectors import Vector, add, cross, dot, scale, subtract
+from dynamics_cli.numerics.orientation.quaternions import unit
+from dynamics_cli.numerics.vectors import Vector, add, cross, dot, length, scale, subtract
 from dynamics_cli.quantities import (
     AngularAccelerationVector,
     AngularRate,

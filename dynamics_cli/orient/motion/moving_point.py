@@ -1,7 +1,7 @@
 """A point that moves on a moving body: its velocity and acceleration, term by term."""
 
-from dynamics_cli.numerics.orientation.quaternions import length
-from dynamics_cli.numerics.vectors import add, cross, scale
+from dynamics_cli.numerics.moving_frame import Terms
+from dynamics_cli.numerics.vectors import length
 from dynamics_cli.quantities import (
     Acceleration,
     AccelerationVector,
@@ -77,21 +77,21 @@ def moving_point(
     >>> answer.velocity, answer.acceleration
     ((0.5, 2.0, 0.0), (-4.0, 2.0, 0.0))
     """
-    turning = cross(angular_velocity, position)
-    tangential = cross(angular_acceleration, position)
-    centripetal = cross(angular_velocity, turning)
-    coriolis = scale(2.0, cross(angular_velocity, relative_velocity))
-    velocity = add(add(origin_velocity, turning), relative_velocity)
-    acceleration = add(add(add(origin_acceleration, tangential), add(centripetal, coriolis)), relative_acceleration)
+    terms = Terms(
+        position,
+        (angular_velocity, angular_acceleration),
+        (relative_velocity, relative_acceleration),
+        (origin_velocity, origin_acceleration),
+    )
     return MovingPoint(
-        velocity=velocity,
-        speed=length(velocity),
-        acceleration=acceleration,
-        acceleration_size=length(acceleration),
-        carried_velocity=turning,
+        velocity=terms.velocity,
+        speed=length(terms.velocity),
+        acceleration=terms.acceleration,
+        acceleration_size=length(terms.acceleration),
+        carried_velocity=terms.spun,
         origin_acceleration=origin_acceleration,
-        tangential=tangential,
-        centripetal=centripetal,
-        coriolis=coriolis,
+        tangential=terms.angular,
+        centripetal=terms.centripetal,
+        coriolis=terms.coriolis,
         relative=relative_acceleration,
     )

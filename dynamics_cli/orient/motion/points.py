@@ -3,8 +3,7 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import maximum, sqrt, total, where
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.orientation.quaternions import length
-from dynamics_cli.numerics.vectors import Vector, add, cross, dot, scale, subtract
+from dynamics_cli.numerics.vectors import Vector, add, cross, dot, length, scale, subtract
 from dynamics_cli.quantities import (
     AccelerationVector,
     AngularAccelerationVector,

@@ -226,9 +226,9 @@ def _without_dust(part: float, size: float) -> float:
 
 
 def _size(state: State) -> "Any":
-    from dynamics_cli.path.bends import norm
+    from dynamics_cli.numerics.vectors import length
 
-    return norm(state.jerk)
+    return length(state.jerk)
 
 
 def _numerics(lengths: "tuple[float | None, float]") -> Numerics | None:
