@@ -136,6 +136,13 @@ WORKED = (
         "rollover/mark.toml",
     ),
     Example(
+        "near_miss",
+        "Two recorded tracks: how close they came, when, and the closing speed.",
+        "cd near_miss && dynamics path relative --first-track car.csv --second-track van.csv",
+        "near_miss/car.csv",
+        "near_miss/van.csv",
+    ),
+    Example(
         "gps_track",
         "A GPS track of a car to its accelerations, with their noise; the radius of a bend.",
         "cd gps_track && sh gps_track.sh",
