@@ -53,6 +53,34 @@ def subtract(a: Vector, b: Vector) -> Vector:
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
+class FrameTerms:
+    """Velocity and acceleration of a point in a moving, turning frame, term by term; all vectors in one set of axes.
+
+    v = v_O + ω×r + v_rel; a = a_O + α×r + ω×(ω×r) + 2ω×v_rel + a_rel.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 3.4, 4.6 and 4.10.
+    """
+
+    def __init__(
+        self,
+        position: Vector,
+        turning: "tuple[Vector, Vector]",
+        relative: "tuple[Vector, Vector]",
+        origin: "tuple[Vector, Vector]",
+    ) -> None:
+        omega, alpha = turning
+        self.spun = compensated_cross(omega, position)
+        self.carried = add(origin[0], self.spun)
+        self.velocity = add(self.carried, relative[0])
+        self.angular = compensated_cross(alpha, position)
+        self.centripetal = compensated_cross(omega, self.spun)
+        self.coriolis = scale(2.0, compensated_cross(omega, relative[0]))
+        acceleration = add(add(add(origin[1], self.angular), self.centripetal), self.coriolis)
+        self.acceleration = add(acceleration, relative[1])
+
+
 def times(tensor: Tensor, a: Vector) -> Vector:
     """A tensor applied to a vector."""
     return dot(tensor[0], a), dot(tensor[1], a), dot(tensor[2], a)

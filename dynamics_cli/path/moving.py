@@ -2,9 +2,8 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute
-from dynamics_cli.numerics.moving_frame import Terms
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.vectors import Vector, add, dot, length, scale
+from dynamics_cli.numerics.vectors import FrameTerms, Vector, add, dot, length, scale
 from dynamics_cli.numerics.vectors import compensated_cross as cross
 from dynamics_cli.quantities import (
     Acceleration,
@@ -91,7 +90,7 @@ def moving_frame(
     ...     relative_velocity=(0.8, 0.0, 0.0)).coriolis
     (0.0, 8.0, 0.0)
     """
-    terms = Terms(
+    terms = FrameTerms(
         position,
         (angular_velocity, angular_acceleration),
         (relative_velocity, relative_acceleration),

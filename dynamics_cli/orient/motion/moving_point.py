@@ -1,7 +1,6 @@
 """A point that moves on a moving body: its velocity and acceleration, term by term."""
 
-from dynamics_cli.numerics.moving_frame import Terms
-from dynamics_cli.numerics.vectors import length
+from dynamics_cli.numerics.vectors import FrameTerms, length
 from dynamics_cli.quantities import (
     Acceleration,
     AccelerationVector,
@@ -77,7 +76,7 @@ def moving_point(
     >>> answer.velocity, answer.acceleration
     ((0.5, 2.0, 0.0), (-4.0, 2.0, 0.0))
     """
-    terms = Terms(
+    terms = FrameTerms(
         position,
         (angular_velocity, angular_acceleration),
         (relative_velocity, relative_acceleration),
