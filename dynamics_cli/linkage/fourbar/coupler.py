@@ -173,7 +173,7 @@ def cognates(lengths: "tuple[float, ...]", point: complex) -> "tuple[Cognate, ..
         ("right, at O₄", right, (b, c, a, d), (d, 0.0), c),
     ):
         size = abs(share)
-        own = arm * size / share if size else complex(arm)
+        place = arm * size / share if size else complex(arm)
         one, two, three, four = (size * link for link in links)
-        result.append(Cognate(name, one, two, three, four, pivot, third, (own.real, own.imag)))
+        result.append(Cognate(name, one, two, three, four, pivot, third, (place.real, place.imag)))
     return tuple(result)

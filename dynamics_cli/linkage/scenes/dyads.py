@@ -215,8 +215,8 @@ class Assembler:
             return self._missed(abs(height) - abs(way), f"{slide.point} on the line of {shape.name}")
         places = []
         for word, sign in (("ahead", 1.0), ("behind", -1.0)):
-            own = complex(sign * max(room, 0.0) ** 0.5, height) * line
-            turn = way / own
+            seen = complex(sign * max(room, 0.0) ** 0.5, height) * line
+            turn = way / seen
             turn = turn / abs(turn)
             places.append((
                 word, {pin: at[pivot] + turn * (shape.points[pin] - shape.points[pivot]) for pin in shape.points}

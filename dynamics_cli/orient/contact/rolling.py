@@ -176,9 +176,9 @@ def _moved(body: Roller, axis: "Vector | None", arm: Vector, rate: "float | None
     omega = body.angular_velocity
     alpha: Vector = NOTHING
     if axis is not None and rate is not None:
-        own = scale(rate, axis)
-        alpha = cross(omega, own)
-        omega = add(omega, own)
+        sought = scale(rate, axis)
+        alpha = cross(omega, sought)
+        omega = add(omega, sought)
     return RollerMotion(rate, omega, length(omega), alpha, add(body.velocity, cross(omega, arm)))
 
 

@@ -94,11 +94,13 @@ def addition(*, links: Annotated[Link | tuple[Link, ...], "The bodies of the cha
     for nth, link in enumerate(chain):
         axis = rotated(matrix, unit(link.axis, "the axis of a link is the zero vector"))
         relative = scale(link.rate, axis)
-        own = scale(link.acceleration, axis)
+        relative_acceleration = scale(link.acceleration, axis)
         carried = cross(omega, relative)
-        omega, alpha = add(omega, relative), add(alpha, add(own, carried))
+        omega, alpha = add(omega, relative), add(alpha, add(relative_acceleration, carried))
         matrix = product(matrix, axis_angle(link.axis, link.angle))
-        moved.append(LinkMotion(link.name or letter(nth + 1), axis, omega, alpha, relative, own, carried))
+        moved.append(
+            LinkMotion(link.name or letter(nth + 1), axis, omega, alpha, relative, relative_acceleration, carried)
+        )
     return Chain(
         angular_velocity=omega,
         angular_speed=length(omega),
@@ -116,10 +118,10 @@ def _checks(moved: "list[LinkMotion]") -> tuple[Check, ...]:
     size = 1e-300
     for link in reversed(moved):
         relative = tuple(map(plain, link.relative_velocity))
-        own = tuple(map(plain, link.relative_acceleration))
-        term = cross(relative, inner)  # type: ignore[arg-type]
-        total = add(add(total, own), term)  # type: ignore[arg-type]
-        size = max(size, *map(abs, (*own, *term, *map(plain, link.carried))))
+        acceleration = tuple(map(plain, link.relative_acceleration))
+        carried = cross(relative, inner)  # type: ignore[arg-type]
+        total = add(add(total, acceleration), carried)  # type: ignore[arg-type]
+        size = max(size, *map(abs, (*acceleration, *carried, *map(plain, link.carried))))
         inner = add(inner, relative)  # type: ignore[arg-type]
     off = max(abs(plain(x) - y) for x, y in zip(moved[-1].angular_acceleration, total, strict=True)) / size
     return (Check("sum from the other end", off <= TOLERANCE, off, TOLERANCE),)

@@ -113,9 +113,9 @@ def points(
     velocity, alpha, omega = base_velocity, angular_acceleration, angular_velocity
     if omega is None:
         base, velocity, omega = _from_velocities(each)
-    elif len(told := [point for point in each if point.velocity is not None]) == 1 and _at_rest(base, base_velocity):
+    elif len(moving := [point for point in each if point.velocity is not None]) == 1 and _at_rest(base, base_velocity):
         # the one point whose velocity is told is the base that was meant
-        base, velocity = told[0].position, told[0].velocity or velocity
+        base, velocity = moving[0].position, moving[0].velocity or velocity
     moved, total = [], 0.0
     for nth, point in enumerate(each, 1):
         r = subtract(point.position, base)
@@ -169,10 +169,10 @@ def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, 
     base = scale(share, _total([point.position for point in points]))
     velocity = scale(share, _total(given))
     arms = [subtract(point.position, base) for point in points]
-    moved = [subtract(own, velocity) for own in given]
+    differences = [subtract(measured, velocity) for measured in given]
     second = [[total(d[i] * d[j] for d in arms) for j in range(3)] for i in range(3)]
     trace = second[0][0] + second[1][1] + second[2][2]
-    right = _total([cross(d, u) for d, u in zip(arms, moved, strict=True)])
+    right = _total([cross(d, u) for d, u in zip(arms, differences, strict=True)])
     # the cofactors of tr(S)·1 − S give its inverse; it is singular when all points lie on a line
     m = [[(trace if i == j else 0.0) - second[i][j] for j in range(3)] for i in range(3)]
     cofactors = [cross(_row(m, 1), _row(m, 2)), cross(_row(m, 2), _row(m, 0)), cross(_row(m, 0), _row(m, 1))]
@@ -199,10 +199,10 @@ def _row(m: "list[list[float]]", i: int) -> Vector:
 
 
 def _total(vectors: "list[Vector]") -> Vector:
-    whole = vectors[0]
+    total = vectors[0]
     for other in vectors[1:]:
-        whole = add(whole, other)
-    return whole
+        total = add(total, other)
+    return total
 
 
 def _axis_point(base: Vector, velocity: Vector, axis: Vector, spin: float) -> Vector:

@@ -126,20 +126,20 @@ def rates(
     """
     sequence = sequence_of(euler_order)
     back = sequence.fixed
-    axes, whole = _axes(sequence, euler_angles[::-1] if back else euler_angles)
+    axes, matrix = _axes(sequence, euler_angles[::-1] if back else euler_angles)
     if isinstance(motion, ByRates):
         first, second = motion.angle_rates, motion.angle_accelerations
         omega, alpha = _forward(axes, first[::-1] if back else first, second[::-1] if back else second)
     else:
         if isinstance(motion, ByBody):
-            omega = rotated(whole, motion.body_angular_velocity)
-            alpha = rotated(whole, motion.body_angular_acceleration)
+            omega = rotated(matrix, motion.body_angular_velocity)
+            alpha = rotated(matrix, motion.body_angular_acceleration)
         else:
             omega, alpha = motion.angular_velocity, motion.angular_acceleration
-        own, others = _backward(axes, omega, alpha)
-        first, second = (own[::-1], others[::-1]) if back else (own, others)
+        solved, second_solved = _backward(axes, omega, alpha)
+        first, second = (solved[::-1], second_solved[::-1]) if back else (solved, second_solved)
     ordered = axes[::-1] if back else axes
-    inverse = transposed(whole)
+    inverse = transposed(matrix)
     volume = abs(dot(axes[0], cross(axes[1], axes[2])))
     q = quaternion_of_angles(euler_angles, sequence)
     rate = multiply((0.0, *omega), upright(q))
@@ -153,7 +153,7 @@ def rates(
         angle_rates=first,
         angle_accelerations=second,
         quaternion_rate=(0.5 * rate[0], 0.5 * rate[1], 0.5 * rate[2], 0.5 * rate[3]),
-        rotation_matrix=whole,
+        rotation_matrix=matrix,
         first_partial=ordered[0],
         second_partial=ordered[1],
         third_partial=ordered[2],
@@ -169,10 +169,10 @@ def _axes(sequence: Sequence, angles: Vector) -> "tuple[Matrix, Matrix]":
     i, j, k = sequence.axes
     first = about_axis(i, angles[0])
     both = product(first, about_axis(j, angles[1]))
-    whole = product(both, about_axis(k, angles[2]))
+    matrix = product(both, about_axis(k, angles[2]))
     unit = tuple(1.0 if axis == i else 0.0 for axis in range(3))
     second, third = (tuple(row[j] for row in first), tuple(row[k] for row in both))
-    return (unit, second, third), whole  # type: ignore[return-value]
+    return (unit, second, third), matrix  # type: ignore[return-value]
 
 
 def _gyroscopic(axes: Matrix, first: Vector) -> Vector:
@@ -217,12 +217,12 @@ def _checks(axes: Matrix, omega: Vector, alpha: Vector, volume: float) -> tuple[
     if not plain(volume) > LOCK:
         return ()
     rows = tuple(tuple(map(plain, axis)) for axis in axes)
-    one = tuple(map(plain, omega))
-    two = tuple(map(plain, alpha))
-    first, second = _backward(rows, one, two)  # type: ignore[arg-type]
+    velocity = tuple(map(plain, omega))
+    acceleration = tuple(map(plain, alpha))
+    first, second = _backward(rows, velocity, acceleration)  # type: ignore[arg-type]
     again, more = _forward(rows, first, second)  # type: ignore[arg-type]
-    size = 1.0 + max(map(abs, (*one, *two, *first, *second))) + max(map(abs, first)) ** 2
-    off = max(abs(x - y) for x, y in zip((*again, *more), (*one, *two), strict=True)) / size
+    size = 1.0 + max(map(abs, (*velocity, *acceleration, *first, *second))) + max(map(abs, first)) ** 2
+    off = max(abs(x - y) for x, y in zip((*again, *more), (*velocity, *acceleration), strict=True)) / size
     return (Check("rates give the angular velocity", off <= TOLERANCE, off, TOLERANCE),)
 
 

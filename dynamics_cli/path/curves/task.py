@@ -128,18 +128,18 @@ def curve(
     """
     motion = MovingPoint({"x": x, "y": y, "z": z}, shape, _parameter(shape, angle_law, length_law), let)
     first, last, now = _range(start, end, at, steps)
-    whole = not (drawing() or is_many(now))
-    if whole:
+    complete = not (drawing() or is_many(now))
+    if complete:
         motion.check(first, last)
     state = motion.sharp(now)
-    made = state.bend
+    bend = state.bend
     lengths: tuple[float | None, float] = (None, 0.0)
     events_met: tuple[Event, ...] = ()
     rows: tuple[Point, ...] = ()
     if not is_many(now) and drawing() and last > first:
         arcs, doubt = arc_lengths(motion.plainly(), [first, last])
         lengths = (arcs[-1], doubt)
-    elif whole and last > first:
+    elif complete and last > first:
         plainly = motion.plainly()
         times = [first + (last - first) * i / steps for i in range(steps)] + [last]
         arcs, doubt = arc_lengths(plainly, times)
@@ -151,20 +151,20 @@ def curve(
         position=state.position,
         velocity=state.velocity,
         acceleration=state.acceleration,
-        speed=made.speed,
-        acceleration_size=made.magnitude,
-        tangential=made.tangential,
-        normal=made.normal,
-        radius_of_curvature=made.radius,
-        curvature=made.curvature,
-        torsion=None if motion.flat else made.torsion,
+        speed=bend.speed,
+        acceleration_size=bend.magnitude,
+        tangential=bend.tangential,
+        normal=bend.normal,
+        radius_of_curvature=bend.radius,
+        curvature=bend.curvature,
+        torsion=None if motion.flat else bend.torsion,
         jerk_size=_size(state),
         arc_length=lengths[0],
         events=events_met or None,
         points=rows,
         numerics=_numerics(lengths),
-        checks=(*parts_check(made), *(_quotient(motion.plainly(), plain(now), first, last) if whole else ())),
-        advice=(*_advice(made, motion.flat), *_loose(lengths)),
+        checks=(*parts_check(bend), *(_quotient(motion.plainly(), plain(now), first, last) if complete else ())),
+        advice=(*_advice(bend, motion.flat), *_loose(lengths)),
     )
 
 
