@@ -1,4 +1,4 @@
-"""What velocity, acceleration and jerk say of a path: speed, tangential and normal parts, curvature, torsion.
+"""Properties of a path from velocity, acceleration and jerk: speed, tangential and normal parts, curvature, torsion.
 
 Products are compensated, so that nearly parallel velocity and acceleration keep their digits. What does not exist (the
 direction of a point at rest, the normal of a straight path) is None, with the reason.

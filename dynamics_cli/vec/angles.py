@@ -117,7 +117,7 @@ def _about(axis: kinds.Vector, a: "Vector", b: "Vector") -> "tuple[float, float]
 
 
 def relation(across: float, along: float, sizes: float) -> str:
-    """Parallel, perpendicular or neither: exactly, as the numbers were typed, or as far as their rounding tells."""
+    """Parallel, perpendicular or neither: exactly, as the numbers were typed, or within their rounding."""
     if across <= ROUNDING * sizes:
         return _said("parallel" if along > 0.0 else "opposite", across, sizes)
     if absolute(along) <= ROUNDING * sizes:

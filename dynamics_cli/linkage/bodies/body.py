@@ -48,7 +48,7 @@ class Place:
     """A further point of the body."""
 
     x: Annotated[Coordinate, "Where it is, e.g. 40 mm."]
-    y: Annotated[Coordinate, "The same, upwards, e.g. 60 mm."]
+    y: Annotated[Coordinate, "Its height y, e.g. 60 mm."]
 
 
 @record

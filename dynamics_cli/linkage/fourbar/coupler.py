@@ -41,7 +41,7 @@ class CouplerCurve:
     """A coupler curve."""
 
     length: Annotated[Size, "Length of the closed curve [m]."]
-    area: Annotated[Area, "Area it goes round, loops of opposite sense apart [m^2]."]
+    area: Annotated[Area, "Enclosed area; loops in opposite directions subtract [m^2]."]
     left: Annotated[Coordinate, "Smallest x [m]."]
     right: Annotated[Coordinate, "Largest x [m]."]
     bottom: Annotated[Coordinate, "Smallest y [m]."]

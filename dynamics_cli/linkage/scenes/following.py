@@ -42,7 +42,7 @@ class Followed:
 
 
 class Motion:
-    """The rows, the range that the driver went through, and what is to be said of it."""
+    """The rows, the range that the driver went through, and advice about it."""
 
     def __init__(self, rows: "list[Followed]", ends: "tuple[float | None, float | None]", words: str) -> None:
         self.rows = tuple(rows)

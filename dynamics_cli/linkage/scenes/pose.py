@@ -99,7 +99,7 @@ def _link(shape: "Any", at: "Any", moving: "Any", bending: "Any", drivers: "Any"
         return LinkMotion(shape.name, angle, None, None)
     for driver in drivers:
         if driver.link == shape.name and driver.against == GROUND:
-            # what is given is what is said
+            # the driver's own rates, without rounding
             return LinkMotion(shape.name, angle, driver.speed, driver.angular_acceleration)
     turn = (base.conjugate() * (moving[shape.last] - moving[shape.first])).imag / square
     bend = (base.conjugate() * (bending[shape.last] - bending[shape.first])).imag / square

@@ -34,10 +34,10 @@ class Link:
 
 @record
 class LinkMotion:
-    """Motion of one body of the chain, by fixed components."""
+    """Motion of one body of the chain, in fixed components."""
 
     name: Annotated[Text, "The body."]
-    axis: Annotated[Direction, "Its axis now, by fixed components [-]."]
+    axis: Annotated[Direction, "Its axis now, in fixed components [-]."]
     angular_velocity: Annotated[AngularVelocity, "Its angular velocity [rad/s]."]
     angular_acceleration: Annotated[AngularAccelerationVector, "Its angular acceleration [rad/s^2]."]
     relative_velocity: Annotated[AngularVelocity, "Its angular velocity in the body before [rad/s]."]
@@ -51,10 +51,10 @@ class LinkMotion:
 class Chain:
     """Angular velocity and acceleration of the last body, and of each."""
 
-    angular_velocity: Annotated[AngularVelocity, "Angular velocity of the last body, by fixed components [rad/s]."]
-    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
+    angular_velocity: Annotated[AngularVelocity, "Angular velocity of the last body, in fixed components [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its magnitude [rad/s]."]
     angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration of the last body [rad/s^2]."]
-    angular_acceleration_size: Annotated[AngularAcceleration, "Its size [rad/s^2]."]
+    angular_acceleration_size: Annotated[AngularAcceleration, "Its magnitude [rad/s^2]."]
     links: Annotated[tuple[LinkMotion, ...], "Each body in order."]
     checks: tuple[Check, ...] = ()
 

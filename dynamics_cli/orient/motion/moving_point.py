@@ -21,9 +21,9 @@ class MovingPoint:
     """Velocity and acceleration of the point, with their terms."""
 
     velocity: Annotated[Velocity, "Velocity of the point [m/s]."]
-    speed: Annotated[Speed, "Its size [m/s]."]
+    speed: Annotated[Speed, "Its magnitude [m/s]."]
     acceleration: Annotated[AccelerationVector, "Acceleration of the point [m/s^2]."]
-    acceleration_size: Annotated[Acceleration, "Its size [m/s^2]."]
+    acceleration_size: Annotated[Acceleration, "Its magnitude [m/s^2]."]
     carried_velocity: Annotated[Velocity, "ω × r: velocity of the body there, from its turning [m/s]."]
     origin_acceleration: Annotated[AccelerationVector, "Acceleration of the body's origin [m/s^2]."]
     tangential: Annotated[AccelerationVector, "α × r [m/s^2]."]
@@ -48,7 +48,7 @@ def moving_point(
         NOTHING
     ),
 ) -> MovingPoint:
-    """Velocity and acceleration of a point that moves on a moving body, all vectors by components in one set of axes.
+    """Velocity and acceleration of a point that moves on a moving body, all vectors in one set of axes.
 
     Equation
     --------

@@ -20,9 +20,9 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, Check, record
 
 NOTHING = (0.0, 0.0, 0.0)
-# Points whose spread across their line is this share of that along it do not tell the turning about the line.
+# Points whose spread across their line is this share of that along it do not determine the turning about the line.
 COLLINEAR = 1e-9
-# A departure from rigidity above this share of the velocities is worth a word.
+# A departure from rigidity above this share of the velocities is worth a remark.
 RIGID = 1e-6
 TOLERANCE = 1e-12
 # A misfit below this share of the fastest velocity is rounding.
@@ -45,7 +45,7 @@ class PointMotion:
     name: Annotated[Text, "The point."]
     position: Annotated[Position, "Where it is [m]."]
     velocity: Annotated[Velocity, "Its velocity [m/s]."]
-    speed: Annotated[Speed, "Its size [m/s]."]
+    speed: Annotated[Speed, "Its magnitude [m/s]."]
     acceleration: Annotated[AccelerationVector | None, "Its acceleration, where the body's motion is given [m/s^2]."]
     misfit: Annotated[Speed, "How far a measured velocity is from the rigid body's [m/s]."]
 
@@ -55,7 +55,7 @@ class Points:
     """Motion of a body and of its points."""
 
     angular_velocity: Annotated[AngularVelocity, "Angular velocity of the body [rad/s]."]
-    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its magnitude [rad/s]."]
     axis: Annotated[Direction | None, "Direction of the instantaneous screw axis; without turning none [-]."]
     axis_point: Annotated[Position | None, "Its point nearest to the origin [m]."]
     slide: Annotated[Speed, "Speed along the axis [m/s]."]
@@ -114,7 +114,7 @@ def points(
     if omega is None:
         base, velocity, omega = _from_velocities(each)
     elif len(moving := [point for point in each if point.velocity is not None]) == 1 and _at_rest(base, base_velocity):
-        # the one point whose velocity is told is the base that was meant
+        # the one point with a velocity is the base that was meant
         base, velocity = moving[0].position, moving[0].velocity or velocity
     moved, total = [], 0.0
     for nth, point in enumerate(each, 1):
@@ -150,7 +150,7 @@ def points(
 
 
 def _at_rest(base: Vector, velocity: Vector) -> bool:
-    """Whether nothing is said of a base: the origin, at rest."""
+    """Whether no base was given: the origin, at rest."""
     return single(*base, *velocity) and not any(plain(part) for part in (*base, *velocity))
 
 

@@ -24,7 +24,7 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, Check, record
 
 NOTHING = (0.0, 0.0, 0.0)
-# Rates this many times the angular velocity deserve a word.
+# Rates this many times the angular velocity deserve a remark.
 SENSITIVE = 50.0
 # What rounding leaves of a round trip, relative to the size of the rates.
 TOLERANCE = 1e-13
@@ -46,9 +46,9 @@ class ByRates:
 class ByFixed:
     """Angular velocity in fixed components."""
 
-    angular_velocity: Annotated[AngularVelocity, "Angular velocity by fixed components, e.g. 0.1, 0.3, 0 rad/s."]
+    angular_velocity: Annotated[AngularVelocity, "Angular velocity in fixed components, e.g. 0.1, 0.3, 0 rad/s."]
     angular_acceleration: Annotated[
-        AngularAccelerationVector, "Angular acceleration by fixed components, e.g. 0, 0, 5 rad/s^2."
+        AngularAccelerationVector, "Angular acceleration in fixed components, e.g. 0, 0, 5 rad/s^2."
     ] = NOTHING
 
 
@@ -57,10 +57,10 @@ class ByBody:
     """Angular velocity in body components, as gyroscopes on the body measure it."""
 
     body_angular_velocity: Annotated[
-        AngularVelocity, "Angular velocity by body components, as gyroscopes read it, e.g. 0.1, 0.3, 0 rad/s."
+        AngularVelocity, "Angular velocity in body components, as gyroscopes read it, e.g. 0.1, 0.3, 0 rad/s."
     ]
     body_angular_acceleration: Annotated[
-        AngularAccelerationVector, "Angular acceleration by body components, e.g. 0, 0, 5 rad/s^2."
+        AngularAccelerationVector, "Angular acceleration in body components, e.g. 0, 0, 5 rad/s^2."
     ] = NOTHING
 
 
@@ -68,12 +68,12 @@ class ByBody:
 class Rates:
     """Angular velocity and acceleration beside the rates of the angles."""
 
-    angular_velocity: Annotated[AngularVelocity, "Angular velocity ω by fixed components [rad/s]."]
-    body_angular_velocity: Annotated[AngularVelocity, "The same by body components [rad/s]."]
-    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
-    angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration α by fixed components [rad/s^2]."]
-    body_angular_acceleration: Annotated[AngularAccelerationVector, "The same by body components [rad/s^2]."]
-    angular_acceleration_size: Annotated[AngularAcceleration, "Its size [rad/s^2]."]
+    angular_velocity: Annotated[AngularVelocity, "Angular velocity ω in fixed components [rad/s]."]
+    body_angular_velocity: Annotated[AngularVelocity, "The same in body components [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its magnitude [rad/s]."]
+    angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration α in fixed components [rad/s^2]."]
+    body_angular_acceleration: Annotated[AngularAccelerationVector, "The same in body components [rad/s^2]."]
+    angular_acceleration_size: Annotated[AngularAcceleration, "Its magnitude [rad/s^2]."]
     angle_rates: Annotated[AngleRates, "Rates of the three angles, in their order [rad/s]."]
     angle_accelerations: Annotated[AngleAccelerations, "Second rates of the three angles [rad/s^2]."]
     quaternion_rate: Annotated[Quaternion, "Rate of the quaternion w, x, y, z [1/s]."]

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 MOST_STEPS = 2000
 # A derivative beside the difference quotient of the function itself.
 QUOTIENT = 1e-5
-# An arc length less certain than this share of it is said to be.
+# An arc length less certain than this share of it is reported as uncertain.
 LOOSE = 1e-6
 DUST = 4e-15
 

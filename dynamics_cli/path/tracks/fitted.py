@@ -1,4 +1,4 @@
-"""The smooth motion behind a measured track, and what is to be said of the fit."""
+"""The smooth motion behind a measured track, and warnings about the fit."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.path.tracks.file import Track
@@ -53,7 +53,7 @@ def advice_of_fit(fit: "Smooth", track: Track, name: str = "the track") -> tuple
         )
         advice.append(Advice("sigma", apart, remedy="leave out --sigma, or look for outliers in the track"))
     if fit.freedom > BUSY * count or (fit.thinned and fit.freedom > BUSY * len(fit.knots)):
-        text = "the motion changes nearly as fast as it was sampled: noise can hardly be told from motion"
+        text = "the motion changes nearly as fast as it was sampled: noise and motion can hardly be separated"
         advice.append(Advice("busy", text, remedy="measure more often, or give a part of the track"))
     if track.origin and max(map(abs, (x for place in track.places for x in place[:2]))) > FLAT:
         advice.append(Advice("far", "the track is too long for a plane map", remedy="give a part of it"))

@@ -57,7 +57,7 @@ class TrackPoint:
 
 @record
 class TrackMotion:
-    """What a measured track says of the motion."""
+    """The motion behind a measured track."""
 
     top_speed: Annotated[Speed, "Highest speed [m/s]."]
     top_speed_time: Annotated[Time, "When [s]."]
