@@ -10,10 +10,12 @@ from harness import answer, run
 
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.numerics.fitting.smoothing import Smooth
+from dynamics_cli.path import pictures
 from dynamics_cli.path.relative.motions import Mover
 from dynamics_cli.path.relative.task import relative
 from dynamics_cli.path.tracks.file import read_track, third_differences
 from dynamics_cli.path.tracks.task import Smoothing, table
+from dynamics_cli.pictures import Curve
 from dynamics_cli.records import Formula
 
 SIGMA = 0.02
@@ -256,3 +258,13 @@ def test_tracks_without_a_common_frame_are_refused(given: dict[str, Any], words:
     movers = {name: placed(value) if isinstance(value, Mover) else value for name, value in movers.items()}
     with pytest.raises(DynamicsError, match=words):
         relative(**movers)
+
+
+def test_two_tracks_are_drawn_with_their_distance_and_closing_speed(tmp_path: Path) -> None:
+    first, second = crossing(tmp_path, 2)
+    seen = relative(first=first, second=second)
+    paths, distance, closing = pictures.relative(seen, first=first, second=second).panels
+    assert len([item for item in paths.items if isinstance(item, Curve)]) == 3
+    assert min(distance.items[0].y) == pytest.approx(seen.closest_distance, abs=0.2)
+    speed, lower, upper = closing.items
+    assert all(low < middle < high for low, middle, high in zip(lower.y, speed.y, upper.y, strict=True))

@@ -5,6 +5,7 @@ import math
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import is_many, plain
 from dynamics_cli.numerics.tracked import Tracked
+from dynamics_cli.numerics.vectors import length
 from dynamics_cli.path.bends import Bend, advice_of
 from dynamics_cli.path.coordinates import parts_check
 from dynamics_cli.path.curves.events import Event, arc_lengths, events
@@ -158,7 +159,7 @@ def curve(
         radius_of_curvature=bend.radius,
         curvature=bend.curvature,
         torsion=None if motion.flat else bend.torsion,
-        jerk_size=_size(state),
+        jerk_size=length(state.jerk),
         arc_length=lengths[0],
         events=events_met or None,
         points=rows,
@@ -168,8 +169,8 @@ def curve(
     )
 
 
-def _parameter(shape: "Any", angle: Formula | None, length: Formula | None) -> Formula | None:
-    given = [name for name, law in (("angle", angle), ("length", length)) if law is not None]
+def _parameter(shape: "Any", angle: Formula | None, along: Formula | None) -> Formula | None:
+    given = [name for name, law in (("angle", angle), ("length", along)) if law is not None]
     require(len(given) < 2, "a curve has one parameter: angle law and length law are both given", code="exclusive")
     if not given:
         return None
@@ -184,7 +185,7 @@ def _parameter(shape: "Any", angle: Formula | None, length: Formula | None) -> F
         wanted=shape.parameter,
     )
     require(shape.parameter != "time", "the parameter of this curve is the time itself: it has no law", code="law")
-    return angle if angle is not None else length
+    return angle if angle is not None else along
 
 
 def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, float, Any]":
@@ -223,12 +224,6 @@ def _row(state: State, time: float, arc: float, flat: bool) -> Point:
 def _without_dust(part: float, size: float) -> float:
     """Zero for what the rounding of times and variables alone leaves beside a size."""
     return 0.0 if abs(part) < DUST * size else part
-
-
-def _size(state: State) -> "Any":
-    from dynamics_cli.numerics.vectors import length
-
-    return length(state.jerk)
 
 
 def _numerics(lengths: "tuple[float | None, float]") -> Numerics | None:

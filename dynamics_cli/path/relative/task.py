@@ -17,6 +17,7 @@ from dynamics_cli.quantities import (
     Velocity,
 )
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 
 # Times between which a minimum of the distance is looked for.
 GRID = 2000
+# The same for samples of an uncertain motion beside a track.
+COARSE = 250
 # A distance below this many of its standard deviations may be none.
 WITHIN = 3.0
 
@@ -178,10 +181,7 @@ def _searched(pair: Pair, time: "float | None", end: "float | None") -> Relative
     )
     pair.check(last)
     span = last - start
-    grid = [start + span * k / GRID for k in range(GRID + 1)]
-    rates = [pair.rate(at) for at in grid]
-    near = [bisected(pair.rate, grid[k], grid[k + 1]) for k in range(GRID) if rates[k] < 0.0 <= rates[k + 1]]
-    when = min([start, *near, last], key=lambda at: length(pair.seen(at)[0]))
+    when = _nearest(pair, start, last)
     r, v, _ = seen = pair.seen(when)
     places = [motion.at(when)[0] for motion in pair.motions]
     fields, advice = _shown(pair.seen(moment))
@@ -215,6 +215,15 @@ def _searched(pair: Pair, time: "float | None", end: "float | None") -> Relative
     )
 
 
+def _nearest(pair: Pair, start: float, last: float) -> float:
+    """When they are closest: at an end, or at the best of the minima."""
+    count = COARSE if pair.measured and drawing() else GRID
+    grid = [start + (last - start) * k / count for k in range(count + 1)]
+    rates = [pair.rate(at) for at in grid]
+    near = [bisected(pair.rate, grid[k], grid[k + 1]) for k in range(count) if rates[k] < 0.0 <= rates[k + 1]]
+    return min([start, *near, last], key=lambda at: length(pair.seen(at)[0]))
+
+
 def _at(pair: Pair, time: float) -> "tuple[float, float]":
     """Noise of the relative position and velocity at one time."""
     place, velocity = pair.noise([time])
@@ -223,9 +232,10 @@ def _at(pair: Pair, time: float) -> "tuple[float, float]":
 
 def _noise(pair: Pair, moment: float, when: float, gap: float, last: float) -> "dict[str, Any]":
     """Noise of distances and closing speeds, and the table at the measured times."""
-    times = [time for time in pair.measured[0].track.times if pair.start <= time <= last]
+    every = () if drawing() else pair.measured[0].track.times
+    times = [time for time in every if pair.start <= time <= last]
     rows = []
-    for time, *noise in zip(times, *pair.noise(times), strict=True):
+    for time, *noise in zip(times, *(pair.noise(times) if times else ((), ())), strict=True):
         seen = pair.seen(time)
         shown, _ = _shown(seen)
         closing = noise_of_rates(seen, (float(noise[0]), float(noise[1])))[0]
