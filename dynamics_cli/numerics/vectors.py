@@ -1,6 +1,7 @@
 """Three-component vectors and symmetric tensors as tuples, for numbers, arrays and tracked numbers alike."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import hypot, multiply_add
 
 Vector = tuple[float, float, float]
 Tensor = tuple[Vector, Vector, Vector]
@@ -16,6 +17,27 @@ def cross(a: Vector, b: Vector) -> Vector:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
+def product_difference(a: float, b: float, c: float, d: float) -> float:
+    """a·b − c·d, within a rounding or two of exact also where it cancels (Kahan)."""
+    product = c * d
+    rest = multiply_add(c, d, -product)
+    return multiply_add(a, b, -product) - rest
+
+
+def compensated_cross(a: Vector, b: Vector) -> Vector:
+    """Vector product that keeps its digits where the vectors are nearly parallel."""
+    return (
+        product_difference(a[1], b[2], a[2], b[1]),
+        product_difference(a[2], b[0], a[0], b[2]),
+        product_difference(a[0], b[1], a[1], b[0]),
+    )
+
+
+def length(a: Vector) -> float:
+    """Length of a vector, without overflow."""
+    return hypot(hypot(a[0], a[1]), a[2])
+
+
 def add(a: Vector, b: Vector) -> Vector:
     """Sum."""
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
@@ -29,6 +51,34 @@ def scale(factor: float, a: Vector) -> Vector:
 def subtract(a: Vector, b: Vector) -> Vector:
     """Difference."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+class FrameTerms:
+    """Velocity and acceleration of a point in a moving, turning frame, term by term; all vectors in one set of axes.
+
+    v = v_O + ω×r + v_rel; a = a_O + α×r + ω×(ω×r) + 2ω×v_rel + a_rel.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 3.4, 4.6 and 4.10.
+    """
+
+    def __init__(
+        self,
+        position: Vector,
+        turning: "tuple[Vector, Vector]",
+        relative: "tuple[Vector, Vector]",
+        origin: "tuple[Vector, Vector]",
+    ) -> None:
+        omega, alpha = turning
+        self.spun = compensated_cross(omega, position)
+        self.carried = add(origin[0], self.spun)
+        self.velocity = add(self.carried, relative[0])
+        self.angular = compensated_cross(alpha, position)
+        self.centripetal = compensated_cross(omega, self.spun)
+        self.coriolis = scale(2.0, compensated_cross(omega, relative[0]))
+        acceleration = add(add(add(origin[1], self.angular), self.centripetal), self.coriolis)
+        self.acceleration = add(acceleration, relative[1])
 
 
 def times(tensor: Tensor, a: Vector) -> Vector:

@@ -1,12 +1,13 @@
-"""What velocity, acceleration and jerk say of a path: speed, tangential and normal parts, curvature, torsion.
+"""Properties of a path from velocity, acceleration and jerk: speed, tangential and normal parts, curvature, torsion.
 
 Products are compensated, so that nearly parallel velocity and acceleration keep their digits. What does not exist (the
 direction of a point at rest, the normal of a straight path) is None, with the reason.
 """
 
-from dynamics_cli.numerics.elementary import hypot, multiply_add
+from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.vectors import Vector, dot, scale
+from dynamics_cli.numerics.vectors import Vector, dot, length, scale
+from dynamics_cli.numerics.vectors import compensated_cross as cross
 from dynamics_cli.records import Advice, record
 
 
@@ -27,30 +28,9 @@ class Bend:
     reason: str = ""
 
 
-def product_difference(a: float, b: float, c: float, d: float) -> float:
-    """a·b − c·d, within a rounding or two of exact also where it cancels (Kahan)."""
-    product = c * d
-    rest = multiply_add(c, d, -product)
-    return multiply_add(a, b, -product) - rest
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    """Vector product, each component compensated."""
-    return (
-        product_difference(a[1], b[2], a[2], b[1]),
-        product_difference(a[2], b[0], a[0], b[2]),
-        product_difference(a[0], b[1], a[1], b[0]),
-    )
-
-
-def norm(a: Vector) -> float:
-    """Length of a vector, without overflow."""
-    return hypot(hypot(a[0], a[1]), a[2])
-
-
-def directed(a: Vector, length: float) -> Vector:
-    """The unit vector."""
-    return a[0] / length, a[1] / length, a[2] / length
+def directed(a: Vector, size: float) -> Vector:
+    """The unit vector of one of that length."""
+    return a[0] / size, a[1] / size, a[2] / size
 
 
 def vanishes(x: float, size: float) -> bool:
@@ -68,12 +48,12 @@ def bend(velocity: Vector, acceleration: Vector, jerk: "Vector | None" = None) -
     ----------
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3.
     """
-    speed, size = norm(velocity), norm(acceleration)
+    speed, size = length(velocity), length(acceleration)
     if vanishes(speed, 1.0):
         return Bend(speed, size, None, None, None, None, None, None, None, None, "rest")
     tangential = dot(velocity, acceleration) / speed
     across = cross(velocity, acceleration)
-    turning = norm(across)
+    turning = length(across)
     tangent = directed(velocity, speed)
     if vanishes(turning, 1.0):
         return Bend(speed, size, tangential, turning, 0.0 * speed, None, tangent, None, None, None, "straight")

@@ -3,8 +3,8 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.vectors import Vector, dot
-from dynamics_cli.path.bends import advice_of, bend, centre_of, norm
+from dynamics_cli.numerics.vectors import Vector, dot, length
+from dynamics_cli.path.bends import advice_of, bend, centre_of
 from dynamics_cli.path.coordinates import combined, local_axes, parts_check
 from dynamics_cli.quantities import (
     Acceleration,
@@ -146,10 +146,10 @@ def _frames(position: Vector) -> dict[str, tuple[Vector, Vector, Vector]]:
         return {}
     cosine, sine = x / radius, y / radius
     zero, one = 0.0 * cosine, 0.0 * cosine + 1.0
-    length = norm(position)
+    distance = length(position)
     return {
         "cylindrical": ((cosine, sine, zero), (-sine, cosine, zero), (zero, zero, one)),
-        "spherical": local_axes(z / length, radius / length, cosine, sine),
+        "spherical": local_axes(z / distance, radius / distance, cosine, sine),
     }
 
 

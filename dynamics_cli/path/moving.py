@@ -3,8 +3,8 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.vectors import Vector, add, dot, scale
-from dynamics_cli.path.bends import cross, norm
+from dynamics_cli.numerics.vectors import FrameTerms, Vector, add, dot, length, scale
+from dynamics_cli.numerics.vectors import compensated_cross as cross
 from dynamics_cli.quantities import (
     Acceleration,
     AccelerationVector,
@@ -90,28 +90,27 @@ def moving_frame(
     ...     relative_velocity=(0.8, 0.0, 0.0)).coriolis
     (0.0, 8.0, 0.0)
     """
-    spun = cross(angular_velocity, position)
-    carried = add(origin_velocity, spun)
-    velocity = add(carried, relative_velocity)
-    by_alpha = cross(angular_acceleration, position)
-    inward = cross(angular_velocity, spun)
-    sideward = scale(2.0, cross(angular_velocity, relative_velocity))
-    total = add(add(add(add(origin_acceleration, by_alpha), inward), sideward), relative_acceleration)
+    terms = FrameTerms(
+        position,
+        (angular_velocity, angular_acceleration),
+        (relative_velocity, relative_acceleration),
+        (origin_velocity, origin_acceleration),
+    )
     return InMovingFrame(
-        speed=norm(velocity),
-        acceleration_size=norm(total),
-        velocity=velocity,
-        acceleration=total,
-        carried_velocity=carried,
+        speed=length(terms.velocity),
+        acceleration_size=length(terms.acceleration),
+        velocity=terms.velocity,
+        acceleration=terms.acceleration,
+        carried_velocity=terms.carried,
         origin_part=origin_acceleration,
-        angular_part=by_alpha,
-        centripetal=inward,
-        coriolis=sideward,
+        angular_part=terms.angular,
+        centripetal=terms.centripetal,
+        coriolis=terms.coriolis,
         relative_part=relative_acceleration,
-        coriolis_size=norm(sideward),
-        fixed_velocity=None if orientation is None else _fixed(orientation, velocity),
-        fixed_acceleration=None if orientation is None else _fixed(orientation, total),
-        checks=_coriolis_check(angular_velocity, relative_velocity, sideward),
+        coriolis_size=length(terms.coriolis),
+        fixed_velocity=None if orientation is None else _fixed(orientation, terms.velocity),
+        fixed_acceleration=None if orientation is None else _fixed(orientation, terms.acceleration),
+        checks=_coriolis_check(angular_velocity, relative_velocity, terms.coriolis),
     )
 
 
@@ -135,10 +134,10 @@ def _coriolis_check(omega: Vector, relative: Vector, coriolis: Vector) -> tuple[
     """That the Coriolis term is square to ω and to v_rel."""
     if not single(*omega, *relative):
         return ()
-    size = plain(norm(coriolis)) * max(plain(norm(omega)), plain(norm(relative)))
+    size = plain(length(coriolis)) * max(plain(length(omega)), plain(length(relative)))
     apart = max(abs(plain(dot(coriolis, omega))), abs(plain(dot(coriolis, relative))))
     # lengths of different kinds: each product is a share of its own size
     allowed = 1e-12 * max(
-        size, plain(norm(coriolis)) * plain(norm(omega)), plain(norm(coriolis)) * plain(norm(relative))
+        size, plain(length(coriolis)) * plain(length(omega)), plain(length(coriolis)) * plain(length(relative))
     )
     return (Check("Coriolis term perpendicular to ω and v_rel", apart <= allowed, apart, allowed),)

@@ -236,22 +236,38 @@ def table(result: "Any", _file: str = "", **_: "Any") -> Picture:
 
 
 def relative(result: "Any", *, first: "Any", second: "Any", end: "Any" = None, let: "Any" = (), **_: "Any") -> Picture:
-    """Both paths, seen along z, and where they are closest."""
-    from dynamics_cli.path.relative import Pair
+    """Both paths, seen along z, and where they are closest; with tracks their distance over time within its noise."""
+    from dynamics_cli.path.relative.motions import Pair
 
-    span = (end if first.curved or second.curved else 1.5 * result.closest_time) or 1.0
     pair = Pair(first, second, let)
+    simple = first.simple and second.simple
+    span = (1.5 * result.closest_time or 1.0) if simple else pair.end(end) - pair.start
     items: list[Any] = []
-    for which, (name, place) in enumerate((("first", result.first_position), ("second", result.second_position))):
-        at = [pair.of(which, span * i / DRAWN)[0] for i in range(DRAWN + 1)]
+    for motion, name, place, role in zip(
+        pair.motions, ("first", "second"), (result.first_position, result.second_position), (0, 1), strict=True
+    ):
+        at = [motion.at(pair.start + span * i / DRAWN)[0] for i in range(DRAWN + 1)]
         items += [
-            Curve([r[0] for r in at], [r[1] for r in at], name, role=which),
-            Mark(at[0][0], at[0][1], "", role=which),
-            Mark(place[0], place[1], "", role=which),
+            Curve([r[0] for r in at], [r[1] for r in at], name, role=role),
+            Mark(at[0][0], at[0][1], "", role=role),
+            Mark(place[0], place[1], "", role=role),
         ]
     ends = result.first_position, result.second_position
     items.append(Curve([ends[0][0], ends[1][0]], [ends[0][1], ends[1][1]], "closest approach", "dashed", role=6))
-    return Picture((Panel(X, Y, tuple(items), equal=True),), "two paths and their closest approach")
+    paths = Panel(X, Y, tuple(items), equal=True)
+    if not result.points:
+        return Picture((paths,), "two paths and their closest approach")
+    rows = [row for row in result.points if row.closing_speed is not None]
+    times = [row.time for row in rows]
+    closest = Mark(result.closest_time, result.closest_distance, "closest")
+    distance = Panel(TIME, Axis("distance", Length), (Curve(times, [row.distance for row in rows], role=3), closest))
+    closing = [Curve(times, [row.closing_speed for row in rows], role=VELOCITY)]
+    for sign in (-1.0, 1.0):
+        edge = [row.closing_speed + sign * row.closing_speed_noise for row in rows]
+        closing.append(Curve(times, edge, "", "dots", VELOCITY))
+    panels = (paths, distance, Panel(TIME, Axis("closing speed", Speed), tuple(closing)))
+    words = "dotted: one standard deviation of the noise"
+    return Picture(panels, "two tracks and their closest approach", subtitle=words)
 
 
 def moving_frame(result: "Any", **_: "Any") -> Picture:

@@ -66,21 +66,21 @@ def angle(
     >>> angle((1.0, 0.0, 0.0), (1.0, 1e-9, 0.0)).angle
     1e-09
     """
-    one, other = kinds.Vector(first, "the first vector"), kinds.Vector(second, "the second vector")
-    kinds.require_direction(one, "the first vector")
-    kinds.require_direction(other, "the second vector")
-    a, b = scaled(one.parts), scaled(other.parts)
+    start, end = kinds.Vector(first, "the first vector"), kinds.Vector(second, "the second vector")
+    kinds.require_direction(start, "the first vector")
+    kinds.require_direction(end, "the second vector")
+    a, b = scaled(start.parts), scaled(end.parts)
     product, along = cross(a, b), dot(a, b)
     across = norm(product)
     sizes = norm(a) * norm(b)
-    opposite, adjacent, whole = across, along, sizes
+    opposite, adjacent, hypotenuse = across, along, sizes
     if axis is not None:
         opposite, adjacent = _about(kinds.Vector(axis, "the axis"), a, b)
-        whole = hypot(opposite, adjacent)
-    scaled_back = (a, b) != (one.parts, other.parts)
-    within = not scaled_back or SMALLEST < plain(norm(one.parts)) * plain(norm(other.parts)) < LARGEST
+        hypotenuse = hypot(opposite, adjacent)
+    scaled_back = (a, b) != (start.parts, end.parts)
+    within = not scaled_back or SMALLEST < plain(norm(start.parts)) * plain(norm(end.parts)) < LARGEST
     if scaled_back and within:
-        product, along_typed = cross(one.parts, other.parts), dot(one.parts, other.parts)
+        product, along_typed = cross(start.parts, end.parts), dot(start.parts, end.parts)
     else:
         along_typed = along
     message = "the products leave the range of a double"
@@ -89,10 +89,10 @@ def angle(
         angle=atan2(opposite, adjacent),
         supplement=atan2(opposite, -adjacent),
         relation=relation(plain(across), plain(along), plain(sizes)),
-        cosine=adjacent / whole,
-        sine=opposite / whole,
-        scalar_product=kinds.number(along_typed, kinds.times(one.kind, other.kind)) if within else None,
-        vector_product=kinds.vector(product, kinds.times(one.kind, other.kind, cross=True)) if within else None,
+        cosine=adjacent / hypotenuse,
+        sine=opposite / hypotenuse,
+        scalar_product=kinds.number(along_typed, kinds.times(start.kind, end.kind)) if within else None,
+        vector_product=kinds.vector(product, kinds.times(start.kind, end.kind, cross=True)) if within else None,
         checks=(lagrange(a, b),),
         advice=() if within else advice,
     )
@@ -117,7 +117,7 @@ def _about(axis: kinds.Vector, a: "Vector", b: "Vector") -> "tuple[float, float]
 
 
 def relation(across: float, along: float, sizes: float) -> str:
-    """Parallel, perpendicular or neither: exactly, as the numbers were typed, or as far as their rounding tells."""
+    """Parallel, perpendicular or neither: exactly, as the numbers were typed, or within their rounding."""
     if across <= ROUNDING * sizes:
         return _said("parallel" if along > 0.0 else "opposite", across, sizes)
     if absolute(along) <= ROUNDING * sizes:

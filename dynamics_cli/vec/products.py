@@ -90,15 +90,15 @@ def _triples(one: kinds.Vector, other: kinds.Vector, third: kinds.Vector) -> "di
     a, b, c = one.parts, other.parts, third.parts
     value = triple(a, b, c)
     kind = kinds.times(kinds.times(other.kind, third.kind, cross=True), one.kind)
-    whole = kinds.times(kinds.times(other.kind, third.kind, cross=True), one.kind, cross=True)
+    triple_kind = kinds.times(kinds.times(other.kind, third.kind, cross=True), one.kind, cross=True)
     sizes = plain(norm(a)) * plain(norm(b)) * plain(norm(c))
     return {
         "triple_product": kinds.number(value, kind),
         "box": kinds.number(absolute(value), kind),
         "tetrahedron": kinds.number(absolute(value) / 6.0, kind),
         "coplanar": coplanar(plain(value), sizes),
-        "first_with_product": kinds.vector(_double(b, c, a), whole),
-        "product_with_third": kinds.vector(_double(b, a, c), whole),
+        "first_with_product": kinds.vector(_double(b, c, a), triple_kind),
+        "product_with_third": kinds.vector(_double(b, a, c), triple_kind),
     }
 
 

@@ -203,8 +203,8 @@ def _reciprocal_space(one: kinds.Vector, basis: "list[kinds.Vector]") -> "list[t
 
 def _reassembled(v: "Vector", parts: "list[Any]", size: float = 0.0) -> Check:
     """The parts add up to the vector again, to the rounding of the largest of them."""
-    whole = [plain(part) for part in v]
+    wanted = [plain(part) for part in v]
     sums = [sum(plain(part[axis]) if axis < len(part) else 0.0 for part in parts) for axis in range(3)]
-    scale = max([size, *(abs(plain(x)) for part in parts for x in part), *map(abs, whole)])
-    off = max(abs(a - b) for a, b in zip(sums, whole, strict=True)) / scale if scale else 0.0
+    scale = max([size, *(abs(plain(x)) for part in parts for x in part), *map(abs, wanted)])
+    off = max(abs(a - b) for a, b in zip(sums, wanted, strict=True)) / scale if scale else 0.0
     return Check("parts add up to the vector", off <= REASSEMBLED, off, REASSEMBLED)

@@ -8,7 +8,8 @@ import pytest
 from harness import run
 from shell import ROOT, shell
 
-from dynamics_cli.examples_command.command import WORKED, folder, names
+from dynamics_cli.examples_command.command import folder, names
+from dynamics_cli.examples_command.worked import WORKED
 
 ROOM = ROOT / "examples"
 

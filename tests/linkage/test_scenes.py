@@ -1,6 +1,6 @@
 """Linkages from scenes: assemblies, motion, certificate, centres, mobility, and scenes that are refused."""
 
-from math import atan2, cos, degrees, radians, sin
+from math import atan2, cos, degrees, hypot, radians, sin
 from typing import Any
 
 import pytest
@@ -15,6 +15,7 @@ from dynamics_cli.linkage.scenes.mobility import mobility
 from dynamics_cli.linkage.scenes.pictures import motion, moving_scene, scene_picture
 from dynamics_cli.linkage.scenes.records import Driver, Link, Near, Pin, Scene, Side, Slide, Way
 from dynamics_cli.linkage.scenes.solve import Solution, solve
+from dynamics_cli.linkage.sliders.double_slider import oldham, scotch_yoke
 
 SIX = "examples/six_bar.toml"
 
@@ -135,6 +136,73 @@ def test_a_slotted_lever() -> None:
     lever = links(solve(scene))["lever"]
     assert degrees(lever.angle) == pytest.approx(155.718995016940526)
     assert (lever.speed, lever.acceleration) == pytest.approx((0.686583991083247245, 36.2452208310856967))
+
+
+YOKE = (
+    link("ground", O=(0.0, 0.0), S=(0.1, 0.0)),
+    link("crank", O=(0.0, 0.0), A=(0.04, 0.0)),
+    link("yoke", Y=(0.0, 0.0), Z=(0.06, 0.0), T=(0.05 * sin(0.2), 0.05 * cos(0.2))),
+)
+YOKE_SLIDES = (Slide("Y", "ground", "O", "S"), Slide("Z", "ground", "O", "S"), Slide("A", "yoke", "Y", "T"))
+
+
+@pytest.mark.parametrize("degree", [0.0, 30.0, 90.0, 135.0, 180.0, 250.0])
+def test_a_scotch_yoke_as_a_scene_agrees_with_its_closed_form(degree: float) -> None:
+    angle, speed, rise = radians(degree), 31.4, 12.0
+    exact = scotch_yoke(crank=0.04, crank_angle=angle, slot_angle=0.2, speed=speed, angular_acceleration=rise)
+    driver = Driver("crank", angle=angle, speed=speed, angular_acceleration=rise)
+    here = float(exact.position)
+    upright = (Near("Z", (here + 0.06, 0.0)), Near("T", (here + 0.01, 0.05)))
+    scene = Scene(YOKE, (driver,), YOKE_SLIDES, near=upright)
+    pin = pins(solve(scene))["Y"]
+    assert pin.position == pytest.approx((here, 0.0), abs=1e-15)
+    assert pin.velocity == pytest.approx((exact.velocity, 0.0), abs=1e-12)
+    assert pin.acceleration == pytest.approx((exact.acceleration, 0.0), abs=1e-10)
+    assert mobility(scene).freedom == mobility(scene).counted == 1
+
+
+@pytest.mark.parametrize("degree", [0.0, 30.0, 90.0, 135.0, 180.0, 250.0])
+def test_an_oldham_coupling_as_a_scene_agrees_with_its_closed_form(degree: float) -> None:
+    angle, speed, offset = radians(degree), 157.0, 0.003
+    exact = oldham(offset=offset, speed=speed, shaft_angle=angle)
+    along, across = (cos(angle), sin(angle)), (-sin(angle), cos(angle))
+    x, y = exact.centre
+    shafts = (
+        link("ground", O=(0.0, 0.0), Q=(offset, 0.0)),
+        link("first", O=(0.0, 0.0), U=(0.02, 0.0)),
+        link("second", Q=(0.0, 0.0), V=(0.02, 0.0)),
+        link("disc", C=(0.0, 0.0), D=(0.01, 0.0), E=(0.0, 0.01)),
+    )
+    slots = (("C", "first", "O", "U"), ("D", "first", "O", "U"), ("C", "second", "Q", "V"), ("E", "second", "Q", "V"))
+    near = (
+        Near("E", (x + 0.01 * across[0], y + 0.01 * across[1])),
+        Near("V", (offset + 0.02 * across[0], 0.02 * across[1])),
+    )
+    scene = Scene(
+        shafts, (Driver("first", angle=angle, speed=speed),), tuple(Slide(*slot) for slot in slots), near=near
+    )
+    solved = solve(scene)
+    centre = pins(solved)["C"]
+    assert centre.position == pytest.approx(exact.centre, abs=1e-15)
+    # the disc slides along the first slot at the speed that the closed form gives
+    slip = centre.velocity[0] * along[0] + centre.velocity[1] * along[1]
+    assert slip == pytest.approx(exact.first_slip, abs=1e-12)
+    assert hypot(*centre.velocity) == pytest.approx(exact.centre_speed)
+    assert hypot(*centre.acceleration) == pytest.approx(exact.centre_acceleration)
+    for name in ("second", "disc"):
+        assert links(solved)[name].speed == pytest.approx(exact.disc_speed)
+        assert links(solved)[name].acceleration == pytest.approx(0.0, abs=1e-8)
+    assert mobility(scene).freedom == mobility(scene).counted == 1
+
+
+def test_sides_do_not_select_what_newton_found() -> None:
+    driver = Driver("crank", angle=0.5)
+    with pytest.raises(InadmissibleError, match="2 assemblies are possible"):
+        solve(Scene(YOKE, (driver,), YOKE_SLIDES))
+    with pytest.raises(InadmissibleError, match="'yoke' selects none of these assemblies"):
+        solve(Scene(YOKE, (driver,), YOKE_SLIDES, (Side("yoke", Way("ahead")),)))
+    answers = {solve(Scene(YOKE, (driver,), YOKE_SLIDES, near=(Near("T", (0.0, y)),))).assembly for y in (-1.0, 1.0)}
+    assert answers == {"solution 1 of 2", "solution 2 of 2"}
 
 
 def test_relative_drivers_and_velocities_against_differences() -> None:

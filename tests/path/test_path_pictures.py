@@ -13,7 +13,8 @@ from dynamics_cli.path.coordinates import polar
 from dynamics_cli.path.curves.named import Cycloid
 from dynamics_cli.path.curves.task import curve
 from dynamics_cli.path.moving import moving_frame
-from dynamics_cli.path.relative import Mover, relative
+from dynamics_cli.path.relative.motions import Mover
+from dynamics_cli.path.relative.task import relative
 from dynamics_cli.path.straight.task import Phase, rectilinear
 from dynamics_cli.pictures import Arrow, Curve
 

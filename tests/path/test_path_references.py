@@ -10,8 +10,9 @@ from references.comparison import DATA, HERE, build, cases, flat, leaves
 from dynamics_cli.accuracy.catalogue import groups
 from dynamics_cli.core.answering.tightening import tighten
 from dynamics_cli.numerics.tracked import Tracked
-from dynamics_cli.path import circle, components, coordinates, moving, relative
+from dynamics_cli.path import circle, components, coordinates, moving
 from dynamics_cli.path.curves import task as curve
+from dynamics_cli.path.relative import task as relative
 from dynamics_cli.path.straight import task as straight
 
 TASKS = {

@@ -17,7 +17,8 @@ from dynamics_cli.path.coordinates import cylindrical, polar, spherical
 from dynamics_cli.path.curves.named import Clothoid, Cycloid, Ellipse, Helix, Involute, Line
 from dynamics_cli.path.curves.task import curve
 from dynamics_cli.path.moving import moving_frame
-from dynamics_cli.path.relative import Mover, relative
+from dynamics_cli.path.relative.motions import Mover
+from dynamics_cli.path.relative.task import relative
 from dynamics_cli.path.straight.task import Phase, rectilinear, rectilinear_law
 from dynamics_cli.records import Formula, Let
 
@@ -494,7 +495,7 @@ def test_relative_motion_of_formulas_beside_more_digits() -> None:
     [
         ({"first": Mover(x=metres("t"))}, "needs an end"),
         ({"first": Mover(x=metres("1/(t-2)")), "end": 5.0}, "pole"),
-        ({"first": Mover((1.0, 0.0, 0.0), x=metres("t")), "end": 5.0}, "both are given"),
+        ({"first": Mover((1.0, 0.0, 0.0), x=metres("t")), "end": 5.0}, "two of these are given"),
         ({"first": Mover(x=metres("t")), "end": 5.0, "time": 6.0}, "does not hold"),
     ],
 )

@@ -10,8 +10,13 @@ from harness import answer, run
 
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.numerics.fitting.smoothing import Smooth
+from dynamics_cli.path import pictures
+from dynamics_cli.path.relative.motions import Mover
+from dynamics_cli.path.relative.task import relative
 from dynamics_cli.path.tracks.file import read_track, third_differences
 from dynamics_cli.path.tracks.task import Smoothing, table
+from dynamics_cli.pictures import Curve
+from dynamics_cli.records import Formula
 
 SIGMA = 0.02
 
@@ -107,7 +112,7 @@ def test_latitude_and_longitude_are_metres_on_the_ground(tmp_path: Path) -> None
     rows = "".join(f"{t},{45 + t / 3600:.9f},{-179.9995 - t / 3600:.9f}\n" for t in range(10))
     track = read_track(written(tmp_path, "t,lat,lon\n" + rows))
     assert track.places[9] == pytest.approx([-9 * 21.902, 9 * 30.869], rel=2e-4)
-    assert track.globe
+    assert track.origin
 
 
 @pytest.mark.parametrize(
@@ -152,3 +157,114 @@ def test_the_noise_of_a_track_takes_no_distribution_of_its_own() -> None:
     assert outcome.status == 2
     assert outcome.error["code"] == "uncertain"
     assert outcome.error["parameter"] == "sigma"
+
+
+def crossing(folder: Path, seed: int) -> tuple[Mover, Mover]:
+    """Two tracks that pass each other: straight on at 15 m/s, and across with a growing speed."""
+    random = np.random.default_rng(seed)
+    movers = []
+    first, second = np.arange(0.0, 12.01, 0.2), np.arange(2.0, 14.0, 0.25)
+    places = (
+        np.column_stack([15.0 * first, 0.0 * first]),
+        np.column_stack([0.0 * second + 120.0, -80.0 + 11.0 * second]),
+    )
+    places[1][:, 1] += 0.1 * second**2
+    for name, times, place in (("a", first, places[0]), ("b", second, places[1])):
+        path = folder / f"{name}{seed}.csv"
+        path.write_text(as_csv(times, place + SIGMA * random.standard_normal(place.shape)), encoding="utf-8")
+        movers.append(Mover(track=str(path), sigma=SIGMA))
+    return movers[0], movers[1]
+
+
+def test_two_tracks_come_as_close_as_the_motions_behind_them_within_the_noise_stated(tmp_path: Path) -> None:
+    steady = Mover(velocity=(15.0, 0.0, 0.0)), Mover((120.0, -80.0, 0.0), (0.0, 11.0, 0.0), (0.0, 0.2, 0.0))
+    exact = relative(first=steady[0], second=steady[1], time=5.0)
+    shares: dict[str, list[float]] = {"closest_distance": [], "closest_time": [], "distance": [], "closing_speed": []}
+    for seed in range(60):
+        first, second = crossing(tmp_path, seed)
+        seen = relative(first=first, second=second, time=5.0)
+        assert all(check.passed for check in seen.checks)
+        for name, values in shares.items():
+            values.append((getattr(seen, name) - getattr(exact, name)) / getattr(seen, f"{name}_noise"))
+    for name, values in shares.items():
+        # the noise stated includes a share for what smoothing removes: it is not too small
+        assert 0.5 < math.sqrt(np.mean(np.square(values))) < 1.3, name
+        assert abs(np.mean(values)) < 4.0 / math.sqrt(60), name
+
+
+def test_a_track_beside_formulas_and_a_steady_point(tmp_path: Path) -> None:
+    first, second = crossing(tmp_path, 1)
+    both = relative(first=first, second=second)
+    formula = Mover(x=Formula("120", 1.0, "m"), y=Formula("-80 + 11*t + 0.1*t^2", 1.0, "m"))
+    steady = Mover((120.0, -80.0, 0.0), (0.0, 11.0, 0.0), (0.0, 0.2, 0.0))
+    beside = [relative(first=first, second=other) for other in (formula, steady)]
+    assert beside[0].closest_distance == pytest.approx(beside[1].closest_distance, rel=1e-12)
+    assert beside[0].closest_distance == pytest.approx(both.closest_distance, abs=0.06)
+    assert (beside[0].shown_time, both.shown_time, both.points[0].time) == (0.0, 2.0, 2.0)
+    assert 0.0 < beside[0].closest_distance_noise < both.closest_distance_noise
+    seen = relative(first=second, second=first)
+    assert seen.closest_distance == pytest.approx(both.closest_distance, rel=1e-12)
+    early = relative(first=first, second=second, end=5.0)
+    assert (early.closest_time, early.closest_time_noise, early.advice[0].code) == (5.0, None, "edge")
+
+
+def test_tracks_on_the_globe_share_an_origin_and_touching_ones_are_upper_limits(tmp_path: Path) -> None:
+    times = np.linspace(0.0, 10.0, 60)
+    north = 1.0 / 111_200.0
+    tracks = []
+    for name, east in (("a", 0.0), ("b", 5.0)):
+        degrees = np.column_stack([52.0 + 12.0 * times * north, 10.0 + 0.0 * times + east * north / 0.6157])
+        path = tmp_path / f"{name}.csv"
+        path.write_text(as_csv(times, degrees, "t[s],lat[deg],lon[deg]"), encoding="utf-8")
+        tracks.append(Mover(track=str(path), sigma=0.01))
+    assert relative(first=tracks[0], second=tracks[1], time=4.0).distance == pytest.approx(5.0, rel=0.01)
+    same = relative(first=tracks[0], second=tracks[0])
+    assert "within-noise" in [one.code for one in same.advice]
+    assert same.closest_distance == 0.0
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"first": Mover(track="a", x=Formula("t", 1.0, "m"))}, "two of these are given"),
+        ({"first": Mover(sigma=0.1)}, "without a track"),
+        ({"second": Mover(track="late")}, "ends at 12 s, the other begins 1 s later, at 13 s"),
+        ({"second": Mover(track="flat")}, "the first track has x, y, the second x"),
+        ({"second": Mover(track="globe")}, "the second latitude, longitude"),
+        ({"first": Mover(), "second": Mover(track="globe")}, "no place beside it"),
+        ({"second": Mover(track="short")}, "the second track has 4 points"),
+        ({"second": Mover(track="b"), "time": 1.0}, "from 2 s to 12 s does not hold 1 s"),
+        ({"second": Mover(track="b"), "end": 1.5}, "ends at 1.5 s, not after its start at 2 s"),
+    ],
+)
+def test_tracks_without_a_common_frame_are_refused(given: dict[str, Any], words: str, tmp_path: Path) -> None:
+    times = np.linspace(0.0, 12.0, 20)
+    files = {
+        "a": as_csv(times, np.column_stack([times, times])),
+        "b": as_csv(times + 2.0, np.column_stack([times, times])),
+        "late": as_csv(times + 13.0, np.column_stack([times, times])),
+        "flat": as_csv(times, times[:, None], "t[s],x[m]"),
+        "globe": as_csv(times, np.column_stack([times, times]), "t[s],lat[deg],lon[deg]"),
+        "short": as_csv(times[:4], np.column_stack([times, times])[:4]),
+    }
+    for name, text in files.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+
+    def placed(mover: Mover) -> Mover:
+        values = {name: getattr(mover, name) for name in Mover.fields}  # type: ignore[attr-defined]
+        return Mover(**(values | {"track": str(tmp_path / mover.track) if mover.track else ""}))
+
+    movers = {"first": Mover(track="a"), "second": Mover()} | given
+    movers = {name: placed(value) if isinstance(value, Mover) else value for name, value in movers.items()}
+    with pytest.raises(DynamicsError, match=words):
+        relative(**movers)
+
+
+def test_two_tracks_are_drawn_with_their_distance_and_closing_speed(tmp_path: Path) -> None:
+    first, second = crossing(tmp_path, 2)
+    seen = relative(first=first, second=second)
+    paths, distance, closing = pictures.relative(seen, first=first, second=second).panels
+    assert len([item for item in paths.items if isinstance(item, Curve)]) == 3
+    assert min(distance.items[0].y) == pytest.approx(seen.closest_distance, abs=0.2)
+    speed, lower, upper = closing.items
+    assert all(low < middle < high for low, middle, high in zip(lower.y, speed.y, upper.y, strict=True))

@@ -48,7 +48,7 @@ class Place:
     """A further point of the body."""
 
     x: Annotated[Coordinate, "Where it is, e.g. 40 mm."]
-    y: Annotated[Coordinate, "The same, upwards, e.g. 60 mm."]
+    y: Annotated[Coordinate, "Its height y, e.g. 60 mm."]
 
 
 @record
@@ -203,13 +203,13 @@ def _placed(
 ) -> PlacedPoint:
     vx, vy = velocity[0] - omega * (at[1] - point[1]), velocity[1] + omega * (at[0] - point[0])
     speed = hypot(vx, vy)
-    own = radius = None
+    bent = radius = None
     if acceleration is not None and alpha is not None:
-        own = _acceleration(point, acceleration, omega, alpha, at)
-        cross = vx * own[1] - vy * own[0]
+        bent = _acceleration(point, acceleration, omega, alpha, at)
+        cross = vx * bent[1] - vy * bent[0]
         if plain(cross) != 0.0 and plain(speed) != 0.0:
             radius = speed * speed * speed / cross
-    return PlacedPoint(at, (vx, vy), speed, own, radius)
+    return PlacedPoint(at, (vx, vy), speed, bent, radius)
 
 
 def _checks(point: "Pair", velocity: "Pair", omega: float, centre: "Pair | None") -> "tuple[Check, ...]":

@@ -168,45 +168,41 @@ def _response(
     smooth: "tuple[Any, Any]",
 ) -> "tuple[float, float]":  # fmt: skip
     """K and its derivative; a root of zero that is no change point is taken as one, and refused by the caller."""
-    one, two = roots
-    if not single(one, two):
-        return _responses(links, turn, half, roots, smooth)
-    moment = links.product * turn[1]
-    if smooth[0] and smooth[1]:
-        return 0.5 + 0.0 * moment, 0.0 * moment
-    if smooth[0] or smooth[1]:
-        root = sqrt(links.product)
-        if smooth[0]:
-            over = 1.0 / where(two > 0.0, two, 1.0)
-            return root * half[1] * over, root * over * (0.5 * half[0] - half[1] * moment * (over * over))
-        over = 1.0 / where(one > 0.0, one, 1.0)
-        return root * half[0] * over, root * over * (half[0] * moment * (over * over) - 0.5 * half[1])
-    both = one * two
-    over = 1.0 / where(both > 0.0, both, 1.0)
-    response = moment * over
-    return response, (links.product * turn[0] - response * response * ((one - two) * (one + two))) * over
+    (one, two), moment = roots, links.product * turn[1]
+    root = sqrt(links.product)
 
-
-def _responses(links: Frame, turn: "Any", half: "Any", roots: "Any", smooth: "Any") -> "tuple[Any, Any]":
-    """The same over arrays."""
-    import numpy as np
-
-    moment, (one, two) = links.product * turn[1], roots
-    if not (np.any(smooth[0]) or np.any(smooth[1])):
-        both = one * two
-        over = 1.0 / np.where(both > 0.0, both, 1.0)
+    def general() -> "tuple[float, float]":
+        over = _reciprocal(one * two)
         response = moment * over
         return response, (links.product * turn[0] - response * response * ((one - two) * (one + two))) * over
-    cells = np.broadcast_arrays(one, two, moment, turn[0], *half, *smooth, links.product)
-    out = np.empty((2, cells[0].size))
-    plain = [cell.ravel().tolist() for cell in cells]
-    for index, (r1, r2, _, cosine, half_cosine, half_sine, first, second, product) in enumerate(
-        zip(*plain, strict=True)
-    ):
-        sine = plain[2][index] / product
-        small = Frame(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, product, 0.0)
-        out[:, index] = _response(small, (cosine, sine), (half_cosine, half_sine), (r1, r2), (first, second))
-    return out[0].reshape(cells[0].shape), out[1].reshape(cells[0].shape)
+
+    def through_first() -> "tuple[float, float]":
+        over = _reciprocal(two)
+        return root * half[1] * over, root * over * (0.5 * half[0] - half[1] * moment * (over * over))
+
+    def through_second() -> "tuple[float, float]":
+        over = _reciprocal(one)
+        return root * half[0] * over, root * over * (half[0] * moment * (over * over) - 0.5 * half[1])
+
+    def through_both() -> "tuple[float, float]":
+        return 0.5 + 0.0 * moment, 0.0 * moment
+
+    first, second = smooth
+    if single(first, second):
+        beside_first = through_both if second else through_first
+        return beside_first() if first else through_second() if second else general()
+    response, change = general()
+    for condition, motion in ((first & ~second, through_first), (second & ~first, through_second),
+                              (first & second, through_both)):  # fmt: skip
+        if condition.any():
+            along = motion()
+            response, change = where(condition, along[0], response), where(condition, along[1], change)
+    return response, change
+
+
+def _reciprocal(x: float) -> float:
+    """One over it; of zero one, which only poses show that the caller refuses."""
+    return 1.0 / where(x > 0.0, x, 1.0)
 
 
 def ratios(links: Frame, loop: Closed) -> "tuple[float, float, float, float]":

@@ -41,7 +41,7 @@ class CouplerCurve:
     """A coupler curve."""
 
     length: Annotated[Size, "Length of the closed curve [m]."]
-    area: Annotated[Area, "Area it goes round, loops of opposite sense apart [m^2]."]
+    area: Annotated[Area, "Enclosed area; loops in opposite directions subtract [m^2]."]
     left: Annotated[Coordinate, "Smallest x [m]."]
     right: Annotated[Coordinate, "Largest x [m]."]
     bottom: Annotated[Coordinate, "Smallest y [m]."]
@@ -173,7 +173,7 @@ def cognates(lengths: "tuple[float, ...]", point: complex) -> "tuple[Cognate, ..
         ("right, at O₄", right, (b, c, a, d), (d, 0.0), c),
     ):
         size = abs(share)
-        own = arm * size / share if size else complex(arm)
+        place = arm * size / share if size else complex(arm)
         one, two, three, four = (size * link for link in links)
-        result.append(Cognate(name, one, two, three, four, pivot, third, (own.real, own.imag)))
+        result.append(Cognate(name, one, two, three, four, pivot, third, (place.real, place.imag)))
     return tuple(result)

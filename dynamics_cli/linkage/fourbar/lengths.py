@@ -83,9 +83,9 @@ def margin(signs: "Sequence[int]", lengths: "Sequence[float]") -> float:
     if not is_tracked(total):
         return exact
     # the bound is that of the doubles and covers their difference from the decimals
-    own: Any = total
-    error = (own.error + abs(exact - own.value) + UNIT * abs(exact)) * SLACK
-    return type(own)(exact, error, own.slopes)  # type: ignore[no-any-return]
+    tracked: Any = total
+    error = (tracked.error + abs(exact - tracked.value) + UNIT * abs(exact)) * SLACK
+    return type(tracked)(exact, error, tracked.slopes)  # type: ignore[no-any-return]
 
 
 def _of_arrays(signs: "Sequence[int]", lengths: "Sequence[Any]", total: "Any", size: "Any") -> "Any":

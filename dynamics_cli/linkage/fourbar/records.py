@@ -68,7 +68,7 @@ class CurvePoint:
 
     crank_angle: Annotated[Angle, "Crank angle θ₂ [rad]."]
     x: Annotated[Coordinate, "The point, from O₂ along O₂–O₄ [m]."]
-    y: Annotated[Coordinate, "The same, square to it [m]."]
+    y: Annotated[Coordinate, "The point, perpendicular to that line [m]."]
     tangent_angle: Annotated[Angle, "Direction of travel; at a cusp the one in which it leaves [rad]."]
 
 
@@ -79,4 +79,4 @@ class Special:
     crank_angle: Annotated[Angle, "Crank angle there [rad]."]
     second_crank_angle: Annotated[Angle | None, "Crank angle of the second passage; none of a cusp [rad]."]
     x: Annotated[Coordinate, "The point [m]."]
-    y: Annotated[Coordinate, "The same, upwards [m]."]
+    y: Annotated[Coordinate, "The point, upwards [m]."]

@@ -26,17 +26,21 @@ TOUCH = 1e-13
 
 
 class Assembly:
-    """One assembly of the linkage."""
+    """One assembly of the linkage; `solution` numbers those that only Newton's method tells apart."""
 
-    def __init__(self, at: "Pins", words: "tuple[tuple[str, str], ...]", dyads: int) -> None:
+    def __init__(self, at: "Pins", words: "tuple[tuple[str, str], ...]", dyads: int, solution: str = "") -> None:
         self.at = at
         self.words = words
         self.dyads = dyads
+        self.solution = solution
 
     @property
     def text(self) -> str:
         """The decisions in words."""
-        return ", ".join(f"{pin} {word}" for pin, word in self.words) or "the only one"
+        return (
+            ", ".join([*(f"{pin} {word}" for pin, word in self.words), *filter(None, [self.solution])])
+            or "the only one"
+        )
 
 
 class Assembler:
@@ -67,8 +71,10 @@ class Assembler:
         choices = next(self._choices(at), None)
         if choices is None:
             self.newton = True
-            for solution in self._by_newton(at):
-                yield Assembly(solution, words, dyads)
+            solutions = list(self._by_newton(at))
+            for number, solution in enumerate(solutions, 1):
+                numbered = f"solution {number} of {len(solutions)}" if len(solutions) > 1 else ""
+                yield Assembly(solution, words, dyads, numbered)
             return
         name, places = choices
         for word, more in places:
@@ -209,8 +215,8 @@ class Assembler:
             return self._missed(abs(height) - abs(way), f"{slide.point} on the line of {shape.name}")
         places = []
         for word, sign in (("ahead", 1.0), ("behind", -1.0)):
-            own = complex(sign * max(room, 0.0) ** 0.5, height) * line
-            turn = way / own
+            seen = complex(sign * max(room, 0.0) ** 0.5, height) * line
+            turn = way / seen
             turn = turn / abs(turn)
             places.append((
                 word, {pin: at[pivot] + turn * (shape.points[pin] - shape.points[pivot]) for pin in shape.points}
@@ -239,7 +245,7 @@ class Assembler:
             if gap <= 1e3 * SETTLED and all(np.abs(q - other).max() > SAME for other in solutions):
                 solutions.append(q)
         if not solutions:
-            self._missed(best, "the links that hang on each other")
+            self._missed(best, "links that can only be placed together")
         solutions.sort(key=lambda q: q.round(9).tolist())
         for q in solutions:
             places = system.positions(q)

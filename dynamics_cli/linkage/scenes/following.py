@@ -42,7 +42,7 @@ class Followed:
 
 
 class Motion:
-    """The rows, the range that the driver went through, and what is to be said of it."""
+    """The rows, the range that the driver went through, and advice about it."""
 
     def __init__(self, rows: "list[Followed]", ends: "tuple[float | None, float | None]", words: str) -> None:
         self.rows = tuple(rows)
@@ -74,15 +74,15 @@ def followed(system: "System", q: "Any", name: str, steps: int, turn: "float | N
     span = travel or (TURN if turn is None else turn)
     ahead = Continuation(system, q)
     rows = [_row(ahead, name)]
-    whole = _along(ahead, rows, name, [span * (k + 1) / steps for k in range(steps)])
+    reached = _along(ahead, rows, name, [span * (k + 1) / steps for k in range(steps)])
     parts = [ahead]
-    if not whole and turn is None and not first.point:
+    if not reached and turn is None and not first.point:
         back = Continuation(system, q)
         behind: list[Followed] = []
         _along(back, behind, name, [-span * (k + 1) / steps for k in range(steps)])
         rows = [*behind[::-1], *rows]
         parts.append(back)
-    return _told(parts, _unwrapped(rows), whole)
+    return _motion(parts, _unwrapped(rows), reached)
 
 
 def _along(walk: "Continuation", rows: "list[Followed]", name: str, shifts: "list[float]") -> bool:
@@ -118,7 +118,7 @@ def _unwrapped(rows: "list[Followed]") -> "list[Followed]":
     return out
 
 
-def _told(parts: "list[Continuation]", rows: "list[Followed]", whole: bool) -> Motion:
+def _motion(parts: "list[Continuation]", rows: "list[Followed]", reached: bool) -> Motion:
     first = parts[0].start.scene.drivers[0]
     kind = Coordinate if first.point else Angle
     base = first.position if first.point else first.angle
@@ -135,7 +135,7 @@ def _told(parts: "list[Continuation]", rows: "list[Followed]", whole: bool) -> M
             at=(crossed[0], kind),
         )
         motion.advice += (Advice("change-point", words, remedy="a second driver there decides which way it goes"),)
-    if not whole:
+    if not reached:
         words = worded(
             "the linkage follows its driver from {low:8} to {high:8} only",
             low=(ends[0], kind),

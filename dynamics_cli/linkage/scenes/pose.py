@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 SINGULAR = 1e-9
 # Parts of this share of the largest are rounding.
 DUST = 1e-14
+# An angular acceleration of this share of that which the fastest pin would give is rounding.
+TURNED = 1e-13
 
 
 @record
@@ -97,11 +99,12 @@ def _link(shape: "Any", at: "Any", moving: "Any", bending: "Any", drivers: "Any"
         return LinkMotion(shape.name, angle, None, None)
     for driver in drivers:
         if driver.link == shape.name and driver.against == GROUND:
-            # what is given is what is said
+            # the driver's own rates, without rounding
             return LinkMotion(shape.name, angle, driver.speed, driver.angular_acceleration)
     turn = (base.conjugate() * (moving[shape.last] - moving[shape.first])).imag / square
     bend = (base.conjugate() * (bending[shape.last] - bending[shape.first])).imag / square
-    return LinkMotion(shape.name, angle, turn, bend)
+    least = TURNED * max(map(abs, bending.values())) / square**0.5
+    return LinkMotion(shape.name, angle, turn, bend if abs(bend) > least else 0.0)
 
 
 def pair(values: "Any", pin: str, scale: float) -> "Any":

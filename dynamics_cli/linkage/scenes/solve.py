@@ -151,6 +151,13 @@ def chosen(system: "System", possible: "list[Assembly]", listed: bool) -> "Assem
             pin=repr(pin),
             code="side",
         )
+        require(
+            pin in decided or not any(one.solution for one in possible),
+            "the side of {pin} selects none of these assemblies, which Newton's method found: see --assemblies",
+            pin=repr(pin),
+            code="side",
+            hint="select one by [[near]] with a pin and its approximate position",
+        )
     fits = [one for one in possible if all(wanted.get(pin, word) == word for pin, word in one.words)]
     require(
         bool(fits),
@@ -168,7 +175,9 @@ def chosen(system: "System", possible: "list[Assembly]", listed: bool) -> "Assem
         count=len(fits),
         list="; ".join(one.text for one in fits[:LISTED]) if named else "see --assemblies",
         code="which-assembly",
-        hint="add [[sides]] with pin and side to the scene, or [[near]] with a pin and roughly where it is",
+        hint="add [[sides]] with pin and side to the scene, or [[near]] with a pin and roughly where it is"
+        if named
+        else "add [[near]] to the scene, with a pin and roughly where it is",
     )
     return fits[0]
 

@@ -49,8 +49,13 @@ def checked(scene: Scene) -> None:
     for name in names:
         require(names.count(name) == 1, "two links are called {name}", name=repr(name), code="same-name")
     for link in scene.links:
-        own = [pin.name for pin in link.points]
-        require(len(set(own)) == len(own), "a pin stands twice in link {link}", link=repr(link.name), code="same-pin")
+        pin_names = [pin.name for pin in link.points]
+        require(
+            len(set(pin_names)) == len(pin_names),
+            "link {link} has a pin twice",
+            link=repr(link.name),
+            code="same-pin",
+        )
         ends = [complex(*pin.at) for pin in link.points]
         require(
             link.name == GROUND or (len(ends) >= 2 and max(abs(end - ends[0]) for end in ends) > 0.0),
@@ -123,9 +128,9 @@ class System:
 
     def turned_against(self, driver: Driver) -> "tuple[Shape, Shape, float]":
         """The driven link, what it is turned against, and the angle between their bases."""
-        own, other = self.shapes[driver.link], self.shapes[driver.against]
-        base = other.base if driver.against != GROUND else 1.0 + 0j
-        return own, other, driver.angle + float(np.angle(own.base)) - float(np.angle(base))
+        driven, base_link = self.shapes[driver.link], self.shapes[driver.against]
+        base = base_link.base if driver.against != GROUND else 1.0 + 0j
+        return driven, base_link, driver.angle + float(np.angle(driven.base)) - float(np.angle(base))
 
     def _build(self) -> None:
         fixed = {driver.link for driver in self.scene.drivers if not driver.point and driver.against == GROUND}
@@ -142,8 +147,8 @@ class System:
         for driver in self.scene.drivers:
             if driver.point:
                 slide = next(one for one in self.scene.slides if one.point == driver.point)
-                own = self.shapes[slide.link].points
-                span = abs(own[slide.end] - own[slide.start])
+                points = self.shapes[slide.link].points
+                span = abs(points[slide.end] - points[slide.start])
                 self._add(
                     f"driver of {driver.point}", ("push", slide.point, slide.start, slide.end, span, driver, self.scale)
                 )
@@ -251,12 +256,12 @@ def _second_drift(row: "Row", at: "dict[str, complex]", moving: "dict[str, compl
         return change.imag if row[4] else change.real  # type: ignore[no-any-return]
     if row[0] == "angle":
         driver, turn = row[6], np.exp(-1j * row[5])
-        own, other = at[row[2]] - at[row[1]], at[row[4]] - at[row[3]]
-        own_, other_ = moving[row[2]] - moving[row[1]], moving[row[4]] - moving[row[3]]
-        change = own_ * other.conjugate() + own * other_.conjugate()
+        driven, base = at[row[2]] - at[row[1]], at[row[4]] - at[row[3]]
+        driven_rate, base_rate = moving[row[2]] - moving[row[1]], moving[row[4]] - moving[row[3]]
+        change = driven_rate * base.conjugate() + driven * base_rate.conjugate()
         square = driver.speed * driver.speed
-        whole = -2j * driver.speed * change - (1j * driver.angular_acceleration + square) * own * other.conjugate()
-        return (whole * turn).imag  # type: ignore[no-any-return]
+        second = -2j * driver.speed * change - (1j * driver.angular_acceleration + square) * driven * base.conjugate()
+        return (second * turn).imag  # type: ignore[no-any-return]
     if row[0] == "push":
         return -row[4] * row[5].acceleration / scale  # type: ignore[no-any-return]
     return 0.0

@@ -285,12 +285,8 @@ def _table(a: float, b: float, e: float, end: End, steps: int) -> "tuple[SliderS
     side = 1.0 if end == RIGHT else -1.0
     reach = side * np.sqrt((b - height) * (b + height))
     with np.errstate(all="ignore"):
-        lean = -a * cosine / reach
-        bend = (a * sine + lean * lean * height) / reach
-        slope = -a * sine - lean * height
-        curved = -a * cosine - lean * lean * reach - bend * height
-    still = reach == 0.0
-    shown = (np.where(still, np.nan, part) for part in (slope, curved))
+        slopes = _slopes(a, b, e, side, (cosine, sine))
+    shown = (np.where(reach == 0.0, np.nan, part) for part in slopes)
     columns = (theta, a * cosine + reach, *shown, np.arctan2(height, np.abs(reach)))
     rows = zip(*(column.tolist() for column in columns), strict=True)
     return tuple(SliderStep(*(value if isfinite(value) else None for value in row)) for row in rows)  # type: ignore[arg-type]

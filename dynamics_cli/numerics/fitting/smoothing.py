@@ -13,6 +13,7 @@ import numpy as np
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
 DEGREE = 5
@@ -103,6 +104,16 @@ class Smooth:
         spline = self._spline(self.knots, np.eye(count), DEGREE)
         values = spline(t) if order == 0 else spline.derivative(order)(t)
         return (values @ self._basis) / self.span**order
+
+    def curve(self, order: int) -> "Callable[[float], Any]":
+        """The smooth function, or its derivative of that order, of a single time: faster than `at`, without noise."""
+        spline = self._spline(self.knots, self._basis @ self._parts, DEGREE).derivative(order)
+        middle = self._middle if order == 0 else 0.0
+
+        def value(time: float) -> "Any":
+            return spline(min(max((time - self.start) / self.span, 0.0), 1.0)) / self.span**order + middle
+
+        return value
 
     def at(self, times: "Any", order: int) -> "tuple[Any, Any]":
         """Values or derivatives at some times, a row for each, and the standard deviation of every coordinate there.

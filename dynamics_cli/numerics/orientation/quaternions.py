@@ -4,11 +4,11 @@ Every function takes numbers, arrays and tracked numbers, and keeps its digits a
 """
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import atan2, cos, hypot, maximum, sin, sqrt, where
+from dynamics_cli.numerics.elementary import atan2, cos, maximum, sin, sqrt, where
 from dynamics_cli.numerics.number import is_tracked
 from dynamics_cli.numerics.orientation.rotations import Matrix
 from dynamics_cli.numerics.turns import turned
-from dynamics_cli.numerics.vectors import Vector
+from dynamics_cli.numerics.vectors import Vector, length
 
 Quaternion = tuple[float, float, float, float]
 
@@ -23,11 +23,6 @@ def opposite(x: float) -> float:
     if is_tracked(other) and other == 0.0:
         other.value = 0.0  # type: ignore[attr-defined]
     return other
-
-
-def length(v: Vector) -> float:
-    """The length of a vector, whatever its size."""
-    return hypot(hypot(v[0], v[1]), v[2])
 
 
 def multiply(p: Quaternion, q: Quaternion) -> Quaternion:

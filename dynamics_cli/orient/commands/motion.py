@@ -70,7 +70,7 @@ POINTS = Task(
         "dynamics_cli.orient.motion.points:points",
         source=BOOK + "section 4.9",
         formula="v_Q = v_P + ω × r, a_Q = a_P + α × r + ω × (ω × r)",
-        assumptions=(RIGID, "all vectors by components in one set of axes"),
+        assumptions=(RIGID, "all vectors in one set of axes"),
     ),
     headline=(
         "angular_velocity: angular velocity ω",
@@ -110,7 +110,7 @@ MOVING_POINT = Task(
         "dynamics_cli.orient.motion.moving_point:moving_point",
         source=BOOK + "section 4.10",
         formula="v = v_O + ω × r + v_rel, a = a_O + α × r + ω × (ω × r) + 2·ω × v_rel + a_rel",
-        assumptions=(RIGID, "all vectors by components in one set of axes"),
+        assumptions=(RIGID, "all vectors in one set of axes"),
     ),
     headline=(
         "velocity: velocity v",

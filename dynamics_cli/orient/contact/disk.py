@@ -3,10 +3,10 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.orientation.quaternions import length, opposite, rotated
+from dynamics_cli.numerics.orientation.quaternions import opposite, rotated
 from dynamics_cli.numerics.orientation.rotations import about_axis, product
 from dynamics_cli.numerics.turns import turned
-from dynamics_cli.numerics.vectors import Vector, add, cross
+from dynamics_cli.numerics.vectors import Vector, add, cross, length
 from dynamics_cli.quantities import (
     AccelerationVector,
     Angle,
@@ -32,15 +32,15 @@ class Disk:
     angular_velocity: Annotated[AngularVelocity, "Angular velocity ω [rad/s]."]
     angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration α [rad/s^2]."]
     centre_velocity: Annotated[Velocity, "Velocity of the centre [m/s]."]
-    centre_speed: Annotated[Speed, "Its size [m/s]."]
+    centre_speed: Annotated[Speed, "Its magnitude [m/s]."]
     centre_acceleration: Annotated[AccelerationVector, "Acceleration of the centre [m/s^2]."]
     contact_acceleration: Annotated[
         AccelerationVector, "Acceleration of the disk's point that touches the floor; its velocity is zero [m/s^2]."
     ]
     rim_velocity: Annotated[Velocity, "Velocity of the rim point asked for [m/s]."]
     rim_acceleration: Annotated[AccelerationVector, "Acceleration of the rim point [m/s^2]."]
-    fixed_centre_velocity: Annotated[Velocity, "Velocity of the centre by fixed components, z up [m/s]."]
-    fixed_centre_acceleration: Annotated[AccelerationVector, "Acceleration of the centre by fixed components."]
+    fixed_centre_velocity: Annotated[Velocity, "Velocity of the centre in fixed components, z up [m/s]."]
+    fixed_centre_acceleration: Annotated[AccelerationVector, "Acceleration of the centre in fixed components."]
     contact_path_speed: Annotated[Speed, "Speed at which the point of contact runs along the floor [m/s]."]
     centre_path_radius: Annotated[Length | None, "Radius of the centre's circle, at a steady tilt [m]."] = None
     contact_path_radius: Annotated[Length | None, "Radius of the circle on the floor, at a steady tilt [m]."] = None

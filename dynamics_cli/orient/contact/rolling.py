@@ -2,8 +2,8 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.orientation.quaternions import length, unit
-from dynamics_cli.numerics.vectors import Vector, add, cross, dot, scale, subtract
+from dynamics_cli.numerics.orientation.quaternions import unit
+from dynamics_cli.numerics.vectors import Vector, add, cross, dot, length, scale, subtract
 from dynamics_cli.quantities import (
     AngularAccelerationVector,
     AngularRate,
@@ -47,7 +47,7 @@ class RollerMotion:
 
     rate: Annotated[AngularRate | None, "The rate that was unknown [rad/s]."]
     angular_velocity: Annotated[AngularVelocity, "Angular velocity [rad/s]."]
-    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its magnitude [rad/s]."]
     angular_acceleration: Annotated[
         AngularAccelerationVector, "Angular acceleration at constant rates: the known part × the rest [rad/s^2]."
     ]
@@ -61,11 +61,11 @@ class Rolling:
     first: Annotated[RollerMotion, "Motion of the first body."]
     second: Annotated[RollerMotion, "Motion of the second body."]
     slip: Annotated[Velocity, "Velocity of the first body's point of contact over the second's [m/s]."]
-    slip_speed: Annotated[Speed, "Its size along the surfaces: zero when they roll [m/s]."]
+    slip_speed: Annotated[Speed, "Its magnitude along the surfaces: zero when they roll [m/s]."]
     closing_speed: Annotated[Speed, "Its part along the normal: not zero when they separate or press in [m/s]."]
     spin: Annotated[AngularRate, "Relative angular velocity about the normal [rad/s]."]
     roll: Annotated[AngularVelocity, "Relative angular velocity along the surfaces [rad/s]."]
-    roll_speed: Annotated[AngularRate, "Its size [rad/s]."]
+    roll_speed: Annotated[AngularRate, "Its magnitude [rad/s]."]
     advice: tuple[Advice, ...] = ()
 
 
@@ -176,9 +176,9 @@ def _moved(body: Roller, axis: "Vector | None", arm: Vector, rate: "float | None
     omega = body.angular_velocity
     alpha: Vector = NOTHING
     if axis is not None and rate is not None:
-        own = scale(rate, axis)
-        alpha = cross(omega, own)
-        omega = add(omega, own)
+        sought = scale(rate, axis)
+        alpha = cross(omega, sought)
+        omega = add(omega, sought)
     return RollerMotion(rate, omega, length(omega), alpha, add(body.velocity, cross(omega, arm)))
 
 

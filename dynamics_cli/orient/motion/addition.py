@@ -1,9 +1,9 @@
 """Angular velocity and acceleration along a chain of bodies, each turning about an axis in the one before it."""
 
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.orientation.quaternions import length, rotated, unit
+from dynamics_cli.numerics.orientation.quaternions import rotated, unit
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, axis_angle, product
-from dynamics_cli.numerics.vectors import Vector, add, cross, scale
+from dynamics_cli.numerics.vectors import Vector, add, cross, length, scale
 from dynamics_cli.orient.turns.compose import letter
 from dynamics_cli.quantities import (
     Angle,
@@ -34,10 +34,10 @@ class Link:
 
 @record
 class LinkMotion:
-    """Motion of one body of the chain, by fixed components."""
+    """Motion of one body of the chain, in fixed components."""
 
     name: Annotated[Text, "The body."]
-    axis: Annotated[Direction, "Its axis now, by fixed components [-]."]
+    axis: Annotated[Direction, "Its axis now, in fixed components [-]."]
     angular_velocity: Annotated[AngularVelocity, "Its angular velocity [rad/s]."]
     angular_acceleration: Annotated[AngularAccelerationVector, "Its angular acceleration [rad/s^2]."]
     relative_velocity: Annotated[AngularVelocity, "Its angular velocity in the body before [rad/s]."]
@@ -51,10 +51,10 @@ class LinkMotion:
 class Chain:
     """Angular velocity and acceleration of the last body, and of each."""
 
-    angular_velocity: Annotated[AngularVelocity, "Angular velocity of the last body, by fixed components [rad/s]."]
-    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
+    angular_velocity: Annotated[AngularVelocity, "Angular velocity of the last body, in fixed components [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its magnitude [rad/s]."]
     angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration of the last body [rad/s^2]."]
-    angular_acceleration_size: Annotated[AngularAcceleration, "Its size [rad/s^2]."]
+    angular_acceleration_size: Annotated[AngularAcceleration, "Its magnitude [rad/s^2]."]
     links: Annotated[tuple[LinkMotion, ...], "Each body in order."]
     checks: tuple[Check, ...] = ()
 
@@ -94,11 +94,13 @@ def addition(*, links: Annotated[Link | tuple[Link, ...], "The bodies of the cha
     for nth, link in enumerate(chain):
         axis = rotated(matrix, unit(link.axis, "the axis of a link is the zero vector"))
         relative = scale(link.rate, axis)
-        own = scale(link.acceleration, axis)
+        relative_acceleration = scale(link.acceleration, axis)
         carried = cross(omega, relative)
-        omega, alpha = add(omega, relative), add(alpha, add(own, carried))
+        omega, alpha = add(omega, relative), add(alpha, add(relative_acceleration, carried))
         matrix = product(matrix, axis_angle(link.axis, link.angle))
-        moved.append(LinkMotion(link.name or letter(nth + 1), axis, omega, alpha, relative, own, carried))
+        moved.append(
+            LinkMotion(link.name or letter(nth + 1), axis, omega, alpha, relative, relative_acceleration, carried)
+        )
     return Chain(
         angular_velocity=omega,
         angular_speed=length(omega),
@@ -116,10 +118,10 @@ def _checks(moved: "list[LinkMotion]") -> tuple[Check, ...]:
     size = 1e-300
     for link in reversed(moved):
         relative = tuple(map(plain, link.relative_velocity))
-        own = tuple(map(plain, link.relative_acceleration))
-        term = cross(relative, inner)  # type: ignore[arg-type]
-        total = add(add(total, own), term)  # type: ignore[arg-type]
-        size = max(size, *map(abs, (*own, *term, *map(plain, link.carried))))
+        acceleration = tuple(map(plain, link.relative_acceleration))
+        carried = cross(relative, inner)  # type: ignore[arg-type]
+        total = add(add(total, acceleration), carried)  # type: ignore[arg-type]
+        size = max(size, *map(abs, (*acceleration, *carried, *map(plain, link.carried))))
         inner = add(inner, relative)  # type: ignore[arg-type]
     off = max(abs(plain(x) - y) for x, y in zip(moved[-1].angular_acceleration, total, strict=True)) / size
     return (Check("sum from the other end", off <= TOLERANCE, off, TOLERANCE),)

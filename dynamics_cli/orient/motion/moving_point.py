@@ -1,7 +1,6 @@
 """A point that moves on a moving body: its velocity and acceleration, term by term."""
 
-from dynamics_cli.numerics.orientation.quaternions import length
-from dynamics_cli.numerics.vectors import add, cross, scale
+from dynamics_cli.numerics.vectors import FrameTerms, length
 from dynamics_cli.quantities import (
     Acceleration,
     AccelerationVector,
@@ -22,9 +21,9 @@ class MovingPoint:
     """Velocity and acceleration of the point, with their terms."""
 
     velocity: Annotated[Velocity, "Velocity of the point [m/s]."]
-    speed: Annotated[Speed, "Its size [m/s]."]
+    speed: Annotated[Speed, "Its magnitude [m/s]."]
     acceleration: Annotated[AccelerationVector, "Acceleration of the point [m/s^2]."]
-    acceleration_size: Annotated[Acceleration, "Its size [m/s^2]."]
+    acceleration_size: Annotated[Acceleration, "Its magnitude [m/s^2]."]
     carried_velocity: Annotated[Velocity, "ω × r: velocity of the body there, from its turning [m/s]."]
     origin_acceleration: Annotated[AccelerationVector, "Acceleration of the body's origin [m/s^2]."]
     tangential: Annotated[AccelerationVector, "α × r [m/s^2]."]
@@ -49,7 +48,7 @@ def moving_point(
         NOTHING
     ),
 ) -> MovingPoint:
-    """Velocity and acceleration of a point that moves on a moving body, all vectors by components in one set of axes.
+    """Velocity and acceleration of a point that moves on a moving body, all vectors in one set of axes.
 
     Equation
     --------
@@ -77,21 +76,21 @@ def moving_point(
     >>> answer.velocity, answer.acceleration
     ((0.5, 2.0, 0.0), (-4.0, 2.0, 0.0))
     """
-    turning = cross(angular_velocity, position)
-    tangential = cross(angular_acceleration, position)
-    centripetal = cross(angular_velocity, turning)
-    coriolis = scale(2.0, cross(angular_velocity, relative_velocity))
-    velocity = add(add(origin_velocity, turning), relative_velocity)
-    acceleration = add(add(add(origin_acceleration, tangential), add(centripetal, coriolis)), relative_acceleration)
+    terms = FrameTerms(
+        position,
+        (angular_velocity, angular_acceleration),
+        (relative_velocity, relative_acceleration),
+        (origin_velocity, origin_acceleration),
+    )
     return MovingPoint(
-        velocity=velocity,
-        speed=length(velocity),
-        acceleration=acceleration,
-        acceleration_size=length(acceleration),
-        carried_velocity=turning,
+        velocity=terms.velocity,
+        speed=length(terms.velocity),
+        acceleration=terms.acceleration,
+        acceleration_size=length(terms.acceleration),
+        carried_velocity=terms.spun,
         origin_acceleration=origin_acceleration,
-        tangential=tangential,
-        centripetal=centripetal,
-        coriolis=coriolis,
+        tangential=terms.angular,
+        centripetal=terms.centripetal,
+        coriolis=terms.coriolis,
         relative=relative_acceleration,
     )

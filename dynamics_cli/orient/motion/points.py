@@ -3,8 +3,7 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import maximum, sqrt, total, where
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.orientation.quaternions import length
-from dynamics_cli.numerics.vectors import Vector, add, cross, dot, scale, subtract
+from dynamics_cli.numerics.vectors import Vector, add, cross, dot, length, scale, subtract
 from dynamics_cli.quantities import (
     AccelerationVector,
     AngularAccelerationVector,
@@ -21,9 +20,9 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, Check, record
 
 NOTHING = (0.0, 0.0, 0.0)
-# Points whose spread across their line is this share of that along it do not tell the turning about the line.
+# Points whose spread across their line is this share of that along it do not determine the turning about the line.
 COLLINEAR = 1e-9
-# A departure from rigidity above this share of the velocities is worth a word.
+# A departure from rigidity above this share of the velocities is worth a remark.
 RIGID = 1e-6
 TOLERANCE = 1e-12
 # A misfit below this share of the fastest velocity is rounding.
@@ -46,7 +45,7 @@ class PointMotion:
     name: Annotated[Text, "The point."]
     position: Annotated[Position, "Where it is [m]."]
     velocity: Annotated[Velocity, "Its velocity [m/s]."]
-    speed: Annotated[Speed, "Its size [m/s]."]
+    speed: Annotated[Speed, "Its magnitude [m/s]."]
     acceleration: Annotated[AccelerationVector | None, "Its acceleration, where the body's motion is given [m/s^2]."]
     misfit: Annotated[Speed, "How far a measured velocity is from the rigid body's [m/s]."]
 
@@ -56,7 +55,7 @@ class Points:
     """Motion of a body and of its points."""
 
     angular_velocity: Annotated[AngularVelocity, "Angular velocity of the body [rad/s]."]
-    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its magnitude [rad/s]."]
     axis: Annotated[Direction | None, "Direction of the instantaneous screw axis; without turning none [-]."]
     axis_point: Annotated[Position | None, "Its point nearest to the origin [m]."]
     slide: Annotated[Speed, "Speed along the axis [m/s]."]
@@ -114,9 +113,9 @@ def points(
     velocity, alpha, omega = base_velocity, angular_acceleration, angular_velocity
     if omega is None:
         base, velocity, omega = _from_velocities(each)
-    elif len(told := [point for point in each if point.velocity is not None]) == 1 and _at_rest(base, base_velocity):
-        # the one point whose velocity is told is the base that was meant
-        base, velocity = told[0].position, told[0].velocity or velocity
+    elif len(moving := [point for point in each if point.velocity is not None]) == 1 and _at_rest(base, base_velocity):
+        # the one point with a velocity is the base that was meant
+        base, velocity = moving[0].position, moving[0].velocity or velocity
     moved, total = [], 0.0
     for nth, point in enumerate(each, 1):
         r = subtract(point.position, base)
@@ -151,7 +150,7 @@ def points(
 
 
 def _at_rest(base: Vector, velocity: Vector) -> bool:
-    """Whether nothing is said of a base: the origin, at rest."""
+    """Whether no base was given: the origin, at rest."""
     return single(*base, *velocity) and not any(plain(part) for part in (*base, *velocity))
 
 
@@ -170,10 +169,10 @@ def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, 
     base = scale(share, _total([point.position for point in points]))
     velocity = scale(share, _total(given))
     arms = [subtract(point.position, base) for point in points]
-    moved = [subtract(own, velocity) for own in given]
+    differences = [subtract(measured, velocity) for measured in given]
     second = [[total(d[i] * d[j] for d in arms) for j in range(3)] for i in range(3)]
     trace = second[0][0] + second[1][1] + second[2][2]
-    right = _total([cross(d, u) for d, u in zip(arms, moved, strict=True)])
+    right = _total([cross(d, u) for d, u in zip(arms, differences, strict=True)])
     # the cofactors of tr(S)·1 − S give its inverse; it is singular when all points lie on a line
     m = [[(trace if i == j else 0.0) - second[i][j] for j in range(3)] for i in range(3)]
     cofactors = [cross(_row(m, 1), _row(m, 2)), cross(_row(m, 2), _row(m, 0)), cross(_row(m, 0), _row(m, 1))]
@@ -200,10 +199,10 @@ def _row(m: "list[list[float]]", i: int) -> Vector:
 
 
 def _total(vectors: "list[Vector]") -> Vector:
-    whole = vectors[0]
+    total = vectors[0]
     for other in vectors[1:]:
-        whole = add(whole, other)
-    return whole
+        total = add(total, other)
+    return total
 
 
 def _axis_point(base: Vector, velocity: Vector, axis: Vector, spin: float) -> Vector:

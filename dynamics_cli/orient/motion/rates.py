@@ -2,10 +2,10 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.orientation.quaternions import length, multiply, rotated, upright
+from dynamics_cli.numerics.orientation.quaternions import multiply, rotated, upright
 from dynamics_cli.numerics.orientation.rotations import Matrix, about_axis, product, transposed
 from dynamics_cli.numerics.orientation.sequences import Sequence, names_of, quaternion_of_angles, sequence_of
-from dynamics_cli.numerics.vectors import Vector, add, cross, dot, scale
+from dynamics_cli.numerics.vectors import Vector, add, cross, dot, length, scale
 from dynamics_cli.quantities import (
     AngleAccelerations,
     AngleRates,
@@ -24,7 +24,7 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, Check, record
 
 NOTHING = (0.0, 0.0, 0.0)
-# Rates this many times the angular velocity deserve a word.
+# Rates this many times the angular velocity deserve a remark.
 SENSITIVE = 50.0
 # What rounding leaves of a round trip, relative to the size of the rates.
 TOLERANCE = 1e-13
@@ -46,9 +46,9 @@ class ByRates:
 class ByFixed:
     """Angular velocity in fixed components."""
 
-    angular_velocity: Annotated[AngularVelocity, "Angular velocity by fixed components, e.g. 0.1, 0.3, 0 rad/s."]
+    angular_velocity: Annotated[AngularVelocity, "Angular velocity in fixed components, e.g. 0.1, 0.3, 0 rad/s."]
     angular_acceleration: Annotated[
-        AngularAccelerationVector, "Angular acceleration by fixed components, e.g. 0, 0, 5 rad/s^2."
+        AngularAccelerationVector, "Angular acceleration in fixed components, e.g. 0, 0, 5 rad/s^2."
     ] = NOTHING
 
 
@@ -57,10 +57,10 @@ class ByBody:
     """Angular velocity in body components, as gyroscopes on the body measure it."""
 
     body_angular_velocity: Annotated[
-        AngularVelocity, "Angular velocity by body components, as gyroscopes read it, e.g. 0.1, 0.3, 0 rad/s."
+        AngularVelocity, "Angular velocity in body components, as gyroscopes read it, e.g. 0.1, 0.3, 0 rad/s."
     ]
     body_angular_acceleration: Annotated[
-        AngularAccelerationVector, "Angular acceleration by body components, e.g. 0, 0, 5 rad/s^2."
+        AngularAccelerationVector, "Angular acceleration in body components, e.g. 0, 0, 5 rad/s^2."
     ] = NOTHING
 
 
@@ -68,12 +68,12 @@ class ByBody:
 class Rates:
     """Angular velocity and acceleration beside the rates of the angles."""
 
-    angular_velocity: Annotated[AngularVelocity, "Angular velocity ω by fixed components [rad/s]."]
-    body_angular_velocity: Annotated[AngularVelocity, "The same by body components [rad/s]."]
-    angular_speed: Annotated[AngularRate, "Its size [rad/s]."]
-    angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration α by fixed components [rad/s^2]."]
-    body_angular_acceleration: Annotated[AngularAccelerationVector, "The same by body components [rad/s^2]."]
-    angular_acceleration_size: Annotated[AngularAcceleration, "Its size [rad/s^2]."]
+    angular_velocity: Annotated[AngularVelocity, "Angular velocity ω in fixed components [rad/s]."]
+    body_angular_velocity: Annotated[AngularVelocity, "The same in body components [rad/s]."]
+    angular_speed: Annotated[AngularRate, "Its magnitude [rad/s]."]
+    angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration α in fixed components [rad/s^2]."]
+    body_angular_acceleration: Annotated[AngularAccelerationVector, "The same in body components [rad/s^2]."]
+    angular_acceleration_size: Annotated[AngularAcceleration, "Its magnitude [rad/s^2]."]
     angle_rates: Annotated[AngleRates, "Rates of the three angles, in their order [rad/s]."]
     angle_accelerations: Annotated[AngleAccelerations, "Second rates of the three angles [rad/s^2]."]
     quaternion_rate: Annotated[Quaternion, "Rate of the quaternion w, x, y, z [1/s]."]
@@ -126,20 +126,20 @@ def rates(
     """
     sequence = sequence_of(euler_order)
     back = sequence.fixed
-    axes, whole = _axes(sequence, euler_angles[::-1] if back else euler_angles)
+    axes, matrix = _axes(sequence, euler_angles[::-1] if back else euler_angles)
     if isinstance(motion, ByRates):
         first, second = motion.angle_rates, motion.angle_accelerations
         omega, alpha = _forward(axes, first[::-1] if back else first, second[::-1] if back else second)
     else:
         if isinstance(motion, ByBody):
-            omega = rotated(whole, motion.body_angular_velocity)
-            alpha = rotated(whole, motion.body_angular_acceleration)
+            omega = rotated(matrix, motion.body_angular_velocity)
+            alpha = rotated(matrix, motion.body_angular_acceleration)
         else:
             omega, alpha = motion.angular_velocity, motion.angular_acceleration
-        own, others = _backward(axes, omega, alpha)
-        first, second = (own[::-1], others[::-1]) if back else (own, others)
+        solved, second_solved = _backward(axes, omega, alpha)
+        first, second = (solved[::-1], second_solved[::-1]) if back else (solved, second_solved)
     ordered = axes[::-1] if back else axes
-    inverse = transposed(whole)
+    inverse = transposed(matrix)
     volume = abs(dot(axes[0], cross(axes[1], axes[2])))
     q = quaternion_of_angles(euler_angles, sequence)
     rate = multiply((0.0, *omega), upright(q))
@@ -153,7 +153,7 @@ def rates(
         angle_rates=first,
         angle_accelerations=second,
         quaternion_rate=(0.5 * rate[0], 0.5 * rate[1], 0.5 * rate[2], 0.5 * rate[3]),
-        rotation_matrix=whole,
+        rotation_matrix=matrix,
         first_partial=ordered[0],
         second_partial=ordered[1],
         third_partial=ordered[2],
@@ -169,10 +169,10 @@ def _axes(sequence: Sequence, angles: Vector) -> "tuple[Matrix, Matrix]":
     i, j, k = sequence.axes
     first = about_axis(i, angles[0])
     both = product(first, about_axis(j, angles[1]))
-    whole = product(both, about_axis(k, angles[2]))
+    matrix = product(both, about_axis(k, angles[2]))
     unit = tuple(1.0 if axis == i else 0.0 for axis in range(3))
     second, third = (tuple(row[j] for row in first), tuple(row[k] for row in both))
-    return (unit, second, third), whole  # type: ignore[return-value]
+    return (unit, second, third), matrix  # type: ignore[return-value]
 
 
 def _gyroscopic(axes: Matrix, first: Vector) -> Vector:
@@ -217,12 +217,12 @@ def _checks(axes: Matrix, omega: Vector, alpha: Vector, volume: float) -> tuple[
     if not plain(volume) > LOCK:
         return ()
     rows = tuple(tuple(map(plain, axis)) for axis in axes)
-    one = tuple(map(plain, omega))
-    two = tuple(map(plain, alpha))
-    first, second = _backward(rows, one, two)  # type: ignore[arg-type]
+    velocity = tuple(map(plain, omega))
+    acceleration = tuple(map(plain, alpha))
+    first, second = _backward(rows, velocity, acceleration)  # type: ignore[arg-type]
     again, more = _forward(rows, first, second)  # type: ignore[arg-type]
-    size = 1.0 + max(map(abs, (*one, *two, *first, *second))) + max(map(abs, first)) ** 2
-    off = max(abs(x - y) for x, y in zip((*again, *more), (*one, *two), strict=True)) / size
+    size = 1.0 + max(map(abs, (*velocity, *acceleration, *first, *second))) + max(map(abs, first)) ** 2
+    off = max(abs(x - y) for x, y in zip((*again, *more), (*velocity, *acceleration), strict=True)) / size
     return (Check("rates give the angular velocity", off <= TOLERANCE, off, TOLERANCE),)
 
 

@@ -35,14 +35,14 @@ def _polygon(terms: "Sequence[tuple[str, Any]]", total: "Any", name: str, title:
     """Vectors tip to tail, and their sum."""
     given = [(label, numbers(v)) for label, v in terms]
     given = [(label, v) for label, v in given if any(v)]
-    whole = numbers(total)
-    view = view_of([whole, *(v for _, v in given)])
+    resultant = numbers(total)
+    view = view_of([resultant, *(v for _, v in given)])
     items: list[Any] = []
     at: Vector = (0.0, 0.0, 0.0)
     for role, (label, v) in enumerate(given, 1):
         items.append(arrow(v, label, role % 6, view, start=at))
         at = _sum(at, v)
-    items.append(arrow(whole, name, 0, view, dashed=len(given) > 1))
+    items.append(arrow(resultant, name, 0, view, dashed=len(given) > 1))
     return scene(items, title)
 
 
@@ -140,8 +140,8 @@ def rolling(answer: "Any", *, normal: "Any", **_: "Any") -> Picture:
     n = _unit(numbers(normal))
     spin = float(plain(answer.spin))
     roll = numbers(answer.roll)
-    whole = _sum(roll, tuple(spin * part for part in n))
-    size = _size(whole) or 1.0
+    relative = _sum(roll, tuple(spin * part for part in n))
+    size = _size(relative) or 1.0
     first = _unit(roll) if any(roll) else _unit((n[1] - n[2], n[2] - n[0], n[0] - n[1]))
     across = (
         n[1] * first[2] - n[2] * first[1],
@@ -160,7 +160,7 @@ def rolling(answer: "Any", *, normal: "Any", **_: "Any") -> Picture:
             arrow(tuple(part / size for part in roll), "roll", 2),
             arrow(tuple(spin / size * part for part in n), "spin", 1),
         ]
-    items.append(arrow(tuple(part / size for part in whole), "ω₁ − ω₂", 0))
+    items.append(arrow(tuple(part / size for part in relative), "ω₁ − ω₂", 0))
     subtitle = worded(
         "roll {r}, spin {s}, slip {v}",
         r=(answer.roll_speed, AngularRate),

@@ -3,10 +3,10 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, length, of_rotation, rotated, unit, upright
+from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, of_rotation, rotated, unit, upright
 from dynamics_cli.numerics.orientation.rotations import Matrix, from_quaternion, product, transposed
 from dynamics_cli.numerics.orientation.sequences import angles_of_quaternion, sequence_of
-from dynamics_cli.numerics.vectors import Vector, cross, dot, scale, subtract
+from dynamics_cli.numerics.vectors import Vector, cross, dot, length, scale, subtract
 from dynamics_cli.orient.turns.jacobi4 import largest
 from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Direction, Positive, Quaternion, Ratio, Text
 from dynamics_cli.quantities import RotationMatrix as RotationMatrixKind
@@ -33,7 +33,7 @@ class Pair:
     """A direction before and after the turn."""
 
     before: Annotated[Direction, "Direction in the body, of any length, e.g. 1, 0, 0."]
-    after: Annotated[Direction, "The same direction by fixed components, e.g. 0, 1, 0."]
+    after: Annotated[Direction, "The same direction in fixed components, e.g. 0, 1, 0."]
     weight: Annotated[Positive, "Its weight, as 1/variance, e.g. 2."] = 1.0
     name: Annotated[Text | None, "Its name, e.g. sun."] = None
 
@@ -59,7 +59,9 @@ class Aligned:
     euler_order: Annotated[Text, "The sequence."]
     residual: Annotated[Angle, "Weighted root mean square of the remaining angles [rad]."]
     largest_residual: Annotated[Angle, "The largest of them [rad]."]
-    sharpness: Annotated[Ratio, "How well directions tell the rotation: 0 on one line, 1 and more spread out [-]."]
+    sharpness: Annotated[
+        Ratio, "How well the directions determine the rotation: 0 on one line, 1 and more spread out [-]."
+    ]
     pairs: Annotated[tuple[Fit, ...], "Each pair."]
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -80,7 +82,7 @@ def align(
     Returns
     -------
     Aligned
-        The rotation, what it leaves of each pair, and how well the directions tell it.
+        The rotation, what it leaves of each pair, and how well the directions determine it.
 
     Raises
     ------

@@ -43,7 +43,7 @@ class Between:
     """The turn from one orientation to another."""
 
     rotation_angle: Annotated[Angle, "Angle of the turn, from 0 to 180° [rad]."]
-    rotation_axis: Annotated[Direction, "Its axis by fixed components [-]."]
+    rotation_axis: Annotated[Direction, "Its axis in fixed components [-]."]
     body_axis: Annotated[Direction, "Its axis by components in either body, which are the same [-]."]
     quaternion: Annotated[Quaternion, "The turn in axes of the first orientation: q₁⁻¹·q₂ [-]."]
     rotation_matrix: Annotated[RotationMatrixKind, "R₁ᵀ·R₂ [-]."]

@@ -102,7 +102,7 @@ def compose(
     chain = turns if isinstance(turns, tuple) else (turns,)
     frames: list[Matrix] = [IDENTITY]
     steps: list[Matrix] = []
-    whole: Quaternion = (1.0, 0.0, 0.0, 0.0)
+    composed: Quaternion = (1.0, 0.0, 0.0, 0.0)
     for turn in chain:
         axis = "xyz".index(turn.axis)
         step = about_axis(axis, turn.angle)
@@ -110,19 +110,19 @@ def compose(
         frames.append(product(frames[-1], step) if about == "body" else product(step, frames[-1]))
         cosine, sine = turned(0.5 * turn.angle)
         one = (cosine, *(sine if k == axis else 0.0 for k in range(3)))
-        whole = multiply(whole, one) if about == "body" else multiply(one, whole)  # type: ignore[arg-type]
-    whole = upright(whole)
-    rotation_axis, angle = axis_and_angle(whole)
+        composed = multiply(composed, one) if about == "body" else multiply(one, composed)  # type: ignore[arg-type]
+    composed = upright(composed)
+    rotation_axis, angle = axis_and_angle(composed)
     names = [base, *(turn.name or letter(nth) for nth, turn in enumerate(chain, 1))]
-    alone = single(*whole)
+    alone = single(*composed)
     return Composed(
         rotation_angle=angle,
         rotation_axis=rotation_axis,
-        quaternion=whole,
+        quaternion=composed,
         rotation_matrix=frames[-1],
         cosines=_table(frames, steps if about == "body" else [], names) if alone else (),
         frames=" → ".join(names),
-        checks=_checks(frames[-1], whole) if alone else (),
+        checks=_checks(frames[-1], composed) if alone else (),
     )
 
 
@@ -141,8 +141,8 @@ def _table(frames: "list[Matrix]", steps: "list[Matrix]", names: "list[str]") ->
 def _checks(matrix: Matrix, q: Quaternion) -> tuple[Check, ...]:
     bare = tuple(map(plain, q))
     off = distance_of(matrix, matrix_of(bare))  # type: ignore[arg-type]
-    own = distance_of(product(transposed(matrix), matrix), IDENTITY)
+    departure = distance_of(product(transposed(matrix), matrix), IDENTITY)
     return (
         Check("quaternions give the same total", off <= TOLERANCE, off, TOLERANCE),
-        Check("RᵀR = 1", own <= TOLERANCE, own, TOLERANCE),
+        Check("RᵀR = 1", departure <= TOLERANCE, departure, TOLERANCE),
     )

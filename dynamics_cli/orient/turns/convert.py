@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 ROUNDING = 4e-16
 # An angle that is not known to this [rad] is not determined.
 UNDETERMINED = 0.1
-# Angles this many times as sensitive as the rotation deserve a word.
+# Angles this many times as sensitive as the rotation deserve a remark.
 SENSITIVE = 50.0
 # A residual above this is a mistake of the program.
 TOLERANCE = 1e-14

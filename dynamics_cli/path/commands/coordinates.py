@@ -159,14 +159,14 @@ COMPONENTS = Task(
 
 RELATIVE = Task(
     "relative",
-    "Relative motion of two points, and their closest approach.",
+    "Relative motion of two points or recorded tracks, and their closest approach.",
     Model(
         "two motions",
-        "dynamics_cli.path.relative:relative",
+        "dynamics_cli.path.relative.task:relative",
         source=BOOK + "3.4",
         formula="{closest_time|t} = −Δr·Δv/‖Δv‖²; {closest_distance|d} = ‖Δr×Δv‖/‖Δv‖ (without relative acceleration)",
         assumptions=(
-            "accelerations are constant, or positions formulas of t",
+            "accelerations are constant, positions formulas of t, or smoothed tracks whose times count on one clock",
             "seen from the first point, in axes that do not turn",
         ),
     ),
@@ -175,15 +175,21 @@ RELATIVE = Task(
         "closest_distance: closest approach",
         "closest_time: closest after",
         "closest_speed: relative speed there",
+        "shown_time: relative motion at",
         "distance: distance at the given time",
         "closing_speed",
+        "closest_distance_noise: noise of the closest distance",
+        "closest_time_noise: noise of its time",
+        "closing_speed_noise: noise of the closing speed",
         "position: relative position",
         "velocity: relative velocity",
         "acceleration: relative acceleration",
     ),
+    table="points",
     examples=(
         'dynamics path relative --first-velocity "15, 0, 0 m/s" --second-position "120, -80, 0 m" '
         '--second-velocity "0, 11, 0 m/s"',
+        "dynamics path relative --first-track examples/near_miss/car.csv --second-track examples/near_miss/van.csv",
         'dynamics path relative --first-x "4*cos(0.5*t) m" --first-y "4*sin(0.5*t) m" --second-position "0, 9, 0 m" '
         '--second-velocity "0.8, -1, 0 m/s" --end "12 s"',
     ),

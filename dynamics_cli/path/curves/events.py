@@ -135,7 +135,7 @@ def _integral(
     """The integral, the piece with the largest error halved again and again, and the sum of the errors."""
     pieces = [_piece(function, low, high, _gauss(function, low, high))]
     for _ in range(halvings):
-        error, start, end, _whole, left, right = pieces[0]
+        error, start, end, _undivided, left, right = pieces[0]
         middle = 0.5 * (start + end)
         if math.fsum(-piece[0] for piece in pieces) <= allowed or not start < middle < end or error == 0.0:
             break
@@ -144,11 +144,11 @@ def _integral(
     return math.fsum(piece[3] for piece in pieces), math.fsum(-piece[0] for piece in pieces)
 
 
-def _piece(function: "Callable[[float], float]", low: float, high: float, whole: float) -> tuple[float, ...]:
+def _piece(function: "Callable[[float], float]", low: float, high: float, undivided: float) -> tuple[float, ...]:
     """Minus the error of a piece, its ends, its integral, and those of its halves."""
     middle = 0.5 * (low + high)
     left, right = _gauss(function, low, middle), _gauss(function, middle, high)
-    return -abs(left + right - whole), low, high, left + right, left, right
+    return -abs(left + right - undivided), low, high, left + right, left, right
 
 
 _RULE = legendre(NODES)

@@ -5,6 +5,7 @@ import math
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import is_many, plain
 from dynamics_cli.numerics.tracked import Tracked
+from dynamics_cli.numerics.vectors import length
 from dynamics_cli.path.bends import Bend, advice_of
 from dynamics_cli.path.coordinates import parts_check
 from dynamics_cli.path.curves.events import Event, arc_lengths, events
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
 MOST_STEPS = 2000
 # A derivative beside the difference quotient of the function itself.
 QUOTIENT = 1e-5
-# An arc length less certain than this share of it is said to be.
+# An arc length less certain than this share of it is reported as uncertain.
 LOOSE = 1e-6
 DUST = 4e-15
 
@@ -128,18 +129,18 @@ def curve(
     """
     motion = MovingPoint({"x": x, "y": y, "z": z}, shape, _parameter(shape, angle_law, length_law), let)
     first, last, now = _range(start, end, at, steps)
-    whole = not (drawing() or is_many(now))
-    if whole:
+    complete = not (drawing() or is_many(now))
+    if complete:
         motion.check(first, last)
     state = motion.sharp(now)
-    made = state.bend
+    bend = state.bend
     lengths: tuple[float | None, float] = (None, 0.0)
     events_met: tuple[Event, ...] = ()
     rows: tuple[Point, ...] = ()
     if not is_many(now) and drawing() and last > first:
         arcs, doubt = arc_lengths(motion.plainly(), [first, last])
         lengths = (arcs[-1], doubt)
-    elif whole and last > first:
+    elif complete and last > first:
         plainly = motion.plainly()
         times = [first + (last - first) * i / steps for i in range(steps)] + [last]
         arcs, doubt = arc_lengths(plainly, times)
@@ -151,25 +152,25 @@ def curve(
         position=state.position,
         velocity=state.velocity,
         acceleration=state.acceleration,
-        speed=made.speed,
-        acceleration_size=made.magnitude,
-        tangential=made.tangential,
-        normal=made.normal,
-        radius_of_curvature=made.radius,
-        curvature=made.curvature,
-        torsion=None if motion.flat else made.torsion,
-        jerk_size=_size(state),
+        speed=bend.speed,
+        acceleration_size=bend.magnitude,
+        tangential=bend.tangential,
+        normal=bend.normal,
+        radius_of_curvature=bend.radius,
+        curvature=bend.curvature,
+        torsion=None if motion.flat else bend.torsion,
+        jerk_size=length(state.jerk),
         arc_length=lengths[0],
         events=events_met or None,
         points=rows,
         numerics=_numerics(lengths),
-        checks=(*parts_check(made), *(_quotient(motion.plainly(), plain(now), first, last) if whole else ())),
-        advice=(*_advice(made, motion.flat), *_loose(lengths)),
+        checks=(*parts_check(bend), *(_quotient(motion.plainly(), plain(now), first, last) if complete else ())),
+        advice=(*_advice(bend, motion.flat), *_loose(lengths)),
     )
 
 
-def _parameter(shape: "Any", angle: Formula | None, length: Formula | None) -> Formula | None:
-    given = [name for name, law in (("angle", angle), ("length", length)) if law is not None]
+def _parameter(shape: "Any", angle: Formula | None, along: Formula | None) -> Formula | None:
+    given = [name for name, law in (("angle", angle), ("length", along)) if law is not None]
     require(len(given) < 2, "a curve has one parameter: angle law and length law are both given", code="exclusive")
     if not given:
         return None
@@ -184,7 +185,7 @@ def _parameter(shape: "Any", angle: Formula | None, length: Formula | None) -> F
         wanted=shape.parameter,
     )
     require(shape.parameter != "time", "the parameter of this curve is the time itself: it has no law", code="law")
-    return angle if angle is not None else length
+    return angle if angle is not None else along
 
 
 def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, float, Any]":
@@ -223,12 +224,6 @@ def _row(state: State, time: float, arc: float, flat: bool) -> Point:
 def _without_dust(part: float, size: float) -> float:
     """Zero for what the rounding of times and variables alone leaves beside a size."""
     return 0.0 if abs(part) < DUST * size else part
-
-
-def _size(state: State) -> "Any":
-    from dynamics_cli.path.bends import norm
-
-    return norm(state.jerk)
 
 
 def _numerics(lengths: "tuple[float | None, float]") -> Numerics | None:

@@ -24,17 +24,34 @@ MOST_ROWS = 20000
 EQUATOR, ECCENTRICITY = 6378137.0, 6.69437999014e-3
 
 
-class Track:
-    """Times [s] and positions [m] as rows of numbers; `globe` says that they were latitudes and longitudes."""
+class Origin:
+    """Latitude [rad] and longitude [deg] of a plane's origin, and metres to a radian of each."""
 
-    def __init__(self, times: "list[float]", places: "list[list[float]]", globe: bool) -> None:
+    def __init__(self, first: "dict[str, float]", latitudes: "list[float]") -> None:
+        self.latitude, self.longitude = latitudes[0], first["lon"]
+        middle = 0.5 * (min(latitudes) + max(latitudes))
+        bulge = 1.0 - ECCENTRICITY * math.sin(middle) ** 2
+        self.north = EQUATOR * (1.0 - ECCENTRICITY) / bulge**1.5
+        self.east = EQUATOR / math.sqrt(bulge) * math.cos(middle)
+
+
+class Track:
+    """Times [s] and positions [m] as rows of numbers, with the origin of those that were latitudes and longitudes."""
+
+    def __init__(
+        self, times: "list[float]", places: "list[list[float]]", names: "list[str]", origin: Origin | None
+    ) -> None:
         self.times = times
         self.places = places
-        self.globe = globe
+        self.names = names
+        self.origin = origin
 
 
-def read_track(file: str) -> Track:
+def read_track(file: str, origin: Origin | None = None) -> Track:
     """Read a track; refuse what is not numbers, times that do not increase, and too few points.
+
+    Latitudes and longitudes become east and north of the origin given, or of the track's first point, on the plane that
+    touches the ellipsoid half way.
 
     Raises
     ------
@@ -58,9 +75,16 @@ def read_track(file: str) -> Track:
             after=(after, Time),
         )
     names = [name for name in LENGTHS if name in columns]
-    if "lat" in columns:
-        return Track(times, _on_a_plane(numbers, names), globe=True)
-    return Track(times, [[row[name] for name in names] for row in numbers], globe=False)
+    if "lat" not in columns:
+        return Track(times, [[row[name] for name in names] for row in numbers], names, None)
+    latitudes = [math.radians(row["lat"]) for row in numbers]
+    origin = origin or Origin(numbers[0], latitudes)
+    places = []
+    for row, latitude in zip(numbers, latitudes, strict=True):
+        turned = math.radians(math.remainder(row["lon"] - origin.longitude, 360.0))
+        flat = [origin.east * turned, origin.north * (latitude - origin.latitude)]
+        places.append([*flat, row["z"]] if "z" in names else flat)
+    return Track(times, places, ["x", "y", *(["z"] if "z" in names else [])], origin)
 
 
 def _columns(header: "list[str]") -> "dict[str, tuple[int, float]]":
@@ -93,7 +117,7 @@ def _columns(header: "list[str]") -> "dict[str, tuple[int, float]]":
 
 
 def _row(row: "list[str]", columns: "dict[str, tuple[int, float]]", line: int) -> "dict[str, float]":
-    made = {}
+    numbers = {}
     for name, (place, factor) in columns.items():
         text = row[place].strip() if place < len(row) else ""
         try:
@@ -108,26 +132,8 @@ def _row(row: "list[str]", columns: "dict[str, tuple[int, float]]", line: int) -
             line=line,
             text=repr(text),
         )
-        made[name] = value * factor
-    return made
-
-
-def _on_a_plane(rows: "list[dict[str, float]]", names: "list[str]") -> "list[list[float]]":
-    """East and north of the first point, on the plane that touches the ellipsoid half way."""
-    latitudes = [math.radians(row["lat"]) for row in rows]
-    middle = 0.5 * (min(latitudes) + max(latitudes))
-    bulge = 1.0 - ECCENTRICITY * math.sin(middle) ** 2
-    north = EQUATOR * (1.0 - ECCENTRICITY) / bulge**1.5
-    east = EQUATOR / math.sqrt(bulge) * math.cos(middle)
-    first = rows[0]
-    up = "z" in names
-
-    def place(row: "dict[str, float]", latitude: float) -> "list[float]":
-        turned = math.remainder(row["lon"] - first["lon"], 360.0)
-        flat = [east * math.radians(turned), north * (latitude - latitudes[0])]
-        return [*flat, row["z"]] if up else flat
-
-    return [place(row, latitude) for row, latitude in zip(rows, latitudes, strict=True)]
+        numbers[name] = value * factor
+    return numbers
 
 
 def third_differences(values: "Any") -> float:

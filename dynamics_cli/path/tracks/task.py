@@ -3,7 +3,8 @@
 import math
 
 from dynamics_cli.errors import require
-from dynamics_cli.path.tracks.file import Track, read_track, third_differences
+from dynamics_cli.path.tracks.file import read_track, third_differences
+from dynamics_cli.path.tracks.fitted import advice_of_fit, fitted, require_enough
 from dynamics_cli.quantities import (
     Acceleration,
     Annotated,
@@ -24,13 +25,6 @@ if TYPE_CHECKING:
 
     from dynamics_cli.numerics.fitting.smoothing import Smooth
 
-FEWEST = 8
-# Residuals this many times the stated deviation say that one of the two is wrong.
-TOO_FAR = 1.5
-# Freedom above this share of the points means that hardly anything is smoothed.
-BUSY = 0.5
-# A plane that touches the globe is good for so far.
-FLAT = 20e3
 ENERGY = 1e-6
 
 
@@ -63,7 +57,7 @@ class TrackPoint:
 
 @record
 class TrackMotion:
-    """What a measured track says of the motion."""
+    """The motion behind a measured track."""
 
     top_speed: Annotated[Speed, "Highest speed [m/s]."]
     top_speed_time: Annotated[Time, "When [s]."]
@@ -125,17 +119,8 @@ def table(
     """
     import numpy as np
 
-    from dynamics_cli.numerics.fitting.smoothing import Smooth
-
     track = read_track(file)
-    require(
-        len(track.times) >= FEWEST,
-        "the track has {count} points: an acceleration with its noise needs at least {fewest}",
-        code="few-points",
-        count=len(track.times),
-        fewest=FEWEST,
-    )
-    require(sigma is None or sigma > 0.0, "the standard deviation is not above zero", code="sigma")
+    require_enough(track, sigma)
     times, places = np.array(track.times), np.array(track.places)
     step = float(np.median(np.diff(times)))
     raw = third_differences(places) if sigma is None else sigma
@@ -148,7 +133,7 @@ def table(
         sigma=(raw, Length),
         step=(step, Time),
     )
-    fit = Smooth(times, places, sigma)
+    fit = fitted(track, sigma)
     motion = _Motion(fit, times)
     return TrackMotion(
         **motion.extremes(),
@@ -164,7 +149,7 @@ def table(
         points=motion.rows(),
         numerics=Numerics("quintic smoothing spline; noise is the standard deviation of each number"),
         checks=(motion.energy(),),
-        advice=_advice(fit, track, len(times)),
+        advice=advice_of_fit(fit, track),
     )
 
 
@@ -245,22 +230,3 @@ class _Motion:
         size = float((self.speed**2).max()) or 1.0
         apart = abs(work - gained) / size
         return Check("v² − v₀² = 2∫a·v", apart <= ENERGY, apart, ENERGY)
-
-
-def _advice(fit: "Smooth", track: Track, count: int) -> tuple[Advice, ...]:
-    from dynamics_cli.errors import worded
-
-    advice = []
-    if fit.sigma_given is not None and not 1.0 / TOO_FAR < fit.measured_sigma / fit.sigma_given < TOO_FAR:
-        apart = worded(
-            "the positions scatter by {found} about the smoothed track, not by the stated {given}",
-            found=(fit.measured_sigma, Length),
-            given=(fit.sigma_given, Length),
-        )
-        advice.append(Advice("sigma", apart, remedy="leave out --sigma, or look for outliers in the track"))
-    if fit.freedom > BUSY * count or (fit.thinned and fit.freedom > BUSY * len(fit.knots)):
-        text = "the motion changes nearly as fast as it was sampled: noise can hardly be told from motion"
-        advice.append(Advice("busy", text, remedy="measure more often, or give a part of the track"))
-    if track.globe and max(map(abs, (x for place in track.places for x in place[:2]))) > FLAT:
-        advice.append(Advice("far", "the track is too long for a plane map", remedy="give a part of it"))
-    return tuple(advice)
