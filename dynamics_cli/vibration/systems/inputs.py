@@ -181,13 +181,16 @@ class System:
             rest += [(one, other, k * more / whole) for other, more in star[nth + 1 :] if other != one]
         return rest
 
-    def whole_shape(self, shape: "Sequence[float]") -> "list[float]":
-        """A shape with the massless bodies put back."""
-        made = [0.0] * len(self.names)
-        for place, value in zip(self.kept, shape, strict=True):
-            made[place] = value
+    def whole(self, shapes: "Any") -> "Any":
+        """Shapes in rows with the massless bodies put back."""
+        import numpy as np
+
+        if not self.condensed:
+            return shapes
+        made = np.zeros((len(shapes), len(self.names)), dtype=shapes.dtype)
+        made[:, self.kept] = shapes
         for body, star in reversed(self.condensed):
-            made[body] = sum(weight * (made[other] if other != GROUND else 0.0) for other, weight in star)
+            made[:, body] = sum(weight * made[:, other] for other, weight in star if other != GROUND)
         return made
 
     # ---- matrices ----
@@ -213,18 +216,5 @@ class System:
 
         if self.elements is None:
             return self.mass, self.stiffness, self.damping
-        n = len(self.kept)
-        mass = np.diag(self.elements.masses)
-        stiffness, damping = _assembled(self.elements.springs, n), _assembled(self.dampers, n)
-        return mass, stiffness, damping if self.dampers else None
-
-
-def _assembled(springs: "list[tuple[int, int, float]]", n: int) -> "Any":
-    import numpy as np
-
-    made = np.zeros((n, n))
-    for i, j, k in springs:
-        for a, b, sign in ((i, i, 1.0), (j, j, 1.0), (i, j, -1.0), (j, i, -1.0)):
-            if a != GROUND and b != GROUND:
-                made[a, b] += sign * k
-    return made
+        damping = self.elements.assembled(self.dampers) if self.dampers else None
+        return np.diag(self.elements.masses), self.elements.assembled(self.elements.springs), damping

@@ -17,7 +17,7 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.vibration.single.oscillator import AtFrequency, AtSpeed, require_damping
 from dynamics_cli.vibration.systems.inputs import Bodies, Line, Matrices, MatrixFiles, System
-from dynamics_cli.vibration.systems.modes import undamped
+from dynamics_cli.vibration.systems.modes import LOST, undamped
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -71,12 +71,12 @@ class Receptances:
         self.mass, self.stiffness, self.damping = those.matrices()
         omega, shapes, errors, _ = undamped(those)
         require(
-            all(error < 0.01 for error in errors) or those.elements is not None,
+            those.elements is not None or bool((errors < LOST).all()),
             "a soft mode is lost in the rounding of the matrices",
             code="lost",
             hint="give masses and springs: --masses and --stiffnesses, or --body and --coupling",
         )
-        self.omega, self.shapes = np.array(omega), np.array(shapes).T
+        self.omega, self.shapes = omega, shapes.T
         self.zeta: Any = np.full(len(omega), damping_ratio or 0.0)
         self.coupled = False
         if self.damping is not None:
