@@ -270,6 +270,7 @@ if TYPE_CHECKING:
     AngleFormula = Formula
     AccelerationFormula = Formula
     EnergyFormula = Formula
+    ForceFormula = Formula
     Variable = Let
     Text = str
     Unit = str
@@ -771,6 +772,9 @@ else:
     )
     EnergyFormula = Kind(
         "energy formula", "J", form="formula", example="4*x^4 - 2*x^2 J", about="an energy, its unit at its end"
+    )
+    ForceFormula = Kind(
+        "force formula", "N", form="formula", example="200*sin(12*t) N", about="a force over time, its unit at its end"
     )
     Variable = Kind("variable", "", form="let", example="a=3 m", about="a variable of the formulas")
     Text = Kind("text", "", form="text", example="a name", about="words")

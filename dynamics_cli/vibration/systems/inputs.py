@@ -144,6 +144,15 @@ class System:
         )
         return self.names.index(name)
 
+    def moving(self, name: str) -> int:
+        """The place of a coordinate that has a mass among those that have one."""
+        place = self.place(name)
+        require(
+            place in self.kept, "{name} has no mass: it is condensed, and nothing acts or is read there",
+            name=repr(name), code="condensed",
+        )  # fmt: skip
+        return self.kept.index(place)
+
     def _join(
         self, masses: "Sequence[float]", ends: "list[tuple[int, int]]", stiffnesses: "Sequence[float]",
         dampings: "Sequence[float]",
