@@ -14,8 +14,9 @@ from dynamics_cli.records import Formula
 from dynamics_cli.vibration.shocks.pulses import Shape
 from dynamics_cli.vibration.shocks.transient import Push, transient
 from dynamics_cli.vibration.single.oscillator import DampingShare, Spring
-from dynamics_cli.vibration.systems.history import BaseLaw, ForceLaw, Recorded, SineBase, SineForce, history
+from dynamics_cli.vibration.systems.history import history
 from dynamics_cli.vibration.systems.inputs import Line, Matrices, System
+from dynamics_cli.vibration.systems.loads import BaseLaw, ForceLaw, Recorded, SineBase, SineForce
 from dynamics_cli.vibration.systems.modal import Modal
 
 REFERENCES: dict[str, Any] = json.loads((Path(__file__).parent / "motion.json").read_text(encoding="utf-8"))

@@ -8,7 +8,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.expressions.laws import law_of
 from dynamics_cli.quantities import Time
 from dynamics_cli.vibration.records_file import read_load
-from dynamics_cli.vibration.systems.history import BaseLaw, ForceLaw, Reach, Recorded, SineBase, SineForce
+from dynamics_cli.vibration.systems.loads import BaseLaw, ForceLaw, Reach, Recorded, SineBase, SineForce
 from dynamics_cli.vibration.systems.modal import Modal
 
 TYPE_CHECKING = False
