@@ -68,9 +68,9 @@ class Matrices:
 class MatrixFiles:
     """Matrices in files, in SI units."""
 
-    mass_file: Annotated[InputFile, "CSV of the mass matrix in kg, without a header."]
-    stiffness_file: Annotated[InputFile, "CSV of the stiffness matrix in N/m."]
-    damping_file: Annotated[InputFile, "CSV of the damping matrix in N*s/m."] = ""
+    mass_file: Annotated[InputFile, "CSV of the mass matrix in kg, without a header, e.g. mass.csv."]
+    stiffness_file: Annotated[InputFile, "CSV of the stiffness matrix in N/m, e.g. stiffness.csv."]
+    damping_file: Annotated[InputFile, "CSV of the damping matrix in N*s/m, e.g. damping.csv."] = ""
 
 
 class System:
