@@ -247,3 +247,8 @@ def test_some_columns_of_a_sweep_with_their_spread() -> None:
     assert len(outcome.out.splitlines()) == 3
     refused = run(*call, "--only", "sped")
     assert (refused.status, "results of rows are speed," in refused.err) == (2, True)
+
+
+def test_a_result_of_an_input_s_name_is_said_to_be_one() -> None:
+    call = ("vibration", "free", "--natural-frequency", "3 Hz", "--sweep", "damping_ratio=0.1:0.2:2")
+    assert "damping ratio (result)" in run(*call).out

@@ -1,8 +1,9 @@
-"""Writes tests/vibration/motion.json: shocks, nonlinear oscillators, complex modes, to 20 digits.
+"""Writes tests/vibration/motion.json: shocks, nonlinear oscillators, complex modes, motions of several masses,
+to 20 digits.
 
 Shocks by exponentials of the matrix of oscillator and load, extremes as zeros of the derivative; van der Pol by Taylor
 series in 32 digits, other nonlinear periods by quadrature of the energy integral; complex modes as roots of the
-characteristic polynomial.
+characteristic polynomial; motions under loads by one exponential of system and load.
 
 Run: python tests/references/generate_vibration_motion_references.py [FILE]. The same bytes every time.
 """
@@ -13,7 +14,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from mpmath import cos, diff, expm, findroot, matrix, mp, mpf, nstr, pi, polyroots, quad, sin, sqrt, zeros
+from mpmath import cos, diag, diff, eigsy, expm, findroot, matrix, mp, mpf, nstr, pi, polyroots, quad, sin, sqrt, zeros
 
 mp.dps = 32
 FILE = Path(__file__).resolve().parents[1] / "vibration" / "motion.json"
@@ -166,10 +167,82 @@ def jumps() -> list[str]:
     return [text(omega) for omega in found]
 
 
+# Masses, springs (the first to the wall), dampers beside them; a ratio for every mode instead of dampers.
+SYSTEMS = {
+    "undamped": ([1, 2, 3], [100, 200, 50], None, "0"),
+    "one ratio": ([1, 2, 3], [100, 200, 50], None, "0.03"),
+    "overdamped": ([2, 1], [50, 10], None, "1.4"),
+    "proportional": ([2, 2], [100, 100], ["0.5", "0.5"], None),
+    "coupled": ([1, 2, 3], [100, 200, 50], ["0.5", 0, 7], None),
+    "free ends": ([1, 2], [80], [2], None),
+    "soft": ([1, 1, 1], ["0.001", 10**8, 10**8], None, "0.01"),
+}
+# As linear equations of two states, the load is the first: sine, decaying sine, straight lines.
+WAVE, FALL = mpf(9), mpf(3)
+SAMPLES = [(0, 0), ("0.1", 5), ("0.3", -2), ("0.35", 4), ("0.8", 0)]
+
+
+def system(name: str) -> tuple[Any, Any, Any]:
+    """M, C and K."""
+    masses, springs, dampers, ratio = SYSTEMS[name]
+    n = len(masses)
+    walls = [(i - 1, i) for i in range(n)] if len(springs) == n else [(i, i + 1) for i in range(n - 1)]
+
+    def assembled(values: list[Any]) -> Any:
+        made = zeros(n, n)
+        for (i, j), value in zip(walls, values, strict=True):
+            for a, b, sign in ((i, i, 1), (j, j, 1), (i, j, -1), (j, i, -1)):
+                if a >= 0 and b >= 0:
+                    made[a, b] += sign * mpf(value)
+        return made
+
+    mass, stiffness = diag([mpf(m) for m in masses]), assembled(springs)
+    if dampers is not None:
+        return mass, assembled(dampers), stiffness
+    root = diag([sqrt(mpf(m)) for m in masses])
+    values, vectors = eigsy(root**-1 * stiffness * root**-1)
+    rates = diag([2 * mpf(ratio) * sqrt(abs(value)) for value in values])
+    return mass, root * vectors * rates * vectors.T * root, stiffness
+
+
+def histories() -> list[dict[str, Any]]:
+    """Displacement and velocity of the last coordinate at the end, by one exponential of state and load together."""
+    made = []
+    for name in SYSTEMS:
+        mass, damping, stiffness = system(name)
+        n, end = mass.rows, mpf("0.8")
+        inverse = mass**-1
+        for kind in ("sine", "formula", "record"):
+            for based in (False, True):
+                push = -matrix([1] * n) if based else inverse * matrix([1] + [0] * (n - 1))
+                laws = {"sine": [[0, -WAVE], [WAVE, 0]], "formula": [[-FALL, WAVE], [-WAVE, -FALL]],
+                        "record": [[0, 1], [0, 0]]}  # fmt: skip
+                whole = zeros(2 * n + 2, 2 * n + 2)
+                for i in range(n):
+                    whole[i, n + i] = 1
+                whole[n : 2 * n, :n], whole[n : 2 * n, n : 2 * n] = -inverse * stiffness, -inverse * damping
+                whole[n : 2 * n, 2 * n] = push
+                whole[2 * n :, 2 * n :] = matrix(laws[kind])
+                state = zeros(2 * n + 2, 1)
+                steps = [(end, {"sine": (1, 0), "formula": (0, 1), "record": (0, 0)}[kind])]
+                if kind == "record":
+                    points = [(mpf(t), mpf(f)) for t, f in SAMPLES]
+                    steps = [(b[0] - a[0], (a[1], (b[1] - a[1]) / (b[0] - a[0]))) for a, b in pairwise(points)]
+                for length, load in steps:
+                    state[2 * n], state[2 * n + 1] = load
+                    state = expm(whole * length) * state
+                made.append({
+                    "system": name, "load": kind, "base": based, "displacement": text(state[n - 1]),
+                    "velocity": text(state[2 * n - 1]),
+                })  # fmt: skip
+    return made
+
+
 def main(target: Path) -> None:
     made = {
         "about": "Written by generate_vibration_motion_references.py: other formulas than the program's, 32 digits.",
         "shocks": shocks(), "undamped": undamped(), "complex_modes": complex_modes(), "jumps": jumps(),
+        "systems": SYSTEMS, "histories": histories(),
         "van_der_pol": {mu: van_der_pol(mpf(mu)) for mu in ("1",)}, **periods(),
     }  # fmt: skip
     target.write_text(json.dumps(made, indent=1) + "\n", encoding="utf-8")

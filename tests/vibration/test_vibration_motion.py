@@ -5,6 +5,7 @@ import math
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from dynamics_cli.vibration.nonlinear.task import (
@@ -21,7 +22,7 @@ from dynamics_cli.vibration.shocks.pulses import Shape
 from dynamics_cli.vibration.shocks.shock import Pulse, shock
 from dynamics_cli.vibration.shocks.transient import Jolt, Push, transient
 from dynamics_cli.vibration.single.oscillator import DampingShare, Natural, Spring
-from dynamics_cli.vibration.systems.elements import Elements
+from dynamics_cli.vibration.systems.elements import CERTAIN, MOST_PROVED, Elements
 from dynamics_cli.vibration.systems.inputs import Line, Matrices
 from dynamics_cli.vibration.systems.modes import modes
 
@@ -151,21 +152,65 @@ def test_soft_modes_where_matrices_fail() -> None:
 
     made = modes(system=Line((1.0,) * 4, (1e-3, 1e15, 1e15, 1e15)))
     assert made.modes[0].angular_frequency == pytest.approx(0.015811388300841896653, rel=1e-15)
-    import numpy as np
-
     k = np.diag([1e-3 + 1e15, 2e15, 2e15, 1e15]) - 1e15 * (np.eye(4, k=1) + np.eye(4, k=-1))
     assert math.sqrt(abs(eigh(k, eigvals_only=True)[0])) > 5.0 * 0.0158
 
 
 def test_counts_prove_what_a_bound_says() -> None:
     chain = Elements([1.0, 2.0, 3.0], [(0, -1, 1.0), (1, 0, 1e14), (2, 1, 1e3)])
-    values, _ = chain.modes()
+    values = chain.modes()[0].tolist()
     assert chain.proved(values) == 2e-15
     wrong = [values[0] * (1.0 + 1e-6), *values[1:]]
     assert chain.proved(wrong) is None
     ring = Elements([1.0] * 3, [(0, 1, 1.0), (1, 2, 1.0), (2, 0, 1.0)])
-    assert ring.proved(ring.modes()[0]) is None
-    assert [ring.modes()[0][0], ring.modes()[0][1]] == pytest.approx([0.0, math.sqrt(3.0)], abs=1e-15)
+    assert ring.modes()[2] is None
+    assert ring.modes()[0][:2] == pytest.approx([0.0, math.sqrt(3.0)], abs=1e-15)
+
+
+def _uniform(count: int) -> list[float]:
+    """√λ of a chain of equal masses and springs from a wall: 2·sin((2j − 1)π/(4n + 2))."""
+    from mpmath import mp, mpf, sin
+
+    mp.dps = 30
+    return [float(2 * sin((2 * j - 1) * mp.pi / mpf(4 * count + 2))) for j in range(1, count + 1)]
+
+
+@pytest.mark.parametrize("count", [30, 31, 200])
+def test_large_ordinary_chains_are_answered_from_their_matrix(count: int) -> None:
+    """On both sides of the size at which the matrix is tried first, frequencies lie within the bound stated."""
+    chain = Elements([1.0] * count, [(i, i - 1, 1.0) for i in range(count)])
+    omega, _, width = chain.modes()
+    assert width is not None
+    assert width <= CERTAIN
+    off = max(abs(a / b - 1.0) for a, b in zip(omega.tolist(), _uniform(count), strict=True))
+    assert off <= width
+    assert (omega == chain.by_matrix()[0]).all() == (count > MOST_PROVED)
+
+
+def test_large_graded_chains_are_answered_from_their_factor() -> None:
+    """With a soft mount the bound of the matrix says that it does not serve."""
+    soft, stiff = 1e-3, 1e15
+    chain = Elements([1.0] * 40, [(0, -1, soft), *((i, i - 1, stiff) for i in range(1, 40))])
+    assert chain.by_matrix()[2] > 1e3 * CERTAIN
+    omega, _, width = chain.modes()
+    assert width is None
+    assert omega[0] == pytest.approx(math.sqrt(soft / 40.0), rel=EXACT)
+
+
+def test_the_bound_of_frequencies_from_a_matrix_holds() -> None:
+    """Random chains, trees and rings, with springs over more and more decades, beside the factor's frequencies."""
+    chance = np.random.default_rng(7)
+    served = 0
+    for decades in (0, 2, 4, 6, 8):
+        for extra in (0, 3):
+            springs = [(i, int(chance.integers(-1, i)), 10.0 ** chance.uniform(0, decades)) for i in range(40)]
+            springs += [(i, i + 7, 10.0 ** chance.uniform(0, decades)) for i in range(extra)]
+            chain = Elements(chance.uniform(1.0, 3.0, 40).tolist(), springs)
+            (first, _, width), (second, _) = chain.by_matrix(), chain.by_factor()
+            moving = second > 0.0
+            assert abs(first[moving] / second[moving] - 1.0).max() <= width + EXACT
+            served += width <= CERTAIN
+    assert 2 <= served < 10
 
 
 def test_beam_shapes_stay_right_in_high_modes() -> None:

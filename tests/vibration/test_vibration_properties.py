@@ -107,9 +107,8 @@ def test_counts_are_those_of_the_eigenvalues(masses: list[float], data: st.DataO
     carriers = [data.draw(st.integers(-1, i - 1)) for i in range(n)]
     springs = [(i, j, data.draw(sizes)) for i, j in enumerate(carriers)]
     tree = Elements(masses, springs)
-    values, _ = tree.modes()
+    values = tree.modes()[0].tolist()
     assert tree.count_below(square) == sum(value * value < square for value in values)
-    assert tree.count_below(square, exact=False) == tree.count_below(square)
 
 
 @few

@@ -47,8 +47,9 @@ def headline_labels(task: "Task", flat: "dict[str, tuple[Any, str]]", tables: "l
 
 
 def in_words(address: str) -> str:
-    """`first.exit_speed` as words."""
-    return address.replace("_", " ").replace(".", " ")
+    """`first.exit_speed` as words; a result beside an input of its name, `results.speed`, as speed (result)."""
+    beside = address.startswith("results.")
+    return address.removeprefix("results.").replace("_", " ").replace(".", " ") + (" (result)" if beside else "")
 
 
 def input_in_words(address: str, inputs: "dict[str, Any]", names: "dict[str, str]") -> str:

@@ -4,11 +4,18 @@ import math
 from itertools import pairwise
 
 from dynamics_cli.errors import require
-from dynamics_cli.quantities import Time
+from dynamics_cli.quantities import STANDARD_GRAVITY, Time
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 # What a bracket behind the name of the time may say.
 TIMES = {"": 1.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0}
 MOST = 200_000
+# Units of a load.
+FORCES = {"N": 1.0, "kN": 1e3, "lbf": 4.4482216152605}
+ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "g": STANDARD_GRAVITY, "mm/s^2": 1e-3, "ft/s^2": 0.3048}
 
 
 def _cells(file: str) -> "list[list[str]]":
@@ -29,8 +36,10 @@ def _number(text: str, line: int) -> float:
     return value
 
 
-def read_record(file: str, units: "dict[str, float] | None" = None) -> "tuple[list[float], list[float]]":
-    """Times and values of the first two columns; `units` are those that the value's bracket may name, as SI factors.
+def read_record(file: str, units: "dict[str, float] | None" = None) -> "tuple[list[float], list[float], str]":
+    """Times and values of the first two columns, and the unit of the values.
+
+    `units` are those that the value's bracket may name, as SI factors.
 
     Times must increase; a header like `t[s],a[g]` is wanted.
     """
@@ -60,7 +69,7 @@ def read_record(file: str, units: "dict[str, float] | None" = None) -> "tuple[li
     require(all(len(row) == 2 for row in table), "a row of the record has no value", code="number")
     times = [row[0] * TIMES[time] for row in table]
     _require_rising(times)
-    return times, [row[1] * known[unit] for row in table]
+    return times, [row[1] * known[unit] for row in table], unit
 
 
 def _require_rising(times: "list[float]") -> None:
@@ -94,6 +103,14 @@ def read_columns(file: str, known: "dict[str, dict[str, float]]") -> "tuple[list
     times = [row[0] * TIMES[unit] for row in table]
     _require_rising(times)
     return times, {name: [row[k] * known[name][one] for row in table] for k, (name, one) in enumerate(rest, 1)}
+
+
+def read_load(file: str, units: "dict[str, float] | None" = None) -> "tuple[Any, Any, bool]":
+    """Times from zero and values of a recorded load as arrays, and whether it is an acceleration of the base."""
+    import numpy as np
+
+    times, values, unit = read_record(file, units or FORCES | ACCELERATIONS)
+    return np.array(times) - times[0], np.array(values), unit in ACCELERATIONS
 
 
 def read_matrix(file: str) -> "list[list[float]]":

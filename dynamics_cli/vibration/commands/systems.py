@@ -66,4 +66,37 @@ RESPONSE = Task(
     tracked=False,
 )  # fmt: skip
 
-TASKS = (MODES, RESPONSE)
+HISTORY = Task(
+    "history",
+    "Motion of several masses over time under a force or on a shaking base: sine, formula, record.",
+    Model(
+        "motion of a linear system",
+        "dynamics_cli.vibration.systems.history:history",
+        source=BOOK + "sections 13.6 to 13.8",
+        formula="q̈ + C·q̇ + Ω²·q = φᵀ·F(t), x = φ·q; on a base −φᵀ·M·1·a(t)",
+        assumptions=(SMALL, "at rest before", "a base moves all coordinates alike",
+                     "a recorded load runs straight from sample to sample"),
+        method="each mode in closed form, or the exponential of the state matrix where dampers couple modes",
+    ),
+    headline=(
+        "peak: largest displacement", "peak_time: at", "read: of", "work: work of the load", "lost: taken by dampers",
+        "stored: left at the end",
+        "peaks: largest of each | name=coordinate, displacement, time=at, velocity, acceleration",
+    ),
+    examples=(
+        'dynamics vibration history --masses "1, 1, 1 kg" --stiffnesses "10, 10, 10 N/mm" --damping-ratio 0.02 '
+        '--force-law "200*exp(-30*t)*sin(60*t) N" --force-at 1 --duration "1 s"',
+        'dynamics vibration history --body "name=machine, mass=800 kg" --body "name=block, mass=3000 kg" '
+        '--coupling "from=machine, to=block, stiffness=2 kN/mm, damping=4 kN*s/m" '
+        '--coupling "from=block, to=ground, stiffness=9 kN/mm, damping=60 kN*s/m" --base-acceleration "0.2 g" '
+        '--frequency "6 Hz" --duration "2 s"',
+    ),
+    scene={"masses": "1, 1 kg", "stiffnesses": "10, 10 N/mm", "damping_ratio": "0.01", "force": "50 N",
+           "frequency": "9 Hz", "force_at": "1", "duration": "1 s"},
+    table="history",
+    plot=f"{PICTURES}:history",
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
+TASKS = (MODES, RESPONSE, HISTORY)

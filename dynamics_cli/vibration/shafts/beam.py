@@ -180,7 +180,11 @@ def root_of(ends: str, nth: int, beside: "Any" = 0.0) -> "Any":
 
 def shape(ends: str, nth: int, x: float) -> float:
     """The shape at a share of the length: growing and decaying parts by exponentials from their own ends."""
-    beta = root_of(ends, nth)
+    return shape_of(ends, root_of(ends, nth), x)
+
+
+def shape_of(ends: str, beta: float, x: float) -> float:
+    """The same by the root of the mode."""
     if ends == "pinned-pinned":
         return sin(beta * x)
     if ends == "clamped-free":
@@ -210,15 +214,16 @@ def _clamped(beta: float, x: float, kind: float, free: bool = False) -> float:
 
 def nodes(ends: str, nth: int) -> "tuple[float, ...]":
     """Where the shape changes its sign between the ends."""
+    beta = root_of(ends, nth)
     places = [i / LOOKS for i in range(1, LOOKS)]
-    values = [shape(ends, nth, x) for x in places]
+    values = [shape_of(ends, beta, x) for x in places]
     made = []
     for i in range(len(places) - 1):
         if values[i] * values[i + 1] < 0.0 or values[i] == 0.0:
             a, b = (places[i], places[i + 1]) if values[i] else (places[i] - 0.5 / LOOKS, places[i] + 0.5 / LOOKS)
-            start = shape(ends, nth, a) > 0.0
+            start = shape_of(ends, beta, a) > 0.0
             for _ in range(52):
                 half = 0.5 * (a + b)
-                a, b = (half, b) if (shape(ends, nth, half) > 0.0) == start else (a, half)
+                a, b = (half, b) if (shape_of(ends, beta, half) > 0.0) == start else (a, half)
             made.append(0.5 * (a + b))
     return tuple(made)

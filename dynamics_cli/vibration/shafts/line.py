@@ -18,8 +18,6 @@ from dynamics_cli.records import record
 from dynamics_cli.vibration.systems.inputs import FIXED, Bodies, Body, Coupling, System
 
 TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
 
 STEEL = 79.3e9
 # Ratios round a closed train that differ by more, relatively, lock it.
@@ -198,7 +196,7 @@ class ShaftLine:
                 couplings.append(Coupling(ends[0], ends[1], one.spring.rate * square, one.damping * square))
         return System(Bodies(bodies, tuple(couplings)))
 
-    def angles(self, shape: "Any") -> "list[float]":
+    def angles(self, shape: "list[float]") -> "list[float]":
         """The true angles of all rotors, in their own senses, from a shape of the reduced system."""
-        whole = dict(zip(self.system.names, self.system.whole_shape(shape), strict=True))
+        whole = dict(zip(self.system.names, shape, strict=True))
         return [whole[self.names[self.station[nth]]] * self.speeds[nth] for nth in range(len(self.names))]

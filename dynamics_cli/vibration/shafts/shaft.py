@@ -16,7 +16,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
 from dynamics_cli.vibration.shafts.line import Gear, Rotor, Shaft, ShaftLine
-from dynamics_cli.vibration.systems.modes import ROUNDED, undamped
+from dynamics_cli.vibration.systems.modes import undamped
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -111,27 +111,28 @@ def shaft(
     line = ShaftLine(rotors, shafts, gears, reference)
     elements: Any = line.system.elements
     omega, shapes, errors, numerics = undamped(line.system)
-    moving = [(value, shape) for value, shape in zip(omega, shapes, strict=True) if value > 0.0]
-    rows = [_mode(line, elements, nth, value, shape) for nth, (value, shape) in enumerate(moving, 1)]
+    moving = omega > 0.0
+    rigid, whole = int((~moving).sum()), line.system.whole(shapes[moving]).tolist()
+    rows = [_mode(line, nth, *pair) for nth, pair in enumerate(zip(omega[moving].tolist(), whole, strict=True), 1)]
     low, high = _range(lowest_speed, highest_speed)
     criticals = _criticals(rows, orders, low, high)
     count = None
     if below is not None:
         count = elements.count_below((2.0 * math.pi * below) ** 2)
-        count = sum(row.frequency < below for row in rows) if count is None else count - (len(omega) - len(moving))
+        count = sum(row.frequency < below for row in rows) if count is None else count - rigid
     return TorsionalLine(
         rotors=", ".join(line.names),
-        rigid_modes=len(omega) - len(moving),
+        rigid_modes=rigid,
         modes=tuple(rows),
         criticals=criticals,
         modes_below=count,
-        numerics=Numerics(numerics.method, _bounds(len(rows), max(errors))),
-        checks=_checks(elements, moving),
+        numerics=Numerics(numerics.method, _bounds(len(rows), float(errors.max()))),
+        checks=_checks(elements, omega[moving], shapes[moving]),
         advice=(*line.system.advice, *_advice(criticals)),
     )
 
 
-def _mode(line: ShaftLine, elements: "Elements", nth: int, value: float, shape: "list[float]") -> TorsionMode:
+def _mode(line: ShaftLine, nth: int, value: float, shape: "list[float]") -> TorsionMode:
     angles = line.angles(shape)
     largest = max(angles, key=abs)
     twists = []
@@ -154,9 +155,9 @@ def _mode(line: ShaftLine, elements: "Elements", nth: int, value: float, shape: 
 
 
 def _bounds(count: int, width: float) -> "tuple[ErrorBound, ...]":
-    """What counts prove of every frequency."""
+    """What is proved of every frequency."""
     names = ("frequency", "speed") if width else ()
-    return tuple(ErrorBound(f"modes[{nth}].{name}", width + ROUNDED) for nth in range(count) for name in names)
+    return tuple(ErrorBound(f"modes[{nth}].{name}", width) for nth in range(count) for name in names)
 
 
 def _range(low: "float | None", high: "float | None") -> "tuple[float | None, float | None]":
@@ -188,8 +189,8 @@ def _criticals(
     return tuple(sorted(made, key=lambda one: one.speed))
 
 
-def _checks(elements: "Any", moving: "list[tuple[float, list[float]]]") -> "tuple[Check, ...]":
-    worst = max((abs(elements.rayleigh(shape) / value - 1.0) for value, shape in moving), default=0.0)
+def _checks(elements: "Elements", omega: "Any", shapes: "Any") -> "tuple[Check, ...]":
+    worst = float(abs(elements.rayleigh(shapes) / omega - 1.0).max(initial=0.0))
     return (Check("element Rayleigh quotients", worst <= AGREE, worst, AGREE),)
 
 

@@ -144,15 +144,14 @@ def _within(of: Oscillators, times: "Any", loads: "Any", states: "Any", mix: "An
 
 
 def states_of_record(of: Oscillators, times: "Any", loads: "Any") -> "tuple[Any, Any]":
-    """Displacement and velocity of a lone oscillator at every sample."""
-    made = np.zeros((len(times), 2))
+    """Displacements and velocities at every sample of a record of straight lines, an oscillator in each row."""
+    made = np.zeros((len(times), 2, len(of.omega)))
     last_step = -1.0
     factors: tuple[Any, ...] = ()
-    for i in range(len(times) - 1):
-        step = float(times[i + 1] - times[i])
+    for i, step in enumerate(np.diff(times).tolist()):
         if abs(step - last_step) > EVEN * step:
-            last_step, factors = step, tuple(one[:, 0] for one in _factors(of, step))
-        z, v = made[i]
+            last_step, factors = step, _factors(of, step)
         slope = (loads[i + 1] - loads[i]) / step
-        made[i + 1] = factors[0] * z + factors[1] * v + factors[2] * loads[i] + factors[3] * slope
-    return made[:, 0], made[:, 1]
+        of_z, of_v, of_load, of_slope = factors
+        made[i + 1] = of_z * made[i, 0] + of_v * made[i, 1] + (of_load * loads[i] + of_slope * slope)
+    return made[:, 0].T, made[:, 1].T

@@ -63,13 +63,13 @@ def _sinhc(z: "Any") -> "Any":
 
 
 class Oscillators:
-    """Oscillators of one damping ratio: z̈ + 2ζω·ż + ω²·z = load, state (z, ż)."""
+    """Oscillators of one damping ratio, or one each: z̈ + 2ζω·ż + ω²·z = load, state (z, ż)."""
 
-    def __init__(self, omega: "Any", zeta: float) -> None:
+    def __init__(self, omega: "Any", zeta: "Any") -> None:
         self.omega = np.asarray(omega, dtype=float)
         self.zeta = zeta
         self.sigma = zeta * self.omega
-        self.damped = self.omega * np.sqrt(complex((1.0 - zeta) * (1.0 + zeta)))
+        self.damped = self.omega * np.sqrt((1.0 - zeta) * (1.0 + zeta) + 0j)
 
     def some(self, which: "Any") -> "Oscillators":
         """Those of an index or a mask."""
@@ -102,11 +102,12 @@ class Oscillators:
     def _straight(self, a: "Any", b: "Any", t: "Any", s: "Any", c: "Any") -> "tuple[Any, Any]":
         """From rest under a + b·t: closed form, a power series where ω·t is small."""
         omega, square = self.omega, self.omega * self.omega
-        settled = a / square - 2.0 * self.zeta * b / (omega * square)
-        slope = b / square
-        place = settled * (1.0 - c - self.sigma * s) + slope * (t - s)
-        pace = settled * square * s + slope * (1.0 - c + self.sigma * s)
         small = omega * t < SMALL
+        with np.errstate(all="ignore"):
+            settled = a / square - 2.0 * self.zeta * b / (omega * square)
+            slope = b / square
+            place = settled * (1.0 - c - self.sigma * s) + slope * (t - s)
+            pace = settled * square * s + slope * (1.0 - c + self.sigma * s)
         if not np.any(small):
             return place, pace
         terms: list[Any] = [0.0, 0.0]

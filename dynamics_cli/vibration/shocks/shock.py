@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.fitting.records_file import read_record
+from dynamics_cli.numerics.fitting.records_file import ACCELERATIONS, read_load
 from dynamics_cli.quantities import (
     Acceleration,
     Annotated,
@@ -18,7 +18,6 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Columns, Numerics, record
 from dynamics_cli.vibration.shocks.pulses import Shape
-from dynamics_cli.vibration.shocks.transient import ACCELERATIONS
 from dynamics_cli.vibration.single.oscillator import require_damping
 
 TYPE_CHECKING = False
@@ -179,8 +178,7 @@ def _extremes(of: "Any", input_: "Pulse | Recorded") -> "tuple[Any, Any, Any, _S
     mixes = ((-of.omega * of.omega, -2.0 * of.sigma), (np.ones(count), np.zeros(count)))
     state = (np.zeros(count), np.zeros(count))
     if isinstance(input_, Recorded):
-        times, values = (np.array(one) for one in read_record(input_.file, ACCELERATIONS))
-        times = times - times[0]
+        times, values, _ = read_load(input_.file, ACCELERATIONS)
         source = _of_record(times, values)
         for mix, into in zip(mixes, (during, moved), strict=True):
             state = over_record(of, times, -values, mix, into)

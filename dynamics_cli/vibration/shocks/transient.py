@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.fitting.records_file import read_record
+from dynamics_cli.numerics.fitting.records_file import read_load
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -33,8 +33,6 @@ if TYPE_CHECKING:
 ROWS = 241
 # Periods shown after the load has ended, and the most in all.
 AFTER, MOST = 5.0, 60.0
-FORCES = {"N": 1.0, "kN": 1e3, "lbf": 4.4482216152605}
-ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "g": STANDARD_GRAVITY, "mm/s^2": 1e-3, "ft/s^2": 0.3048}
 
 
 @record
@@ -96,20 +94,14 @@ class Load:
     """The load by unit mass as pieces, or as a record; what it is called; its largest size."""
 
     def __init__(self, load: "Any", mass: "float | None") -> None:
-        import numpy as np
-
         from dynamics_cli.vibration.shocks.pulses import pieces
 
         self.based = isinstance(load, Jolt)
         self.shape = ""
         self.pieces: list[Piece] = []
         if isinstance(load, Recorded):
-            times, values = read_record(load.file, FORCES | ACCELERATIONS)
-            with open(load.file, encoding="utf-8-sig") as stream:
-                head = next(line for line in stream if line.strip() and not line.startswith("#"))
-            self.based = head.rpartition("[")[2].strip().rstrip("]").strip() in ACCELERATIONS
-            factor = self._factor(mass)
-            self.times, self.values = np.array(times) - times[0], np.array(values) * factor
+            self.times, values, self.based = read_load(load.file)
+            self.values = values * self._factor(mass)
             self.end = float(self.times[-1])
             self.height = float(abs(self.values).max())
             return
@@ -235,7 +227,7 @@ def _history(of: "Oscillators", loaded: Load) -> "dict[str, Any]":
 
     period = 2.0 * math.pi / float(of.omega[0])
     if not loaded.pieces:
-        z, v = states_of_record(of, loaded.times, loaded.values)
+        (z,), (v,) = states_of_record(of, loaded.times, loaded.values)
         pick = np.unique(np.linspace(0, len(loaded.times) - 1, 8 * ROWS).astype(int))
         return {
             "time": loaded.times[pick], "displacement": z[pick], "velocity": v[pick], "load": loaded.values[pick]

@@ -156,7 +156,7 @@ def _half_power(lower: "Any", upper: "Any") -> Decrement:
 
 def peaks_of(file: str) -> "tuple[list[float], tuple[float, ...]]":
     """Times and heights of the maxima above the middle of the end, by parabolas through three samples."""
-    times, values = read_record(file)
+    times, values, _ = read_record(file)
     tail = values[-max(len(values) // 10, 3) :]
     rest = sum(tail) / len(tail)
     at, sizes = [], []

@@ -68,9 +68,9 @@ class Matrices:
 class MatrixFiles:
     """Matrices in files, in SI units."""
 
-    mass_file: Annotated[InputFile, "CSV of the mass matrix in kg, without a header."]
-    stiffness_file: Annotated[InputFile, "CSV of the stiffness matrix in N/m."]
-    damping_file: Annotated[InputFile, "CSV of the damping matrix in N*s/m."] = ""
+    mass_file: Annotated[InputFile, "CSV of the mass matrix in kg, without a header, e.g. mass.csv."]
+    stiffness_file: Annotated[InputFile, "CSV of the stiffness matrix in N/m, e.g. stiffness.csv."]
+    damping_file: Annotated[InputFile, "CSV of the damping matrix in N*s/m, e.g. damping.csv."] = ""
 
 
 class System:
@@ -144,6 +144,15 @@ class System:
         )
         return self.names.index(name)
 
+    def moving(self, name: str) -> int:
+        """The place of a coordinate that has a mass among those that have one."""
+        place = self.place(name)
+        require(
+            place in self.kept, "{name} has no mass: it is condensed, and nothing acts or is read there",
+            name=repr(name), code="condensed",
+        )  # fmt: skip
+        return self.kept.index(place)
+
     def _join(
         self, masses: "Sequence[float]", ends: "list[tuple[int, int]]", stiffnesses: "Sequence[float]",
         dampings: "Sequence[float]",
@@ -181,13 +190,16 @@ class System:
             rest += [(one, other, k * more / whole) for other, more in star[nth + 1 :] if other != one]
         return rest
 
-    def whole_shape(self, shape: "Sequence[float]") -> "list[float]":
-        """A shape with the massless bodies put back."""
-        made = [0.0] * len(self.names)
-        for place, value in zip(self.kept, shape, strict=True):
-            made[place] = value
+    def whole(self, shapes: "Any") -> "Any":
+        """Shapes in rows with the massless bodies put back."""
+        import numpy as np
+
+        if not self.condensed:
+            return shapes
+        made = np.zeros((len(shapes), len(self.names)), dtype=shapes.dtype)
+        made[:, self.kept] = shapes
         for body, star in reversed(self.condensed):
-            made[body] = sum(weight * (made[other] if other != GROUND else 0.0) for other, weight in star)
+            made[:, body] = sum(weight * made[:, other] for other, weight in star if other != GROUND)
         return made
 
     # ---- matrices ----
@@ -213,18 +225,5 @@ class System:
 
         if self.elements is None:
             return self.mass, self.stiffness, self.damping
-        n = len(self.kept)
-        mass = np.diag(self.elements.masses)
-        stiffness, damping = _assembled(self.elements.springs, n), _assembled(self.dampers, n)
-        return mass, stiffness, damping if self.dampers else None
-
-
-def _assembled(springs: "list[tuple[int, int, float]]", n: int) -> "Any":
-    import numpy as np
-
-    made = np.zeros((n, n))
-    for i, j, k in springs:
-        for a, b, sign in ((i, i, 1.0), (j, j, 1.0), (i, j, -1.0), (j, i, -1.0)):
-            if a != GROUND and b != GROUND:
-                made[a, b] += sign * k
-    return made
+        damping = self.elements.assembled(self.dampers) if self.dampers else None
+        return np.diag(self.elements.masses), self.elements.assembled(self.elements.springs), damping

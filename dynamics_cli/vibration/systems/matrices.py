@@ -14,8 +14,6 @@ if TYPE_CHECKING:
 # What rounding leaves of the symmetry of a matrix, or of a product.
 SYMMETRIC = 1e-12
 UNIT = 2.0**-53
-# A static deflection of a load, as a frequency of no digits, is none.
-LOST = 0.01
 
 
 def checked(mass: "Any", stiffness: "Any", damping: "Any") -> "tuple[Any, Any, Any]":
@@ -33,13 +31,7 @@ def checked(mass: "Any", stiffness: "Any", damping: "Any") -> "tuple[Any, Any, A
         off = abs(array - array.T).max()
         require(off <= SYMMETRIC * abs(array).max(), "the {name} matrix is not symmetric", name=name, code="symmetry",
                 hint="a gyroscopic or follower term does not belong here")  # fmt: skip
-    values = np.linalg.eigvalsh(_scaled(arrays[0]))
-    require(
-        values[0] > 4.0 * n * UNIT * values[-1],
-        "the mass matrix is not positive definite: a coordinate, or a combination of some, has no mass",
-        code="singular-mass",
-        hint="give masses and springs (--body, --coupling): massless bodies are condensed there",
-    )
+    cholesky(arrays[0])
     if arrays[2] is not None:
         low = np.linalg.eigvalsh(arrays[2])
         require(
@@ -51,24 +43,42 @@ def checked(mass: "Any", stiffness: "Any", damping: "Any") -> "tuple[Any, Any, A
     return arrays[0], arrays[1], arrays[2]
 
 
-def _scaled(mass: "Any") -> "Any":
-    """The mass matrix with a unit diagonal, so that units do not decide."""
+def _roots(mass: "Any") -> "Any":
+    """Square roots of the diagonal of the mass matrix: scaled by them, units do not decide."""
     diagonal = np.diag(mass)
     require(bool((diagonal > 0.0).all()), "a mass on the diagonal of the mass matrix is not above zero",
             code="singular-mass", hint="leave out coordinates without mass, or condense them")  # fmt: skip
-    root = np.sqrt(diagonal)
-    return mass / root[:, None] / root[None, :]
+    return np.sqrt(diagonal)
+
+
+def cholesky(mass: "Any") -> "tuple[Any, Any, float]":
+    """Scale, the inverse of the factor of the scaled mass matrix, and a limit of the norm of that matrix's inverse."""
+    from scipy.linalg.lapack import dpotrf, dtrtri
+
+    root, n = _roots(mass), len(mass)
+    factor, info = dpotrf(mass / root[:, None] / root, lower=True)
+    inverse = dtrtri(factor, lower=True)[0] if info == 0 else factor
+    # ‖L⁻¹‖₂² ≤ ‖L⁻¹‖₁·‖L⁻¹‖∞
+    room = float(abs(inverse).sum(axis=0).max() * abs(inverse).sum(axis=1).max())
+    require(
+        info == 0 and 4.0 * n * UNIT * room < 1.0,
+        "the mass matrix is not positive definite: a coordinate, or a combination of some, has no mass",
+        code="singular-mass",
+        hint="give masses and springs (--body, --coupling): massless bodies are condensed there",
+    )
+    return root, inverse, room
 
 
 def symmetric_modes(mass: "Any", stiffness: "Any") -> "tuple[Any, Any, Any]":
-    """Angular frequencies, shapes of unit modal mass in columns, and what rounding leaves to each, relatively."""
+    """Angular frequencies, shapes of unit modal mass in rows, and what rounding leaves to each, relatively."""
     from scipy.linalg import eigh
 
-    root = np.sqrt(np.diag(mass))
-    scaled_mass, scaled = mass / root[:, None] / root[None, :], stiffness / root[:, None] / root[None, :]
-    squares, vectors = eigh(scaled, scaled_mass)
-    n = len(root)
-    room = 4.0 * n * UNIT * float(np.linalg.norm(scaled, 2)) / float(np.linalg.eigvalsh(scaled_mass)[0])
+    root, inverse, limit = cholesky(mass)
+    n, scaled = len(root), stiffness / root[:, None] / root
+    squares, vectors = eigh(inverse @ scaled @ inverse.T, driver="evd", check_finite=False)
+    # ‖K‖₂ is below either norm, and below λ·‖M‖
+    size = min(float(np.linalg.norm(scaled)), float(abs(scaled).sum(axis=1).max()))
+    room = 4.0 * n * UNIT * size * limit
     require(
         squares[0] >= -room,
         "the stiffness matrix has a negative eigenvalue, ω² = {square}: the system moves away from rest (divergence)",
@@ -78,7 +88,7 @@ def symmetric_modes(mass: "Any", stiffness: "Any") -> "tuple[Any, Any, Any]":
     omega = np.sqrt(np.maximum(squares, 0.0))
     with np.errstate(all="ignore"):
         errors = np.where(squares > room, 0.5 * room / np.maximum(squares, 1e-300), math.inf)
-    return omega, vectors / root[:, None], errors
+    return omega, vectors.T @ inverse / root, errors
 
 
 def proportional(mass: "Any", damping: "Any", stiffness: "Any") -> bool:
@@ -87,24 +97,16 @@ def proportional(mass: "Any", damping: "Any", stiffness: "Any") -> bool:
     return bool(abs(product - product.T).max() <= SYMMETRIC * abs(product).max())
 
 
-def complex_modes(mass: "Any", damping: "Any", stiffness: "Any") -> "tuple[Any, Any, Any, Any]":
-    """Eigenvalues of the motion with Im ≥ 0 by size, their shapes, and all pairs for sums over modes."""
+def complex_modes(mass: "Any", damping: "Any", stiffness: "Any") -> "tuple[Any, Any, Any]":
+    """Eigenvalues of the motions that swing, Im > 0, by size; their shapes in rows; the rates of the others."""
     from scipy.linalg import eig
 
-    n = len(mass)
-    root = np.sqrt(np.diag(mass))
-    scaled_mass = mass / root[:, None] / root[None, :]
-    inverse = np.linalg.inv(scaled_mass)
-    pace = math.sqrt(float(abs(stiffness / root[:, None] / root[None, :]).max())) or 1.0
-    top = np.hstack([np.zeros((n, n)), np.eye(n)])
-    below = np.hstack(
-        [-inverse @ (stiffness / root[:, None] / root[None, :]) / pace**2,
-         -inverse @ (damping / root[:, None] / root[None, :]) / pace]
-    )  # fmt: skip
-    values, vectors = eig(np.vstack([top, below]))
+    n, root = len(mass), _roots(mass)
+    mass, damping, stiffness = (one / root[:, None] / root for one in (mass, damping, stiffness))
+    pace = math.sqrt(float(abs(stiffness).max())) or 1.0
+    below = -np.linalg.solve(mass, np.hstack([stiffness / pace**2, damping / pace]))
+    values, vectors = eig(np.vstack([np.eye(n, 2 * n, n), below]))
     values = values * pace
-    shapes = vectors[:n] / root[:, None]
-    chosen = [i for i in range(2 * n) if values[i].imag > 1e-9 * abs(values[i])]
-    real = [i for i in range(2 * n) if abs(values[i].imag) <= 1e-9 * abs(values[i])]
-    order = sorted(chosen, key=lambda i: abs(values[i]))
-    return values[order], shapes[:, order], values, values[real].real
+    swings = abs(values.imag) > 1e-9 * abs(values)
+    order = sorted(np.flatnonzero(swings & (values.imag > 0.0)), key=lambda i: abs(values[i]))
+    return values[order], vectors[:n, order].T / root, values[~swings].real

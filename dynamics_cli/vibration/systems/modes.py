@@ -16,11 +16,11 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, Choice, ErrorBound, Numerics, record
 from dynamics_cli.vibration.single.oscillator import require_damping
+from dynamics_cli.vibration.systems.elements import MOST_PROVED
 from dynamics_cli.vibration.systems.inputs import Bodies, Line, Matrices, MatrixFiles, System
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
     from typing import Any
 
 # Frequencies of one group, relatively: any combination of their shapes serves.
@@ -28,8 +28,8 @@ SAME = 1e-9
 # A frequency with fewer digits than this is none.
 LOST = 0.01
 ORTHOGONAL = 1e-9
-# Parts of a shape below this are of rounding.
-NOISE = 1e-15
+# Parts of a shape below this are of rounding; a first part below the other is no scale.
+NOISE, ABSENT = 1e-15, 1e-12
 # What turning radians into hertz adds to a bound.
 ROUNDED = 4.5e-16
 
@@ -120,126 +120,126 @@ def modes(
         if not proportional(mass, damping, stiffness):
             return _complex(those, mass, damping, stiffness, scale)
     omega, shapes, errors, numerics = undamped(those)
-    rows = []
+    zetas = None if damping_ratio is None else [damping_ratio] * len(omega)
+    if damping is not None:
+        zetas = (((shapes @ damping) * shapes).sum(axis=1) / (2.0 * (omega + (omega == 0.0)))).tolist()
     whole = None if those.elements is None else math.fsum(those.elements.masses)
-    for nth, (value, shape) in enumerate(zip(omega, shapes, strict=True)):
-        zeta = damping_ratio
-        if damping is not None and value:
-            column = _array(shape)
-            zeta = float(column @ damping @ column) / (2.0 * value)
-        rows.append(_mode(those, nth, value, shape, zeta, scale, whole, errors[nth]))
-    zetas = damping is not None or damping_ratio is not None
+    rows = _rows(those, (omega, shapes, errors), zetas, scale, whole)
     return Modes(
         coordinates=", ".join(those.names),
-        rigid_modes=None if those.elements is None else sum(value == 0.0 for value in omega),
-        kind="proportionally damped" if zetas else "undamped",
+        rigid_modes=None if those.elements is None else int((omega == 0.0).sum()),
+        kind="undamped" if zetas is None else "proportionally damped",
         total_mass=whole,
-        modes=tuple(rows),
+        modes=rows,
         numerics=numerics,
-        checks=_checks(those, mass, omega, shapes, rows, whole),
-        advice=(*those.advice, *_advice(omega, errors)),
+        checks=_checks(those, mass, omega, shapes, rows),
+        advice=(*those.advice, *_advice(omega.tolist(), errors.tolist())),
     )
 
 
-def _array(shape: "Sequence[float]") -> "Any":
+def undamped(those: System) -> "tuple[Any, Any, Any, Numerics]":
+    """Angular frequencies, shapes of unit modal mass in rows, relative errors, and how they are known."""
     import numpy as np
 
-    return np.array(shape)
+    if those.elements is None:
+        from dynamics_cli.vibration.systems.matrices import symmetric_modes
 
-
-def undamped(those: System) -> "tuple[list[float], list[list[float]], list[float], Numerics]":
-    """Angular frequencies, shapes of unit modal mass, relative errors, and how they are known."""
-    if those.elements is not None:
-        omega, shapes = those.elements.modes()
-        width = those.elements.proved(omega)
+        omega, shapes, errors = symmetric_modes(those.mass, those.stiffness)
+        method = "symmetric eigenvalues of the scaled matrices; bound 4nε‖K‖/ω², as the matrices were rounded"
+        known = errors <= LOST
+    else:
+        omega, shapes, width = those.elements.modes()
         if width is None:
             method = "one-sided Jacobi on the factor of springs and masses; checked by element Rayleigh quotients"
-            return omega, shapes, [0.0] * len(omega), Numerics(method)
-        bounds = tuple(
-            ErrorBound(f"modes[{nth}].{name}", width + ROUNDED)
-            for nth, value in enumerate(omega) if value for name in ("frequency", "angular_frequency")
-        )  # fmt: skip
+            return omega, shapes, np.zeros(len(omega)), Numerics(method)
         method = "one-sided Jacobi on the factor; every frequency proved by exact counts below and above it"
-        return omega, shapes, [width] * len(omega), Numerics(method, bounds)
-    from dynamics_cli.vibration.systems.matrices import symmetric_modes
-
-    values, vectors, errors = symmetric_modes(those.mass, those.stiffness)
+        if len(omega) > MOST_PROVED:
+            method = "element Rayleigh quotients of the shapes of the matrices; bound of Kato and Temple"
+        errors, known = np.full(len(omega), width + ROUNDED), omega > 0.0
     bounds = tuple(
-        ErrorBound(f"modes[{nth}].{name}", float(error))
-        for nth, error in enumerate(errors) if error <= LOST for name in ("frequency", "angular_frequency")
+        ErrorBound(f"modes[{nth}].{name}", error)
+        for nth, (error, stated) in enumerate(zip(errors.tolist(), known.tolist(), strict=True)) if stated
+        for name in ("frequency", "angular_frequency")
     )  # fmt: skip
-    text = "symmetric eigenvalues of the scaled matrices; bound 4nε‖K‖/ω², as the matrices were rounded"
-    columns = [[float(x) for x in vectors[:, nth]] for nth in range(len(values))]
-    return [float(x) for x in values], columns, [float(x) for x in errors], Numerics(text, bounds)
+    return omega, shapes, errors, Numerics(method, bounds)
 
 
-def scaled(shape: "Sequence[float]", scale: str) -> "list[float]":
-    """A shape with its largest or first part one, or as it is (unit modal mass), its largest part positive."""
-    largest = max(shape, key=abs)
-    shape = [0.0 if abs(x) <= NOISE * abs(largest) else x for x in shape]
-    if scale == "first" and abs(shape[0]) > 1e-12 * abs(largest):
-        return [x / shape[0] for x in shape]
+def scaled(shapes: "Any", scale: str) -> "Any":
+    """Shapes in rows with their largest or first part one, or as they are (unit modal mass), the largest positive."""
+    import numpy as np
+
+    largest = np.take_along_axis(shapes, abs(shapes).argmax(axis=1)[:, None], axis=1)
+    shapes = np.where(abs(shapes) <= NOISE * abs(largest), 0.0, shapes)
     if scale == "mass":
-        return [x if largest > 0.0 else -x for x in shape]
-    return [x / largest for x in shape]
+        return shapes * np.where(largest > 0.0, 1.0, -1.0)
+    if scale == "first":
+        largest = np.where(abs(shapes[:, :1]) > ABSENT * abs(largest), shapes[:, :1], largest)
+    return shapes / largest
 
 
-def _mode(
-    those: System, nth: int, value: float, shape: "list[float]", zeta: "float | None", scale: str,
-    whole: "float | None", error: float,
-) -> Mode:  # fmt: skip
-    """A mode's row."""
-    full = those.whole_shape(shape)
-    drawn = scaled(full, scale)
-    place = max(range(len(full)), key=lambda i: abs(full[i]))
-    factor = drawn[place] / full[place]
-    turn = None if whole is None else math.fsum(m * x for m, x in zip(those.elements.masses, shape, strict=True))  # type: ignore[union-attr]
-    lost = error > LOST
-    swings = zeta is not None and zeta < 1.0 and value > 0.0
-    return Mode(
-        number=nth + 1,
-        frequency=None if lost else value / (2.0 * math.pi),
-        angular_frequency=None if lost else value,
-        damping_ratio=zeta if value else None,
-        damped_frequency=value * math.sqrt((1.0 - zeta) * (1.0 + zeta)) / (2.0 * math.pi)  # type: ignore[operator]
-        if swings and not lost else None,
-        shape=tuple(drawn),
-        phases=None,
-        modal_mass=factor * factor,
-        participation=None if turn is None else turn / factor,
-        effective_share=None if turn is None or whole is None else turn * turn / whole,
-    )  # fmt: skip
+def _rows(
+    those: System, modes: "tuple[Any, Any, Any]", zetas: "list[float] | None", scale: str, whole: "float | None"
+) -> "tuple[Mode, ...]":
+    """A row for each mode."""
+    import numpy as np
+
+    omega, shapes, errors = modes
+    full = those.whole(shapes)
+    drawn, each, place = scaled(full, scale), np.arange(len(full)), abs(full).argmax(axis=1)
+    factors = (drawn[each, place] / full[each, place]).tolist()
+    turns: Any = [None] * len(factors)
+    if those.elements is not None:
+        turns = [math.fsum(row) for row in (those.elements.masses * shapes).tolist()]
+    made = []
+    for nth, value, shape, factor, turn, error in zip(
+        each.tolist(), omega.tolist(), drawn.tolist(), factors, turns, errors.tolist(), strict=True
+    ):
+        lost, zeta = error > LOST, zetas[nth] if zetas is not None and value else None
+        hertz = value / (2.0 * math.pi)
+        swings = zeta is not None and zeta < 1.0 and not lost
+        made.append(
+            Mode(
+                number=nth + 1,
+                frequency=None if lost else hertz,
+                angular_frequency=None if lost else value,
+                damping_ratio=zeta,
+                damped_frequency=hertz * math.sqrt((1.0 - zeta) * (1.0 + zeta)) if swings else None,  # type: ignore[operator]
+                shape=tuple(shape),
+                phases=None,
+                modal_mass=factor * factor,
+                participation=None if turn is None else turn / factor,
+                effective_share=None if turn is None or whole is None else turn * turn / whole,
+            )
+        )
+    return tuple(made)
 
 
 def _complex(those: System, mass: "Any", damping: "Any", stiffness: "Any", scale: str) -> Modes:
     """Modes that dampers couple."""
     from dynamics_cli.vibration.systems.matrices import complex_modes
 
-    values, shapes, _, real = complex_modes(mass, damping, stiffness)
+    values, shapes, real = complex_modes(mass, damping, stiffness)
     rows = []
-    for nth, value in enumerate(values):
-        full = _whole_complex(those, shapes[:, nth])
+    for nth, (value, full) in enumerate(zip(values.tolist(), those.whole(shapes).tolist(), strict=True), 1):
         largest = max(full, key=abs)
         turned = [x / (full[0] if scale == "first" and abs(full[0]) > 1e-9 * abs(largest) else largest) for x in full]
-        size = float(abs(value))
+        size = abs(value)
         rows.append(
             Mode(
-                number=nth + 1, frequency=size / (2.0 * math.pi), angular_frequency=size,
-                damping_ratio=-float(value.real) / size, damped_frequency=float(value.imag) / (2.0 * math.pi),
+                number=nth, frequency=size / (2.0 * math.pi), angular_frequency=size,
+                damping_ratio=-value.real / size, damped_frequency=value.imag / (2.0 * math.pi),
                 shape=tuple(abs(x) for x in turned),
-                phases=tuple(math.degrees(math.atan2(x.imag, x.real)) if abs(x) > 1e-12 else 0.0 for x in turned),
+                phases=tuple(math.degrees(math.atan2(x.imag, x.real)) if abs(x) > ABSENT else 0.0 for x in turned),
                 modal_mass=None, participation=None, effective_share=None,
             )
         )  # fmt: skip
     notes = list(those.advice)
-    if len(real):
-        rates = ", ".join(
-            f"{-x:.4g}" for x in sorted(real, reverse=True) if abs(x) > 1e-9 * abs(values).max(initial=0.0)
-        )
-        if rates:
-            notes.append(Advice("overdamped", f"motions that do not swing decay at {rates} 1/s", severity="note"))
+    rates = [x for x in sorted(real.tolist(), reverse=True) if abs(x) > 1e-9 * abs(values).max(initial=0.0)]
+    if rates:
+        listed = ", ".join(f"{-x:.4g}" for x in rates)
+        notes.append(Advice("overdamped", f"motions that do not swing decay at {listed} 1/s", severity="note"))
     rigid = None if those.elements is None else sum(not held for _, held in those.elements.groups())
-    off = max((_residual(mass, damping, stiffness, v, shapes[:, i]) for i, v in enumerate(values)), default=0.0)
+    off = max((_residual(mass, damping, stiffness, *pair) for pair in zip(values, shapes, strict=True)), default=0.0)
     return Modes(
         coordinates=", ".join(those.names), rigid_modes=rigid, kind="complex",
         total_mass=None if those.elements is None else math.fsum(those.elements.masses), modes=tuple(rows),
@@ -248,33 +248,24 @@ def _complex(those: System, mass: "Any", damping: "Any", stiffness: "Any", scale
     )  # fmt: skip
 
 
-def _whole_complex(those: System, shape: "Any") -> "list[complex]":
-    real, imaginary = those.whole_shape(shape.real.tolist()), those.whole_shape(shape.imag.tolist())
-    return [complex(a, b) for a, b in zip(real, imaginary, strict=True)]
-
-
 def _residual(mass: "Any", damping: "Any", stiffness: "Any", value: complex, shape: "Any") -> float:
     """‖(λ²M + λC + K)ψ‖ over the sizes of its terms."""
     parts = (value * value * (mass @ shape), value * (damping @ shape), stiffness @ shape)
     return float(abs(parts[0] + parts[1] + parts[2]).max() / sum(abs(part).max() for part in parts))
 
 
-def _checks(
-    those: System, mass: "Any", omega: "list[float]", shapes: "list[list[float]]", rows: "list[Mode]",
-    whole: "float | None",
-) -> "tuple[Check, ...]":  # fmt: skip
+def _checks(those: System, mass: "Any", omega: "Any", shapes: "Any", rows: "tuple[Mode, ...]") -> "tuple[Check, ...]":
     """Orthogonality; effective masses add up; a second computation of each frequency."""
     import numpy as np
 
-    columns = np.array(shapes).T
-    off = float(abs(columns.T @ mass @ columns - np.eye(len(omega))).max())
+    weighted = shapes @ mass if those.elements is None else shapes * np.diag(mass)
+    off = float(abs(weighted @ shapes.T - np.eye(len(omega))).max())
     made = [Check("shapes are orthogonal", off <= ORTHOGONAL, off, ORTHOGONAL)]
     if those.elements is not None:
         shares = abs(math.fsum(row.effective_share or 0.0 for row in rows) - 1.0)
         made.append(Check("effective masses add up to the whole", shares <= ORTHOGONAL, shares, ORTHOGONAL))
-        worst = max(
-            (abs(those.elements.rayleigh(s) / w - 1.0) for w, s in zip(omega, shapes, strict=True) if w), default=0.0
-        )
+        moving = omega > 0.0
+        worst = float(abs(those.elements.rayleigh(shapes[moving]) / omega[moving] - 1.0).max(initial=0.0))
         made.append(Check("element Rayleigh quotients", worst <= ORTHOGONAL, worst, ORTHOGONAL))
     return tuple(made)
 

@@ -4,9 +4,10 @@ import math
 
 from dynamics_cli.errors import worded
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
-from dynamics_cli.quantities import Coordinate, Frequency, Size
+from dynamics_cli.quantities import Acceleration, Coordinate, Force, Frequency, Size, Time
 from dynamics_cli.vibration.systems.inputs import System
-from dynamics_cli.vibration.systems.response import Receptances
+from dynamics_cli.vibration.systems.modal import Modal
+from dynamics_cli.vibration.systems.response import grid
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 
 GREY = 6
 MOST_SHAPES = 6
+POINTS = 2000
 
 
 def modes(made: "Any", **_: "Any") -> Picture:
@@ -50,11 +52,9 @@ def response(
 ) -> Picture:  # fmt: skip
     """Amplitude and lag over frequency, and the curve of Nyquist."""
     those = System(system)
-    of = Receptances(those, damping_ratio)
-    a, b = (those.kept.index(those.place(name)) for name in (force_at, read_at))
-    low, high = of.limits()
-    rates = of.grid(low, high)
-    curve = of.curve(rates, a, b) * abs(force)
+    of = Modal(those, damping_ratio)
+    rates = grid(of)
+    curve = of.curve(rates, of.shapes[:, those.moving(force_at)], those.moving(read_at)) * abs(force)
     hertz = [float(rate) / (2.0 * math.pi) for rate in rates]
     lags = _continuous([math.degrees(-math.atan2(z.imag, z.real)) % 360.0 for z in curve])
     frequency = Axis("frequency", Frequency, logarithmic=True, ends=(hertz[0], hertz[-1]))
@@ -72,3 +72,26 @@ def response(
         ),
     )  # fmt: skip
     return Picture(panels, "frequency response")
+
+
+def history(
+    made: "Any", *, system: "Any", load: "Any", damping_ratio: "float | None" = None, force_at: str = "",
+    read_at: str = "", duration: "float | None" = None, **_: "Any",
+) -> Picture:  # fmt: skip
+    """The load, and every coordinate over time."""
+    from dynamics_cli.vibration.systems.runs import run
+
+    those = System(system)
+    done = run(those, damping_ratio, load, force_at, duration)
+    pick = done.picked(POINTS)
+    times = done.times[pick]
+    time = Axis("time", Time, ends=(0.0, float(done.times[-1])))
+    acts = Axis("acceleration of the base", Acceleration) if done.based else Axis(f"force on {force_at}", Force)
+    panels = [Panel(time, acts, (Curve(times, done.loads[pick], role=6),))]
+    names = [those.names[kept] for kept in those.kept]
+    shown = range(len(names)) if len(names) <= MOST_SHAPES else [names.index(made.read)]
+    lines: list[Any] = [Curve(times, done.places[i, pick], names[i], role=n) for n, i in enumerate(shown)]
+    lines.append(Mark(made.peak_time, made.peak, made.read))
+    moves = Axis("displacement against the base" if done.based else "displacement", Coordinate)
+    panels.append(Panel(time, moves, tuple(lines)))
+    return Picture(tuple(panels), "motion from rest")

@@ -15,13 +15,14 @@ from dynamics_cli.quantities import (
     VibrationSpeed,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.vibration.single.oscillator import AtFrequency, AtSpeed, require_damping
+from dynamics_cli.vibration.single.oscillator import AtFrequency, AtSpeed
 from dynamics_cli.vibration.systems.inputs import Bodies, Line, Matrices, MatrixFiles, System
-from dynamics_cli.vibration.systems.modes import undamped
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from dynamics_cli.vibration.systems.modal import Modal
 
 # Frequencies of the curve about each resonance, and between lowest and highest.
 NEAR, GRID = 60, 400
@@ -62,71 +63,19 @@ class Response:
     advice: tuple[Advice, ...] = ()
 
 
-class Receptances:
-    """Receptance by frequency: a sum over modes where damping leaves them apart, else a solution at each frequency."""
+def grid(of: "Modal") -> "Any":
+    """Angular frequencies of a curve over the lowest modes, closer about resonances."""
+    import numpy as np
 
-    def __init__(self, those: System, damping_ratio: "float | None") -> None:
-        import numpy as np
-
-        self.mass, self.stiffness, self.damping = those.matrices()
-        omega, shapes, errors, _ = undamped(those)
-        require(
-            all(error < 0.01 for error in errors) or those.elements is not None,
-            "a soft mode is lost in the rounding of the matrices",
-            code="lost",
-            hint="give masses and springs: --masses and --stiffnesses, or --body and --coupling",
-        )
-        self.omega, self.shapes = np.array(omega), np.array(shapes).T
-        self.zeta: Any = np.full(len(omega), damping_ratio or 0.0)
-        self.coupled = False
-        if self.damping is not None:
-            from dynamics_cli.vibration.systems.matrices import proportional
-
-            self.coupled = not proportional(self.mass, self.damping, self.stiffness)
-            modal = np.einsum("ir,ij,jr->r", self.shapes, self.damping, self.shapes)
-            self.zeta = np.where(self.omega > 0.0, modal / (2.0 * np.where(self.omega > 0.0, self.omega, 1.0)), 0.0)
-            self.rates = modal
-        else:
-            self.rates = 2.0 * self.zeta * self.omega
-
-    def column(self, rate: float, force: int) -> "Any":
-        """Receptances of all coordinates for a force on one, at an angular frequency."""
-        import numpy as np
-
-        if self.coupled:
-            n = len(self.mass)
-            unit = np.zeros(n)
-            unit[force] = 1.0
-            return np.linalg.solve(self.stiffness - rate * rate * self.mass + 1j * rate * self.damping, unit)
-        below = (self.omega - rate) * (self.omega + rate) + 1j * rate * self.rates
-        return self.shapes @ (self.shapes[force] / below)
-
-    def curve(self, rates: "Any", force: int, read: int) -> "Any":
-        """Receptances between two coordinates over angular frequencies."""
-        import numpy as np
-
-        rates = np.asarray(rates, dtype=float)
-        if self.coupled:
-            return np.array([self.column(float(rate), force)[read] for rate in rates])
-        below = (self.omega - rates[:, None]) * (self.omega + rates[:, None]) + 1j * rates[:, None] * self.rates
-        return (self.shapes[read] * self.shapes[force] / below).sum(axis=1)
-
-    def grid(self, low: float, high: float) -> "Any":
-        """Angular frequencies from low to high, closer about resonances."""
-        import numpy as np
-
-        parts = [np.geomspace(low, high, GRID)]
-        for omega, zeta in zip(self.omega, self.zeta, strict=True):
-            if omega > 0.0:
-                offsets = np.geomspace(max(zeta, 1e-6) / 20.0, 0.2, NEAR)
-                parts += [omega * (1.0 + offsets), omega * (1.0 - offsets), np.array([omega])]
-        whole = np.unique(np.concatenate(parts))
-        return whole[(whole >= low) & (whole <= high)]
-
-    def limits(self) -> "tuple[float, float]":
-        """Where a curve begins and ends unless it is said."""
-        moving = [float(omega) for omega in self.omega if omega > 0.0] or [1.0]
-        return 0.3 * moving[0], 2.0 * moving[min(len(moving), 12) - 1]
+    moving = of.omega > 0.0
+    first = of.omega[moving][:12] if moving.any() else np.ones(1)
+    low, high = 0.3 * first[0], 2.0 * first[-1]
+    parts = [np.geomspace(low, high, GRID)]
+    for omega, zeta in zip(of.omega[moving], of.zeta[moving], strict=True):
+        offsets = np.geomspace(max(zeta, 1e-6) / 20.0, 0.2, NEAR)
+        parts += [omega * (1.0 + offsets), omega * (1.0 - offsets), np.array([omega])]
+    whole = np.unique(np.concatenate(parts))
+    return whole[(whole >= low) & (whole <= high)]
 
 
 def response(
@@ -164,51 +113,39 @@ def response(
     >>> round(made.peaks[0].receptance, 6)
     10.012523
     """
+    from dynamics_cli.vibration.systems.modal import Modal
+
     those = System(system)
-    if damping_ratio is not None:
-        require_damping(damping_ratio, DampingRatio)
-    of = Receptances(those, damping_ratio)
+    of = Modal(those, damping_ratio)
     require(
-        of.damping is None or damping_ratio is None, "dampers and a damping ratio of all modes are both given",
-        code="both", hint="leave out --damping-ratio, or the dampers",
-    )  # fmt: skip
-    moving = [zeta for zeta, omega in zip(of.zeta, of.omega, strict=True) if omega > 0.0]
-    require(
-        all(zeta > 0.0 for zeta in moving),
+        bool((of.zeta > 0.0)[of.omega > 0.0].all()),
         "a mode has no damping: its peak has no height",
         code="undamped",
         hint="give --damping-ratio, for example 0.01, or dampers; frequencies alone: dynamics vibration modes",
     )
-    a, b = (_place(those, name) for name in (force_at, read_at))
-    motions = None
+    a, b = (those.moving(name) for name in (force_at, read_at))
+    weights = of.shapes[:, a]
+    motions, largest = None, 0.0
     back = ahead = 0j
     if excitation is not None:
         rate = 2.0 * math.pi * excitation.frequency if isinstance(excitation, AtFrequency) else abs(excitation.speed)
         require(rate > 0.0, "the frequency is zero: nothing vibrates", code="at-rest")
-        column = of.column(rate, a)
-        ahead, back = complex(column[b]), complex(of.column(rate, b)[a])
+        column = of.column(rate, weights)
+        ahead, back = complex(column[b]), complex(of.column(rate, of.shapes[:, b])[a])
+        largest = float(abs(column).max())
         motions = _motions(those, column, rate, abs(force))
     size = None if excitation is None else abs(ahead)
     off = abs(ahead - back) / max(abs(ahead), 1e-300) if excitation is not None else 0.0
-    lost = RECIPROCAL * (1.0 if size is None else max(1.0, float(abs(of.column(rate, a)).max()) / max(size, 1e-300)))
+    lost = RECIPROCAL * (1.0 if size is None else max(1.0, largest / max(size, 1e-300)))
     return Response(
         amplitude=None if size is None else size * abs(force),
         lag=None if size is None else _lag(ahead),
         receptance=size,
         motions=motions,
-        peaks=_peaks(of, a, b, abs(force)),
+        peaks=_peaks(of, weights, b, abs(force)),
         checks=(Check("reciprocity", off <= lost, off, lost),) if excitation is not None else (),
         advice=tuple(those.advice),
     )
-
-
-def _place(those: System, name: str) -> int:
-    place = those.place(name)
-    require(
-        place in those.kept, "{name} has no mass: it is condensed, and nothing acts or is read there", name=repr(name),
-        code="condensed",
-    )  # fmt: skip
-    return those.kept.index(place)
 
 
 def _lag(x: complex) -> float:
@@ -224,16 +161,16 @@ def _motions(those: System, column: "Any", rate: float, force: float) -> "tuple[
     )
 
 
-def _peaks(of: Receptances, a: int, b: int, force: float) -> "tuple[Peak, ...]":
+def _peaks(of: "Modal", weights: "Any", read: int, force: float) -> "tuple[Peak, ...]":
     """Maxima of the curve, each by a golden section between the points beside it."""
-    low, high = of.limits()
-    rates = of.grid(low, high)
-    sizes = abs(of.curve(rates, a, b))
+    rates = grid(of)
+    sizes = abs(of.curve(rates, weights, read))
     made = []
     for i in range(1, len(rates) - 1):
         if sizes[i - 1] < sizes[i] >= sizes[i + 1]:
-            at = _golden(lambda rate: float(abs(of.curve([rate], a, b)[0])), float(rates[i - 1]), float(rates[i + 1]))
-            value = complex(of.curve([at], a, b)[0])
+            ends = float(rates[i - 1]), float(rates[i + 1])
+            at = _golden(lambda rate: float(abs(of.curve([rate], weights, read)[0])), *ends)
+            value = complex(of.curve([at], weights, read)[0])
             made.append(Peak(at / (2.0 * math.pi), abs(value) * force, abs(value), _lag(value)))
     return tuple(made)
 

@@ -1,0 +1,130 @@
+"""Motion of several masses over time, from rest, under a force or on a base that shakes: sine, formula or record."""
+
+from dynamics_cli.errors import worded
+from dynamics_cli.quantities import (
+    Acceleration,
+    Annotated,
+    Coordinate,
+    DampingRatio,
+    Frequency,
+    PotentialEnergy,
+    Ratio,
+    Text,
+    Time,
+    VibrationSpeed,
+)
+from dynamics_cli.records import Advice, Check, Columns, Numerics, record
+from dynamics_cli.vibration.systems.inputs import Bodies, Line, Matrices, MatrixFiles, System
+from dynamics_cli.vibration.systems.loads import BaseLaw, ForceLaw, Reach, Recorded, SineBase, SineForce
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.vibration.systems.runs import Run
+
+# Two step sizes of a formula that differ by more are told.
+AGREE = 1e-6
+BALANCE = 1e-4
+# Steps that the table holds at most.
+ROWS = 2000
+
+
+@record
+class Moment:
+    """The state of one coordinate at a time."""
+
+    time: Annotated[Time, "Time [s]."]
+    displacement: Annotated[Coordinate, "Displacement, against the base where that shakes [m]."]
+    velocity: Annotated[VibrationSpeed, "Velocity, likewise [m/s]."]
+    acceleration: Annotated[Acceleration, "Absolute acceleration [m/s^2]."]
+
+
+@record
+class History:
+    """The motion over time."""
+
+    peak: Annotated[Coordinate, "Largest displacement of the coordinate read [m]."]
+    peak_time: Annotated[Time, "When [s]."]
+    read: Annotated[Text, "The coordinate of the history."]
+    work: Annotated[PotentialEnergy, "Work that the load did [J]."]
+    lost: Annotated[PotentialEnergy, "What the dampers took of it [J]."]
+    stored: Annotated[PotentialEnergy, "What is left at the end, in motion and springs [J]."]
+    peaks: Annotated[tuple[Reach, ...], "How far each coordinate moves."]
+    history: Annotated[Columns[Moment], "The motion of the coordinate read."]
+    numerics: Numerics | None = None
+    checks: tuple[Check, ...] = ()
+    advice: tuple[Advice, ...] = ()
+
+
+def history(
+    *,
+    system: Annotated[Line | Bodies | Matrices | MatrixFiles, "The system."],
+    damping_ratio: Annotated[DampingRatio | None, "Damping ratio of every mode, instead of dampers, e.g. 0.02."] = None,
+    load: Annotated[SineForce | ForceLaw | SineBase | BaseLaw | Recorded, "What moves it."],
+    force_at: Annotated[Text, "The coordinate that a force acts on: a name, or a number from 1."] = "",
+    read_at: Annotated[Text, "The coordinate of the history; the one that moves most unless given."] = "",
+    duration: Annotated[Time | None, "How long it is followed, e.g. 2 s; a record to its end."] = None,
+) -> History:
+    """Motion of several masses from rest under a force or on a shaking base, exact at every step.
+
+    Equation
+    --------
+    q̈ + C·q̇ + Ω²·q = φᵀ·F(t) (or −φᵀ·M·1·a of the base): each mode in closed form, or, where dampers couple modes, the
+    exponential of the state matrix; x = φ·q.
+
+    Returns
+    -------
+    History
+        Peaks of every coordinate, work and losses, and the motion of one coordinate over time.
+
+    Raises
+    ------
+    InadmissibleError
+        When the duration, or the coordinate of a force, is missing, the file is no record, or there are too many steps.
+
+    References
+    ----------
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 13.6 to 13.8.
+
+    Examples
+    --------
+    >>> made = history(system=Line((1.0,), (1.0,)), load=SineForce(1.0, 0.25), force_at="1", duration=6.0)
+    >>> round(made.peak, 6)
+    1.335811
+    """
+    from dynamics_cli.vibration.systems.runs import reaches, run
+
+    those = System(system)
+    done = run(those, damping_ratio, load, force_at, duration)
+    peaks = reaches(those, done)
+    place = those.moving(read_at) if read_at else max(range(len(peaks)), key=lambda i: abs(peaks[i].displacement))
+    pick = done.picked(ROWS)
+    work, lost, stored = done.energies()
+    off = abs(work - lost - stored) / max(done.largest_energy, 1e-300)
+    checks = (Check("work is what was lost and stored", off <= BALANCE, off, BALANCE),) if done.followed else ()
+    return History(
+        peak=peaks[place].displacement,
+        peak_time=peaks[place].time,
+        read=peaks[place].name,
+        work=work,
+        lost=lost,
+        stored=stored,
+        peaks=peaks,
+        history=Columns(
+            Moment, time=done.times[pick], displacement=done.places[place, pick], velocity=done.speeds[place, pick],
+            acceleration=done.absolute[place, pick],
+        ),
+        numerics=Numerics(done.method),
+        checks=checks,
+        advice=(*those.advice, *_advice(done)),
+    )  # fmt: skip
+
+
+def _advice(done: "Run") -> "tuple[Advice, ...]":
+    notes = []
+    if not done.followed:
+        text = "modes above {f:3} move faster than the steps: their peaks may be missed, and the energy is not checked"
+        notes.append(Advice("steps", worded(text, f=(done.followed_to, Frequency)), remedy="give a shorter --duration"))
+    if done.rough > AGREE:
+        text = "two step sizes of the formula differ by {rough:2} of the largest displacement"
+        notes.append(Advice("tolerance", worded(text, rough=(done.rough, Ratio))))
+    return tuple(notes)
