@@ -111,12 +111,12 @@ exit_heading = {said("two exit", " deg")}
 after = [{{ distance = {said("two road", " m")}, surface = "road", braking = "60..90 %" }}]
 """
 
-    def intervals(self) -> "list[tuple[float, float]] | None":
+    def intervals(self, *more: str) -> "list[tuple[float, float]] | None":
         """What the program states, in m/s; None where it refuses the nominal answer."""
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "scene.toml"
             path.write_text(self.toml(), encoding="utf-8")
-            said = run("impact", "crash", str(path), "-q", "--samples", "5000", "--digits", "6")
+            said = run("impact", "crash", str(path), "-q", "--digits", "6", *more)
         if said.status != 0:
             return None
         found = {}
@@ -156,7 +156,8 @@ def coverage(count: int, seed: int) -> "tuple[list[int], int]":
     """How many intervals of each result contain the truth, and of how many scenes."""
     inside, answered = [0] * len(RESULTS), 0
     for scene in scenes(count, seed):
-        stated = scene.intervals()
+        # of five hundred scenes an end that is off by a hundredth of the width does not matter
+        stated = scene.intervals("--samples", "5000")
         if stated is None:
             continue
         answered += 1
@@ -165,8 +166,13 @@ def coverage(count: int, seed: int) -> "tuple[list[int], int]":
     return inside, answered
 
 
-def narrowest(count: int, seed: int, samples: int = 200_000) -> "tuple[float, int]":
-    """The least width stated for an ill-conditioned scene, beside that of samples, and of how many scenes."""
+def narrowest(count: int, seed: int, samples: int = 2_000_000) -> "tuple[float, int]":
+    """The least width stated for an ill-conditioned scene, beside that of samples, and of how many scenes.
+
+    Two million samples know a width to 0.1 %; the program's own stated error is up to 1.6 % of it. Over 87 widths of 29
+    scenes (seed 1) the ratio is 1.0000 on average with a deviation of 0.0016, from 0.9924 to 1.0039: errors of
+    integration to both sides within those stated, no bias. Five more seeds of the samples leave the extremes in place.
+    """
     least, answered = math.inf, 0
     for index, scene in enumerate(scenes(count, seed, ill=True)):
         stated = scene.intervals()

@@ -20,8 +20,8 @@ def test_intervals_of_random_scenes_contain_the_truth() -> None:
 def test_intervals_of_paths_that_hardly_cross_are_not_narrower_than_samples() -> None:
     least, answered = narrowest(2, 3)
     assert answered == 2
-    # the ends of either are known to a hundredth of the width
-    assert least > 0.97
+    # the program states its own error: up to 1.6 % of a width
+    assert least > 0.984
 
 
 def test_the_truth_of_a_scene_is_that_of_the_program() -> None:

@@ -169,6 +169,7 @@ def test_what_has_no_slide_is_refused(change: dict[str, Any], words: str) -> Non
 def test_a_rest_that_nothing_leads_to_is_refused_with_the_miss(monkeypatch: pytest.MonkeyPatch) -> None:
     """Three equations for three unknowns nearly always have an answer; so the search is cut short here."""
     monkeypatch.setattr(back, "MOST_ROUNDS", 0)
+    monkeypatch.setattr(back, "LAST_ROUNDS", 0)
     with pytest.raises(InadmissibleError, match=r"the nearest that was found ends 0\.\d+ m from the rest position"):
         slide(motion=AtRest((9.6, 5.6), 192 * DEGREE), **CAR)
 

@@ -1,7 +1,7 @@
-"""The motion at the separation from the rest: three equations for three unknowns, from several starts."""
+"""The motion at the separation from the rest: three equations for three unknowns, from a grid of starts."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.impact.slide.motion import Run, run
+from dynamics_cli.impact.slide.motion import TOLERANCE, Run, run
 from dynamics_cli.impact.slide.wheels import Car, State
 from dynamics_cli.numerics.elementary import atan2, cos, hypot, sin, sqrt
 from dynamics_cli.quantities import Angle, Length
@@ -11,21 +11,31 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from numpy.typing import NDArray
+
+    from dynamics_cli.impact.slide.lanes import Lanes
+
+    Array = NDArray[Any]
+
 Triple = tuple[float, float, float]
-# Of a car that turns, tyres take about 2/π of what they do sliding along.
-ACROSS = 0.6366197723675814
 # Rest positions are surveyed to centimetres; a motion found ends nearer than this to them, of a metre.
 NEAR = 1e-8
 ROUGH = 1e-6
-SAME = 1e-4
-MOST_ROUNDS = 16
-# Courses beside the straight line, in degrees, and spins and speeds beside those of a uniform slowing.
-STARTS = ((0.0, 1.0, 1.0), (25.0, 1.0, 1.0), (-25.0, 1.0, 1.0), (0.0, 1.25, 0.6), (0.0, 0.85, 1.4))
-# Tried where none of these leads there.
-MORE_STARTS = tuple((offset, pace, turning) for offset in (-9.0, 9.0) for pace in (0.6, 1.6) for turning in (0.5, 2.0))
-DEGREE = 0.017453292519943295
-STEP = 1e-5
-TIGHT, LOOSE = 1e-8, 1e-7
+# The grid of starts: courses beside the straight line, speeds between all wheels sliding and the car rolling all the
+# way, spins beside that of a uniform slowing; and how many of them are followed, those that end nearest.
+COURSES = (-0.9, -0.6, -0.35, -0.15, 0.0, 0.15, 0.35, 0.6, 0.9)
+PACES = (0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0)
+SPINS = (0.0, 0.4, 0.7, 1.0, 1.4, 2.0, 3.0)
+FOLLOWED = 8
+# Digits of the grid and of the search, and steps of the grid: what needs more is no start.
+ROUGHEST, COARSE, FEW_STEPS = 1e-3, 1e-4, 60
+DIFFERENCE = 1e-4
+MOST_ROUNDS, LAST_ROUNDS = 12, 10
+# A search has ended where its step is this small beside the motion, or hopeless when this little of one is possible;
+# none goes further than this share of the motion. After so many rounds, one motion found is enough.
+SMALL, LEAST_SHARE, REACH, ENOUGH = 1e-2, 3e-3, 0.5, 4
+# Motions as near to each other as this, beside their size, are one.
+SAME = 0.03
 
 
 class Target:
@@ -55,121 +65,200 @@ class Root:
         return abs(atan2(x * b - y * a, x * a + y * b))
 
 
-def roots(car: Car, target: Target) -> "list[Root]":
-    """Every motion found that ends at the target, the one nearest to the straight line first.
+class _Single:
+    """The likeliest motion of the last single answer, where samples start from: its unknowns and derivatives."""
 
-    Of samples the first start that leads there is enough.
-    """
+    start: "Any" = None
+    slopes: "Any" = None
+
+
+def roots(car: Car, target: Target) -> "list[Root]":
+    """Every motion found that ends at the target, the one nearest to the straight line first; of samples one."""
+    import numpy as np
+
+    from dynamics_cli.impact.slide.lanes import Lanes
+
     scale = 1.0 + target.distance
-    found: list[Root] = []
+    if drawing() and _Single.start is not None:
+        unknowns, gap, done = _settled(car, target, _Single.start, _Single.slopes, scale)
+        if _length(*gap) <= ROUGH * scale:
+            return [Root(unknowns, car, done)]
+    lanes = Lanes(car)
+    at, left, slopes = search(lanes, target, _starts(lanes, target, _grid(car, target)))
+    found: list[tuple[Root, Array]] = []
     misses: list[Triple] = []
-    for index, start in enumerate(_starts(car, target)):
-        if found and index >= len(STARTS):
+    for index in np.argsort(left).tolist():
+        if left[index] > SMALL and (found or misses):
             break
-        unknowns, gap, done = _newton(car, target, start, LOOSE, ROUGH * scale)
+        start = at[:, index]
+        if any(_same(start, one.unknowns) for one, _ in found):
+            continue
+        unknowns, gap, done = _settled(car, target, start, slopes[index], scale)
         if _length(*gap) > ROUGH * scale:
             misses.append(gap)
-            continue
-        if drawing():
-            return [Root(unknowns, car, done)]
-        if any(_length(*(a - b for a, b in zip(unknowns, one.unknowns, strict=True))) < SAME * scale for one in found):
-            continue
-        unknowns, gap, done = _newton(car, target, unknowns, TIGHT, NEAR * scale)
-        found.append(Root(unknowns, car, done))
+        elif not any(_same(np.array(unknowns), one.unknowns) for one, _ in found):
+            found.append((Root(unknowns, car, done), slopes[index]))
     if not found:
-        nearest = min(misses, key=lambda miss: _length(*miss))
-        require(
-            False,
-            "no slide of these wheels ends there: the nearest that was found ends {gap:3} from the rest position, its "
-            "nose turned {angle:3} too far",
-            code="unreachable",
-            hint="check the heading at rest with its whole turns and its sense, the wheels that were locked, and the "
-            "friction",
-            gap=(hypot(nearest[0], nearest[1]), Length),
-            angle=(nearest[2] / car.gyration, Angle),
-        )
-    return sorted(found, key=lambda one: one.bend(target))
+        _refuse(min(misses, key=lambda miss: _length(*miss)), car)
+    found.sort(key=lambda one: one[0].bend(target))
+    if not drawing():
+        _Single.start, _Single.slopes = np.array(found[0][0].unknowns), found[0][1]
+    return [one for one, _ in found]
 
 
-def _starts(car: Car, target: Target) -> "list[Triple]":
-    """Velocities and spins to start from: friction along the straight line, and the turn within that time."""
-    locked = sum(wheel.load * wheel.share for wheel in car.wheels)
-    share = locked + (1.0 - locked) * (ACROSS if abs(target.turn) > 0.3 else 0.3 * abs(target.turn))
-    slowing = max(share, 0.02) * car.friction * car.gravity
+def _same(one: "Array", other: Triple) -> bool:
+    return _length(*(one - other).tolist()) < SAME * _length(*other)
+
+
+def _refuse(nearest: Triple, car: Car) -> None:
+    require(
+        False,
+        "no slide of these wheels ends there: the nearest that was found ends {gap:3} from the rest position, its "
+        "nose turned {angle:3} too far",
+        code="unreachable",
+        hint="check the heading at rest with its whole turns and its sense, the wheels that were locked, and the "
+        "friction",
+        gap=(hypot(nearest[0], nearest[1]), Length),
+        angle=(nearest[2] / car.gyration, Angle),
+    )
+
+
+def _grid(car: Car, target: Target) -> "Array":
+    """Velocities and spins to start from (3, n)."""
+    import numpy as np
+
+    locked = max(sum(wheel.load * wheel.share for wheel in car.wheels), 0.02)
+    grip = car.friction * car.gravity
     distance = max(target.distance, 1e-3)
-    # a turn on the spot has its own deceleration
-    speed = sqrt(2.0 * slowing * distance)
-    time = max(2.0 * distance / speed, sqrt(2.0 * abs(target.turn) * car.gyration / slowing))
-    spin = 2.0 * target.turn / time
+    slow, fast = sqrt(2.0 * locked * grip * distance), sqrt(2.0 * grip * distance)
     course = atan2(target.way[1], target.way[0])
     listed = []
-    for offset, pace, turning in (*STARTS, *MORE_STARTS):
-        way = course + offset * DEGREE
-        listed.append((pace * speed * cos(way), pace * speed * sin(way), turning * car.gyration * spin))
-    return listed
+    for offset in COURSES:
+        way = course + offset
+        for pace in PACES:
+            speed = slow ** (1.0 - pace) * fast**pace
+            # a turn on the spot has its own deceleration
+            time = max(min(2.0 * distance / speed, 4.0), sqrt(2.0 * abs(target.turn) * car.gyration / grip))
+            spin = 2.0 * target.turn / time
+            listed += [(speed * cos(way), speed * sin(way), turning * car.gyration * spin) for turning in SPINS]
+    return np.array(listed).T
 
 
-def _gap(car: Car, target: Target, unknowns: Triple, tolerance: float) -> "tuple[Triple, Run]":
-    vx, vy, turning = unknowns
-    done = run(car, State(*target.begin, target.nose, vx, vy, turning / car.gyration), tolerance)
-    end = done.end
-    turning = car.gyration * (end.nose - target.rest_nose)
-    return (end.x - target.rest[0], end.y - target.rest[1], turning), done
-
-
-def _newton(car: Car, target: Target, start: Triple, tolerance: float, wanted: float) -> "tuple[Triple, Triple, Run]":
-    """Newton's method with halved steps, its derivatives by differences, kept up to date by Broyden's rule."""
+def _starts(lanes: "Lanes", target: Target, grid: "Array") -> "Array":
+    """Those of a grid that end nearest to the target, apart from each other."""
     import numpy as np
 
-    at = np.array(start)
-    gap, done = _gap(car, target, start, tolerance)
-    matrix: Any = None
-    fresh = False
-    for _ in range(MOST_ROUNDS):
-        size = _length(*gap)
-        if size <= wanted:
+    gaps = _gaps(lanes, target, grid, ROUGHEST, 1, FEW_STEPS)
+    gaps[:2] *= 3.0 / (1.0 + target.distance)
+    order = np.argsort((gaps * gaps).sum(axis=0))
+    chosen: list[int] = []
+    for index in order.tolist():
+        apart = np.abs(grid[:, chosen] - grid[:, [index]]).max(axis=0)
+        if not chosen or float(apart.min()) > 0.1 * float(np.abs(grid[:, index]).max()):
+            chosen.append(index)
+        if len(chosen) == FOLLOWED:
             break
-        if matrix is None:
-            matrix, fresh = _slopes(car, target, at, gap, tolerance), True
-        try:
-            step = -np.linalg.solve(matrix, np.array(gap))
-        except np.linalg.LinAlgError:
-            break
-        reach = 0.5 * max(float(np.linalg.norm(at)), 0.1)
-        length = float(np.linalg.norm(step))
-        step = step * min(1.0, reach / length)
-        for _ in range(6):
-            tried = at + step
-            new, its_run = _gap(car, target, (float(tried[0]), float(tried[1]), float(tried[2])), tolerance)
-            if _length(*new) < (1.0 - 1e-4) * size:
-                break
-            step = 0.5 * step
-        else:
-            if fresh:
-                break
-            matrix = None
-            continue
-        moved = np.array(new) - np.array(gap) - matrix @ step
-        fast = _length(*new) < 0.3 * size
-        matrix = matrix + np.outer(moved, step) / float(step @ step) if fast else None
-        fresh = False
-        at, gap, done = tried, new, its_run
-    return (float(at[0]), float(at[1]), float(at[2])), gap, done
+    return grid[:, chosen]
 
 
-def _slopes(car: Car, target: Target, at: "Any", gap: Triple, tolerance: float) -> "Any":
-    """Derivatives of the gap by differences."""
+def _gaps(
+    lanes: "Lanes", target: Target, unknowns: "Array", tolerance: float, group: int, steps: int = 1000
+) -> "Array":
+    """Where motions end less where they should: places, and gyration times the nose."""
+    gaps = lanes.ends(unknowns, target.nose, target.begin, tolerance, group, steps)
+    gaps[0] -= target.rest[0]
+    gaps[1] -= target.rest[1]
+    gaps[2] = lanes.gyration * (gaps[2] - target.rest_nose)
+    return gaps
+
+
+def sloped(lanes: "Lanes", target: Target, unknowns: "Array", tolerance: float) -> "tuple[Array, Array]":
+    """Gaps (3, n) of motions, and their derivatives (n, 3, 3)."""
     import numpy as np
 
-    size = max(float(np.linalg.norm(at)), 1e-3)
-    columns = []
+    count = unknowns.shape[1]
+    step = DIFFERENCE * (np.sqrt((unknowns * unknowns).sum(axis=0)) + 1e-3)
+    moved = np.repeat(unknowns, 4, axis=1).reshape(3, count, 4)
     for index in range(3):
-        moved = at.copy()
-        moved[index] += max(STEP, 30.0 * tolerance) * size
-        step = float(moved[index] - at[index])
-        there, _ = _gap(car, target, (float(moved[0]), float(moved[1]), float(moved[2])), tolerance)
-        columns.append([(a - b) / step for a, b in zip(there, gap, strict=True)])
-    return np.array(columns).T
+        moved[index, :, index + 1] += step
+    gaps = _gaps(lanes, target, moved.reshape(3, -1), tolerance, 4).reshape(3, count, 4)
+    slopes = (gaps[:, :, 1:] - gaps[:, :, :1]) / step[:, None]
+    return gaps[:, :, 0], slopes.transpose(1, 0, 2)
+
+
+def search(lanes: "Lanes", target: Target, starts: "Array") -> "tuple[Array, Array, Array]":
+    """Where damped Newton steps lead from each start: unknowns, the step that is left, and derivatives of the gaps.
+
+    A step is good when what the same derivatives would step next is shorter (Deuflhard's natural test): of a car that
+    rolls, motions that end almost alike form a narrow curved valley, along which the gap itself rises at first.
+    """
+    import numpy as np
+
+    at = starts.copy()
+    gaps, slopes = sloped(lanes, target, at, COARSE)
+    steps, lengths = _newton(slopes, gaps)
+    shares = np.ones(at.shape[1])
+    for round_ in range(MOST_ROUNDS):
+        sizes = _sizes(at)
+        found = lengths < SMALL * sizes
+        open_ = np.flatnonzero(~found & (shares > LEAST_SHARE))
+        if not open_.size or (round_ >= ENOUGH and found.any()):
+            break
+        reach = REACH * np.maximum(sizes[open_], 0.1) / lengths[open_]
+        shares[open_] = np.minimum(shares[open_], reach)
+        tried = at[:, open_] + shares[open_] * steps[:, open_]
+        new, by = sloped(lanes, target, tried, COARSE)
+        _, following = _newton(slopes[open_], new)
+        good = following <= (1.0 - 0.25 * shares[open_]) * lengths[open_]
+        shares[open_] = np.where(good, np.minimum(4.0 * shares[open_], 1.0), 0.25 * shares[open_])
+        moved = open_[good]
+        at[:, moved], gaps[:, moved], slopes[moved] = tried[:, good], new[:, good], by[good]
+        steps[:, moved], lengths[moved] = _newton(by[good], new[:, good])
+    left = lengths / _sizes(at)
+    return at + np.where(left < SMALL, 1.0, 0.0) * steps, left, slopes
+
+
+def _sizes(unknowns: "Array") -> "Array":
+    import numpy as np
+
+    sizes: Array = np.sqrt((unknowns * unknowns).sum(axis=0))
+    return sizes
+
+
+def _newton(slopes: "Array", gaps: "Array") -> "tuple[Array, Array]":
+    """Steps (3, n), and their lengths."""
+    import numpy as np
+
+    size = np.abs(slopes).max(axis=(1, 2), initial=1e-300)
+    steps = -np.linalg.solve(slopes + (1e-12 * size)[:, None, None] * np.eye(3), gaps.T[:, :, None])[:, :, 0].T
+    return steps, _sizes(steps)
+
+
+def _gap(car: Car, target: Target, unknowns: "Array") -> "tuple[Triple, Run]":
+    vx, vy, turning = unknowns.tolist()
+    done = run(car, State(*target.begin, target.nose, vx, vy, turning / car.gyration), TOLERANCE)
+    end = done.end
+    return (end.x - target.rest[0], end.y - target.rest[1], car.gyration * (end.nose - target.rest_nose)), done
+
+
+def _settled(car: Car, target: Target, at: "Array", slopes: "Array", scale: float) -> "tuple[Triple, Triple, Run]":
+    """The last steps in full accuracy, with the derivatives of the search kept up to date by Broyden's rule."""
+    import numpy as np
+
+    gap, done = _gap(car, target, at)
+    for _ in range(LAST_ROUNDS):
+        size = _length(*gap)
+        if size <= NEAR * scale:
+            break
+        step = -np.linalg.lstsq(slopes, np.array(gap), rcond=1e-9)[0]
+        new, there = _gap(car, target, at + step)
+        slopes = slopes + np.outer(np.array(new) - np.array(gap) - slopes @ step, step) / float(step @ step)
+        slower = _length(*new) > 0.5 * size
+        if _length(*new) < size:
+            at, gap, done = at + step, new, there
+        if slower and size <= ROUGH * scale:
+            break
+    return (float(at[0]), float(at[1]), float(at[2])), gap, done
 
 
 def _length(x: float, y: float, z: float) -> float:

@@ -8,8 +8,8 @@ about a point of a fixed grid near their middle, which is solved for once.
 
 from functools import lru_cache
 
-from dynamics_cli.impact.slide.back import TIGHT, Target, roots
-from dynamics_cli.impact.slide.motion import run
+from dynamics_cli.impact.slide.back import Target, roots
+from dynamics_cli.impact.slide.motion import TOLERANCE, run
 from dynamics_cli.impact.slide.wheels import Car, State, Wheel
 from dynamics_cli.numerics.elementary import atan2, cos, hypot, maximum, only_in_doubles, sin, sqrt
 from dynamics_cli.numerics.number import is_array, is_tracked, plain
@@ -113,7 +113,7 @@ def _moved(numbers: "list[float]", index: int, sign: float = 1.0) -> "list[float
 def _rest(single: "tuple[float, ...]", motion: "list[float]") -> "Three":
     """Where a motion ends less where it should: along the way, across it, and the nose."""
     *body, distance, beside, turn = single
-    end = run(car(tuple(body)), State(0.0, 0.0, -beside, *motion), TIGHT).end
+    end = run(car(tuple(body)), State(0.0, 0.0, -beside, *motion), TOLERANCE).end
     return end.x - distance, end.y, end.nose - (turn - beside)
 
 
