@@ -14,6 +14,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dynamics_cli.core.uncertainty.methods.lines import Steps
+
     Array = NDArray[Any]
 
 TENSOR_COUNTS = (3, 5, 8, 12, 18, 27, 40, 60)
@@ -49,9 +51,9 @@ def _levels(rest: int, goal: Goal) -> "list[int]":
     return [level for level in range(1, MOST_LEVEL + 1) if smolyak.size(rest, level) <= MOST_GRID_LINES]
 
 
-def grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
+def grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> "Steps[Outcome | None]":
     """Levels of tensor or sparse grids until two agree; None when the model is not monotone along the lines."""
-    rest = space.size - 1
+    rest = across.shape[1]
     name = "tensor Gauss–Hermite" if rest <= 2 else "Smolyak"
     own, factor = (1.0, 0.03) if space.smooth else (1.5, 0.5)
     best: Outcome | None = None
@@ -61,10 +63,10 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
         lines = Lines(space, result, direction, across, *rule(rest, level, goal.accuracy))
         shape = (rest, level, lines.weights.size)
         guess = carry(last[0], last[1], lines, (last[2], shape)) if last else None
-        roots = solve(lines, goal.p, goal.scores, goal.tolerance, guess)
+        roots = yield from solve(lines, goal.p, goal.scores, goal.tolerance, guess)
         if roots is None and guess is not None:
-            roots = solve(lines, goal.p, goal.scores, goal.tolerance)
-        if roots is None or (level == 2 and not order_moments(lines, ORDERS[1]).rising):
+            roots = yield from solve(lines, goal.p, goal.scores, goal.tolerance)
+        if roots is None or (level == 2 and not (yield from order_moments(lines, ORDERS[1])).rising):
             # Far lines of a finer grid that turn or leave the admissible region would bias a coarser one: start again.
             return None
         outcome = Outcome(f"{name} along the gradient, {lines.weights.size} lines", roots.quantiles, lines)
@@ -84,10 +86,10 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
         if (
             outcome.estimate <= goal.accuracy
             or _stalled(differences, rest)
-            or _hopeless(space, level, differences, goal)
+            or _hopeless(space, rest, level, differences, goal)
         ):
             break
-    return _with_moments(best, goal)
+    return (yield from _with_moments(best, goal))
 
 
 def _stalled(differences: "list[float]", rest: int) -> bool:
@@ -97,25 +99,24 @@ def _stalled(differences: "list[float]", rest: int) -> bool:
     return len(differences) >= 2 and differences[-1] > CONVERGING * differences[-2]
 
 
-def _hopeless(space: Space, level: int, differences: "list[float]", goal: Goal) -> bool:
+def _hopeless(space: Space, rest: int, level: int, differences: "list[float]", goal: Goal) -> bool:
     """Whether the next sparse grid would be large and still, because of bounded inputs, not good enough."""
-    rest = space.size - 1
     if rest <= 2 or space.smooth or not differences:
         return False
     return CONVERGING * differences[-1] > goal.accuracy and smolyak.size(rest, level + 1) > MANY_LINES
 
 
-def _with_moments(outcome: Outcome | None, goal: Goal) -> Outcome | None:
+def _with_moments(outcome: Outcome | None, goal: Goal) -> "Steps[Outcome | None]":
     """Mean and deviation on the lines; None when the values along them do not increase."""
     if outcome is None:
         return None
-    spread = moments(outcome.lines, goal.accuracy, outcome.before)
+    spread = yield from moments(outcome.lines, goal.accuracy, outcome.before)
     if not spread.rising:
         return None
     outcome.mean, outcome.std = spread.mean, spread.std
     error = spread.error
     if outcome.before is not None and spread.std > 0.0:
-        before = order_moments(outcome.before, spread.order)
+        before = yield from order_moments(outcome.before, spread.order)
         apart = max(abs(before.mean - spread.mean), abs(before.std - spread.std)) / spread.std
         error = max(error, apart if outcome.estimate > goal.accuracy else min(apart, 0.3 * apart + goal.accuracy))
     outcome.estimate = max(outcome.estimate, error)

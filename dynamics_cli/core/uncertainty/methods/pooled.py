@@ -56,11 +56,12 @@ class Pool:
             uniform = lattice(space.size, self.count, self.shifts, goal.seed)
         else:
             uniform = np.random.default_rng(goal.seed).random((space.size, total))
-        self._values = space.evaluate(quantile(uniform)).reshape(results, self.shifts, self.count)
+        self._rows = {row: place for place, row in enumerate(space.rest())}
+        self._values = space.some(quantile(uniform), list(self._rows)).reshape(-1, self.shifts, self.count)
 
     def outcome(self, result: int, goal: Goal, centre: Lines) -> Outcome:
         """One result's quantiles, mean and deviation."""
-        values = self._values[result]
+        values = self._values[self._rows[result]]
         good = ~np.isnan(values)
         counts = good.sum(axis=1)
         if counts.min() < 2:
