@@ -196,14 +196,13 @@ def _distribute(
     straight = Straight(space, probe, goal.seed)
     space.whole = set(np.flatnonzero((probe == np.rint(probe)).all(axis=1)).tolist())
     twins = [straight.of(row) for row in range(len(space.results))]
-    still = [bool((np.abs(line - line[0]) <= 2.0 * space.noise.get(name, 0.0)).all())
-             for name, line in zip(space.results, probe, strict=True)]  # fmt: skip
+    noise = np.array([[space.noise.get(name, 0.0)] for name in space.results])
+    still = (np.abs(probe - probe[:, :1]) <= 2.0 * noise).all(axis=1)
     if sample is None and len(space.results) > FEW_RESULTS and space.size > 1 and not space.slow:
-        goals = {
-            row: goal.asking(limits.get(name, ()), levels.get(name, ()), curve=False)
-            for row, name in enumerate(space.results)
-            if not still[row] and (not twins[row][0] or {name, twins[row][0]} & (limits.keys() | levels.keys()))
-        }
+        goals = {}
+        for row, name in enumerate(space.results):
+            if not still[row] and (not twins[row][0] or {name, twins[row][0]} & (limits.keys() | levels.keys())):
+                goals[row] = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=False)
         start(space, goals, probe, method)
     for row, name in enumerate(space.results):
         # A curve is drawn for the limited results, or for the first that varies.

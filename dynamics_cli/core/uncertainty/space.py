@@ -108,12 +108,13 @@ class Space:
 
     def values(self, z: "Array", result: int) -> "Array":
         """One result at points z."""
-        return self.some(z, [result])[0]  # type: ignore[no-any-return]
+        values: Array = self.some(z, [result])[0]
+        return values
 
     def some(self, z: "Array", rows: "Sequence[int]") -> "Array":
         """Some results at points z (rows, n): what others need is not kept."""
         if self._known is not None:
-            return self.evaluate(z)[rows]  # type: ignore[no-any-return]
+            return self.evaluate(z)[rows]
         made = np.empty((len(rows), z.shape[1]))
         for start in range(0, z.shape[1], LARGEST_BLOCK):
             part = z[:, start : start + LARGEST_BLOCK]
@@ -256,7 +257,7 @@ def _admissible(matrix: "Array", i: int, j: int) -> tuple[float, float]:
 
 
 def complement(direction: "Array", axes: "Array | None" = None) -> "Array":
-    """Orthonormal columns that span everything across a unit vector (a Householder reflection), or that of some axes."""
+    """Orthonormal columns that span all, or some axes, across a unit vector (a Householder reflection)."""
     if axes is not None:
         across = np.zeros((len(direction), int(axes.sum()) - 1))
         across[axes] = complement(direction[axes])

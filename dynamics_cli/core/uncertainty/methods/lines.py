@@ -4,7 +4,7 @@ With z = a·s + B·y, s along the gradient, P(result ≤ v) = Σ_j w_j Φ(s_j(v)
 roots on all lines and all quantiles are found by one Newton iteration, bordered by the condition on the probability.
 
 A call of the model gives all its results and costs about a millisecond, however few its points are. So these are
-generators (`Steps`) that yield the places where they need their result: `side_by_side` evaluates those of many together.
+generators (`Steps`) that yield the places where they need their result: `side_by_side` evaluates all of these together.
 """
 
 import numpy as np
@@ -15,7 +15,7 @@ from dynamics_cli.numerics.quadrature.hermite import gauss_hermite
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Generator, Hashable, Mapping
+    from collections.abc import Generator, Mapping
     from typing import Any, TypeVar
 
     from numpy.typing import NDArray
@@ -56,7 +56,8 @@ class Lines:
     def points(self, s: "Array") -> "Array":
         """The points at s (lines, k), one after another."""
         z = self.base[:, :, None] + self.direction[:, None, None] * s
-        return z.reshape(len(z), -1)
+        points: Array = z.reshape(len(z), -1)
+        return points
 
     def values(self, s: "Array") -> "Array":
         """The result at s (lines, k)."""
@@ -72,43 +73,43 @@ def alone(steps: "Steps[T]") -> "T":
     return side_by_side({0: steps})[0]
 
 
-def side_by_side(calculations: "Mapping[Hashable, Steps[T]]") -> "dict[Hashable, T]":
+def side_by_side(calculations: "Mapping[int, Steps[T]]") -> "dict[int, T]":
     """The outcomes of calculations by steps on one model, whose points are evaluated together."""
-    outcomes: dict[Hashable, T] = {}
-    going: dict[Hashable, Steps[T]] = dict(calculations)
-    values: dict[Hashable, Any] = dict.fromkeys(calculations)
+    outcomes: dict[int, T] = {}
+    going: dict[int, Steps[T]] = dict(calculations)
+    values: dict[int, Any] = dict.fromkeys(calculations)
     while going:
-        asked: dict[Hashable, tuple[Lines, Array]] = {}
-        for name, steps in list(going.items()):
+        asked: dict[int, tuple[Lines, Array]] = {}
+        for row, steps in list(going.items()):
             try:
-                asked[name] = steps.send(values[name])
+                asked[row] = steps.send(values[row])
             except StopIteration as end:
-                outcomes[name] = end.value
-                del going[name]
+                outcomes[row] = end.value
+                del going[row]
         values = _evaluated(asked)
     return outcomes
 
 
-def _evaluated(asked: "Mapping[Hashable, tuple[Lines, Array]]") -> "dict[Hashable, Array]":
+def _evaluated(asked: "Mapping[int, tuple[Lines, Array]]") -> "dict[int, Array]":
     """The values that each calculation asked for: together for as many as fit into a block, in the order given."""
-    values: dict[Hashable, Array] = {}
-    blocks: list[list[Hashable]] = []
+    values: dict[int, Array] = {}
+    blocks: list[list[int]] = []
     room = 0
-    for name, (lines, s) in asked.items():
+    for row, (lines, s) in asked.items():
         if s.size > LARGEST_BLOCK:
-            values[name] = lines.values(s)
+            values[row] = lines.values(s)
             continue
         if s.size > room:
             blocks.append([])
             room = LARGEST_BLOCK
-        blocks[-1].append(name)
+        blocks[-1].append(row)
         room -= s.size
-    for names in blocks:
-        parts = [asked[name] for name in names]
+    for rows in blocks:
+        parts = [asked[row] for row in rows]
         found = parts[0][0].space.evaluate(np.concatenate([lines.points(s) for lines, s in parts], axis=1))
         ends = np.cumsum([s.size for _, s in parts])
-        for name, (lines, s), end in zip(names, parts, ends.tolist(), strict=True):
-            values[name] = found[lines.result, end - s.size : end].reshape(s.shape)
+        for row, (lines, s), end in zip(rows, parts, ends.tolist(), strict=True):
+            values[row] = found[lines.result, end - s.size : end].reshape(s.shape)
     return values
 
 

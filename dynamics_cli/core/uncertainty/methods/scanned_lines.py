@@ -66,10 +66,13 @@ class Listed:
 
     def __init__(self, values: "Array") -> None:
         self.values = values
+        self.ordered = False
         self.admissible = 1.0
 
     def below(self, v: "Array", tolerance: float) -> "tuple[Array, Array]":
         """The share of values up to v."""
+        if not self.ordered:  # large samples are sorted only if someone asks
+            self.values, self.ordered = np.sort(self.values), True
         share = np.searchsorted(self.values, v, side="right") / self.values.size
         return share[None, :], np.zeros(v.size)
 

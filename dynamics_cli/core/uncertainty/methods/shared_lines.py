@@ -7,12 +7,13 @@ lines are sampled, where kinks have been integrated out. Results that rise in li
 
 import numpy as np
 
+from dynamics_cli.core.uncertainty.methods.grids import PARTS, crossings
 from dynamics_cli.core.uncertainty.methods.lines import Lines
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR, FLOOR, REPLICATE_FACTOR, SHIFTS, Goal, Outcome
 from dynamics_cli.core.uncertainty.space import Space, complement
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.numerics.distributions.normal_arrays import probability, quantile
-from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS, lattice
+from dynamics_cli.numerics.distributions.normal_arrays import probability
+from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -44,11 +45,6 @@ STEPS = 8
 NEAR = 0.004
 # Change on doubling the step, as a multiple of the step's own error, at kinks.
 OF_TWICE = 0.5
-# Reach of a grid of lines, and relative weights too small for a line.
-GRID_REACH, LEAST_WEIGHT = 5.0, 1e-6
-OFF, TURN = (0.31, -0.17), np.array([[0.8, -0.6], [0.6, 0.8]])
-# The parts of a grid, each of every second or fourth line, are replicates of one another.
-PARTS = 4
 # Together they err far less than lattices with random shifts would: a tenth or less, as measured.
 OF_PARTS = 0.25
 
@@ -69,7 +65,7 @@ class SharedLines:
         self.count = count
         self.sole = sole = sole or space.size == 1
         across = complement(direction)[:, : 0 if sole else None]
-        rest, weights, self.group = _across(across.shape[1], count, seed)
+        rest, weights, self.group = crossings(across.shape[1], count, seed)
         self.lines = weights.size
         many = POINTS if space.size - 1 in GRIDS else POINTS_OF_MANY
         self.points = POINTS_ALONE if space.size == 1 else POINTS_SOLE if sole else many
@@ -195,8 +191,7 @@ class Window:
         cut = np.flatnonzero(over & (cells.low <= self.high))
         self.group = cells.group[cut // cells.a.shape[1]]
         self.a, b, self.mass, self.bend, self.fall, self.bottom, self.top = (
-            part.ravel()[cut]
-            for part in (cells.a, cells.b, cells.mass, cells.bend, cells.fall, cells.low, cells.high)
+            part.ravel()[cut] for part in (cells.a, cells.b, cells.mass, cells.bend, cells.fall, cells.low, cells.high)
         )
         self.rise = b - self.a
         self.curved = np.abs(self.bend) < np.abs(self.rise)
@@ -214,31 +209,6 @@ class Window:
         share = self.base + np.bincount(self.group[cut], inside, minlength=self.groups)
         share += np.bincount(self.group, np.where(under, self.mass, 0.0), minlength=self.groups)
         return share, float((mass / np.abs(rise)).sum())
-
-
-def _across(rest: int, count: int, seed: int) -> "tuple[Array, Array, Array]":
-    """Where lines cross the rest of the space (rest, lines), their weights, and the replicate of each."""
-    if rest == 0:
-        return np.zeros((0, 1)), np.ones(1), np.zeros(1, dtype=int)
-    if rest > max(GRIDS):
-        across = quantile(lattice(rest, count, SHIFTS, seed))
-        lines = across.shape[1]
-        return across, np.full(lines, 1.0 / lines), np.repeat(np.arange(SHIFTS), lines // SHIFTS)
-    # The trapezoid rule: the best for functions that decay like a normal density.
-    places = np.indices((count,) * rest).reshape(rest, -1)
-    step = 2.0 * GRID_REACH / (count - 1)
-    # Off the middle and turned: the replicates of a grid that lies like the model's own symmetries would all be alike.
-    across = (places - 0.5 * (count - 1) + np.array(OFF[:rest])[:, None]) * step
-    if rest == 2:
-        across = TURN @ across
-    weights = np.exp(-0.5 * (across * across).sum(axis=0))
-    kept = weights > LEAST_WEIGHT
-    across, places, weights = across[:, kept], places[:, kept], weights[kept]
-    group = places[0] % PARTS if rest == 1 else places[0] % 2 + 2 * (places[1] % 2)
-    # Each replicate is a separate rule.
-    for part in range(PARTS):
-        weights[group == part] /= weights[group == part].sum() * PARTS
-    return across, weights, group
 
 
 def _bend(a: "Array", b: "Array") -> "Array":
@@ -340,9 +310,7 @@ def shared_lines(space: Space, result: int, direction: "Array", across: "Array",
     return outcome
 
 
-def _lines(
-    space: Space, direction: "Array", count: int, alike: float, seed: int, *, sole: bool = False
-) -> SharedLines:
+def _lines(space: Space, direction: "Array", count: int, alike: float, seed: int, *, sole: bool = False) -> SharedLines:
     known: list[SharedLines] = space.sole if sole else space.shared
     fitting = [lines for lines in known if abs(float(lines.direction @ direction)) >= alike and lines.count >= count]
     if not fitting:
