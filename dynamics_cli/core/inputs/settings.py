@@ -16,7 +16,7 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
         "Write the document to a file; its ending decides: .json .ndjson .csv .md .txt (- for standard output).",
     ),
     "all": ("flag", "", "Every result with its error bound, every table, what drives each uncertain result."),
-    "only": ("value", "NAME,...", "Only these results, value and unit, one a line: for $(...)."),
+    "only": ("value", "NAME,...", "Only these results: one a line for $(...), of rows the columns."),
     "table": ("value", "NAME", "One table of the result, complete."),
     "quiet": ("flag", "", "Only the headline results."),
     "fail": ("flag", "", "Status 6 when a limit is exceeded or a verdict is negative."),

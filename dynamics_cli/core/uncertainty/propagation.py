@@ -10,7 +10,7 @@ import numpy as np
 from dynamics_cli.core.deadline import Reached, stop
 from dynamics_cli.core.inputs.settings import METHODS
 from dynamics_cli.core.uncertainty.interval_ends import add_corners
-from dynamics_cli.core.uncertainty.methods.choice import FEW_RESULTS, integrate
+from dynamics_cli.core.uncertainty.methods.choice import FEW_RESULTS, integrate, start
 from dynamics_cli.core.uncertainty.methods.classical import Plain, Sample, linear, second_order, unscented
 from dynamics_cli.core.uncertainty.methods.outcome import DEFAULT_POINTS, FAIR, Goal, Outcome, direction_of
 from dynamics_cli.core.uncertainty.methods.scanned_lines import exceedance
@@ -195,15 +195,24 @@ def _distribute(
     limits, levels = wanted
     straight = Straight(space, probe, goal.seed)
     space.whole = set(np.flatnonzero((probe == np.rint(probe)).all(axis=1)).tolist())
+    twins = [straight.of(row) for row in range(len(space.results))]
+    noise = np.array([[space.noise.get(name, 0.0)] for name in space.results])
+    still = (np.abs(probe - probe[:, :1]) <= 2.0 * noise).all(axis=1)
+    if sample is None and len(space.results) > FEW_RESULTS and space.size > 1 and not space.slow:
+        goals = {}
+        for row, name in enumerate(space.results):
+            if not still[row] and (not twins[row][0] or {name, twins[row][0]} & (limits.keys() | levels.keys())):
+                goals[row] = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=False)
+        start(space, goals, probe, method)
     for row, name in enumerate(space.results):
         # A curve is drawn for the limited results, or for the first that varies.
         curve = goal.curve and (name in limits if limits else not propagation.varying())
         own = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=curve)
-        twin, scale, shift = straight.of(row)
+        twin, scale, shift = twins[row]
         more = {name, twin} & (limits.keys() | levels.keys())
         if twin and not more and not curve:
             propagation.spreads[name] = _copy(propagation.spreads[twin], name, scale, shift)
-        elif (np.abs(probe[row] - probe[row, 0]) <= 2.0 * space.noise.get(name, 0.0)).all():
+        elif still[row]:
             propagation.spreads[name] = _constant(name, float(probe[row, 0]), own)
         elif sample is not None:
             propagation.spreads[name] = _sampled(name, row, sample, own)
@@ -277,7 +286,7 @@ def _integrated(
     probe: "Array",
     slopes: "Mapping[str, float] | None",
 ) -> Spread:
-    direction = direction_of(space, probe, row)
+    direction = space.started[row][0] if row in space.started else direction_of(space, probe, row)
     outcome = integrate(space, row, direction, goal, method)
     spread = Spread(name, outcome.method, outcome.quantiles[goal.main].tolist(), outcome.mean, outcome.std)
     spread.estimate, spread.admissible = outcome.estimate, outcome.admissible

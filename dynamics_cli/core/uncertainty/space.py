@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 # Arrays of more points leave the processor's cache, which costs more than twice the time a point.
 LARGEST_BLOCK = 1 << 13
+# Cases at which it is looked whether an input bears on a result: a branch taken in one of a hundred shows.
+BEARING_CASES = 256
 # Sets of points whose results are kept.
 MOST_KNOWN = 4096
 # A pivot smaller than this is a correlation of ±1 as rounded, not a negative one.
@@ -61,8 +63,12 @@ class Space:
         self.few: Any = None
         # The results, by row, that are whole numbers at every point looked at.
         self.whole: set[int] = set()
-        # The lines that results share.
+        # The lines that results share, and the results that they and samples are for (all of them, or the rest).
         self.shared: list[Any] = []
+        self.sole: list[Any] = []
+        self.open: Sequence[int] | None = None
+        # By result, its direction and the outcome of grids where that is known already.
+        self.started: dict[int, tuple[Array, Any]] = {}
 
     @property
     def size(self) -> int:
@@ -100,8 +106,30 @@ class Space:
                 self._known[key] = known
         return known
 
-    def evaluate_inputs(self, inputs: "dict[str, Any]", count: int) -> "Array":
-        """Every result at given cases of the inputs."""
+    def values(self, z: "Array", result: int) -> "Array":
+        """One result at points z."""
+        values: Array = self.some(z, [result])[0]
+        return values
+
+    def some(self, z: "Array", rows: "Sequence[int]") -> "Array":
+        """Some results at points z (rows, n): what others need is not kept."""
+        if self._known is not None:
+            return self.evaluate(z)[rows]
+        made = np.empty((len(rows), z.shape[1]))
+        for start in range(0, z.shape[1], LARGEST_BLOCK):
+            part = z[:, start : start + LARGEST_BLOCK]
+            count = part.shape[1]
+            self.evaluate_inputs(self.inputs(part), count, made[:, start : start + count], rows)
+        return made
+
+    def rest(self) -> "Sequence[int]":
+        """The results, by row, that shared lines and samples are for."""
+        return range(len(self.results)) if self.open is None else self.open
+
+    def evaluate_inputs(
+        self, inputs: "dict[str, Any]", count: int, made: "Array | None" = None, rows: "Sequence[int]" = ()
+    ) -> "Array":
+        """Every result at given cases of the inputs; or those of some rows, into an array."""
         self.points += count
         if not count and self.results:
             return np.empty((len(self.results), 0))
@@ -109,14 +137,28 @@ class Space:
             results, refused = self.model(inputs)
         if not self.results:
             self.results = list(results)
-        made = np.empty((len(self.results), count))
-        for row, name in enumerate(self.results):
-            made[row] = results[name]
+        if made is None:
+            rows = range(len(self.results))
+            made = np.empty((len(rows), count))
+        for line, row in zip(made, rows, strict=True):
+            line[:] = results[self.results[row]]
         if refused is not None:
             made[:, refused] = np.nan
         if not np.isfinite(made.sum()):
             made[~np.isfinite(made)] = np.nan
         return made
+
+
+def bearing(space: Space, uniform: "Array") -> "Array":
+    """Whether each axis bears on each result (results, axes), at points of which another half replaces an axis."""
+    z, other = np.split(uniform, 2, axis=1)
+    cases = [z]
+    for axis in range(space.size):
+        cases.append(z.copy())
+        cases[-1][axis] = other[axis]
+    values = space.evaluate(np.concatenate(cases, axis=1)).reshape(-1, space.size + 1, z.shape[1])
+    one, rest = values[:, :1], values[:, 1:]
+    return ~((one == rest) | (np.isnan(one) & np.isnan(rest))).all(axis=2)  # type: ignore[no-any-return]
 
 
 def factor(names: "Sequence[str]", correlation: "Correlation", known: "set[str]") -> "Array | None":
@@ -214,8 +256,12 @@ def _admissible(matrix: "Array", i: int, j: int) -> tuple[float, float]:
     return middle - room, middle + room
 
 
-def complement(direction: "Array") -> "Array":
-    """Orthonormal columns that span everything across a unit vector (a Householder reflection)."""
+def complement(direction: "Array", axes: "Array | None" = None) -> "Array":
+    """Orthonormal columns that span all, or some axes, across a unit vector (a Householder reflection)."""
+    if axes is not None:
+        across = np.zeros((len(direction), int(axes.sum()) - 1))
+        across[axes] = complement(direction[axes])
+        return across
     count = len(direction)
     v = direction.copy()
     v[0] += 1.0 if v[0] >= 0.0 else -1.0

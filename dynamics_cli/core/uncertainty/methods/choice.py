@@ -10,22 +10,24 @@ import numpy as np
 
 from dynamics_cli.core.uncertainty.methods.grids import grids
 from dynamics_cli.core.uncertainty.methods.lattices import lattices
-from dynamics_cli.core.uncertainty.methods.lines import Lines
+from dynamics_cli.core.uncertainty.methods.lines import Lines, side_by_side
+from dynamics_cli.core.uncertainty.methods.lines import alone as stepped
 from dynamics_cli.core.uncertainty.methods.listed_grids import listed_grids
 from dynamics_cli.core.uncertainty.methods.listed_grids import suits as suits_listed_grids
 from dynamics_cli.core.uncertainty.methods.nested import nested
 from dynamics_cli.core.uncertainty.methods.nested import suits as suits_nested
-from dynamics_cli.core.uncertainty.methods.outcome import FAIR, GOOD, Goal, Outcome
+from dynamics_cli.core.uncertainty.methods.outcome import FAIR, GOOD, Goal, Outcome, direction_of
 from dynamics_cli.core.uncertainty.methods.pooled import counted, pooled
 from dynamics_cli.core.uncertainty.methods.scanned_lines import alone, scanned, scanned_grids
-from dynamics_cli.core.uncertainty.methods.shared_lines import ACCURACY, shared_lines, turns
+from dynamics_cli.core.uncertainty.methods.shared_lines import ACCURACY, shared_lines, sole_line
 from dynamics_cli.core.uncertainty.methods.shared_lines import suits as suits_shared_lines
-from dynamics_cli.core.uncertainty.space import Space, complement
-from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS
+from dynamics_cli.core.uncertainty.space import BEARING_CASES, Space, bearing, complement
+from dynamics_cli.numerics.distributions.normal_arrays import quantile
+from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS, lattice
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
     from typing import Any
 
     from numpy.typing import NDArray
@@ -81,6 +83,13 @@ def _nested(space: Space, result: int, direction: "Array", across: "Array", goal
     return outcome
 
 
+def _grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
+    """Grids along the gradient, where they have not been started beside those of other results."""
+    if result in space.started:
+        return space.started[result][1]  # type: ignore[no-any-return]
+    return stepped(grids(space, result, direction, across, goal))
+
+
 # What a method costs, in evaluations of the model for one result.
 WAYS = (
     # 3e4, once for all results: whole numbers; jumps leave nothing to be had from other points
@@ -88,13 +97,16 @@ WAYS = (
     # 1e3 to 1e5: two or three bounded or triangular inputs
     Way(_nested, lambda p: p.asked == "auto" and suits_nested(p.space, p.goal)),
     # 1e2 to 1e5: results that rise along every line; exact to many digits where they are smooth
-    Way(grids, lambda p: p.asked != "lattice" and not p.space.stepped),
+    GRIDS := Way(_grids, lambda p: p.asked != "lattice" and not p.space.stepped),
     # 1e3 to 1e5: lists of values among inputs that are smooth
-    Way(listed_grids, lambda p: p.asked == "auto" and suits_listed_grids(p.space)),
+    Way(lambda *problem: stepped(listed_grids(*problem)), lambda p: p.asked == "auto" and suits_listed_grids(p.space)),
     # 5e4, or 2e5, once for all results that rise in like directions: kinks, turns, jumps
     Way(shared_lines, lambda p: p.sharing and not p.space.slow, above=ACCURACY),
     # 1e4 to 3e6: kinks, bounded inputs, many inputs, as long as results rise along every line
-    Way(lattices, lambda p: p.narrow and not p.space.stepped and not p.dear and not p.sharing),
+    Way(
+        lambda *problem: stepped(lattices(*problem)),
+        lambda p: p.narrow and not p.space.stepped and not p.dear and not p.sharing,
+    ),
     # 2e5 to 2e6, once for all results, whatever they do
     Way(pooled, lambda p: p.several and not p.sharing, above=GOOD, whole=True),
     Way(pooled, lambda p: p.sharing, above=FAIR, whole=True),
@@ -107,15 +119,47 @@ WAYS = (
 )
 
 
+def _single(problem: Problem, result: int, direction: "Array", goal: Goal) -> Outcome:
+    """A result on which a single input bears."""
+    space = problem.space
+    turning = sole_line(space, result, direction, problem.goal) if problem.sharing and not space.slow else None
+    return turning or alone(space, result, direction, goal)
+
+
+def start(space: Space, goals: "Mapping[int, Goal]", probe: "Array", asked: str) -> None:
+    """Grids of many results in common calls of the model, each across the inputs that bear on it."""
+    calculations = {}
+    bears = bearing(space, quantile(lattice(space.size, BEARING_CASES, 2))) if space.size <= MOST_DIMENSIONS else None
+    rest = set(space.whole)
+    for result, goal in goals.items():
+        own = goal.own(space)
+        if next(way for way in WAYS if way.suits(Problem(space, own, asked, result))) is not GRIDS:
+            rest.add(result)
+            continue
+        direction = direction_of(space, probe, result)
+        axes = None if bears is None or space.heavy or not bears[result].any() else bears[result]
+        if axes is not None:
+            direction = np.where(axes, direction, 0.0)
+            direction /= np.sqrt(direction @ direction)
+        if axes is not None and axes.sum() == 1:
+            space.started[result] = direction, _single(Problem(space, own, asked, result), result, direction, goal)
+            continue
+        space.started[result] = direction, None
+        calculations[result] = grids(space, result, direction, complement(direction, axes), own)
+    for result, outcome in side_by_side(calculations).items():
+        space.started[result] = space.started[result][0], outcome
+        if outcome is None or outcome.estimate > max(ACCURACY, goals[result].accuracy):
+            rest.add(result)
+    space.open = sorted(rest)
+
+
 def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: str) -> Outcome:
     """The best outcome for one result within the goal's points."""
     own = goal.own(space)
     problem = Problem(space, own, asked, result)
     across = complement(direction)
     if space.size == 1:
-        if problem.sharing and not space.slow and turns(space, result, direction, own):
-            return shared_lines(space, result, direction, across, own)
-        return alone(space, result, direction, goal)
+        return _single(problem, result, direction, goal)
     best: Outcome | None = None
     for way in WAYS:
         known = ANY if best is None else best.estimate
@@ -124,7 +168,7 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
         outcome = way.method(space, result, direction, across, goal if way.whole else own)
         if outcome is not None and (best is None or outcome.estimate < best.estimate):
             best = outcome
-        if best is not None and (way.method is counted or (way.method is grids and asked == "quadrature")):
+        if best is not None and (way.method is counted or (way is GRIDS and asked == "quadrature")):
             break
     assert best is not None
     return best

@@ -3,16 +3,20 @@
 import numpy as np
 
 from dynamics_cli.core.uncertainty.methods.lines import ORDERS, Lines, Roots, carry, moments, order_moments, solve
-from dynamics_cli.core.uncertainty.methods.outcome import FLOOR, GOOD, Goal, Outcome, width_of
+from dynamics_cli.core.uncertainty.methods.outcome import FLOOR, GOOD, SHIFTS, Goal, Outcome, width_of
 from dynamics_cli.core.uncertainty.space import Space
+from dynamics_cli.numerics.distributions.normal_arrays import quantile
 from dynamics_cli.numerics.quadrature import smolyak
 from dynamics_cli.numerics.quadrature.hermite import gauss_hermite, tensor
+from dynamics_cli.numerics.quadrature.lattice import lattice
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
     from numpy.typing import NDArray
+
+    from dynamics_cli.core.uncertainty.methods.lines import Steps
 
     Array = NDArray[Any]
 
@@ -25,6 +29,11 @@ MOST_LEVEL = 4
 MOST_GRID_LINES = 12_000
 # More lines than this are not tried unless the previous level suggests that they will suffice.
 MANY_LINES = 2_000
+# Reach of a plain grid of lines, and relative weights too small for a line.
+GRID_REACH, LEAST_WEIGHT = 5.0, 1e-6
+OFF, TURN = (0.31, -0.17), np.array([[0.8, -0.6], [0.6, 0.8]])
+# The parts of a grid, each of every second or fourth line, are replicates of one another.
+PARTS = 4
 _rules: "dict[tuple[int, int, int], tuple[Array, Array]]" = {}
 
 
@@ -43,15 +52,40 @@ def rule(rest: int, level: int, accuracy: float) -> "tuple[Array, Array]":
     return _rules[key]
 
 
+def crossings(rest: int, count: int, seed: int) -> "tuple[Array, Array, Array]":
+    """Where lines cross the rest of the space (rest, lines), their weights, and the replicate of each."""
+    if rest == 0:
+        return np.zeros((0, 1)), np.ones(1), np.zeros(1, dtype=int)
+    if rest > 2:
+        across = quantile(lattice(rest, count, SHIFTS, seed))
+        lines = across.shape[1]
+        return across, np.full(lines, 1.0 / lines), np.repeat(np.arange(SHIFTS), lines // SHIFTS)
+    # The trapezoid rule: the best for functions that decay like a normal density.
+    places = np.indices((count,) * rest).reshape(rest, -1)
+    step = 2.0 * GRID_REACH / (count - 1)
+    # Off the middle and turned: the replicates of a grid that lies like the model's own symmetries would all be alike.
+    across = (places - 0.5 * (count - 1) + np.array(OFF[:rest])[:, None]) * step
+    if rest == 2:
+        across = TURN @ across
+    weights = np.exp(-0.5 * (across * across).sum(axis=0))
+    kept = weights > LEAST_WEIGHT
+    across, places, weights = across[:, kept], places[:, kept], weights[kept]
+    group = places[0] % PARTS if rest == 1 else places[0] % 2 + 2 * (places[1] % 2)
+    # Each replicate is a separate rule.
+    for part in range(PARTS):
+        weights[group == part] /= weights[group == part].sum() * PARTS
+    return across, weights, group
+
+
 def _levels(rest: int, goal: Goal) -> "list[int]":
     if rest <= 2:
         return list(range(1, len(TENSOR_COUNTS) + 1))
     return [level for level in range(1, MOST_LEVEL + 1) if smolyak.size(rest, level) <= MOST_GRID_LINES]
 
 
-def grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
+def grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> "Steps[Outcome | None]":
     """Levels of tensor or sparse grids until two agree; None when the model is not monotone along the lines."""
-    rest = space.size - 1
+    rest = across.shape[1]
     name = "tensor Gauss–Hermite" if rest <= 2 else "Smolyak"
     own, factor = (1.0, 0.03) if space.smooth else (1.5, 0.5)
     best: Outcome | None = None
@@ -61,10 +95,10 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
         lines = Lines(space, result, direction, across, *rule(rest, level, goal.accuracy))
         shape = (rest, level, lines.weights.size)
         guess = carry(last[0], last[1], lines, (last[2], shape)) if last else None
-        roots = solve(lines, goal.p, goal.scores, goal.tolerance, guess)
+        roots = yield from solve(lines, goal.p, goal.scores, goal.tolerance, guess)
         if roots is None and guess is not None:
-            roots = solve(lines, goal.p, goal.scores, goal.tolerance)
-        if roots is None or (level == 2 and not order_moments(lines, ORDERS[1]).rising):
+            roots = yield from solve(lines, goal.p, goal.scores, goal.tolerance)
+        if roots is None or (level == 2 and not (yield from order_moments(lines, ORDERS[1])).rising):
             # Far lines of a finer grid that turn or leave the admissible region would bias a coarser one: start again.
             return None
         outcome = Outcome(f"{name} along the gradient, {lines.weights.size} lines", roots.quantiles, lines)
@@ -84,10 +118,10 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
         if (
             outcome.estimate <= goal.accuracy
             or _stalled(differences, rest)
-            or _hopeless(space, level, differences, goal)
+            or _hopeless(space, rest, level, differences, goal)
         ):
             break
-    return _with_moments(best, goal)
+    return (yield from _with_moments(best, goal))
 
 
 def _stalled(differences: "list[float]", rest: int) -> bool:
@@ -97,25 +131,24 @@ def _stalled(differences: "list[float]", rest: int) -> bool:
     return len(differences) >= 2 and differences[-1] > CONVERGING * differences[-2]
 
 
-def _hopeless(space: Space, level: int, differences: "list[float]", goal: Goal) -> bool:
+def _hopeless(space: Space, rest: int, level: int, differences: "list[float]", goal: Goal) -> bool:
     """Whether the next sparse grid would be large and still, because of bounded inputs, not good enough."""
-    rest = space.size - 1
     if rest <= 2 or space.smooth or not differences:
         return False
     return CONVERGING * differences[-1] > goal.accuracy and smolyak.size(rest, level + 1) > MANY_LINES
 
 
-def _with_moments(outcome: Outcome | None, goal: Goal) -> Outcome | None:
+def _with_moments(outcome: Outcome | None, goal: Goal) -> "Steps[Outcome | None]":
     """Mean and deviation on the lines; None when the values along them do not increase."""
     if outcome is None:
         return None
-    spread = moments(outcome.lines, goal.accuracy, outcome.before)
+    spread = yield from moments(outcome.lines, goal.accuracy, outcome.before)
     if not spread.rising:
         return None
     outcome.mean, outcome.std = spread.mean, spread.std
     error = spread.error
     if outcome.before is not None and spread.std > 0.0:
-        before = order_moments(outcome.before, spread.order)
+        before = yield from order_moments(outcome.before, spread.order)
         apart = max(abs(before.mean - spread.mean), abs(before.std - spread.std)) / spread.std
         error = max(error, apart if outcome.estimate > goal.accuracy else min(apart, 0.3 * apart + goal.accuracy))
     outcome.estimate = max(outcome.estimate, error)

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dynamics_cli.core.uncertainty.methods.lines import Steps
+
     Array = NDArray[Any]
 
 FIRST_LATTICE = 128
@@ -42,7 +44,7 @@ def lattice_lines(space: Space, result: int, direction: "Array", across: "Array"
     return Lines(space, result, direction, across, rest, np.full(rest.shape[1], 1.0 / rest.shape[1]))
 
 
-def lattices(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
+def lattices(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> "Steps[Outcome | None]":
     """Growing lattices until the replicates agree; None when the iteration fails on any line.
 
     After the first the axes across are turned so that the first of them is the one along which roots shift most: the
@@ -62,9 +64,9 @@ def lattices(space: Space, result: int, direction: "Array", across: "Array", goa
             last[0].rest = turn.T @ last[0].rest
             lines = lattice_lines(space, result, direction, across, count, goal.seed)
             guess = carry(_thinned(last[0]), _thin_roots(*last), lines)
-        if last is None and not order_moments(lines, ORDERS[1]).rising:
+        if last is None and not (yield from order_moments(lines, ORDERS[1])).rising:
             return None
-        roots = solve(lines, goal.p, goal.scores, goal.tolerance, guess)
+        roots = yield from solve(lines, goal.p, goal.scores, goal.tolerance, guess)
         if roots is None:
             return None
         outcome = Outcome(
@@ -77,7 +79,7 @@ def lattices(space: Space, result: int, direction: "Array", across: "Array", goa
         cost = 4 * SHIFTS * grown * goal.p.size
         most = grown == count or space.points + cost > goal.points
         if outcome.estimate <= goal.accuracy or most:
-            done = _lattice_moments(outcome, goal)
+            done = yield from _lattice_moments(outcome, goal)
             if done is None or done.estimate <= goal.accuracy or most:
                 return done
             # moments may need more lines than quantiles
@@ -121,10 +123,10 @@ def replicate_estimate(outcome: Outcome, goal: Goal) -> float:
     return max(float((REPLICATE_FACTOR * scatter / dense).max()) / width, FLOOR)
 
 
-def _lattice_moments(outcome: Outcome | None, goal: Goal) -> Outcome | None:
+def _lattice_moments(outcome: Outcome | None, goal: Goal) -> "Steps[Outcome | None]":
     if outcome is None:
         return None
-    spread = moments(outcome.lines, max(goal.accuracy, 0.1 * outcome.estimate), _thinned(outcome.lines))
+    spread = yield from moments(outcome.lines, max(goal.accuracy, 0.1 * outcome.estimate), _thinned(outcome.lines))
     if not spread.rising:
         return None
     outcome.mean, outcome.std = spread.mean, spread.std

@@ -2,22 +2,30 @@
 
 With z = a·s + B·y, s along the gradient, P(result ≤ v) = Σ_j w_j Φ(s_j(v)) over lines j with quadrature points y_j. All
 roots on all lines and all quantiles are found by one Newton iteration, bordered by the condition on the probability.
+
+A call of the model gives all its results and costs about a millisecond, however few its points are. So these are
+generators (`Steps`) that yield the places where they need their result: `side_by_side` evaluates all of these together.
 """
 
 import numpy as np
 
+from dynamics_cli.core.uncertainty.space import LARGEST_BLOCK
 from dynamics_cli.numerics.distributions.normal_arrays import density, probability
 from dynamics_cli.numerics.quadrature.hermite import gauss_hermite
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
+    from collections.abc import Generator, Mapping
+    from typing import Any, TypeVar
 
     from numpy.typing import NDArray
 
     from dynamics_cli.core.uncertainty.space import Space
 
     Array = NDArray[Any]
+    T = TypeVar("T")
+    # Yields lines and places s (lines, k) on them, and is sent the result's values there.
+    Steps = Generator[tuple["Lines", Array], Array, T]
 
 MOST_STEPS = 14
 FIRST_DIFFERENCE = 1e-3
@@ -45,14 +53,64 @@ class Lines:
         self.weights = w
         self.base = across @ rest
 
+    def points(self, s: "Array") -> "Array":
+        """The points at s (lines, k), one after another."""
+        z = self.base[:, :, None] + self.direction[:, None, None] * s
+        points: Array = z.reshape(len(z), -1)
+        return points
+
     def values(self, s: "Array") -> "Array":
         """The result at s (lines, k)."""
-        z = self.base[:, :, None] + self.direction[:, None, None] * s
-        return self.space.evaluate(z.reshape(len(z), -1))[self.result].reshape(s.shape)  # type: ignore[no-any-return]
+        return self.space.values(self.points(s), self.result).reshape(s.shape)
 
     def at(self, index: "Array", s: "Array") -> "Array":
         """The result on chosen lines, one s each."""
-        return self.space.evaluate(self.base[:, index] + self.direction[:, None] * s)[self.result]  # type: ignore[no-any-return]
+        return self.space.values(self.base[:, index] + self.direction[:, None] * s, self.result)
+
+
+def alone(steps: "Steps[T]") -> "T":
+    """The outcome of one calculation by steps."""
+    return side_by_side({0: steps})[0]
+
+
+def side_by_side(calculations: "Mapping[int, Steps[T]]") -> "dict[int, T]":
+    """The outcomes of calculations by steps on one model, whose points are evaluated together."""
+    outcomes: dict[int, T] = {}
+    going: dict[int, Steps[T]] = dict(calculations)
+    values: dict[int, Any] = dict.fromkeys(calculations)
+    while going:
+        asked: dict[int, tuple[Lines, Array]] = {}
+        for row, steps in list(going.items()):
+            try:
+                asked[row] = steps.send(values[row])
+            except StopIteration as end:
+                outcomes[row] = end.value
+                del going[row]
+        values = _evaluated(asked)
+    return outcomes
+
+
+def _evaluated(asked: "Mapping[int, tuple[Lines, Array]]") -> "dict[int, Array]":
+    """The values that each calculation asked for: together for as many as fit into a block, in the order given."""
+    values: dict[int, Array] = {}
+    blocks: list[list[int]] = []
+    room = 0
+    for row, (lines, s) in asked.items():
+        if s.size > LARGEST_BLOCK:
+            values[row] = lines.values(s)
+            continue
+        if s.size > room:
+            blocks.append([])
+            room = LARGEST_BLOCK
+        blocks[-1].append(row)
+        room -= s.size
+    for rows in blocks:
+        parts = [asked[row] for row in rows]
+        found = parts[0][0].space.evaluate(np.concatenate([lines.points(s) for lines, s in parts], axis=1))
+        ends = np.cumsum([s.size for _, s in parts])
+        for row, (lines, s), end in zip(rows, parts, ends.tolist(), strict=True):
+            values[row] = found[lines.result, end - s.size : end].reshape(s.shape)
+    return values
 
 
 class Roots:
@@ -74,7 +132,7 @@ class Roots:
 
 def solve(
     lines: Lines, p: "Array", scores: "Array", tolerance: float, guess: "tuple[Array, Array] | None" = None
-) -> Roots | None:
+) -> "Steps[Roots | None]":
     """Find all quantiles; None where a value is undefined, the model does not rise, or the iteration does not settle.
 
     `tolerance` bounds the weighted error left in s before the last step, whose own error is of second order.
@@ -82,12 +140,12 @@ def solve(
     weights = lines.weights
     if guess is None:
         s = np.broadcast_to(scores, (weights.size, p.size))
-        both = lines.values(np.concatenate([s, s + FIRST_DIFFERENCE], axis=1))
+        both = yield lines, np.concatenate([s, s + FIRST_DIFFERENCE], axis=1)
         value = both[:, : p.size]
         slope = (both[:, p.size :] - value) / FIRST_DIFFERENCE
     else:
         s, slope = guess
-        value = lines.values(s)
+        value = yield lines, s
     v = weights @ value
     absolute = np.abs(weights)
     last = FIRST_DIFFERENCE if guess is None else 1.0
@@ -106,7 +164,7 @@ def solve(
             return Roots(s_next, v, slope, step, left)
         last = rest
         before, s = value, s_next
-        value = lines.values(s)
+        value = yield lines, s
         # Secant; where the step was too small, the old slope is kept.
         far = np.abs(move) > 1e-9
         slope = np.where(far, (value - before) / np.where(far, move, 1.0), slope)
@@ -133,22 +191,22 @@ class Moments:
         self.by_line = by_line
 
 
-def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> Moments:
+def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> "Steps[Moments]":
     """Mean and deviation by Gauss–Hermite along every line.
 
     The order is chosen on `trial`, fewer lines of the same space: the lower of two orders that agree.
     """
     trial = trial or lines
     if lines.space.heavy:
-        moments_of = order_moments(lines, ORDERS[1])
+        moments_of = yield from order_moments(lines, ORDERS[1])
         moments_of.mean = moments_of.std = np.nan
         moments_of.error = 0.0
         return moments_of
-    last = order_moments(trial, ORDERS[0])
+    last = yield from order_moments(trial, ORDERS[0])
     if not last.rising:
         return last
     for count in ORDERS[1:]:
-        moments_of = order_moments(trial, count)
+        moments_of = yield from order_moments(trial, count)
         if not moments_of.rising or moments_of.std == 0.0:
             return moments_of
         last.error = max(abs(moments_of.mean - last.mean), abs(moments_of.std - last.std)) / moments_of.std
@@ -158,18 +216,18 @@ def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> Moment
         last = moments_of
     if trial is lines:
         return last
-    final = order_moments(lines, last.order)
+    final = yield from order_moments(lines, last.order)
     final.error = last.error
     return final
 
 
-def order_moments(lines: Lines, count: int) -> Moments:
+def order_moments(lines: Lines, count: int) -> "Steps[Moments]":
     """Mean and deviation by a rule of so many points along every line."""
     nodes, along = gauss_hermite(count)
     # Nodes of negligible weight would only meet the end of the model's domain.
     heavy = along > 1e-18
     nodes, along = nodes[heavy], along[heavy]
-    values = lines.values(np.broadcast_to(nodes, (lines.weights.size, nodes.size)))
+    values = yield lines, np.broadcast_to(nodes, (lines.weights.size, nodes.size))
     sound = bool((np.diff(values[np.abs(lines.weights) > _NEGLIGIBLE], axis=1) > 0.0).all())
     if np.isnan(values).any():
         return Moments(np.nan, np.nan, np.inf, count, rising=False)

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dynamics_cli.core.uncertainty.methods.lines import Steps
+
     Array = NDArray[Any]
 
 # Values of all listed inputs together, and lines of all of them.
@@ -37,7 +39,7 @@ def suits(space: Space) -> bool:
     return bool(axes) and len(axes) < space.size and count <= MOST_VALUES and space.factor is None and not space.heavy
 
 
-def listed_grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
+def listed_grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> "Steps[Outcome | None]":
     """Levels of grids until two agree; None where the result does not rise along every line."""
     listed = _stepped(space)
     smooth = [axis for axis in range(space.size) if axis not in listed]
@@ -54,8 +56,8 @@ def listed_grids(space: Space, result: int, direction: "Array", across: "Array",
         if len(smooth) > 3 and smolyak.size(len(smooth) - 1, level) * scores.shape[1] > MOST_LINES:
             break
         lines = _lines(space, result, own, smooth, listed, scores, level, goal.accuracy)
-        roots = solve(lines, goal.p, goal.scores, goal.tolerance)
-        if roots is None or (level == 2 and not order_moments(lines, ORDERS[1]).rising):
+        roots = yield from solve(lines, goal.p, goal.scores, goal.tolerance)
+        if roots is None or (level == 2 and not (yield from order_moments(lines, ORDERS[1])).rising):
             return None
         outcome = Outcome(f"grids along the gradient for {scores.shape[1]} listed values", roots.quantiles, lines)
         outcome.roots = roots
@@ -71,7 +73,7 @@ def listed_grids(space: Space, result: int, direction: "Array", across: "Array",
         before = outcome
         if outcome.estimate <= goal.accuracy:
             break
-    return None if best is None else _with_moments(best, goal)
+    return None if best is None else (yield from _with_moments(best, goal))
 
 
 def _scores(space: Space, listed: "list[int]") -> "Array":
@@ -102,8 +104,8 @@ def _lines(
     return lines
 
 
-def _with_moments(outcome: Outcome, goal: Goal) -> Outcome | None:
-    spread = moments(outcome.lines, goal.accuracy, outcome.before)
+def _with_moments(outcome: Outcome, goal: Goal) -> "Steps[Outcome | None]":
+    spread = yield from moments(outcome.lines, goal.accuracy, outcome.before)
     if not spread.rising:
         return None
     outcome.mean, outcome.std = spread.mean, spread.std

@@ -56,27 +56,28 @@ class Pool:
             uniform = lattice(space.size, self.count, self.shifts, goal.seed)
         else:
             uniform = np.random.default_rng(goal.seed).random((space.size, total))
-        self._values = space.evaluate(quantile(uniform)).reshape(results, self.shifts, self.count)
+        self._rows = {row: place for place, row in enumerate(space.rest())}
+        self._values = space.some(quantile(uniform), list(self._rows)).reshape(-1, self.shifts, self.count)
 
     def outcome(self, result: int, goal: Goal, centre: Lines) -> Outcome:
         """One result's quantiles, mean and deviation."""
-        values = self._values[result]
+        values = self._values[self._rows[result]]
         good = ~np.isnan(values)
         counts = good.sum(axis=1)
         if counts.min() < 2:
             message = "almost no case within the inputs' uncertainty is admissible"
             raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
         whole = bool(good.all())
-        ordered = np.sort(values.ravel() if whole else values[good])
+        sound = values.ravel() if whole else values[good]
         method = f"{self.shifts} shifted lattices of {self.count} points, one sample for all results"
-        outcome = Outcome(method, np.quantile(ordered, goal.p), centre)
+        outcome = Outcome(method, np.quantile(sound, goal.p), centre)
         outcome.admissible = float(counts.sum() / values.size)
-        outcome.scan = Listed(ordered)  # type: ignore[assignment]
+        outcome.scan = Listed(sound)  # type: ignore[assignment]
         find = np.quantile if whole else np.nanquantile
         scatter = list(find(values, goal.p, axis=1).std(axis=1, ddof=1))
         width = width_of(outcome.quantiles, goal)
         if not centre.space.heavy:
-            outcome.mean, outcome.std = float(ordered.mean()), float(ordered.std())
+            outcome.mean, outcome.std = float(sound.mean()), float(sound.std())
             width = outcome.std
             apart = values - outcome.mean
             scatter += [np.nanmean(apart, axis=1).std(ddof=1), np.sqrt(np.nanmean(apart**2, axis=1)).std(ddof=1)]

@@ -29,8 +29,8 @@ FINE_STEP = 0.05
 
 
 def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome:
-    """One uncertain input: its own quantiles through the model, exact; by monotone pieces where it turns."""
-    lines = Lines(space, result, direction, np.zeros((1, 0)), np.zeros((0, 1)), np.ones(1))
+    """One input that bears on a result: its own quantiles through the model, exact; by monotone pieces if it turns."""
+    lines = Lines(space, result, direction, np.zeros((space.size, 0)), np.zeros((0, 1)), np.ones(1))
     if space.stepped:
         return _atoms(space, result, lines, goal)
     scan = Scan(lines, points=SLOW_SCAN if space.slow else FINE_SCAN)
@@ -66,10 +66,13 @@ class Listed:
 
     def __init__(self, values: "Array") -> None:
         self.values = values
+        self.ordered = False
         self.admissible = 1.0
 
     def below(self, v: "Array", tolerance: float) -> "tuple[Array, Array]":
         """The share of values up to v."""
+        if not self.ordered:  # large samples are sorted only if someone asks
+            self.values, self.ordered = np.sort(self.values), True
         share = np.searchsorted(self.values, v, side="right") / self.values.size
         return share[None, :], np.zeros(v.size)
 

@@ -7,12 +7,13 @@ lines are sampled, where kinks have been integrated out. Results that rise in li
 
 import numpy as np
 
+from dynamics_cli.core.uncertainty.methods.grids import PARTS, crossings
 from dynamics_cli.core.uncertainty.methods.lines import Lines
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR, FLOOR, REPLICATE_FACTOR, SHIFTS, Goal, Outcome
 from dynamics_cli.core.uncertainty.space import Space, complement
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.numerics.distributions.normal_arrays import probability, quantile
-from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS, lattice
+from dynamics_cli.numerics.distributions.normal_arrays import probability
+from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,8 +29,9 @@ ACCURACY = 5e-3
 # Reach of the lines in standard deviations; a normal variable is beyond it with 2e-8.
 REACH = 5.6
 POINTS = 97
-# For a single input the only line has more; where many lines are needed, each has fewer.
-POINTS_ALONE, POINTS_OF_MANY = 4097, 49
+# For a single input the only line has more, and one of several that alone bears on a result; where many lines are
+# needed, each has fewer.
+POINTS_ALONE, POINTS_SOLE, POINTS_OF_MANY = 4097, 1025, 49
 # Lines across: on a grid with this many for each of one or two remaining dimensions, else this many of each
 # lattice; the first try, and the finer one if needed.
 GRIDS = {0: (1,), 1: (48, 144), 2: (26, 44)}
@@ -39,13 +41,10 @@ ALIKE, OWN = 0.5, 0.95
 # More sets of lines than this cost more than one sample for the results they serve badly.
 MOST_SETS = 4
 STEPS = 8
+# Cells are sought once for all values within this part of a result's range.
+NEAR = 0.004
 # Change on doubling the step, as a multiple of the step's own error, at kinks.
 OF_TWICE = 0.5
-# Reach of a grid of lines, and relative weights too small for a line.
-GRID_REACH, LEAST_WEIGHT = 5.0, 1e-6
-OFF, TURN = (0.31, -0.17), np.array([[0.8, -0.6], [0.6, 0.8]])
-# The parts of a grid, each of every second or fourth line, are replicates of one another.
-PARTS = 4
 # Together they err far less than lattices with random shifts would: a tenth or less, as measured.
 OF_PARTS = 0.25
 
@@ -56,21 +55,28 @@ def suits(space: Space) -> bool:
 
 
 class SharedLines:
-    """Values of every result (results, lines, points) on parallel lines."""
+    """Values (lines, points) of the results that need them on parallel lines.
 
-    def __init__(self, space: Space, direction: "Array", count: int, seed: int) -> None:
+    The only line of a `sole` direction is for results that no other direction bears on.
+    """
+
+    def __init__(self, space: Space, direction: "Array", count: int, seed: int, *, sole: bool = False) -> None:
         self.direction = direction
         self.count = count
-        rest, weights, self.group = _across(space.size - 1, count, seed)
+        self.sole = sole = sole or space.size == 1
+        across = complement(direction)[:, : 0 if sole else None]
+        rest, weights, self.group = crossings(across.shape[1], count, seed)
         self.lines = weights.size
-        self.points = POINTS_ALONE if space.size == 1 else POINTS if space.size - 1 in GRIDS else POINTS_OF_MANY
+        many = POINTS if space.size - 1 in GRIDS else POINTS_OF_MANY
+        self.points = POINTS_ALONE if space.size == 1 else POINTS_SOLE if sole else many
         grid = np.linspace(-REACH, REACH, self.points)
         # Kinks then lie anywhere between two points, and the error of a fixed grid averages out.
         shift = (np.arange(self.lines) * 0.6180339887498949 + 0.5) % 1.0 - 0.5
         self.s = grid + (shift * (grid[1] - grid[0]))[:, None]
-        z = (complement(direction) @ rest)[:, :, None] + direction[:, None, None] * self.s
-        values = space.evaluate(z.reshape(space.size, -1))
-        self.values = values.reshape(len(values), self.lines, self.points)
+        z = (across @ rest)[:, :, None] + direction[:, None, None] * self.s
+        rows = space.rest()
+        values = space.some(z.reshape(space.size, -1), rows).reshape(-1, self.lines, self.points)
+        self.values = dict(zip(rows, values, strict=True))
         below = probability(self.s)
         # Beyond the ends the values of the ends are used.
         below[:, 0], below[:, -1] = 0.0, 1.0
@@ -111,10 +117,13 @@ class Cells:
             a, b = np.where(sound[:, :-1], a, b), np.where(sound[:, 1:], b, a)
             lost = ~np.isfinite(a)
             a, b = np.where(lost, 0.0, a), np.where(lost, 0.0, b)
+        a, b = np.ascontiguousarray(a), np.ascontiguousarray(b)
         self.a, self.b, self.mass, self.group, self.fall = a, b, mass, group, fall
         self.low, self.high = np.minimum(a, b), np.maximum(a, b)
         self.bend = _bend(a, b)
         self.admissible = float(mass.sum())
+        self.reach = NEAR * float(self.high.max() - self.low.min())
+        self._windows: list[Window] = []
 
     def replicates(self, by_line: "Array") -> "Array":
         """Sums over the lines of each replicate."""
@@ -123,26 +132,23 @@ class Cells:
     def moments(self) -> "tuple[Array, Array, Array, float]":
         """Mass, mean and mean square of each replicate, both about a value in the midst."""
         centre = float(self.a[len(self.a) // 2, self.a.shape[1] // 2])
-        a, b = self.a - centre, self.b - centre
-        mass = self.mass
-        middle = 0.5 * (a + b) - (b - a) * self.fall / 6.0 - self.bend / 6.0
-        first = mass * middle
-        second = mass * (middle * middle + (b - a) * (b - a) / 12.0)
-        share, first, second = (self.replicates(part.sum(axis=1)) for part in (mass, first, second))
+        rise, mass = self.b - self.a, self.mass
+        middle = self.a + 0.5 * rise - (rise * self.fall + self.bend) / 6.0 - centre
+        sums = (
+            mass.sum(axis=1),
+            np.einsum("ij,ij->i", mass, middle),
+            np.einsum("ij,ij,ij->i", mass, middle, middle) + np.einsum("ij,ij,ij->i", mass, rise, rise) / 12.0,
+        )
+        share, first, second = map(self.replicates, sums)
         return share, first, second, centre
 
     def below(self, v: float) -> "tuple[Array, float]":
         """The admissible share up to a value in each replicate, and the density there."""
-        under = self.high <= v
-        cut = np.nonzero((self.low <= v) & ~under)
-        a, rise, mass = self.a[cut], self.b[cut] - self.a[cut], self.mass[cut]
-        t = (v - a) / rise
-        curved = t + self.bend[cut] / rise * t * (1.0 - t)
-        t = np.clip(np.where(np.abs(self.bend[cut]) < np.abs(rise), curved, t), 0.0, 1.0)
-        part = t + self.fall[cut] * t * (1.0 - t)
-        inside = mass * np.where(rise > 0.0, part, 1.0 - part)
-        share = np.bincount(cut[0], inside, minlength=len(self.a)) + np.where(under, self.mass, 0.0).sum(axis=1)
-        return self.replicates(share), float((mass / np.abs(rise)).sum())
+        for window in self._windows:
+            if window.low <= v <= window.high:
+                return window.below(v)
+        self._windows.append(Window(self, v))
+        return self._windows[-1].below(v)
 
     def quantile(self, p: float, start: float, scale: float) -> "tuple[float, Array, float]":
         """The value below which a given share of the admissible cases lies; the shares there, and the density."""
@@ -175,38 +181,45 @@ class Cells:
         return middle[order][np.minimum(place, ranked.size - 1)]  # type: ignore[no-any-return]
 
 
-def _across(rest: int, count: int, seed: int) -> "tuple[Array, Array, Array]":
-    """Where lines cross the rest of the space (rest, lines), their weights, and the replicate of each."""
-    if rest == 0:
-        return np.zeros((0, 1)), np.ones(1), np.zeros(1, dtype=int)
-    if rest > max(GRIDS):
-        across = quantile(lattice(rest, count, SHIFTS, seed))
-        lines = across.shape[1]
-        return across, np.full(lines, 1.0 / lines), np.repeat(np.arange(SHIFTS), lines // SHIFTS)
-    # The trapezoid rule: the best for functions that decay like a normal density.
-    places = np.indices((count,) * rest).reshape(rest, -1)
-    step = 2.0 * GRID_REACH / (count - 1)
-    # Off the middle and turned: the replicates of a grid that lies like the model's own symmetries would all be alike.
-    across = (places - 0.5 * (count - 1) + np.array(OFF[:rest])[:, None]) * step
-    if rest == 2:
-        across = TURN @ across
-    weights = np.exp(-0.5 * (across * across).sum(axis=0))
-    kept = weights > LEAST_WEIGHT
-    across, places, weights = across[:, kept], places[:, kept], weights[kept]
-    group = places[0] % PARTS if rest == 1 else places[0] % 2 + 2 * (places[1] % 2)
-    # Each replicate is a separate rule.
-    for part in range(PARTS):
-        weights[group == part] /= weights[group == part].sum() * PARTS
-    return across, weights, group
+class Window:
+    """The cells that values within a small range cut, and the cases below all of these."""
+
+    def __init__(self, cells: Cells, v: float) -> None:
+        self.low, self.high = v - cells.reach, v + cells.reach
+        over = cells.high > self.low
+        self.base = cells.replicates(cells.mass.sum(axis=1, where=~over))
+        cut = np.flatnonzero(over & (cells.low <= self.high))
+        self.group = cells.group[cut // cells.a.shape[1]]
+        self.a, b, self.mass, self.bend, self.fall, self.bottom, self.top = (
+            part.ravel()[cut] for part in (cells.a, cells.b, cells.mass, cells.bend, cells.fall, cells.low, cells.high)
+        )
+        self.rise = b - self.a
+        self.curved = np.abs(self.bend) < np.abs(self.rise)
+        self.groups = self.base.size
+
+    def below(self, v: float) -> "tuple[Array, float]":
+        """The admissible share up to a value within the range in each replicate, and the density there."""
+        under = self.top <= v
+        cut = np.nonzero((self.bottom <= v) & ~under)[0]
+        rise, mass = self.rise[cut], self.mass[cut]
+        t = (v - self.a[cut]) / rise
+        t = np.where(self.curved[cut], t + self.bend[cut] / rise * t * (1.0 - t), t).clip(0.0, 1.0)
+        part = t + self.fall[cut] * t * (1.0 - t)
+        inside = mass * np.where(rise > 0.0, part, 1.0 - part)
+        share = self.base + np.bincount(self.group[cut], inside, minlength=self.groups)
+        share += np.bincount(self.group, np.where(under, self.mass, 0.0), minlength=self.groups)
+        return share, float((mass / np.abs(rise)).sum())
 
 
 def _bend(a: "Array", b: "Array") -> "Array":
     """Half the second difference of each cell: the smaller of those at its ends, none where these turn (kinks)."""
     bend = np.zeros_like(a)
     rise = b - a
-    step = np.diff(rise, axis=1)
-    one, other = step[:, :-1], step[:, 1:]
-    bend[:, 1:-1] = np.where(one * other > 0.0, 0.5 * np.where(np.abs(one) < np.abs(other), one, other), 0.0)
+    half = 0.5 * (rise[:, 1:] - rise[:, :-1])
+    one, other = half[:, :-1], half[:, 1:]
+    inner = bend[:, 1:-1]
+    np.maximum(np.minimum(one, other), 0.0, out=inner)
+    inner += np.minimum(np.maximum(one, other), 0.0)
     return bend
 
 
@@ -271,6 +284,18 @@ class Found:
         return max(parts)
 
 
+def sole_line(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome | None:
+    """A result on which one input bears, where it turns or jumps; the edge of what is admissible is found elsewhere."""
+    lines = _lines(space, direction, 1, ALIKE, goal.seed, sole=True)
+    values = lines.values[result]
+    if not np.isfinite(values).all():
+        return None
+    rise = np.diff(values, axis=1)
+    if (rise >= 0.0).all() or (rise <= 0.0).all():
+        return None
+    return _outcome(lines, space, result, complement(direction), goal)
+
+
 def shared_lines(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
     """One result by lines that it shares with others; finer ones where the first are not accurate enough."""
     wanted = max(goal.accuracy, ACCURACY)
@@ -285,20 +310,11 @@ def shared_lines(space: Space, result: int, direction: "Array", across: "Array",
     return outcome
 
 
-def turns(space: Space, result: int, direction: "Array", goal: Goal) -> bool:
-    """Whether a result of a single input turns or jumps; the edge of what is admissible is found exactly elsewhere."""
-    values = _lines(space, direction, 1, ALIKE, goal.seed).values[result]
-    if not np.isfinite(values).all():
-        return False
-    rise = np.diff(values, axis=1)
-    return not ((rise >= 0.0).all() or (rise <= 0.0).all())
-
-
-def _lines(space: Space, direction: "Array", count: int, alike: float, seed: int) -> SharedLines:
-    known: list[SharedLines] = space.shared
+def _lines(space: Space, direction: "Array", count: int, alike: float, seed: int, *, sole: bool = False) -> SharedLines:
+    known: list[SharedLines] = space.sole if sole else space.shared
     fitting = [lines for lines in known if abs(float(lines.direction @ direction)) >= alike and lines.count >= count]
     if not fitting:
-        known.append(SharedLines(space, direction, count, seed))
+        known.append(SharedLines(space, direction, count, seed, sole=sole))
         return known[-1]
     return max(fitting, key=lambda lines: abs(float(lines.direction @ direction)))
 
