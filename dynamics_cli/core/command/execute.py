@@ -118,6 +118,7 @@ def answered_case(
     """The result document of one case, the files it lists that are still to be written, and the requested picture."""
     reader = gathered.reader
     reader.uncertain = {}
+    reader.pointers = task.pointers
     bound = reader.read(task.specification.fields, gathered.raw)
     display = Display(settings.units, settings.to)
     start = clock() if settings.timing else 0.0
