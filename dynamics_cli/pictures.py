@@ -8,7 +8,7 @@ from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Iterable, Mapping, Sequence
     from typing import Any, Literal
 
     Numbers = Sequence[float]
@@ -112,13 +112,44 @@ class Bars:
 
 @record
 class Ranges:
-    """Intervals from `low` to `high` with their values `at`, one for each name, and named `limits` across them."""
+    """Intervals from `low` to `high` with their values `at`, one for each name, and named `limits` across them.
+
+    With `ends` the numbers of the intervals stand beside their ends.
+    """
 
     names: tuple[str, ...]
     low: "Numbers"
     high: "Numbers"
     at: "Numbers"
     limits: "tuple[tuple[float, str], ...]" = ()
+    ends: bool = False
+
+
+@record
+class Shares:
+    """Bars that are a whole each: the words over every bar, and its parts by name; parts of one name look alike.
+
+    A part without a name is that of all others together.
+    """
+
+    heads: tuple[str, ...]
+    parts: "tuple[tuple[tuple[str, float], ...], ...]"
+
+
+@record
+class Ruler:
+    """A scale of a scene: a bar of a round number in the unit shown, `per` metres long for one of the kind in SI.
+
+    It begins at (x, y) and is not longer than `longest`; that of a velocity is an arrow.
+    """
+
+    x: float
+    y: float
+    title: str
+    kind: "Any"
+    per: float
+    longest: float
+    arrow: bool = False
 
 
 @record
@@ -160,7 +191,7 @@ class Panel:
 
     x: Axis
     y: Axis
-    items: "tuple[Curve | Mark | Arrow | Band | Bars | Ranges | Label | Dimension | Rows, ...]"
+    items: "tuple[Curve | Mark | Arrow | Band | Bars | Ranges | Shares | Ruler | Label | Dimension | Rows, ...]"
     title: str = ""
     equal: bool = False
     bare: bool = False
@@ -172,8 +203,8 @@ class Picture:
     """Panels one below another, or in `columns`, under one title; so many on a `page` of a PDF (0: all).
 
     It is as wide as its columns ask for, or `width` inches. A `scene` is for the first page of a report. The last
-    `distributions` panels show how an uncertain result is spread. The subtitle says
-    for which inputs, or how to read it.
+    `distributions` panels show how an uncertain result is spread; with `spread` the panels show that themselves. The
+    subtitle says for which inputs, or how to read it.
 
     With `views` the three panels are top, front and side view of one body, whose axes have their ends; they are drawn
     on one scale, with `notes` beside them: a symbol, its number in SI, its kind (None: words alone).
@@ -186,9 +217,44 @@ class Picture:
     width: float = 0.0
     scene: bool = False
     distributions: int = 0
+    spread: bool = False
     subtitle: str = ""
     views: bool = False
     notes: "tuple[tuple[str, float, Any], ...]" = ()
+
+
+@record
+class Plan:
+    """A scene as a drawing to scale: a bare panel whose coordinates are true, `origin` being its zero in the scene.
+
+    On paper a metre is `1/scale` of one. Styles of curves are layers of a file for CAD: ground is the road, track the
+    marks, fill what is uncertain.
+    """
+
+    panel: Panel
+    title: str
+    scale: float
+    origin: "tuple[float, float]" = (0.0, 0.0)
+
+
+@record
+class Spreads:
+    """How uncertain the results of a case are, by address and in SI, for pictures that show it.
+
+    `shares` of the variance are those of inputs in words, the largest first.
+    """
+
+    coverage: float
+    intervals: "Mapping[str, tuple[float, float]]"
+    deviations: "Mapping[str, float]"
+    shares: "Mapping[str, tuple[tuple[str, float], ...]]"
+    correlations: "Mapping[tuple[str, str], float]"
+    limits: "Mapping[str, Sequence[float]]"
+
+    def covariance(self, one: str, other: str) -> float:
+        """Covariance of two results; nothing of one that does not vary."""
+        product = self.deviations.get(one, 0.0) * self.deviations.get(other, 0.0)
+        return product if one == other else product * self.correlations.get((one, other), 0.0)
 
 
 @record

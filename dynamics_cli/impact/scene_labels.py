@@ -3,7 +3,7 @@
 import math
 from itertools import pairwise
 
-from dynamics_cli.pictures import Arrow, Curve, Dimension, Label
+from dynamics_cli.pictures import Arrow, Curve, Dimension, Label, Ruler
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -22,7 +22,8 @@ FAR = 0.25
 WAYS = 16
 # What a covered point, an inch away, a turn to the other side and words over words cost.
 COVERED, AWAY, TURNED, CLASH = 2.0, 1.5, 0.8, 1000.0
-GROUND = ("ground",)
+# Pale areas beneath all else.
+GROUND = ("ground", "fill", "dots")
 
 
 @record
@@ -81,6 +82,8 @@ def bounds(items: "Sequence[Any]", metres: float) -> "Box":
             wide, high = _half(item.text, metres)
             middle = item.x + wide if item.left else item.x
             points += [(middle - wide, item.y - high), (middle + wide, item.y + high)]
+        elif isinstance(item, Ruler):
+            points.append((item.x + 2.0 * _half(item.title + ": 100 km/h", metres)[0], item.y))
     x, y = [point[0] for point in points], [point[1] for point in points]
     return min(x), min(y), max(x), max(y)
 
@@ -112,6 +115,8 @@ def ends(item: "Any") -> "list[Pair]":
         return list(zip(item.x, item.y, strict=True))
     if isinstance(item, Arrow):
         return [(item.x, item.y), (item.x + item.dx, item.y + item.dy)]
+    if isinstance(item, Ruler):
+        return [(item.x, item.y), (item.x + item.longest, item.y)]
     return [(item.x, item.y)]
 
 

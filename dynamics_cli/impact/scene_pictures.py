@@ -2,8 +2,9 @@
 
 import math
 
+from dynamics_cli.errors import Wording, worded
 from dynamics_cli.impact.scene_labels import Words, bounds, ends, placed
-from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel
+from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Plan, Ruler
 from dynamics_cli.quantities import Length, RoadSpeed
 
 TYPE_CHECKING = False
@@ -17,10 +18,8 @@ if TYPE_CHECKING:
 
 # A neutral outline, where nothing is known of a vehicle's size.
 LENGTH, WIDTH = 4.5, 1.8
-NEUTRAL = f"outlines {LENGTH:g} m by {WIDTH:g} m, not measured"
 # What the fastest arrow of a scene takes of its page, in lengths of a neutral outline.
 LONGEST_ARROW = 1.5
-KM_H = 1.0 / 3.6
 # A scene wider than this stands alone on its line.
 WHOLE = 5.0
 # Inches beneath a scene for its scales and notes.
@@ -28,6 +27,11 @@ FOOT = 0.95
 MOST_TRIES = 8
 # Half the width of a lane.
 LANE = 1.75
+# Scales of plans on paper, and metres of an inch.
+SCALES = (50.0, 100.0, 150.0, 200.0, 250.0, 300.0, 400.0, 500.0, 750.0, 1000.0, 1500.0, 2000.0, 2500.0, 5000.0)
+INCH = 0.0254
+# Inches of a plan on a sheet of paper across.
+SHEET = (10.6, 7.0)
 
 
 def outline(at: "Pair", way: "Pair", role: int, *, length: float = LENGTH, width: float = WIDTH) -> "list[Any]":
@@ -60,29 +64,31 @@ def outline(at: "Pair", way: "Pair", role: int, *, length: float = LENGTH, width
     return items
 
 
-def apart(first: "Pair", second: "Pair") -> "tuple[Pair, Pair]":
+def apart(
+    first: "Pair", second: "Pair", sizes: "tuple[Pair, Pair]" = ((LENGTH, WIDTH), (LENGTH, WIDTH))
+) -> "tuple[Pair, Pair]":
     """Centres of two vehicles that drove in these directions and touch at the origin, without overlapping.
 
-    Of two on one line the second stands ahead of the first.
+    Of two on one line the second stands ahead of the first. `sizes` are their lengths and widths.
     """
-    start = -0.5 * LENGTH * first[0], -0.5 * LENGTH * first[1]
+    start = -0.5 * sizes[0][0] * first[0], -0.5 * sizes[0][0] * first[1]
     along = 0.5 if first[0] * second[0] + first[1] * second[1] > 0.9 else -0.5
     back = 0.0
     while True:
-        shift = along * LENGTH + math.copysign(back, along)
+        shift = along * sizes[1][0] + math.copysign(back, along)
         centre = shift * second[0], shift * second[1]
-        if not _overlap(start, first, centre, second):
+        if not _overlap(start, first, centre, second, sizes):
             return start, centre
         back += 0.05
 
 
-def _overlap(one: "Pair", way: "Pair", other: "Pair", course: "Pair") -> bool:
+def _overlap(one: "Pair", way: "Pair", other: "Pair", course: "Pair", sizes: "tuple[Pair, Pair]") -> bool:
     """Whether two outlines overlap, by the axes that could part them."""
     gap = other[0] - one[0], other[1] - one[1]
     for axis in (way, (-way[1], way[0]), course, (-course[1], course[0])):
         reach = 0.0
-        for x, y in (way, course):
-            reach += 0.5 * LENGTH * abs(axis[0] * x + axis[1] * y) + 0.5 * WIDTH * abs(axis[1] * x - axis[0] * y)
+        for (x, y), (length, width) in zip((way, course), sizes, strict=True):
+            reach += 0.5 * length * abs(axis[0] * x + axis[1] * y) + 0.5 * width * abs(axis[1] * x - axis[0] * y)
         if abs(gap[0] * axis[0] + gap[1] * axis[1]) >= reach:
             return False
     return True
@@ -115,13 +121,16 @@ def collision(
             end = centre[0] - (reach + 0.2) * way[0], centre[1] - (reach + 0.2) * way[1]
             tail = end[0] - scale * u[0], end[1] - scale * u[1]
             items.append(Arrow(*tail, scale * u[0], scale * u[1], "", role, dashed=True))
-            words.append(Words(tail, (-way[0], -way[1]), f"{name} before\n{about(speeds[role])}", role))
+            words.append(Words(tail, (-way[0], -way[1]), about(f"{name} before", speeds[role]), role))
         if speeds[2 + role] > 0.0:
             items.append(Arrow(*centre, scale * v[0], scale * v[1], "", role))
             tip = centre[0] + scale * v[0], centre[1] + scale * v[1]
-            words.append(Words(tip, v, f"{name} after\n{about(speeds[2 + role])}", role))
+            words.append(Words(tip, v, about(f"{name} after", speeds[2 + role]), role))
     items.sort(key=lambda item: getattr(item, "style", "") != "ground")
-    note = f"{NEUTRAL};\nlanes 3.5 m wide along the velocities before"
+    note = (
+        worded("outlines {length:2} by {width:2}, not measured;", length=(LENGTH, Length), width=(WIDTH, Length)),
+        worded("lanes {width:3} wide along the velocities before", width=(2.0 * LANE, Length)),
+    )
     return finished(items, words, inches, (scale, max(speeds)), north, note)
 
 
@@ -139,22 +148,60 @@ def finished(
     inches: "Pair",
     speeds: "Pair",
     north: "Pair | None",
-    note: str,
+    note: "Sequence[str]",
 ) -> Panel:
     """A scene with its words where they cover nothing; beneath it the scales of velocity and distance, and a note.
 
     `inches` are its width and its greatest height on paper, `speeds` the metres of an arrow per metre per second and
     the fastest speed of the scene.
     """
+    return _panel(
+        items, words, inches, speeds, north, note, fitting(items, words, (inches[0] - 0.12, inches[1] - FOOT))
+    )
+
+
+def to_scale(
+    items: "Sequence[Any]",
+    words: "Sequence[Words]",
+    speeds: "Pair",
+    north: "Pair | None",
+    note: "Sequence[str]",
+    title: str,
+    origin: "Pair" = (0.0, 0.0),
+) -> Plan:
+    """The same on a sheet of paper at a round scale; `origin` is the place of the picture's zero in the scene."""
+    least = fitting(items, words, (SHEET[0], SHEET[1] - FOOT)) / INCH
+    scale = next((scale for scale in SCALES if scale >= least), 1000.0 * math.ceil(0.001 * least))
+    # as wide as it is: the sheet is around it
+    panel = _panel(items, words, (0.0, 0.0), speeds, north, note, scale * INCH)
+    return Plan(panel, title, scale, origin)
+
+
+def fitting(items: "Sequence[Any]", words: "Sequence[Words]", inches: "Pair") -> float:
+    """Metres to an inch that give a scene and its words room."""
     metres = _metres(bounds(items, 0.0), inches)
     # how much room words take depends on the scale, and the scale on how much room they take
     for _ in range(MOST_TRIES):
-        whole = [*items, *placed(items, words, metres)]
-        wanted = _metres(bounds(whole, metres), inches)
+        wanted = _metres(bounds([*items, *placed(items, words, metres)], metres), inches)
         if wanted <= metres:
             break
         metres = wanted
-    whole += _foot(bounds(whole, metres), metres, inches[0], speeds, note)
+    return metres
+
+
+def _panel(
+    items: "Sequence[Any]",
+    words: "Sequence[Words]",
+    inches: "Pair",
+    speeds: "Pair",
+    north: "Pair | None",
+    note: "Sequence[str]",
+    metres: float,
+) -> Panel:
+    """The scene at so many metres to an inch."""
+    whole = [*items, *placed(items, words, metres)]
+    left, low, right, _ = bounds(whole, metres)
+    whole += _foot((left, low), metres, max(inches[0], (right - left) / metres), speeds, note)
     if north is not None:
         whole += _north(whole, metres)
     left, low, right, high = bounds(whole, metres)
@@ -171,42 +218,31 @@ def finished(
 
 
 def _metres(box: "Box", inches: "Pair") -> float:
-    """Metres to an inch that bring a box onto the paper, with room for the scales beneath."""
-    return max((box[2] - box[0]) / (inches[0] - 0.12), (box[3] - box[1]) / (inches[1] - FOOT)) or 1.0
+    """Metres to an inch that bring a box onto the paper."""
+    return max((box[2] - box[0]) / inches[0], (box[3] - box[1]) / inches[1]) or 1.0
 
 
-def _foot(box: "Box", metres: float, inches: float, speeds: "Pair", note: str) -> "list[Any]":
+def _foot(corner: "Pair", metres: float, inches: float, speeds: "Pair", note: "Sequence[str]") -> "list[Any]":
     """The scales of velocity and distance, and what was not measured."""
-    left, low, *_ = box
+    left, low = corner
     scale, fastest = speeds
     foot, start = low - 0.42 * metres, left
-    shown = [speed for speed in (200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0) if speed * KM_H <= fastest]
     bars: list[Any] = []
-    if shown:
-        length = scale * shown[0] * KM_H
-        bars += _scale_bar((start, foot), length, f"velocity: {shown[0]:g} km/h", metres)
-        start += max(length, 1.25 * metres) + 0.3 * metres
-    size = next(
-        size for size in (100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0) if size <= 0.3 * inches * metres or size == 1.0
-    )
-    bars += _scale_bar((start, foot), size, f"distance: {size:g} m", metres)
-    lines = note.split("\n")
+    if fastest > 0.0:
+        longest = min(scale * fastest, 0.5 * inches * metres)
+        bars.append(Ruler(start, foot, "velocity", RoadSpeed, scale, longest, arrow=True))
+        start += max(longest, 1.25 * metres) + 0.3 * metres
+    bars.append(Ruler(start, foot, "distance", Length, 1.0, 0.3 * inches * metres))
     return bars + [
-        Label(left, foot - (0.19 + 0.15 * nth) * metres, line, 6, left=True) for nth, line in enumerate(lines)
+        Label(left, foot - (0.19 + 0.15 * nth) * metres, line, 6, left=True) for nth, line in enumerate(note)
     ]
-
-
-def _scale_bar(at: "Pair", length: float, text: str, metres: float) -> "list[Any]":
-    (x, y), tick = at, 0.04 * metres
-    line = [x, x, x, x + length, x + length, x + length], [y - tick, y + tick, y, y, y + tick, y - tick]
-    return [Curve(*line, "", "outline", 6), Label(x, y + 0.14 * metres, text, 6, left=True)]
 
 
 def _north(whole: "Sequence[Any]", metres: float) -> "list[Any]":
     """An arrow to the north at the highest place that is free."""
     left, low, right, high = bounds(whole, metres)
     size = 0.24 * metres
-    covered = [point for item in whole if getattr(item, "style", "") != "ground" for point in ends(item)]
+    covered = [point for item in whole for point in (ends(item) if _style(item) != "ground" else _within(item))]
     for label in (item for item in whole if isinstance(item, Label)):
         x0, y0, x1, y1 = bounds([label], metres)
         covered += [(x0 + 0.05 * nth * (x1 - x0), y) for nth in range(21) for y in (y0, y1)]
@@ -226,6 +262,19 @@ def _north(whole: "Sequence[Any]", metres: float) -> "list[Any]":
     return [Arrow(x, y - size, 0.0, 2.0 * size, "", 6), Label(x, y + size + 0.1 * metres, "N", 6)]
 
 
+def _style(item: "Any") -> str:
+    return getattr(item, "style", "")
+
+
+def _within(ground: "Any") -> "list[Pair]":
+    """Points all over a piece of ground of four corners."""
+    (x0, x1, x2, x3), (y0, y1, y2, y3) = ground.x, ground.y
+    parts = [0.05 * nth for nth in range(21)]
+    return [
+        (x0 + a * (x1 - x0) + b * (x3 - x0), y0 + a * (y1 - y0) + b * (y3 - y0)) for a in parts for b in (0.0, 0.5, 1.0)
+    ] + [(x2, y2)]
+
+
 def velocities(
     names: "Sequence[str]",
     before: "Sequence[Pair]",
@@ -243,10 +292,9 @@ def velocities(
     return Panel(across, up, tuple(items), title, equal=True)
 
 
-def about(speed: float) -> str:
-    """A speed to two digits: the picture shows sizes, the results stand beside it."""
-    shown = speed / KM_H
-    return f"{shown:.0f} km/h" if shown >= 10.0 else f"{shown:.2g} km/h"
+def about(text: str, speed: float) -> Wording:
+    """Words and a speed to three digits: the picture shows sizes, the results stand beside it."""
+    return worded("{text}\n{speed:3}", text=text, speed=(speed, RoadSpeed))
 
 
 def beside(at: "Pair", way: "Pair", text: str, role: int) -> Mark:

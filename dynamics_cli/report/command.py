@@ -37,6 +37,8 @@ if TYPE_CHECKING:
 # Inches of the picture on the first page, so that its words are as large as those beside it.
 FRONT = 4.6
 SMALL = 4.2
+# Where the picture stands that takes the whole width of the first page.
+ACROSS = -1
 _ENDINGS = {".md": "markdown", ".markdown": "markdown", ".html": "html", ".htm": "html", ".pdf": "pdf"}
 
 
@@ -92,7 +94,7 @@ def _blocks(made: "list[Calculation]", options: "Mapping[str, str]", terminal: "
                 raise
     title = asked or "Calculations"
     pictures = _drawn(made, terminal)
-    blocks = front(title, _facts(options), made, pictures.pop(0, []))
+    blocks = front(title, _facts(options), made, pictures.pop(0, []), pictures.pop(ACROSS, []))
     for one in made:
         blocks += section(one, pictures.get(one.section, ()))
     return [*blocks, *appendices(made)], title
@@ -152,8 +154,10 @@ def _drawn(made: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, li
             first, rest = picture.panels, picture.panels
             if front:
                 first, rest = (first[:1], rest[1:]) if picture.scene else (first, ())
-                whole = Picture(first, "", picture.columns, width=FRONT)
-                drawn[0] = [_image(one, picture, whole, 1.0)]
+                # a wide scene, small beside the findings, would have words over words
+                wide = picture.scene and first[0].wide
+                whole = Picture(first, "", picture.columns, width=picture.width if wide else FRONT)
+                drawn[ACROSS if wide else 0] = [_image(one, picture, whole, 1.0)]
             if rest:
                 columns = min(picture.columns, len(rest))
                 width = SMALL if columns == 1 else 0.0

@@ -16,9 +16,13 @@ MOST_COMPARED = 2
 
 
 def front(
-    title: str, facts: "Sequence[str]", calculations: "Sequence[Calculation]", drawn: "Sequence[Image]"
+    title: str,
+    facts: "Sequence[str]",
+    calculations: "Sequence[Calculation]",
+    drawn: "Sequence[Image]",
+    across: "Sequence[Image]" = (),
 ) -> "list[Block]":
-    """Title block, picture beside findings, and whether everything came out the same."""
+    """Title block, a wide picture, the others beside findings, and whether everything came out the same."""
     findings: list[Block] = [Heading(2, "Findings")]
     findings.append(Items([finding(one) for one in calculations], ordered=True))
     findings += [Paragraph(text, small=True) for text in _decided(calculations)]
@@ -26,7 +30,7 @@ def front(
     cautions = _cautions(calculations)
     if cautions:
         findings.append(Paragraph(cautions))
-    return [Title(title, facts), *([Beside(drawn, findings)] if drawn else findings)]
+    return [Title(title, facts), *across, *([Beside(drawn, findings)] if drawn else findings)]
 
 
 def finding(one: Calculation) -> "Text":
@@ -154,7 +158,7 @@ def own_picture(one: Calculation) -> "Picture | None":
     if picture is None or len(picture.panels) == picture.distributions:
         return None
     panels = picture.panels[: len(picture.panels) - picture.distributions]
-    return Picture(panels, picture.title, picture.columns, scene=picture.scene)
+    return Picture(panels, picture.title, picture.columns, width=picture.width, scene=picture.scene)
 
 
 def description(picture: Picture) -> str:

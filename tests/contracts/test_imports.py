@@ -28,7 +28,7 @@ ALONE = {
     "pint": "core.units.fallback",
     "typer": "core.command.tree",
     "ezdxf": "core.output.drawing.dxf",
-    "matplotlib": "core.output.plot.pages",
+    "matplotlib": "core.output.plot.library",
     "trimesh": "inertia.mesh.opening",
 }
 

@@ -17,7 +17,7 @@ from dynamics_cli.impact.reconstruction.crush import Damaged, MeanCrush, Station
 from dynamics_cli.impact.reconstruction.crush_stiffness import Coefficients
 from dynamics_cli.impact.reconstruction.momentum import Vehicle, momentum
 from dynamics_cli.impact.scene_pictures import LENGTH, WIDTH, apart
-from dynamics_cli.pictures import Arrow, Band, Curve, Label, Mark, Picture
+from dynamics_cli.pictures import Arrow, Band, Curve, Label, Mark, Picture, Ruler
 
 PICTURED = [task for task in TASKS if task.plot]
 
@@ -31,7 +31,7 @@ def numbers(picture: Picture) -> Iterator[float]:
                 yield from item.y
             elif isinstance(item, Arrow):
                 yield from (item.x, item.y, item.dx, item.dy)
-            elif isinstance(item, Mark | Label):
+            elif isinstance(item, Mark | Label | Ruler):
                 yield from (item.x, item.y)
             else:
                 assert isinstance(item, Band)

@@ -190,6 +190,6 @@ def test_the_picture_has_the_marks_and_outlines() -> None:
     picture = pictures.slide(result, motion=Separation(12.0, 30 * DEGREE, 3.0), **CAR)
     items = picture.panels[0].items
     words = " ".join(getattr(one, "label", "") or getattr(one, "text", "") for one in items)
-    assert "43 km/h at the separation" in words
+    assert "at the separation\n12 m/s" in words
     assert "at rest" in words
     assert sum(getattr(one, "style", "") == "solid" for one in items) >= 4

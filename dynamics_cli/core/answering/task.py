@@ -76,7 +76,7 @@ class Task:
     examples in the help: the language of an option. `scene` gives the values that a template shows, by address, where
     its required fields alone do not make a case with an answer: {"bodies[1].mass": "2 kg"}. `verdict` says that the
     checks are the answer: a failed one is in the document, and the exit status shows it. `also` are further names that
-    a call may use; help and listings show the first.
+    a call may use; help and listings show the first. `pointers` say where to find values of missing parameters.
     """
 
     def __init__(
@@ -101,8 +101,10 @@ class Task:
         notes: str = "",
         scene: "dict[str, str] | None" = None,
         also: "tuple[str, ...]" = (),
+        pointers: "dict[str, str] | None" = None,
     ) -> None:
         self.name = name
+        self.pointers = pointers or {}
         self.also = also
         self.summary = summary
         self.plot = plot

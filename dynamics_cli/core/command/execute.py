@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.inputs.values import Fields
     from dynamics_cli.core.output.files import File
     from dynamics_cli.core.terminal import Terminal
-    from dynamics_cli.pictures import Picture
+    from dynamics_cli.pictures import Picture, Spreads
 
 
 def execute(task: Task, call: Call, terminal: "Terminal") -> int:
@@ -132,6 +132,7 @@ def answered_case(
     """The result document of one case, the files it lists that are still to be written, and the requested picture."""
     reader = gathered.reader
     reader.uncertain = {}
+    reader.pointers = task.pointers
     bound = reader.read(task.specification.fields, gathered.raw)
     display = Display(settings.units, settings.to)
     start = clock() if settings.timing else 0.0
@@ -146,7 +147,7 @@ def answered_case(
     took = clock() - start if settings.timing else 0.0
     document = build(task, bound, answered, display, gathered.reader.notes)
     _require_checks(document, task)
-    spread: Picture | None = None
+    spread: tuple[Picture | None, Spreads | None] = (None, None)
     if reader.uncertain or settings.correlate:
         from dynamics_cli.core.uncertainty.document import add_uncertainty
 
@@ -177,7 +178,7 @@ def _with_files(
     task: Task,
     answered: "Answer",
     bound: "Fields",
-    spread: "Picture | None",
+    spread: "tuple[Picture | None, Spreads | None]",
     settings: Settings,
 ) -> "tuple[dict[str, Any], list[File], Picture | None]":
     """The document with the requested drawing and picture, which are still to be written."""
@@ -189,10 +190,12 @@ def _with_files(
     if settings.drawing:
         from dynamics_cli.core.output.drawing import files_of
 
-        files, entries = files_of(task, record, arguments(task, bound), settings.drawing, settings.units)
+        files, entries = files_of(task, record, arguments(task, bound), settings.drawing, settings.units, spread[1])
         document["files"] = [*document.get("files", ()), *entries]
-    own = _own_picture(task, record, bound) if settings.plot else None
-    return document, *_with_picture(document, files, _joined(own, spread), settings, task)
+    own = _own_picture(task, record, bound, spread[1]) if settings.plot else None
+    # a picture of its own that shows what is uncertain needs no second one
+    shown = own is not None and own.spread
+    return document, *_with_picture(document, files, own if shown else _joined(own, spread[0]), settings, task)
 
 
 def _require_checks(document: "dict[str, Any]", task: Task) -> None:
@@ -229,10 +232,10 @@ def _check_files(task: Task, settings: Settings) -> None:
         check_picture(task, settings)
 
 
-def _own_picture(task: Task, record: "Any", bound: "Fields") -> "Picture | None":
+def _own_picture(task: Task, record: "Any", bound: "Fields", spreads: "Spreads | None") -> "Picture | None":
     from dynamics_cli.core.output.plot import own_picture
 
-    return own_picture(task, record, arguments(task, bound))
+    return own_picture(task, record, arguments(task, bound), spreads)
 
 
 def _joined(one: "Picture | None", other: "Picture | None") -> "Picture | None":

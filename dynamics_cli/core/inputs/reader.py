@@ -34,6 +34,8 @@ class Reader(Context):
         super().__init__(environ, folder)
         self.units = units or {}
         self.errors: list[DynamicsError] = []
+        # Where to find values of parameters that are missing, by their names.
+        self.pointers: Mapping[str, str] = {}
         if units:
             from dynamics_cli.core.inputs.default_units import default_units
 
@@ -117,6 +119,9 @@ class Reader(Context):
             example = f"for example {name}{_quoted(node.kind.example)}"
         if node.choice is not None:
             example = f"one of {', '.join(node.choice.names)}"
+        pointer = self.pointers.get(address.rpartition(".")[2])
+        if pointer and example:
+            example = f"{example}; {pointer}"
         what = node.kind.about or node.kind.name
         self._fail(address, f"{own} is missing: {what}", code="missing", hint=example)
 

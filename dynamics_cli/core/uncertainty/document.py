@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.inputs.settings import Settings
     from dynamics_cli.core.inputs.values import Fields
     from dynamics_cli.core.units.display import Display, Shown
-    from dynamics_cli.pictures import Picture
+    from dynamics_cli.pictures import Picture, Spreads
     from dynamics_cli.quantities import Kind
 
 # A formula called case by case is some hundred times slower than one on arrays.
@@ -52,8 +52,11 @@ def add_uncertainty(
     reader: "Reader",
     settings: "Settings",
     display: "Display",
-) -> "Picture | None":
-    """Propagate the inputs' distributions through the task's model and add the outcome; a picture if requested."""
+) -> "tuple[Picture | None, Spreads | None]":
+    """Propagate the inputs' distributions through the task's model and add the outcome.
+
+    For a requested picture or drawing, how the first result is spread, and what a task's own picture needs to know.
+    """
     kinds = {name: kind for name, kind, _ in result_numbers(answered.record, task.specification.result)}
     limits = read_limits(task, answered, settings) if settings.limit else []
     wanted: dict[str, list[float]] = {}
@@ -81,23 +84,25 @@ def add_uncertainty(
     if levels:
         document["quantiles"] = level_entries(levels, propagation, shown)
     document["warnings"] += _warnings(propagation)
-    if not settings.plot:
-        return None
-    from dynamics_cli.core.uncertainty.pictures import of_spread
+    if not settings.plot and not settings.drawing:
+        return None, None
+    from dynamics_cli.core.uncertainty.pictures import of_spread, spreads_of
 
-    return of_spread(task, document["inputs"], propagation, kinds, wanted)
+    spreads = spreads_of(document["inputs"], propagation, wanted, reader.uncertain or {})
+    return of_spread(task, document["inputs"], propagation, kinds, wanted) if settings.plot else None, spreads
 
 
 def _chosen(task: "Task", settings: "Settings", kinds: "Mapping[str, Kind]", named: "set[str]") -> "tuple[str, ...]":
     """The results that the answer shows, and those named by limits and quantiles; none for all of them."""
-    if settings.only and not settings.plot:
+    pictured = settings.plot or settings.drawing
+    if settings.only and not pictured:
         asked = (*settings.only, *named)
         return tuple(
             name
             for name in kinds
             if any(f"{one}.".startswith(f"{name.partition('[')[0]}.") or name.startswith(f"{one}.") for one in asked)
         )
-    if settings.format != "table" or settings.all or settings.plot or not task.headline:
+    if settings.format != "table" or settings.all or pictured or not task.headline:
         return ()
     shown = {address for address, _ in task.headline} | named | set(settings.only)
     return tuple(name for name in kinds if name.partition("[")[0] in shown)

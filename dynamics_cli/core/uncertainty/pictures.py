@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.core.output.answer_words import body_names, in_words, input_in_words, with_name
-from dynamics_cli.pictures import Axis, Band, Bars, Curve, Panel, Picture
+from dynamics_cli.pictures import Axis, Band, Bars, Curve, Panel, Picture, Spreads
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.core.answering.task import Task
+    from dynamics_cli.core.inputs.uncertain.distributions import Distribution
     from dynamics_cli.core.uncertainty.propagation import Propagation, Spread
     from dynamics_cli.quantities import Kind
 
@@ -37,6 +38,40 @@ def of_spread(
     if spread.tornado:
         panels.append(_tornado(made, spread, axis, inputs, names))
     return Picture(tuple(panels), f"dynamics {task.path}: {axis.title}", distributions=len(panels))
+
+
+def spreads_of(
+    inputs: "dict[str, Any]",
+    made: "Propagation",
+    limits: "Mapping[str, list[float]]",
+    distributions: "Mapping[str, Distribution]",
+) -> Spreads:
+    """How uncertain the results are, and the inputs by themselves, for a task's own picture."""
+    varying = {name: spread for name, spread in made.spreads.items() if spread.varies}
+    names = body_names(inputs)
+    shares = {}
+    for name, spread in varying.items():
+        each = zip(made.inputs, spread.total or spread.first, strict=False)
+        shares[name] = tuple(
+            sorted(((input_in_words(one, inputs, names), share) for one, share in each), key=lambda pair: -pair[1])
+        )
+    deviations = {name: one.std for name, one in distributions.items()}
+    deviations |= {name: spread.std for name, spread in varying.items()}
+    rows = list(made.spreads)
+    correlations = {}
+    if made.correlation is not None:
+        table = made.correlation.tolist()
+        correlations = {
+            (one, other): table[i][j] for i, one in enumerate(rows) for j, other in enumerate(rows) if i != j
+        }
+    return Spreads(
+        made.coverage,
+        {name: spread.interval for name, spread in varying.items()},
+        {name: deviation for name, deviation in deviations.items() if math.isfinite(deviation)},
+        shares,
+        correlations,
+        limits,
+    )
 
 
 def _density(spread: "Spread", axis: Axis, coverage: float, limits: "list[float]") -> Panel:

@@ -47,6 +47,7 @@ CRASH = Task(
     examples=("dynamics impact crash examples/crash_scene/crash.toml",),
     table="courses links agreements",
     plot="dynamics_cli.impact.crash.pictures:crash",
+    writers=dict.fromkeys(("dxf", "svg", "pdf"), "dynamics_cli.impact.crash.pictures:plan"),
     headline=(
         "first.start.speed: first at its start v₀",
         "first.approach_speed: first into the impact v",

@@ -3,6 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import direction_of, heading_of
 from dynamics_cli.impact.crash.scene import CrashScene, CrashVehicle, surface_friction
+from dynamics_cli.impact.slide.marks import lines
 from dynamics_cli.impact.slide.motion import run
 from dynamics_cli.impact.slide.records import Separation
 from dynamics_cli.impact.slide.separation import separation
@@ -84,8 +85,10 @@ def _nose(given: CrashVehicle, place: str) -> float:
     return nose
 
 
-def swept(scene: CrashScene, side: str, course: "CrashCourse", gravity: float) -> "list[tuple[float, float, float]]":
-    """Places from the separation and angles of the nose along a slide with spin, for its picture."""
+def swept(
+    scene: CrashScene, side: str, course: "CrashCourse", gravity: float
+) -> "tuple[list[tuple[float, float, float]], list[list[tuple[float, float]]]]":
+    """Places from the separation and angles of the nose along a slide with spin, and marks of its wheels: a picture."""
     given = getattr(scene, side)
     part = given.slide
     shares = [
@@ -99,4 +102,5 @@ def swept(scene: CrashScene, side: str, course: "CrashCourse", gravity: float) -
     motion = Separation(course.exit_speed, course.exit_heading, course.exit_spin or 0.0)
     nose = given.approach_heading if given.nose is None else given.nose
     done = run(car, start_of(motion, nose, (0.0, 0.0), scene.axes))
-    return [done.at(done.end.time * index / STEPS) for index in range(STEPS + 1)]
+    marks = [line for wheel in car.wheels for line in lines(wheel, done)]
+    return [done.at(done.end.time * index / STEPS) for index in range(STEPS + 1)], marks

@@ -3,19 +3,16 @@
 import math
 
 from dynamics_cli.impact.conventions import Axes, direction_of, mass_of
-from dynamics_cli.impact.scene_labels import Words, bounds, placed
 from dynamics_cli.impact.scene_pictures import collision, velocities
-from dynamics_cli.pictures import Arrow, Axis, Band, Bars, Curve, Mark, Panel, Picture
-from dynamics_cli.quantities import Count, Energy, Impulse, Inertia, Length, Size, Speed, Time
+from dynamics_cli.impact.vector_pictures import polygon
+from dynamics_cli.pictures import Axis, Band, Bars, Curve, Mark, Panel, Picture
+from dynamics_cli.quantities import Count, Energy, Inertia, Length, Size, Speed, Time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 POINTS = 61
-# Of the polygon of momenta on paper.
-INCHES = 2.6
-ROOM = 0.1
 
 
 def oblique(result: "Any", *, first: "Any" = None, second: "Any" = None, **_: "Any") -> Picture:
@@ -48,7 +45,7 @@ def momentum(result: "Any", *, first: "Any", second: "Any", gravity: float, **_:
     ]
     north = (0.0, 1.0) if axes == "compass" else None
     masses = [mass_of(one.bulk, gravity) for one in (first, second)]
-    panels = (collision(names, noses, before, after, north), _polygon(names, masses, before, after))
+    panels = (collision(names, noses, before, after, north), polygon(names, masses, before, after))
     return Picture(panels, "velocities at the impact, before and after", columns=2, scene=True)
 
 
@@ -56,53 +53,6 @@ def _seen(length: float, heading: float, axes: str) -> "tuple[float, float]":
     """A vector of a heading as seen from above on the page: north or y up; the y axis of sae points down."""
     x, y = direction_of(heading, Axes(axes))
     return length * x, -length * y if axes == "sae" else length * y
-
-
-def _polygon(
-    names: "tuple[str, ...]",
-    masses: "list[float]",
-    before: "list[tuple[float, float]]",
-    after: "list[tuple[float, float]]",
-) -> Panel:
-    """Momenta head to tail, before dashed and after, which end at the same point: their sum."""
-    items: list[Any] = []
-    words: list[Words] = []
-    total = (
-        sum(mass * u for mass, (u, _) in zip(masses, after, strict=True)),
-        sum(mass * v for mass, (_, v) in zip(masses, after, strict=True)),
-    )
-    for word, motions in (("before", before), ("after", after)):
-        x = y = 0.0
-        for role, (name, mass, (u, v)) in enumerate(zip(names, masses, motions, strict=True)):
-            items.append(Arrow(x, y, mass * u, mass * v, "", role, dashed=word == "before"))
-            if u or v:
-                middle = x + 0.5 * mass * u, y + 0.5 * mass * v
-                words.append(Words(middle, _away(middle, (u, v), total), f"{name} {word}", role))
-            x, y = x + mass * u, y + mass * v
-    items.append(Arrow(0.0, 0.0, *total, "", 6))
-    words.append(Words((0.4 * total[0], 0.4 * total[1]), (-total[1], total[0]), "sum", 6))
-    left, low, right, high = bounds(items, 0.0)
-    inch = max(right - left, high - low) / INCHES or 1.0
-    items += placed(items, words, inch)
-    left, low, right, high = bounds(items, inch)
-    across = Axis("momentum along x", Impulse, ends=(left - ROOM * inch, right + ROOM * inch))
-    up = Axis("momentum along y", Impulse, ends=(low - ROOM * inch, high + ROOM * inch))
-    return Panel(across, up, tuple(items), "momentum", equal=True)
-
-
-def _away(
-    middle: "tuple[float, float]", way: "tuple[float, float]", total: "tuple[float, float]"
-) -> "tuple[float, float]":
-    """Place of a label beside an arrow: across it, on the side away from the sum."""
-    left = total[0] * middle[1] - total[1] * middle[0] > 0.0
-    nx, ny = -way[1], way[0]
-    if (nx * -total[1] + ny * total[0] > 0.0) != left:
-        nx, ny = -nx, -ny
-    size = math.hypot(nx, ny)
-    return (
-        math.copysign(4.0, nx) if abs(nx) > 0.3 * size else 0.0,
-        math.copysign(4.0, ny) if abs(ny) > 0.3 * size else 0.0,
-    )
 
 
 def central(result: "Any", **_: "Any") -> Picture:

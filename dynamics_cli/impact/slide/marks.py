@@ -35,6 +35,17 @@ def marking(wheel: Wheel, moment: Moment) -> bool:
     return wheel.share >= LOCKED or across * across > wheel.slope_squared * along * along
 
 
+def lines(wheel: Wheel, done: Run) -> "list[list[Pair]]":
+    """The marks of a wheel, broken where it does not slip."""
+    pieces: list[list[Pair]] = [[]]
+    for moment in done.moments:
+        if marking(wheel, moment) or (moment is done.end and pieces[-1]):
+            pieces[-1].append(at_wheel(wheel, moment))
+        elif pieces[-1]:
+            pieces.append([])
+    return [piece for piece in pieces if len(piece) > 1]
+
+
 def marks(car: Car, done: Run) -> "tuple[WheelMark, ...]":
     """Each wheel: its share of the energy, its mark, and where it stands at rest."""
     total = sum(done.end.work)

@@ -3,7 +3,7 @@
 from dynamics_cli.impact.conventions import AXES, Axes
 from dynamics_cli.impact.scene_labels import Words
 from dynamics_cli.impact.scene_pictures import about, finished, outline
-from dynamics_cli.impact.slide.marks import at_wheel, marking
+from dynamics_cli.impact.slide.marks import lines
 from dynamics_cli.impact.slide.motion import Run, run
 from dynamics_cli.impact.slide.records import AtRest
 from dynamics_cli.impact.slide.task import car_of, start_of
@@ -58,7 +58,7 @@ def slide(made: "Any", **given: "Any") -> Picture:
     if speed > 0.0:
         items.append(Arrow(start.x, flip * start.y, scale * start.vx, flip * scale * start.vy, "", 3))
         tip = start.x + scale * start.vx, flip * (start.y + scale * start.vy)
-        words.append(Words(tip, (start.vx / speed, flip * start.vy / speed), f"{about(speed)} at the separation", 3))
+        words.append(Words(tip, (start.vx / speed, flip * start.vy / speed), about("at the separation", speed), 3))
     end = done.end
     ahead = end.x - start.x, flip * (end.y - start.y)
     length = max((ahead[0] ** 2 + ahead[1] ** 2) ** 0.5, 1e-9)
@@ -67,7 +67,7 @@ def slide(made: "Any", **given: "Any") -> Picture:
     words.append(Words(front, way, "at rest", 0))
     items += [Mark(start.x, flip * start.y, "", role=6)]
     north = (0.0, 1.0) if axes == "compass" else None
-    note = "outlines at every eighth of a turn, of common overhangs"
+    note = ("outlines at every eighth of a turn, of common overhangs",)
     panel = finished(items, words, (WIDE, HIGH), (scale, speed), north, note)
     return Picture((panel,), "from the separation to rest, to scale", width=WIDE, scene=True)
 
@@ -93,15 +93,9 @@ def _eighths(done: Run) -> "list[tuple[float, float, float]]":
 
 def _marks(wheel: "Any", done: Run, role: int, flip: float) -> "list[Any]":
     """The mark of a wheel, broken where it does not slip."""
-    pieces: list[tuple[list[float], list[float]]] = [([], [])]
-    for moment in done.moments:
-        if marking(wheel, moment) or (moment is done.end and pieces[-1][0]):
-            x, y = at_wheel(wheel, moment)
-            pieces[-1][0].append(x)
-            pieces[-1][1].append(flip * y)
-        elif pieces[-1][0]:
-            pieces.append(([], []))
-    drawn: list[Any] = [Curve(x, y, "", "solid", role) for x, y in pieces if len(x) > 1]
+    drawn: list[Any] = [
+        Curve([x for x, _ in line], [flip * y for _, y in line], "", "solid", role) for line in lines(wheel, done)
+    ]
     if drawn and wheel.left < 0.0:
         x, y = drawn[0].x[0], drawn[0].y[0]
         drawn.append(Mark(x, y, "front wheel" if wheel.ahead > 0.0 else "rear wheel", (4.0, -9.0), False, role))

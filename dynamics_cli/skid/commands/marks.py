@@ -7,6 +7,9 @@ RANGES = "Published ranges with their sources: dynamics skid values friction"
 SLIDES = "every braked wheel slides the whole way"
 POINT = "the vehicle is a point mass; air drag and wheel inertia are neglected"
 
+# Where ranges of friction are, with the surfaces that they are of.
+MEASURED = {"friction": "ranges: dynamics skid values friction --surface asphalt (concrete, gravel, snow, ice, grass)"}
+
 SPEED = Task(
     "speed",
     "Speed at the start of a skid over one or several surfaces.",
@@ -26,6 +29,7 @@ SPEED = Task(
     ),
     plot="dynamics_cli.skid.pictures:speed",
     notes=RANGES,
+    pointers=MEASURED,
 )
 
 DISTANCE = Task(
@@ -43,6 +47,7 @@ DISTANCE = Task(
     examples=('dynamics skid distance --speed "50 mph" --friction 0.7 --grade "-3 %"',),
     plot="dynamics_cli.skid.pictures:distance",
     notes=RANGES,
+    pointers=MEASURED,
 )
 
 FRICTION = Task(
@@ -127,6 +132,7 @@ STOP = Task(
     table="timeline",
     plot="dynamics_cli.skid.pictures:stop",
     notes=RANGES,
+    pointers=MEASURED,
 )
 
 YAW = Task(
@@ -167,6 +173,7 @@ YAW = Task(
     ),
     plot="dynamics_cli.skid.pictures:yaw",
     notes=RANGES,
+    pointers=MEASURED,
 )
 
 VAULT = Task(
@@ -277,6 +284,7 @@ AVOID = Task(
     table="approaches",
     plot="dynamics_cli.skid.pictures:avoid",
     notes=RANGES,
+    pointers=MEASURED,
 )
 
 SPIN = Task(
@@ -304,6 +312,7 @@ SPIN = Task(
         'dynamics skid spin --rotation "210 deg" --rolling-drag "10 %" --distance "18 m" --friction 0.65',
         'dynamics skid spin --drag-share "60 %" --distance "18 m" --friction 0.65 --end-speed "5 km/h"',
     ),
+    pointers=MEASURED,
 )
 
 

@@ -3,6 +3,7 @@
 import math
 from itertools import pairwise
 
+from dynamics_cli.errors import worded
 from dynamics_cli.numerics.road.phases import legs
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Acceleration, Length, RoadSpeed, Time
@@ -54,6 +55,11 @@ def timeline(result: "Any", *, phases: "Any", known: "Any", gravity: float = STA
     )
 
 
+def _begun(row: "Any") -> "Any":
+    """A phase and the speed where it begins."""
+    return worded("{phase}\n{speed:3}", phase=row.phase, speed=(row.start_speed, RoadSpeed))
+
+
 def _named(party: Party, otherwise: str) -> str:
     return str(party.name) if party.name else otherwise
 
@@ -72,7 +78,7 @@ def meet(result: "Any", *, first: Party, second: Party, gravity: float = STANDAR
         speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
         if role == 0:
             ways += [
-                Mark(row.begins, row.from_distance, "" if row.phase == "build-up" else row.phase, role=role)
+                Mark(row.begins, row.from_distance, "" if row.phase == "build-up" else _begun(row), role=role)
                 for row in summed(motion)
             ]
     for items in (ways, speeds):

@@ -7,6 +7,7 @@ from dynamics_cli.core.inputs.sources.hashes import entry_of
 from dynamics_cli.core.inputs.specification import Leaf, Many
 from dynamics_cli.errors import InadmissibleError, UsageError
 from dynamics_cli.outlines import Drawing, Outline, Points
+from dynamics_cli.pictures import Plan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answering.task import Task
     from dynamics_cli.core.inputs.specification import Field
     from dynamics_cli.core.output.files import File
+    from dynamics_cli.pictures import Spreads
 
 FORMATS = ("dxf", "svg", "csv")
 
@@ -51,16 +53,29 @@ def check_asked(task: "Task", name: str, output: str) -> None:
 
 
 def files_of(
-    task: "Task", record: "Any", given: "tuple[list[Any], dict[str, Any]]", name: str, units: str
+    task: "Task",
+    record: "Any",
+    given: "tuple[list[Any], dict[str, Any]]",
+    name: str,
+    units: str,
+    spreads: "Spreads | None" = None,
 ) -> "tuple[list[File], list[dict[str, Any]]]":
     """The files of one case, still to be written, and their entries in the document."""
     form = _extension(name)
     if form in task.writers:
+        from dynamics_cli.core.output.plot import with_spreads
+
         writer = load(task.writers[form])
         words, options = given if writer.__code__.co_argcount > 1 else ([], {})
-        text = writer(record, *words, **options)
-        data = text.encode() if isinstance(text, str) else bytes(text)
-        entry: dict[str, Any] = {**entry_of(name, data), "written": True}
+        text = writer(record, *words, **options, **with_spreads(writer, spreads))
+        entry: dict[str, Any] = {"written": True}
+        if isinstance(text, Plan):
+            from dynamics_cli.core.output.drawing.plan import write_plan
+
+            data, entry["holds"] = write_plan(text, form, units)
+        else:
+            data = text.encode() if isinstance(text, str) else bytes(text)
+        entry = {**entry_of(name, data), **entry}
     else:
         data, entry = _drawn(_gathered(task, record), form, name, units)
     return [(name, data, "drawing")], [entry]

@@ -14,6 +14,7 @@ from dynamics_cli.version import __version__
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from dynamics_cli.core.output.drawing.scaled import FileUnit
@@ -45,6 +46,11 @@ def need() -> "Any":
 
 def write(drawing: "Drawing", unit: "FileUnit") -> bytes:
     """The drawing's file; the same drawing gives the same bytes."""
+    return written(lambda document: _fill(document, drawing, unit), _comments(drawing, unit))
+
+
+def written(fill: "Callable[[Any], None]", comments: "list[str]") -> bytes:
+    """The bytes of a file of R2000 that `fill` fills, with comments at its head."""
     import io
 
     ezdxf = need()
@@ -53,11 +59,11 @@ def write(drawing: "Drawing", unit: "FileUnit") -> bytes:
     ezdxf.options.write_fixed_meta_data_for_testing = True
     try:
         document = ezdxf.new("R2000")
-        _fill(document, drawing, unit)
+        fill(document)
         stream = io.StringIO()
         document.write(stream)
         body: bytes = document.encode(stream.getvalue())
-        return b"".join(b"999\n" + document.encode(line) + b"\n" for line in _comments(drawing, unit)) + body
+        return b"".join(b"999\n" + document.encode(line) + b"\n" for line in comments) + body
     finally:
         ezdxf.options.write_fixed_meta_data_for_testing = before
 

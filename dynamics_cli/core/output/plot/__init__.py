@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answering.task import Task
     from dynamics_cli.core.inputs.settings import Settings
     from dynamics_cli.core.terminal import Terminal
-    from dynamics_cli.pictures import Picture
+    from dynamics_cli.pictures import Picture, Spreads
 
 FORMATS = ("svg", "png", "pdf")
 TERMINAL = "-"
@@ -41,18 +41,26 @@ def check_asked(task: "Task", settings: "Settings") -> None:
             raise UsageError(
                 f"--plot and --{other} name the same file", parameter="plot", code="exclusive", hint="give it two names"
             )
-    from dynamics_cli.core.output.plot.pages import need
+    from dynamics_cli.core.output.plot.library import need
 
     need()
 
 
-def own_picture(task: "Task", record: "Any", arguments: "tuple[list[Any], dict[str, Any]]") -> "Picture | None":
-    """The task's own picture."""
+def own_picture(
+    task: "Task", record: "Any", arguments: "tuple[list[Any], dict[str, Any]]", spreads: "Spreads | None" = None
+) -> "Picture | None":
+    """The task's own picture; one that shows what is uncertain takes the spreads of the results."""
     if not task.plot:
         return None
     words, options = arguments
-    picture: Picture = load(task.plot)(record, *words, **options)
+    draws = load(task.plot)
+    picture: Picture = draws(record, *words, **options, **with_spreads(draws, spreads))
     return picture
+
+
+def with_spreads(draws: "Any", spreads: "Spreads | None") -> "dict[str, Any]":
+    """What a function is given beside a task's parameters: the spreads of the results, if it takes them."""
+    return {"spreads": spreads} if "spreads" in (draws.__kwdefaults__ or ()) else {}
 
 
 def refuse_none(task: "Task") -> UsageError:

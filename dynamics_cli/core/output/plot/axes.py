@@ -1,5 +1,8 @@
 """Axes in the units they are shown in: SI numbers scaled and labelled."""
 
+from math import floor, log10
+
+from dynamics_cli.core.documents import quantity
 from dynamics_cli.core.units.display import Shown
 from dynamics_cli.errors import Wording, filled
 
@@ -7,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from dynamics_cli.pictures import Axis
+    from dynamics_cli.pictures import Axis, Ruler
     from dynamics_cli.quantities import Kind
 
 
@@ -40,9 +43,19 @@ def words(text: str, system: str) -> str:
 
     def write(value: float, kind: "Kind", digits: int) -> str:
         shown = Shown(kind, kind.shown_in(system))
-        return f"{_number(shown.value(value)):.{digits}g} {shown.text}".rstrip()
+        return quantity(_number(shown.value(value)), shown.text, digits)
 
     return filled(text.template, text.values, write)
+
+
+def rounded(ruler: "Ruler", system: str) -> "tuple[float, str]":
+    """The metres of a scale and its words: the greatest round number of the unit shown that has room."""
+    shown = Shown(ruler.kind, ruler.kind.shown_in(system))
+    each = ruler.per / shown.width(1.0)
+    most = ruler.longest / each
+    power = 10.0 ** floor(log10(most))
+    number = next((digit * power for digit in (5.0, 2.0) if digit * power <= most), power)
+    return number * each, f"{ruler.title}: {quantity(number, shown.text, 1)}"
 
 
 def _number(value: "float | list[float]") -> float:

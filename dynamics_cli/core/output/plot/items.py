@@ -2,8 +2,9 @@
 
 import re
 
-from dynamics_cli.core.output.plot.axes import Scale, words
-from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Dimension, Label, Mark, Ranges, Rows
+from dynamics_cli.core.documents import number
+from dynamics_cli.core.output.plot.axes import Scale, rounded, words
+from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Dimension, Label, Mark, Ranges, Rows, Ruler, Shares
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,6 +38,9 @@ _STYLES: "dict[str, dict[str, Any]]" = {
 }
 # Words stand out from the lines that they cross.
 _BACKGROUND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.4}
+_PLAIN = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
+# Of the parts of a whole: most names with a colour of their own, inches of a letter, and the colour of the others.
+MOST_COLOURED, LETTER, OTHERS = 6, 0.068, "#d9d9d9"
 _SHAFT = {"lw": 1.4, "shrinkA": 0, "shrinkB": 0}
 _DIMENSION = {"lw": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 8}
 
@@ -131,17 +135,25 @@ def _ranges(axes: "Any", item: Ranges, x: Scale, y: Scale, pens: Pens) -> None:
     low, high = x(item.low), x(item.high)
     axes.barh(places, [b - a for a, b in zip(low, high, strict=True)], left=low, height=0.16, color="#9ecae1")
     axes.plot(x(item.at), places, linestyle="none", marker="o", markersize=5.0, color=COLOURS[0])
-    least, most = min([*low, *(at for at, _ in item.limits)]), max([*high, *(at for at, _ in item.limits)])
-    room = 0.06 * (most - least)
+    across = x([at for at, _ in item.limits])
+    least, most = min([*low, *across]), max([*high, *across])
+    room = (0.18 if item.ends else 0.06) * (most - least)
     axes.set_xlim(least - room, most + room)
+    for place, start, end in zip(places, low, high, strict=True):
+        for at, edge in ((start, "right"), (end, "left")) if item.ends and start < end else ():
+            text: dict[str, Any] = {"xytext": (-3 if edge == "right" else 3, 0), "textcoords": "offset points"}
+            text |= {"ha": edge, "va": "center", "fontsize": 7.5, "bbox": _PLAIN, "zorder": 4.0}
+            axes.annotate(number(at, 3), (at, place), **text)
     for place, name, start, end in zip(places, item.names, low, high, strict=True):
         right = 0.5 * (start + end) > 0.5 * (least + most)
         side: dict[str, Any] = {"ha": "right" if right else "left", "va": "bottom", "fontsize": 8.5}
-        side["bbox"] = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
-        axes.annotate(name, (end if right else start, place - 0.14), **side)
-    for limit, label in item.limits:
-        axes.axvline(*x((limit,)), color="black", linestyle="--", linewidth=1.0)
-        axes.annotate(label, (x((limit,))[0], -0.75), xytext=(3, 0), textcoords="offset points", fontsize=9.0, va="top")
+        side |= {"bbox": _PLAIN, "zorder": 4.0}
+        axes.annotate(written(name, x.system), (end if right else start, place - 0.14), **side)
+    for limit, (_, label) in zip(across, item.limits, strict=True):
+        axes.axvline(limit, color="black", linestyle="--", linewidth=1.0)
+        axes.annotate(
+            written(label, x.system), (limit, -0.75), xytext=(3, 0), textcoords="offset points", fontsize=9.0, va="top"
+        )
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
     axes.set_ylim(len(places) - 0.7, -0.8 if item.limits else -0.6)
@@ -155,6 +167,55 @@ def _label(axes: "Any", item: Label, x: Scale, y: Scale, pens: Pens) -> None:
     axes.text(
         across, up, written(item.text, x.system), fontsize=8.5, color=colour, ha=side, va="center", bbox=_BACKGROUND
     )
+
+
+def _ruler(axes: "Any", item: Ruler, x: Scale, y: Scale, pens: Pens) -> None:
+    length, text = rounded(item, x.system)
+    (x0, x1), (at,) = x((item.x, item.x + length)), y((item.y,))
+    if item.arrow:
+        axes.annotate("", (x1, at), (x0, at), arrowprops={"arrowstyle": "-|>", "color": "black", **_SHAFT})
+    else:
+        axes.plot([x0, x1], [at, at], color="black", linewidth=1.0, marker="|", markersize=6.0)
+    axes.annotate(text, (x0, at), xytext=(0, 5), textcoords="offset points", fontsize=8.5, va="bottom")
+
+
+def _shares(axes: "Any", item: Shares, x: Scale, y: Scale, pens: Pens) -> None:
+    """Each whole as a bar of its parts, with the words over it; the largest names have colours of their own."""
+    sums: dict[str, float] = {}
+    for parts in item.parts:
+        for name, share in parts:
+            sums[name] = sums.get(name, 0.0) + share
+    sums.pop("", None)
+    coloured = sorted(sums, key=lambda name: -sums[name])[:MOST_COLOURED]
+    inches = 0.96 * axes.figure.get_figwidth()
+    for nth, (head, parts) in enumerate(zip(item.heads, item.parts, strict=True)):
+        axes.text(0.0, nth - 0.36, written(head, x.system), fontsize=8.5, va="center")
+        start, whole = 0.0, sum(share for _, share in parts)
+        for name, part in parts:
+            share = part / whole
+            colour = COLOURS[coloured.index(name)] if name in coloured else OTHERS
+            style = {"color": colour, "alpha": 0.38 if name in coloured else 1.0, "edgecolor": "white"}
+            axes.barh([nth + 0.08], [share], left=start, height=0.5, linewidth=1.0, **style)
+            text = _fitting(name or "others", f"{100.0 * share:.0f} %", share * inches)
+            if text:
+                axes.text(
+                    start + 0.5 * share, nth + 0.08, text, fontsize=7.5, ha="center", va="center", linespacing=1.0
+                )
+            start += share
+    axes.set_xlim(0.0, 1.0)
+    axes.set_ylim(len(item.heads) - 0.6, -0.6)
+
+
+def _fitting(name: str, share: str, inches: float) -> str:
+    """As much of a part's name and share as its bar has room for, on two lines at most."""
+    both = f"{name} {share}"
+    choices = [
+        both,
+        f"{name}\n{share}",
+        *(f"{both[:i]}\n{both[i + 1 :]}" for i, letter in enumerate(both) if letter == " "),
+    ]
+    fits = [text for text in choices if max(map(len, text.split("\n"))) * LETTER < inches]
+    return next(iter(fits), share if len(share) * LETTER < inches else "")
 
 
 def _dimension(axes: "Any", item: Dimension, x: Scale, y: Scale, pens: Pens) -> None:
@@ -189,6 +250,8 @@ DRAW: "dict[type, Callable[..., None]]" = {
     Band: _band,
     Bars: _bars,
     Ranges: _ranges,
+    Ruler: _ruler,
+    Shares: _shares,
     Label: _label,
     Dimension: _dimension,
     Rows: _rows,

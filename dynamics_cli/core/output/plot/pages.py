@@ -1,14 +1,13 @@
-"""Pictures in files: SVG, PNG and PDF by matplotlib, which only this module imports; the same bytes every time."""
+"""Pictures in files: SVG, PNG and PDF by matplotlib; the same bytes every time."""
 
 import io
 import itertools
-import os
 from textwrap import fill
 
 from dynamics_cli.core.output.plot.axes import Scale, finite, words
 from dynamics_cli.core.output.plot.items import COLOURS, DRAW, Pens, written
-from dynamics_cli.errors import UsageError
-from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Dimension, Label, Mark, Ranges, Rows
+from dynamics_cli.core.output.plot.library import ABOUT, blank, need, part, settle
+from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Dimension, Label, Mark, Ranges, Rows, Ruler, Shares
 from dynamics_cli.quantities import Count
 
 TYPE_CHECKING = False
@@ -33,73 +32,26 @@ CAPPED, CAPPED_BELOW = 0.8, 4.0
 LONGEST_TITLE = 84
 LETTERS_PER_INCH = 11
 MOST_TICKS = 12
+# Inches of a bar of shares with the words over it.
+SHARE_HEIGHT = 0.4
+# The label of a panel that takes the whole width, whatever stands beside the axes of others.
+WHOLE = "whole"
 RESOLUTION = 160
 KEPT = 0.25
-_SETTINGS = {
-    "svg.hashsalt": "dynamics",
-    "svg.fonttype": "path",
-    "pdf.compression": 6,
-    "font.family": "DejaVu Sans",
-    "font.size": 9.0,
-    "axes.titlesize": 9.5,
-    "axes.grid": True,
-    "grid.linewidth": 0.4,
-    "grid.color": "#cccccc",
-    "axes.axisbelow": True,
-    "legend.frameon": False,
-    "legend.fontsize": 8.0,
-    "legend.handlelength": 3.2,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    # A scale that begins somewhere else, told in small print at its end, is misread.
-    "axes.formatter.useoffset": False,
-}
 # More names than this find no place among the curves.
 MOST_INSIDE, FEW = 4, 2
 # Letters that the line of a curve and the room around it take in a legend.
 LETTERS_OF_A_LINE = 8
-# No dates and no version of a library, so that a file depends on its numbers alone.
-_ABOUT: "dict[str, dict[str, Any]]" = {
-    "svg": {"Date": None, "Creator": "dynamics"},
-    "png": {"Software": "dynamics"},
-    "pdf": {"CreationDate": None, "Creator": "dynamics", "Producer": "dynamics"},
-}
-
-
-def need() -> "Any":
-    """The library, or how to get it."""
-    # No window is opened: a backend that the environment names is not used, and need not exist.
-    named = os.environ.pop("MPLBACKEND", None)
-    try:
-        import matplotlib
-    except ImportError:
-        raise UsageError(
-            "pictures in files need a part that is not installed",
-            code="not-installed",
-            parameter="plot",
-            hint="pip install 'dynamics-cli[plot]'; --plot - needs nothing",
-        ) from None
-    except Exception as error:
-        raise UsageError(
-            f"matplotlib does not start: {error}", parameter="plot", hint="its own settings file may be at fault"
-        ) from None
-    finally:
-        if named is not None:
-            os.environ["MPLBACKEND"] = named
-    return matplotlib
 
 
 def draw(picture: "Picture", form: str, system: str) -> bytes:
     """The bytes of a picture's file."""
     matplotlib = need()
     with matplotlib.rc_context():
-        matplotlib.rcdefaults()
-        matplotlib.rcParams.update(_SETTINGS)
+        settle(matplotlib)
         file = io.BytesIO()
         if form == "pdf" and 0 < picture.page < len(picture.panels):
-            from matplotlib.backends.backend_pdf import PdfPages
-
-            with PdfPages(file, metadata=_ABOUT[form]) as pages:
+            with part("backends.backend_pdf").PdfPages(file, metadata=ABOUT[form]) as pages:
                 for start in range(0, len(picture.panels), picture.page):
                     pages.savefig(_figure(picture, picture.panels[start : start + picture.page], system))
         else:
@@ -107,7 +59,7 @@ def draw(picture: "Picture", form: str, system: str) -> bytes:
             # the words of a scene stand where its arrows end, which may be beyond the page
             bare = any(panel.bare for panel in picture.panels)
             more = {"bbox_inches": "tight", "pad_inches": 0.05} if bare else {}
-            figure.savefig(file, format=form, dpi=RESOLUTION, metadata=_ABOUT[form], **more)
+            figure.savefig(file, format=form, dpi=RESOLUTION, metadata=ABOUT[form], **more)
     return file.getvalue()
 
 
@@ -116,7 +68,7 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
     if picture.views:
         from dynamics_cli.core.output.plot.views import three_views
 
-        return three_views(picture, system, _blank, DRAW[Curve], Pens, COLOURS)
+        return three_views(picture, system, blank, DRAW[Curve], Pens, COLOURS)
     columns = min(picture.columns, len(panels))
     lines = _lines(panels, columns)
     wide = picture.width or WIDTHS[min(columns, len(WIDTHS)) - 1]
@@ -130,7 +82,7 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
     for index in [index for index, share in enumerate(shared) if share]:
         height = min(SHARED_HEIGHT, SHARED_SHAPE * wide)
         tall[index : index + 2] = [height, height + ROOM_FOR_TICKS]
-    figure = _blank(wide, sum(tall) + head, layout="constrained")
+    figure = blank(wide, sum(tall) + head, layout="constrained")
     grid = figure.add_gridspec(len(lines), columns, height_ratios=tall)
     for row, line in enumerate(lines):
         for column, panel in enumerate(line):
@@ -177,6 +129,10 @@ def _settle(figure: "Any") -> None:
     figure.get_layout_engine().execute(figure)
     figure.set_layout_engine("none")
     for axes in figure.axes:
+        if axes.get_label() == WHOLE:
+            _, low, _, high = axes.get_position().bounds
+            axes.set_position([0.02, round(low, 6), 0.96, round(high, 6)])
+            continue
         # a scene has no axes to stand in line with those of other panels
         if not axes.axison and axes.get_aspect() != "auto" and len(figure.axes) > 1 and whole_width(axes):
             place = axes.get_position(original=True).bounds
@@ -194,16 +150,6 @@ def whole_width(axes: "Any") -> bool:
 
 def _shares_axis(panel: "Panel", below: "Panel") -> bool:
     return panel.x.ends is not None and panel.x == below.x
-
-
-def _blank(width: float, height: float, **more: "Any") -> "Any":
-    """A figure of that size in inches."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(width, height), **more)
-    FigureCanvasAgg(figure)
-    return figure
 
 
 def _lines(panels: "tuple[Panel, ...]", columns: int) -> "list[list[Panel]]":
@@ -228,6 +174,9 @@ def _height(panel: "Panel", columns: int, wide: float) -> float:
     tables = [len(item.rows) for item in panel.items if isinstance(item, Rows)]
     if tables:
         return 0.3 + 0.26 * max(tables)
+    shares = [len(item.heads) for item in panel.items if isinstance(item, Shares)]
+    if shares:
+        return 0.35 + SHARE_HEIGHT * max(shares)
     bars = [len(item.names) * (1 + isinstance(item, Ranges)) for item in panel.items if isinstance(item, Bars | Ranges)]
     return legend + (
         max(1.2, 0.6 + 0.28 * max(bars)) if bars else min(HEIGHT, (0.42 if wide < CAPPED_BELOW else 0.55) * wide)
@@ -244,7 +193,7 @@ def _slenderness(panel: "Panel") -> float:
         if isinstance(item, Curve):
             across += finite(item.x)
             up += finite(item.y)
-        elif isinstance(item, Mark | Arrow | Label):
+        elif isinstance(item, Mark | Arrow | Label | Ruler):
             across.append(item.x)
             up.append(item.y)
         elif isinstance(item, Dimension):
@@ -255,8 +204,6 @@ def _slenderness(panel: "Panel") -> float:
 
 
 def _panel(axes: "Any", panel: "Panel", system: str, columns: int) -> None:
-    from matplotlib.ticker import MultipleLocator
-
     x, y = Scale(panel.x, system), Scale(panel.y, system)
     if panel.bare:
         axes.set_axis_off()
@@ -276,7 +223,10 @@ def _panel(axes: "Any", panel: "Panel", system: str, columns: int) -> None:
     pens = Pens(panel)
     for item in panel.items:
         DRAW[type(item)](axes, item, x, y, pens)
-    if panel.bare or any(isinstance(item, Rows) for item in panel.items):
+    if any(isinstance(item, Shares) for item in panel.items):
+        axes.set_axis_off()
+        axes.set_label(WHOLE)
+    elif panel.bare or any(isinstance(item, Rows) for item in panel.items):
         axes.set_axis_off()
         axes.margins(0.02)
     elif any(isinstance(item, Mark | Arrow) and item.label for item in panel.items):
@@ -289,7 +239,7 @@ def _panel(axes: "Any", panel: "Panel", system: str, columns: int) -> None:
         if axis.ends is not None:
             limit(*scale(axis.ends))
         if axis.step:
-            side.set_major_locator(MultipleLocator(scale.width(axis.step)))
+            side.set_major_locator(part("ticker").MultipleLocator(scale.width(axis.step)))
 
 
 def _legend(panel: "Panel") -> "list[str]":
@@ -313,9 +263,9 @@ def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]"
             return {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if full else {"loc": "best"}
     else:
         ncols = 1
-    from matplotlib.transforms import ScaledTranslation
-
-    below = axes.transAxes + ScaledTranslation(0.0, -0.05 if panel.bare else -0.42, axes.figure.dpi_scale_trans)
+    below = axes.transAxes + part("transforms").ScaledTranslation(
+        0.0, -0.05 if panel.bare else -0.42, axes.figure.dpi_scale_trans
+    )
     return {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": below, "ncols": ncols}
 
 
@@ -339,11 +289,9 @@ def _in_one_row(panel: "Panel", wide: float) -> int:
 
 def _ticks(side: "Any", axis: "Axis", columns: int) -> None:
     """Names at 1, 2, 3 …, whole numbers where things are counted, and no more ticks than there is room for."""
-    from matplotlib.ticker import MaxNLocator
-
     if axis.names:
         side.set_ticks(range(1, len(axis.names) + 1), labels=list(axis.names))
     elif axis.kind is Count:
-        side.set_major_locator(MaxNLocator(integer=True))
+        side.set_major_locator(part("ticker").MaxNLocator(integer=True))
     elif columns > 1 and not axis.logarithmic:
-        side.set_major_locator(MaxNLocator(nbins=MOST_TICKS // columns, steps=[1, 2, 2.5, 5, 10]))
+        side.set_major_locator(part("ticker").MaxNLocator(nbins=MOST_TICKS // columns, steps=[1, 2, 2.5, 5, 10]))

@@ -5,7 +5,7 @@ from textwrap import wrap
 
 from dynamics_cli.core.documents import number
 from dynamics_cli.core.output.plot.axes import Scale, finite, words
-from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Mark, Rows
+from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Mark, Ranges, Rows, Shares
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -27,12 +27,14 @@ def sketch(picture: "Picture", system: str, columns: int, lines: int) -> str:
     width = max(LEAST_WIDTH, min(columns - MARGIN - 1, MOST_WIDTH))
     parts = [words(picture.title, system)] if picture.title else []
     for panel in picture.panels:
-        if any(isinstance(item, Rows) for item in panel.items):
+        if any(isinstance(item, Rows | Ranges) for item in panel.items):
             continue  # a table of results: the answer is printed above
+        shares = [item for item in panel.items if isinstance(item, Shares)]
+        parts += [_told(item, panel.title, system, min(columns, MARGIN + MOST_WIDTH)) for item in shares]
         bars = [item for item in panel.items if isinstance(item, Bars)]
         if bars:
             parts += [_bars(panel, item, system, min(columns, MARGIN + MOST_WIDTH)) for item in bars]
-        else:
+        elif not shares:
             parts.append(_dots(panel, system, width, max(6, min(lines - 6, 14))))
     return "\n".join(line.rstrip() for part in parts for line in part.split("\n")) + "\n"
 
@@ -204,6 +206,19 @@ class _Canvas:
             "".join(words.get(nth) or (chr(_BRAILLE + cell) if cell else " ") for nth, cell in enumerate(row))
             for row, words in zip(self.cells, self.text, strict=True)
         ]
+
+
+def _told(item: Shares, title: str, system: str, columns: int) -> str:
+    """The parts of every whole, in words."""
+    lines = [title]
+    for head, parts in zip(item.heads, item.parts, strict=True):
+        whole = sum(share for _, share in parts)
+        told = ", ".join(f"{name or 'others'} {100.0 * share / whole:.0f} %" for name, share in parts)
+        lines += [
+            *wrap(words(head, system), columns),
+            *wrap(told, columns, initial_indent="  ", subsequent_indent="  "),
+        ]
+    return "\n".join(lines)
 
 
 def _bars(panel: "Panel", item: Bars, system: str, columns: int) -> str:
