@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 import skid_reference as skid
+from search_length import EVALUATIONS
 
 from dynamics_cli.core.inputs.uncertain.distributions import Normal
 from dynamics_cli.core.uncertainty.propagation import propagate
@@ -39,7 +40,7 @@ def test_estimates_hold_and_intervals_contain_what_they_claim() -> None:
 
 @pytest.mark.slow
 def test_estimates_hold_over_many_problems() -> None:
-    within, right = held(16, 120)
+    within, right = held(16, EVALUATIONS // 16)
     assert within >= 0.95
     assert right >= 0.99
 

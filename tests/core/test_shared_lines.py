@@ -6,11 +6,14 @@ import numpy as np
 import pytest
 
 from dynamics_cli.core.inputs.uncertain.distributions import Empirical, Normal, Uniform
+from dynamics_cli.core.uncertainty.methods.lines import Lines, alone, order_moments, side_by_side
 from dynamics_cli.core.uncertainty.methods.shared_lines import Found, SharedLines
 from dynamics_cli.core.uncertainty.propagation import propagate
-from dynamics_cli.core.uncertainty.space import Space
+from dynamics_cli.core.uncertainty.space import Space, bearing
 from dynamics_cli.core.uncertainty.straight import Straight
 from dynamics_cli.numerics.distributions import normal
+from dynamics_cli.numerics.distributions.normal_arrays import quantile
+from dynamics_cli.numerics.quadrature.lattice import lattice
 
 P = np.array([0.025, 0.5, 0.975])
 Z = [normal.quantile(p) for p in P.tolist()]
@@ -133,3 +136,37 @@ def test_listed_values_among_normal_inputs_are_a_mixture() -> None:
     mean = sum(values) / 3.0
     assert spread.mean == pytest.approx(1.0 + mean, rel=1e-9)
     assert spread.std == pytest.approx(math.sqrt(0.25 + sum((x - mean) ** 2 for x in values) / 3.0), rel=1e-6)
+
+
+def test_an_input_that_does_not_bear_on_a_result_is_not_integrated_over() -> None:
+    """Of four inputs one result has one, one has two: exact as if the others were not there."""
+
+    def model(inputs: dict) -> tuple[dict, None]:
+        a, b, c, d = (np.asarray(inputs[name], dtype=float) for name in "abcd")
+        results = {"one": np.exp(0.1 * b), "two": b + 2.0 * d, "turning": c * c, "all": a + b + c + d, "other": a - d}
+        return results, None
+
+    looked_at = Space(model, dict.fromkeys("abcd", Normal(0.0, 1.0)), {})
+    assert bearing(looked_at, quantile(lattice(4, 64, 2))).tolist() == [
+        [False, True, False, False], [False, True, False, True], [False, False, True, False], [True] * 4,
+        [True, False, False, True],
+    ]  # fmt: skip
+    made = propagate(model, dict.fromkeys("abcd", Normal(0.0, 1.0)))
+    assert made.spreads["one"].method == "the input's own quantiles through the model"
+    assert made.spreads["one"].interval == pytest.approx((math.exp(0.1 * Z[0]), math.exp(0.1 * Z[2])), rel=1e-12)
+    assert made.spreads["two"].interval == pytest.approx((math.sqrt(5.0) * Z[0], math.sqrt(5.0) * Z[2]), rel=1e-9)
+    turning = made.spreads["turning"]
+    # χ² of one degree of freedom
+    assert (*turning.interval, turning.median) == pytest.approx((9.820691e-4, 5.023886, 0.4549364), abs=1e-4)
+    assert turning.mean == pytest.approx(1.0, abs=1e-5)
+    assert turning.std == pytest.approx(math.sqrt(2.0), abs=1e-4)
+    assert turning.estimate < 1e-4
+
+
+def test_calculations_side_by_side_are_those_of_each_alone() -> None:
+    model_at = space()
+    direction = np.array([1.0, 0.0, 0.0])
+    made = {row: Lines(model_at, row, direction, np.zeros((3, 1)), np.zeros((1, 1)), np.ones(1)) for row in (0, 3)}
+    together = side_by_side({row: order_moments(lines, 12) for row, lines in made.items()})
+    for row, lines in made.items():
+        assert together[row].mean == alone(order_moments(lines, 12)).mean
