@@ -297,12 +297,12 @@ class TestPeers:
 @pytest.mark.parametrize(
     ("words", "hint"),
     [
-        (("geer",), "did you mean gear?"),
+        (("geer",), "did you mean gear"),
         (("SKID",), "did you mean skid?"),
         (("gear", "pear"), "did you mean pair?"),
         (
             ("nosuch",),
-            "there are for cam, convert, coords, gear, impact, inertia, linkage",
+            "there are for cam, convert, coords, energy, gear, impact, inertia, lin",
         ),
     ],
 )
