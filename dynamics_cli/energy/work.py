@@ -120,6 +120,14 @@ def work(
         rubbing = -(friction * pressing * _beside(distance, "distance", "friction"))
     if distance is not None and force is None and friction is None:
         raise MissingError("along the distance no force acts", [("force",), ("friction", "normal_force")])
+    for name, value, needed, there in (
+        ("angle", plain(angle) or None, "force", force),
+        ("normal_force", normal_force, "friction", friction),
+        ("turn", turn, "torque", torque),
+        ("rise", rise, "mass", mass),
+    ):
+        if value is not None:
+            _beside(there, needed, name)
     if torque is not None:
         couple = torque * _beside(turn, "turn", "torque")
     if mass is not None:
@@ -140,7 +148,7 @@ def work(
 def _beside(value: "float | None", name: str, other: str) -> float:
     """A number that another one needs."""
     if value is None:
-        raise MissingError(f"the {other} is given without its {name.replace('_', ' ')}", [(name,)])
+        raise MissingError(f"the {other.replace('_', ' ')} is given without its {name.replace('_', ' ')}", [(name,)])
     return value
 
 
