@@ -61,7 +61,7 @@ def _assembled(
     if optional:
         lines += ["", "Optional:" if required else "Parameters:", *optional]
     lines += _results(task, width, brief=brief)
-    sources = dict.fromkeys(model.source for model in task.models)
+    sources = dict.fromkeys(part for model in task.models for part in model.source.split("; "))
     more = [f"All parameters and results described: dynamics reference {task.family}"] if brief else []
     last = [f"Source: {'; '.join(sources)}", *more, MORE]
     return [*lines, "", *(line for text in last for line in wrapped(text, width, 2))]

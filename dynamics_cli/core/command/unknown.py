@@ -1,8 +1,9 @@
 """Errors for options and words that a task does not have: all at once, each with the likely meaning."""
 
 from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.command.help import describe_options
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
-from dynamics_cli.core.inputs.suggestions import suggestions
+from dynamics_cli.core.inputs.suggestions import MOST, suggestions
 from dynamics_cli.errors import ManyErrors, UsageError
 
 TYPE_CHECKING = False
@@ -11,13 +12,29 @@ if TYPE_CHECKING:
 
 
 def near_option(task: Task, word: str) -> str:
-    """The option that an unknown one probably means."""
-    near = suggestions(word.lstrip("-").partition("=")[0], task.options, UNIVERSAL_OPTIONS)
+    """The option that an unknown one probably means: by its name, by its description, or one that every task has."""
+    typed = word.lstrip("-").partition("=")[0].lower()
+    near = suggestions(typed, task.options) or _described(task, typed) or suggestions(typed, UNIVERSAL_OPTIONS)
     return (
         "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
         if near
         else f"try: dynamics {task.path} --help"
     )
+
+
+def _described(task: Task, typed: str) -> "list[str]":
+    """The few options whose kind or description has every word that was typed: `--elevation` for `--launch-angle`."""
+    words = set(typed.replace("_", "-").split("-"))
+    texts = describe_options(task)
+    found = []
+    for name, option in task.options.items():
+        kind = option.leaf.kind.name if option.leaf else ""
+        text = "".join(c if c.isalnum() else " " for c in f"{kind} {texts.get(option.path, '')}".lower())
+        if words.issubset(text.split()):
+            found.append((not words.issubset(kind.split()), name))
+    same_kind = [name for other, name in sorted(found) if not other]
+    near = same_kind or [name for _, name in found]
+    return near if len(near) <= MOST else []
 
 
 def unknown_option(task: Task, word: str, typed: "Sequence[str]") -> UsageError:

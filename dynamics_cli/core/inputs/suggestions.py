@@ -24,6 +24,7 @@ SYNONYMS = {
     "mark": "distance radius",
     "speed-limit": "limit",
     "test": "test-skid",
+    "speed": "velocity first-velocity",
     "v": "speed first-speed first-velocity",
     "velocity": "speed first-velocity approach-speed exit-speed",
     "initial-speed": "speed end-speed",
@@ -97,7 +98,16 @@ SYNONYMS = {
     "beta-angle": "span",
     "rise": "lift program",
     "stiffness": "spring-rate contact-stiffness",
-    "spring": "spring-rate",
+    "spring": "stiffness spring-rate",
+    "spring-constant": "stiffness spring-rate",
+    "k": "stiffness spring-rate",
+    "c": "damping",
+    "zeta": "damping-ratio",
+    "r": "radius",
+    "l": "length",
+    "h": "height",
+    "theta": "angle",
+    "phase": "angle",
     "moi": "inertia first-inertia",
     "moment-of-inertia": "inertia first-inertia",
     "omega": "angular-velocity shaft-speed speed",
@@ -111,19 +121,21 @@ SYNONYMS = {
     "verbose": "all explain",
 }
 MOST = 3
+BODIES = {"first-": "1", "second-": "2"}
 
 
 def _meant(word: str) -> "list[str]":
-    """The synonyms of a word; of a body's parameter, `first-exit-angle`, those of the parameter."""
+    """The synonyms of a word; of a body's parameter, `first-exit-angle` or `speed1`, those of the parameter."""
     synonyms = SYNONYMS.get(word, "").split()
-    for body in ("first-", "second-"):
-        if word.startswith(body):
-            synonyms += [f"{body}{name}" for name in SYNONYMS.get(word.removeprefix(body), "").split()]
-    return synonyms
+    for body, digit in BODIES.items():
+        if word.startswith(body) or word.endswith(digit):
+            parameter = word.removeprefix(body).removesuffix(digit).rstrip("-")
+            synonyms += [f"{body}{name}" for name in (parameter, *SYNONYMS.get(parameter, "").split())]
+    return list(dict.fromkeys(synonyms))
 
 
-def suggestions(typed: str, known: "Iterable[str]", rest: "Iterable[str]" = ()) -> "list[str]":
-    """Up to three known names that a typed one may mean; from the `rest`, only the obvious ones.
+def suggestions(typed: str, known: "Iterable[str]") -> "list[str]":
+    """Up to three known names that a typed one may mean.
 
     In order: a prefix of a single name together with synonyms, synonyms alone, other prefixes,
     endings, the nearest spelling.
@@ -136,6 +148,4 @@ def suggestions(typed: str, known: "Iterable[str]", rest: "Iterable[str]" = ()) 
         return [plain[name] for name in dict.fromkeys([*meant, *begun])]
     ended = [name for name in plain if name.endswith(f"-{word}")]
     near = meant or begun or ended or nearest_words(word, plain)
-    if near:
-        return [plain[name] for name in near[:MOST]]
-    return suggestions(typed, rest) if rest else []
+    return [plain[name] for name in near[:MOST]]

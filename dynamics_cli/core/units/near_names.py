@@ -14,7 +14,7 @@ def nearest_words(word: str, known: "Iterable[str]", count: int = 3) -> "list[st
     from difflib import get_close_matches
 
     by_plain = {name.lower().replace("-", "_"): name for name in known}
-    near = get_close_matches(word.lower().replace("-", "_"), sorted(by_plain), n=count, cutoff=0.6)
+    near = get_close_matches(word.lower().replace("-", "_"), sorted(by_plain), n=count, cutoff=0.67)
     return [by_plain[name] for name in near]
 
 
