@@ -788,4 +788,4 @@ else:
     Variable = Kind("variable", "", form="let", example="a=3 m", about="a variable of the formulas")
     Text = Kind("text", "", form="text", example="a name", about="words")
     Unit = Kind("unit", "", form="unit", example="ft/s", about="a unit")
-    InputFile = Kind("file", "", form="file", example="part.stl", about="a file to read")
+    InputFile = Kind("file", "", form="file", example="data.csv", about="a file to read")

@@ -87,3 +87,10 @@ def test_every_example_value_is_accepted_by_its_option(task: Task) -> None:
         if any("missing" not in message for message in mine):
             refused[f"{name} {example}"] = mine
     assert refused == {}
+
+
+def test_a_list_of_records_or_its_single_fields_are_alternatives() -> None:
+    text = run("balance", "planes", "--help").out
+    assert "either --unbalance, or --amount with --angle with --position" in text
+    assert "repeatable; takes amount, angle, position" in text
+    assert "either --masses with --stiffnesses, or --body with --coupling" in run("vibration", "modes", "--help").out

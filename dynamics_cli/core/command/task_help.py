@@ -3,8 +3,8 @@
 from dynamics_cli.core.answering.task import EXAMPLES_FOLDER
 from dynamics_cli.core.command.help import describe_options, describe_record, placeholder, written_default
 from dynamics_cli.core.command.template import MOST_ALTERNATIVES, description
-from dynamics_cli.core.inputs.options import kebab, options
-from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged
+from dynamics_cli.core.inputs.options import group_name, kebab, options
+from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged, members_of
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.records import Advice, Check, Numerics
 
@@ -190,21 +190,34 @@ def _choices(fields: "tuple[Field, ...]", prefix: "tuple[str, ...]") -> "Iterato
         node = field.node
         if isinstance(node, OneOf) and field.required:
             yield [
-                " with ".join(
-                    f"--{kebab('_'.join((*prefix, inner.key)))}"
-                    for inner in member.fields
-                    if inner.name in member.required
-                )
+                " with ".join(_option(inner, prefix) for inner in member.fields if inner.name in member.required)
                 for member in node.members
             ]
         elif isinstance(node, Record) and not field.place:
             yield from _choices(node.fields, (*prefix, field.key))
+        elif isinstance(node, Many) and node.single and not node.columns and field.required:
+            single = [
+                " with ".join(
+                    f"--{kebab('_'.join((*prefix, inner.spread()[0])))}" for inner in record.fields if inner.required
+                )
+                for record in members_of(node.item)
+            ]
+            if all(single):
+                yield [_option(field, prefix), *single]
+
+
+def _option(field: Field, prefix: "tuple[str, ...]") -> str:
+    """The option of a field; of a list of records the one that gives a record."""
+    path = (*prefix, field.key)
+    node = field.node
+    records = isinstance(node, Many) and not node.columns and not isinstance(node.item, Leaf)
+    return f"--{group_name(node, path) if isinstance(node, Many) and records else kebab('_'.join(path))}"
 
 
 def _group_text(task: "Task", option: "Option") -> str:
     """A repeated group, with the fields that it takes."""
     names = [name for record in group_records(task.specification.fields, option.path) for name in _keys(record)]
-    return f"one of several (repeatable): {', '.join(dict.fromkeys(names))}"
+    return f"repeatable; takes {', '.join(dict.fromkeys(names))}"
 
 
 def _keys(record: Record) -> "Iterator[str]":

@@ -88,11 +88,17 @@ def _spread_options(
         item = members_of(node.item)
         if node.single:
             for member in item:
-                _record_options(member, prefix, by_name, inside, required)
+                _record_options(member, prefix, by_name, inside, required and node.columns)
         if not node.columns:
-            group = kebab(item[0].cls.__name__) if len(item) == 1 else name
-            group = kebab("_".join((*prefix, group)))
+            group = group_name(node, path)
             by_name[group] = Option(group, path, None, group=name, default=(), required=False)
+
+
+def group_name(node: Many, path: "tuple[str, ...]") -> str:
+    """The option that gives one record of a list: `first-phase`."""
+    item = members_of(node.item)
+    last = item[0].cls.__name__ if len(item) == 1 else path[-1]
+    return kebab("_".join((*path[:-1], kebab(last))))
 
 
 def _tag_leaf(node: Tagged) -> Leaf:

@@ -31,7 +31,7 @@ class Part:
         Shape | None, "Its shape; `dynamics inertia shapes` lists all with their sizes, e.g. cylinder."
     ] = None
     amount: Annotated[Amount | None, "Its mass, or the density of its shape or mesh, e.g. material."] = None
-    mesh: Annotated[InputFile, "A closed mesh instead of a shape."] = ""
+    mesh: Annotated[InputFile, "A closed mesh instead of a shape, e.g. part.stl."] = ""
     length_unit: Annotated[LengthUnit | None, "Unit of the mesh file's numbers; a 3MF file states its own."] = None
     tensor: Annotated[
         InertiaTensor | None,

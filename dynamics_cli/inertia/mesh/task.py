@@ -30,7 +30,9 @@ METHODS = {
 
 
 def mesh(
-    file: Annotated[InputFile, "STL, binary or ASCII; OBJ, PLY, 3MF, GLB, GLTF and OFF where trimesh is installed."],
+    file: Annotated[
+        InputFile, "STL, binary or ASCII; OBJ, PLY, 3MF, GLB, GLTF and OFF where trimesh is installed, e.g. part.stl."
+    ],
     /,
     *,
     length_unit: Annotated[LengthUnit | None, "Unit of the file's numbers; a 3MF file states its own."] = None,
