@@ -221,7 +221,15 @@ class TestNesting:
 MATRIX = "[[0, -1, 0], [1, 0, 0], [0, 0, 1]]"
 
 
-@pytest.mark.parametrize("text", ["(0, -1, 0), (1, 0, 0), (0, 0, 1)", "[0, -1, 0], [1, 0, 0], [0, 0, 1]"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "(0, -1, 0), (1, 0, 0), (0, 0, 1)",
+        "[0, -1, 0], [1, 0, 0], [0, 0, 1]",
+        "0, -1, 0; 1, 0, 0; 0, 0, 1",
+        "0 -1 0; 1 0 0; 0 0 1;",
+    ],
+)
 def test_a_matrix_is_read_as_json_and_as_people_write_rows(text: str) -> None:
     call = ("inertia", "tensor", "--moments", "1, 2, 2.5 kg*m^2", "--rotation-matrix")
     assert answer(*call, text)["results"]["tensor"] == answer(*call, MATRIX)["results"]["tensor"]

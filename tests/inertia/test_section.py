@@ -297,3 +297,8 @@ class TestReading:
         scene = '{"polygon": {"value": [4500000.1, 0, 4500000.2, 0, 4500000.2, 0.1], "unit": "mm"}}'
         document = answer("inertia", "section", "--input", "-", "--units", "base", stdin=scene)
         assert document["results"]["area"]["value"] == pytest.approx(5e-9, rel=3e-16)
+
+
+def test_corners_may_be_written_in_pairs() -> None:
+    flat = answer("inertia", "section", "--polygon", "0, 0, 60, 0, 60, 8, 0, 8 mm")
+    assert answer("inertia", "section", "--polygon", "0, 0; 60, 0; 60, 8; 0, 8 mm")["results"] == flat["results"]

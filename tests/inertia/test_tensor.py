@@ -301,3 +301,10 @@ def test_second_moments_are_half_the_trace_less_the_tensor() -> None:
     turned = answer("inertia", "tensor", "--tensor", block, "--rotation-axis", "0, 0, 1", "--rotation-angle", "90 deg")
     second = np.array(turned["results"]["second_moments"]["value"])
     assert second == pytest.approx(np.diag([9.0, 4.0, 16.0]), abs=1e-13)
+
+
+def test_rows_may_be_separated_by_semicolons() -> None:
+    nested = answer("inertia", "tensor", "--tensor", "[[10, -2, 1], [-2, 12, 3], [1, 3, 14]] kg*m^2")
+    rows = answer("inertia", "tensor", "--tensor", "10, -2, 1; -2, 12, 3; 1, 3, 14 kg*m^2")
+    assert rows["results"] == nested["results"]
+    assert "rows of 2 and 3 and 3" in run("inertia", "tensor", "--tensor", "10, -2; -2, 12, 3; 1, 3, 14 kg*m^2").err

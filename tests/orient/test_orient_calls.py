@@ -14,7 +14,8 @@ CONVERT = "orient convert "
 # A call, its exit status, and words of its message or hint.
 REFUSED = [
     (CONVERT + '--rotation-matrix "[[1, 0, 0], [0, 1, 0], [0, 0, -1]]"', 3, "reflection: its determinant is -1"),
-    (CONVERT + '--rotation-matrix "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]"', 3, "right angles by 3"),
+    (CONVERT + '--rotation-matrix "[[2, 0, 0], [0, 2, 0], [0, 0, 2]]"', 3, "divide it by 2"),
+    (CONVERT + '--rotation-matrix "1, 0, 0;; 0, 1, 0"', 2, "has an empty row"),
     (CONVERT + '--rotation-matrix "[[1, 0.3, 0], [0, 1, 0], [0, 0, 1]]"', 3, "right angles by 0.3"),
     (CONVERT + '--rotation-matrix "[[0, 0, 0], [0, 0, 0], [0, 0, 0]]"', 3, "not a rotation"),
     (CONVERT + '--rotation-matrix "[[1, 0, 0], [0, 1, 0]]"', 3, "read 2 rows of a rotation matrix, wanted 3"),

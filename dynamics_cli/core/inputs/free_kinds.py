@@ -7,6 +7,7 @@ is a magnitude.
 """
 
 from dynamics_cli.core.inputs import leaves
+from dynamics_cli.core.inputs.forms.lists import share_unit
 from dynamics_cli.core.inputs.quantity_text import is_uncertain, number_end, read_fraction, split_list
 from dynamics_cli.core.inputs.values import NOTHING, Bound, Constant, PolarVector, Value, VectorValue
 from dynamics_cli.core.units.conversion import nearest
@@ -215,7 +216,7 @@ def _normed(parts: "tuple[float, ...]") -> "tuple[float, ...]":
 
 
 def _from_angles(text: str, address: str, context: "Context") -> "tuple[float, ...]":
-    items = leaves.share_unit(split_list(text))
+    items = share_unit(split_list(text))
     if len(items) != 3:
         raise UsageError(f"read {len(items)} direction angles, wanted 1 or 3", code="direction", hint=HINT)
     angles = [leaves.read_number_of(Angle, item, address, context, "") for item in items]  # type: ignore[arg-type]

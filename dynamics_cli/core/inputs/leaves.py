@@ -3,7 +3,6 @@
 from dynamics_cli.core.inputs.context import Token
 from dynamics_cli.core.inputs.quantity_text import (
     is_uncertain,
-    number_end,
     read_amount,
     read_fraction,
     read_scalar,
@@ -22,7 +21,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.core.inputs.context import Context
-    from dynamics_cli.core.inputs.specification import Leaf, Many
+    from dynamics_cli.core.inputs.specification import Leaf
 
 # Spellings of a flag where only text is possible: a table cell, a value of `name=value, …`.
 FLAGS = {"true": True, "yes": True, "1": True, "false": False, "no": False, "0": False}
@@ -38,46 +37,6 @@ def read_leaf(leaf: "Leaf", raw: "Any", address: str, context: "Context") -> Bou
         return _choice(leaf, raw)
     read = _FORMS.get(leaf.kind.form, _scalar)
     return read(leaf.kind, raw, address, context)
-
-
-def split_items(node: "Many", value: "Any") -> "list[Any]":
-    """The items of a list given as JSON, as repeated options, or as one text with commas and a trailing unit."""
-    if isinstance(value, list | tuple):
-        return list(value)
-    if isinstance(value, dict) and isinstance(value.get("value"), list):
-        return [{**value, "value": item} for item in value["value"]]
-    if isinstance(value, str) and not isinstance(value, Token):
-        form = getattr(getattr(node.item, "kind", None), "form", "")
-        text = value.strip()
-        items = split_list(text[1:-1] if form == "vector" and text[:2] + text[-2:] == "[[]]" else value)
-        return share_unit(items) if form in ("scalar", "slope") else items
-    return [value]
-
-
-def share_unit(items: "list[str]") -> "list[str]":
-    """Give the last item's unit to earlier ones without a unit: `1, 2, 3 m`."""
-    if not items:
-        return items
-    unit = _unit_after(items[-1].strip())
-    if not unit:
-        return items
-    return [item if _has_unit(item) else f"{item} {unit}" for item in map(str.strip, items)]
-
-
-def _unit_after(text: str) -> str:
-    if is_uncertain(text):
-        from dynamics_cli.core.inputs.uncertain.vectors import trailing_unit
-
-        return trailing_unit(text)
-    return text[number_end(text, 0) :].strip()
-
-
-def _has_unit(text: str) -> bool:
-    if is_uncertain(text):
-        from dynamics_cli.core.inputs.uncertain.vectors import has_unit
-
-        return has_unit(text)
-    return bool(text[number_end(text, 0) :].strip())
 
 
 def _text_of(kind: Kind, raw: "Any") -> str:
@@ -268,6 +227,8 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
         return [f"{_text_of(kind, item)} {raw.get('unit') or ''}".strip() for item in raw["value"]]
     if isinstance(raw, list):
         return raw
+    from dynamics_cli.core.inputs.forms.lists import share_unit
+
     text = _text_of(kind, raw).strip()
     text = text[1:-1] if text[:1] + text[-1:] == "[]" else text
     return share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
@@ -277,6 +238,8 @@ def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> Vec
     """A vector by its components."""
     items = components_of(kind, raw)
     if kind.flat and len(items) == 2:
+        from dynamics_cli.core.inputs.forms.lists import share_unit
+
         items = [*items, share_unit(["0", items[1]])[0] if isinstance(items[1], str) else 0]
     if len(items) != kind.size:
         raise UsageError(f"read {len(items)} components, wanted {kind.size}", hint=f"for example {kind.example!r}")

@@ -5,7 +5,7 @@ its text so that it is read exactly), `{"value": 60, "unit": "ft"}`, truth value
 """
 
 from dynamics_cli.core.inputs.context import Context, Token
-from dynamics_cli.core.inputs.leaves import read_leaf, split_items
+from dynamics_cli.core.inputs.leaves import read_leaf
 from dynamics_cli.core.inputs.options import kebab
 from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged
 from dynamics_cli.core.inputs.values import Bound, Fields, Several
@@ -250,6 +250,8 @@ class Reader(Context):
             if field.required:
                 self._fail(own, f"{self.spell(own)} is missing", code="missing")
             return None
+        from dynamics_cli.core.inputs.forms.lists import split_items
+
         try:
             items = _named_tables(node, value) or split_items(node, self._resolved(node, value, own))
         except DynamicsError as error:

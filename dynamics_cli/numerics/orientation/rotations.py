@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import maximum, sin, sqrt, where
-from dynamics_cli.numerics.number import single
+from dynamics_cli.numerics.number import is_array, plain, single
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import Angle, Annotated, Direction, Quaternion, Ratio, Text, Vector
 from dynamics_cli.records import record
@@ -153,12 +153,14 @@ def from_rows(rows: "tuple[tuple[float, float, float], ...]") -> Matrix:
     require(len(rows) == 3, "read {count} rows of a rotation matrix, wanted 3", code="rotation", count=len(rows))
     matrix: Matrix = (rows[0], rows[1], rows[2])
     off = departure(matrix)
+    scale = None if is_array(off) or off <= NEAR_ROTATION else _scale(matrix)
     require(
         off <= NEAR_ROTATION,
         "the matrix is not a rotation: its rows depart from unit length and right angles by {departure:3}",
         code="rotation",
-        hint="write it with more digits, or give axis and angle",
+        hint="write it with more digits, or give axis and angle" if scale is None else "divide it by {scale:6}",
         departure=(off, Ratio),
+        scale=(scale or 1.0, Ratio),
     )
     require(
         determinant(matrix) > 0.0,
@@ -177,6 +179,15 @@ def from_rows(rows: "tuple[tuple[float, float, float], ...]") -> Matrix:
         better = product(matrix, half)  # type: ignore[arg-type]
         matrix = _chosen(done, matrix, better)
     return matrix
+
+
+def _scale(matrix: Matrix) -> float | None:
+    """The common length of the rows of a rotation times a number; None of any other matrix."""
+    length = sum(plain(x) ** 2 for x in matrix[0]) ** 0.5
+    if not length:
+        return None
+    rows = tuple(tuple(plain(x) / length for x in row) for row in matrix)
+    return length if departure(rows) <= NEAR_ROTATION else None  # type: ignore[arg-type]
 
 
 def _chosen(first: bool, a: Matrix, b: Matrix) -> Matrix:

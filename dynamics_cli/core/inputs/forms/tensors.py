@@ -78,7 +78,9 @@ def _items(raw: "Any", kind: Kind) -> "tuple[list[str], str]":
         raise UsageError(f"read {raw!r}, wanted {kind.about}", hint=f"for example {kind.example!r}")
     body, bracket, unit = raw.strip().rpartition("]")
     if not bracket:
-        items = split_list(raw)
+        if ";" in raw:
+            _require_square([row.count(",") + 1 for row in raw.split(";")])
+        items = split_list(raw.replace(";", ","))
         number, _, unit = items[-1].strip().partition(" ")
         return [*(item.strip() for item in items[:-1]), number], unit.strip()
     if body.count("[") > 1:

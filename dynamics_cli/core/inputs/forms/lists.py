@@ -1,0 +1,63 @@
+"""Lists as people write them, taken apart into their items: commas or semicolons between, one unit at the end."""
+
+from dynamics_cli.core.inputs.context import Token
+from dynamics_cli.core.inputs.quantity_text import is_uncertain, number_end, split_list
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from dynamics_cli.core.inputs.specification import Many
+
+
+def split_items(node: "Many", value: "Any") -> "list[Any]":
+    """The items of a list given as JSON, as repeated options, or as one text with commas and a trailing unit."""
+    if isinstance(value, list | tuple):
+        return list(value)
+    if isinstance(value, dict) and isinstance(value.get("value"), list):
+        return [{**value, "value": item} for item in value["value"]]
+    if isinstance(value, str) and not isinstance(value, Token):
+        form = getattr(getattr(node.item, "kind", None), "form", "")
+        text = value.strip()
+        if ";" in text and form == "vector":
+            return _vectors_in_rows(text)
+        text = text[1:-1] if form == "vector" and text[:2] + text[-2:] == "[[]]" else text.replace(";", ",")
+        items = split_list(text)
+        return share_unit(items) if form in ("scalar", "slope") else items
+    return [value]
+
+
+def _vectors_in_rows(text: str) -> "list[str]":
+    """Vectors with semicolons between them, `0, 0; 60, 0 mm`: the last one's unit holds for those without."""
+    rows = [row.strip() if "," in row else ", ".join(row.split()) for row in text.rstrip("; ").split(";")]
+    if not all(rows):
+        raise UsageError(f"{text!r} has an empty row", code="syntax", hint="separate rows by single semicolons")
+    unit = _unit_after(rows[-1].rpartition(",")[2].strip())
+    return [row if not unit or _has_unit(row.rpartition(",")[2].strip()) else f"{row} {unit}" for row in rows]
+
+
+def share_unit(items: "list[str]") -> "list[str]":
+    """Give the last item's unit to earlier ones without a unit: `1, 2, 3 m`."""
+    if not items:
+        return items
+    unit = _unit_after(items[-1].strip())
+    if not unit:
+        return items
+    return [item if _has_unit(item) else f"{item} {unit}" for item in map(str.strip, items)]
+
+
+def _unit_after(text: str) -> str:
+    if is_uncertain(text):
+        from dynamics_cli.core.inputs.uncertain.vectors import trailing_unit
+
+        return trailing_unit(text)
+    return text[number_end(text, 0) :].strip()
+
+
+def _has_unit(text: str) -> bool:
+    if is_uncertain(text):
+        from dynamics_cli.core.inputs.uncertain.vectors import has_unit
+
+        return has_unit(text)
+    return bool(text[number_end(text, 0) :].strip())
