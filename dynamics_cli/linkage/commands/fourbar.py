@@ -35,7 +35,7 @@ FOUR_BAR = Task(
         "kind: class",
         "side: this assembly",
         "table: crank turn | crank_angle=θ₂, rocker_angle=θ₄, rocker_ratio=ω₄/ω₂, rocker_change=α₄/ω₂², "
-        "transmission_angle=μ, coupler_angle=θ₃",
+        "rocker_speed=ω₄, rocker_acceleration=α₄, transmission_angle=μ, coupler_angle=θ₃",
     ),
     examples=(
         f'dynamics linkage four-bar {ARM} --crank-angle "40 deg" --speed "10 rad/s"',

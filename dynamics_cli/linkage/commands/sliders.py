@@ -31,7 +31,8 @@ SLIDER_CRANK = Task(
         "time_ratio: time ratio",
         "outer_at: outer dead centre at θ",
         "inner_at: inner dead centre at θ",
-        "table: crank turn | crank_angle=θ, position=x, slope=v/ω, bend=a/ω², rod_angle=rod",
+        "table: crank turn | crank_angle=θ, position=x, velocity=v, acceleration=a, slope=v/ω, bend=a/ω², "
+        "rod_angle=rod",
     ),
     examples=(
         'dynamics linkage slider-crank --crank "50 mm" --rod "150 mm" --offset "20 mm" --crank-angle "60 deg" '

@@ -97,7 +97,8 @@ def four_bar(
             code="no-angle",
             hint="add a column crank_angle",
         )
-        return FourBar(kind=kind, table=table(links, side, steps), advice=closeness(lengths, kind or ""))
+        rows = table(links, side, steps, speed, angular_acceleration)
+        return FourBar(kind=kind, table=rows, advice=closeness(lengths, kind or ""))
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
     both = discriminants(links, half)
     require_closed(links, both, crank_angle)

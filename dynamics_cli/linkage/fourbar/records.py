@@ -26,6 +26,8 @@ class Step:
     coupler_ratio: Annotated[Ratio | None, "ω₃/ω₂; left out at a toggle."]
     rocker_ratio: Annotated[Ratio | None, "ω₄/ω₂; left out at a toggle."]
     rocker_change: Annotated[Ratio | None, "dω₄/dθ₂ over ω₂: α₄/ω₂² of a crank at uniform speed."]
+    rocker_speed: Annotated[TurnRate | None, "ω₄ at the speed given; the ratios are where none is given [rad/s]."]
+    rocker_acceleration: Annotated[AngularAcceleration | None, "α₄ there [rad/s^2]."]
     transmission_angle: Annotated[Angle, "Angle μ between coupler and rocker [rad]."]
 
 

@@ -61,7 +61,7 @@ def reachable(links: Frame) -> "tuple[tuple[float, float], ...]":
     return (-outer, -inner), (inner, outer)
 
 
-def table(links: Frame, side: float, steps: int) -> "tuple[Step, ...]":
+def table(links: Frame, side: float, steps: int, speed: float | None = None, gain: float = 0.0) -> "tuple[Step, ...]":
     """Rows over every range of crank angles, including its ends.
 
     Parameters
@@ -72,6 +72,8 @@ def table(links: Frame, side: float, steps: int) -> "tuple[Step, ...]":
         +1 or −1.
     steps : int
         Steps over each range.
+    speed, gain : float
+        Angular velocity of the crank, if it is known, and its angular acceleration.
 
     Returns
     -------
@@ -84,11 +86,13 @@ def table(links: Frame, side: float, steps: int) -> "tuple[Step, ...]":
     for low, high in reachable(links):
         theta = np.linspace(low, high, steps + 1)
         ends = np.array([low != 0.0, *[False] * (steps - 1), low != 0.0])
-        parts.append(_rows(links, theta, side, ends))
+        parts.append(_rows(links, theta, side, ends, (speed, gain)))
     return tuple(row for part in parts for row in part)
 
 
-def _rows(links: Frame, theta: "Any", side: float, toggles: "Any") -> "list[Step]":
+def _rows(
+    links: Frame, theta: "Any", side: float, toggles: "Any", turning: "tuple[float | None, float]"
+) -> "list[Step]":
     turn, half = turns(theta)
     both: Any = discriminants(links, half)
     # at the ends of a range one of the two is zero but for rounding
@@ -104,8 +108,16 @@ def _rows(links: Frame, theta: "Any", side: float, toggles: "Any") -> "list[Step
     coupler, rocker = np.arctan2(loop.by + 0.0, loop.bx), np.arctan2(loop.cy + 0.0, loop.cx)
     transmission = 2.0 * np.arctan2(np.abs(loop.second), np.abs(loop.first))
     columns = (theta, np.where(stuck, np.nan, coupler), np.where(stuck, np.nan, rocker),
-               shown[0], shown[1], shown[3], transmission)  # fmt: skip
+               shown[0], *_speeds(shown[1], shown[3], *turning), transmission)  # fmt: skip
     return [Step(*row) for row in zip(*(_known(column) for column in columns), strict=True)]
+
+
+def _speeds(ratio: "Any", change: "Any", speed: float | None, gain: float) -> "tuple[Any, ...]":
+    """ω₄/ω₂ and α₄/ω₂², or ω₄ and α₄ where the speed of the crank is known."""
+    nothing = np.full(ratio.shape, np.nan)
+    if speed is None:
+        return ratio, change, nothing, nothing
+    return nothing, nothing, ratio * plain(speed), change * plain(speed) ** 2 + ratio * plain(gain)
 
 
 def _known(column: "Any") -> "list[float | None]":

@@ -6,7 +6,7 @@ from dynamics_cli.animation import animated
 from dynamics_cli.errors import worded
 from dynamics_cli.linkage.sliders.slider_crank import RIGHT, End, slider_crank
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
-from dynamics_cli.quantities import Angle, CamVelocity, Coordinate, Size
+from dynamics_cli.quantities import Acceleration, Angle, CamVelocity, Coordinate, Size, Speed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -32,13 +32,17 @@ def _block(at: complex, size: float) -> "list[complex]":
 
 def slider_picture(
     result: "Any", *, crank: float, rod: float, offset: float = 0.0, crank_angle: "float | None" = None,
-    end: End = RIGHT, **_: "Any",
+    end: End = RIGHT, speed: "float | None" = None, angular_acceleration: float = 0.0, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The mechanism in several poses; position, velocity and acceleration over the crank angle."""
-    rows = slider_crank(crank=crank, rod=rod, offset=offset, end=end, steps=STEPS).table or ()
+    turning = {"speed": speed, "angular_acceleration": angular_acceleration}
+    rows = slider_crank(crank=crank, rod=rod, offset=offset, end=end, steps=STEPS, **turning).table or ()  # type: ignore[arg-type]
+    names, axes = ("slope", "bend"), (Axis("velocity v/ω", CamVelocity), Axis("acceleration a/ω²", Coordinate))
+    if speed is not None:
+        names, axes = ("velocity", "acceleration"), (Axis("velocity v", Speed), Axis("acceleration a", Acceleration))
     columns = {
         name: [float("nan") if getattr(row, name) is None else getattr(row, name) for row in rows]
-        for name in ("crank_angle", "position", "slope", "bend")
+        for name in ("crank_angle", "position", *names)
     }
     items: list[Any] = []
     for index in range(12):
@@ -66,8 +70,10 @@ def slider_picture(
         (
             scene,
             Panel(way, Axis("position x", Coordinate), (Curve(angle, columns["position"], role=2), *here)),
-            Panel(way, Axis("velocity v/ω", CamVelocity), (Curve(angle, columns["slope"], role=2), zero, *here)),
-            Panel(way, Axis("acceleration a/ω²", Coordinate), (Curve(angle, columns["bend"], role=2), zero, *here)),
+            *(
+                Panel(way, axis, (Curve(angle, columns[name], role=2), zero, *here))
+                for name, axis in zip(names, axes, strict=True)
+            ),
         ),
         worded("slider-crank: crank {a}, rod {b}, offset {e}", a=(crank, Size), b=(rod, Size), e=(offset, Coordinate)),
     )

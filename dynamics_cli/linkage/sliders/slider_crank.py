@@ -50,7 +50,9 @@ class SliderStep:
 
     crank_angle: Annotated[Angle, "Crank angle θ [rad]."]
     position: Annotated[Coordinate, "Slider position x from the crank's pivot [m]."]
-    slope: Annotated[CamVelocity | None, "dx/dθ: the velocity over that of the crank [m/rad]."]
+    velocity: Annotated[Speed | None, "Velocity of the slider at the speed given [m/s]."]
+    acceleration: Annotated[Acceleration | None, "Acceleration of the slider there [m/s^2]."]
+    slope: Annotated[CamVelocity | None, "dx/dθ, where no speed is given: the velocity over that of the crank [m/rad]."]
     bend: Annotated[Coordinate | None, "d²x/dθ²: the acceleration over ω² of a crank at uniform speed [m]."]
     rod_angle: Annotated[Angle, "Angle of the rod to the slide [rad]."]
 
@@ -133,7 +135,7 @@ def slider_crank(
             code="no-angle",
             hint="add a column crank_angle",
         )
-        return SliderCrank(**stroke, table=_table(crank, rod, offset, end, steps))
+        return SliderCrank(**stroke, table=_table((crank, rod, offset), end, steps, speed, angular_acceleration))
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
     rise, along = crank * turn[1], crank * turn[0]
     height = offset - rise
@@ -266,11 +268,13 @@ def _checks(a: float, b: float, e: float, turn: "tuple[float, float]", x: float)
     return (Check("the rod keeps its length", gap <= CLOSES, gap, CLOSES),)
 
 
-def _table(a: float, b: float, e: float, end: End, steps: int) -> "tuple[SliderStep, ...]":
+def _table(
+    lengths: "tuple[float, float, float]", end: End, steps: int, speed: float | None, gain: float
+) -> "tuple[SliderStep, ...]":
     import numpy as np
 
     require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
-    a, b, e = plain(a), plain(b), plain(e)
+    a, b, e = map(plain, lengths)
     theta: Any = np.linspace(0.0, 2.0 * np.pi, steps + 1)
     theta = theta[np.abs(e - a * turned(theta)[1]) <= b]
     require(
@@ -285,8 +289,13 @@ def _table(a: float, b: float, e: float, end: End, steps: int) -> "tuple[SliderS
     side = 1.0 if end == RIGHT else -1.0
     reach = side * np.sqrt((b - height) * (b + height))
     with np.errstate(all="ignore"):
-        slopes = _slopes(a, b, e, side, (cosine, sine))
-    shown = (np.where(reach == 0.0, np.nan, part) for part in slopes)
-    columns = (theta, a * cosine + reach, *shown, np.arctan2(height, np.abs(reach)))
+        slopes: Any = _slopes(a, b, e, side, (cosine, sine))
+    slope, bend = (np.where(reach == 0.0, np.nan, part) for part in slopes)
+    nothing = np.full(theta.shape, np.nan)
+    moving = (nothing, nothing, slope, bend)
+    if speed is not None:
+        rate = plain(speed)
+        moving = (slope * rate, bend * rate * rate + slope * plain(gain), nothing, nothing)
+    columns = (theta, a * cosine + reach, *moving, np.arctan2(height, np.abs(reach)))
     rows = zip(*(column.tolist() for column in columns), strict=True)
     return tuple(SliderStep(*(value if isfinite(value) else None for value in row)) for row in rows)  # type: ignore[arg-type]
