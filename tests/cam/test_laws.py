@@ -245,3 +245,13 @@ def test_what_has_no_answer_is_refused(given_, code: str) -> None:
     with pytest.raises(InadmissibleError) as refused:
         rise(**{"law": LawName("cycloidal"), "lift": 0.01, "span": 1.0, **given_})
     assert refused.value.code == code
+
+
+@pytest.mark.parametrize("speed", [31.4, -31.4, 0.0])
+def test_peaks_in_time_are_those_by_angle_times_powers_of_the_shaft_speed(speed: float) -> None:
+    made = rise(law=LawName("cycloidal"), lift=0.01, span=0.5 * pi, shaft_speed=speed)
+    rate = abs(speed)
+    assert made.peak_speed == pytest.approx(0.04 / pi * rate, rel=1e-14)
+    assert made.peak_acceleration_in_time == pytest.approx(0.08 / pi * rate**2, rel=1e-14)
+    assert made.peak_jerk_in_time == pytest.approx(0.32 / pi * rate**3, rel=1e-14)
+    assert rise(law=LawName("cycloidal"), lift=0.01, span=0.5 * pi).peak_speed is None

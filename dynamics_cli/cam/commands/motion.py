@@ -51,6 +51,8 @@ RISE = Task(
         "peak_acceleration_at: at cam angle θ",
         "peak_jerk: peak jerk j",
         "peak_jerk_at: at cam angle θ",
+        "peak_speed: peak speed ds/dt",
+        "peak_acceleration_in_time: peak acceleration d²s/dt²",
         "points: motion | angle=θ, lift=s, velocity=v, acceleration=a, jerk=j",
     ),
     table="points",

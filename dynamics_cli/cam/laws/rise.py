@@ -34,6 +34,8 @@ UP = 1.0 + 2.0**-40
 MOST_POINTS = 100_000
 # One turn, for spans that rounding makes slightly longer.
 TURN = 2.0 * pi * (1.0 + 2.0**-50)
+# The derivatives of the lift by the time.
+IN_TIME = ("speed", "acceleration_in_time", "jerk_in_time")
 METHOD = "closed form from the nearer end, rounding bounded at every point"
 
 
@@ -63,6 +65,9 @@ class Rise:
     peak_jerk: Annotated[CamJerk | None, "Maximum magnitude of the jerk [m/rad^3]."]
     peak_jerk_at: Annotated[Angle, "Where first [rad]."]
     points: Annotated[tuple[RisePoint, ...], "Values at the angles."]
+    peak_speed: Annotated[Speed | None, "Maximum speed of the follower at the shaft speed given [m/s]."] = None
+    peak_acceleration_in_time: Annotated[Acceleration | None, "Its maximum acceleration [m/s^2]."] = None
+    peak_jerk_in_time: Annotated[Jerk | None, "Its maximum jerk [m/s^3]."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -143,10 +148,11 @@ def rise(
         peaks[1], places[1],
         peaks[2], places[2],
         table,
+        **_in_time(peaks, shaft_speed),
         checks=area_checks(wanted),
         advice=(*_infinite(wanted, peaks, places), *_ways_down(wanted, way), *rounding_advice(wanted)),
         numerics=Numerics(
-            METHOD, (*_peak_bounds(wanted, peaks), *_bounds(wanted, table, span, lift, shaft_speed, way))
+            METHOD, (*_peak_bounds(wanted, peaks, shaft_speed), *_bounds(wanted, table, span, lift, shaft_speed, way))
         ),
     )  # fmt: skip
 
@@ -191,13 +197,27 @@ def _require_rise(lift: float, span: float, count: int, *, at: bool, both: bool)
     )
 
 
-def _peak_bounds(law: Law, peaks: "list[float | None]") -> "list[ErrorBound]":
+def _in_time(peaks: "list[float | None]", omega: float | None) -> "dict[str, float | None]":
+    """The peaks at a shaft speed."""
+    if omega is None:
+        return {}
+    rates = (abs(omega), omega * omega, abs(omega * omega * omega))
+    return {
+        f"peak_{name}": None if value is None else value * rate
+        for name, value, rate in zip(IN_TIME, peaks, rates, strict=True)
+    }
+
+
+def _peak_bounds(law: Law, peaks: "list[float | None]", omega: float | None) -> "list[ErrorBound]":
     # lift over a power of the span: two roundings for each factor and two of the products
-    return [
-        ErrorBound(f"peak_{DERIVATIVES[order]}", peak_bound(law, order) + (2.0 * order + 3.0) * UNIT)
-        for order, value in enumerate(peaks, 1)
-        if value is not None
-    ]
+    bounds = []
+    for order, value in enumerate(peaks, 1):
+        if value is not None:
+            bound = peak_bound(law, order) + (2.0 * order + 3.0) * UNIT
+            bounds.append(ErrorBound(f"peak_{DERIVATIVES[order]}", bound))
+            if omega is not None:
+                bounds.append(ErrorBound(f"peak_{IN_TIME[order - 1]}", (bound + (order + 1.0) * UNIT) * UP))
+    return bounds
 
 
 def _bounds(
@@ -229,7 +249,7 @@ def _bounds(
         return bounds
     rate = abs(omega)
     sizes = [max(abs(getattr(point, name)) for point in points) for name in DERIVATIVES[1:4]]
-    for order, name in enumerate(("speed", "acceleration_in_time", "jerk_in_time"), 1):
+    for order, name in enumerate(IN_TIME, 1):
         error = (worst[order] + (order + 1.0) * UNIT * sizes[order - 1]) * rate**order * UP
         bounds.append(ErrorBound(f"points.{name}", error, relative=False))
     return bounds
