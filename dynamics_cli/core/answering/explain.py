@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answering.task import Task
     from dynamics_cli.quantities import Kind
 
-# A sensitivity this small beside a result's largest is rounding: that input does not matter.
+# A sensitivity this small beside a result's largest, or beside one, is rounding: that input does not matter.
 ROUNDING = 1e-12
 
 
@@ -32,13 +32,17 @@ def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") ->
     out["assumptions"] = list(model.assumptions)
     out["source"] = model.source
     conditions = document["numerics"].get("condition", {})
-    out["sensitivity"] = [
-        f"{result} changes by {value:+.4g} % for +1 % of {name}"
+    out["sensitivity"] = {
+        result: kept
         for result, entry in conditions.items()
-        for name, value in sorted(entry.items(), key=lambda item: -abs(item[1]))
-        if abs(value) > ROUNDING * max(map(abs, entry.values()))
-    ]
+        if (kept := {name: value for name, value in entry.items() if abs(value) > _rounding(entry)})
+    }
     return {key: value for key, value in out.items() if value}
+
+
+def _rounding(entry: "dict[str, float]") -> float:
+    """The size of a sensitivity that is only rounding, beside the largest of the same result."""
+    return ROUNDING * max(1.0, *map(abs, entry.values()))
 
 
 def filled(formula: str, numbers: "dict[str, str]") -> str:

@@ -281,17 +281,25 @@ class _Answer:
         """The formula with its numbers, assumptions and sensitivities, with `--explain`."""
         if "explanation" not in self.document:
             return []
+        from dynamics_cli.core.output.sensitivity import sensitivity_lines
+
         lines = [""]
         for name, content in self.document["explanation"].items():
-            if isinstance(content, list):
+            if isinstance(content, dict):
+                changes = {result: entry for result, entry in content.items() if result in self.labels} or content
+                lines += sensitivity_lines(changes, lambda name: self.labels.get(name, name), self._input, self.width)
+            elif isinstance(content, list):
                 lines.append(in_words(name))
                 lines += [f"  {line}" for item in content for line in wrapped(item, self.width - 2, 2)]
             elif name not in ("model", "source", "why"):
                 lines += wrapped(f"{in_words(name)}  {content}", self.width, 4)
-        said = [
-            f"  {self.labels[name]}: {bound_text(entry)}" for name, entry in self.bounds.items() if name in self.labels
-        ]
-        return lines + (["accurate to (rounding of the calculation alone)", *said] if said else [])
+        said: dict[str, list[str]] = {}
+        for name, entry in self.bounds.items():
+            if self.labels.get(name):
+                said.setdefault(bound_text(entry), []).append(self.labels[name])
+        each = (f"{bound}: {', '.join(names)}" for bound, names in said.items())
+        told = [f"  {line}" for text in each for line in wrapped(text, self.width - 2, 2)]
+        return lines + (["accurate to (rounding of the calculation alone)", *told] if told else [])
 
     def warnings(self, space: int) -> "list[str]":
         """A paragraph for each warning, worst first; those that do not fit into `space` lines are only counted."""

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 # Columns before a table.
 MARGIN = 4
+# Columns of the sensitivities with `--all`, which may be wider than a screen.
+WIDE = 110
 
 
 def to_pretty_json(document: "Document") -> str:
@@ -152,9 +154,13 @@ def check_line(check: "dict[str, Any]") -> str:
 
 
 def _explanation(explanation: "dict[str, Any]") -> "list[str]":
-    lines = []
+    lines: list[str] = []
     for name, content in explanation.items():
-        if isinstance(content, list):
+        if isinstance(content, dict):
+            from dynamics_cli.core.output.sensitivity import sensitivity_lines
+
+            lines += [f"  {line}" for line in sensitivity_lines(content, str, str, WIDE)]
+        elif isinstance(content, list):
             lines += [f"  {name.replace('_', ' ')}:", *(f"    {item}" for item in content)]
         else:
             lines.append(f"  {name.replace('_', ' ')}: {content}")
