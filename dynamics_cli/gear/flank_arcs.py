@@ -134,8 +134,8 @@ def _deviations(curve: _Curve, places: "Any", bulge: "Any") -> "Any":
     turns = np.diff(direction)
     one_way = (turns >= 0.0).all(axis=1) | (turns <= 0.0).all(axis=1)
     turned = np.abs(turns)
-    known = one_way & (turned < 1.0).all(axis=1)
-    triangle = np.where(known, (0.5 * step * np.tan(0.5 * turned)).max(axis=1), np.inf)
+    bounded = one_way & (turned < 1.0).all(axis=1)
+    triangle = np.where(bounded, (0.5 * step * np.tan(0.5 * turned)).max(axis=1), np.inf)
     # the rise of an arc of chord c and curvature κ: no more than κc²/7 where it is short of a quarter turn
     curvature = 4.0 * np.abs(bulge) / (chord * (1.0 + bulge * bulge))
     return away + triangle + step.max(axis=1) ** 2 * curvature / 7.0
