@@ -64,7 +64,7 @@ class Case:
         try:
             self.bind({}, uncertain=True)
         except DynamicsError as error:
-            wrong = [one for one in error.all() if one.code != "missing"]
+            wrong = [item for item in error.all() if item.code != "missing"]
             if wrong:
                 raise (ManyErrors(wrong) if len(wrong) > 1 else wrong[0]) from None
 
