@@ -54,8 +54,8 @@ def parse(text: str, variables: "frozenset[str] | set[str] | tuple[str, ...] | N
     formula = begin(text)
     if formula.end < len(text.rstrip()):
         rest = text[formula.end :]
-        at = formula.end + len(rest) - len(rest.lstrip())
-        _refuse(text, at, f"{rest.strip()[:20]!r} cannot follow here in the formula")
+        start = formula.end + len(rest) - len(rest.lstrip())
+        _refuse(text, start, f"{rest.strip()[:20]!r} cannot follow here in the formula")
     if variables is not None:
         check_names(formula, variables)
     return formula
@@ -64,9 +64,9 @@ def parse(text: str, variables: "frozenset[str] | set[str] | tuple[str, ...] | N
 def check_names(formula: Expression, variables: "frozenset[str] | set[str] | tuple[str, ...]") -> None:
     """Refuse variables that have no value."""
     for name in sorted(formula.names - set(variables)):
-        known = ", ".join(sorted(variables))
-        at = _position_of(formula.text, name)
-        _refuse(formula.text, at, f"{name!r} has no value", hint=f"variables here: {known}; functions: sin, sqrt, …")
+        names = ", ".join(sorted(variables))
+        start = _position_of(formula.text, name)
+        _refuse(formula.text, start, f"{name!r} has no value", hint=f"variables here: {names}; functions: sin, sqrt, …")
 
 
 def begin(text: str) -> Expression:
@@ -86,10 +86,10 @@ class _Reader:
         self.at = 0
 
     def peek(self) -> str:
-        at = self.at
-        while at < len(self.text) and self.text[at].isspace():
-            at += 1
-        return self.text[at : at + 1]
+        start = self.at
+        while start < len(self.text) and self.text[start].isspace():
+            start += 1
+        return self.text[start : start + 1]
 
     def take(self) -> str:
         while self.text[self.at].isspace():
@@ -204,10 +204,12 @@ def _refuse(text: str, at: int, why: str, hint: str = "") -> None:
 
 
 def _position_of(text: str, name: str) -> int:
-    at = text.find(name)
-    while at >= 0 and (text[at - 1 : at].isalnum() or text[at + len(name) : at + len(name) + 1].isalnum()):
-        at = text.find(name, at + 1)
-    return max(at, 0)
+    start = text.find(name)
+    while start >= 0 and (
+        text[start - 1 : start].isalnum() or text[start + len(name) : start + len(name) + 1].isalnum()
+    ):
+        start = text.find(name, start + 1)
+    return max(start, 0)
 
 
 def _names(tree: "Tree") -> "Iterator[str]":
@@ -255,9 +257,9 @@ def _function(name: str, x: "Any") -> "Any":
 def _power(base: "Any", exponent: "Any") -> "Any":
     if isinstance(base, jets.Jet) or isinstance(exponent, jets.Jet):
         return jets.power(base, exponent)
-    whole = plain(exponent)
-    if not is_array(whole) and whole == int(whole) and abs(whole) <= 64:
-        return jets.whole_power(base, int(whole))
+    power = plain(exponent)
+    if not is_array(power) and power == int(power) and abs(power) <= 64:
+        return jets.whole_power(base, int(power))
     return elementary.exp(exponent * elementary.log(base))
 
 
