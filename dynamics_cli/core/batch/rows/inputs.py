@@ -3,6 +3,7 @@
 A line that cannot be split as its header says is written out as one quoted cell, so that later columns stay aligned.
 """
 
+from abc import ABC, abstractmethod
 from itertools import pairwise
 
 from dynamics_cli.core.batch.rows.case import Case
@@ -121,7 +122,7 @@ def _extend(node: "Any", step: "str | int", filler: "Any", path: "tuple[str | in
         node.extend(filler if filler == "" else {} for _ in range(step + 1 - len(node)))
 
 
-class Input:
+class Input(ABC):
     """Interface of every format of input rows."""
 
     format = ""
@@ -132,17 +133,17 @@ class Input:
         self.case = case
         self.heads = []
 
+    @abstractmethod
     def read(self, line: bytes) -> "Raw":
         """The parameters a line gives; raises UsageError."""
-        raise NotImplementedError
 
+    @abstractmethod
     def csv(self, line: bytes) -> bytes:
         """The row's own cells."""
-        raise NotImplementedError
 
+    @abstractmethod
     def json(self, line: bytes) -> bytes:
         """The row's object without its closing brace; a row that is not an object, as its text."""
-        raise NotImplementedError
 
     @staticmethod
     def unread(line: bytes) -> bytes:

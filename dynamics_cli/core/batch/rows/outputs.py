@@ -1,5 +1,7 @@
 """Output rows: the input row, its results, and an error if there was one."""
 
+from abc import ABC, abstractmethod
+
 from dynamics_cli.core.batch.rows.inputs import Input
 from dynamics_cli.core.output.csv_cells import csv_cell, free_name, header
 from dynamics_cli.core.output.failure import as_object
@@ -42,7 +44,7 @@ class Slot:
         return "\0"
 
 
-class Output:
+class Output(ABC):
     """Interface of every format of output rows."""
 
     format = ""
@@ -55,24 +57,24 @@ class Output:
         """The text before all rows."""
         return b""
 
+    @abstractmethod
     def echo(self, line: bytes) -> bytes:
         """The input row."""
-        raise NotImplementedError
 
+    @abstractmethod
     def good(self, line: bytes, values: "Sequence[Any]") -> bytes:
         """A row with its results."""
-        raise NotImplementedError
 
+    @abstractmethod
     def bad(self, line: bytes, error: DynamicsError) -> bytes:
         """A row with its error."""
-        raise NotImplementedError
 
+    @abstractmethod
     def pieces(self, echoes: "list[bytes]", results: "list[tuple[Part, str, Any]]") -> "list[Piece]":
         """Many rows with their results, for weaving.
 
         A result is (part, "each", list of cells) or (part, "all", the value that every row has).
         """
-        raise NotImplementedError
 
 
 class CsvOutput(Output):

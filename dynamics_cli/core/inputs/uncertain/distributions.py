@@ -4,6 +4,7 @@ For z > 0 the upper tail is used, so both ends keep their digits. `mean` is an i
 """
 
 import math
+from abc import ABC, abstractmethod
 
 import numpy as np
 
@@ -26,7 +27,7 @@ LEAST_SHAPE, MOST_SHAPE = 0.2, 1e4
 _UPRIGHT = 0.5 * math.pi
 
 
-class Distribution:
+class Distribution(ABC):
     """An uncertain number: mean, standard deviation, support, and `at(z)`.
 
     `smooth`: `at` has all derivatives, and no bound is near enough to slow quadrature down.
@@ -39,13 +40,13 @@ class Distribution:
     low: float = -math.inf
     high: float = math.inf
 
+    @abstractmethod
     def at(self, z: "Array") -> "Array":
         """The quantiles at standard normal scores."""
-        raise NotImplementedError
 
+    @abstractmethod
     def parameters(self) -> "dict[str, Any]":
         """Its parameters by their JSON names, in the unit of the values."""
-        raise NotImplementedError
 
     def interval(self, coverage: float) -> tuple[float, float]:
         """The central interval."""

@@ -61,6 +61,7 @@ class _Dxf:
         self.layers: list[str] = []
 
     def fill(self, document: "Any") -> None:
+        """Write units, line types, the plan's items and their layers into a DXF document."""
         document.header["$INSUNITS"] = self.unit.insunits
         document.header["$MEASUREMENT"] = self.unit.measurement
         document.linetypes.add("DASHED", self._pattern(0.8, -0.4), description="Dashed __ __ __")
