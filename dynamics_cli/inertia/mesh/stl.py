@@ -1,6 +1,7 @@
 """Triangles from STL files in constant memory: blocks of corner coordinates, nine rows by at most 8192 columns."""
 
 import os
+from abc import ABC, abstractmethod
 from struct import unpack
 
 import numpy as np
@@ -24,7 +25,7 @@ _END = b"endfacet"
 _BOM = b"\xef\xbb\xbf"
 
 
-class Source:
+class Source(ABC):
     """Triangles that can be read more than once.
 
     `count` is how many there are (None until a text has been read through), `single` whether coordinates are stored in
@@ -48,9 +49,9 @@ class Source:
         """Triangles of the largest block."""
         return BLOCK if self.count is None else min(self.count, BLOCK)
 
+    @abstractmethod
     def blocks(self, into: "Block | None" = None) -> "Iterator[Block]":
         """Blocks of corner coordinates in order; `into` is room for the largest, which may be used."""
-        raise NotImplementedError
 
     def spans(self) -> "Sequence[Source]":
         """Sources of consecutive triangles that together are this one, to be gone through side by side."""

@@ -86,18 +86,21 @@ class _Reader:
         self.at = 0
 
     def peek(self) -> str:
+        """The next character that is not a space, without taking it; empty at the end."""
         start = self.at
         while start < len(self.text) and self.text[start].isspace():
             start += 1
         return self.text[start : start + 1]
 
     def take(self) -> str:
+        """Take the next character that is not a space."""
         while self.text[self.at].isspace():
             self.at += 1
         self.at += 1
         return self.text[self.at - 1]
 
     def sum(self, depth: int) -> "Tree":
+        """Sum: product { ("+" | "-") product }."""
         if depth > MOST_DEPTH:
             _refuse(self.text, self.at, "brackets are nested too deeply")
         tree = self.product(depth)
@@ -107,6 +110,7 @@ class _Reader:
         return tree
 
     def product(self, depth: int) -> "Tree":
+        """Product: signed { ("*" | "/") signed }."""
         tree = self.signed(depth)
         while self.peek() in PRODUCTS:
             sign = self.take()
@@ -114,6 +118,7 @@ class _Reader:
         return tree
 
     def signed(self, depth: int) -> "Tree":
+        """Sign: ("+" | "-") signed, or raised: the minus of -t^2 is applied last."""
         if self.peek() in SUMS:
             if depth > MOST_DEPTH:
                 _refuse(self.text, self.at, "too many signs in a row")
@@ -123,17 +128,18 @@ class _Reader:
         return self.raised(depth)
 
     def raised(self, depth: int) -> "Tree":
+        """Power: operand [ ("^" | "**") signed ]; a^b^c is a^(b^c)."""
         base = self.operand(depth)
         rest = self.text[self.at :].lstrip()
         if rest.startswith(("^", "**")):
             self.take()
             if rest.startswith("**"):
                 self.take()
-            # to the right first, as in a^b^c
             return ("^", base, self.signed(depth + 1))
         return base
 
     def operand(self, depth: int) -> "Tree":
+        """Operand: number, name, function of an argument, or "(" sum ")"."""
         letter = self.peek()
         if not letter:
             _refuse(self.text, len(self.text), "the formula ends where a number, a variable or a bracket is expected")
@@ -149,6 +155,7 @@ class _Reader:
         raise AssertionError
 
     def closed(self, depth: int) -> "Tree":
+        """Bracket: sum ")", the opening bracket just taken."""
         opened = self.at - 1
         tree = self.sum(depth + 1)
         if self.peek() != ")":
@@ -157,6 +164,7 @@ class _Reader:
         return tree
 
     def number(self) -> float:
+        """A decimal number with an optional exponent; refuses one beyond a double."""
         self.take()
         start = self.at - 1
         while self.at < len(self.text) and (self.text[self.at].isdigit() or self.text[self.at] == "."):
@@ -177,6 +185,7 @@ class _Reader:
         return value
 
     def name(self, depth: int) -> "Tree":
+        """A variable, pi, or a function with its argument in brackets."""
         self.take()
         start = self.at - 1
         while self.at < len(self.text) and (self.text[self.at].isalnum() or self.text[self.at] == "_"):
