@@ -169,38 +169,38 @@ def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuant
         from dynamics_cli.core.units.compound import from_exact_compound, parse_compound
 
         compound = parse_compound(target)
-    source, wanted = parse_pair(value.unit, compound[-1].text if compound else target)
+    source, target_unit = parse_pair(value.unit, compound[-1].text if compound else target)
     reading = source.notes
     if weight:
-        numerator, denominator, source, reading = _weigh(numerator, denominator, value.unit, wanted, gravity)
-        wanted = parse_unit(wanted.text, source)
-    if not conformable(source, wanted):
-        part = _other_relation(numerator, denominator, source, wanted, target)
+        numerator, denominator, source, reading = _weigh(numerator, denominator, value.unit, target_unit, gravity)
+        target_unit = parse_unit(target_unit.text, source)
+    if not conformable(source, target_unit):
+        part = _other_relation(numerator, denominator, source, target_unit, target)
         if part is None:
-            message, hint = _mismatch(source, wanted)
-            near = _near(value.unit, wanted) or _near(target, source)
+            message, hint = _mismatch(source, target_unit)
+            near = _near(value.unit, target_unit) or _near(target, source)
             raise UsageError(message, code="dimension", parameter="targets", hint=near or hint)
-        part.reading, part.notes = reading, (*reading, *wanted.notes, *part.notes)
+        part.reading, part.notes = reading, (*reading, *target_unit.notes, *part.notes)
         return part
-    if is_offset(source) or is_offset(wanted):
+    if is_offset(source) or is_offset(target_unit):
         _check_zero(numerator, denominator, source)
-    n, d, pi = convert_exactly(numerator, denominator, source, wanted)
+    n, d, pi = convert_exactly(numerator, denominator, source, target_unit)
     exact_text = _rational(n, d, pi)
-    factor = _factor(source, wanted)
+    factor = _factor(source, target_unit)
     if weight:
-        factor = _rational(*convert_exactly(*_weigh(1, 1, value.unit, wanted, gravity)[:2], source, wanted))
+        factor = _rational(*convert_exactly(*_weigh(1, 1, value.unit, target_unit, gravity)[:2], source, target_unit))
     rounded = nearest(n, d, pi)
     exact = pi == 0 and rounded.as_integer_ratio() == (n, d)
     if compound:
         numbers = from_exact_compound(numerator, denominator, source, compound)
-        part = _Part(Measured(numbers, target), exact, f"{exact_text} {wanted.text}", factor, 1.0)
+        part = _Part(Measured(numbers, target), exact, f"{exact_text} {target_unit.text}", factor, 1.0)
     else:
         part = _Part(Measured(rounded, target), exact, exact_text, factor, 1.0)
-        if is_offset(source) or is_offset(wanted):
-            part.condition = _affine_condition(numerator, denominator, source, wanted, rounded)
-    if is_offset(source) or is_offset(wanted):
-        part.offset = _rational(*convert_exactly(0, 1, source, wanted))
-    part.reading, part.notes = reading, (*reading, *wanted.notes)
+        if is_offset(source) or is_offset(target_unit):
+            part.condition = _affine_condition(numerator, denominator, source, target_unit, rounded)
+    if is_offset(source) or is_offset(target_unit):
+        part.offset = _rational(*convert_exactly(0, 1, source, target_unit))
+    part.reading, part.notes = reading, (*reading, *target_unit.notes)
     return part
 
 
@@ -274,11 +274,11 @@ def _weigh(
     """A mass as its weight or a weight as its mass, in SI, and how its unit was read."""
     gn, gd = _gravity(gravity)
     kilogram, newton = parse_unit("kg"), parse_unit("N")
-    for given, becomes, n, d in ((kilogram, newton, gn, gd), (newton, kilogram, gd, gn)):
-        source = parse_unit(text, given)
-        if conformable(source, given) and conformable(parse_unit(wanted.text, becomes), becomes):
-            an, ad, _ = convert_exactly(numerator, denominator, source, given)
-            return an * n, ad * d, becomes, source.notes
+    for dimension, converted, n, d in ((kilogram, newton, gn, gd), (newton, kilogram, gd, gn)):
+        source = parse_unit(text, dimension)
+        if conformable(source, dimension) and conformable(parse_unit(wanted.text, converted), converted):
+            an, ad, _ = convert_exactly(numerator, denominator, source, dimension)
+            return an * n, ad * d, converted, source.notes
     raise UsageError(
         "--weight converts a mass to a weight or a weight to a mass",
         parameter="weight",
@@ -288,13 +288,13 @@ def _weigh(
 
 def _gravity(gravity: ExactQuantity | None) -> tuple[int, int]:
     """The gravity used, as an exact number of m/s²."""
-    given = gravity or STANDARD_GRAVITY
-    wanted = parse_unit("m/s^2")
-    unit = parse_unit(given.unit, wanted)
-    if not conformable(unit, wanted):
-        message, hint = _mismatch(unit, wanted)
+    acceleration = gravity or STANDARD_GRAVITY
+    si_unit = parse_unit("m/s^2")
+    unit = parse_unit(acceleration.unit, si_unit)
+    if not conformable(unit, si_unit):
+        message, hint = _mismatch(unit, si_unit)
         raise UsageError(message, parameter="gravity", hint=hint)
-    n, d, _ = convert_exactly(given.numerator, given.denominator, unit, wanted)
+    n, d, _ = convert_exactly(acceleration.numerator, acceleration.denominator, unit, si_unit)
     if n <= 0:
         raise UsageError("gravity must be positive", parameter="gravity")
     return n, d

@@ -89,21 +89,21 @@ def coords(
         raise UsageError(f"from and into are both {from_}", parameter="into")
     components = tuple(zip(NAMES[from_], (first, second, third), strict=True))
     lengths = _units(components)
-    numbers = [_read(name, given, lengths) for name, given in components]
+    numbers = [_read(name, component, lengths) for name, component in components]
     tracked = Tracked.inputs(numbers)
     # the double of 90 deg is no right angle; what was typed is
     turn = {"turn": turned} if from_ != "cartesian" and into != "spherical" and _in_turns(components) else {}
     converted = getattr(physics, f"{from_}_to_{into}")(*tracked, **turn)
-    angle_unit = next((parse_unit(given.unit, RADIAN) for name, given in components if name in ANGLES), DEGREE)
-    shown = {name: _show(name, getattr(converted, name), numbers, angle_unit, lengths) for name in NAMES[into]}
+    angle_unit = next((parse_unit(component.unit, RADIAN) for name, component in components if name in ANGLES), DEGREE)
+    entries = {name: _show(name, getattr(converted, name), numbers, angle_unit, lengths) for name in NAMES[into]}
     empty = dict.fromkeys(("x", "y", "r", "rho", "phi", "theta", "z"))
     return Coordinates(
-        **{**empty, **{name: entry[0] for name, entry in shown.items()}},
+        **{**empty, **{name: entry[0] for name, entry in entries.items()}},
         convention=CONVENTION["spherical" if "spherical" in (from_, into) else "cylindrical"],
         numerics=Numerics(
             "closed form",
-            tuple(entry[1] for entry in shown.values()),
-            tuple(condition for entry in shown.values() for condition in entry[2]),
+            tuple(entry[1] for entry in entries.values()),
+            tuple(condition for entry in entries.values() for condition in entry[2]),
         ),
         advice=converted.advice,
     )
@@ -111,31 +111,31 @@ def coords(
 
 def _units(components: tuple[tuple[str, ExactQuantity], ...]) -> Unit:
     """The unit of the lengths, the first one's; pure numbers where none has one."""
-    lengths = [(name, given) for name, given in components if name not in ANGLES]
-    bare = [name for name, given in lengths if not given.unit]
-    if bare and len(bare) < len(lengths):
+    lengths = [(name, component) for name, component in components if name not in ANGLES]
+    pure = [name for name, component in lengths if not component.unit]
+    if pure and len(pure) < len(lengths):
         raise UsageError(
-            f"{bare[0]} has no unit, the others have one", parameter=bare[0], hint="give all a length unit, or none"
+            f"{pure[0]} has no unit, the others have one", parameter=pure[0], hint="give all a length unit, or none"
         )
-    return parse_unit(lengths[0][1].unit, METRE) if not bare else NUMBER
+    return parse_unit(lengths[0][1].unit, METRE) if not pure else NUMBER
 
 
 def _in_turns(components: tuple[tuple[str, ExactQuantity], ...]) -> bool:
     """Whether angles were given in parts of a turn, such as degrees."""
-    return all(parse_unit(given.unit, RADIAN).pi == 1 for name, given in components if name in ANGLES)
+    return all(parse_unit(component.unit, RADIAN).pi == 1 for name, component in components if name in ANGLES)
 
 
-def _read(name: str, given: ExactQuantity, lengths: Unit) -> float:
-    wanted = RADIAN if name in ANGLES else METRE if lengths is not NUMBER else NUMBER
-    if name in ANGLES and not given.unit:
+def _read(name: str, component: ExactQuantity, lengths: Unit) -> float:
+    expected = RADIAN if name in ANGLES else METRE if lengths is not NUMBER else NUMBER
+    if name in ANGLES and not component.unit:
         raise UsageError(f"{name} is an angle and has no unit", parameter=name, hint="for example 30 deg")
-    unit = parse_unit(given.unit, wanted)
-    if not conformable(unit, wanted):
+    unit = parse_unit(component.unit, expected)
+    if not conformable(unit, expected):
         from dynamics_cli.core.units.names import explain_mismatch
 
-        message, hint = explain_mismatch(unit, wanted)
+        message, hint = explain_mismatch(unit, expected)
         raise UsageError(message, parameter=name, hint=hint)
-    return to_si(given.numerator, given.denominator, unit)
+    return to_si(component.numerator, component.denominator, unit)
 
 
 def _show(
@@ -150,7 +150,7 @@ def _show(
         return Measured(value, unit.text, inherited=True), ErrorBound(name, number.error, relative=False), ()
     bound = number.error / abs(number.value) + (UNIT_ROUNDOFF if converts else 0.0)
     conditions = tuple(
-        Condition(name, parameter, slope * given / number.value)
-        for parameter, slope, given in zip(("first", "second", "third"), number.slopes, inputs, strict=True)
+        Condition(name, parameter, slope * entered / number.value)
+        for parameter, slope, entered in zip(("first", "second", "third"), number.slopes, inputs, strict=True)
     )
     return Measured(value, unit.text, inherited=True), ErrorBound(name, bound), conditions

@@ -83,13 +83,13 @@ def list_units(
     """
     entries = [_entry(unit, names, symbol) for symbol, names, unit, _ in all_units()]
     if kind is not None:
-        wanted = kind.strip().lower().replace("_", " ").replace("-", " ")
+        query = kind.strip().lower().replace("_", " ").replace("-", " ")
         kinds = sorted({entry.kind for entry in entries})
-        entries = [entry for entry in entries if wanted == entry.kind or wanted in entry.kind.split(" or ")]
+        entries = [entry for entry in entries if query == entry.kind or query in entry.kind.split(" or ")]
         if not entries:
             from dynamics_cli.core.units.near_names import nearest_words
 
-            near = nearest_words(wanted, kinds)
+            near = nearest_words(query, kinds)
             hint = f"did you mean {' or '.join(near)}?" if near else f"kinds are {', '.join(kinds)}"
             raise UsageError(f"there is no kind of unit {kind!r}", parameter="kind", hint=hint)
     return UnitList(len(entries), tuple(entries))
@@ -119,11 +119,11 @@ def search_units(text: Annotated[Text, "Text to look for."], /) -> UnitList:
     UsageError
         When nothing is found; near names are offered.
     """
-    wanted = text.strip().lower()
+    query = text.strip().lower()
     entries = [
         _entry(unit, names, symbol)
         for symbol, names, unit, description in all_units()
-        if any(wanted in word.lower() for word in (symbol, *names, description, kind_name(unit)))
+        if any(query in word.lower() for word in (symbol, *names, description, kind_name(unit)))
     ]
     if not entries:
         near = names_like(text)

@@ -130,15 +130,15 @@ def columns(table: "Any") -> "list[tuple[str, str, list[Any]]]":
         for name, (_, unit) in cells.items():
             names.setdefault(name, set()).add(unit)
         rows.append(cells)
-    made = []
+    found_columns = []
     for name, units in names.items():
-        found = [row.get(name, (None, "")) for row in rows]
+        named_cells = [row.get(name, (None, "")) for row in rows]
         if len(units) == 1:
-            made.append((name, units.pop(), [value for value, _ in found]))
+            found_columns.append((name, units.pop(), [value for value, _ in named_cells]))
         else:
             # Rows written in several units each keep their own.
-            made.append((name, "", [WithUnit(value, unit) if unit else value for value, unit in found]))
-    return made
+            found_columns.append((name, "", [WithUnit(value, unit) if unit else value for value, unit in named_cells]))
+    return found_columns
 
 
 def number(value: "Any", digits: int) -> str:
@@ -217,8 +217,8 @@ def component_texts(node: "dict[str, Any]") -> "tuple[str, str]":
     texts = []
     for value, part in zip(node["value"], node["distributions"], strict=True):
         unit = part.get("unit", "") if part else ""
-        own = f" {unit}" if unit != node.get("unit", "") else ""
-        texts.append(f"{distribution_text(part)}{own}" if part else number(value, 17))
+        suffix = f" {unit}" if unit != node.get("unit", "") else ""
+        texts.append(f"{distribution_text(part)}{suffix}" if part else number(value, 17))
     return f"[{', '.join(texts)}]", node.get("unit", "")
 
 

@@ -5,6 +5,7 @@ triangle of chord and end tangents; arc and chord by the arc's rise. So the dist
 both bounds that of the curve.
 """
 
+from abc import ABC, abstractmethod
 from math import pi
 
 import numpy as np
@@ -23,7 +24,7 @@ TRIES = 4
 POINTS = 65
 
 
-class _Curve:
+class _Curve(ABC):
     """A smooth piece of a flank over one parameter, with the interface that fitting uses."""
 
     still = (False,)
@@ -34,6 +35,7 @@ class _Curve:
         self.starts, self.ends = (start,), (end,)
 
     def on(self, _: int) -> "_Curve":
+        """Itself: a flank curve is a single smooth piece."""
         return self
 
     def at(self, place: "Any") -> "tuple[Any, ...]":
@@ -41,9 +43,9 @@ class _Curve:
         x, y, direction, speed = self.course(np.asarray(place))
         return x, y, np.sin(direction), np.cos(direction), speed
 
+    @abstractmethod
     def course(self, place: "Any") -> "tuple[Any, ...]":
         """Point, direction clockwise from the tooth's centreline, and speed."""
-        raise NotImplementedError
 
 
 class _Involute(_Curve):
@@ -57,6 +59,7 @@ class _Involute(_Curve):
         super().__init__(*((-low, -high) if form.internal else (low, high)))
 
     def course(self, place: "Any") -> "tuple[Any, ...]":
+        """At roll angles; the speed is r_b t."""
         base, roll = self.form.base, np.abs(place)
         radius = base * np.sqrt(1.0 + roll * roll)
         angle, direction = self.form.half_base - (roll - np.arctan(roll)), self.form.half_base - roll
@@ -74,6 +77,7 @@ class _Trochoid(_Curve):
         super().__init__(-0.5 * pi, -form.junction.direction)
 
     def course(self, place: "Any") -> "tuple[Any, ...]":
+        """At minus the directions of the corner's normal; the speed is only nominal."""
         assert self.form.cutter is not None
         radius, angle, direction = trochoid_points(self.form.cutter, -place)
         radius, angle = self.form.module * radius, pi / self.form.teeth - angle
@@ -134,8 +138,8 @@ def _deviations(curve: _Curve, places: "Any", bulge: "Any") -> "Any":
     turns = np.diff(direction)
     one_way = (turns >= 0.0).all(axis=1) | (turns <= 0.0).all(axis=1)
     turned = np.abs(turns)
-    known = one_way & (turned < 1.0).all(axis=1)
-    triangle = np.where(known, (0.5 * step * np.tan(0.5 * turned)).max(axis=1), np.inf)
+    bounded = one_way & (turned < 1.0).all(axis=1)
+    triangle = np.where(bounded, (0.5 * step * np.tan(0.5 * turned)).max(axis=1), np.inf)
     # the rise of an arc of chord c and curvature κ: no more than κc²/7 where it is short of a quarter turn
     curvature = 4.0 * np.abs(bulge) / (chord * (1.0 + bulge * bulge))
     return away + triangle + step.max(axis=1) ** 2 * curvature / 7.0

@@ -83,10 +83,10 @@ def _matching(term: str) -> "list[tuple[str, ...]]":
 
 def _near(term: str) -> list[str]:
     """The three terms that share the most pairs of letters."""
-    own = {term.lower()[i : i + 2] for i in range(len(term) - 1)}
+    term_pairs = {term.lower()[i : i + 2] for i in range(len(term) - 1)}
 
     def shared(entry: "tuple[str, ...]") -> float:
         pairs = {entry[0][i : i + 2] for i in range(len(entry[0]) - 1)}
-        return len(own & pairs) / (1 + len(own | pairs))
+        return len(term_pairs & pairs) / (1 + len(term_pairs | pairs))
 
     return [entry[0] for entry in sorted(TERMS, key=shared, reverse=True)[:3]]

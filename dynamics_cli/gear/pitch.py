@@ -127,11 +127,11 @@ def module_advice(pitch: object, module: float) -> tuple[Advice, ...]:
     size = getattr(module, "value", module)
     if is_array(size) or not 0.9e-3 < size < 60e-3:
         return ()
-    own = 1e3 * size
-    if any(abs(own - standard) <= 1e-9 * own for standard in (*SERIES_I, *SERIES_II)):
+    millimetres = 1e3 * size
+    if any(abs(millimetres - standard) <= 1e-9 * millimetres for standard in (*SERIES_I, *SERIES_II)):
         return ()
-    first = min(SERIES_I, key=lambda standard: abs(standard - own))
-    second = min((*SERIES_I, *SERIES_II), key=lambda standard: abs(standard - own))
+    first = min(SERIES_I, key=lambda standard: abs(standard - millimetres))
+    second = min((*SERIES_I, *SERIES_II), key=lambda standard: abs(standard - millimetres))
     message = worded("a module of {module:6} is in neither series of ISO 54", module=(size, Module))
     remedy = worded(
         "the nearest, in millimetres: {first} (series I)" + ("" if first == second else ", {second} (series II)"),

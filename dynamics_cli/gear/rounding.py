@@ -53,9 +53,9 @@ def measured(value: float, exact: "Any", bound: float) -> float:
 
 def tighten(numbers: "Iterable[Any]", exact: "Iterable[Any]") -> None:
     """Replace the bounds of numbers by their errors as measured against the same numbers in many digits."""
-    for one, other in zip(numbers, exact, strict=True):
-        if isinstance(one, Tracked):
-            one.error = measured(one.value, other, one.error)
+    for number, reference in zip(numbers, exact, strict=True):
+        if isinstance(number, Tracked):
+            number.error = measured(number.value, reference, number.error)
 
 
 def error_of(number: "Any") -> float:

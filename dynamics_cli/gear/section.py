@@ -47,10 +47,10 @@ def meshing(forms: "list[ToothForm]", distance: float, radii: "Place") -> "list[
     first, second = forms
     halves = [form.half_base - roll_less_arc(form.roll(radius)) for form, radius in zip(forms, radii, strict=True)]
     beyond = pi / second.teeth if second.internal else pi
-    at = (-distance if second.internal else distance, 0.0)
+    second_centre = (-distance if second.internal else distance, 0.0)
     return [
         *gear_items(first, (0.0, 0.0), -halves[0], 0, radii[0]),
-        *gear_items(second, at, beyond - halves[1], 1, radii[1]),
+        *gear_items(second, second_centre, beyond - halves[1], 1, radii[1]),
     ]
 
 

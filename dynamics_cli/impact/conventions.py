@@ -212,8 +212,8 @@ def pdof(impulse: tuple[float, float], zero: tuple[float, float], axes: Axes = A
 def clock(angle: float) -> float:
     """Nearest hour, 1 to 12, of a PDOF measured from the nose."""
     hours = getattr(angle, "value", angle) * (6.0 / PI)
-    whole = (hours + ROUNDER) - ROUNDER
-    return where(whole <= 0.0, whole + 12.0, whole)
+    hour = (hours + ROUNDER) - ROUNDER
+    return where(hour <= 0.0, hour + 12.0, hour)
 
 
 @record

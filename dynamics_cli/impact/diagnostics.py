@@ -53,9 +53,9 @@ def require_finite(value: float, what: str) -> None:
     )
 
 
-def require_sizes(**given: object) -> None:
+def require_sizes(**numbers: object) -> None:
     """Refuse numbers so small or large that a calculation of several of them would leave the range of a double."""
-    for name, value in given.items():
+    for name, value in numbers.items():
         _require_size(name, value)
 
 

@@ -52,8 +52,8 @@ def planar(
     names = _names(first, second)
     before, after = [body.velocity, two.velocity], [result.first.velocity, result.second.velocity]
     contact_detail = _bodies((body, two), at, towards, result.impulse, names)
-    centres = [(at[0] - one.lever[0], at[1] - one.lever[1]) for one in (body, two)]
-    road = all(one.mass is not None and one.mass >= LIGHTEST_VEHICLE for one in (body, two))
+    centres = [(at[0] - vehicle.lever[0], at[1] - vehicle.lever[1]) for vehicle in (body, two)]
+    road = all(vehicle.mass is not None and vehicle.mass >= LIGHTEST_VEHICLE for vehicle in (body, two))
     if road and math.dist(*centres) <= LENGTH:
         north = (0.0, 1.0) if str(axes) == "compass" else None
         scene = collision(names, (body.nose, two.nose), before, after, north, (centres[0], centres[1]), (7.2, 3.9))
@@ -88,8 +88,8 @@ def _bodies(bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pa
     items.append(Curve(*ends, style="dashed", role=6))
     items.append(Mark(ends[0][1], ends[1][1], "tangent", (4.0, 0.0), dot=False))
     scale = 0.5 * size / (math.hypot(*impulse) or 1.0)
-    for role, way in ((0, -1.0), (1, 1.0)):
-        dx, dy = way * scale * impulse[0], way * scale * impulse[1]
+    for role, sense in ((0, -1.0), (1, 1.0)):
+        dx, dy = sense * scale * impulse[0], sense * scale * impulse[1]
         items.append(Arrow(*at, dx, dy, "", role))
     return Panel(
         Axis("x", Length), Axis("y", Length), tuple(items), "contact: levers, tangent and impulses", equal=True
@@ -159,14 +159,14 @@ def spatial(
     frame = frame_about((-x, -y, -z))
     before = approach(bodies, frame)
     k = mobility(bodies, frame)
-    slips, impulses = _hodograph(k, before, friction, result.slip_impulse)
-    slip = Axis("slip along the first tangent", Speed), Axis("slip along the second tangent", Speed)
+    path, impulses = _hodograph(k, before, friction, result.slip_impulse)
+    slip_axes = Axis("slip along the first tangent", Speed), Axis("slip along the second tangent", Speed)
     hodograph: list[Any] = [
-        Curve([a for a, _, _ in slips], [b for _, b, _ in slips], "slip", role=0),
+        Curve([a for a, _, _ in path], [b for _, b, _ in path], "slip", role=0),
         Mark(before[0], before[1], "before"),
         Mark(0.0, 0.0, "no slip"),
     ]
-    speeds = Curve(impulses, [c for _, _, c in slips], "normal velocity", role=1)
+    speeds = Curve(impulses, [c for _, _, c in path], "normal velocity", role=1)
     panels = (
         velocities(
             _names(first, second),
@@ -174,7 +174,7 @@ def spatial(
             [result.first.velocity[:2], result.second.velocity[:2]],
             "seen from above, before (dashed) and after",
         ),
-        Panel(*slip, tuple(hodograph), "hodograph", equal=True),
+        Panel(*slip_axes, tuple(hodograph), "hodograph", equal=True),
         Panel(Axis("normal impulse", Impulse), Axis("normal velocity", Speed), (speeds,), "while it slips"),
     )
     return Picture(panels, "impact in space", columns=2)
@@ -185,17 +185,17 @@ def _hodograph(
 ) -> "tuple[list[tuple[float, float, float]], list[float]]":
     """Slip and normal velocity over the normal impulse, until the first slip ends."""
     state = [*before, 0.0, 0.0, 0.0, 0.0, 0.0]
-    slips, impulses = [before], [0.0]
+    path, impulses = [before], [0.0]
     for _ in range(200):
         if friction == 0.0 or math.hypot(state[X], state[Y]) <= 1e-9 * (abs(before[0]) + abs(before[1])):
             break
-        way = settled(k, friction, Slip(state))
-        if way is not None:
-            _, growth, slope = rates_along(k, way, friction)
-            speed = state[X] * way[0] + state[Y] * way[1]
+        settled_direction = settled(k, friction, Slip(state))
+        if settled_direction is not None:
+            _, growth, slope = rates_along(k, settled_direction, friction)
+            speed = state[X] * settled_direction[0] + state[Y] * settled_direction[1]
             more = min(until - state[3], -speed / growth if growth < 0.0 else math.inf)
             speed += growth * more
-            slips.append((speed * way[0], speed * way[1], state[2] + slope * more))
+            path.append((speed * settled_direction[0], speed * settled_direction[1], state[2] + slope * more))
             impulses.append(state[3] + more)
             break
         coefficients = series(k, friction, state, POINTS)
@@ -203,10 +203,10 @@ def _hodograph(
         for part in range(1, 9):
             state = [value(one, step * part / 8.0) for one in coefficients]
             if state[3] > until:
-                return slips, impulses
-            slips.append((state[X], state[Y], state[2]))
+                return path, impulses
+            path.append((state[X], state[Y], state[2]))
             impulses.append(state[3])
-    return slips, impulses
+    return path, impulses
 
 
 def scene(result: "Any", *_: "Any", **__: "Any") -> Picture:
@@ -230,11 +230,11 @@ def envelope(result: "Any", **_: "Any") -> Picture:
             continue
         items = []
         for restitution in sorted(set(columns["restitution"])):
-            own = [
+            points = [
                 (mu, dv)
                 for e, mu, dv in zip(columns["restitution"], columns["friction"], columns[name], strict=True)
                 if e == restitution
             ]
-            items.append(Curve([mu for mu, _ in own], [dv for _, dv in own], f"e = {restitution:.3g}"))
+            items.append(Curve([mu for mu, _ in points], [dv for _, dv in points], f"e = {restitution:.3g}"))
         panels.append(Panel(Axis("friction", Friction), Axis(f"ΔV of the {body} body", RoadSpeed), tuple(items)))
     return Picture(tuple(panels), "ΔV over a region")

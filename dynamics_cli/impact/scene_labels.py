@@ -92,13 +92,13 @@ def _cost(
     words: Words, box: "Box", far: float, metres: float, covered: "Sequence[Pair]", boxes: "Sequence[Box]"
 ) -> float:
     """What a place covers, and how far it is from the one asked for."""
-    room = ROOM * metres
-    x0, y0, x1, y1 = box[0] - room, box[1] - room, box[2] + room, box[3] + room
+    margin = ROOM * metres
+    x0, y0, x1, y1 = box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin
     hidden = sum(x0 < x < x1 and y0 < y < y1 for x, y in covered)
     clashes = sum(x0 < b[2] and b[0] < x1 and y0 < b[3] and b[1] < y1 for b in boxes)
-    way = 0.5 * (box[0] + box[2]) - words.at[0], 0.5 * (box[1] + box[3]) - words.at[1]
-    size = math.hypot(*way) * math.hypot(*words.way)
-    turn = 1.0 - (way[0] * words.way[0] + way[1] * words.way[1]) / size if size else 0.0
+    offset = 0.5 * (box[0] + box[2]) - words.at[0], 0.5 * (box[1] + box[3]) - words.at[1]
+    size = math.hypot(*offset) * math.hypot(*words.way)
+    turn = 1.0 - (offset[0] * words.way[0] + offset[1] * words.way[1]) / size if size else 0.0
     return COVERED * hidden + CLASH * clashes + AWAY * far / metres + TURNED * turn
 
 

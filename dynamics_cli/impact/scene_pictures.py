@@ -82,12 +82,12 @@ def apart(
         back += 0.05
 
 
-def _overlap(one: "Pair", way: "Pair", other: "Pair", course: "Pair", sizes: "tuple[Pair, Pair]") -> bool:
+def _overlap(a: "Pair", u: "Pair", b: "Pair", v: "Pair", sizes: "tuple[Pair, Pair]") -> bool:
     """Whether two outlines overlap, by the axes that could part them."""
-    gap = other[0] - one[0], other[1] - one[1]
-    for axis in (way, (-way[1], way[0]), course, (-course[1], course[0])):
+    gap = b[0] - a[0], b[1] - a[1]
+    for axis in (u, (-u[1], u[0]), v, (-v[1], v[0])):
         reach = 0.0
-        for (x, y), (length, width) in zip((way, course), sizes, strict=True):
+        for (x, y), (length, width) in zip((u, v), sizes, strict=True):
             reach += 0.5 * length * abs(axis[0] * x + axis[1] * y) + 0.5 * width * abs(axis[1] * x - axis[0] * y)
         if abs(gap[0] * axis[0] + gap[1] * axis[1]) >= reach:
             return False
@@ -113,15 +113,15 @@ def collision(
         items += outline(centre, nose, role)
         u, v = before[role], after[role]
         if speeds[role] > 0.0:
-            way = u[0] / speeds[role], u[1] / speeds[role]
-            items.append(lane(centre, way, (0.8 * LENGTH + scale * speeds[role], 1.2 * LENGTH)))
-            reach = 0.5 * LENGTH * abs(way[0] * nose[0] + way[1] * nose[1]) + 0.5 * WIDTH * abs(
-                way[0] * nose[1] - way[1] * nose[0]
+            direction = u[0] / speeds[role], u[1] / speeds[role]
+            items.append(lane(centre, direction, (0.8 * LENGTH + scale * speeds[role], 1.2 * LENGTH)))
+            reach = 0.5 * LENGTH * abs(direction[0] * nose[0] + direction[1] * nose[1]) + 0.5 * WIDTH * abs(
+                direction[0] * nose[1] - direction[1] * nose[0]
             )
-            end = centre[0] - (reach + 0.2) * way[0], centre[1] - (reach + 0.2) * way[1]
+            end = centre[0] - (reach + 0.2) * direction[0], centre[1] - (reach + 0.2) * direction[1]
             tail = end[0] - scale * u[0], end[1] - scale * u[1]
             items.append(Arrow(*tail, scale * u[0], scale * u[1], "", role, dashed=True))
-            words.append(Words(tail, (-way[0], -way[1]), about(f"{name} before", speeds[role]), role))
+            words.append(Words(tail, (-direction[0], -direction[1]), about(f"{name} before", speeds[role]), role))
         if speeds[2 + role] > 0.0:
             items.append(Arrow(*centre, scale * v[0], scale * v[1], "", role))
             tip = centre[0] + scale * v[0], centre[1] + scale * v[1]
@@ -182,10 +182,10 @@ def fitting(items: "Sequence[Any]", words: "Sequence[Words]", inches: "Pair") ->
     metres = _metres(bounds(items, 0.0), inches)
     # how much room words take depends on the scale, and the scale on how much room they take
     for _ in range(MOST_TRIES):
-        wanted = _metres(bounds([*items, *placed(items, words, metres)], metres), inches)
-        if wanted <= metres:
+        required = _metres(bounds([*items, *placed(items, words, metres)], metres), inches)
+        if required <= metres:
             break
-        metres = wanted
+        metres = required
     return metres
 
 
@@ -199,18 +199,18 @@ def _panel(
     metres: float,
 ) -> Panel:
     """The scene at so many metres to an inch."""
-    whole = [*items, *placed(items, words, metres)]
-    left, low, right, _ = bounds(whole, metres)
-    whole += _foot((left, low), metres, max(inches[0], (right - left) / metres), speeds, note)
+    drawn = [*items, *placed(items, words, metres)]
+    min_x, low, max_x, _ = bounds(drawn, metres)
+    drawn += _foot((min_x, low), metres, max(inches[0], (max_x - min_x) / metres), speeds, note)
     if north is not None:
-        whole += _north(whole, metres)
-    left, low, right, high = bounds(whole, metres)
-    room = 0.06 * metres
-    lack = 0.5 * max(0.0, inches[0] * metres - (right - left) - 2.0 * room)
+        drawn += _north(drawn, metres)
+    min_x, low, max_x, high = bounds(drawn, metres)
+    margin = 0.06 * metres
+    lack = 0.5 * max(0.0, inches[0] * metres - (max_x - min_x) - 2.0 * margin)
     return Panel(
-        Axis("", Length, ends=(left - room - lack, right + room + lack)),
-        Axis("", Length, ends=(low - room, high + room)),
-        tuple(whole),
+        Axis("", Length, ends=(min_x - margin - lack, max_x + margin + lack)),
+        Axis("", Length, ends=(low - margin, high + margin)),
+        tuple(drawn),
         equal=True,
         bare=True,
         wide=inches[0] > WHOLE,
@@ -224,9 +224,9 @@ def _metres(box: "Box", inches: "Pair") -> float:
 
 def _foot(corner: "Pair", metres: float, inches: float, speeds: "Pair", note: "Sequence[str]") -> "list[Any]":
     """The scales of velocity and distance, and what was not measured."""
-    left, low = corner
+    min_x, low = corner
     scale, fastest = speeds
-    foot, start = low - 0.42 * metres, left
+    foot, start = low - 0.42 * metres, min_x
     bars: list[Any] = []
     if fastest > 0.0:
         longest = min(scale * fastest, 0.5 * inches * metres)
@@ -234,22 +234,22 @@ def _foot(corner: "Pair", metres: float, inches: float, speeds: "Pair", note: "S
         start += max(longest, 1.25 * metres) + 0.3 * metres
     bars.append(Ruler(start, foot, "distance", Length, 1.0, 0.3 * inches * metres))
     return bars + [
-        Label(left, foot - (0.19 + 0.15 * nth) * metres, line, 6, left=True) for nth, line in enumerate(note)
+        Label(min_x, foot - (0.19 + 0.15 * nth) * metres, line, 6, left=True) for nth, line in enumerate(note)
     ]
 
 
-def _north(whole: "Sequence[Any]", metres: float) -> "list[Any]":
+def _north(items: "Sequence[Any]", metres: float) -> "list[Any]":
     """An arrow to the north at the highest place that is free."""
-    left, low, right, high = bounds(whole, metres)
+    min_x, low, max_x, high = bounds(items, metres)
     size = 0.24 * metres
-    covered = [point for item in whole for point in (ends(item) if _style(item) != "ground" else _within(item))]
-    for label in (item for item in whole if isinstance(item, Label)):
+    covered = [point for item in items for point in (ends(item) if _style(item) != "ground" else _within(item))]
+    for label in (item for item in items if isinstance(item, Label)):
         x0, y0, x1, y1 = bounds([label], metres)
         covered += [(x0 + 0.05 * nth * (x1 - x0), y) for nth in range(21) for y in (y0, y1)]
     # the scales stand beneath
-    across, up = right - left - 2.0 * size, high - low - FOOT * metres - 2.0 * size
+    across, up = max_x - min_x - 2.0 * size, high - low - FOOT * metres - 2.0 * size
     places = [
-        (left + size + 0.125 * i * across, high - 2.0 * size - 0.125 * j * up) for j in range(9) for i in range(9)
+        (min_x + size + 0.125 * i * across, high - 2.0 * size - 0.125 * j * up) for j in range(9) for i in range(9)
     ]
 
     def free(place: "Pair") -> float:
@@ -258,7 +258,7 @@ def _north(whole: "Sequence[Any]", metres: float) -> "list[Any]":
 
     x, y = max(places, key=lambda place: min(free(place), 1.5 * size))
     if free((x, y)) < 0.6 * size:
-        x, y = left + size, high + 1.5 * size
+        x, y = min_x + size, high + 1.5 * size
     return [Arrow(x, y - size, 0.0, 2.0 * size, "", 6), Label(x, y + size + 0.1 * metres, "N", 6)]
 
 

@@ -70,7 +70,7 @@ def fan(
     low, high = (0.0, 0.0) if spreads is None else spreads.intervals.get(address, (0.0, 0.0))
     if not 0.0 < high - low < WIDEST:
         return []
-    ways = [way(low + (high - low) * nth / POINTS) for nth in range(POINTS + 1)]
-    x = [at[0], *(at[0] + length * a for a, _ in ways), at[0]]
-    y = [at[1], *(at[1] + length * b for _, b in ways), at[1]]
+    directions = [way(low + (high - low) * nth / POINTS) for nth in range(POINTS + 1)]
+    x = [at[0], *(at[0] + length * a for a, _ in directions), at[0]]
+    y = [at[1], *(at[1] + length * b for _, b in directions), at[1]]
     return [Curve(x, y, "", "fill", role), Curve(x, y, "", "dots", role)]

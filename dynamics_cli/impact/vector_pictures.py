@@ -52,11 +52,11 @@ def triangles(names: "Sequence[str]", before: "Sequence[Pair]", after: "Sequence
     words: list[Words] = []
     for role, (name, u, v) in enumerate(zip(names, before, after, strict=True)):
         change = v[0] - u[0], v[1] - u[1]
-        for way, dashed in ((u, True), (v, False)):
-            if way != (0.0, 0.0):
-                items.append(Arrow(0.0, 0.0, *way, "", role, dashed=dashed))
+        for velocity, dashed in ((u, True), (v, False)):
+            if velocity != (0.0, 0.0):
+                items.append(Arrow(0.0, 0.0, *velocity, "", role, dashed=dashed))
                 tip = "before" if dashed else "after"
-                words.append(Words(way, way, fill(f"{name} {tip}", NAME), role))
+                words.append(Words(velocity, velocity, fill(f"{name} {tip}", NAME), role))
         if change != (0.0, 0.0):
             items.append(Arrow(*u, *change, "", CHANGE))
             middle = u[0] + 0.5 * change[0], u[1] + 0.5 * change[1]
@@ -68,21 +68,21 @@ def _framed(items: "list[Any]", words: "list[Words]", scale: "tuple[str, Any]", 
     """Arrows with their words on one scale, which stands beneath; with room for all."""
     inch = fitting(items, words, INCHES)
     items = [*items, *placed(items, words, inch)]
-    left, low, right, high = bounds(items, inch)
+    min_x, low, max_x, high = bounds(items, inch)
     longest = max((math.hypot(item.dx, item.dy) for item in items if isinstance(item, Arrow)), default=0.0)
     if longest > 0.0:
         low -= FOOT * inch
-        items.append(Ruler(left, low, scale[0], scale[1], 1.0, 0.5 * longest, arrow=True))
-    across = Axis("", scale[1], ends=(left - ROOM * inch, right + ROOM * inch))
+        items.append(Ruler(min_x, low, scale[0], scale[1], 1.0, 0.5 * longest, arrow=True))
+    across = Axis("", scale[1], ends=(min_x - ROOM * inch, max_x + ROOM * inch))
     up = Axis("", scale[1], ends=(low - ROOM * inch, high + ROOM * inch))
     return Panel(across, up, tuple(items), title, equal=True, bare=True)
 
 
 def _away(middle: "Pair", way: "Pair", total: "Pair") -> "Pair":
     """Place of a label beside an arrow: across it, on the side away from the sum."""
-    left = total[0] * middle[1] - total[1] * middle[0] > 0.0
+    is_left = total[0] * middle[1] - total[1] * middle[0] > 0.0
     nx, ny = -way[1], way[0]
-    if (nx * -total[1] + ny * total[0] > 0.0) != left:
+    if (nx * -total[1] + ny * total[0] > 0.0) != is_left:
         nx, ny = -nx, -ny
     size = math.hypot(nx, ny)
     return (

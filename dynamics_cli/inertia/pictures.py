@@ -38,22 +38,22 @@ def body_picture(answer: "MassProperties", scene: "Assembly", **_: object) -> Pi
     """An assembly, its holes dashed."""
     walk = Walk()
     walk.into(bare(scene.parts), "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
-    drawn = []
+    groups = []
     for leaf in walk.leaves:
-        own = wires(leaf.part.shape) if leaf.part.shape is not None else []
-        placed = [[plus(leaf.origin, times(leaf.rotation, point)) for point in wire] for wire in own]
-        drawn.append((placed, leaf.sign < 0.0))
-    return _picture(bare(answer), drawn, scene.name or "assembly")
+        shape_wires = wires(leaf.part.shape) if leaf.part.shape is not None else []
+        placed = [[plus(leaf.origin, times(leaf.rotation, point)) for point in wire] for wire in shape_wires]
+        groups.append((placed, leaf.sign < 0.0))
+    return _picture(bare(answer), groups, scene.name or "assembly")
 
 
-def drawn_picture(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", title: str) -> Picture:
+def drawn_picture(answer: "MassProperties", groups: "list[tuple[list[Wire], bool]]", title: str) -> Picture:
     """A body by lines of its own, each group of them of material or of a hole."""
-    return _picture(bare(answer), drawn, title)
+    return _picture(bare(answer), groups, title)
 
 
-def _picture(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", title: str) -> Picture:
-    ends = _ends(answer, drawn)
-    panels = tuple(_panel(answer, drawn, view, ends) for view in VIEWS)
+def _picture(answer: "MassProperties", groups: "list[tuple[list[Wire], bool]]", title: str) -> Picture:
+    ends = _ends(answer, groups)
+    panels = tuple(_panel(answer, groups, view, ends) for view in VIEWS)
     moments = answer.principal_moments
     notes: tuple[tuple[str, float, Any], ...] = (
         ("C mass centre; 1, 2, 3 principal axes", 0.0, None),
@@ -65,12 +65,12 @@ def _picture(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]", t
     return Picture(panels, title, columns=3, views=True, notes=notes)
 
 
-def _ends(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]") -> "list[tuple[float, float]]":
+def _ends(answer: "MassProperties", groups: "list[tuple[list[Wire], bool]]") -> "list[tuple[float, float]]":
     """The ranges of the views along x, y and z."""
     reach = [sqrt(_seen(answer, k, k)) for k in range(3)]
-    low = [at - size for at, size in zip(answer.centroid, reach, strict=True)]
-    high = [at + size for at, size in zip(answer.centroid, reach, strict=True)]
-    points = [point for lines, _ in drawn for wire in lines for point in wire]
+    low = [centre - size for centre, size in zip(answer.centroid, reach, strict=True)]
+    high = [centre + size for centre, size in zip(answer.centroid, reach, strict=True)]
+    points = [point for lines, _ in groups for wire in lines for point in wire]
     points += [part.centroid for part in answer.parts or ()]
     for point in points:
         if point[0] == point[0]:
@@ -84,7 +84,7 @@ def _ends(answer: "MassProperties", drawn: "list[tuple[list[Wire], bool]]") -> "
 
 def _panel(
     answer: "MassProperties",
-    drawn: "list[tuple[list[Wire], bool]]",
+    groups: "list[tuple[list[Wire], bool]]",
     view: "tuple[int, int, str]",
     ends: "list[tuple[float, float]]",
 ) -> Panel:
@@ -92,7 +92,7 @@ def _panel(
     items: list[Curve | Mark | Arrow] = []
     # One legend is enough for three views of one body.
     named = {False: "body", True: "hole"} if view == VIEWS[1] else {}
-    for lines, hole in drawn:
+    for lines, hole in groups:
         for wire in lines:
             x, y = [point[i] for point in wire], [point[j] for point in wire]
             label = named.pop(hole, "")
@@ -106,25 +106,25 @@ def _panel(
 
 def _arrows(answer: "MassProperties", i: int, j: int) -> "list[Arrow]":
     """The principal axes, each as long as its semi-axis of the ellipsoid."""
-    at = answer.centroid
+    centroid = answer.centroid
     arrows = []
     for k in range(3):
         size, axis = answer.equivalent_ellipsoid[k], answer.principal_axes[k]
         dx, dy = size * axis[i], size * axis[j]
         if max(abs(dx), abs(dy)) > SEEN * max(answer.equivalent_ellipsoid):
-            arrows.append(Arrow(at[i], at[j], dx, dy, str(k + 1), AXES))
+            arrows.append(Arrow(centroid[i], centroid[j], dx, dy, str(k + 1), AXES))
     return arrows
 
 
 def _marks(answer: "MassProperties", i: int, j: int) -> "list[Mark]":
     """The mass centre and those of the parts, each place marked and named once."""
-    along, across = (share * max(answer.equivalent_ellipsoid) for share in CROWDED)
+    along, across = (fraction * max(answer.equivalent_ellipsoid) for fraction in CROWDED)
     places = [(answer.centroid, "C"), *((part.centroid, part.part) for part in answer.parts or ())]
-    kept: list[Mark] = []
-    for at, name in places:
-        if all(abs(at[i] - mark.x) > along or abs(at[j] - mark.y) > across for mark in kept):
-            kept.append(Mark(at[i], at[j], name))
-    return kept
+    marks: list[Mark] = []
+    for point, name in places:
+        if all(abs(point[i] - mark.x) > along or abs(point[j] - mark.y) > across for mark in marks):
+            marks.append(Mark(point[i], point[j], name))
+    return marks
 
 
 def _seen(answer: "MassProperties", p: int, q: int) -> float:

@@ -142,13 +142,13 @@ class Disc:
 
     def sine(self) -> "Disc":
         """The sines: |sin z − sin m| ≤ |cos m| sinh r + |sin m| (cosh r − 1)."""
-        (sine, slip), (cosine, _) = _library("sin", self.centre), _library("cos", self.centre)
-        return _wave(sine, cosine, self.radius, slip)
+        (sine, library_error), (cosine, _) = _library("sin", self.centre), _library("cos", self.centre)
+        return _wave(sine, cosine, self.radius, library_error)
 
     def cosine(self) -> "Disc":
         """The cosines: |cos z − cos m| ≤ |sin m| sinh r + |cos m| (cosh r − 1)."""
-        (cosine, slip), (sine, _) = _library("cos", self.centre), _library("sin", self.centre)
-        return _wave(cosine, sine, self.radius, slip)
+        (cosine, library_error), (sine, _) = _library("cos", self.centre), _library("sin", self.centre)
+        return _wave(cosine, sine, self.radius, library_error)
 
     def exponential(self) -> "Disc":
         """The exponentials."""
@@ -158,11 +158,11 @@ class Disc:
     def logarithm(self) -> "Disc":
         """The logarithms; nothing is known where zero or a negative number is among the numbers."""
         good = self.centre > self.radius
-        share = np.where(good, self.radius / np.where(good, self.centre, 1.0) * UP, 0.0)
+        part = np.where(good, self.radius / np.where(good, self.centre, 1.0) * UP, 0.0)
         with np.errstate(all="ignore"):
             centre = np.log(self.centre)
-        wide = -np.log1p(-share * UP) * (1.0 + LIBRARY)
-        return Disc(centre, np.where(good & (share * UP < 1.0), (wide + LIBRARY * np.abs(centre)) * UP + TINY, inf))
+        wide = -np.log1p(-part * UP) * (1.0 + LIBRARY)
+        return Disc(centre, np.where(good & (part * UP < 1.0), (wide + LIBRARY * np.abs(centre)) * UP + TINY, inf))
 
     def arc_cosine(self) -> "Disc":
         """The arc cosines: 1/|√(1 − z²)| is largest at an end of the real diameter."""
@@ -196,37 +196,39 @@ def arc_tangent(y: "Any", x: "Any") -> Disc:
     """
     y, x = as_disc(y), as_disc(x)
     away = np.hypot(x.centre, y.centre) * (1.0 - LIBRARY)
-    share = (x.radius + y.radius) * UP / np.where(away > 0.0, away, 1.0)
-    moved = share == 0.0
-    clear = ((x.centre > x.radius) | (np.abs(y.centre) > y.radius) | moved) & (share < 1.0) & (away > 0.0)
-    centre, slip = _library("atan2", y.centre, x.centre)
-    share = np.where(clear, share, 0.0)
-    wide = -np.log1p(-share * UP) * (1.0 + LIBRARY)
+    part = (x.radius + y.radius) * UP / np.where(away > 0.0, away, 1.0)
+    moved = part == 0.0
+    clear = ((x.centre > x.radius) | (np.abs(y.centre) > y.radius) | moved) & (part < 1.0) & (away > 0.0)
+    centre, library_error = _library("atan2", y.centre, x.centre)
+    part = np.where(clear, part, 0.0)
+    wide = -np.log1p(-part * UP) * (1.0 + LIBRARY)
     first = (np.abs(x.centre) * y.radius + np.abs(y.centre) * x.radius) / np.where(away > 0.0, away * away, 1.0)
-    wide = np.minimum(wide, first * UP + 0.5 * share * share * UP / np.where(share < 0.9, 1.0 - share, TINY))
+    wide = np.minimum(wide, first * UP + 0.5 * part * part * UP / np.where(part < 0.9, 1.0 - part, TINY))
     # along the axis the angle does not change
     wide = np.where((y.centre == 0.0) & (y.radius == 0.0), 0.0, wide)
-    return Disc(centre, np.where(clear, (wide + slip) * UP + TINY, inf))
+    return Disc(centre, np.where(clear, (wide + library_error) * UP + TINY, inf))
 
 
 def _library(name: str, *arguments: "Any") -> "tuple[Any, Any]":
     """A function of the C library on a few numbers, of NumPy on many, with its error."""
-    if np.size(arguments[0]) <= FEW and all(np.isfinite(one).all() for one in arguments):
-        whole = np.broadcast_arrays(*arguments)
-        if whole[0].size <= FEW:
+    if np.size(arguments[0]) <= FEW and all(np.isfinite(item).all() for item in arguments):
+        broadcast = np.broadcast_arrays(*arguments)
+        if broadcast[0].size <= FEW:
             function = getattr(math, name)
-            values = [function(*numbers) for numbers in zip(*(one.ravel().tolist() for one in whole), strict=True)]
-            value = np.array(values).reshape(whole[0].shape)
+            values = [
+                function(*numbers) for numbers in zip(*(item.ravel().tolist() for item in broadcast), strict=True)
+            ]
+            value = np.array(values).reshape(broadcast[0].shape)
             return value, np.spacing(np.abs(value))
     value = {"sin": np.sin, "cos": np.cos, "atan2": np.arctan2}[name](*arguments)
     return value, LIBRARY * np.abs(value)
 
 
-def _wave(centre: "Any", slope: "Any", radius: "Any", slip: "Any") -> Disc:
+def _wave(centre: "Any", slope: "Any", radius: "Any", library_error: "Any") -> Disc:
     half = np.sinh(0.5 * radius)
     # cosh r − 1 = 2 sinh²(r/2), sinh r = 2 sinh(r/2) cosh(r/2)
     wide = 2.0 * half * ((np.abs(slope) + LIBRARY) * np.sqrt(1.0 + half * half) + (np.abs(centre) + LIBRARY) * half)
-    return Disc(centre, (wide * (1.0 + 4.0 * LIBRARY) + slip) * UP + TINY)
+    return Disc(centre, (wide * (1.0 + 4.0 * LIBRARY) + library_error) * UP + TINY)
 
 
 def as_disc(value: "Any") -> Disc:
@@ -235,16 +237,16 @@ def as_disc(value: "Any") -> Disc:
 
 
 def _stack(parts: "Any", axis: int = 0) -> Disc:
-    whole = [as_disc(part) for part in parts]
-    centres = np.broadcast_arrays(*(part.centre for part in whole))
-    radii = np.broadcast_arrays(*(part.radius for part in whole))
+    discs = [as_disc(part) for part in parts]
+    centres = np.broadcast_arrays(*(part.centre for part in discs))
+    radii = np.broadcast_arrays(*(part.radius for part in discs))
     return Disc(np.stack(centres, axis), np.stack(radii, axis))
 
 
 def _together(*parts: "Any") -> "tuple[Disc, ...]":
-    whole = [as_disc(part) for part in parts]
-    shape = np.broadcast_shapes(*(np.shape(part.centre) for part in whole), *(np.shape(part.radius) for part in whole))
-    return tuple(Disc(np.broadcast_to(part.centre, shape), np.broadcast_to(part.radius, shape)) for part in whole)
+    discs = [as_disc(part) for part in parts]
+    shape = np.broadcast_shapes(*(np.shape(part.centre) for part in discs), *(np.shape(part.radius) for part in discs))
+    return tuple(Disc(np.broadcast_to(part.centre, shape), np.broadcast_to(part.radius, shape)) for part in discs)
 
 
 _UFUNCS: "dict[Any, Callable[..., Any]]" = {

@@ -26,15 +26,15 @@ def possible(inertia: "Matrix") -> bool:
     parameter identification, IEEE Robot. Autom. Lett. 3 (2018) 60.
     """
     (a, d, e), (_, b, f), (_, _, c) = inertia
-    room = (a + b + c) / OVERLOOKED
-    half = (a + b + c) / 2 + room
+    tolerance = (a + b + c) / OVERLOOKED
+    half = (a + b + c) / 2 + tolerance
     first = half - a
-    one = where(first > 0, first, half - half + 1)
-    second = half - b - d * d / one
+    divisor = where(first > 0, first, half - half + 1)
+    second = half - b - d * d / divisor
     two = where(second > 0, second, half - half + 1)
-    across = -f - d * e / one
-    third = half - c - e * e / one - across * across / two
-    return (room > 0) & (first > 0) & (second > 0) & (third > 0)
+    across = -f - d * e / divisor
+    third = half - c - e * e / divisor - across * across / two
+    return (tolerance > 0) & (first > 0) & (second > 0) & (third > 0)
 
 
 def require_inertia_of_body(inertia: "Matrix", name: str) -> None:

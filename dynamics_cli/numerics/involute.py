@@ -127,7 +127,7 @@ def _involute_in_other_numbers(phi: "Any") -> "Any":
     steepest = math.tan(end) ** 2 if end < _HALF_PI else math.inf
     slope = math.tan(phi.value) ** 2
     error = (steepest * phi.error if phi.error else 0.0) + 4.2 * UNIT_ROUNDOFF * abs(value)
-    return Tracked(value, error * (1.0 + 1e-9), tuple(slope * own for own in phi.slopes))
+    return Tracked(value, error * (1.0 + 1e-9), tuple(slope * part for part in phi.slopes))
 
 
 def inverse_involute(value: float) -> float:
@@ -201,10 +201,10 @@ def _inverse_of_array(value: "Any") -> "Any":
     value = np.asarray(value, dtype=float)
     flat = np.ascontiguousarray(value).ravel()
     out = np.empty_like(flat)
-    room = np.empty((7, min(_BLOCK, flat.size)))
+    workspace = np.empty((7, min(_BLOCK, flat.size)))
     with np.errstate(all="ignore"):
         for start in range(0, flat.size, _BLOCK):
-            _inverse_of_block(flat[start : start + _BLOCK], out[start : start + _BLOCK], room)
+            _inverse_of_block(flat[start : start + _BLOCK], out[start : start + _BLOCK], workspace)
     return out.reshape(value.shape)
 
 
@@ -244,14 +244,14 @@ def _low_block(value: "Array", out: "Array", room: "Array") -> None:
     """As `_inverse` does, with the same operations in the same order."""
     import numpy as np
 
-    small = value < _SMALL
-    if small.any():
+    near_zero = value < _SMALL
+    if near_zero.any():
         # negative values and NaN give NaN
         scaled = np.where(value == 0.0, 0.0, _UP * value)
         scaled[~(scaled >= 0.0)] = np.nan
-        part = np.where(small, np.where(scaled == 0.0, 1.0, scaled), value)
+        part = np.where(near_zero, np.where(scaled == 0.0, 1.0, scaled), value)
         _low_block(part, out, room)
-        np.copyto(out, np.where(scaled == 0.0, 0.0, _DOWN * out), where=small)
+        np.copyto(out, np.where(scaled == 0.0, 0.0, _DOWN * out), where=near_zero)
         return
     y, guess, high, cube, total, s = (row[: value.size] for row in room[:6])
     np.multiply(value, 3.0, out=y)
@@ -313,4 +313,4 @@ def _inverse_in_other_numbers(value: "Any") -> "Any":
         # the difference of two roots has no correct digits here; the slope has
         spread = slope * value.error * (1.0 + 2.0 * value.error / value.value)
     error = (spread + 3.0 * UNIT_ROUNDOFF * phi) * (1.0 + 1e-9)
-    return Tracked(phi, error, tuple(slope * own if own else 0.0 for own in value.slopes))
+    return Tracked(phi, error, tuple(slope * part if part else 0.0 for part in value.slopes))

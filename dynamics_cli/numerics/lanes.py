@@ -124,27 +124,27 @@ def parts(
     waiting = [rows]
     tries = 0
     while waiting:
-        here = waiting.pop()
-        if len(here) < FEWEST or tries > MOST_PARTS:
+        rows_now = waiting.pop()
+        if len(rows_now) < FEWEST or tries > MOST_PARTS:
             continue
         tries += 1
         Lanes.trail = []
-        given = arrays if len(here) == len(rows) else {name: array[here] for name, array in arrays.items()}
+        inputs = arrays if len(rows_now) == len(rows) else {name: array[rows_now] for name, array in arrays.items()}
         try:
-            outcome = call({name: array.view(kind) for name, array in given.items()})
+            outcome = call({name: array.view(kind) for name, array in inputs.items()})
         except Diverged as parting:
-            if parting.mask.shape != here.shape:
+            if parting.mask.shape != rows_now.shape:
                 raise TypeError("lanes met an array of another shape") from None
-            waiting += [here[~parting.mask], here[parting.mask]]
+            waiting += [rows_now[~parting.mask], rows_now[parting.mask]]
         except Exception as error:
             bad = refused(error)
             if bad is None:
-                middle = len(here) // 2
-                waiting += [here[middle:], here[:middle]]
-            elif bad is not True and np.shape(bad) == here.shape and not np.all(bad):
-                waiting.append(here[~np.asarray(bad)])
+                middle = len(rows_now) // 2
+                waiting += [rows_now[middle:], rows_now[:middle]]
+            elif bad is not True and np.shape(bad) == rows_now.shape and not np.all(bad):
+                waiting.append(rows_now[~np.asarray(bad)])
         else:
-            yield Part(here, outcome, tuple(Lanes.trail))
+            yield Part(rows_now, outcome, tuple(Lanes.trail))
 
 
 def bisected(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "Any":

@@ -43,20 +43,20 @@ def solve(
     before, f_before = a, true_a
     with np.errstate(invalid="ignore", divide="ignore"):
         for _ in range(STEPS):
-            share = low / (low - high)
-            middle = a + np.where((share > 0.0) & (share <= 1.0), share, 0.5) * (b - a)
+            fraction = low / (low - high)
+            middle = a + np.where((fraction > 0.0) & (fraction <= 1.0), fraction, 0.5) * (b - a)
             f = up(middle) - v
-            left = f < 0.0
+            below = f < 0.0
             # The secant through the last two points, or the chord to the retained end: near the root, the slope.
             secant = (f - f_before) / (middle - before)
-            chord = np.where(left, (true_b - f) / (b - middle), (f - true_a) / (middle - a))
+            chord = np.where(below, (true_b - f) / (b - middle), (f - true_a) / (middle - a))
             chord = np.where(np.isfinite(secant) & (secant > 0.0), secant, chord)
             before, f_before = middle, f
-            low = np.where(left, f, np.where(side > 0.0, 0.5 * low, low))
-            high = np.where(left, np.where(side < 0.0, 0.5 * high, high), f)
-            true_a, true_b = np.where(left, f, true_a), np.where(left, true_b, f)
-            a, b = np.where(left, middle, a), np.where(left, b, middle)
-            side = np.where(left, -1.0, 1.0)
+            low = np.where(below, f, np.where(side > 0.0, 0.5 * low, low))
+            high = np.where(below, np.where(side < 0.0, 0.5 * high, high), f)
+            true_a, true_b = np.where(below, f, true_a), np.where(below, true_b, f)
+            a, b = np.where(below, middle, a), np.where(below, b, middle)
+            side = np.where(below, -1.0, 1.0)
             good = inside & np.isfinite(chord) & (chord > 0.0) & np.isfinite(f)
             step = np.where(good, f, 0.0) / np.where(good, chord, 1.0)
             t = np.where(inside, np.clip(middle - step, a, b), t)

@@ -19,9 +19,9 @@ def value(coefficients: "Sequence[Any]", x: "Any") -> "Any":
 def product(first: "Sequence[Any]", second: "Sequence[Any]") -> "list[Any]":
     """The coefficients of a product of two polynomials."""
     total: list[Any] = [0.0] * (len(first) + len(second) - 1)
-    for i, one in enumerate(first):
+    for i, coefficient in enumerate(first):
         for j, other in enumerate(second):
-            total[i + j] = total[i + j] + one * other
+            total[i + j] = total[i + j] + coefficient * other
     return total
 
 
@@ -63,15 +63,15 @@ def roots_between(coefficients: "Sequence[float]", low: float, high: float) -> "
         return []
     places = [low, *roots_between(derivative(coefficients), low, high), high]
     roots: list[float] = []
-    for left, right in pairwise(places):
-        at_left, at_right = value(coefficients, left), value(coefficients, right)
+    for low_end, high_end in pairwise(places):
+        at_left, at_right = value(coefficients, low_end), value(coefficients, high_end)
         if at_left == 0.0:
-            if not roots or roots[-1] != left:
-                roots.append(left)
+            if not roots or roots[-1] != low_end:
+                roots.append(low_end)
         elif at_right == 0.0:
-            roots.append(right)
+            roots.append(high_end)
         elif (at_left < 0.0) != (at_right < 0.0):
-            roots.append(_halved(coefficients, left, right, rising=at_left < 0.0))
+            roots.append(_halved(coefficients, low_end, high_end, rising=at_left < 0.0))
     return roots
 
 

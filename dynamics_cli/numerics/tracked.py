@@ -60,7 +60,7 @@ class Tracked:
         return Tracked(other, 0.0, (0.0,) * len(self.slopes))
 
     def _chain(self, slope: float) -> "tuple[float, ...]":
-        return tuple([slope * own for own in self.slopes])
+        return tuple([slope * part for part in self.slopes])
 
     def __add__(self, other: "Tracked | float") -> "Tracked":
         if not isinstance(other, Tracked):
@@ -108,8 +108,8 @@ class Tracked:
     def __truediv__(self, other: "Tracked | float") -> "Tracked":
         b = self._of(other)
         value = self.value / b.value
-        room = abs(b.value) - b.error
-        spread = (self.error + abs(value) * b.error) / room if room > 0.0 else math.inf
+        least_divisor = abs(b.value) - b.error
+        spread = (self.error + abs(value) * b.error) / least_divisor if least_divisor > 0.0 else math.inf
         if spread < _UNDERFLOWS and (self.error or b.error):
             spread += 4.0 * TINY if self.value or self.error else 0.0
         slopes = tuple([(i - value * j) / b.value for i, j in zip(self.slopes, b.slopes, strict=True)])
@@ -206,9 +206,9 @@ def _monotone(
     def rule(x: Tracked) -> "tuple[float, float, tuple[float, ...], float]":
         steepest = 0.0
         if x.error:
-            left, right = x.value - x.error, x.value + x.error
-            inside = low < left and right < high and not (function is math.tan and _pole_between(left, right))
-            steepest = max(abs(slope(left)), abs(slope(right))) if inside else math.inf
+            a, b = x.value - x.error, x.value + x.error
+            inside = low < a and b < high and not (function is math.tan and _pole_between(a, b))
+            steepest = max(abs(slope(a)), abs(slope(b))) if inside else math.inf
         return function(x.value), steepest * x.error if x.error else 0.0, (slope(x.value),), 2.0
 
     return rule

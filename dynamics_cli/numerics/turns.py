@@ -112,5 +112,5 @@ def _of_array(angle: "Any") -> "tuple[Any, Any]":
         count = np.where(np.abs(angle) <= MOST * SIXTH, np.round(angle / SIXTH), 0.0)
         same = _nearest(count) == angle
     table = np.array([_size(multiple) for multiple in range(12)])
-    whole = count.astype(int)
-    return np.where(same, table[(whole + 3) % 12], cosine), np.where(same, table[whole % 12], sine)
+    twelfths = count.astype(int)
+    return np.where(same, table[(twelfths + 3) % 12], cosine), np.where(same, table[twelfths % 12], sine)

@@ -102,7 +102,7 @@ def moved(tensor: Tensor, mass: float, way: Vector) -> Tensor:
     return rows[0], rows[1], rows[2]
 
 
-def solve(tensor: Tensor, right: Vector, what: str) -> Vector:
+def solve(tensor: Tensor, right: Vector, message: str) -> Vector:
     """Solve a symmetric positive definite system by LDLᵀ; refuse one without inertia about some direction.
 
     References
@@ -113,14 +113,14 @@ def solve(tensor: Tensor, right: Vector, what: str) -> Vector:
     d, e = tensor[1][1], tensor[1][2]
     trace = a + d + tensor[2][2]
     first = a
-    require(first > 1e-14 * trace, what, code="no-inertia")
+    require(first > 1e-14 * trace, message, code="no-inertia")
     l1, l2 = b / first, c / first
     second = d - l1 * b
-    require(second > 1e-14 * trace, what, code="no-inertia")
+    require(second > 1e-14 * trace, message, code="no-inertia")
     middle = e - l1 * c
     l3 = middle / second
     third = tensor[2][2] - l2 * c - l3 * middle
-    require(third > 1e-14 * trace, what, code="no-inertia")
+    require(third > 1e-14 * trace, message, code="no-inertia")
     y1 = right[1] - l1 * right[0]
     y2 = right[2] - l2 * right[0] - l3 * y1
     z = y2 / third

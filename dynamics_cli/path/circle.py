@@ -103,21 +103,21 @@ def circle(
     18.0
     """
     require(plain(radius) > 0.0, "the radius of {radius} is not above zero", code="radius", radius=(radius, Length))
-    given = [name for name, value in (("time", time), ("angle", angle), ("arc", arc)) if value is not None]
-    require(len(given) <= 1, "{names} are given: give only one of them", code="exclusive", names=" and ".join(given))
+    ends = [name for name, value in (("time", time), ("angle", angle), ("arc", arc)) if value is not None]
+    require(len(ends) <= 1, "{names} are given: give only one of them", code="exclusive", names=" and ".join(ends))
     if isinstance(state, Running):
         omega, alpha = state.speed / radius, state.speed_rate / radius
     else:
         omega, alpha = state.angular_velocity, state.angular_acceleration
     start = _place(radius, omega, alpha)
-    last, swept, taken = omega, None, None
+    last, swept, elapsed = omega, None, None
     if time is not None:
         last = multiply_add(alpha, time, omega)
-        swept, taken = time * (0.5 * (omega + last)), time
-    elif given:
+        swept, elapsed = time * (0.5 * (omega + last)), time
+    elif ends:
         swept = angle if angle is not None else arc / radius  # type: ignore[operator]
         last = _speed_after(omega, alpha, swept)
-        taken = 2.0 * swept / (omega + last) if plain(swept) else 0.0 * omega
+        elapsed = 2.0 * swept / (omega + last) if plain(swept) else 0.0 * omega
     end = _place(radius, last, alpha)
     apart = plain(abs(end.acceleration - hypot(end.tangential, end.normal)))
     size = 1e-12 * plain(end.acceleration)
@@ -129,7 +129,7 @@ def circle(
         normal=end.normal,
         acceleration=end.acceleration,
         inclination=end.inclination,
-        time=taken,
+        time=elapsed,
         angle=swept,
         turns=None if swept is None else swept / (2.0 * pi_beside(radius, swept)),
         arc=None if swept is None else radius * swept,

@@ -91,24 +91,24 @@ def components(
     4.0
     """
     frames = {} if position is None else _frames(position)
-    given = frames.get(axes)
+    frame_axes = frames.get(axes)
     require(
-        axes == "cartesian" or given is not None,
+        axes == "cartesian" or frame_axes is not None,
         "without a position off the Z-axis the directions of {axes} coordinates are not determined",
         code="on-axis",
         hint="--position '3, 4, 1 m'",
         axes=str(axes),
     )
-    if given is not None:
-        velocity, acceleration = combined(given, velocity), combined(given, acceleration)
-        jerk = None if jerk is None else combined(given, jerk)
+    if frame_axes is not None:
+        velocity, acceleration = combined(frame_axes, velocity), combined(frame_axes, acceleration)
+        jerk = None if jerk is None else combined(frame_axes, jerk)
     motion = bend(velocity, acceleration, jerk)
     round_axis, round_pole = frames.get("cylindrical"), frames.get("spherical")
     advice = list(advice_of(motion, *_absent(motion.reason, jerk is not None, position is not None)))
     if round_axis is None and position is not None:
         names = [f"{system}_{what}" for system in ("cylindrical", "spherical") for what in ("velocity", "acceleration")]
-        said = "on the Z-axis the directions of cylindrical and spherical coordinates are not determined"
-        advice += [Advice("on-axis", said, "note", "give a position off the Z-axis", result=name) for name in names]
+        words = "on the Z-axis the directions of cylindrical and spherical coordinates are not determined"
+        advice += [Advice("on-axis", words, "note", "give a position off the Z-axis", result=name) for name in names]
     return Components(
         speed=motion.speed,
         acceleration_size=motion.magnitude,
@@ -145,10 +145,10 @@ def _frames(position: Vector) -> dict[str, tuple[Vector, Vector, Vector]]:
     if plain(radius) == 0.0:
         return {}
     cosine, sine = x / radius, y / radius
-    zero, one = 0.0 * cosine, 0.0 * cosine + 1.0
+    zero, unity = 0.0 * cosine, 0.0 * cosine + 1.0
     distance = length(position)
     return {
-        "cylindrical": ((cosine, sine, zero), (-sine, cosine, zero), (zero, zero, one)),
+        "cylindrical": ((cosine, sine, zero), (-sine, cosine, zero), (zero, zero, unity)),
         "spherical": local_axes(z / distance, radius / distance, cosine, sine),
     }
 

@@ -282,8 +282,8 @@ def combined(axes: tuple[Vector, Vector, Vector], parts: Vector) -> Vector:
 
 def parts_check(motion: Bend) -> tuple[Check, ...]:
     """That a_t and a_n make up the acceleration."""
-    both = balanced(motion)
-    return () if both is None else (Check("a_t and a_n make up a", both[0] <= both[1], both[0], both[1]),)
+    ends = balanced(motion)
+    return () if ends is None else (Check("a_t and a_n make up a", ends[0] <= ends[1], ends[0], ends[1]),)
 
 
 def missing(motion: Bend) -> tuple[Advice, ...]:

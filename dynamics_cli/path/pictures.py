@@ -39,12 +39,12 @@ def rectilinear(result: "Any", **_: "Any") -> Picture:
 def _smooth(rows: "Sequence[Any]") -> "tuple[list[float], ...]":
     """Cubics through displacements and velocities of the table, from row to row, and the slope of the latter."""
     track: tuple[list[float], ...] = ([], [], [], [])
-    for one, other in pairwise(rows):
-        span = other.time - one.time
+    for row, following in pairwise(rows):
+        span = following.time - row.time
         for u in (i / 12 for i in range(13)) if span > 0.0 else ():
-            place = _cubic(u, one.distance, other.distance, span * one.speed, span * other.speed)
-            speed = _cubic(u, one.speed, other.speed, span * one.acceleration, span * other.acceleration)
-            now = one.time + u * span, place[0], speed[0], speed[1] / span
+            place = _cubic(u, row.distance, following.distance, span * row.speed, span * following.speed)
+            speed = _cubic(u, row.speed, following.speed, span * row.acceleration, span * following.acceleration)
+            now = row.time + u * span, place[0], speed[0], speed[1] / span
             for column, value in zip(track, now, strict=True):
                 column.append(value)
     return track
@@ -57,11 +57,11 @@ def _cubic(u: float, first: float, last: float, slope: float, end: float) -> "tu
     return value, 6.0 * u * w * rise + w * (1 - 3 * u) * slope + u * (1 - 3 * w) * end
 
 
-def _marked(result: "Any", what: str) -> "list[Mark]":
+def _marked(result: "Any", quantity: str) -> "list[Mark]":
     last = result.motion[-1]
-    marks = [Mark(last.time, getattr(last, what), "end", (6.0, 6.0))]
+    marks = [Mark(last.time, getattr(last, quantity), "end", (6.0, 6.0))]
     if result.stop_time is not None and 0.0 < result.stop_time < last.time:
-        marks.append(Mark(result.stop_time, result.stop_distance if what == "distance" else 0.0, "at rest"))
+        marks.append(Mark(result.stop_time, result.stop_distance if quantity == "distance" else 0.0, "at rest"))
     return marks
 
 
@@ -83,7 +83,7 @@ def circle(result: "Any", *, radius: float, **_: "Any") -> Picture:
 
 
 def _sum(*parts: "tuple[float, Plane]") -> "Plane":
-    return sum(size * way[0] for size, way in parts), sum(size * way[1] for size, way in parts)
+    return sum(size * direction[0] for size, direction in parts), sum(size * direction[1] for size, direction in parts)
 
 
 def _ring(centre: "Plane", radius: float, style: "Any", label: str = "") -> Curve:
@@ -198,8 +198,8 @@ def _path_panel(result: "Any", states: "Sequence[Any]") -> Panel:
         side = math.copysign(radius / result.speed, turn)
         centre = place[0] - side * v[1], place[1] + side * v[0]
         # as much of a large circle as the path is long: the path fills the picture
-        half, at = min(math.pi, size / radius), math.atan2(place[1] - centre[1], place[0] - centre[0])
-        around = [at + half * (2.0 * i / (ROUND - 1) - 1.0) for i in range(ROUND)]
+        half, heading = min(math.pi, size / radius), math.atan2(place[1] - centre[1], place[0] - centre[0])
+        around = [heading + half * (2.0 * i / (ROUND - 1) - 1.0) for i in range(ROUND)]
         xs, ys = ([c + radius * wave(t) for t in around] for c, wave in zip(centre, (math.cos, math.sin), strict=True))
         items.append(Curve(xs, ys, "circle of curvature", "dotted", role=6))
     velocity, rate = (result.velocity[0], result.velocity[1]), (result.acceleration[0], result.acceleration[1])
@@ -246,10 +246,10 @@ def relative(result: "Any", *, first: "Any", second: "Any", end: "Any" = None, l
     for motion, name, place, role in zip(
         pair.motions, ("first", "second"), (result.first_position, result.second_position), (0, 1), strict=True
     ):
-        at = [motion.at(pair.start + span * i / DRAWN)[0] for i in range(DRAWN + 1)]
+        states = [motion.at(pair.start + span * i / DRAWN)[0] for i in range(DRAWN + 1)]
         items += [
-            Curve([r[0] for r in at], [r[1] for r in at], name, role=role),
-            Mark(at[0][0], at[0][1], "", role=role),
+            Curve([r[0] for r in states], [r[1] for r in states], name, role=role),
+            Mark(states[0][0], states[0][1], "", role=role),
             Mark(place[0], place[1], "", role=role),
         ]
     ends = result.first_position, result.second_position
@@ -272,15 +272,15 @@ def relative(result: "Any", *, first: "Any", second: "Any", end: "Any" = None, l
 
 def moving_frame(result: "Any", **_: "Any") -> Picture:
     """The five terms of the acceleration head to tail, seen along z of the frame, and their sum."""
-    at = (0.0, 0.0)
+    tip = (0.0, 0.0)
     items: list[Any] = []
     names = (("a of O", "origin_part"), ("α×r", "angular_part"), ("ω×(ω×r)", "centripetal"), ("2ω×v", "coriolis"),
              ("a in frame", "relative_part"))  # fmt: skip
     for role, (label, name) in enumerate(names, 1):
         x, y, _z = getattr(result, name)
         if math.hypot(x, y):
-            items.append(Arrow(*at, x, y, label, role=role))
-            at = (at[0] + x, at[1] + y)
+            items.append(Arrow(*tip, x, y, label, role=role))
+            tip = (tip[0] + x, tip[1] + y)
     items.append(Arrow(0.0, 0.0, result.acceleration[0], result.acceleration[1], "a", role=0, dashed=True))
     panel = Panel(Axis("acceleration along x", Acceleration), Axis("along y", Acceleration), tuple(items), equal=True)
     return Picture((panel,), "the terms of the acceleration, head to tail")

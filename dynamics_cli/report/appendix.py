@@ -39,27 +39,27 @@ def appendices(calculations: "Sequence[Calculation]") -> "list[Block]":
 
 def _numbers(calculations: "Sequence[Calculation]") -> "list[Block]":
     blocks: list[Block] = [Heading(2, "Appendix A: Complete numbers and error bounds")]
-    for one in calculations:
-        if one.document is None:
+    for case in calculations:
+        if case.document is None:
             continue
-        blocks += _complete(one)
-        for name, node in one.results.items():
+        blocks += _complete(case)
+        for name, node in case.results.items():
             if is_table(node):
-                blocks.append(table(node, f"Section {one.section}, {name.replace('_', ' ')}", 12))
-        lines = [check_line(check) for check in one.document["checks"]]
-        lines += _propagation(one.document["numerics"].get("uncertainty", {}))
-        method = one.document["numerics"].get("method", "")
-        blocks.append(Paragraph(f"Section {one.section}: method {method}. {'; '.join(lines)}", small=True))
+                blocks.append(table(node, f"Section {case.section}, {name.replace('_', ' ')}", 12))
+        lines = [check_line(check) for check in case.document["checks"]]
+        lines += _propagation(case.document["numerics"].get("uncertainty", {}))
+        method = case.document["numerics"].get("method", "")
+        blocks.append(Paragraph(f"Section {case.section}: method {method}. {'; '.join(lines)}", small=True))
     return blocks
 
 
-def _complete(one: Calculation) -> "list[Block]":
+def _complete(case: Calculation) -> "list[Block]":
     """Every result with all digits, its interval and deviation, the worst case, and its error bound."""
-    document = one.document
+    document = case.document
     assert document is not None
     bounds = document["numerics"].get("error_bound", {})
-    spread = dict(spreads(one.results))
-    shares = document.get("sensitivity", {})
+    spread = dict(spreads(case.results))
+    sensitivities = document.get("sensitivity", {})
     head = [
         "result",
         "value",
@@ -67,19 +67,19 @@ def _complete(one: Calculation) -> "list[Block]":
         *(["interval", "std. deviation", "all inputs at their limits"] if spread else []),
     ]
     rows = []
-    said = []
-    for name, value, unit in flatten(one.results):
+    notes = []
+    for name, value, unit in flatten(case.results):
         if isinstance(value, str) or value is None:
-            said.append(f"{name}: {value if value is not None else 'none'}")
+            notes.append(f"{name}: {value if value is not None else 'none'}")
             continue
         row = [name, number(value, ALL_DIGITS), unit]
         if spread:
-            row += _spread(spread.get(name), shares.get(name, {}))
+            row += _spread(spread.get(name), sensitivities.get(name, {}))
         rows.append([*row, bound_text(bounds[name]) if name in bounds else ""])
-    caption = f"Section {one.section}, {one.name}: dynamics {document['command']}, complete"
+    caption = f"Section {case.section}, {case.name}: dynamics {document['command']}, complete"
     head = [*head, "rounding error at most"]
     blocks: list[Block] = [Table(head, rows, caption, small=True)] if rows else []
-    return [*blocks, *([Paragraph(f"Section {one.section}: {'; '.join(said)}.", small=True)] if said else [])]
+    return [*blocks, *([Paragraph(f"Section {case.section}: {'; '.join(notes)}.", small=True)] if notes else [])]
 
 
 def _spread(node: "Document | None", shares: "Document") -> "list[str]":
@@ -94,18 +94,18 @@ def _spread(node: "Document | None", shares: "Document") -> "list[str]":
     return [f"{low} to {high}", number(node["std"], 3), worst]
 
 
-def _propagation(told: "Document") -> "list[str]":
+def _propagation(uncertainty: "Document") -> "list[str]":
     """By which methods the uncertainty went through, and how far they trust themselves."""
     methods: dict[str, float] = {}
-    for entry in told.get("results", {}).values():
+    for entry in uncertainty.get("results", {}).values():
         method = entry["method"].partition(",")[0]
         methods[method] = max(methods.get(method, 0.0), entry.get("estimate") or 0.0)
     lines = [
         f"uncertainty: {method}, its error estimated at {number(error, 2)} standard deviations or less"
         for method, error in methods.items()
     ]
-    if "evaluations" in told:
-        lines.append(f"{told['evaluations']} evaluations of the formulas, seed {told.get('seed', 1)}")
+    if "evaluations" in uncertainty:
+        lines.append(f"{uncertainty['evaluations']} evaluations of the formulas, seed {uncertainty.get('seed', 1)}")
     return lines
 
 
@@ -116,11 +116,11 @@ def _reproduction(calculations: "Sequence[Calculation]") -> "list[Block]":
         "again (the ranges of a sweep are given with --sweep instead). dynamics report also repeats every calculation."
     )
     blocks: list[Block] = [Heading(2, "Appendix B: How to reproduce"), Paragraph(text)]
-    for one in calculations:
-        document = one.source.document
+    for case in calculations:
+        document = case.source.document
         version = document.get("version")
-        command = f"dynamics {document['command']} --input FILE{_options(one.document or {})}"
-        blocks.append(Paragraph(f"Section {one.section}, version {version}: {command}"))
+        command = f"dynamics {document['command']} --input FILE{_options(case.document or {})}"
+        blocks.append(Paragraph(f"Section {case.section}, version {version}: {command}"))
         blocks.append(Code(to_pretty_json(document["inputs"]).rstrip()))
     return [*blocks, Heading(2, "Appendix C: How to read this report"), Items(READING)]
 
@@ -133,28 +133,28 @@ def _options(document: "Document") -> str:
         + '"'
         for entry in document.get("limits", ())
     ]
-    asked = f' --model "{model["name"]}"' if model.get("why") == "asked for" else ""
+    model_option = f' --model "{model["name"]}"' if model.get("why") == "asked for" else ""
     seed = document.get("numerics", {}).get("uncertainty", {}).get("seed", 1)
-    return asked + "".join(limits) + (f" --seed {seed}" if seed != 1 else "")
+    return model_option + "".join(limits) + (f" --seed {seed}" if seed != 1 else "")
 
 
 def _files(calculations: "Sequence[Calculation]") -> "list[Block]":
     """Every file that the report rests on with its SHA-256, and which section read it."""
-    digests = {one.source.digest: one.section for one in calculations}
+    digests = {case.source.digest: case.section for case in calculations}
     rows: dict[tuple[str, str], list[str]] = {}
-    for one in calculations:
-        name = "standard input" if one.source.file == "-" else os.path.basename(one.source.file)
-        rows.setdefault((name, one.source.digest), []).append(f"document of section {one.section}")
-    for one in calculations:
-        here = read_files(one.document or {})
-        listed = read_files(one.source.document)
-        for name, digest in [*here, *(file for file in listed if file[0] not in dict(here))]:
+    for case in calculations:
+        name = "standard input" if case.source.file == "-" else os.path.basename(case.source.file)
+        rows.setdefault((name, case.source.digest), []).append(f"document of section {case.section}")
+    for case in calculations:
+        read = read_files(case.document or {})
+        listed = read_files(case.source.document)
+        for name, digest in [*read, *(file for file in listed if file[0] not in dict(read))]:
             origin = digests.get(digest)
-            said = "" if origin or (name, digest) in here else ", as its document says"
-            rows.setdefault((os.path.basename(name), digest), []).append(f"read by section {one.section}{said}")
-        for name, digest in read_files(one.source.document, written=True):
-            use = f"written by section {one.section}, as its document says"
+            source = "" if origin or (name, digest) in read else ", as its document says"
+            rows.setdefault((os.path.basename(name), digest), []).append(f"read by section {case.section}{source}")
+        for name, digest in read_files(case.source.document, written=True):
+            use = f"written by section {case.section}, as its document says"
             rows.setdefault((os.path.basename(name), digest), []).append(use)
-    shown = [[name, "; ".join(dict.fromkeys(uses)), digest] for (name, digest), uses in rows.items()]
+    rows_written = [[name, "; ".join(dict.fromkeys(uses)), digest] for (name, digest), uses in rows.items()]
     caption = "Files this report rests on"
-    return [Heading(2, "Appendix D: Files"), Table(["file", "use", "SHA-256"], shown, caption, small=True)]
+    return [Heading(2, "Appendix D: Files"), Table(["file", "use", "SHA-256"], rows_written, caption, small=True)]

@@ -108,9 +108,9 @@ class Calculation:
     def value(self, address: str) -> Value:
         """A result as the report shows it; what repeats an input is shown like the input."""
         node = node_at(self.results, address)
-        for _, given in leaves(self.document["inputs"]) if self.document and is_quantity(node) else ():
-            if _repeats(node, given):
-                origin = self.origin(given)
+        for _, input_node in leaves(self.document["inputs"]) if self.document and is_quantity(node) else ():
+            if _repeats(node, input_node):
+                origin = self.origin(input_node)
                 if origin is not None:
                     return origin[0].value(origin[1])
         return shown(node_at(self.results, address), self.digits)
@@ -127,8 +127,8 @@ class Calculation:
         counted = [(row["input"], row.get("total", row["share"])) for row in entry["inputs"]]
         if counted[0][1] > 1.0 - LEAST_SHARE:
             return self.named(words(counted[0][0]))
-        kept = [item for item in counted if item[1] >= LEAST_SHARE][:MOST_DRIVERS]
-        return ", ".join(f"{self.named(words(name))} {percent(share)}" for name, share in kept)
+        main = [item for item in counted if item[1] >= LEAST_SHARE][:MOST_DRIVERS]
+        return ", ".join(f"{self.named(words(name))} {percent(share)}" for name, share in main)
 
     def given(self) -> "list[tuple[str, str]]":
         """Every input that is not in a table: what it is called and its value, as found by an earlier section."""
@@ -160,8 +160,8 @@ class Calculation:
         for other in self.before:
             if other.source.digest not in read or other.document is None:
                 continue
-            for address, found in spreads(other.results):
-                if found["interval"] == [node["low"], node["high"]] and found.get("unit") == node.get("unit"):
+            for address, spread in spreads(other.results):
+                if spread["interval"] == [node["low"], node["high"]] and spread.get("unit") == node.get("unit"):
                     return other, address
         return None
 
@@ -225,23 +225,23 @@ def _lowered(summary: str) -> str:
     return text[:1].lower() + text[1:] if text[1:2].islower() else text
 
 
-def _repeats(result: "Document", given: "Any") -> bool:
+def _repeats(result: "Document", entered: "Any") -> bool:
     """Whether a result is an input that was taken from an earlier section."""
     return (
-        isinstance(given, dict)
-        and given.get("distribution") == "result"
+        isinstance(entered, dict)
+        and entered.get("distribution") == "result"
         and "interval" in result
-        and all(given.get(key) == result.get(key) for key in ("value", "unit"))
+        and all(entered.get(key) == result.get(key) for key in ("value", "unit"))
     )
 
 
 def _outside(value: float, interval: "Sequence[float]", mean: str, unit: str) -> str:
     if interval[0] <= value <= interval[1]:
         return ""
-    way, change = ("below", "increases") if value < interval[0] else ("above", "decreases")
+    side, change = ("below", "increases") if value < interval[0] else ("above", "decreases")
     return (
-        f"the value is the one at the nominal inputs and lies {way} the interval: almost every deviation of the inputs "
-        f"{change} it (mean {mean} {unit}".rstrip()
+        f"the value is the one at the nominal inputs and lies {side} the interval: almost every deviation of the "
+        f"inputs {change} it (mean {mean} {unit}".rstrip()
         + ")"
     )
 
@@ -268,7 +268,7 @@ def limit_words(entry: "Document") -> str:
 
 def words(address: str) -> str:
     """An address as words: `segments[0].distance` as "segment 1 distance"."""
-    address = re.sub(r"(\w+?)s?\[(\d+)\]", lambda found: f"{found[1]} {int(found[2]) + 1}", address)
+    address = re.sub(r"(\w+?)s?\[(\d+)\]", lambda match: f"{match[1]} {int(match[2]) + 1}", address)
     return address.replace("_", " ").replace(".", " ")
 
 

@@ -64,13 +64,13 @@ def carry_out(
         if not output:
             raise UsageError("a PDF is written to a file", parameter="output", hint="for example: --output report.pdf")
     digits = _digits(options.get("digits", ""))
-    made: list[Calculation] = []
-    for source in _named([one for name in words for one in _read(name, terminal)]):
+    cases: list[Calculation] = []
+    for source in _named([item for name in words for item in _read(name, terminal)]):
         task = _task(source.document, families, find)
-        again = _again(source, task, terminal)
-        made.append(Calculation(len(made) + 1, source, again, task, tuple(made)))
-        made[-1].digits = digits
-    blocks, title = _blocks(made, options, terminal)
+        recalculated = _again(source, task, terminal)
+        cases.append(Calculation(len(cases) + 1, source, recalculated, task, tuple(cases)))
+        cases[-1].digits = digits
+    blocks, title = _blocks(cases, options, terminal)
     if form == "pdf":
         from dynamics_cli.report.typst import pdf
 
@@ -79,25 +79,27 @@ def carry_out(
         _put(html(blocks, title), output, [], terminal)
     else:
         stem = os.path.splitext(output)[0]
-        beside = [(f"{stem}-{nth}.svg", one.svg) for nth, one in enumerate(images(blocks), 1)] if output else []
+        beside = [(f"{stem}-{nth}.svg", item.svg) for nth, item in enumerate(images(blocks), 1)] if output else []
         _put(markdown(blocks, [os.path.basename(name) for name, _ in beside]), output, beside, terminal)
 
 
-def _blocks(made: "list[Calculation]", options: "Mapping[str, str]", terminal: "Terminal") -> "tuple[list[Block], str]":
+def _blocks(
+    cases: "list[Calculation]", options: "Mapping[str, str]", terminal: "Terminal"
+) -> "tuple[list[Block], str]":
     """The report and its title: data sheets where every result has one, else sections and appendices."""
-    asked = options.get("title", "")
-    if "full" not in options and all(one.again.sheet is not None for one in made):
+    given_title = options.get("title", "")
+    if "full" not in options and all(case.again.sheet is not None for case in cases):
         try:
-            return sheets(made, asked, _facts(options)), asked or file_title(made)
+            return sheets(cases, given_title, _facts(options)), given_title or file_title(cases)
         except UsageError as error:
             if error.code != "not-installed":
                 raise
-    title = asked or "Calculations"
-    pictures = _drawn(made, terminal)
-    blocks = front(title, _facts(options), made, pictures.pop(0, []), pictures.pop(ACROSS, []))
-    for one in made:
-        blocks += section(one, pictures.get(one.section, ()))
-    return [*blocks, *appendices(made)], title
+    title = given_title or "Calculations"
+    pictures = _drawn(cases, terminal)
+    blocks = front(title, _facts(options), cases, pictures.pop(0, []), pictures.pop(ACROSS, []))
+    for case in cases:
+        blocks += section(case, pictures.get(case.section, ()))
+    return [*blocks, *appendices(cases)], title
 
 
 def _facts(options: "Mapping[str, str]") -> "list[str]":
@@ -138,44 +140,44 @@ def _again(source: Source, task: "Task | None", terminal: "Terminal") -> Again:
     return calculate(task, source.document, folder, terminal)
 
 
-def _drawn(made: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, list[Image]]":
+def _drawn(cases: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, list[Image]]":
     """The pictures of each section, and of the first page (0) one of them and the intervals of the findings.
 
     There are none where they cannot be drawn.
     """
-    pictured = [(one, picture) for one in made if (picture := own_picture(one)) is not None]
+    pictured = [(case, picture) for case in cases if (picture := own_picture(case)) is not None]
     chosen = next((pair for pair in pictured if pair[1].scene), pictured[-1] if pictured else None)
-    drawn: dict[int, list[Image]] = {}
+    images: dict[int, list[Image]] = {}
     try:
-        for one, picture in pictured:
+        for case, picture in pictured:
             # columns side by side need the whole width of their section
             narrow = picture.scene or min(picture.columns, len(picture.panels)) == 1
-            front = narrow and chosen is not None and one is chosen[0]
+            front = narrow and chosen is not None and case is chosen[0]
             first, rest = picture.panels, picture.panels
             if front:
                 first, rest = (first[:1], rest[1:]) if picture.scene else (first, ())
                 # a wide scene, small beside the findings, would have words over words
                 wide = picture.scene and first[0].wide
-                whole = Picture(first, "", picture.columns, width=picture.width if wide else FRONT)
-                drawn[ACROSS if wide else 0] = [_image(one, picture, whole, 1.0)]
+                front_picture = Picture(first, "", picture.columns, width=picture.width if wide else FRONT)
+                images[ACROSS if wide else 0] = [_image(case, picture, front_picture, 1.0)]
             if rest:
                 columns = min(picture.columns, len(rest))
                 width = SMALL if columns == 1 else 0.0
                 part = Picture(rest, "", columns, width=width)
-                drawn[one.section] = [_image(one, picture, part, 0.36 if width else 0.85)]
-        spread = intervals(made, FRONT)
+                images[case.section] = [_image(case, picture, part, 0.36 if width else 0.85)]
+        spread = intervals(cases, FRONT)
         if spread is not None:
             image = Image(draw(spread, "svg", "si"), "What was found, with intervals and limits", description(spread))
-            drawn.setdefault(0, []).append(image)
+            images.setdefault(0, []).append(image)
     except UsageError as error:
         terminal.tell(f"dynamics: the report has no pictures: {error.message}\n  {error.hint}\n")
         return {}
-    return drawn
+    return images
 
 
-def _image(one: Calculation, picture: Picture, part: Picture, width: float) -> Image:
-    text = f"Section {one.section}, {one.name}: {picture.title or one.source.document['command']}"
-    return Image(draw(part, "svg", system_of(one.source.document)), text, description(part), width)
+def _image(case: Calculation, picture: Picture, part: Picture, width: float) -> Image:
+    text = f"Section {case.section}, {case.name}: {picture.title or case.source.document['command']}"
+    return Image(draw(part, "svg", system_of(case.source.document)), text, description(part), width)
 
 
 def _form(options: "Mapping[str, str]") -> str:
@@ -197,22 +199,22 @@ def _read(name: str, terminal: "Terminal") -> "list[tuple[str, Document, str]]":
     text = decode(data, name)
     digest = entry_of(name, data)["sha256"]
     try:
-        found = [_parsed(text)]
+        documents = [_parsed(text)]
     except ValueError:
         try:
-            found = [_parsed(line) for line in text.split("\n") if line.strip()]
+            documents = [_parsed(line) for line in text.split("\n") if line.strip()]
         except ValueError as error:
             raise UsageError(f"{name!r} is not JSON: {error}", code="json") from None
-    for document in found:
+    for document in documents:
         if not _is_document(document):
             raise UsageError(
                 f"{name!r} holds no result document",
                 code="schema",
                 hint="write one with --json --output FILE",
             )
-    if not found:
+    if not documents:
         raise UsageError(f"{name!r} is empty", code="json")
-    return [(name, document, digest) for document in found]
+    return [(name, document, digest) for document in documents]
 
 
 def _parsed(text: str) -> "Any":

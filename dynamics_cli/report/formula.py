@@ -57,7 +57,7 @@ def plain(formula: str) -> str:
     """The formula as text."""
     return re.sub(
         f"{_OPEN}([^{_CLOSE}]*){_CLOSE}([{''.join(_RAISED)}]?)",
-        lambda found: f"({found[1]}){found[2]}" if found[2] and "\u00a0" in found[1] else found[1] + found[2],
+        lambda match: f"({match[1]}){match[2]}" if match[2] and "\u00a0" in match[1] else match[1] + match[2],
         formula,
     ).replace("\u00a0", " ")
 
@@ -182,33 +182,33 @@ class _Language:
 
     def node(self, node: "Node") -> str:
         """One node with all that is in it."""
-        what, held = node
-        if what == "space":
+        kind, content = node
+        if kind == "space":
             return ""
-        if what == "operator":
-            return self._filled(what, self.sign(held))
-        if what == "quantity":
-            number, _, unit = held.partition("\u00a0")
+        if kind == "operator":
+            return self._filled(kind, self.sign(content))
+        if kind == "quantity":
+            number, _, unit = content.partition("\u00a0")
             return self._filled("measured" if unit else "number", self.text(number), self.text(unit))
-        if what in ("row", "root"):
-            return self._filled(what, self.row(held))
-        if what == "brackets":
-            return self._filled(what, self.sign(held[0]), self.row(held[1]), self.sign(held[2]))
-        if what == "fraction":
-            return self._filled(what, self.row(held[0]), self.row(held[1]))
-        if what == "low":
-            return self._filled(what, self.node(held[0]), self.text(held[1]))
-        if what == "high" and held[0][0] == "low":
-            base, low = held[0][1]
-            return self._filled("both", self.node(base), self.text(low), self.row(held[1]))
-        if what == "high":
-            return self._filled(what, self.node(held[0]), self.row(held[1]))
-        if what == "name" and len(held) == 1:
-            return self._filled("letter", held)
-        return self._filled(what, self.text(held))
+        if kind in ("row", "root"):
+            return self._filled(kind, self.row(content))
+        if kind == "brackets":
+            return self._filled(kind, self.sign(content[0]), self.row(content[1]), self.sign(content[2]))
+        if kind == "fraction":
+            return self._filled(kind, self.row(content[0]), self.row(content[1]))
+        if kind == "low":
+            return self._filled(kind, self.node(content[0]), self.text(content[1]))
+        if kind == "high" and content[0][0] == "low":
+            base, low = content[0][1]
+            return self._filled("both", self.node(base), self.text(low), self.row(content[1]))
+        if kind == "high":
+            return self._filled(kind, self.node(content[0]), self.row(content[1]))
+        if kind == "name" and len(content) == 1:
+            return self._filled("letter", content)
+        return self._filled(kind, self.text(content))
 
-    def _filled(self, what: str, *parts: str) -> str:
-        return self.templates[what].format(*parts)
+    def _filled(self, kind: str, *parts: str) -> str:
+        return self.templates[kind].format(*parts)
 
 
 def _quoted(text: str) -> str:

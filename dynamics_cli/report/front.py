@@ -19,35 +19,35 @@ def front(
     title: str,
     facts: "Sequence[str]",
     calculations: "Sequence[Calculation]",
-    drawn: "Sequence[Image]",
+    images: "Sequence[Image]",
     across: "Sequence[Image]" = (),
 ) -> "list[Block]":
     """Title block, a wide picture, the others beside findings, and whether everything came out the same."""
     findings: list[Block] = [Heading(2, "Findings")]
-    findings.append(Items([finding(one) for one in calculations], ordered=True))
+    findings.append(Items([finding(case) for case in calculations], ordered=True))
     findings += [Paragraph(text, small=True) for text in _decided(calculations)]
     findings.append(Paragraph(verdict(calculations), small=True))
     cautions = _cautions(calculations)
     if cautions:
         findings.append(Paragraph(cautions))
-    return [Title(title, facts), *across, *([Beside(drawn, findings)] if drawn else findings)]
+    return [Title(title, facts), *across, *([Beside(images, findings)] if images else findings)]
 
 
-def finding(one: Calculation) -> "Text":
+def finding(case: Calculation) -> "Text":
     """What a calculation found, as sentences; numbers are bold."""
-    if one.document is None:
-        return f"{one.name}: {one.again.words}."
-    verb = "was" if one.past else "is"
+    if case.document is None:
+        return f"{case.name}: {case.again.words}."
+    verb = "was" if case.past else "is"
     pieces: list[str] = []
-    start = f"{one.name}: the "
-    for address, label in _found(one):
-        value = one.value(address)
+    start = f"{case.name}: the "
+    for address, label in _found(case):
+        value = case.value(address)
         pieces += [f"{start}{_owned(address, label)} {verb} ", value.whole]
         end = f" ({value.coverage}: {value.interval})" if value.interval else ""
-        pieces.append(end + "".join(f", {limit_words(entry)}" for entry in one.limits(address)))
+        pieces.append(end + "".join(f", {limit_words(entry)}" for entry in case.limits(address)))
         start = ", the "
     if not pieces:
-        return f"{one.name}: see section {one.section}."
+        return f"{case.name}: see section {case.section}."
     # Text and numbers alternate: what ends one number begins the next.
     merged = [pieces[0]]
     for nth, piece in enumerate(pieces[1:], 1):
@@ -59,18 +59,18 @@ def finding(one: Calculation) -> "Text":
     return tuple(merged)
 
 
-def _found(one: Calculation) -> "list[tuple[str, str]]":
+def _found(case: Calculation) -> "list[tuple[str, str]]":
     """The results that are findings: those with limits, and the first of the headline with others of its unit."""
-    labels = one.labels()
-    limited = [address for address in labels if one.limits(address)]
-    inputs = [value for _, value in one.given()]
+    labels = case.labels()
+    limited = [address for address in labels if case.limits(address)]
+    inputs = [value for _, value in case.given()]
     first = ""
     findings = list(limited)
     for address in labels:
-        node = node_at(one.results, address)
+        node = node_at(case.results, address)
         if not isinstance(node, dict) or isinstance(node.get("value"), list | str | None) or address in findings:
             continue
-        if any(text.startswith(one.value(address).whole) for text in inputs):
+        if any(text.startswith(case.value(address).whole) for text in inputs):
             continue
         unit = node.get("unit", "-")
         first = first or (unit if not limited else "none")
@@ -91,20 +91,20 @@ def _owned(address: str, label: str) -> str:
 
 def _decided(calculations: "Sequence[Calculation]") -> "list[str]":
     """What decides the findings with limits, or those of the last calculation."""
-    for one in reversed(calculations):
-        for address, label in sorted(_found(one), key=lambda item: not one.limits(item[0])):
-            drivers = one.drivers(address)
+    for case in reversed(calculations):
+        for address, label in sorted(_found(case), key=lambda item: not case.limits(item[0])):
+            drivers = case.drivers(address)
             if drivers:
-                return [f"{one.name}: the {_owned(address, label)} is decided by {drivers} (shares of the variance)."]
+                return [f"{case.name}: the {_owned(address, label)} is decided by {drivers} (shares of the variance)."]
     return []
 
 
 def _cautions(calculations: "Sequence[Calculation]") -> str:
     """Which sections warn of something."""
     warned = [
-        one.section
-        for one in calculations
-        if any(item["severity"] != "note" for item in (one.document or {}).get("warnings", ()))
+        case.section
+        for case in calculations
+        if any(item["severity"] != "note" for item in (case.document or {}).get("warnings", ()))
     ]
     if not warned:
         return ""
@@ -112,49 +112,49 @@ def _cautions(calculations: "Sequence[Calculation]") -> str:
     return f"Warnings stand in section{plural} {', '.join(map(str, warned))}."
 
 
-def verdict(made: "Sequence[Calculation]") -> str:
+def verdict(cases: "Sequence[Calculation]") -> str:
     """Whether the calculations came out the same when repeated, and whether their checks passed."""
-    same = sum(one.again.same for one in made)
-    documents = [one.document for one in made if one.document is not None]
+    same = sum(case.again.same for case in cases)
+    documents = [case.document for case in cases if case.document is not None]
     failed = sum(not check["passed"] for document in documents for check in document["checks"])
-    calculations = f"{len(made)} calculation{'s' * (len(made) > 1)}"
+    calculations = f"{len(cases)} calculation{'s' * (len(cases) > 1)}"
     text = f"{same} of {calculations} came out the same when calculated again from these inputs"
-    rest = [one.again.words for one in made if not one.again.same]
-    others = f"; the other: {'; '.join(rest)}" if rest else ""
-    return f"{text}{others}. {failed or 'No'} check{'s' * (failed != 1)} of the program on its own results failed."
+    rest = [case.again.words for case in cases if not case.again.same]
+    differing = f"; the other: {'; '.join(rest)}" if rest else ""
+    return f"{text}{differing}. {failed or 'No'} check{'s' * (failed != 1)} of the program on its own results failed."
 
 
 def intervals(calculations: "Sequence[Calculation]", width: float) -> "Picture | None":
     """The findings of one unit with their intervals and limits on one axis; two at least."""
     grouped: dict[str, list[tuple[str, float, float, float]]] = {}
     limits: dict[str, list[tuple[float, str]]] = {}
-    for one in calculations:
-        for address, label in _found(one)[:MOST_COMPARED]:
-            node = node_at(one.results, address)
+    for case in calculations:
+        for address, label in _found(case)[:MOST_COMPARED]:
+            node = node_at(case.results, address)
             if not isinstance(node, dict) or "interval" not in node or isinstance(node["value"], list):
                 continue
             unit = node.get("unit", "")
-            value = one.value(address)
-            text = f"{one.name}: {label}\n{value.text} ({value.interval})"
+            value = case.value(address)
+            text = f"{case.name}: {label}\n{value.text} ({value.interval})"
             grouped.setdefault(unit, []).append((text, *node["interval"], node["value"]))
-            for entry in one.limits(address):
+            for entry in case.limits(address):
                 if entry["limit"].get("unit", "") == unit:
                     limits.setdefault(unit, []).append((entry["limit"]["value"], f"limit {entry['limit']['value']:g}"))
     unit, rows = max(grouped.items(), key=lambda item: len(item[1]), default=("", []))
     if len(rows) < 2:
         return None
-    names, low, high, at = (tuple(column) for column in zip(*rows, strict=True))
+    names, low, high, values = (tuple(column) for column in zip(*rows, strict=True))
     documents = [item.document for item in calculations if item.document]
-    shown = {document["results"] and _coverage(document["results"]) for document in documents}
-    coverage = ", ".join(sorted(text for text in shown if text))
+    coverages = {document["results"] and _coverage(document["results"]) for document in documents}
+    coverage = ", ".join(sorted(text for text in coverages if text))
     axis = Axis(f"[{unit}], {coverage} intervals" if unit else f"{coverage} intervals")
-    items = (Ranges(names, low, high, at, tuple(dict.fromkeys(limits.get(unit, ())))),)
+    items = (Ranges(names, low, high, values, tuple(dict.fromkeys(limits.get(unit, ())))),)
     return Picture((Panel(axis, Axis(""), items),), width=width)
 
 
-def own_picture(one: Calculation) -> "Picture | None":
+def own_picture(case: Calculation) -> "Picture | None":
     """The picture of a calculation without the distributions of its results, if anything is left."""
-    picture = one.again.picture
+    picture = case.again.picture
     if picture is None or len(picture.panels) == picture.distributions:
         return None
     panels = picture.panels[: len(picture.panels) - picture.distributions]
@@ -166,11 +166,11 @@ def description(picture: Picture) -> str:
     parts = [picture.title] if picture.title else []
     for panel in picture.panels:
         axes = [axis.title for axis in (panel.y, panel.x) if axis.title]
-        said = panel.title or " over ".join(axes)
+        subject = panel.title or " over ".join(axes)
         labels = [getattr(item, "label", "") for item in panel.items]
         labels += [name for item in panel.items for name in getattr(item, "names", ())]
         named = ", ".join(dict.fromkeys(label.replace("\n", " ") for label in labels if label))
-        parts.append(f"{said}: {named}" if named and said else said or named)
+        parts.append(f"{subject}: {named}" if named and subject else subject or named)
     return ". ".join(part for part in parts if part) or "picture"
 
 

@@ -70,19 +70,19 @@ def calculate(task: "Task", document: "Document", folder: str, terminal: "Termin
     """Calculate a document's task again from its inputs."""
     try:
         if "sweep" in document["inputs"]:
-            made, picture = _sweep(task, document, _gathered(document, folder, terminal))
+            answer, picture = _sweep(task, document, _gathered(document, folder, terminal))
         else:
-            asked = _settings(task, document)
-            made, _, picture = answered_case(task, _gathered(document, folder, terminal), Settings(asked, {}))
-            shown = _units(made["results"])
-            to = [f"{name}={unit}" for name, unit in _units(document["results"]).items() if shown.get(name) != unit]
+            options = _settings(task, document)
+            answer, _, picture = answered_case(task, _gathered(document, folder, terminal), Settings(options, {}))
+            units = _units(answer["results"])
+            to = [f"{name}={unit}" for name, unit in _units(document["results"]).items() if units.get(name) != unit]
             if to:
-                settings = Settings({**asked, "to": to}, {})
-                made, _, picture = answered_case(task, _gathered(document, folder, terminal), settings)
+                settings = Settings({**options, "to": to}, {})
+                answer, _, picture = answered_case(task, _gathered(document, folder, terminal), settings)
     except DynamicsError as error:
-        return Again(f"not calculated again: {'; '.join(one.message for one in error.all())}")
-    words, short = _compared(document, made)
-    return Again(words, made, picture, short=short, sheet=_sheet(task, document, folder, terminal))
+        return Again(f"not calculated again: {'; '.join(refusal.message for refusal in error.all())}")
+    words, short = _compared(document, answer)
+    return Again(words, answer, picture, short=short, sheet=_sheet(task, document, folder, terminal))
 
 
 def _sheet(task: "Task", document: "Document", folder: str, terminal: "Terminal") -> "Sheet | None":
@@ -95,8 +95,8 @@ def _sheet(task: "Task", document: "Document", folder: str, terminal: "Terminal"
     if gathered.reader.uncertain:
         return None
     words, options = arguments(task, bound)
-    made: Sheet = load(task.sheet)(task.models[0].call()(*words, **options), *words, **options)
-    return made
+    data_sheet: Sheet = load(task.sheet)(task.models[0].call()(*words, **options), *words, **options)
+    return data_sheet
 
 
 def system_of(document: "Document") -> str:
@@ -126,7 +126,7 @@ def _sweep(task: "Task", document: "Document", gathered: Gathered) -> "tuple[Doc
         ]
     except (LookupError, TypeError):
         raise UsageError("its sweep cannot be read") from None
-    asked: dict[str, Any] = {
+    options: dict[str, Any] = {
         "sweep": ends,
         "to": [
             f"{name}={cell['unit']}"
@@ -134,12 +134,12 @@ def _sweep(task: "Task", document: "Document", gathered: Gathered) -> "tuple[Doc
             if isinstance(cell, dict) and name not in axes and cell.get("unit") and name.rpartition(".")[0] not in table
         ],
     }
-    asked |= _model(task, document)
-    told = _part(document, "numerics", "uncertainty")
-    if told:
-        asked |= {"seed": str(told.get("seed", 1)), "coverage": repr(told.get("coverage"))}
-    made, _ = sweep(task, gathered, Settings(asked, {}))
-    return made, of_sweep(made, task)
+    options |= _model(task, document)
+    uncertainty = _part(document, "numerics", "uncertainty")
+    if uncertainty:
+        options |= {"seed": str(uncertainty.get("seed", 1)), "coverage": repr(uncertainty.get("coverage"))}
+    answer, _ = sweep(task, gathered, Settings(options, {}))
+    return answer, of_sweep(answer, task)
 
 
 def _part(node: "Any", *keys: str) -> "Document":
@@ -151,47 +151,47 @@ def _part(node: "Any", *keys: str) -> "Document":
 
 def _model(task: "Task", document: "Document") -> "dict[str, str]":
     """The option that chose the model, where one did."""
-    told = _part(document, "model")
-    if told.get("why") != "asked for":
+    chosen = _part(document, "model")
+    if chosen.get("why") != "asked for":
         return {}
-    key = next((model.key for model in task.models if model.name == told.get("name")), None)
+    key = next((model.key for model in task.models if model.name == chosen.get("name")), None)
     if key is None:
-        raise UsageError(f"{task.path} has no model {told.get('name')!r}")
+        raise UsageError(f"{task.path} has no model {chosen.get('name')!r}")
     return {"model": key}
 
 
 def _settings(task: "Task", document: "Document") -> "dict[str, Any]":
     """The options of the call that its document shows."""
-    asked: dict[str, Any] = {"explain": True, **_model(task, document)}
-    told = _part(document, "numerics", "uncertainty")
-    if task.plot or told:
-        asked["plot"] = "-"
-    if told:
-        asked["seed"] = str(told.get("seed", 1))
-        asked["correlate"] = [f"{pair}={rho!r}" for pair, rho in _part(told, "correlations").items()]
+    options: dict[str, Any] = {"explain": True, **_model(task, document)}
+    uncertainty = _part(document, "numerics", "uncertainty")
+    if task.plot or uncertainty:
+        options["plot"] = "-"
+    if uncertainty:
+        options["seed"] = str(uncertainty.get("seed", 1))
+        options["correlate"] = [f"{pair}={rho!r}" for pair, rho in _part(uncertainty, "correlations").items()]
         coverage = _coverage(document["results"])
-        asked |= {"coverage": repr(coverage)} if coverage is not None else {}
+        options |= {"coverage": repr(coverage)} if coverage is not None else {}
     limits = document.get("limits")
     if limits:
         try:
-            asked["limit"] = [f"{item['result']}={_written(item['limit'])}" for item in limits]
+            options["limit"] = [f"{item['result']}={_written(item['limit'])}" for item in limits]
         except (LookupError, TypeError):
             raise UsageError("its limits cannot be read") from None
-    return asked
+    return options
 
 
 def _units(node: "Any", address: str = "") -> "dict[str, str]":
     """The unit of every result that has one, of columns and rows as well."""
-    made: dict[str, str] = {}
+    units: dict[str, str] = {}
     if isinstance(node, list):
         for item in node:
-            made |= _units(item, address)
+            units |= _units(item, address)
     elif isinstance(node, dict):
         if isinstance(node.get("unit"), str) and node["unit"] and "value" in node:
-            made[address] = node["unit"]
+            units[address] = node["unit"]
         for key, item in node.items():
-            made |= _units(item, f"{address}.{key}" if address else key)
-    return made
+            units |= _units(item, f"{address}.{key}" if address else key)
+    return units
 
 
 def _coverage(node: "Any") -> "Any":
@@ -199,7 +199,7 @@ def _coverage(node: "Any") -> "Any":
     if isinstance(node, dict) and "interval" in node:
         return node.get("coverage")
     items = node.values() if isinstance(node, dict) else node if isinstance(node, list) else ()
-    return next((found for found in map(_coverage, items) if found is not None), None)
+    return next((chance for chance in map(_coverage, items) if chance is not None), None)
 
 
 def _written(node: "Document") -> str:
@@ -219,24 +219,24 @@ def _compared(before: "Document", after: "Document") -> "tuple[str, str]":
         words, short = f"calculated again by {version}, these differ: {_told(apart, old, new)}", "not the same"
     elif sampled:
         words += f", but for sampled figures that agree within the accuracy stated: {'; '.join(sampled)}"
-    claimed, found = _claims(before), _claims(after)
+    claimed, figures = _claims(before), _claims(after)
     if "explanation" not in before:
-        found = {name: node for name, node in found.items() if not name.startswith("explanation")}
+        figures = {name: node for name, node in figures.items() if not name.startswith("explanation")}
     hashes = {file["name"]: file["sha256"] for file in after.get("files", ())}
     for name, digest in read_files(before):
         if name in hashes:
-            claimed[f"SHA-256 of {name}"], found[f"SHA-256 of {name}"] = digest, hashes[name]
-    others = _apart(claimed, found)
-    if others:
-        words += f". The file also says otherwise of these: {_told(others, claimed, found)}"
+            claimed[f"SHA-256 of {name}"], figures[f"SHA-256 of {name}"] = digest, hashes[name]
+    differing = _apart(claimed, figures)
+    if differing:
+        words += f". The file also says otherwise of these: {_told(differing, claimed, figures)}"
         short = "not the same" if apart else "results the same, claims differ"
     return words, short
 
 
 def _claims(document: "Document") -> "Leaves":
     """What a document says beside its results."""
-    said = {key: node for key, node in document.items() if key not in NOT_COMPARED}
-    return {name: node for name, node in _leaves(said) if name != WORK}
+    statements = {key: node for key, node in document.items() if key not in NOT_COMPARED}
+    return {name: node for name, node in _leaves(statements) if name != WORK}
 
 
 def read_files(document: "Document", *, written: bool = False) -> "list[tuple[str, str]]":
@@ -256,9 +256,9 @@ def _apart(old: "Leaves", new: "Leaves") -> "list[str]":
 
 
 def _told(names: "list[str]", old: "Leaves", new: "Leaves") -> str:
-    told = [f"{name} was {_shown(old, name)}, now {_shown(new, name)}" for name in names[:MOST_TOLD]]
-    rest = len(names) - len(told)
-    return "; ".join(told) + (f"; and {rest} more" if rest else "")
+    differences = [f"{name} was {_shown(old, name)}, now {_shown(new, name)}" for name in names[:MOST_TOLD]]
+    rest = len(names) - len(differences)
+    return "; ".join(differences) + (f"; and {rest} more" if rest else "")
 
 
 def _within(name: str, before: "Document", after: "Document", old: "Leaves", new: "Leaves") -> bool:
@@ -269,19 +269,19 @@ def _within(name: str, before: "Document", after: "Document", old: "Leaves", new
         _part(document, "numerics", "uncertainty", "results", result).get("estimate") for document in (before, after)
     ]
     figures = [old.get(name), new.get(name), scale, *estimates]
-    numbers = [float(one) for one in figures if isinstance(one, int | float)]
+    numbers = [float(figure) for figure in figures if isinstance(figure, int | float)]
     if not result or len(numbers) < len(figures):
         return False
-    was, now, deviation, *known = numbers
-    return abs(was - now) <= 2.0 * min(ROUGHEST, max(known)) * deviation
+    was, now, deviation, *bounds = numbers
+    return abs(was - now) <= 2.0 * min(ROUGHEST, max(bounds)) * deviation
 
 
 def _leaves(node: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":
     """Every number and word below a node, with the address it is told by."""
     if isinstance(node, dict):
         for key, item in node.items():
-            own = f"{address}, {key}" if "value" in node else f"{address}.{key}" if address else key
-            yield from _leaves(item, address if key == "value" else own)
+            inner = f"{address}, {key}" if "value" in node else f"{address}.{key}" if address else key
+            yield from _leaves(item, address if key == "value" else inner)
     elif isinstance(node, list):
         for nth, item in enumerate(node):
             yield from _leaves(item, f"{address}[{nth}]")

@@ -31,9 +31,9 @@ def section(one: "Calculation", drawn: "Sequence[Image]" = ()) -> "list[Block]":
     """
     blocks: list[Block] = [Heading(2, f"{one.section}. {one.title}")]
     if one.document is None:
-        said = {key: node for key, node in one.source.document.items() if key != "inputs"}
+        inputs_left_out = {key: node for key, node in one.source.document.items() if key != "inputs"}
         text = f"{_sentence(one.again.words)} What the file says; nothing of it was calculated here:"
-        return [*blocks, Paragraph(text), Code(to_pretty_json(said).rstrip())]
+        return [*blocks, Paragraph(text), Code(to_pretty_json(inputs_left_out).rstrip())]
     blocks += _given(one)
     for steps in one.formulas():
         blocks += _formula(steps)
@@ -47,29 +47,29 @@ def _sentence(text: str) -> str:
     return f"{text[:1].upper()}{text[1:]}."
 
 
-def _given(one: "Calculation") -> "list[Block]":
+def _given(case: "Calculation") -> "list[Block]":
     """The inputs: a few as a sentence, more as a table, those of bodies alike side by side."""
-    given = one.given()
+    inputs = case.given()
     blocks: list[Block] = []
-    if len(given) <= MOST_IN_A_SENTENCE:
-        text = "; ".join(f"{label} {value}" for label, value in given)
-        blocks += [Paragraph(("", "Given: ", f"{text}."))] if given else []
+    if len(inputs) <= MOST_IN_A_SENTENCE:
+        text = "; ".join(f"{label} {value}" for label, value in inputs)
+        blocks += [Paragraph(("", "Given: ", f"{text}."))] if inputs else []
     else:
-        blocks += _given_table(one, given)
-    assert one.document is not None
-    for name, table in one.document["inputs"].items():
+        blocks += _given_table(case, inputs)
+    assert case.document is not None
+    for name, table in case.document["inputs"].items():
         if is_table(table) and name != SWEEP:
             blocks.append(_table(table, f"Given: {name.replace('_', ' ')}", 17))
-    told = one.document["numerics"].get("uncertainty", {}).get("correlations", {})
-    pairs = [f"{' and '.join(pair.split(','))} {number(rho, 6)}" for pair, rho in told.items()]
+    correlations = case.document["numerics"].get("uncertainty", {}).get("correlations", {})
+    pairs = [f"{' and '.join(pair.split(','))} {number(rho, 6)}" for pair, rho in correlations.items()]
     return [*blocks, *([Paragraph(f"Correlation of {'; '.join(pairs)}.")] if pairs else [])]
 
 
-def _given_table(one: "Calculation", given: "list[tuple[str, str]]") -> "list[Block]":
-    sides = [one.named("first"), one.named("second")]
+def _given_table(case: "Calculation", inputs: "list[tuple[str, str]]") -> "list[Block]":
+    sides = [case.named("first"), case.named("second")]
     paired: dict[str, list[str]] = {}
     rest = []
-    for label, value in given:
+    for label, value in inputs:
         side = next((nth for nth, side in enumerate(sides) if label.startswith(f"{side} ")), None)
         if side is None:
             rest.append((label, value))
@@ -86,41 +86,41 @@ def _given_table(one: "Calculation", given: "list[tuple[str, str]]") -> "list[Bl
 
 def _formula(steps: "list[str]") -> "list[Block]":
     """A clause of the formula on one line, or on two where it is long."""
-    whole = " = ".join(steps)
-    if len(plain(whole)) <= LONGEST_FORMULA or len(steps) == 1:
-        return [Formula(whole)]
+    equation = " = ".join(steps)
+    if len(plain(equation)) <= LONGEST_FORMULA or len(steps) == 1:
+        return [Formula(equation)]
     return [Formula(steps[0]), Formula(f"= {' = '.join(steps[1:])}")]
 
 
-def _where(one: "Calculation") -> "list[Block]":
+def _where(case: "Calculation") -> "list[Block]":
     """What the symbols are."""
-    symbols = (one.document or {}).get("explanation", {}).get("symbols", ())
+    symbols = (case.document or {}).get("explanation", {}).get("symbols", ())
     return [Paragraph(f"where {'; '.join(symbols)}.", small=True)] if symbols else []
 
 
-def _results(one: "Calculation") -> "list[Block]":
+def _results(case: "Calculation") -> "list[Block]":
     """The headline results with interval, limit and what drives them; then why a value lies outside its interval."""
-    labels = one.labels()
-    rows = [(label, one.value(address), address) for address, label in labels.items()]
+    labels = case.labels()
+    rows = [(label, case.value(address), address) for address, label in labels.items()]
     coverage = next((value.coverage for _, value, _ in rows if value.coverage), "")
-    limited = any(one.limits(address) for address in labels)
+    limited = any(case.limits(address) for address in labels)
     head = ["result", "value", *([f"{coverage} interval"] if coverage else []), *(["limit"] if limited else [])]
     head += ["decided by"] if coverage else []
     body = []
     for label, value, address in rows:
         row = [label, _aligned(value), *([value.interval] if coverage else [])]
-        row += ["; ".join(map(limit_words, one.limits(address)))] if limited else []
-        body.append([*row, *([one.drivers(address)] if coverage else [])])
+        row += ["; ".join(map(limit_words, case.limits(address)))] if limited else []
+        body.append([*row, *([case.drivers(address)] if coverage else [])])
     right = [1, 2] if coverage else [1]
-    assert one.document is not None
-    blocks: list[Block] = [Table(head, body, f"Results of section {one.section}", right)] if body else []
+    assert case.document is not None
+    blocks: list[Block] = [Table(head, body, f"Results of section {case.section}", right)] if body else []
     blocks += [
         Paragraph(f"{_sentence(label + ': ' + value.outside)}", small=True) for label, value, _ in rows if value.outside
     ]
     if not body:
-        for name, table in one.results.items():
+        for name, table in case.results.items():
             if is_table(table):
-                blocks.append(_table(table, _sentence(name.replace("_", " ")).rstrip("."), one.digits))
+                blocks.append(_table(table, _sentence(name.replace("_", " ")).rstrip("."), case.digits))
     return blocks
 
 
@@ -161,9 +161,9 @@ def warnings_of(document: "Document") -> "list[Items]":
     return [Items(lines)] if lines else []
 
 
-def basis(one: "Calculation") -> str:
+def basis(case: "Calculation") -> str:
     """Assumptions, source and checks."""
-    document = one.document
+    document = case.document
     assert document is not None
     model = document["model"]
     why = f" ({model['why']})" if model.get("why") else ""

@@ -24,30 +24,30 @@ MOST_COLUMNS = 5
 DIGITS, MOST_PLACES = 5, 5
 
 
-def sheets(made: "Sequence[Calculation]", title: str, facts: "Sequence[str]") -> "list[Block]":
+def sheets(cases: "Sequence[Calculation]", title: str, facts: "Sequence[str]") -> "list[Block]":
     """A page for each calculation; the first carries the title block."""
     blocks: list[Block] = []
-    for one in made:
-        sheet = one.again.sheet
+    for case in cases:
+        sheet = case.again.sheet
         assert sheet is not None
-        system = system_of(one.source.document)
+        system = system_of(case.source.document)
         name = words(sheet.title, system)
-        if one.section == 1:
+        if case.section == 1:
             blocks.append(Title(title or name, facts))
             blocks += [Heading(2, name)] if title else []
         else:
             blocks += [Break(), Heading(2, name)]
         blocks.append(Paragraph(words(sheet.subtitle, system), small=True))
         blocks.append(Beside(_parts(sheet.left, system), _parts(sheet.right, system)))
-        blocks += [*_parts(sheet.foot, system), *_foot(one)]
+        blocks += [*_parts(sheet.foot, system), *_foot(case)]
     return blocks
 
 
-def file_title(made: "Sequence[Calculation]") -> str:
+def file_title(cases: "Sequence[Calculation]") -> str:
     """What a file of data sheets is called unless a title is given."""
-    sheet = made[0].again.sheet
+    sheet = cases[0].again.sheet
     assert sheet is not None
-    return words(sheet.title, system_of(made[0].source.document))
+    return words(sheet.title, system_of(cases[0].source.document))
 
 
 def _parts(parts: "Sequence[Picture | Listing]", system: str) -> "list[Block]":
@@ -56,11 +56,11 @@ def _parts(parts: "Sequence[Picture | Listing]", system: str) -> "list[Block]":
         if isinstance(part, Listing):
             blocks.append(_table(part, system))
         else:
-            bare = Picture(part.panels, "", part.columns, width=part.width)
+            untitled = Picture(part.panels, "", part.columns, width=part.width)
             text = words(part.title, system)
-            svg = draw(bare, "svg", system)
-            said = f"{text}. {description(bare)}"
-            blocks.append(Image(svg, text[:1].upper() + text[1:], said, min(1.0, _inches(svg) / part.width)))
+            svg = draw(untitled, "svg", system)
+            caption = f"{text}. {description(untitled)}"
+            blocks.append(Image(svg, text[:1].upper() + text[1:], caption, min(1.0, _inches(svg) / part.width)))
     return blocks
 
 
@@ -95,11 +95,11 @@ def _decimals(values: "Sequence[float]") -> "list[str]":
     return [f"{round(value, places) + 0.0:.{places}f}" if isfinite(value) else "–" for value in values]
 
 
-def _foot(one: "Calculation") -> "list[Block]":
+def _foot(case: "Calculation") -> "list[Block]":
     """Warnings, model and source, and whether the numbers were calculated here."""
-    assert one.document is not None
-    name = "standard input" if one.source.file == "-" else os.path.basename(one.source.file)
-    again = "Calculated again: the same" if one.again.same else f"Not the same: {one.again.words}"
-    proof = f"{name}, SHA-256 {one.source.digest[:16]}…: dynamics report --full gives every number, bound and formula."
-    said = [Paragraph(text, small=True) for items in warnings_of(one.document) for text in items.texts]
-    return [*said, Paragraph(f"{basis(one)} {again}. {proof}", small=True)]
+    assert case.document is not None
+    name = "standard input" if case.source.file == "-" else os.path.basename(case.source.file)
+    comparison = "Calculated again: the same" if case.again.same else f"Not the same: {case.again.words}"
+    proof = f"{name}, SHA-256 {case.source.digest[:16]}…: dynamics report --full gives every number, bound and formula."
+    warnings = [Paragraph(text, small=True) for items in warnings_of(case.document) for text in items.texts]
+    return [*warnings, Paragraph(f"{basis(case)} {comparison}. {proof}", small=True)]

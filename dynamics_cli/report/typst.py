@@ -156,8 +156,8 @@ def _table(block: Table) -> str:
     )
     if block.tight:
         return f"#block(above: 0.8em, below: 0.4em, strong(text(size: 9pt)[{_symbols(block.caption)}]))\n#{table}"
-    whole = "#show figure: set block(breakable: false)\n" if block.short else ""
-    return f"#[{whole}#figure(kind: table, caption: [{_escape(block.caption)}], {table})]"
+    unbreakable = "#show figure: set block(breakable: false)\n" if block.short else ""
+    return f"#[{unbreakable}#figure(kind: table, caption: [{_escape(block.caption)}], {table})]"
 
 
 def _ruled(rows: str) -> str:
@@ -165,18 +165,18 @@ def _ruled(rows: str) -> str:
 
 
 def _words(text: "Text") -> str:
-    shown = []
+    boxes = []
     for piece, bold in pieces(text):
         space = " " * (piece.endswith(" ") and bold)
-        shown.append(f"#box(strong[{_escape(piece.rstrip())}]){space}" if bold else _escape(piece))
-    return "".join(shown)
+        boxes.append(f"#box(strong[{_escape(piece.rstrip())}]){space}" if bold else _escape(piece))
+    return "".join(boxes)
 
 
 def _escape(text: str) -> str:
     """Text that is no markup: every ASCII sign is escaped, and long runs may be broken after a separator."""
-    shown = clean(text).replace("\n", " ").replace(" %", "\u00a0%")
+    cleaned = clean(text).replace("\n", " ").replace(" %", "\u00a0%")
     return "".join(
-        f"\\{letter}" if letter.isascii() and not letter.isalnum() and letter != " " else letter for letter in shown
+        f"\\{letter}" if letter.isascii() and not letter.isalnum() and letter != " " else letter for letter in cleaned
     )
 
 

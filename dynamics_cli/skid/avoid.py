@@ -161,9 +161,9 @@ def _approach(case: str, speed: float, sight: float, reaction_time: float, decel
     available = maximum(before_braking, 0.0)
     covered = minimum(reaction, sight)
     braked = minimum(available, braking)
-    both = speed + impact
-    moving = both > 0.0
-    time = covered / _nonzero(speed, moving) + 2.0 * braked / _nonzero(both, moving)
+    speed_sum = speed + impact
+    moving = speed_sum > 0.0
+    time = covered / _nonzero(speed, moving) + 2.0 * braked / _nonzero(speed_sum, moving)
     return Approach(case, speed, reaction, braking, reaction + braking, margin, impact, time)
 
 

@@ -119,8 +119,8 @@ def speed(
 def _energy_check(crossed: tuple[SurfaceCrossed, ...], gravity: float) -> tuple[Check, ...]:
     """Check squared speeds against work, summed surface by surface from the returned speeds."""
     first, last = crossed[0].entry_speed, crossed[-1].exit_speed
-    gained = summed([2.0 * gravity * one.drag_factor * one.distance for one in crossed])
-    operands = [x for one in crossed for x in (one.drag_factor, one.distance)]
+    gained = summed([2.0 * gravity * surface.drag_factor * surface.distance for surface in crossed])
+    operands = [x for surface in crossed for x in (surface.drag_factor, surface.distance)]
     return balance("energy balance", (first - last) * (first + last), gained, first * first, first, gravity, *operands)
 
 
@@ -205,9 +205,9 @@ def distance(
             start=(speed, RoadSpeed),
             stop=(speed / deceleration * (0.5 * speed), Distance),
         )
-        left = _speed_left_squared(speed, gravity, drag, mark)
-        advice += _stop_advice(left, mark)
-        exit_speed = sqrt(maximum(left, 0.0))
+        left_squared = _speed_left_squared(speed, gravity, drag, mark)
+        advice += _stop_advice(left_squared, mark)
+        exit_speed = sqrt(maximum(left_squared, 0.0))
         exit_time = crossing_time(mark, speed, exit_speed)
     return SkidDistance(
         distance=length,

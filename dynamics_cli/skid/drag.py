@@ -185,8 +185,8 @@ def drag_factor(
     rear_share: float | None = None
     transfer: float | None = None
     if isinstance(measurement, Axles):
-        front, rear, both = measurement.loads
-        front_share, rear_share = front / both, rear / both
+        front, rear, total = measurement.loads
+        front_share, rear_share = front / total, rear / total
         transfer = measurement.cm_height * friction / measurement.wheelbase
     checks, advice = _examine(measurement, drag, friction)
     return DragFactors(
@@ -206,14 +206,14 @@ def _examine(
 ) -> tuple[tuple[Check, ...], tuple[Advice, ...]]:
     """Check the statics by another equation than the one that was solved."""
     if isinstance(measurement, Axles):
-        front, rear, both = measurement.loads
-        behind = rear * (measurement.wheelbase - measurement.cm_position) + measurement.cm_height * friction * both
+        front, rear, total = measurement.loads
+        behind = rear * (measurement.wheelbase - measurement.cm_position) + measurement.cm_height * friction * total
         ahead = front * measurement.cm_position
         checks = balance(
             "moments about the mass centre",
             ahead,
             behind,
-            measurement.wheelbase * both,
+            measurement.wheelbase * total,
             measurement.wheelbase,
             measurement.cm_position,
             measurement.cm_height,
@@ -221,15 +221,15 @@ def _examine(
         )
         absurd = friction_advice(measurement.front_friction, "front friction")
         absurd += friction_advice(measurement.rear_friction, "rear friction") + grade_advice(measurement.grade)
-        return checks, absurd + _light_rear(rear / both)
+        return checks, absurd + _light_rear(rear / total)
     if isinstance(measurement, Sled):
         fall = measurement.weight * measurement.grade
-        held = friction * measurement.pressing
+        friction_moment = friction * measurement.pressing
         along = measurement.pull * cos(measurement.pull_angle) * secant(measurement.grade)
         checks = balance(
             "forces along the road",
             along,
-            fall + held,
+            fall + friction_moment,
             absolute(fall) + along,
             measurement.pull,
             measurement.weight,

@@ -93,21 +93,23 @@ def friction(
     """
     several = skids if isinstance(skids, tuple) else (skids,)
     require(len(several) > 0, "no test skid is given", code="no-skid")
-    drags = [_drag(one, gravity, f"skids[{index}]: " if len(several) > 1 else "") for index, one in enumerate(several)]
+    drags = [
+        _drag(test, gravity, f"skids[{index}]: " if len(several) > 1 else "") for index, test in enumerate(several)
+    ]
     values = [
-        _friction(one, drag, f"skids[{index}]: " if len(several) > 1 else "")
-        for index, (one, drag) in enumerate(zip(several, drags, strict=True))
+        _friction(test, drag, f"skids[{index}]: " if len(several) > 1 else "")
+        for index, (test, drag) in enumerate(zip(several, drags, strict=True))
     ]
     lowest = highest = mean = values[0]
-    for one in values[1:]:
-        lowest, highest = minimum(lowest, one), maximum(highest, one)
+    for test in values[1:]:
+        lowest, highest = minimum(lowest, test), maximum(highest, test)
     spread: float | None = None
     error: float | None = None
     if len(values) > 1:
         mean = summed(values) / float(len(values))
         # the mean of equal numbers is that number, exactly
         mean = where(lowest == highest, mean + (lowest - mean), mean)
-        variance = summed([(one - mean) * (one - mean) for one in values]) / float(len(values) - 1)
+        variance = summed([(test - mean) * (test - mean) for test in values]) / float(len(values) - 1)
         spread = sqrt(variance)
         error = spread / sqrt(float(len(values)))
     return FrictionFound(
@@ -147,9 +149,9 @@ def _friction(skid: TestSkid, drag: float, name: str) -> float:
 def _check(several_skids: tuple[TestSkid, ...], frictions: list[float], drags: list[float]) -> tuple[Check, ...]:
     """Check every friction by recalculating the drag factor from it."""
     checks: tuple[Check, ...] = ()
-    for skid, one, drag in zip(several_skids, frictions, drags, strict=True):
-        back = drag_along(one, skid.grade, skid.braking)
-        operands = (skid.speed, skid.distance, skid.braking, one, drag)
+    for skid, mu, drag in zip(several_skids, frictions, drags, strict=True):
+        back = drag_along(mu, skid.grade, skid.braking)
+        operands = (skid.speed, skid.distance, skid.braking, mu, drag)
         checks += balance("drag factor from the friction found", back, drag, drag + abs(skid.grade), *operands)
     worst = max(checks, key=lambda check: check.value or 0.0, default=None)
     return () if worst is None else (worst,)
@@ -157,10 +159,10 @@ def _check(several_skids: tuple[TestSkid, ...], frictions: list[float], drags: l
 
 def _absurd(several_skids: tuple[TestSkid, ...], frictions: list[float]) -> tuple[Advice, ...]:
     advice: tuple[Advice, ...] = ()
-    for index, (skid, one) in enumerate(zip(several_skids, frictions, strict=True)):
+    for index, (skid, mu) in enumerate(zip(several_skids, frictions, strict=True)):
         name = f"skids[{index}]: " if len(several_skids) > 1 else ""
         advice += grade_advice(skid.grade, name + "grade")
-        advice += friction_advice(one, name + "the friction found", "check speed, distance, grade and their units")
+        advice += friction_advice(mu, name + "the friction found", "check speed, distance, grade and their units")
     return advice
 
 

@@ -103,14 +103,14 @@ def pedestrian(
     reach = where(lands, throw_distance, over)
     sliding = sqrt(2.0 * gravity * (friction * reach))
     require_kept(sliding > 0.0, "friction times the throw distance")
-    share = where(lands, -1.0, multiply_add(-2.0 * friction, launch_height, throw_distance) / reach)
+    relative = where(lands, -1.0, multiply_add(-2.0 * friction, launch_height, throw_distance) / reach)
     # a level launch that the landing stops flies the whole way
-    fall = where(share < 0.0, sqrt(2.0 * launch_height / gravity), 1.0)
-    greatest = where(share < 0.0, throw_distance / fall, sliding)
+    fall = where(relative < 0.0, sqrt(2.0 * launch_height / gravity), 1.0)
+    greatest = where(relative < 0.0, throw_distance / fall, sliding)
     shortest = throw_distance * sqrt(gravity / (hypot(throw_distance, launch_height) + launch_height))
     least = where(lands, shortest, _least_sliding(friction, reach, throw_distance, launch_height, gravity, shortest))
-    greatest_angle = _greatest_angle(friction, share, reach / throw_distance, throw_distance, launch_height)
-    advice = friction_advice(friction) + _stop_advice(friction, share, greatest_angle, lands)
+    greatest_angle = _greatest_angle(friction, relative, reach / throw_distance, throw_distance, launch_height)
+    advice = friction_advice(friction) + _stop_advice(friction, relative, greatest_angle, lands)
     if launch_angle is None:
         return Throw(
             least_speed=least, greatest_speed=greatest, greatest_angle=greatest_angle,
@@ -120,7 +120,7 @@ def pedestrian(
     flown = _flown(throw_distance, launch_height, launch_angle, gravity, lands)
     slid = _slid(friction, launch_height, launch_angle, gravity, reach, lands)
     speed, flight_time, flight, slide_time, slide = (
-        where(lands, alone, both) for alone, both in zip(flown, slid, strict=True)
+        where(lands, alone, combined) for alone, combined in zip(flown, slid, strict=True)
     )
     return Throw(
         least_speed=least,
@@ -204,25 +204,25 @@ def _slid(friction: float, height: float, angle: float, gravity: float, reach: f
     landing, falling = _flight(slope, sqrt(height / (friction * reach)) * over_forward)
     flight_time = forward * falling / gravity
     # the share of √(2μg r) left for the slide, from the form that subtracts less
-    kept = where(slope >= 0.0, multiply_add(-friction, landing, 1.0), over_forward - friction * falling)
-    left = kept / over_forward
+    retained = where(slope >= 0.0, multiply_add(-friction, landing, 1.0), over_forward - friction * falling)
+    onward = retained / over_forward
     require(
-        kept >= -1e-15,
+        retained >= -1e-15,
         "landing stops the body at once: its horizontal speed {forward:6} is less than friction times the vertical "
         "one, {lost:6}",
         forward=(forward, RoadSpeed),
         lost=(friction * landing * forward, RoadSpeed),
         code="stops-at-landing",
     )
-    left = maximum(left, 0.0)
-    return speed, flight_time, forward * flight_time, sliding * left / (friction * gravity), reach * left * left
+    onward = maximum(onward, 0.0)
+    return speed, flight_time, forward * flight_time, sliding * onward / (friction * gravity), reach * onward * onward
 
 
 def _greatest_angle(friction: float, share: float, part: float, distance: float, height: float) -> float:
     """Largest angle at which the speed of a level launch reaches the distance; `part` is r/s."""
     slope = 2.0 * friction
-    room = maximum(slope - share, 0.0) * (slope + share)
-    flying = atan((slope + sqrt(maximum(room, 0.0))) * part)
+    square = maximum(slope - share, 0.0) * (slope + share)
+    flying = atan((slope + sqrt(maximum(square, 0.0))) * part)
     slides = _slides_there(friction, share)
     return where(share < 0.0, atan2(distance, height), where(slides, 2.0 * atan(friction), flying))
 
@@ -238,8 +238,8 @@ def _flight(slope: float, drop: float) -> tuple[float, float]:
     The time comes from whichever root does not cancel.
     """
     landing = hypot(slope, drop)
-    both = absolute(slope) + landing
-    return landing, where(slope >= 0.0, both, drop * (drop / where(both > 0.0, both, 1.0)))
+    fall_speed = absolute(slope) + landing
+    return landing, where(slope >= 0.0, fall_speed, drop * (drop / where(fall_speed > 0.0, fall_speed, 1.0)))
 
 
 def _stop_advice(friction: float, share: float, greatest_angle: float, lands: bool) -> tuple[Advice, ...]:

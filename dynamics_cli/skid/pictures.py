@@ -19,19 +19,19 @@ SPEED = Axis("speed", RoadSpeed)
 
 def slowing(first: float, last: float, start: float, length: float) -> "tuple[list[float], list[float]]":
     """Speeds over a stretch of uniform deceleration: v² falls in a straight line."""
-    shares = [i / (POINTS - 1) for i in range(POINTS)]
-    speeds = [math.sqrt(max(0.0, first * first + share * (last * last - first * first))) for share in shares]
-    return [start + share * length for share in shares], speeds
+    fractions = [i / (POINTS - 1) for i in range(POINTS)]
+    speeds = [math.sqrt(max(0.0, first * first + fraction * (last * last - first * first))) for fraction in fractions]
+    return [start + fraction * length for fraction in fractions], speeds
 
 
 def speed(result: "Any", **_: "Any") -> Picture:
     """Speed along the marks, surface by surface."""
     items: list[Any] = []
-    at = 0.0
-    for nth, one in enumerate(result.surfaces, 1):
-        x, y = slowing(one.entry_speed, one.exit_speed, at, one.distance)
-        items.append(Curve(x, y, f"surface {nth}, drag factor {one.drag_factor:.3g}"))
-        at += one.distance
+    position = 0.0
+    for nth, surface in enumerate(result.surfaces, 1):
+        x, y = slowing(surface.entry_speed, surface.exit_speed, position, surface.distance)
+        items.append(Curve(x, y, f"surface {nth}, drag factor {surface.drag_factor:.3g}"))
+        position += surface.distance
     items.append(Mark(0.0, result.speed, "marks begin"))
     return Picture((Panel(DISTANCE, SPEED, tuple(items)),), "speed along the marks")
 
@@ -55,9 +55,9 @@ def stop(result: "Any", **_: "Any") -> Picture:
     for axis, key in ((DISTANCE, "distance"), (Axis("time", Time), "time")):
         items = []
         for phase in phases:
-            own = [row for row in rows if row.phase == phase]
-            before = [rows[rows.index(own[0]) - 1]] if rows.index(own[0]) else []
-            items.append(Curve(*_along([*before, *own], key), phase))
+            phase_rows = [row for row in rows if row.phase == phase]
+            before = [rows[rows.index(phase_rows[0]) - 1]] if rows.index(phase_rows[0]) else []
+            items.append(Curve(*_along([*before, *phase_rows], key), phase))
         panels.append(Panel(axis, SPEED, tuple(items)))
     return Picture(tuple(panels), "a whole stop")
 
@@ -68,8 +68,8 @@ def _along(rows: "list[Any]", key: str) -> "tuple[list[float], list[float]]":
         return [getattr(row, key) for row in rows], [row.speed for row in rows]
     x: list[float] = []
     y: list[float] = []
-    for one, other in pairwise(rows):
-        part, speeds = slowing(one.speed, other.speed, one.distance, other.distance - one.distance)
+    for before, following in pairwise(rows):
+        part, speeds = slowing(before.speed, following.speed, before.distance, following.distance - before.distance)
         x, y = [*x, *part], [*y, *speeds]
     return x, y
 
@@ -80,9 +80,9 @@ def avoid(
 ) -> Picture:  # fmt: skip
     """Speed over distance at the speed travelled and at the limit, with the hazard."""
     items: list[Any] = []
-    for one in result.approaches:
-        x, y = slowing(one.approach_speed, 0.0, one.reaction_distance, one.braking_distance)
-        items.append(Curve([0.0, *x], [one.approach_speed, *y], str(one.case)))
+    for approach in result.approaches:
+        x, y = slowing(approach.approach_speed, 0.0, approach.reaction_distance, approach.braking_distance)
+        items.append(Curve([0.0, *x], [approach.approach_speed, *y], str(approach.case)))
     items.append(Band(sight_distance, sight_distance, "hazard"))
     return Picture((Panel(DISTANCE, SPEED, tuple(items)),), "could it have stopped?")
 
@@ -92,9 +92,9 @@ def vault(result: "Any", *, distance: float, rise: float = 0.0, **_: "Any") -> P
     slope = math.tan(result.launch_angle)
     # Through take-off and landing: what gravity takes is all that the line of departure is above the landing.
     drop = distance * slope - rise
-    shares = [i / (POINTS - 1) for i in range(POINTS)]
-    x = [share * distance for share in shares]
-    y = [share * distance * slope - drop * share * share for share in shares]
+    fractions = [i / (POINTS - 1) for i in range(POINTS)]
+    x = [fraction * distance for fraction in fractions]
+    y = [fraction * distance * slope - drop * fraction * fraction for fraction in fractions]
     marks = (Mark(0.0, 0.0, "take-off"), Mark(distance, rise, "landing"))
     panel = Panel(DISTANCE, Axis("height", Length), (Curve(x, y, role=0), *marks), equal=True)
     return Picture((panel,), "flight")
@@ -131,7 +131,7 @@ def friction(result: "Any", **_: "Any") -> Picture:
 
 
 def throw(
-    made: "Any", *, throw_distance: float, friction: float, launch_angle: "float | None" = None,
+    result: "Any", *, throw_distance: float, friction: float, launch_angle: "float | None" = None,
     launch_height: float = 0.0, grade: "float | None" = None, gravity: float, **_: "Any",
 ) -> Picture:  # fmt: skip
     """Projection speed for every launch angle at this throw distance, and the one given."""
@@ -139,7 +139,7 @@ def throw(
     height, along = launch_height * math.cos(slope), throw_distance / math.cos(slope)
     reach = along - friction * height
     drag = friction * math.cos(slope) + math.sin(slope)
-    steepest = 2.0 * math.atan(friction) if reach > 0.0 else float(made.greatest_angle)
+    steepest = 2.0 * math.atan(friction) if reach > 0.0 else float(result.greatest_angle)
     angles = [slope + min(steepest, 0.5 * math.pi - slope) * 0.999 * i / (POINTS - 1) for i in range(POINTS)]
 
     def speed(angle: float) -> float:
@@ -151,9 +151,9 @@ def throw(
 
     speeds = [speed(angle) for angle in angles]
     items: list[Any] = [Curve(angles, speeds, role=0)]
-    items.append(Band(made.least_speed, made.least_speed, "least", vertical=False))
-    if launch_angle is not None and made.speed is not None:
-        items.append(Mark(launch_angle, made.speed, "as launched"))
+    items.append(Band(result.least_speed, result.least_speed, "least", vertical=False))
+    if launch_angle is not None and result.speed is not None:
+        items.append(Mark(launch_angle, result.speed, "as launched"))
     return Picture((Panel(Axis("launch angle", Angle), SPEED, tuple(items)),), "projection speed of the throw")
 
 
@@ -161,18 +161,18 @@ def drag_factor(result: "Any", *, measurement: "Any", **_: "Any") -> Picture:
     """Drag factor over the grade of the road, everything else as it is; the load of each axle where axles are known."""
     grades = [STEEPEST * (2.0 * i / (POINTS - 1) - 1.0) for i in range(POINTS)]
     # Work along the road: f = (m + G)/√(1 + G²), m being what the tyres do on a level road.
-    own = float(result.effective_friction)
-    factors = [(own + grade) / math.sqrt(1.0 + grade * grade) for grade in grades]
+    friction = float(result.effective_friction)
+    factors = [(friction + grade) / math.sqrt(1.0 + grade * grade) for grade in grades]
     items: list[Any] = [
         Curve(grades, factors, role=0),
         Mark(measurement.grade, float(result.drag_factor), "here"),
     ]
-    if own <= STEEPEST:
+    if friction <= STEEPEST:
         items.append(Band(0.0, 0.0, "no drag", vertical=False))
     panels = [Panel(Axis("grade, uphill positive", Slope), Axis("drag factor", DragFactor), tuple(items))]
     if result.front_share is not None and result.rear_share is not None:
-        shares = [float(result.front_share), float(result.rear_share)]
-        bars = Bars(("front axle", "rear axle"), [0.0, 0.0], shares)
+        fractions = [float(result.front_share), float(result.rear_share)]
+        bars = Bars(("front axle", "rear axle"), [0.0, 0.0], fractions)
         panels.append(Panel(Axis("share of the weight while braking", Fraction), Axis(""), (bars,)))
     return Picture(tuple(panels), "drag factor")
 
@@ -182,29 +182,29 @@ def spin(
     gravity: float, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The share of friction acting while the vehicle turns, and its speed along the path."""
-    shares = [i / (POINTS - 1) for i in range(POINTS)]
+    fractions = [i / (POINTS - 1) for i in range(POINTS)]
     mean = float(result.mean_share)
     rotation = getattr(drag, "rotation", None)
     panels = []
     local = [mean] * POINTS
     if rotation is not None:
         rolling = drag.rolling_drag
-        turns = [drag.start_angle + share * rotation for share in shares]
+        turns = [drag.start_angle + fraction * rotation for fraction in fractions]
         local = [rolling + (1.0 - rolling) * abs(math.sin(turn)) for turn in turns]
         items = (
-            Curve([share * rotation for share in shares], local, "share of the friction that acts", role=0),
+            Curve([fraction * rotation for fraction in fractions], local, "share of the friction that acts", role=0),
             Band(mean, mean, "mean", vertical=False),
         )
         panels.append(Panel(Axis("rotation since the impact", Angle), Axis("share of the friction", Fraction), items))
     # From the end back: the decrease of v² in each stretch, scaled so that the total agrees with the answer.
     slope = math.sqrt(1.0 + grade * grade)
     squares = [end_speed * end_speed]
-    for one, other in pairwise(reversed(local)):
-        drag_here = (0.5 * (one + other) * friction + grade) / slope
+    for before, after in pairwise(reversed(local)):
+        drag_here = (0.5 * (before + after) * friction + grade) / slope
         squares.append(squares[-1] + 2.0 * gravity * drag_here * distance / (POINTS - 1))
     top = float(result.speed) ** 2 - squares[0]
     scale = top / (squares[-1] - squares[0]) if squares[-1] != squares[0] else 1.0
     speeds = [math.sqrt(max(0.0, squares[0] + scale * (square - squares[0]))) for square in reversed(squares)]
-    road = Curve([share * distance for share in shares], speeds, role=0)
+    road = Curve([fraction * distance for fraction in fractions], speeds, role=0)
     panels.append(Panel(DISTANCE, SPEED, (road, Mark(0.0, float(result.speed), "after the impact"))))
     return Picture(tuple(panels), "a spin to rest" if end_speed == 0.0 else "a spin")

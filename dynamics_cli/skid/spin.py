@@ -77,15 +77,15 @@ def mean_across(start: float, rotation: float) -> float:
     turns = plain(rotation) // HALF_TURN
     rest = _beyond(rotation, turns)
     before = plain(start) // HALF_TURN
-    # the start lies `begun` beyond a zero of the sine and `left` before the next one
-    begun, left = _beyond(start, before), -_beyond(start, before + 1.0)
-    left = where(begun < 0.0, -begun, left)
+    # the start lies `begun` beyond a zero of the sine and `to_go` before the next one
+    begun, to_go = _beyond(start, before), -_beyond(start, before + 1.0)
+    to_go = where(begun < 0.0, -begun, to_go)
     begun = where(begun < 0.0, begun + HALF_TURN, begun)
-    middle = where(begun <= 0.5 * HALF_TURN, begun + 0.5 * rest, left - 0.5 * rest)
+    middle = where(begun <= 0.5 * HALF_TURN, begun + 0.5 * rest, to_go - 0.5 * rest)
     inside = 2.0 * sin(middle) * sin(0.5 * rest)
-    falling, rising = sin(0.5 * left), sin(0.5 * (rest - left))
+    falling, rising = sin(0.5 * to_go), sin(0.5 * (rest - to_go))
     across = 2.0 * (falling * falling + rising * rising)
-    return (2.0 * turns + where(rest <= left, inside, across)) / rotation
+    return (2.0 * turns + where(rest <= to_go, inside, across)) / rotation
 
 
 def _beyond(angle: float, turns: float) -> float:
@@ -147,27 +147,27 @@ def spin(
             rotation=(drag.rotation, Angle),
         )
         require(distance > 0.0, "the distance of a spin must be more than zero", code="no-way")
-    share = drag.share
-    factor = require_drag(drag_along(friction, grade, share))
+    braking = drag.share
+    factor = require_drag(drag_along(friction, grade, braking))
     shed = 2.0 * gravity * (factor * distance)
     speed = hypot(end_speed, sqrt(shed))
     time = crossing_time(distance, speed, end_speed)
     if isinstance(drag, Rotation):
         rate = drag.rotation / time
-    both = speed + end_speed
+    speed_sum = speed + end_speed
     # crossing_time has refused speeds that underflowed, so both are zero only without a distance
-    lost = shed / where(both > 0.0, both, 1.0)
+    lost = shed / where(speed_sum > 0.0, speed_sum, 1.0)
     return SpinLoss(
         speed=speed,
         speed_lost=lost,
-        mean_share=share,
+        mean_share=braking,
         drag_factor=factor,
         time=time,
         mean_yaw_rate=rate,
         checks=balance(
             "energy balance", lost * (2.0 * end_speed + lost), shed, speed * speed, speed, factor, distance, gravity
         ),
-        advice=drag_advice(friction, grade, share) + _turn_advice(drag),
+        advice=drag_advice(friction, grade, braking) + _turn_advice(drag),
     )
 
 

@@ -111,10 +111,10 @@ def stop(
     )
     drag = require_drag(drag_along(friction, grade, braking))
     deceleration = gravity * drag
-    way = reaction_distance = speed * reaction_time
+    travelled = reaction_distance = speed * reaction_time
     now = reaction_time
     rows = [Moment("reaction", 0.0, 0.0, speed), *_coast(speed, reaction_time, steps)]
-    rows.append(Moment("reaction", now, way, speed))
+    rows.append(Moment("reaction", now, travelled, speed))
     braking_speed = speed
     by_means = reaction_distance
     rise: float | None = None
@@ -122,18 +122,18 @@ def stop(
     if build_up_time is not None:
         rise, drop, braking_speed = _build_up(speed, deceleration, build_up_time)
         rise_way = rise * (speed - drop / 3.0)
-        rows.extend(_rise((now, way, speed), rise, (drop, braking_speed), steps))
-        now, way = now + rise, way + rise_way
-        rows.append(Moment("build-up", now, way, braking_speed))
+        rows.extend(_rise((now, travelled, speed), rise, (drop, braking_speed), steps))
+        now, travelled = now + rise, travelled + rise_way
+        rows.append(Moment("build-up", now, travelled, braking_speed))
         by_means = by_means + rise * (2.0 * speed + braking_speed) / 3.0
     braking_time = braking_speed / deceleration
     braking_way = braking_time * (0.5 * braking_speed)
-    rows.extend(_brake((now, way, braking_speed), braking_time, steps))
-    now, way = now + braking_time, way + braking_way
-    rows.append(Moment("braking", now, way, 0.0 * braking_speed))
+    rows.extend(_brake((now, travelled, braking_speed), braking_time, steps))
+    now, travelled = now + braking_time, travelled + braking_way
+    rows.append(Moment("braking", now, travelled, 0.0 * braking_speed))
     by_means = by_means + braking_way
     return Stop(
-        stopping_distance=way,
+        stopping_distance=travelled,
         stopping_time=now,
         reaction_distance=reaction_distance,
         build_up_distance=rise_way,
@@ -147,8 +147,8 @@ def stop(
         checks=balance(
             "distance from mean speeds",
             by_means,
-            way,
-            way,
+            travelled,
+            travelled,
             speed,
             reaction_time,
             deceleration,
@@ -175,22 +175,22 @@ def _coast(speed: float, duration: float, steps: int) -> list[Moment]:
 
 def _rise(begin: tuple[float, float, float], duration: float, end: tuple[float, float], steps: int) -> list[Moment]:
     """Speed lost grows with the square of the time, and the way lost with its cube."""
-    start, way, speed = begin
+    start, travelled, speed = begin
     drop, rest = end
     rows = []
     for step in range(1, steps):
         time = duration * step / steps
         lost = drop * (step * step) / (steps * steps)
-        left = rest + drop * (steps * steps - step * step) / (steps * steps)
-        rows.append(Moment("build-up", start + time, way + time * (speed - lost / 3.0), left))
+        speed_now = rest + drop * (steps * steps - step * step) / (steps * steps)
+        rows.append(Moment("build-up", start + time, travelled + time * (speed - lost / 3.0), speed_now))
     return rows
 
 
 def _brake(begin: tuple[float, float, float], duration: float, steps: int) -> list[Moment]:
-    start, way, speed = begin
+    start, travelled, speed = begin
     rows = []
     for step in range(1, steps):
         time = duration * step / steps
-        left = speed * (steps - step) / steps
-        rows.append(Moment("braking", start + time, way + time * (0.5 * (speed + left)), left))
+        speed_now = speed * (steps - step) / steps
+        rows.append(Moment("braking", start + time, travelled + time * (0.5 * (speed + speed_now)), speed_now))
     return rows

@@ -178,10 +178,10 @@ def on_grade(
     sliding = sqrt(2.0 * gravity * (drag * over))
     require_kept(sliding > 0.0, "friction times the throw distance")
     least = sliding / hypot(1.0, friction)
-    share = vehicle_share(efficiency, body_mass, vehicle_mass)
+    mass_ratio = vehicle_share(efficiency, body_mass, vehicle_mass)
     advice = friction_advice(friction) + grade_advice(slope)
     if launch_angle is None:
-        return Throw(least_speed=least, least_vehicle_speed=vehicle_speed(least, share), advice=advice)
+        return Throw(least_speed=least, least_vehicle_speed=vehicle_speed(least, mass_ratio), advice=advice)
     require_launch(launch_angle)
     speed, flight_time, flight, slide_time, slide = _stages(
         friction, slope, road, launch_angle, height, sliding, gravity * drag, gravity / road
@@ -193,8 +193,8 @@ def on_grade(
         flight_distance=flight,
         slide_time=slide_time,
         slide_distance=slide,
-        vehicle_speed=vehicle_speed(speed, share),
-        least_vehicle_speed=vehicle_speed(least, share),
+        vehicle_speed=vehicle_speed(speed, mass_ratio),
+        least_vehicle_speed=vehicle_speed(least, mass_ratio),
         checks=balance(
             "flight and slide make the throw", flight + slide, throw_distance, throw_distance, throw_distance,
             friction, height, speed, over, drag,
@@ -219,16 +219,16 @@ def _stages(
     landing = sqrt(multiply_add(speed * up, speed * up, 2.0 * fall * height))
     time = _flight_time(speed * up, landing, fall, height)
     forward = speed * along - fall * slope * time
-    left = forward - friction * landing
+    landing_speed = forward - friction * landing
     require(
-        left >= -1e-15 * speed,
+        landing_speed >= -1e-15 * speed,
         "landing stops the body at once: friction takes {lost:6} of the {forward:6} along the road",
         lost=(friction * landing, RoadSpeed), forward=(forward, RoadSpeed), code="stops-at-landing",
         hint="a flatter launch, or read the least speed, which holds always",
     )  # fmt: skip
-    left = maximum(left, 0.0)
+    landing_speed = maximum(landing_speed, 0.0)
     flight = (time * multiply_add(-0.5 * fall * slope, time, speed * along) + slope * height) / road
-    return speed, time, flight, left / slowing, 0.5 * left * left / slowing / road
+    return speed, time, flight, landing_speed / slowing, 0.5 * landing_speed * landing_speed / slowing / road
 
 
 def _flight_time(rising: float, landing: float, fall: float, height: float) -> float:

@@ -142,8 +142,8 @@ def yaw(
         )
     sideways = friction if braking_drag is None else _left_for_the_curve(friction, braking_drag)
     lean = multiply_add(-sideways, superelevation, 1.0)
-    share = _share(sideways, superelevation, lean)
-    speed = sqrt(gravity * path_radius * share)
+    grip = _share(sideways, superelevation, lean)
+    speed = sqrt(gravity * path_radius * grip)
     if test_error is not None:
         require(test_error > -1.0, "a test error of {e} leaves no speed", e=(test_error, Ratio), code="test-error")
         speed = speed / (1.0 + test_error)
@@ -151,7 +151,7 @@ def yaw(
         speed=speed,
         path_radius=path_radius,
         mark_radius=mark_radius,
-        lateral_acceleration=gravity * share,
+        lateral_acceleration=gravity * grip,
         speed_deviation=yaw_scatter(speed, path_radius, survey),
         radius_deviation=survey.deviation if survey else None,
         point_scatter=survey.residual if survey else None,
@@ -159,7 +159,7 @@ def yaw(
         centre=survey.centre if survey else None,
         first_half_radius=survey.first_half if survey else None,
         second_half_radius=survey.second_half if survey else None,
-        checks=_check(sideways, superelevation, share),
+        checks=_check(sideways, superelevation, grip),
         advice=friction_advice(friction)
         + grade_advice(superelevation, "superelevation")
         + (survey.advice if survey else _arc_advice(path))

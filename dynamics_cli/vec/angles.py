@@ -104,12 +104,12 @@ def _about(axis: kinds.Vector, a: "Vector", b: "Vector") -> "tuple[float, float]
     n = scaled(axis.parts)
     p, q = cross(n, a), cross(n, b)
     for name, vector, moment in (("first", a, p), ("second", b, q)):
-        share = plain(norm(moment)) / (plain(norm(n)) * plain(norm(vector)))
+        relative = plain(norm(moment)) / (plain(norm(n)) * plain(norm(vector)))
         require(
-            share > ROUNDING,
+            relative > ROUNDING,
             "the axis is parallel to the {name} vector (sine {sine:2}): there is no angle about it",
             name=name,
-            sine=(share, Ratio),
+            sine=(relative, Ratio),
             code="parallel-axis",
             hint="give an axis perpendicular to both vectors, such as 0, 0, 1 for vectors in the x–y plane",
         )
@@ -140,6 +140,6 @@ def lagrange(a: "Vector", b: "Vector") -> Check:
     y = [plain(part) for part in b]
     c = (x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0])
     squares = sum(part * part for part in x) * sum(part * part for part in y)
-    left = sum(part * part for part in c) + sum(p * q for p, q in zip(x, y, strict=True)) ** 2
-    off = abs(left - squares) / squares if squares > 0.0 else 0.0
+    left_side = sum(part * part for part in c) + sum(p * q for p, q in zip(x, y, strict=True)) ** 2
+    off = abs(left_side - squares) / squares if squares > 0.0 else 0.0
     return Check("|a×b|² + (a·b)² = |a|²|b|²", off <= LAGRANGE, off, LAGRANGE)

@@ -74,30 +74,30 @@ def frame(
     >>> frame(x=(0.0, 2.0, 0.0), y=(-3.0, 1.0, 0.0)).y_axis.value
     (-1.0, 0.0, 0.0)
     """
-    given = _directions(points, x, y, z)
-    order = [name for name in AXES if name in given]
+    directions = _directions(points, x, y, z)
+    order = [name for name in AXES if name in directions]
     first, second = order[0], order[1]
-    a, b = scaled(given[first].parts), scaled(given[second].parts)
+    a, b = scaled(directions[first].parts), scaled(directions[second].parts)
     product = cross(a, b)
-    share = plain(norm(product)) / (plain(norm(a)) * plain(norm(b)))
+    sine = plain(norm(product)) / (plain(norm(a)) * plain(norm(b)))
     require(
-        share > ROUNDING,
+        sine > ROUNDING,
         "the directions of {first} and {second} are parallel (sine {share:2})",
         first=first,
         second=second,
-        share=(share, Ratio),
+        share=(sine, Ratio),
         code="parallel",
         hint="give two directions that are not parallel",
     )
     i, j = AXES.index(first), AXES.index(second)
-    kept = unit(a)
+    first_axis = unit(a)
     forward = (j - i) % 3 == 1
     last = unit(product if forward else (-product[0], -product[1], -product[2]))
-    turned = cross(last, kept) if forward else cross(kept, last)
-    axes: dict[int, Vector] = {i: kept, j: unit(turned), 3 - i - j: last}
+    turned = cross(last, first_axis) if forward else cross(first_axis, last)
+    axes: dict[int, Vector] = {i: first_axis, j: unit(turned), 3 - i - j: last}
     rows = (axes[0], axes[1], axes[2])
-    handedness, advice = _handedness(given)
-    departure = _departure(given, order)
+    handedness, advice = _handedness(directions)
+    departure = _departure(directions, order)
     return Frame(
         x_axis=kinds.direction(rows[0]),
         y_axis=kinds.direction(rows[1]),
@@ -113,51 +113,51 @@ def frame(
 
 
 def _directions(points: "tuple[Any, ...]", x: "Any", y: "Any", z: "Any") -> "dict[str, kinds.Vector]":
-    given = {name: kinds.Vector(one, f"the direction of {name}") for name, one in zip(AXES, (x, y, z), strict=True)
-             if one is not None}  # fmt: skip
+    named = zip(AXES, (x, y, z), strict=True)
+    directions = {name: kinds.Vector(axis, f"the direction of {name}") for name, axis in named if axis is not None}
     if points:
         require(
-            len(points) == 3 and not given,
+            len(points) == 3 and not directions,
             "a triad needs three points, or two or three directions; {points} points and {given} directions are given",
             points=str(len(points)),
-            given=str(len(given)),
+            given=str(len(directions)),
             code="points",
             hint="give origin, a point on the x-axis and a point in the x-y plane, without --x, --y, --z",
         )
         those = kinds.vectors(points, ("the origin", "the second point", "the third point"))
         kinds.require_same_kind(those, "points of different kinds")
-        for name, one in zip("xy", those[1:], strict=True):
-            one.parts = difference(one.parts, those[0].parts)
-            given[name] = one
+        for name, direction in zip("xy", those[1:], strict=True):
+            direction.parts = difference(direction.parts, those[0].parts)
+            directions[name] = direction
     require(
-        len(given) > 1,
+        len(directions) > 1,
         "a triad needs two directions, {count} given",
-        count=str(len(given)),
+        count=str(len(directions)),
         code="directions",
         hint='for example --x "1, 2, 0" --y "0, 1, 0"',
     )
-    for name, one in given.items():
-        kinds.require_direction(one, f"the direction of {name}")
-    return given
+    for name, direction in directions.items():
+        kinds.require_direction(direction, f"the direction of {name}")
+    return directions
 
 
-def _departure(given: "dict[str, kinds.Vector]", order: "list[str]") -> float:
+def _departure(directions: "dict[str, kinds.Vector]", order: "list[str]") -> float:
     """The largest departure of two directions from a right angle, small ones exactly."""
-    pairs = [(one, other) for n, one in enumerate(order) for other in order[n + 1 :]]
+    pairs = [(first, second) for n, first in enumerate(order) for second in order[n + 1 :]]
     off = []
-    for one, other in pairs:
-        a, b = scaled(given[one].parts), scaled(given[other].parts)
+    for first, second in pairs:
+        a, b = scaled(directions[first].parts), scaled(directions[second].parts)
         off.append(absolute(atan2(dot(a, b), norm(cross(a, b)))))
     return max(off, key=plain)
 
 
-def _handedness(given: "dict[str, kinds.Vector]") -> "tuple[str | None, tuple[Advice, ...]]":
-    if len(given) < 3:
+def _handedness(directions: "dict[str, kinds.Vector]") -> "tuple[str | None, tuple[Advice, ...]]":
+    if len(directions) < 3:
         return None, ()
-    those = (given["x"], given["y"], given["z"])
-    value = plain(triple(*(scaled(one.parts) for one in those)))
-    for one in those:
-        one.parts = scaled(one.parts)
+    those = (directions["x"], directions["y"], directions["z"])
+    value = plain(triple(*(scaled(direction.parts) for direction in those)))
+    for direction in those:
+        direction.parts = scaled(direction.parts)
     require_spanning(those, value)
     if value > 0.0:
         return "right-handed", ()
@@ -165,8 +165,8 @@ def _handedness(given: "dict[str, kinds.Vector]") -> "tuple[str | None, tuple[Ad
     return "left-handed", (Advice("left-handed", message, remedy="exchange two of them, or reverse one"),)
 
 
-def _seen(one: kinds.Vector, rows: "tuple[Vector, Vector, Vector]") -> FreeVector:
-    return kinds.vector([dot(one.parts, row) for row in rows], one.kind)
+def _seen(vector: kinds.Vector, rows: "tuple[Vector, Vector, Vector]") -> FreeVector:
+    return kinds.vector([dot(vector.parts, row) for row in rows], vector.kind)
 
 
 def _square(rows: "tuple[Vector, Vector, Vector]") -> Check:

@@ -60,18 +60,18 @@ class Vector:
         return all(plain(part) == 0.0 for part in self.parts)
 
 
-def vectors(given: "Sequence[Any]", names: "Sequence[str]" = ()) -> "list[Vector]":
+def vectors(raw: "Sequence[Any]", names: "Sequence[str]" = ()) -> "list[Vector]":
     """Several vectors, by their names in messages."""
-    return [Vector(one, names[index] if names else f"vector {index + 1}") for index, one in enumerate(given)]
+    return [Vector(item, names[index] if names else f"vector {index + 1}") for index, item in enumerate(raw)]
 
 
-def require_same_kind(those: "Sequence[Vector]", what: str) -> None:
+def require_same_kind(those: "Sequence[Vector]", context: str) -> None:
     """Refuse a sum of unlike kinds."""
     for index, other in enumerate(those[1:], 2):
         require(
             other.kind.unit == those[0].kind.unit,
             "{what}: vector 1 is a {first}, vector {index} a {other}",
-            what=what,
+            what=context,
             first=those[0].kind.name,
             index=str(index),
             other=other.kind.name,
@@ -118,37 +118,37 @@ def magnitude(those: Vector) -> Quantity:
     return number(norm(those.parts), those.kind)
 
 
-def times(one: "Any", other: "Any", *, cross: bool = False) -> Kind:
+def times(a: "Any", b: "Any", *, cross: bool = False) -> Kind:
     """The kind of a product, shown in the units of its factors where these are not SI's."""
-    if not one.unit or not other.unit:
-        return scalar(one if one.unit else other)
+    if not a.unit or not b.unit:
+        return scalar(a if a.unit else b)
     table = _VECTOR if cross else _SCALAR
-    for first, second in ((one, other), (other, one)):
-        known = table.get((first.unit, second.unit))
-        if known is not None:
-            return _known(known, first, second)
-    return Kind(f"{one.name} times {other.name}", _joined(one.unit, other.unit), si=_joined(one.si, other.si))
+    for first, second in ((a, b), (b, a)):
+        kind = table.get((first.unit, second.unit))
+        if kind is not None:
+            return _known(kind, first, second)
+    return Kind(f"{a.name} times {b.name}", _joined(a.unit, b.unit), si=_joined(a.si, b.si))
 
 
-def over(one: "Any", other: "Any") -> Kind:
+def over(a: "Any", b: "Any") -> Kind:
     """The kind of a quotient."""
-    if not other.unit:
-        return scalar(one)
-    if one.unit == other.unit:
+    if not b.unit:
+        return scalar(a)
+    if a.unit == b.unit:
         return NUMBER
-    return Kind(f"{one.name} per {other.name}", f"{one.unit or '1'}/({other.unit})", si=f"{one.si or '1'}/({other.si})")
+    return Kind(f"{a.name} per {b.name}", f"{a.unit or '1'}/({b.unit})", si=f"{a.si or '1'}/({b.si})")
 
 
 def _known(known: "Any", first: "Any", second: "Any") -> Kind:
-    written = (first.si, second.si) != (first.unit, second.unit) and "rad" not in first.unit
-    if not written or known is Power:
+    own_units = (first.si, second.si) != (first.unit, second.unit) and "rad" not in first.unit
+    if not own_units or known is Power:
         return Kind(known.name, known.unit, si=known.unit, us=known.us)
     # an energy is written length first, a torque force first
     joined = _joined(second.si, first.si) if known is Energy else _joined(first.si, second.si)
     return Kind(known.name, known.unit, si=joined, us=known.us)
 
 
-def _joined(one: str, other: str) -> str:
-    simple = one.isalpha() and other.isalpha()
-    first, second = (f"({unit})" if "/" in unit else unit for unit in (one, other))
-    return f"{one}^2" if one == other and simple else f"{first}*{second}"
+def _joined(first_text: str, second_text: str) -> str:
+    simple = first_text.isalpha() and second_text.isalpha()
+    first, second = (f"({unit})" if "/" in unit else unit for unit in (first_text, second_text))
+    return f"{first_text}^2" if first_text == second_text and simple else f"{first}*{second}"

@@ -51,12 +51,12 @@ class _Read:
 
     def __init__(self, item: Item, name: str) -> None:
         point = kinds.Vector(item.point, f"the point of the {name}")
-        given = [word for word in ("direction", "to", "normal") if getattr(item, word) is not None]
+        forms = [word for word in ("direction", "to", "normal") if getattr(item, word) is not None]
         require(
-            len(given) < 2,
+            len(forms) < 2,
             "the {name} has {given}: a line has a direction or a second point, a plane a normal",
             name=name,
-            given=" and ".join(given),
+            given=" and ".join(forms),
             code="shape",
             hint="give one of them",
         )
@@ -64,15 +64,15 @@ class _Read:
         self.kind = point.kind
         self.shape = "point"
         self.way: Vector = (0.0, 0.0, 0.0)
-        if given:
-            self.shape = "plane" if given[0] == "normal" else "line"
-            way = kinds.Vector(getattr(item, given[0]), f"the {given[0]} of the {name}")
-            if given[0] == "to":
-                kinds.require_same_kind((point, way), f"the two points of the {name} are of different kinds")
-                way.parts = difference(way.parts, point.parts)
-            kinds.require_direction(way, f"the direction of the {name}" if self.shape == "line" else f"the normal of "
-                                    f"the {name}")  # fmt: skip
-            self.way = way.parts
+        if forms:
+            self.shape = "plane" if forms[0] == "normal" else "line"
+            vector = kinds.Vector(getattr(item, forms[0]), f"the {forms[0]} of the {name}")
+            if forms[0] == "to":
+                kinds.require_same_kind((point, vector), f"the two points of the {name} are of different kinds")
+                vector.parts = difference(vector.parts, point.parts)
+            role = "direction" if self.shape == "line" else "normal"
+            kinds.require_direction(vector, f"the {role} of the {name}")
+            self.way = vector.parts
 
 
 def lines(*, first: Item, second: Item) -> Lines:
@@ -102,42 +102,42 @@ def lines(*, first: Item, second: Item) -> Lines:
     >>> lines(first=x_axis, second=other).distance.value
     3.0
     """
-    one, other = _Read(first, "first"), _Read(second, "second")
+    left, right = _Read(first, "first"), _Read(second, "second")
     require(
-        one.kind.unit == other.kind.unit,
+        left.kind.unit == right.kind.unit,
         "the points are of different kinds: a {first} and a {other}",
-        first=one.kind.name,
-        other=other.kind.name,
+        first=left.kind.name,
+        other=right.kind.name,
         code="mixed-kinds",
         hint="give both points in units of length, or both without units",
     )
     order = ("point", "line", "plane")
-    swapped = order.index(one.shape) > order.index(other.shape)
-    a, b = (other, one) if swapped else (one, other)
+    swapped = order.index(left.shape) > order.index(right.shape)
+    a, b = (right, left) if swapped else (left, right)
     pose = _CASES[a.shape, b.shape](a, b)
     feet = pose.pop("feet", (None, None))
     if swapped:
         feet = feet[::-1]
 
     def point(parts: "Vector | None") -> "Any":
-        return None if parts is None else kinds.vector(parts, one.kind)
+        return None if parts is None else kinds.vector(parts, left.kind)
 
     distance = pose["distance"]
     return Lines(
         relation=pose["relation"],
-        distance=kinds.number(distance, one.kind),
+        distance=kinds.number(distance, left.kind),
         angle=pose.get("angle"),
         first_foot=point(feet[0]),
         second_foot=point(feet[1]),
         intersection=point(pose.get("meet")),
         common_direction=kinds.direction(pose["common"]) if "common" in pose else None,
-        checks=_feet_apart(feet, distance, one.point, other.point) if feet[0] is not None else (),
+        checks=_feet_apart(feet, distance, left.point, right.point) if feet[0] is not None else (),
         advice=_nearly_parallel(pose),
     )
 
 
 def _moved(p: "Vector", factor: float, u: "Vector") -> "Vector":
-    x, y, z = (sum_of_products((start,), (factor, way)) for start, way in zip(p, u, strict=True))
+    x, y, z = (sum_of_products((start,), (factor, step)) for start, step in zip(p, u, strict=True))
     return x, y, z
 
 
@@ -160,17 +160,17 @@ def _point_and_line(a: _Read, b: _Read) -> "dict[str, Any]":
     gap = difference(a.point, b.point)
     distance = norm(cross(gap, b.way)) / norm(b.way)
     foot = _moved(b.point, dot(gap, b.way) / dot(b.way, b.way), b.way)
-    on = _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
-    relation = _touch("the point is on the line", distance) if on else "apart"
+    incident = _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
+    relation = _touch("the point is on the line", distance) if incident else "apart"
     return {"distance": distance, "relation": relation, "feet": (a.point, foot)}
 
 
 def _point_and_plane(a: _Read, b: _Read) -> "dict[str, Any]":
     height = _apart(b.point, a.point, b.way) / norm(b.way)
     foot = _moved(a.point, -height / norm(b.way), b.way)
-    on = _is_small(height, plain(norm(a.point)) + plain(norm(b.point)))
+    incident = _is_small(height, plain(norm(a.point)) + plain(norm(b.point)))
     side = "on the side of the normal" if plain(height) > 0.0 else "on the side away from the normal"
-    relation = _touch("the point is in the plane", height) if on else f"apart, {side}"
+    relation = _touch("the point is in the plane", height) if incident else f"apart, {side}"
     return {"distance": absolute(height), "relation": relation, "feet": (a.point, foot)}
 
 
@@ -189,8 +189,8 @@ def _two_lines(a: _Read, b: _Read) -> "dict[str, Any]":
     if _is_small(sine, size):
         distance = norm(cross(gap, u)) / norm(u)
         foot = _moved(b.point, -dot(gap, v) / dot(v, v), v)
-        one = _is_small(distance, reach)
-        relation = _touch("coincident" if one else "parallel", sine if not one else distance)
+        coincident = _is_small(distance, reach)
+        relation = _touch("coincident" if coincident else "parallel", sine if not coincident else distance)
         return {"distance": distance, "relation": relation, "angle": angle, "feet": (a.point, foot)}
     volume = _apart(a.point, b.point, product)
     distance = absolute(volume) / sine
@@ -230,12 +230,12 @@ def _two_planes(a: _Read, b: _Read) -> "dict[str, Any]":
     height = _apart(b.point, a.point, n)
     if _is_small(sine, size):
         distance = absolute(height) / norm(n)
-        one = _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
-        relation = _touch("coincident" if one else "parallel", distance if one else sine)
+        coincident = _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
+        relation = _touch("coincident" if coincident else "parallel", distance if coincident else sine)
         return {"distance": distance, "relation": relation, "angle": angle}
     # within the first plane, square to the common line, down to the second plane
-    way = cross(product, m)
-    meet = _moved(a.point, -height / dot(way, n), way)
+    direction = cross(product, m)
+    meet = _moved(a.point, -height / dot(direction, n), direction)
     common = tuple(part / sine for part in product)
     pose = {"distance": 0.0 * height, "relation": "intersecting in a line", "angle": angle, "meet": meet}
     return {**pose, "common": common, "sine": plain(sine) / size}
@@ -261,8 +261,8 @@ def _nearly_parallel(pose: "dict[str, Any]") -> "tuple[Advice, ...]":
 
 
 def _feet_apart(feet: "Any", distance: float, p: "Vector", q: "Vector") -> "tuple[Check, ...]":
-    one, other = ([plain(x) for x in foot] for foot in feet)
-    apart = sum((a - b) ** 2 for a, b in zip(one, other, strict=True)) ** 0.5
-    size = max(map(abs, [*one, *other, *map(plain, p), *map(plain, q)])) or 1.0
+    first, second = ([plain(x) for x in foot] for foot in feet)
+    apart = sum((a - b) ** 2 for a, b in zip(first, second, strict=True)) ** 0.5
+    size = max(map(abs, [*first, *second, *map(plain, p), *map(plain, q)])) or 1.0
     off = abs(apart - plain(distance)) / size
     return (Check("the feet are that distance apart", off <= FEET, off, FEET),)

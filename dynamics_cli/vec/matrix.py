@@ -138,24 +138,24 @@ def _eliminated(left: "Rows", right: "Rows") -> "tuple[Pair, Rows, int]":
     return determinant, tuple(tuple(row[width:]) for row in rows), rank
 
 
-def _added(one: "Rows", other: "Rows") -> "Rows":
-    fits = len(one) == len(other) and len(one[0]) == len(other[0])
-    require(fits, "a {first} matrix and a {other} matrix cannot be added", **_sizes(one, other), code="sizes",
+def _added(first: "Rows", second: "Rows") -> "Rows":
+    fits = len(first) == len(second) and len(first[0]) == len(second[0])
+    require(fits, "a {first} matrix and a {other} matrix cannot be added", **_sizes(first, second), code="sizes",
             hint="give matrices of one size")  # fmt: skip
-    return tuple(tuple(total(pair) for pair in zip(a, b, strict=True)) for a, b in zip(one, other, strict=True))
+    return tuple(tuple(total(pair) for pair in zip(a, b, strict=True)) for a, b in zip(first, second, strict=True))
 
 
-def _multiplied(one: "Rows", other: "Rows") -> "Rows":
-    require(len(one[0]) == len(other), "a {first} matrix cannot multiply a {other} matrix", **_sizes(one, other),
+def _multiplied(first: "Rows", second: "Rows") -> "Rows":
+    require(len(first[0]) == len(second), "a {first} matrix cannot multiply a {other} matrix", **_sizes(first, second),
             code="sizes", hint="the first must have as many columns as the second has rows")  # fmt: skip
-    columns = tuple(zip(*other, strict=True))
+    columns = tuple(zip(*second, strict=True))
     return tuple(
-        tuple(total(product(a, b) for a, b in zip(row, column, strict=True)) for column in columns) for row in one
+        tuple(total(product(a, b) for a, b in zip(row, column, strict=True)) for column in columns) for row in first
     )
 
 
-def _sizes(one: "Rows", other: "Rows") -> "dict[str, str]":
-    return {"first": f"{len(one)} by {len(one[0])}", "other": f"{len(other)} by {len(other[0])}"}
+def _sizes(first: "Rows", second: "Rows") -> "dict[str, str]":
+    return {"first": f"{len(first)} by {len(first[0])}", "other": f"{len(second)} by {len(second[0])}"}
 
 
 def _solution(a: "Rows", b: "Rows") -> "Rows":
@@ -177,8 +177,8 @@ def _norm(rows: "Rows") -> "Pair":
     """The largest sum of sizes along a row."""
     sums = [total((abs(top), bottom) for top, bottom in row) for row in rows]
     largest = sums[0]
-    for one in sums[1:]:
-        largest = one if one[0] * largest[1] > largest[0] * one[1] else largest
+    for row_sum in sums[1:]:
+        largest = row_sum if row_sum[0] * largest[1] > largest[0] * row_sum[1] else largest
     return largest
 
 

@@ -77,12 +77,12 @@ def _panel(
     left, right = min(x for x, _ in points), max(x for x, _ in points)
     low, high = min(y for _, y in points), max(y for _, y in points)
     size = max(right - left, high - low) or 1.0
-    shown = [one for one in arrows if math.hypot(*one[1]) > 1e-9 * size]
+    visible = [arrow for arrow in arrows if math.hypot(*arrow[1]) > 1e-9 * size]
     items: list[Any] = list(more)
-    for tail, way, name, role in shown:
-        items.append(Arrow(*tail, *way, "", role))
-        others = [(other, reach) for other, reach, _, which in shown if (other, reach, which) != (tail, way, role)]
-        items.append(_beside(tail, way, name, role, others, size))
+    for tail, step, name, role in visible:
+        items.append(Arrow(*tail, *step, "", role))
+        others = [(other, reach) for other, reach, _, which in visible if (other, reach, which) != (tail, step, role)]
+        items.append(_beside(tail, step, name, role, others, size))
     # words stand beyond the outermost arrows: unseen corners keep room for them
     room_x, room_y = 0.3 * size, 0.08 * size
     items.append(Curve([left - room_x, right + room_x], [low - room_y, high + room_y], "", "fill", SUM))
@@ -90,28 +90,28 @@ def _panel(
 
 
 def _beside(
-    tail: "Pair", way: "Pair", name: str, role: int, others: "Sequence[tuple[Pair, Pair]]", size: float
+    tail: "Pair", step: "Pair", name: str, role: int, others: "Sequence[tuple[Pair, Pair]]", size: float
 ) -> Mark:
     """Words beside an arrow, on the side and at the place that is farthest from the other arrows."""
-    length = math.hypot(*way)
+    length = math.hypot(*step)
     ends = [tail, *(start for start, _ in others), *((x + dx, y + dy) for (x, y), (dx, dy) in others)]
     centre = sum(x for x, _ in ends) / len(ends), sum(y for _, y in ends) / len(ends)
     best: tuple[float, Pair, Pair] | None = None
-    for share in (0.5, 0.35, 0.65):
-        at = tail[0] + share * way[0], tail[1] + share * way[1]
+    for fraction in (0.5, 0.35, 0.65):
+        anchor = tail[0] + fraction * step[0], tail[1] + fraction * step[1]
         for sign in (1.0, -1.0):
-            normal = -sign * way[1] / length, sign * way[0] / length
-            middle = at[0] + (0.06 + 0.1 * abs(normal[0])) * size * normal[0], at[1] + 0.06 * size * normal[1]
-            room = min((_distance(middle, *other) for other in others), default=size)
-            away = normal[0] * (at[0] - centre[0]) + normal[1] * (at[1] - centre[1]) > 0.0
-            score = min(room, 0.12 * size) - 0.02 * size * abs(share - 0.5) + 0.06 * size * away
+            normal = -sign * step[1] / length, sign * step[0] / length
+            middle = anchor[0] + (0.06 + 0.1 * abs(normal[0])) * size * normal[0], anchor[1] + 0.06 * size * normal[1]
+            clearance = min((_distance(middle, *other) for other in others), default=size)
+            away = normal[0] * (anchor[0] - centre[0]) + normal[1] * (anchor[1] - centre[1]) > 0.0
+            score = min(clearance, 0.12 * size) - 0.02 * size * abs(fraction - 0.5) + 0.06 * size * away
             if best is None or score > best[0] + 1e-9 * size:
-                best = (score, at, normal)
+                best = (score, anchor, normal)
     assert best is not None
-    _, at, normal = best
+    _, anchor, normal = best
     across = 0.0 if abs(normal[0]) < FLAT else math.copysign(5.0, normal[0])
     up = 0.0 if abs(normal[1]) < FLAT else math.copysign(4.0, normal[1])
-    return Mark(*at, name, (across, up), dot=False, role=role)
+    return Mark(*anchor, name, (across, up), dot=False, role=role)
 
 
 def _distance(point: "Pair", tail: "Pair", way: "Pair") -> float:
@@ -131,9 +131,9 @@ def angle(result: "Any", *_: "Any", **__: "Any") -> Picture:
     name = worded("{angle}", angle=(turn, Angle))
     label = Label(0.45 * math.cos(0.5 * turn), 0.45 * math.sin(0.5 * turn), name, SUM)
     panel = _panel(arrows, kinds.NUMBER, ("", ""), "", (arc, label))
-    bare = Panel(panel.x, panel.y, panel.items, equal=True, bare=True)
+    plane = Panel(panel.x, panel.y, panel.items, equal=True, bare=True)
     return Picture(
-        (bare,), "the angle between two vectors, in their plane", subtitle="directions only: both of unit length"
+        (plane,), "the angle between two vectors, in their plane", subtitle="directions only: both of unit length"
     )
 
 
@@ -144,23 +144,23 @@ def resolve(result: "Any", vector: "Any", **_: "Any") -> Picture:
     if result.components is not None:
         parts = [(row.part.value, worded("{size}", size=(row.component.value, kind))) for row in result.components]
     else:
-        one, other = (result.part_along, result.part_across) if result.component is not None else (
+        along, across = (result.part_along, result.part_across) if result.component is not None else (
             result.part_out_of_plane, result.part_in_plane)  # fmt: skip
         names = ("along", "across") if result.component is not None else ("along the normal", "in the plane")
         parts = [
             (part.value, worded("{size} " + name, size=(math.hypot(*part.value), kind)))
-            for part, name in zip((one, other), names, strict=True)
+            for part, name in zip((along, across), names, strict=True)
         ]
     size = worded("{size}", size=(math.hypot(*value), kind))
     flat = len(value) == 2 and all(len(part) == 2 for part, _ in parts)
 
     def drawn(view: "Any") -> "list[tuple[Pair, Pair, str, int]]":
-        at = (0.0, 0.0)
+        tip = (0.0, 0.0)
         arrows: list[tuple[Pair, Pair, str, int]] = []
         for nth, (part, name) in enumerate(parts):
-            way = view(part)
-            arrows.append((at, way, name, nth % COLOURS))
-            at = at[0] + way[0], at[1] + way[1]
+            step = view(part)
+            arrows.append((tip, step, name, nth % COLOURS))
+            tip = tip[0] + step[0], tip[1] + step[1]
         return [*arrows, ((0.0, 0.0), view(value), size, SUM)]
 
     if flat:
@@ -176,12 +176,12 @@ def polygon(result: "Any", *known: "Any", sum_: "Any" = None, **_: "Any") -> Pic
     """Every solution: the known vectors, then the two that were looked for, and what all add up to."""
     kind = kinds.scalar(result.missing.kind)
     panels = []
-    for nth, one in enumerate(result.solutions, 1):
+    for nth, solution in enumerate(result.solutions, 1):
         values = [getattr(each, "value", each) for each in known]
         names = [_size(math.hypot(*value), math.atan2(value[1], value[0]), kind) for value in values]
-        values += [one.first.value, one.second.value]
-        names += [_size(one.first_magnitude.value, one.first_angle, kind)]
-        names += [_size(one.second_magnitude.value, one.second_angle, kind)]
+        values += [solution.first.value, solution.second.value]
+        names += [_size(solution.first_magnitude.value, solution.first_angle, kind)]
+        names += [_size(solution.second_magnitude.value, solution.second_angle, kind)]
         total = getattr(sum_, "value", sum_) or (0.0, 0.0)
         sum_name = worded("sum {size}", size=(math.hypot(*total), kind))
         title = f"solution {nth}" if len(result.solutions) > 1 else ""
@@ -241,8 +241,8 @@ def direction(result: "Any", *_: "Any", **__: "Any") -> Picture:
 def product(result: "Any", first: "Any", second: "Any", third: "Any" = None, /) -> Picture:
     """The factors and their vector product, as directions."""
     items = _axes(1.0)
-    given = [("a", first), ("b", second), *([("c", third)] if third is not None else [])]
-    for role, (name, vector) in enumerate(given):
+    factors = [("a", first), ("b", second), *([("c", third)] if third is not None else [])]
+    for role, (name, vector) in enumerate(factors):
         items += _arrow(_unit(_spatial(getattr(vector, "value", vector))), name, role)
     if any(result.vector_product.value):
         items += _arrow(_unit(result.vector_product.value), "a×b", 3)
@@ -251,20 +251,20 @@ def product(result: "Any", first: "Any", second: "Any", third: "Any" = None, /) 
 
 def lines(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
     """Points, lines and planes with their shortest connection, obliquely."""
-    known = [_spatial(getattr(one.point, "value", one.point)) for one in (first, second)]
-    ends = [one.value for one in (result.first_foot, result.second_foot, result.intersection) if one is not None]
-    middle = [sum(point[i] for point in (*known, *ends)) / len((*known, *ends)) for i in range(3)]
-    reach = max([math.dist(point, middle) for point in (*known, *ends)]) or 1.0
+    starts = [_spatial(getattr(item.point, "value", item.point)) for item in (first, second)]
+    ends = [item.value for item in (result.first_foot, result.second_foot, result.intersection) if item is not None]
+    middle = [sum(point[i] for point in (*starts, *ends)) / len((*starts, *ends)) for i in range(3)]
+    reach = max([math.dist(point, middle) for point in (*starts, *ends)]) or 1.0
     items: list[Any] = []
-    for role, (name, one, point) in enumerate(zip(("first", "second"), (first, second), known, strict=True)):
+    for role, (name, item, point) in enumerate(zip(("first", "second"), (first, second), starts, strict=True)):
         x, y = _seen(point)
         aside = (6.0, 6.0) if role else (-6.0, -6.0)
         items.append(Mark(x, y, name, aside, role=role))
-        way = _way(one, point)
-        if way is None:
+        direction = _way(item, point)
+        if direction is None:
             continue
-        u = _unit(way)
-        if one.normal is not None:
+        u = _unit(direction)
+        if item.normal is not None:
             items.append(_patch(point, u, reach, role))
         else:
             feet = (result.first_foot, result.second_foot)[role] or result.intersection
@@ -281,12 +281,12 @@ def lines(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
     return _scene(items, f"relative position: {result.relation}", "seen obliquely; black: the shortest connection")
 
 
-def _way(one: "Any", point: "Sequence[float]") -> "tuple[float, ...] | None":
-    given = one.direction or one.normal or one.to
-    if given is None:
+def _way(item: "Any", point: "Sequence[float]") -> "tuple[float, ...] | None":
+    vector = item.direction or item.normal or item.to
+    if vector is None:
         return None
-    value = _spatial(getattr(given, "value", given))
-    return tuple(b - a for a, b in zip(point, value, strict=True)) if given is one.to else value
+    value = _spatial(getattr(vector, "value", vector))
+    return tuple(b - a for a, b in zip(point, value, strict=True)) if vector is item.to else value
 
 
 def _patch(point: "Sequence[float]", n: "Sequence[float]", reach: float, role: int) -> Curve:
@@ -305,8 +305,8 @@ def frame(result: "Any", *_: "Any", x: "Any" = None, y: "Any" = None, z: "Any" =
     items = _axes(1.0)
     for role, (name, axis) in enumerate((("x", result.x_axis), ("y", result.y_axis), ("z", result.z_axis))):
         items += _arrow(axis.value, name, role)
-    for role, given in enumerate((x, y, z)):
-        if given is not None:
-            a, b = _seen(_unit(_spatial(getattr(given, "value", given))))
+    for role, direction in enumerate((x, y, z)):
+        if direction is not None:
+            a, b = _seen(_unit(_spatial(getattr(direction, "value", direction))))
             items.append(Curve([0.0, a], [0.0, b], "", "dashed", role))
     return _scene(items, "the triad x, y, z in the axes X, Y, Z", "seen obliquely; dashed: directions as given")

@@ -108,7 +108,7 @@ def polygon(
     else:
         pairs = _two_magnitudes(total, directions[0], directions[1])
     solutions = tuple(_solution(p, q, kind, sizes, directions) for p, q in pairs)
-    against = any(plain(s.value) < 0.0 for one in solutions for s in (one.first_magnitude, one.second_magnitude))
+    against = any(plain(s.value) < 0.0 for row in solutions for s in (row.first_magnitude, row.second_magnitude))
     advice = (
         Advice("against", "a negative magnitude means a vector opposite to the given direction", severity="note"),
     )
@@ -122,19 +122,19 @@ def polygon(
 
 def _missing(known: "tuple[Any, ...]", sum_: "Any") -> "tuple[Any, Pair]":
     those = [*kinds.vectors(known), *([kinds.Vector(sum_, "the sum")] if sum_ is not None else [])]
-    for one in those:
+    for vector in those:
         require(
-            one.planar, "a polygon needs planar vectors", code="planar", hint="give two components, or 5 N @ 30 deg"
+            vector.planar, "a polygon needs planar vectors", code="planar", hint="give two components, or 5 N @ 30 deg"
         )
     kinds.require_same_kind(those, "vectors of different kinds cannot be added")
-    terms = [(-1.0, one) for one in those[: len(known)]] + [(1.0, one) for one in those[len(known) :]]
-    x, y = (sum_of_products((0.0,), *((sign, one.parts[axis]) for sign, one in terms)) for axis in range(2))
+    terms = [(-1.0, vector) for vector in those[: len(known)]] + [(1.0, vector) for vector in those[len(known) :]]
+    x, y = (sum_of_products((0.0,), *((sign, vector.parts[axis]) for sign, vector in terms)) for axis in range(2))
     return (those[0].kind if those else None), (x, y)
 
 
-def _numbers(given: "Any") -> "tuple[float, ...]":
-    value = () if given is None else getattr(given, "value", given)
-    return tuple(as_typed(one) for one in (value if isinstance(value, tuple) else (value,)))
+def _numbers(raw: "Any") -> "tuple[float, ...]":
+    value = () if raw is None else getattr(raw, "value", raw)
+    return tuple(as_typed(item) for item in (value if isinstance(value, tuple) else (value,)))
 
 
 def _two_directions(total: "Pair", a: float, b: float, kind: "Any") -> "list[tuple[Pair, Pair]]":
@@ -204,10 +204,10 @@ def _one_of_each(total: "Pair", direction: float, a: float, kind: "Any") -> "lis
     return pairs
 
 
-def _two_magnitudes(total: "Pair", one: float, other: float) -> "list[tuple[Pair, Pair]]":
+def _two_magnitudes(total: "Pair", first_direction: float, second_direction: float) -> "list[tuple[Pair, Pair]]":
     x, y = total
-    (c, s), (d, t) = turned(one), turned(other)
-    sine, _ = _sine_of(one, other)
+    (c, s), (d, t) = turned(first_direction), turned(second_direction)
+    sine, _ = _sine_of(first_direction, second_direction)
     require(
         abs(plain(sine)) > PARALLEL,
         "the two directions are parallel: the sum cannot be divided between them",
@@ -219,23 +219,23 @@ def _two_magnitudes(total: "Pair", one: float, other: float) -> "list[tuple[Pair
     return [((p * c, p * s), (q * d, q * t))]
 
 
-def _sine_of(one: float, other: float) -> "tuple[float, float]":
+def _sine_of(start: float, end: float) -> "tuple[float, float]":
     """Sine and cosine of the turn from one direction to the other, small turns exactly.
 
     Angles of so many turns that their difference is rounded by more than a last bit of a turn have it from their sines.
     """
-    if abs(plain(one)) + abs(plain(other)) > MANY_TURNS:
-        (c, s), (d, t) = turned(one), turned(other)
+    if abs(plain(start)) + abs(plain(end)) > MANY_TURNS:
+        (c, s), (d, t) = turned(start), turned(end)
         return t * c - d * s, d * c + t * s
-    cosine, sine = turned(other - one)
+    cosine, sine = turned(end - start)
     return sine, cosine
 
 
 def _solution(p: "Pair", q: "Pair", kind: "Any", sizes: "list[float]", direction: "tuple[float, ...]") -> Solution:
     # vectors of given magnitude come first, as the options are read
-    given = [None] * len(sizes) + list(direction)
+    directions = [None] * len(sizes) + list(direction)
     sides = []
-    for nth, (parts, angle) in enumerate(zip((p, q), given, strict=True)):
+    for nth, (parts, angle) in enumerate(zip((p, q), directions, strict=True)):
         size = sizes[nth] if angle is None else norm((*parts, 0.0))
         angle_of = atan2(parts[1], parts[0])
         if angle is not None:

@@ -63,16 +63,16 @@ def product(
     >>> product((0.1, 0.2, 0.3), (0.4, 0.5, 0.6), (0.7, 0.8, 0.9)).triple_product.value
     0.0
     """
-    one, other = kinds.Vector(first, "the first vector"), kinds.Vector(second, "the second vector")
-    a, b = one.parts, other.parts
+    a_vector, b_vector = kinds.Vector(first, "the first vector"), kinds.Vector(second, "the second vector")
+    a, b = a_vector.parts, b_vector.parts
     c = cross(a, b)
     area = norm(c)
     sizes = plain(norm(a)) * plain(norm(b))
-    kind = kinds.times(one.kind, other.kind, cross=True)
+    kind = kinds.times(a_vector.kind, b_vector.kind, cross=True)
     none = "undetermined: a vector is zero"
-    last = _triples(one, other, kinds.Vector(third, "the third vector")) if third is not None else _NO_TRIPLES
+    last = _triples(a_vector, b_vector, kinds.Vector(third, "the third vector")) if third is not None else _NO_TRIPLES
     return Products(
-        scalar_product=kinds.number(dot(a, b), kinds.times(one.kind, other.kind)),
+        scalar_product=kinds.number(dot(a, b), kinds.times(a_vector.kind, b_vector.kind)),
         vector_product=kinds.vector(c, kind),
         parallelogram=kinds.number(area, kind),
         triangle=kinds.number(0.5 * area, kind),
@@ -86,11 +86,11 @@ _NO_TRIPLES = dict.fromkeys(
 )
 
 
-def _triples(one: kinds.Vector, other: kinds.Vector, third: kinds.Vector) -> "dict[str, object]":
-    a, b, c = one.parts, other.parts, third.parts
+def _triples(first: kinds.Vector, second: kinds.Vector, third: kinds.Vector) -> "dict[str, object]":
+    a, b, c = first.parts, second.parts, third.parts
     value = triple(a, b, c)
-    kind = kinds.times(kinds.times(other.kind, third.kind, cross=True), one.kind)
-    triple_kind = kinds.times(kinds.times(other.kind, third.kind, cross=True), one.kind, cross=True)
+    kind = kinds.times(kinds.times(second.kind, third.kind, cross=True), first.kind)
+    triple_kind = kinds.times(kinds.times(second.kind, third.kind, cross=True), first.kind, cross=True)
     sizes = plain(norm(a)) * plain(norm(b)) * plain(norm(c))
     return {
         "triple_product": kinds.number(value, kind),
@@ -102,12 +102,12 @@ def _triples(one: kinds.Vector, other: kinds.Vector, third: kinds.Vector) -> "di
     }
 
 
-def _double(kept: "Vector", other: "Vector", factor: "Vector") -> "Vector":
+def _double(outer: "Vector", other: "Vector", factor: "Vector") -> "Vector":
     """kept·(factor·other) − other·(factor·kept): a×(b×c) of (b, c, a), (a×b)×c of (b, a, c)."""
 
     def part(axis: int) -> float:
-        plus = [(kept[axis], factor[j], other[j]) for j in range(3)]
-        minus = [(-1.0, other[axis], factor[j], kept[j]) for j in range(3)]
+        plus = [(outer[axis], factor[j], other[j]) for j in range(3)]
+        minus = [(-1.0, other[axis], factor[j], outer[j]) for j in range(3)]
         return sum_of_products(*plus, *minus)
 
     return part(0), part(1), part(2)
@@ -117,9 +117,9 @@ def coplanar(value: float, sizes: float) -> str:
     """Whether a triple product says that three vectors lie in one plane."""
     if value == 0.0:
         return "coplanar, exactly as typed"
-    share = abs(value) / sizes
-    if share <= ROUNDING:
-        return str(worded("coplanar within rounding ({share:2} of the product of their lengths)", share=(share, Ratio)))
+    ratio = abs(value) / sizes
+    if ratio <= ROUNDING:
+        return str(worded("coplanar within rounding ({share:2} of the product of their lengths)", share=(ratio, Ratio)))
     return "not coplanar" if value > 0.0 else "not coplanar, left-handed"
 
 

@@ -109,43 +109,44 @@ def resolve(
     >>> resolve((3.0, 4.0, 0.0), onto=Along((1.0, 0.0, 0.0))).across.value
     4.0
     """
-    one = kinds.Vector(vector, "the vector")
+    resolved = kinds.Vector(vector, "the vector")
     if isinstance(onto, Basis):
-        given = {"first": onto.first, "second": onto.second, "third": onto.third}
+        directions = {"first": onto.first, "second": onto.second, "third": onto.third}
         return _in_basis(
-            one, {name: kinds.Vector(b, f"the {name} direction") for name, b in given.items() if b is not None}
+            resolved,
+            {name: kinds.Vector(b, f"the {name} direction") for name, b in directions.items() if b is not None},
         )
     is_along = isinstance(onto, Along)
     name = "the direction" if is_along else "the normal"
     n = kinds.Vector(onto.along if is_along else onto.normal, name)  # type: ignore[union-attr]
     kinds.require_direction(n, name)
-    planar = one.planar and n.planar
+    planar = resolved.planar and n.planar
     length = norm(n.parts)
-    component = dot(one.parts, n.parts) / length
+    component = dot(resolved.parts, n.parts) / length
     along = tuple(component * (part / length) for part in n.parts)
-    product = cross(one.parts, n.parts)
+    product = cross(resolved.parts, n.parts)
     across = cross(n.parts, product)
     square = dot(n.parts, n.parts)
     rest = tuple(part / square for part in across)
     size = norm(product) / length
-    parts = [kinds.vector(part, one.kind, planar=planar) for part in (along, rest)]
-    numbers = [kinds.number(part, one.kind) for part in (component, size)]
-    zero = one.is_zero
+    parts = [kinds.vector(part, resolved.kind, planar=planar) for part in (along, rest)]
+    numbers = [kinds.number(part, resolved.kind) for part in (component, size)]
+    zero = resolved.is_zero
     turn = None if zero else atan2(size, component) if is_along else atan2(component, size)
     named = _ALONG if is_along else _IN_PLANE
     parted = {**_NONE, **dict(zip(named, (*numbers, *parts), strict=True))}
-    check = _reassembled(one.parts, [along, rest])
+    check = _reassembled(resolved.parts, [along, rest])
     return Resolved(**{**parted, "angle": turn}, checks=(check,))
 
 
-def _in_basis(one: kinds.Vector, named: "dict[str, kinds.Vector]") -> Resolved:
+def _in_basis(vector: kinds.Vector, named: "dict[str, kinds.Vector]") -> Resolved:
     basis = list(named.values())
     for name, direction in named.items():
         kinds.require_direction(direction, f"the {name} direction")
-    dual = _reciprocal_plane(one, basis) if len(basis) == 2 else _reciprocal_space(one, basis)
+    dual = _reciprocal_plane(vector, basis) if len(basis) == 2 else _reciprocal_space(vector, basis)
     rows = []
     largest = 0.0
-    size = plain(norm(one.parts))
+    size = plain(norm(vector.parts))
     for direction, (numerators, top, below) in zip(basis, dual, strict=True):
         coefficient = top / below
         length = norm(direction.parts)
@@ -155,9 +156,9 @@ def _in_basis(one: kinds.Vector, named: "dict[str, kinds.Vector]") -> Resolved:
         rows.append(
             Oblique(
                 direction=kinds.vector(direction.parts, direction.kind, planar=direction.planar),
-                coefficient=kinds.number(coefficient, kinds.over(one.kind, direction.kind)),
-                component=kinds.number(coefficient * length, one.kind),
-                part=kinds.vector(part, one.kind, planar=one.planar),
+                coefficient=kinds.number(coefficient, kinds.over(vector.kind, direction.kind)),
+                component=kinds.number(coefficient * length, vector.kind),
+                part=kinds.vector(part, vector.kind, planar=vector.planar),
                 reciprocal=kinds.vector(reciprocal, kinds.over(kinds.NUMBER, direction.kind), planar=direction.planar),
             )
         )
@@ -167,44 +168,44 @@ def _in_basis(one: kinds.Vector, named: "dict[str, kinds.Vector]") -> Resolved:
                          "vector", times=(largest, Ratio))  # fmt: skip
         advice = (Advice("condition", message, remedy="give directions further apart, or with more digits"),)
     parts = [row.part.value for row in rows]
-    checks = (_reassembled(one.parts, parts, size * largest),)
+    checks = (_reassembled(vector.parts, parts, size * largest),)
     return Resolved(**{**_NONE, "condition": largest, "components": tuple(rows)}, checks=checks, advice=advice)
 
 
-def _reciprocal_plane(one: kinds.Vector, basis: "list[kinds.Vector]") -> "list[tuple[Vector, float, float]]":
+def _reciprocal_plane(vector: kinds.Vector, basis: "list[kinds.Vector]") -> "list[tuple[Vector, float, float]]":
     b, c = basis
     require(
-        one.planar and b.planar and c.planar,
+        vector.planar and b.planar and c.planar,
         "two directions form a basis of a plane, and not all vectors here are planar",
         code="basis",
         hint="give vectors of two components, or a third direction",
     )
     (bx, by, _), (cx, cy, _) = b.parts, c.parts
     below = sum_of_products((bx, cy), (-1.0, by, cx))
-    share = abs(plain(below)) / (plain(norm(b.parts)) * plain(norm(c.parts)))
+    sine = abs(plain(below)) / (plain(norm(b.parts)) * plain(norm(c.parts)))
     require(
-        share > ROUNDING,
+        sine > ROUNDING,
         "the two directions of the basis are parallel (sine {share:2})",
-        share=(share, Ratio),
+        share=(sine, Ratio),
         code="parallel-basis",
         hint="give two directions that are not parallel",
     )
     first, second = (cy, -cx, 0.0), (-by, bx, 0.0)
-    return [(first, dot(one.parts, first), below), (second, dot(one.parts, second), below)]
+    return [(first, dot(vector.parts, first), below), (second, dot(vector.parts, second), below)]
 
 
-def _reciprocal_space(one: kinds.Vector, basis: "list[kinds.Vector]") -> "list[tuple[Vector, float, float]]":
-    b = [one.parts for one in basis]
+def _reciprocal_space(vector: kinds.Vector, basis: "list[kinds.Vector]") -> "list[tuple[Vector, float, float]]":
+    b = [vector.parts for vector in basis]
     below = triple(*b)
     require_spanning((basis[0], basis[1], basis[2]), plain(below))
     pairs = ((b[1], b[2]), (b[2], b[0]), (b[0], b[1]))
-    return [(cross(p, q), triple(one.parts, p, q), below) for p, q in pairs]
+    return [(cross(p, q), triple(vector.parts, p, q), below) for p, q in pairs]
 
 
 def _reassembled(v: "Vector", parts: "list[Any]", size: float = 0.0) -> Check:
     """The parts add up to the vector again, to the rounding of the largest of them."""
-    wanted = [plain(part) for part in v]
+    original = [plain(part) for part in v]
     sums = [sum(plain(part[axis]) if axis < len(part) else 0.0 for part in parts) for axis in range(3)]
-    scale = max([size, *(abs(plain(x)) for part in parts for x in part), *map(abs, wanted)])
-    off = max(abs(a - b) for a, b in zip(sums, wanted, strict=True)) / scale if scale else 0.0
+    scale = max([size, *(abs(plain(x)) for part in parts for x in part), *map(abs, original)])
+    off = max(abs(a - b) for a, b in zip(sums, original, strict=True)) / scale if scale else 0.0
     return Check("parts add up to the vector", off <= REASSEMBLED, off, REASSEMBLED)

@@ -96,16 +96,16 @@ def resultant(
         return _of_magnitudes(vectors, between)
     those = kinds.vectors(vectors)
     kinds.require_same_kind(those, "vectors of unlike kinds have no sum")
-    planar = all(one.planar for one in those)
+    planar = all(vector.planar for vector in those)
     kind = those[0].kind
-    x, y, z = (sum_of_products(*((one.parts[axis],) for one in those)) for axis in range(3))
+    x, y, z = (sum_of_products(*((vector.parts[axis],) for vector in those)) for axis in range(3))
     added = tuple(
         Added(
-            vector=kinds.vector(one.parts, one.kind, planar=planar),
-            magnitude=kinds.magnitude(one),
-            angle=_angle(one.parts) if planar and not one.is_zero else None,
+            vector=kinds.vector(vector.parts, vector.kind, planar=planar),
+            magnitude=kinds.magnitude(vector),
+            angle=_angle(vector.parts) if planar and not vector.is_zero else None,
         )
-        for one in those
+        for vector in those
     )
     size = norm((x, y, z))
     return _summed((x, y, z), size, kind, added, planar=planar)
@@ -115,7 +115,7 @@ def _summed(
     parts: "tuple[float, float, float]", size: float, kind: "Kind", added: "tuple[Added, ...]", *, planar: bool
 ) -> Resultant:
     zero = plain(size) == 0.0
-    sizes = sum_of_products(*((one.magnitude.value,) for one in added))
+    sizes = sum_of_products(*((vector.magnitude.value,) for vector in added))
     cancellation = None if zero else sizes / size
     angles = () if zero else direction_angles(parts)
     return Resultant(
@@ -147,10 +147,10 @@ def _advice(zero: bool, cancellation: "float | None") -> "list[Advice]":
     return []
 
 
-def _of_magnitudes(given: "tuple[Any, ...]", between: float) -> Resultant:
-    numbers = [getattr(one, "value", one) for one in given]
-    alone = [one[0] if isinstance(one, tuple) and len(one) == 1 else one for one in numbers]
-    fits = len(alone) == 2 and not any(isinstance(one, tuple) for one in alone)
+def _of_magnitudes(raw: "tuple[Any, ...]", between: float) -> Resultant:
+    numbers = [getattr(item, "value", item) for item in raw]
+    alone = [item[0] if isinstance(item, tuple) and len(item) == 1 else item for item in numbers]
+    fits = len(alone) == 2 and not any(isinstance(item, tuple) for item in alone)
     require(
         fits,
         "--between needs two magnitudes",
@@ -159,8 +159,8 @@ def _of_magnitudes(given: "tuple[Any, ...]", between: float) -> Resultant:
     )
     a, b = map(as_typed, alone)
     require(plain(a) >= 0.0 and plain(b) >= 0.0, "a magnitude is below zero", code="negative", hint="reverse it")
-    kind = getattr(given[0], "kind", kinds.NUMBER)
-    other = getattr(given[1], "kind", kinds.NUMBER)
+    kind = getattr(raw[0], "kind", kinds.NUMBER)
+    other = getattr(raw[1], "kind", kinds.NUMBER)
     require(
         kind.unit == other.unit,
         "vectors of unlike kinds have no sum: a {first} and a {other}",

@@ -71,13 +71,13 @@ class Path:
 
         try:
             with np.errstate(all="ignore"):
-                (found,) = Cover(self.motion, speed).ends()
+                (extremes,) = Cover(self.motion, speed).ends()
         except ValueError:
             refuse_size()
             raise
-        slowest, place = found.smallest()
+        slowest, place = extremes.smallest()
         require(
-            slowest > found.error,
+            slowest > extremes.error,
             "the curve is undercut: at a cam angle of {place:6} it runs backwards and cuts itself",
             place=(place, Angle),
             code="undercut",

@@ -50,26 +50,26 @@ def cam_sheet(
     rotation: Rotation = CCW,
     flank: Flank = INNER,
     start_angle: float = 0.0,
-    **given: "Any",
+    **inputs: "Any",
 ) -> Sheet:
     """Shape, motion and limits of a cam on one page, with the deviation of its drawing."""
     same = {"program": program, "follower": follower, "rotation": rotation, "flank": flank}
-    plate = {name: given[name] for name in ("thickness", "density") if name in given}
-    turned = {**same, "start_angle": start_angle, "cutter_radius": given.get("cutter_radius")}
+    plate = {name: inputs[name] for name in ("thickness", "density") if name in inputs}
+    turned = {**same, "start_angle": start_angle, "cutter_radius": inputs.get("cutter_radius")}
     cam = profile(scene, points=360, **turned, **plate)
     motion = motion_of(scene, program)
     shape, pressure, curvature = profile_picture(cam, scene, **turned).panels
     moved = svaj(revolution(scene, program=program), scene, program).panels[:3]
-    way = Axis("cam angle θ", Angle, ends=(0.0, 2.0 * pi), step=0.5 * pi)
+    angle_axis = Axis("cam angle θ", Angle, ends=(0.0, 2.0 * pi), step=0.5 * pi)
     panels = tuple(
         Panel(
-            way,
+            angle_axis,
             Axis(panel.y.title.rpartition(" ")[2], panel.y.kind, ends=panel.y.ends),
             tuple(map(_unnamed, panel.items)),
         )
         for panel in (*moved, pressure, curvature)
     )
-    drawn = _drawn(result, scene, same, start_angle, given)
+    deviation = _drawn(result, scene, same, start_angle, inputs)
     name = type(follower).tag[1].replace("-", " ")
     pair = "; the first cam of the pair" if isinstance(follower, MATES) else ""
     return Sheet(
@@ -78,7 +78,7 @@ def cam_sheet(
         f"{named_program(scene, program)}{pair}",
         (
             Picture((_bare(shape),), _at_start(start_angle, rotation), width=LEFT),
-            Listing("Cam", HEAD, (*_design(follower, motion), *_limits(cam, given, drawn))),
+            Listing("Cam", HEAD, (*_design(follower, motion), *_limits(cam, inputs, deviation))),
         ),
         (
             Picture(panels, "motion, pressure angle, radius of curvature", width=RIGHT),
@@ -123,10 +123,10 @@ def _drawn(
     scene: Program,
     same: "dict[str, Any]",
     start_angle: float,
-    given: "dict[str, Any]",
+    inputs: "dict[str, Any]",
 ) -> "list[Row]":
     """How far the drawing is from the exact curve: the one asked for, or that of `cam export` as it stands."""
-    form, curve = str(given.get("form", "arcs")), str(given.get("curve", "cam"))
+    form, curve = str(inputs.get("form", "arcs")), str(inputs.get("curve", "cam"))
     if isinstance(result, CamProfile):
         try:
             result = export(scene, start_angle=start_angle, **same, points=2)
@@ -147,28 +147,28 @@ def _design(follower: "Any", motion: Motion) -> "list[Row]":
         value = getattr(follower, key)
         if value:
             rows.append((*_NAMES.get(key, (key.replace("_", " "), "")), _text(value, _kind(key))))
-    for (_, kind), found, symbol in zip(axes, ends, symbols.values(), strict=False):
+    for (_, kind), span_ends, symbol in zip(axes, ends, symbols.values(), strict=False):
         words, _, sign = symbol.rpartition(" ")
-        span = worded("{low:5} to {high:5}", low=(found.least, kind), high=(found.greatest, kind))
+        span = worded("{low:5} to {high:5}", low=(span_ends.least, kind), high=(span_ends.greatest, kind))
         rows.append((words, sign, span))
     return rows
 
 
-def _limits(cam: CamProfile, given: "dict[str, Any]", drawn: "list[Row]") -> "list[Row]":
+def _limits(cam: CamProfile, inputs: "dict[str, Any]", deviation: "list[Row]") -> "list[Row]":
     """The limits of the shape, the plate, and the drawing."""
     rows: list[Row] = []
-    for text, symbol, value, at, kind in (
+    for text, symbol, value, place, kind in (
         ("maximum pressure angle", "α", cam.largest_pressure_angle, cam.largest_pressure_angle_at, Angle),
         ("minimum pressure angle", "α", cam.least_pressure_angle, cam.least_pressure_angle_at, Angle),
         ("minimum convex radius", "ρ", cam.least_convex_radius, cam.least_convex_radius_at, Coordinate),
         ("minimum concave radius", "ρ", cam.least_concave_radius, cam.least_concave_radius_at, Coordinate),
     ):
-        if value is not None and at is not None:
-            rows.append((text, symbol, worded("{value:5} at {at:4}", value=(value, kind), at=(at, Angle))))
+        if value is not None and place is not None:
+            rows.append((text, symbol, worded("{value:5} at {at:4}", value=(value, kind), at=(place, Angle))))
     for text, symbol, value, kind in (
         ("face width touched", "", cam.face_width, Size),
         ("smallest, largest radius", "r", None, Size),
-        ("cutter radius", "", given.get("cutter_radius"), Size),
+        ("cutter radius", "", inputs.get("cutter_radius"), Size),
         ("area of the plate", "A", cam.area, Area),
         ("mass of the plate", "m", cam.mass, Mass),
         ("moment of inertia", "J", cam.inertia, Inertia),
@@ -178,7 +178,7 @@ def _limits(cam: CamProfile, given: "dict[str, Any]", drawn: "list[Row]") -> "li
             rows.append((text, symbol, worded("{least:6}, {most:6}", least=least, most=most)))
         elif value is not None:
             rows.append((text, symbol, _text(value, kind)))
-    return rows + drawn
+    return rows + deviation
 
 
 def _table(scene: Program, motion: Motion, same: "dict[str, Any]", start_angle: float) -> Listing:

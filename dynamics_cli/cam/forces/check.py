@@ -173,10 +173,12 @@ def check(
     slide, arm = (mass, spring_rate, preload), (inertia, torsion_rate, preload_torque)
     jump = asked_jump(motion, slide, arm, asked=shaft_speed is not None)
     limits = (rise_limit, return_limit, least_radius, face_width)
-    kept = _kept(loss is None, (high, low), (round_, hollow), face, limits)
-    kept["velocity jump"] = jumps[0] == 0
-    kept["jump speed"] = jump is None or shaft_speed is None or jump[0] is None or jump[0] >= safety * abs(shaft_speed)
-    wrong = [name for name, good in kept.items() if not good]
+    passed = _kept(loss is None, (high, low), (round_, hollow), face, limits)
+    passed["velocity jump"] = jumps[0] == 0
+    passed["jump speed"] = (
+        jump is None or shaft_speed is None or jump[0] is None or jump[0] >= safety * abs(shaft_speed)
+    )
+    wrong = [name for name, good in passed.items() if not good]
     return CamCheck(
         fits=not wrong,
         binding=", ".join(wrong) if wrong else "nothing",
@@ -190,19 +192,19 @@ def check(
         least_convex_radius_at=round_at,
         least_concave_radius=hollow,
         least_concave_radius_at=hollow_at,
-        curvature_kept=kept["least radius of curvature"],
+        curvature_kept=passed["least radius of curvature"],
         largest_pressure_angle=high,
         largest_pressure_angle_at=high_at,
         least_pressure_angle=low,
         least_pressure_angle_at=low_at,
-        pressure_angle_kept=kept["rise limit"] and kept["return limit"],
+        pressure_angle_kept=passed["rise limit"] and passed["return limit"],
         face_width=face,
-        face_kept=None if face_width is None else kept["face width"],
+        face_kept=None if face_width is None else passed["face width"],
         velocity_jumps=jumps[0],
         acceleration_jumps=jumps[1],
         jump_speed=None if jump is None else jump[0],
         jump_at=None if jump is None else jump[1],
-        jump_kept=None if jump is None or shaft_speed is None else kept["jump speed"],
+        jump_kept=None if jump is None or shaft_speed is None else passed["jump speed"],
         advice=(*_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump), *_cusp(loss, forward)),
         numerics=Numerics(
             "Chebyshev proxies of every piece, every extreme certified",
@@ -217,7 +219,7 @@ def check(
 
 
 def _kept(
-    whole: bool, pressure: tuple[float, float], radii: "tuple[float | None, float | None]", face: float | None,
+    regular: bool, pressure: tuple[float, float], radii: "tuple[float | None, float | None]", face: float | None,
     limits: "tuple[float, float, float, float | None]",
 ) -> "dict[str, bool]":  # fmt: skip
     """Which limits a cam keeps, within rounding."""
@@ -225,7 +227,7 @@ def _kept(
     rise_limit, return_limit, least_radius, face_width = limits
     tightest = min((radius for radius in radii if radius is not None), default=None)
     return {
-        "undercut": whole,
+        "undercut": regular,
         "rise limit": high <= rise_limit * (1.0 + 1e-12),
         "return limit": -low <= return_limit * (1.0 + 1e-12),
         "least radius of curvature": tightest is None or tightest >= least_radius * (1.0 - 1e-12),

@@ -29,9 +29,9 @@ def durations(
     missed = []
     least = motion.stroke[0]
     for lift in lifts:
-        ways = crossings(motion, least + lift)
-        ups = [angle for angle, up in ways if up]
-        downs = [angle for angle, up in ways if not up]
+        passages = crossings(motion, least + lift)
+        ups = [angle for angle, up in passages if up]
+        downs = [angle for angle, up in passages if not up]
         if not ups:
             message = worded(
                 "the follower never passes a lift of {lift:6}: there is no duration above it", lift=(lift, Coordinate)
@@ -66,7 +66,7 @@ def ramps(motion: "Motion", lash: float | None, lifts: "tuple[float, ...]", omeg
     low, high = crossings(motion, least + lash), crossings(motion, least + top)
     ramps_between = []
     for angle, up in high:
-        side = [other for other, way in low if way == up]
+        side = [other for other, upwards in low if upwards == up]
         if side:
             span = min((angle - other if up else other - angle) % TURN for other in side)
             mean = (top - lash) / span * abs(omega) * (1.0 if up else -1.0)
@@ -79,7 +79,7 @@ def crossings(motion: "Motion", level: float) -> "list[tuple[float, bool]]":
 
     `level`: the lift [m]. Returns in order of the angle. Touching without passing does not count.
     """
-    found = []
+    passages = []
     for index, span in enumerate(motion.segments):
         if span.law is None:
             continue
@@ -90,8 +90,8 @@ def crossings(motion: "Motion", level: float) -> "list[tuple[float, bool]]":
         for low, high, before, after in zip(angles, angles[1:], values, values[1:], strict=False):
             if (before < 0.0) != (after < 0.0):
                 angle = _passed(motion, level, low, high)
-                found.append((angle if angle < TURN else high, after >= 0.0))
-    return found
+                passages.append((angle if angle < TURN else high, after >= 0.0))
+    return passages
 
 
 def _passed(motion: "Motion", level: float, low: float, high: float) -> float:

@@ -223,8 +223,8 @@ def _both(name: str, pair: "tuple[Found, Found]") -> "list[ErrorBound]":
 
 
 def _bound(name: str, value: float, error: float, *, relative: bool) -> "list[ErrorBound]":
-    share = relative and value != 0.0
-    return [ErrorBound(name, error / abs(value) if share else error, share)]
+    relative_bound = relative and value != 0.0
+    return [ErrorBound(name, error / abs(value) if relative_bound else error, relative_bound)]
 
 
 def _tables(
@@ -272,8 +272,8 @@ def _mean_torque(motion: Motion, load: Load, survey: "Survey") -> Check:
     steps = [ends[i][0] * ends[i][0] - ends[i - 1][1] * ends[i - 1][1] for i in range(count)]
     impacts = 0.5 * load.inertial * sum(steps)
     size += 0.5 * load.inertial * sum(map(abs, steps))
-    left = abs(work + impacts) / size if size else 0.0
-    return Check("work over a turn is zero", left <= BALANCE, left, BALANCE)
+    imbalance = abs(work + impacts) / size if size else 0.0
+    return Check("work over a turn is zero", imbalance <= BALANCE, imbalance, BALANCE)
 
 
 def _statics(motion: Motion, geometry: "Geometry", load: Load) -> Check:
@@ -290,5 +290,5 @@ def _statics(motion: Motion, geometry: "Geometry", load: Load) -> Check:
     moment = geometry.turn * normal * (x * ny - y * nx)
     gap = float(np.max(np.abs(moment - load.force(s, s2) * s1)))
     size = float(np.max(np.abs(normal) * (np.abs(x) + np.abs(y))))
-    left = gap / size if size else 0.0
-    return Check("torque is the moment of the contact force", left <= BALANCE, left, BALANCE)
+    imbalance = gap / size if size else 0.0
+    return Check("torque is the moment of the contact force", imbalance <= BALANCE, imbalance, BALANCE)

@@ -31,13 +31,13 @@ def jump(motion: "Motion", load: "Load", survey: "Survey | None" = None) -> "Fou
     """
     survey = survey or Survey(motion)
     exact = load.enclosed()
-    falling, held = Sum((0.0, 0.0, -load.inertia)), Sum((exact.rate,), exact.steady)
+    inertia_term, spring_term = Sum((0.0, 0.0, -load.inertia)), Sum((exact.rate,), exact.steady)
     if load.rate * motion.stroke[0] + load.steady < 0.0:
         return Found(0.0, extreme(motion, 0).least_at, 0.0)
     drop = dropping(motion)
     if drop is not None:
         return Found(0.0, drop, 0.0)
-    quotient = survey.greatest_quotient(falling, held)
+    quotient = survey.greatest_quotient(inertia_term, spring_term)
     if quotient.value <= 0.0:
         return None
     speed = 1.0 / sqrt(quotient.value)
@@ -55,12 +55,12 @@ def asked_jump(
     InadmissibleError when one of the three is missing, those of the other kind of follower are given, or the spring is
     slack.
     """
-    own, other = (arm, slide) if motion.swing else (slide, arm)
-    given = [value is not None for value in (*own, *other)]
-    if not any(given) and not asked:
+    moving, other = (arm, slide) if motion.swing else (slide, arm)
+    stated = [value is not None for value in (*moving, *other)]
+    if not any(stated) and not asked:
         return None
     require(
-        all(given[:3]) and not any(given[3:]),
+        all(stated[:3]) and not any(stated[3:]),
         "the jump of an arm needs its moment of inertia, its torsion spring's rate and its preload torque"
         if motion.swing
         else "a jump needs the moved mass, the spring's stiffness and its preload",
@@ -70,7 +70,7 @@ def asked_jump(
         else '--mass "0.2 kg" --spring-rate "20 N/mm" --preload "100 N"',
     )
     train = ArmOnTorsionSpring if motion.swing else Slide
-    load = load_of(train(*own), motion)  # type: ignore[arg-type]
+    load = load_of(train(*moving), motion)  # type: ignore[arg-type]
     floor = load.steady + load.rate * motion.stroke[0]
     require(
         floor > 0.0,

@@ -81,11 +81,11 @@ def load_of(train: Train, motion: "Motion", omega: float = 0.0) -> Load:
             hint=f'give --mass "0.5 kg" with --spring-rate and --preload; or {SWINGS}',
         )  # fmt: skip
     load = Load(train, omega)
-    what = "moment of inertia" if load.arm else "mass"
+    quantity = "moment of inertia" if load.arm else "mass"
     require(
         load.inertia > 0.0,
         "the {what} is {inertia}; wanted a positive one",
-        what=what, inertia=(load.inertia, Inertia if load.arm else Mass), code="mass",
+        what=quantity, inertia=(load.inertia, Inertia if load.arm else Mass), code="mass",
     )  # fmt: skip
     if isinstance(train, ArmOnSpring):
         require(

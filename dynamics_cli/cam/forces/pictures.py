@@ -23,7 +23,7 @@ def forces(
     train: Train,
     follower: "Any" = None,
     rotation: str = Rotation.names[0],
-    **given: "Any",
+    **inputs: "Any",
 ) -> Picture:
     """Draw lift, force (or an arm's torque), contact force and shaft torque over the turn; below zero it leaves.
 
@@ -31,7 +31,7 @@ def forces(
     rotation of the cam. Returns three panels over the cam angle, or four with a follower, with the extremes and the
     line of no force.
     """
-    del given
+    del inputs
     motion = motion_of(scene, program)
     load = load_of(train, motion, abs(shaft_speed))
     angles, (s, s1, s2, _) = sampled(motion)
@@ -62,7 +62,7 @@ def _ends(result: Forces, name: str, kind: "Any") -> "tuple[Mark, ...]":
     if not name:
         return ()
     low, low_at, high, high_at = (
-        getattr(result, f"{end}_{name}{at}") for end in ("least", "greatest") for at in ("", "_at")
+        getattr(result, f"{end}_{name}{suffix}") for end in ("least", "greatest") for suffix in ("", "_at")
     )
     return (*extreme_mark(high_at, high, kind, ABOVE), *extreme_mark(low_at, low, kind, BELOW))
 

@@ -38,11 +38,11 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     the values are those of the formulas there, with bounded rounding. See `numerics.chebyshev` and
     `cam.proof`. No value on the turn is beyond the extremes by more than their errors.
     """
-    slip = start_slip(geometry)
+    start_error = start_slip(geometry)
 
     def functions(s: "Any", s1: "Any", s2: "Any") -> "Any":
         check_speed(geometry, s1.centre)
-        return np.stack(geometry.bends(s.widened(slip), s1, s2))
+        return np.stack(geometry.bends(s.widened(start_error), s1, s2))
 
     try:
         with np.errstate(all="ignore"):
@@ -92,19 +92,19 @@ def start_slip(geometry: Geometry) -> float:
     f = geometry.follower
     if isinstance(f, FlatFace):
         return 0.0
-    left = getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0)
-    rounded = (8.0 if geometry.oscillating else 3.0) * abs(geometry.start + left)
-    return 2.0**-53 * (rounded + (abs(geometry.start) if left else 0.0)) * (1.0 + 2.0**-40)
+    offsets = getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0)
+    rounded = (8.0 if geometry.oscillating else 3.0) * abs(geometry.start + offsets)
+    return 2.0**-53 * (rounded + (abs(geometry.start) if offsets else 0.0)) * (1.0 + 2.0**-40)
 
 
 def pressure_bounds(analysis: Analysis) -> tuple[ErrorBound, ...]:
     """Proved bounds of the two extremes of the pressure angle, relative to each."""
-    own = analysis.pressure
+    pressure = analysis.pressure
     return tuple(
         ErrorBound(name, error / abs(value))
         for name, value, error in (
-            ("largest_pressure_angle", own.greatest, own.greatest_error),
-            ("least_pressure_angle", own.least, own.least_error),
+            ("largest_pressure_angle", pressure.greatest, pressure.greatest_error),
+            ("least_pressure_angle", pressure.least, pressure.least_error),
         )
         if value and error < inf
     )

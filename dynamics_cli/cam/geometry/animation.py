@@ -25,10 +25,10 @@ CCW = Rotation("counter-clockwise")
 INNER = Flank("inner")
 
 
-def _moves(geometry: Geometry, shown: "Any", lifts: "list[float]") -> "tuple[str, str, list[str]]":
+def _moves(geometry: Geometry, drawing: "Any", lifts: "list[float]") -> "tuple[str, str, list[str]]":
     """The follower's motion in SVG terms: type of transform, static position, and steps."""
     if geometry.oscillating:
-        pivot = _point(shown.pivot or 0j)
+        pivot = _point(drawing.pivot or 0j)
         moves = [f"{degrees(lift):.4f} {pivot}" for lift in lifts]
         kind, still = "rotate", f"rotate({moves[0].replace(' ', ',')})"
     else:
@@ -44,44 +44,44 @@ def animation(
     follower: "Any" = None,
     rotation: Rotation = CCW,
     flank: Flank = INNER,
-    **given: "Any",
+    **inputs: "Any",
 ) -> str:
     """One turn of the cam with its follower, in millimetres and in true size.
 
     `follower`: the follower and where it stands; `rotation`: which way the cam turns; `flank`: the working surface.
     Returns the file.
     """
-    del given
+    del inputs
     geometry, motion = Geometry(follower, rotation, flank), motion_of(scene, program)
     table = profile(scene, program=program, follower=follower, rotation=rotation, flank=flank, points=STEPS).points
     outline = [complex(x, y) for x, y in zip(table.arrays["x"].tolist(), table.arrays["y"].tolist(), strict=True)]
     size = max(map(abs, outline))
     lifts = [float(motion.at(2.0 * pi * (k % FRAMES) / FRAMES, 0)[0]) for k in range(FRAMES + 1)]
     face = None if result.face_low is None or result.face_high is None else (result.face_low, result.face_high)
-    shown = figure(geometry, 0.0, size, face)
+    drawing = figure(geometry, 0.0, size, face)
     most = max(abs(lift) for lift in lifts) if not geometry.oscillating else 0.0
-    reach = 1.05 * max(size, *(abs(point) + most for point in (*shown.shape, *shown.holder)))
+    reach = 1.05 * max(size, *(abs(point) + most for point in (*drawing.shape, *drawing.holder)))
     line = 0.006 * reach * MILLIMETRES
     loop = f'dur="{SECONDS}s" repeatCount="indefinite"'
-    kind, still, moves = _moves(geometry, shown, lifts)
+    kind, still, moves = _moves(geometry, drawing, lifts)
     body = f"M {_points(outline)} Z"
     if geometry.side < 0.0:
         wall = [complex(x, y) * reach for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         body = f"M {_points(wall)} Z {body}"
     start = [0j, outline[0]] if geometry.side > 0.0 else [outline[0], 1.08 * outline[0]]
-    arrow = turning_arrow(geometry.turn, 0.3 * (shown.base or size))
+    arrow = turning_arrow(geometry.turn, 0.3 * (drawing.base or size))
     parts = [
         f'<path d="{body}" fill="#d6e6f2" fill-rule="evenodd" stroke="#0072B2" stroke-width="{line:.4f}"/>',
         f'<path d="M {_points(start)}" stroke="#0072B2" stroke-width="{0.5 * line:.4f}"/>',
         f'<path d="M {_points(arrow)}" fill="none" stroke="#000000" stroke-width="{0.6 * line:.4f}"/>',
     ]
     circle = (
-        f'<circle r="{MILLIMETRES * shown.base:.4f}" fill="none" stroke="#555555" stroke-width="{0.5 * line:.4f}" '
+        f'<circle r="{MILLIMETRES * drawing.base:.4f}" fill="none" stroke="#555555" stroke-width="{0.5 * line:.4f}" '
         f'stroke-dasharray="{3 * line:.4f}"/>\n'
-        if shown.base
+        if drawing.base
         else ""
     )
-    support = f'<circle {_centre(shown.pivot)} r="{1.5 * line:.4f}"/>\n' if shown.pivot is not None else ""
+    support = f'<circle {_centre(drawing.pivot)} r="{1.5 * line:.4f}"/>\n' if drawing.pivot is not None else ""
     page = 2.0 * reach * MILLIMETRES
     corner = f"{-reach * MILLIMETRES:.4f}"
     return (
@@ -97,8 +97,8 @@ def animation(
         f'<circle r="{1.5 * line:.4f}"/>\n'
         f'<g transform="{still}" fill="none" stroke="#D55E00" stroke-width="{1.3 * line:.4f}" stroke-linecap="round">\n'
         f'<animateTransform attributeName="transform" type="{kind}" values="{";".join(moves)}" {loop}/>\n'
-        f'<path d="M {_points(shown.shape)}"><title>{shown.name}</title></path>\n'
-        f'<path d="M {_points(shown.holder)}"><title>{shown.holder_name}</title></path>\n'
+        f'<path d="M {_points(drawing.shape)}"><title>{drawing.name}</title></path>\n'
+        f'<path d="M {_points(drawing.holder)}"><title>{drawing.holder_name}</title></path>\n'
         f"</g>\n{support}</svg>\n"
     )
 

@@ -150,8 +150,8 @@ class Geometry:
         else:
             x, y = f.offset, self.start + s  # type: ignore[union-attr]
             big_x, big_y = y, s1 - x
-        share = (self.side * self.roller - away) / np.sqrt(big_x * big_x + big_y * big_y)
-        return x + share * big_y, y - share * big_x
+        scale = (self.side * self.roller - away) / np.sqrt(big_x * big_x + big_y * big_y)
+        return x + scale * big_y, y - scale * big_x
 
     def bends(self, s: "Any", s1: "Any", s2: "Any") -> "tuple[Any, ...]":
         """The quantities that extremes are taken of: curvature or radius, pressure angle, place along a face."""
@@ -188,9 +188,9 @@ class Geometry:
         if isinstance(f, FlatFace):
             height = self.start + s
             radius = height + s2
-            nothing, one = np.zeros_like(height), np.ones_like(height)
+            nothing, ones = np.zeros_like(height), np.ones_like(height)
             point = (s1 + nothing, height)
-            return Touch(point, point, (nothing, one), radius, one, nothing, radius, nothing)
+            return Touch(point, point, (nothing, ones), radius, ones, nothing, radius, nothing)
         angle, speed = self.start + s, 1.0 + s1
         sin, cos = np.sin(angle), np.cos(angle)
         c, back = f.pivot_distance, f.face_offset  # type: ignore[union-attr]
@@ -242,10 +242,10 @@ def turned_back(count: int, start_angle: float, turn: float) -> "tuple[Any, Any]
     step = np.arange(count)
     quarter = (8 * step + count) // (2 * count)
     rest = (4 * step - quarter * count) * (0.5 * pi / count)
-    on = round(start_angle / (0.5 * pi))
-    angle = turn * rest - (start_angle - on * (0.5 * pi))
+    quarters = round(start_angle / (0.5 * pi))
+    angle = turn * rest - (start_angle - quarters * (0.5 * pi))
     cos, sin = np.cos(angle), np.sin(angle)
-    quarter = (int(turn) * quarter - on) % 4
+    quarter = (int(turn) * quarter - quarters) % 4
     return np.choose(quarter, (cos, -sin, -cos, sin)) + 0.0, np.choose(quarter, (sin, cos, -sin, -cos)) + 0.0
 
 

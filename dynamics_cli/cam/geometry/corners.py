@@ -77,8 +77,8 @@ def left_by(curve: Envelope, *, forward: bool = False) -> "Left | None":
     corners = _uncovered(curve.geometry, curve.motion, crossings(curve, arcs, size), size)
     if not backward and not corners:
         return None
-    whole = [_corner(curve, crossing) for crossing in corners] + _cusps(curve, backward, corners, size)
-    loops = _loops(whole, backward, arcs)
+    all_corners = [_corner(curve, crossing) for crossing in corners] + _cusps(curve, backward, corners, size)
+    loops = _loops(all_corners, backward, arcs)
     main = [loop for loop in loops if _winds(loop, arcs)]
     edge = tuple(main[0]) if main else ()
     return Left(tuple(_wrapped(curve, backward)), edge, len(loops), size)
@@ -170,15 +170,15 @@ def _loops(corners: "list[Corner]", backward: "list[tuple[float, float]]", arcs:
     loops: list[list[Corner]] = []
     seen: set[int] = set()
     for start in range(len(corners)):
-        way: list[int] = []
+        route: list[int] = []
         now = start
-        while now >= 0 and now not in way and now not in seen:
-            way.append(now)
+        while now >= 0 and now not in route and now not in seen:
+            route.append(now)
             place = corners[now].returns
             now = next((index for leaves, _, index in stops if leaves >= place and index != now), stops[0][2])
-        if now in way:
-            loops.append([corners[index] for index in way[way.index(now) :]])
-        seen.update(way)
+        if now in route:
+            loops.append([corners[index] for index in route[route.index(now) :]])
+        seen.update(route)
     return loops
 
 

@@ -43,20 +43,20 @@ def crossings(curve: Envelope, arcs: "list[Arc]", size: float) -> "list[Crossing
     points: list[Crossing] = []
     stack = [(arcs[i], arcs[j]) for i, j in _pairs(arcs, len(curve.parts), size)]
     while stack:
-        one, two = stack.pop()
-        if _apart(one, two, size):
+        first, second = stack.pop()
+        if _apart(first, second, size):
             continue
-        length = max(abs(one.last - one.first), abs(two.last - two.first))
+        length = max(abs(first.last - first.first), abs(second.last - second.first))
         short, point = length <= TINY * size, length <= CLOSE * size
-        crossing = _newton(curve, one, two, size) if not point and (short or _cross_once(one, two)) else None
+        crossing = _newton(curve, first, second, size) if not point and (short or _cross_once(first, second)) else None
         if crossing is not None:
             points.append(crossing)
         elif short:
-            middles = 0.5 * (one.low + one.high), 0.5 * (two.low + two.high)
-            points.append(_made(curve, one, middles[0], two, middles[1], exact=False))
+            middles = 0.5 * (first.low + first.high), 0.5 * (second.low + second.high)
+            points.append(_made(curve, first, middles[0], second, middles[1], exact=False))
         else:
             tiny = TINY * size
-            stack += [(a, b) for a in _split(curve, one, tiny) for b in _split(curve, two, tiny)]
+            stack += [(a, b) for a in _split(curve, first, tiny) for b in _split(curve, second, tiny)]
     return _distinct(points)
 
 
@@ -85,31 +85,31 @@ def _pairs(arcs: "list[Arc]", parts: int, size: float) -> "list[tuple[int, int]]
     return list(zip(i[keep].tolist(), j[keep].tolist(), strict=True))
 
 
-def _apart(one: Arc, two: Arc, size: float) -> bool:
+def _apart(first: Arc, second: Arc, size: float) -> bool:
     """Whether boxes along the chord of either separate the two."""
-    for a, b in ((one, two), (two, one)):
+    for a, b in ((first, second), (second, first)):
         chord = a.last - a.first
         length = abs(chord)
         if not length:
             continue
-        way = chord.conjugate() / length
+        direction = chord.conjugate() / length
         wide = 0.5 * length * tan(min(a.bend, 1.2)) + CLOSE * size
-        room = 0.5 * abs(b.last - b.first) * tan(min(b.bend, 1.2)) + CLOSE * size
-        p, q = (b.first - a.first) * way, (b.last - a.first) * way
-        if min(p.imag, q.imag) - room > wide or max(p.imag, q.imag) + room < -wide:
+        margin = 0.5 * abs(b.last - b.first) * tan(min(b.bend, 1.2)) + CLOSE * size
+        p, q = (b.first - a.first) * direction, (b.last - a.first) * direction
+        if min(p.imag, q.imag) - margin > wide or max(p.imag, q.imag) + margin < -wide:
             return True
-        if min(p.real, q.real) - room > length + wide or max(p.real, q.real) + room < -wide:
+        if min(p.real, q.real) - margin > length + wide or max(p.real, q.real) + margin < -wide:
             return True
     return False
 
 
-def _cross_once(one: Arc, two: Arc) -> bool:
+def _cross_once(first: Arc, second: Arc) -> bool:
     """Whether tangents of the two are never parallel."""
-    a, b = one.last - one.first, two.last - two.first
+    a, b = first.last - first.first, second.last - second.first
     if not a or not b:
         return True
     between = abs(phase(b / a))
-    return min(between, pi - between) > one.bend + two.bend
+    return min(between, pi - between) > first.bend + second.bend
 
 
 def _split(curve: Envelope, arc: Arc, tiny: float) -> "tuple[Arc, ...]":
@@ -132,36 +132,36 @@ def _halves(curve: Envelope, arc: Arc) -> "tuple[Arc, Arc]":
     )
 
 
-def _newton(curve: Envelope, one: Arc, two: Arc, size: float) -> "Crossing | None":
+def _newton(curve: Envelope, first: Arc, second: Arc, size: float) -> "Crossing | None":
     """The point that two arcs share, from the middles of both; None where they share none."""
-    a, b = 0.5 * (one.low + one.high), 0.5 * (two.low + two.high)
-    most = (one.high - one.low, two.high - two.low)
-    seen = set()
+    a, b = 0.5 * (first.low + first.high), 0.5 * (second.low + second.high)
+    most = (first.high - first.low, second.high - second.low)
+    visited = set()
     for _ in range(60):
-        (p, u), (q, v) = (_single(curve, arc.part, t) for arc, t in ((one, a), (two, b)))
+        (p, u), (q, v) = (_single(curve, arc.part, t) for arc, t in ((first, a), (second, b)))
         away = q - p
         cross = (u.conjugate() * v).imag
         if cross == 0.0:
             return None
         step = (away.conjugate() * v).imag / cross, (away.conjugate() * u).imag / cross
         before = a, b
-        a = min(max(a + min(max(step[0], -most[0]), most[0]), one.low), one.high)
-        b = min(max(b + min(max(step[1], -most[1]), most[1]), two.low), two.high)
+        a = min(max(a + min(max(step[0], -most[0]), most[0]), first.low), first.high)
+        b = min(max(b + min(max(step[1], -most[1]), most[1]), second.low), second.high)
         # the iteration repeats: at a crossing in the last bits, without one at the ends
-        if max(abs(a - before[0]), abs(b - before[1])) <= 2e-16 or (a, b) in seen:
+        if max(abs(a - before[0]), abs(b - before[1])) <= 2e-16 or (a, b) in visited:
             break
-        seen.add((a, b))
-    p, q = (_single(curve, arc.part, t)[0] for arc, t in ((one, a), (two, b)))
+        visited.add((a, b))
+    p, q = (_single(curve, arc.part, t)[0] for arc, t in ((first, a), (second, b)))
     if abs(p - q) > CLOSE * size:
         return None
-    return _made(curve, one, a, two, b)
+    return _made(curve, first, a, second, b)
 
 
-def _made(curve: Envelope, one: Arc, a: float, two: Arc, b: float, *, exact: bool = True) -> Crossing:
-    point = 0.5 * (_single(curve, one.part, a)[0] + _single(curve, two.part, b)[0])
+def _made(curve: Envelope, first: Arc, a: float, second: Arc, b: float, *, exact: bool = True) -> Crossing:
+    point = 0.5 * (_single(curve, first.part, a)[0] + _single(curve, second.part, b)[0])
     # velocities vanish at a cusp, the tangent does not
-    turn = phase(curve.way(two.part, b) / curve.way(one.part, a))
-    return Crossing(one.part + a, two.part + b, point, turn, exact)
+    turn = phase(curve.way(second.part, b) / curve.way(first.part, a))
+    return Crossing(first.part + a, second.part + b, point, turn, exact)
 
 
 def _single(curve: Envelope, part: int, share: float) -> "tuple[complex, complex]":
@@ -171,11 +171,11 @@ def _single(curve: Envelope, part: int, share: float) -> "tuple[complex, complex
 
 def _distinct(points: "list[Crossing]") -> "list[Crossing]":
     """Merge crossings found twice at the common end of neighbouring arcs."""
-    kept: list[Crossing] = []
-    for crossing in sorted(points, key=lambda one: (one.first, one.second)):
+    distinct: list[Crossing] = []
+    for crossing in sorted(points, key=lambda item: (item.first, item.second)):
         if not any(
             abs(other.first - crossing.first) <= 1e-11 and abs(other.second - crossing.second) <= 1e-11
-            for other in kept[-4:]
+            for other in distinct[-4:]
         ):
-            kept.append(crossing)
-    return kept
+            distinct.append(crossing)
+    return distinct

@@ -134,10 +134,10 @@ class Envelope:
         if speed is not None and extremes(speed).smallest()[0] <= 0.0:
             every = extremes(speed, every=True)
             for zone, part in enumerate(self.zone_part):
-                here = np.flatnonzero(every.owner == zone)
+                in_zone = np.flatnonzero(every.owner == zone)
                 # a dwell on the axis is a point within its error, and loses nothing
-                if np.abs(every.values[here]).max() > every.error:
-                    stretches += self._backward(part, zone, every.places[here], every.values[here])
+                if np.abs(every.values[in_zone]).max() > every.error:
+                    stretches += self._backward(part, zone, every.places[in_zone], every.values[in_zone])
         for number, piece in enumerate(self.parts):
             if isinstance(piece, Bridge) and piece.run < 0.0:
                 stretches.append((float(number), number + 1.0))
@@ -217,7 +217,7 @@ class Envelope:
         part = np.array([row[0] for row in stretches], dtype=int)
         starts, ends = (np.array([row[index] for row in stretches], dtype=float) for index in (1, 2))
         share = np.linspace(0.0, 1.0, SAMPLES)
-        done: list[Arc] = []
+        arcs: list[Arc] = []
         for level in range(DEPTH):
             if not part.size:
                 break
@@ -231,13 +231,13 @@ class Envelope:
             good = (bend <= BEND) | (level == DEPTH - 1)
             rows = np.flatnonzero(good).tolist()
             first, last = point[:, 0].tolist(), point[:, -1].tolist()
-            done += [
+            arcs += [
                 Arc(int(part[k]), float(starts[k]), float(ends[k]), first[k], last[k], float(bend[k])) for k in rows
             ]
             a, b = starts[~good], ends[~good]
             starts, ends = np.concatenate((a, 0.5 * (a + b))), np.concatenate((0.5 * (a + b), b))
             part = np.concatenate((part[~good], part[~good]))
-        return done
+        return arcs
 
 
 def _joined(stretches: "list[tuple[float, float]]") -> "list[tuple[float, float]]":

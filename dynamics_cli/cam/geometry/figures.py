@@ -38,10 +38,10 @@ def figure(geometry: Geometry, lift: float, size: float, face: "tuple[float, flo
     low, high = face or (0.0, 0.0)
     margin = 0.08 * size
     if isinstance(f, FlatFace):
-        at = 1j * level
+        position = 1j * level
         middle = 0.5 * (low + high)
-        ends = at + low - margin, at + high + margin
-        return Figure(ends, "face", (at + middle, at + middle + 0.6j * size), "rod", None, base)
+        ends = position + low - margin, position + high + margin
+        return Figure(ends, "face", (position + middle, position + middle + 0.6j * size), "rod", None, base)
     if geometry.flat:
         # along the arm from the pivot, and square to it towards the cam
         pivot = complex(f.pivot_distance)

@@ -203,21 +203,21 @@ def start_angle_of_arm(base_radius: float, roller_radius: float, arm: float, piv
     >>> round(start_angle_of_arm(0.03, 0.0, 0.04, 0.05), 12) == round(atan2(3.0, 4.0), 12)
     True
     """
-    prime, difference, both = base_radius + roller_radius, abs(pivot_distance - arm), pivot_distance + arm
+    prime, difference, longest = base_radius + roller_radius, abs(pivot_distance - arm), pivot_distance + arm
     require(
-        difference <= prime <= both and prime > 0.0 and arm > 0.0 and pivot_distance > 0.0,
+        difference <= prime <= longest and prime > 0.0 and arm > 0.0 and pivot_distance > 0.0,
         "arm {arm}, pivot distance {pivot} and start radius {prime} do not form a triangle: the roller cannot touch "
         "the base circle",
         arm=(arm, Size), pivot=(pivot_distance, Size), prime=(prime, Size),
         code="no-triangle",
         hint="take a base radius of {least:6} to {most:6}"
-        if roller_radius < both
+        if roller_radius < longest
         else "take a smaller roller, or a longer arm farther from the cam",
-        least=(max(difference - roller_radius, 0.0), Size), most=(both - roller_radius, Size),
+        least=(max(difference - roller_radius, 0.0), Size), most=(longest - roller_radius, Size),
     )  # fmt: skip
     short, long = min(arm, pivot_distance), max(arm, pivot_distance)
     inside = fsum((base_radius, roller_radius, short, -long)) * fsum((base_radius, roller_radius, long, -short))
-    outside = fsum((arm, pivot_distance, -base_radius, -roller_radius)) * (both + prime)
+    outside = fsum((arm, pivot_distance, -base_radius, -roller_radius)) * (longest + prime)
     return 2.0 * atan2(sqrt(max(inside, 0.0)), sqrt(max(outside, 0.0)))
 
 

@@ -40,7 +40,7 @@ def profile_picture(
     rotation: Rotation = CCW,
     flank: Flank = INNER,
     start_angle: float = 0.0,
-    **given: "Any",
+    **inputs: "Any",
 ) -> Picture:
     """Cam, pitch curve and base circle with the follower at the first angle; pressure angle; radius of curvature.
 
@@ -50,11 +50,11 @@ def profile_picture(
     del result
     cam = profile(
         scene, program=program, follower=follower, rotation=rotation, flank=flank, start_angle=start_angle,
-        cutter_radius=given.get("cutter_radius"), points=SMOOTH,
+        cutter_radius=inputs.get("cutter_radius"), points=SMOOTH,
     )  # fmt: skip
     geometry = Geometry(follower, rotation, flank)
     title = _title("Cam for {follower}, base circle radius {base}{pair}", follower, scene, program)
-    return _picture(title, cam, geometry, motion_of(scene, program), start_angle, given.get("cutter_radius"))
+    return _picture(title, cam, geometry, motion_of(scene, program), start_angle, inputs.get("cutter_radius"))
 
 
 def check_picture(
@@ -67,10 +67,10 @@ def check_picture(
     rise_limit: float = pi / 6.0,
     return_limit: float = pi / 6.0,
     least_radius: float | None = None,
-    **given: "Any",
+    **inputs: "Any",
 ) -> Picture:
     """The same with the limits of `cam check`, whose parameters these are."""
-    del given
+    del inputs
     cam = profile(scene, program=program, follower=follower, rotation=rotation, flank=flank, points=SMOOTH)
     geometry = Geometry(follower, rotation, flank)
     verdict = "all limits kept" if getattr(result, "fits", True) else f"not kept: {result.binding}"
@@ -79,14 +79,14 @@ def check_picture(
     return _picture(title, cam, geometry, motion_of(scene, program), limits=limits, least_radius=least_radius)
 
 
-def size_picture(result: "Any", scene: Program, program: str = "", follower: "Any" = None, **given: "Any") -> Picture:
+def size_picture(result: "Any", scene: Program, program: str = "", follower: "Any" = None, **inputs: "Any") -> Picture:
     """The cam that `cam size` found, of a pair the first, with the limits that it keeps."""
     kind = getattr(followers, type(follower).__name__.removeprefix("Conjugate"))
-    found = {}
+    sizes = {}
     for name in kind.fields:
         value = getattr(result, name, None)
-        found[name] = getattr(follower, name) if value is None else value
-    return check_picture(None, scene, program, kind(**found), **given)
+        sizes[name] = getattr(follower, name) if value is None else value
+    return check_picture(None, scene, program, kind(**sizes), **inputs)
 
 
 def _title(template: str, follower: "Any", scene: Program, program: str) -> str:
@@ -106,22 +106,22 @@ def _picture(
     """Cam with its follower, pressure angle and radius of curvature, with limits as lines."""
     arrays = {name: column.tolist() for name, column in cam.points.arrays.items()}
     face = None if cam.face_low is None or cam.face_high is None else (cam.face_low, cam.face_high)
-    shown = figure(geometry, float(motion.at(0.0, 0)[0]), cam.largest_radius, face)
+    drawing = figure(geometry, float(motion.at(0.0, 0)[0]), cam.largest_radius, face)
     shape = Panel(
         Axis("x", Coordinate),
         Axis("y", Coordinate),
-        tuple(_items(arrays, geometry, shown, exp(1j * start_angle), cutter)),
+        tuple(_items(arrays, geometry, drawing, exp(1j * start_angle), cutter)),
         f"at cam angle 0, turning {'clockwise' if geometry.turn < 0.0 else 'counter-clockwise'}",
         equal=True,
     )
-    way = Axis("cam angle θ", Angle, ends=(0.0, TURN), step=pi / 6.0)
+    angle_axis = Axis("cam angle θ", Angle, ends=(0.0, TURN), step=pi / 6.0)
     angle = [*arrays["cam_angle"], TURN]
     # a flat face square to its way has none but rounding, which is nothing to enlarge
     none = max(map(abs, arrays["pressure_angle"])) < ROUNDING
     lines = [Band(limit, limit, vertical=False) for limit in limits]
     low = cam.least_pressure_angle
     pressure = Panel(
-        way,
+        angle_axis,
         Axis("pressure angle α", Angle, ends=(-pi / 18.0, pi / 18.0) if none and not limits else None),
         (
             Curve(angle, _closed(arrays["pressure_angle"]), role=0),
@@ -136,11 +136,11 @@ def _picture(
         ),
         "pressure angle; its limits dash-dotted" if limits else "",
     )
-    return Picture((shape, pressure, _curvature(cam, arrays, way, angle, least_radius)), title)
+    return Picture((shape, pressure, _curvature(cam, arrays, angle_axis, angle, least_radius)), title)
 
 
 def _items(
-    arrays: "dict[str, list[float]]", geometry: Geometry, shown: Figure, on: complex, cutter: "float | None"
+    arrays: "dict[str, list[float]]", geometry: Geometry, drawing: Figure, rotation: complex, cutter: "float | None"
 ) -> "list[Any]":
     """What the first panel shows, in the cam's frame at its first angle."""
     items: list[Any] = [Curve(_closed(arrays["x"]), _closed(arrays["y"]), _flank(geometry), role=0)]
@@ -148,17 +148,17 @@ def _items(
         items.append(Curve(_closed(arrays["pitch_x"]), _closed(arrays["pitch_y"]), "pitch curve", "dashed", 5))
     if cutter:
         items.append(Curve(_closed(arrays["cutter_x"]), _closed(arrays["cutter_y"]), "cutter path", "dotted", 3))
-    if shown.base:
-        items.append(_line((shown.base * step for step in CIRCLE), "base circle", "thin", 6))
+    if drawing.base:
+        items.append(_line((drawing.base * step for step in CIRCLE), "base circle", "thin", 6))
     items += [
-        _line((on * point for point in shown.shape), shown.name, "solid", 1),
-        _line((on * point for point in shown.holder), "", "thin", 1),
-        _line(turning_arrow(geometry.turn, 0.3 * (shown.base or _size(arrays))), "", "thin", 6),
+        _line((rotation * point for point in drawing.shape), drawing.name, "solid", 1),
+        _line((rotation * point for point in drawing.holder), "", "thin", 1),
+        _line(turning_arrow(geometry.turn, 0.3 * (drawing.base or _size(arrays))), "", "thin", 6),
         Mark(0.0, 0.0, ""),
         Mark(arrays["x"][0], arrays["y"][0], ""),
     ]
-    if shown.pivot is not None:
-        pivot = on * shown.pivot
+    if drawing.pivot is not None:
+        pivot = rotation * drawing.pivot
         items.append(Mark(pivot.real, pivot.imag, "pivot"))
     return items
 
@@ -175,8 +175,8 @@ def _curvature(
         marks += extreme_mark(cam.least_convex_radius_at, convex, Coordinate, BELOW if convex > 0.0 else LOWER)
     if hollow is not None and cam.least_concave_radius_at is not None and hollow <= reach:
         words = convex is None or convex > 0.0
-        at = cam.least_concave_radius_at
-        marks += extreme_mark(at, -hollow, Coordinate, ABOVE) if words else (Mark(at, -hollow),)
+        place = cam.least_concave_radius_at
+        marks += extreme_mark(place, -hollow, Coordinate, ABOVE) if words else (Mark(place, -hollow),)
     limit = [Band(least_radius, least_radius, "limit", vertical=False)] if least_radius else []
     return Panel(
         way,

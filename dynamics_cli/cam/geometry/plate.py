@@ -94,86 +94,87 @@ def plate(geometry: Geometry, motion: "Any", start_angle: float, corners: "tuple
     curve.
     """
     curve = Envelope(geometry, motion)
-    kept = _kept(curve, corners)
+    stretches = _kept(curve, corners)
     spans = widths(motion)
-    zone, low, high = (np.array(column) for column in zip(*_shares(curve, kept, spans), strict=True))
+    zone, low, high = (np.array(column) for column in zip(*_shares(curve, stretches, spans), strict=True))
     frame = geometry, motion, start_angle, np.array(spans)
     values = _integrals(*frame, zone, low, high)
-    sums, left, most = _bridged(curve, kept, start_angle), np.zeros(5), np.zeros(2)
+    sums, errors, most = _bridged(curve, stretches, start_angle), np.zeros(5), np.zeros(2)
     for depth in range(DEPTH):
         middle = 0.5 * (low + high)
         rows = (np.concatenate(pair) for pair in ((zone, zone), (low, middle), (middle, high)))
         halves = _integrals(*frame, *rows).reshape(5, 2, -1)
-        both = halves.sum(axis=1)
-        moved = np.abs(both - values)
-        most = np.maximum(most, np.abs(sums + both.sum(axis=1))[:2])
+        refined = halves.sum(axis=1)
+        moved = np.abs(refined - values)
+        most = np.maximum(most, np.abs(sums + refined.sum(axis=1))[:2])
         good = (moved[:2] <= GOOD * most[:, None]).all(axis=0) | (depth == DEPTH - 1) | (zone.size > MOST)
-        sums += both[:, good].sum(axis=1)
-        left += 2.0 * moved[:, good].sum(axis=1)
+        sums += refined[:, good].sum(axis=1)
+        errors += 2.0 * moved[:, good].sum(axis=1)
         bad = ~good
         if not bad.any():
             break
         zone = np.concatenate((zone[bad], zone[bad]))
         low, high = np.concatenate((low[bad], middle[bad])), np.concatenate((middle[bad], high[bad]))
         values = halves[:, :, bad].reshape(5, -1)
-    return _plate(geometry, sums, left + _blurred(curve, corners))
+    return _plate(geometry, sums, errors + _blurred(curve, corners))
 
 
 def _plate(geometry: Geometry, sums: "Any", left: "Any") -> Plate:
     """The plate from the integrals and their errors besides rounding."""
     area, perimeter, x, y, polar = sums.tolist()
     third = 1.0 / (3.0 * area) if area else 0.0
-    shares = [
-        off / abs(whole) + QUADRATURE if whole else 0.0 for off, whole in zip(left.tolist(), sums.tolist(), strict=True)
+    relative = [
+        off / abs(integral) + QUADRATURE if integral else 0.0
+        for off, integral in zip(left.tolist(), sums.tolist(), strict=True)
     ]
     # an arm's contact is a difference of lengths measured from its pivot, however small the cam
     reach = 2.0**-51 * getattr(geometry.follower, "pivot_distance", 0.0)
     if area and perimeter:
         across, along = reach * perimeter / abs(area), reach * 2.0 * pi / perimeter
-        shares = [share + more for share, more in zip(shares, (across, along, 0.0, 0.0, 2.0 * across), strict=True)]
+        relative = [error + more for error, more in zip(relative, (across, along, 0.0, 0.0, 2.0 * across), strict=True)]
     away = abs(third) * hypot(x, y)
     # first moments are sums of a mean radius times the area
-    centroid = abs(third) * float(left[2] + left[3]) + away * shares[0] + QUADRATURE * perimeter / (2.0 * pi)
-    return Plate(area, perimeter, third * x, third * y, polar, shares[0], shares[1], centroid, shares[4])
+    centroid = abs(third) * float(left[2] + left[3]) + away * relative[0] + QUADRATURE * perimeter / (2.0 * pi)
+    return Plate(area, perimeter, third * x, third * y, polar, relative[0], relative[1], centroid, relative[4])
 
 
 def _kept(curve: Envelope, corners: "tuple[Corner, ...]") -> "list[tuple[int, float, float]]":
     """The edge of the plate: parts of the curve in order, and the shares of each where it begins and ends."""
     end = float(len(curve.parts))
-    ways = [(0.0, end)] if not corners else []
+    stretches = [(0.0, end)] if not corners else []
     for corner, after in zip(corners, (*corners[1:], *corners[:1]), strict=True):
         if after.leaves < corner.returns:
-            ways += [(corner.returns, end), (0.0, after.leaves)]
+            stretches += [(corner.returns, end), (0.0, after.leaves)]
         else:
-            ways.append((corner.returns, after.leaves))
+            stretches.append((corner.returns, after.leaves))
     return [
         (part, max(low - part, 0.0), min(high - part, 1.0))
-        for low, high in ways
+        for low, high in stretches
         for part in range(int(low), ceil(high))
     ]
 
 
 def _shares(
-    curve: Envelope, kept: "list[tuple[int, float, float]]", spans: "list[float]"
+    curve: Envelope, stretches: "list[tuple[int, float, float]]", spans: "list[float]"
 ) -> "list[tuple[int, float, float]]":
     """Zones of the edge cut into pieces of 15 degrees or less, each with the shares of the zone at its ends."""
-    shares = []
-    for part, low, high in kept:
+    pieces = []
+    for part, low, high in stretches:
         zone = curve.parts[part]
         if isinstance(zone, Bridge):
             continue
         parts = max(1, ceil(spans[zone] * (high - low) / PIECE - 1e-9))
         cuts = [low + (high - low) * (index / parts) for index in range(parts)] + [high]
-        shares += [(zone, first, last) for first, last in pairwise(cuts)]
-    return shares
+        pieces += [(zone, first, last) for first, last in pairwise(cuts)]
+    return pieces
 
 
-def _bridged(curve: Envelope, kept: "list[tuple[int, float, float]]", start_angle: float) -> "Any":
+def _bridged(curve: Envelope, stretches: "list[tuple[int, float, float]]", start_angle: float) -> "Any":
     """The integrals over the bridges at velocity jumps."""
     nodes, weights = _gauss(GAUSS)
     turn = curve.geometry.turn
     total = np.zeros(5)
-    for part, low, high in kept:
+    for part, low, high in stretches:
         bridge = curve.parts[part]
         if not isinstance(bridge, Bridge) or not bridge.run:
             continue
@@ -194,16 +195,16 @@ def _blurred(curve: Envelope, corners: "tuple[Corner, ...]") -> "Any":
     """Error of the integrals due to that of the corners, where both arcs end."""
     total = np.zeros(5)
     for corner in corners:
-        ends, ways = [], []
+        ends, directions = [], []
         for place in (corner.leaves, corner.returns):
             part = min(int(place), len(curve.parts) - 1)
             ends.append(complex(curve.at(part, np.array([place - part]))[0][0]))
-            ways.append(curve.way(part, place - part))
+            directions.append(curve.way(part, place - part))
         away = abs(corner.point)
         off = abs(ends[1] - ends[0]) + BLURRED * away
         if corner.exact:
             # arcs that cross at a small angle leave the position of their crossing uncertain along both
-            slope = abs((ways[0].conjugate() * ways[1]).imag)
+            slope = abs((directions[0].conjugate() * directions[1]).imag)
             gap = abs(ends[1] - ends[0]) + ROUNDED * (away + curve.geometry.roller)
             off = gap / slope if slope else inf
         total += 2.0 * off * np.array([0.5 * away, 1.0, away * away, away * away, 0.25 * away**3])
@@ -245,12 +246,12 @@ def weighed(
         return Weighed(advice=tuple(_missing(name) for name in (NAMES[:4] if weight is None else NAMES)))
     body = plate(geometry, motion, start_angle, () if loss is None else loss.corners)
     x, y = (value if abs(value) > SETTLED * body.perimeter else 0.0 for value in (body.x, body.y))
-    about = body.polar - body.area * (body.x * body.x + body.y * body.y)
+    about_centroid = body.polar - body.area * (body.x * body.x + body.y * body.y)
     return Weighed(
         body.area, body.perimeter, x, y,
         None if weight is None else weight * body.area,
         None if weight is None else weight * body.polar,
-        None if weight is None else weight * about,
+        None if weight is None else weight * about_centroid,
         bounds=_bounds(body, weight),
         advice=() if loss is None else (_trimmed(loss),),
     )  # fmt: skip
@@ -277,8 +278,8 @@ def _bounds(body: Plate, weight: "float | None") -> tuple[ErrorBound, ...]:
     bounds += [ErrorBound(name, off, relative=False) for name in ("centroid_x", "centroid_y")]
     if weight is not None:
         away = hypot(body.x, body.y)
-        about = body.polar_error * body.polar + abs(body.area) * away * (away * body.area_error + 3.0 * off)
+        polar = body.polar_error * body.polar + abs(body.area) * away * (away * body.area_error + 3.0 * off)
         bounds.append(ErrorBound("mass", body.area_error + UNIT))
         bounds.append(ErrorBound("inertia", body.polar_error + UNIT))
-        bounds.append(ErrorBound("inertia_about_centroid", weight * (about + 4.0 * UNIT * body.polar), relative=False))
-    return tuple(one for one in bounds if one.bound < inf)
+        bounds.append(ErrorBound("inertia_about_centroid", weight * (polar + 4.0 * UNIT * body.polar), relative=False))
+    return tuple(bound for bound in bounds if bound.bound < inf)

@@ -273,8 +273,8 @@ def radius_bounds(geometry: "Geometry", analysis: "Analysis") -> tuple[ErrorBoun
             continue
         off = bend.least_error
         if not geometry.flat:
-            left = abs(value) - error
-            off = error / (abs(value) * left) + 2.0 * UNIT / abs(value) if left > 0.0 else inf
+            margin = abs(value) - error
+            off = error / (abs(value) * margin) + 2.0 * UNIT / abs(value) if margin > 0.0 else inf
         if off < inf:
             bounds.append(ErrorBound(name, (off + UNIT * abs(radius)) * (1.0 + 2.0**-40), relative=False))
     return tuple(bounds)

@@ -55,18 +55,18 @@ def lift_lost(geometry: Geometry, motion: "Any", *, forward: bool = False) -> "L
     estimated. For the corners see `corners.left_by`.
     """
     curve = Envelope(geometry, motion)
-    left = left_by(curve, forward=forward)
-    if left is None:
+    remainder = left_by(curve, forward=forward)
+    if remainder is None:
         return None
-    if not left.edge:
-        return Loss(inf, 0.0, 0.0, left.stretches, (), left.pieces)
+    if not remainder.edge:
+        return Loss(inf, 0.0, 0.0, remainder.stretches, (), remainder.pieces)
     lift, place, error = _worst(
-        curve, left.edge, left.size, FOUND if all(corner.exact for corner in left.edge) else BLURRED
+        curve, remainder.edge, remainder.size, FOUND if all(corner.exact for corner in remainder.edge) else BLURRED
     )
-    if not left.stretches and left.pieces == 1 and lift <= BLURRED * left.size:
+    if not remainder.stretches and remainder.pieces == 1 and lift <= BLURRED * remainder.size:
         # a dwell that is a point of the cam, on its axis
         return None
-    return Loss(lift, float(place) % TURN, error, left.stretches, left.edge, left.pieces - 1)
+    return Loss(lift, float(place) % TURN, error, remainder.stretches, remainder.edge, remainder.pieces - 1)
 
 
 def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
@@ -121,22 +121,24 @@ def _worst(curve: Envelope, loop: "tuple[Corner, ...]", size: float, off: float)
 
     count = len(parts)
     try:
-        made = proxies(lambda share, piece: level + lost(share, piece), np.zeros(count), np.ones(count))
+        losses = proxies(lambda share, piece: level + lost(share, piece), np.zeros(count), np.ones(count))
     except ValueError:
         return _slipping(curve, parts, np.array([corner.point for corner in loop]))
     # their remainder and its slope are estimated; the rounding of the gap remains
-    count = made.coefficients.shape[2]
-    left = made.error + ROUNDED * level
-    made = Proxies(made.owner, made.starts, made.ends, made.coefficients, left, False, (count + 2.0) ** 2 * left)
-    (top,) = summits(made, ways=(1.0,))
-    piece = made.owner[top.rows]
-    share = 0.5 * (made.starts + made.ends)[top.rows] + 0.5 * (made.ends - made.starts)[top.rows] * top.units
+    count = losses.coefficients.shape[2]
+    bound = losses.error + ROUNDED * level
+    losses = Proxies(
+        losses.owner, losses.starts, losses.ends, losses.coefficients, bound, False, (count + 2.0) ** 2 * bound
+    )
+    (top,) = summits(losses, ways=(1.0,))
+    piece = losses.owner[top.rows]
+    share = 0.5 * (losses.starts + losses.ends)[top.rows] + 0.5 * (losses.ends - losses.starts)[top.rows] * top.units
     gaps = lost(share[:, None], piece)[0, :, 0]
     index = int(gaps.argmax())
-    own = int(piece[index])
-    place = starts[own] + spans[own] * (low[own] + wide[own] * float(share[index]))
+    best = int(piece[index])
+    place = starts[best] + spans[best] * (low[best] + wide[best] * float(share[index]))
     # the seat rounds as if the corner were elsewhere by roundings of the lengths of cam and follower
-    steep = _steep(geometry, place, complex(points[own]), 1e-6 * size)
+    steep = _steep(geometry, place, complex(points[best]), 1e-6 * size)
     rounded = ROUNDED * (size + _reach(geometry)) * steep
     rounded += 2.0**-51 * (abs(geometry.start) + max(map(abs, motion.stroke)))
     error = settled(top, level + gaps, np.full(gaps.shape, rounded))[2]

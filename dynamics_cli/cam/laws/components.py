@@ -154,18 +154,18 @@ class Beta:
         n, c = self.n, self.constant
         p = t * (1.0 - t)
         power = _power(p, n - 1)
-        found = [_horner(self.row, t) * _power(t, n + 1)]
+        orders = [_horner(self.row, t) * _power(t, n + 1)]
         if derivatives >= 1:
-            found.append(c * power * p)
+            orders.append(c * power * p)
         if derivatives >= 2:
             slope = 1.0 - 2.0 * t
-            found.append(c * n * power * slope)
+            orders.append(c * n * power * slope)
         if derivatives >= 3:
             less = _power(p, n - 2) if n > 1 else None
-            found.append(0.0 * t - 2.0 * c if less is None else c * n * less * ((n - 1) - (4 * n - 2) * p))
+            orders.append(0.0 * t - 2.0 * c if less is None else c * n * less * ((n - 1) - (4 * n - 2) * p))
         if derivatives >= 4:
-            found.append(self._fourth(p) * slope)
-        return found
+            orders.append(self._fourth(p) * slope)
+        return orders
 
     def size(self, order: int) -> float:
         """Bound of the sum of magnitudes of a derivative's terms (first to fourth) for 0 ≤ t ≤ 1, p ≤ ¼."""
@@ -236,12 +236,12 @@ class EndOfDoubleHarmonic:
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
         u = math.pi * t
-        left = 0.5 * _wave(1, u)
+        half_versed = 0.5 * _wave(1, u)
         sine = _wave(2, u)
         cosine = _wave(3, u)
-        orders = [left * (2.0 - left)]
+        orders = [half_versed * (2.0 - half_versed)]
         if derivatives >= 1:
-            orders.append(math.pi * sine * (1.0 - left))
+            orders.append(math.pi * sine * (1.0 - half_versed))
         if derivatives >= 2:
             orders.append(0.5 * math.pi**2 * (cosine + _wave(3, 2.0 * u)))
         if derivatives >= 3:

@@ -85,15 +85,15 @@ class Law:
     def _over_array(self, x: "Any", derivatives: int, side: int) -> "tuple[Any, ...]":
         import numpy as np
 
-        found = np.empty((derivatives + 1, *x.shape))
+        orders = np.empty((derivatives + 1, *x.shape))
         which = np.searchsorted(self.edges, x, side="right" if side > 0 else "left")
         for index, piece in enumerate(self.pieces):
-            here = which == index
-            if here.any():
-                t = 1.0 - x[here] if piece.far else x[here]
+            inside = which == index
+            if inside.any():
+                t = 1.0 - x[inside] if piece.far else x[inside]
                 for order, values in enumerate(self.upright(piece, t, derivatives)):
-                    found[order][here] = values
-        return tuple(found)
+                    orders[order][inside] = values
+        return tuple(orders)
 
     def upright(self, piece: Piece, t: "Any", derivatives: int) -> "list[Any]":
         """F and its derivatives from one piece, t measured from the end that the piece is measured from."""
@@ -121,7 +121,7 @@ def symmetric(name: str, shapes: "Sequence[tuple[float, Any]]", *, smooth: bool 
 
 def _fourier(name: str, *terms: tuple[int, float]) -> Law:
     """Σ c/(2πk)·(2πkx − sin 2πkx), Σ c = 1."""
-    waves = [(share / (2.0 * pi * k), 2.0 * pi * k, 0) for k, share in terms]
+    waves = [(weight / (2.0 * pi * k), 2.0 * pi * k, 0) for k, weight in terms]
     return symmetric(name, [(0.5, Mixed(waves=waves, near=ONE_WAVE if len(terms) == 1 else SEVERAL))])
 
 
@@ -259,13 +259,13 @@ _known_laws: "dict[str | tuple[str, float, float, float, float], Law]" = {}
 
 def _remembered(name: str, b: float, c: float, d: float, constant: float) -> Law:
     """The law of these shares, cached with its results while there are few of them."""
-    shares = (name, b, c, d, constant)
-    if shares not in _known_laws:
+    key = (name, b, c, d, constant)
+    if key not in _known_laws:
         law = scca(b, c, d, constant, name)
         if len(_known_laws) >= MOST_REMEMBERED:
             return law
-        _known_laws[shares] = law
-    return _known_laws[shares]
+        _known_laws[key] = law
+    return _known_laws[key]
 
 
 def law_named(name: str, shares: "tuple[float, ...] | None" = None, constant: float | None = None) -> Law:

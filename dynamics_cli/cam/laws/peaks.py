@@ -53,7 +53,7 @@ def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "
 
     reach = reach_of(shape, (low, high))
     size, *bent = (bound(shape, order + more, reach) for more in (0, 3, 4))
-    slips = [rounding(shape, order + more, reach) for more in (1, 2)]
+    roundings = [rounding(shape, order + more, reach) for more in (1, 2)]
     grid = [low + (high - low) * i / steps for i in range(steps + 1)]
     values = [slope(t) for t in grid]
     # reversed: cells are taken from the end
@@ -64,25 +64,25 @@ def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "
     while cells:
         start, end, a, b = cells.pop()
         step, changes = end - start, a * b < 0.0
-        room, least = 0.125 * step * step, min(abs(a), abs(b))
-        most = max(abs(a), abs(b), room * bent[0])
-        still = most <= 4.0 * slips[0] or 2.0 * step * most <= STILL * size
-        if not changes and least > room * bent[0] + slips[0]:
+        curvature_bound, least = 0.125 * step * step, min(abs(a), abs(b))
+        most = max(abs(a), abs(b), curvature_bound * bent[0])
+        still = most <= 4.0 * roundings[0] or 2.0 * step * most <= STILL * size
+        if not changes and least > curvature_bound * bent[0] + roundings[0]:
             continue
         if still:
             if flat and flat[-1][1] == start:
                 flat[-1][1], flat[-1][3] = end, b
             else:
                 flat.append([start, end, a, b])
-        elif _one_sign(shape, order + 2, start, end, room * bent[1] + slips[1]):
+        elif _one_sign(shape, order + 2, start, end, curvature_bound * bent[1] + roundings[1]):
             if a == 0.0 and start > low and start not in turning:
                 turning.append(start)
             if changes:
                 turning.append(_settled(piece, order, _bisected(slope, start, end, a)))
         else:
             middle = 0.5 * (start + end)
-            here = slope(middle)
-            cells += [(middle, end, here, b), (start, middle, a, here)]
+            at_middle = slope(middle)
+            cells += [(middle, end, at_middle, b), (start, middle, a, at_middle)]
     for start, end, a, b in flat:
         root = _settled(piece, order, _bisected(slope, start, end, a)) if a * b < 0.0 else start
         if a * b < 0.0 and root not in turning:
@@ -110,16 +110,16 @@ def _bisected(slope: "Callable[[float], float]", low: float, high: float, at_low
 def _settled(piece: Piece, order: int, t: float) -> float:
     """The plain fraction beside t, where the curve is too flat for bisection to find it."""
     plain = round(t * 64.0) / 64.0
-    there, here = (piece.shape(u, order)[order] for u in (plain, t))
-    return plain if abs(plain - t) < 1e-3 and abs(there - here) <= 4e-16 * abs(here) else t
+    at_plain, at_t = (piece.shape(u, order)[order] for u in (plain, t))
+    return plain if abs(plain - t) < 1e-3 and abs(at_plain - at_t) <= 4e-16 * abs(at_t) else t
 
 
 def peak(law: Law, order: int, step: int = 1) -> tuple[float, float]:
     """Maximum magnitude of that derivative, infinite where one below it jumps, and its first place, or last (-1)."""
-    known = ("peak", order, step)
-    if known not in law.known:
-        law.known[known] = _peak(law, order, step)
-    return law.known[known]  # type: ignore[no-any-return]
+    key = ("peak", order, step)
+    if key not in law.known:
+        law.known[key] = _peak(law, order, step)
+    return law.known[key]  # type: ignore[no-any-return]
 
 
 def _peak(law: Law, order: int, step: int) -> tuple[float, float]:
@@ -138,15 +138,15 @@ def value_error(law: Law, x: float, order: int) -> float:
 
     Its rounding there, and that the function moves by less than a rounding of its size between distinct places.
     """
-    found = 0.0
+    bound = 0.0
     for piece in law.pieces:
         if piece.low <= x <= piece.high:
             t = min(max(1.0 - x if piece.far else x, piece.ends[0]), piece.ends[1])
             # a place within a rounding is equivalent, and an end may be rounded
             error = slips(piece.shape, t, 4.0 * STILL * t, order, HALVES_OF_FLOATS)[order]
             value = abs(law.upright(piece, t, order)[order])
-            found = max(found, error + 3.0 * STILL * value)
-    return found
+            bound = max(bound, error + 3.0 * STILL * value)
+    return bound
 
 
 def peak_bound(law: Law, order: int) -> float:

@@ -141,8 +141,8 @@ def spline(
         else:
             shape = Mixed(_cubic(x1 - x0, f0 - first, f1 - first, slopes[i], slopes[i + 1]), origin=x0)
         pieces.append(Piece(x0, x1, x0 >= 0.5, shape))
-    whole = _closed(pieces, slopes[-1], last - first)
-    return Law("spline", whole, places[1:-1], monotone=False, total=last - first, steps=steps)
+    closed = _closed(pieces, slopes[-1], last - first)
+    return Law("spline", closed, places[1:-1], monotone=False, total=last - first, steps=steps)
 
 
 def _closed(pieces: "list[Piece]", slope: float, total: float) -> "list[Piece]":
@@ -169,10 +169,10 @@ def _slopes(points: "Sequence[tuple[float, float]]", first: float, last: float) 
     chords = [(points[i + 1][1] - points[i][1]) / widths[i] for i in range(count - 1)]
     upper, right = [0.0], [first]
     for i in range(1, count - 1):
-        left, ahead = widths[i], widths[i - 1]
-        pivot = 2.0 * (left + ahead) - left * upper[-1]
-        upper.append(ahead / pivot)
-        right.append((3.0 * (left * chords[i - 1] + ahead * chords[i]) - left * right[-1]) / pivot)
+        width, previous = widths[i], widths[i - 1]
+        pivot = 2.0 * (width + previous) - width * upper[-1]
+        upper.append(previous / pivot)
+        right.append((3.0 * (width * chords[i - 1] + previous * chords[i]) - width * right[-1]) / pivot)
     slopes = [last]
     for i in range(count - 2, 0, -1):
         slopes.append(right[i] - upper[i] * slopes[-1])

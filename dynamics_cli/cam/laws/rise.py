@@ -135,12 +135,12 @@ def rise(
     (0.01, 0.026666666667)
     """
     _require_rise(lift, span, count, at=bool(at), both=falling and mirrored)
-    wanted = chosen(law, shares, constant, conditions, points, start_velocity, end_velocity)
-    way = "falling" if falling else "mirrored" if mirrored else "rising"
+    profile = chosen(law, shares, constant, conditions, points, start_velocity, end_velocity)
+    direction = "falling" if falling else "mirrored" if mirrored else "rising"
     scales = [lift / span**order for order in range(4)]
     angles = at or [span * (i / (count - 1)) for i in range(count - 1)] + [span]
-    table = tuple(_point(wanted, angle, span, lift, scales, way, shaft_speed) for angle in angles)
-    tops = [peak(wanted, order, -1 if mirrored else 1) for order in (1, 2, 3)]
+    table = tuple(_point(profile, angle, span, lift, scales, direction, shaft_speed) for angle in angles)
+    tops = [peak(profile, order, -1 if mirrored else 1) for order in (1, 2, 3)]
     peaks = [None if top == inf else top * scales[order] for order, (top, _) in enumerate(tops, 1)]
     places = [(1.0 - x if mirrored else x) * span for _, x in tops]
     return Rise(
@@ -149,10 +149,11 @@ def rise(
         peaks[2], places[2],
         table,
         **_in_time(peaks, shaft_speed),
-        checks=area_checks(wanted),
-        advice=(*_infinite(wanted, peaks, places), *_ways_down(wanted, way), *rounding_advice(wanted)),
+        checks=area_checks(profile),
+        advice=(*_infinite(profile, peaks, places), *_ways_down(profile, direction), *rounding_advice(profile)),
         numerics=Numerics(
-            METHOD, (*_peak_bounds(wanted, peaks, shaft_speed), *_bounds(wanted, table, span, lift, shaft_speed, way))
+            METHOD,
+            (*_peak_bounds(profile, peaks, shaft_speed), *_bounds(profile, table, span, lift, shaft_speed, direction)),
         ),
     )  # fmt: skip
 

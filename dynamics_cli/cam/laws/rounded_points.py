@@ -72,14 +72,14 @@ def effects(law: "Law", place_step: float, lift_step: float) -> "tuple[float, fl
     return max(slopes), max(bends), max((a + b) / h for a, b, h in zip(bends[:-1], bends[1:], wide, strict=True))
 
 
-def _dominated(left: "list[float]", middle: "list[float]", right: "list[float]", given: "list[float]") -> "list[float]":
-    """Bounds of the solution of a tridiagonal system for right sides of any sign within `given` (Thomas)."""
-    upper, solution = [right[0] / middle[0]], [given[0] / middle[0]]
-    for i in range(1, len(given)):
+def _dominated(left: "list[float]", middle: "list[float]", right: "list[float]", rhs: "list[float]") -> "list[float]":
+    """Bounds of the solution of a tridiagonal system for right sides of any sign within `rhs` (Thomas)."""
+    upper, solution = [right[0] / middle[0]], [rhs[0] / middle[0]]
+    for i in range(1, len(rhs)):
         pivot = middle[i] - left[i] * upper[-1]
         upper.append(right[i] / pivot)
-        solution.append((given[i] + left[i] * solution[-1]) / pivot)
-    for i in range(len(given) - 2, -1, -1):
+        solution.append((rhs[i] + left[i] * solution[-1]) / pivot)
+    for i in range(len(rhs) - 2, -1, -1):
         solution[i] += upper[i] * solution[i + 1]
     return solution
 
@@ -95,10 +95,10 @@ def rounding_advice(law: "Law", where: str = "") -> "tuple[Advice, ...]":
     # places with as few digits as the lifts are rounded too; others were chosen
     changes = effects(law, place_step if place_step <= lift_step else 0.0, lift_step)
     peaks = [max(abs(value) for _, value in extremes(law, order)) for order in (1, 2, 3)]
-    shares = [change / top if top else 0.0 for change, top in zip(changes, peaks, strict=True)]
-    if max(shares[:2]) < SMALL:
+    relative = [change / top if top else 0.0 for change, top in zip(changes, peaks, strict=True)]
+    if max(relative[:2]) < SMALL:
         return ()
-    v, a, j = ((share, Fraction) for share in shares)
+    v, a, j = ((ratio, Fraction) for ratio in relative)
     message = worded(
         where + "the lifts of the points are multiples of {step:3} of the rise: if they are rounded to that, velocity, "
         "acceleration and jerk are off by up to {v:2}, {a:2} and {j:2} of their peaks; the error bounds hold for the "
@@ -106,4 +106,4 @@ def rounding_advice(law: "Law", where: str = "") -> "tuple[Advice, ...]":
         step=(lift_step, Ratio), v=v, a=a, j=j,
     )  # fmt: skip
     remedy = "give the points with more digits"
-    return (Advice("rounded-points", message, "caution" if shares[1] >= LARGE else "note", remedy),)
+    return (Advice("rounded-points", message, "caution" if relative[1] >= LARGE else "note", remedy),)

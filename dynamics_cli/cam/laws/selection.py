@@ -59,7 +59,7 @@ def chosen(
         from dynamics_cli.cam.laws.polynomials import polynomial
 
         require(bool(conditions), "a polynomial needs conditions", code="conditions", hint=CONDITION_HINT)
-        return polynomial([found for one in conditions for found in _conditions(one)])
+        return polynomial([row for condition in conditions for row in _conditions(condition)])
     if name == "spline":
         from dynamics_cli.cam.laws.polynomials import spline
         from dynamics_cli.cam.laws.rounded_points import decimal_step
@@ -73,13 +73,13 @@ def chosen(
 CONDITION_HINT = 'for example --condition "place=0, lift=0, velocity=0" --condition "place=1, lift=1, velocity=0"'
 
 
-def _conditions(one: Condition) -> "list[tuple[float, int, float]]":
-    values = (one.lift, one.velocity, one.acceleration, one.jerk, one.rate_of_jerk)
-    conditions = [(one.place, order, value) for order, value in enumerate(values) if value is not None]
+def _conditions(condition: Condition) -> "list[tuple[float, int, float]]":
+    values = (condition.lift, condition.velocity, condition.acceleration, condition.jerk, condition.rate_of_jerk)
+    conditions = [(condition.place, order, value) for order, value in enumerate(values) if value is not None]
     require(
         bool(conditions),
         "the condition at {place} gives no lift and no derivative",
-        place=(one.place, Fraction), code="conditions", hint=CONDITION_HINT,
+        place=(condition.place, Fraction), code="conditions", hint=CONDITION_HINT,
     )  # fmt: skip
     return conditions
 
@@ -93,7 +93,7 @@ def area_checks(law: Law) -> "tuple[Check, ...]":
 
 def _area_checks(law: Law) -> "tuple[Check, ...]":
     area = [0.0, 0.0]
-    way = size = 0.0
+    travel = size = 0.0
     for piece in law.pieces:
         start, end = piece.ends
         half = 0.5 * (end - start)
@@ -101,11 +101,11 @@ def _area_checks(law: Law) -> "tuple[Check, ...]":
             for t in (start + half * (1.0 - node), start + half * (1.0 + node)):
                 orders = law.upright(piece, t, 2)
                 area = [area[0] + weight * half * orders[1], area[1] + weight * half * orders[2]]
-                way += weight * half * abs(orders[1])
+                travel += weight * half * abs(orders[1])
                 size += weight * half * abs(orders[2])
     gain = law.at(1.0, 1, -1)[1] - law.at(0.0, 1)[1]
     # a law that returns to its start has zero lift: the total distance covered is its size
-    scale = max(abs(law.total) if law.monotone else max(abs(law.total), way), 1e-300)
+    scale = max(abs(law.total) if law.monotone else max(abs(law.total), travel), 1e-300)
     worst = max(abs(area[0] - law.total) / scale, abs(area[1] - gain) / max(size, 1e-300) if size else 0.0)
     return (Check(f"areas under {law.name}", worst <= 1e-12, worst, 1e-12),)
 

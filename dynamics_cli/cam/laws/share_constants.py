@@ -30,11 +30,11 @@ def constants_of(b: float, c: float, d: float, constant: float) -> "tuple[Any, .
     >>> constants_of(0.0, 1.0, 0.0, 0.0)[0]
     4.0
     """
-    one = 1 << _BITS
+    ones = 1 << _BITS
 
     def fixed(value: float) -> int:
         above, below = value.as_integer_ratio()
-        return above * one // below
+        return above * ones // below
 
     def times(*factors: int) -> int:
         total = factors[0]
@@ -42,15 +42,15 @@ def constants_of(b: float, c: float, d: float, constant: float) -> "tuple[Any, .
             total = total * factor >> _BITS
         return total
 
-    ratio = (one * one) // _PI
-    q = (one - fixed(constant)) >> 1
+    ratio = (ones * ones) // _PI
+    q = (ones - fixed(constant)) >> 1
     r, k, g = (times(fixed(share), q) for share in (b, c, d))
     still = fixed(constant) >> 1
     swept, square = times(2 * r, ratio), times(ratio, ratio)
     rise = times(r, swept) - times(4 * square, r, r)
-    whole = times(r, ratio) - times(4 * square, r, r) + times(k, (one >> 1) - r - (k >> 1))
-    whole += times(2 * still, g, ratio) + times(4 * square, g, g)
-    peak = one * one // (2 * whole)
+    lift = times(r, ratio) - times(4 * square, r, r) + times(k, (ones >> 1) - r - (k >> 1))
+    lift += times(2 * still, g, ratio) + times(4 * square, g, g)
+    peak = ones * ones // (2 * lift)
     bent = times(k, peak)
     constants = (
         peak,
@@ -59,6 +59,8 @@ def constants_of(b: float, c: float, d: float, constant: float) -> "tuple[Any, .
         times(peak, rise) + times(k, times(peak, swept) + (bent >> 1)),
         times(peak, swept) + bent,
         times(4 * square, g, g, peak),
-        tuple((_PI * one) // (2 * width) if width else 0 for width in (r, g)),
+        tuple((_PI * ones) // (2 * width) if width else 0 for width in (r, g)),
     )
-    return tuple(tuple(value / one for value in part) if isinstance(part, tuple) else part / one for part in constants)
+    return tuple(
+        tuple(value / ones for value in part) if isinstance(part, tuple) else part / ones for part in constants
+    )

@@ -103,22 +103,22 @@ def laws(
             hint="name it: --law scca, --law polynomial, --law spline",
         )
         named = [law_named(name) for name in LawName.names if name not in ("scca", "polynomial", "spline")]
-        found = sorted(named, key=lambda one: -continuity(one)[0])
+        selected = sorted(named, key=lambda entry: -continuity(entry)[0])
     else:
-        found = [chosen(law, shares, constant, conditions, points, start_velocity, end_velocity)]
-    rows = tuple(_peaks(one) for one in found)
+        selected = [chosen(law, shares, constant, conditions, points, start_velocity, end_velocity)]
+    rows = tuple(_peaks(entry) for entry in selected)
     bounds = tuple(
         ErrorBound(f"laws[{i}].{name}", peak_bound(law_, order))
-        for i, (row, law_) in enumerate(zip(rows, found, strict=True))
+        for i, (row, law_) in enumerate(zip(rows, selected, strict=True))
         for order, name in enumerate(DERIVATIVES[1:4], 1)
         if getattr(row, name) is not None
     )
-    checks = [check for one in found for check in area_checks(one)]
+    checks = [check for entry in selected for check in area_checks(entry)]
     worst = max(check.value or 0.0 for check in checks)
     return LawTable(
         rows,
         checks=(Check("areas under velocity and acceleration", worst <= 1e-12, worst, 1e-12),),
-        advice=(*_infinite_rows(rows), *(advice for one in found for advice in rounding_advice(one))),
+        advice=(*_infinite_rows(rows), *(advice for entry in selected for advice in rounding_advice(entry))),
         numerics=Numerics("closed form; peaks bisected to the last bit", bounds),
     )
 

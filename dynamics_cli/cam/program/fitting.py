@@ -90,7 +90,7 @@ def _spline(segment: "object", width: float, scale: float, first: float, last: f
             code="points",
         )
         points.append((point.at / width, point.lift / scale))
-    given = segment.points  # type: ignore[attr-defined]
-    lifts = decimal_step([point.lift for point in given], (*LENGTHS, *ANGLES[1:]))
-    steps = decimal_step([point.at for point in given], ANGLES) / width, lifts / abs(scale)
+    knots = segment.points  # type: ignore[attr-defined]
+    lifts = decimal_step([point.lift for point in knots], (*LENGTHS, *ANGLES[1:]))
+    steps = decimal_step([point.at for point in knots], ANGLES) / width, lifts / abs(scale)
     return spline([*points, (1.0, 1.0)], first, last, steps)

@@ -136,28 +136,28 @@ class Motion:
     def _over_array(self, theta: "Any", derivatives: int, side: int) -> "tuple[Any, ...]":
         import numpy as np
 
-        given = np.asarray(theta, dtype=float)
-        angle = given.ravel()
+        angles = np.asarray(theta, dtype=float)
+        angle = angles.ravel()
         if self._edge_array is None:
             self._edge_array = np.array(self._edges)
         out = np.empty((derivatives + 1, angle.size))
         first, last = self.joints[0], self.joints[-1]
         if not angle.size:
-            return tuple(row.reshape(given.shape) for row in out)
+            return tuple(row.reshape(angles.shape) for row in out)
         if bool((angle[1:] >= angle[:-1]).all()) and first <= angle[0] and angle[-1] <= last:
             self._over_sorted(angle, derivatives, side, out)
             # The end of the turn is its start, approached from the other side.
             end = slice(angle.searchsorted(last), None) if side > 0 else slice(angle.searchsorted(first, side="right"))
             if out[0, end].size:
                 out[:, end] = np.reshape(self.at(first if side > 0 else last, derivatives, side), (-1, 1))
-            return tuple(row.reshape(given.shape) for row in out)
+            return tuple(row.reshape(angles.shape) for row in out)
         angle = self.wrapped(angle, side)
         which = np.searchsorted(self._edge_array, angle, side="right" if side > 0 else "left")
         for index in np.unique(which).tolist():
             piece, part = self._pieces[index], which == index
             for order, values in enumerate(piece.give(piece.local(angle[part]), derivatives)):
                 out[order, part] = values
-        return tuple(row.reshape(given.shape) for row in out)
+        return tuple(row.reshape(angles.shape) for row in out)
 
     def by_parts(self, angle: "Any") -> "list[tuple[Any, Any]]":
         """Parts, each with the indices of the angles (an array within the turn, in order) that lie in it or end it."""
@@ -203,11 +203,11 @@ class Motion:
         x = low + (high - low) * t
         out = np.empty((derivatives + 1, *x.shape))
         for piece in pieces:
-            own = piece.law_piece
-            here = (x >= own.low) if piece is pieces[-1] else (x >= own.low) & (x < own.high)
-            local = _from_end(own, low, high, t[here])
+            law_piece = piece.law_piece
+            inside = (x >= law_piece.low) if piece is pieces[-1] else (x >= law_piece.low) & (x < law_piece.high)
+            local = _from_end(law_piece, low, high, t[inside])
             for order, values in enumerate(piece.give(local, derivatives)):
-                out[order][here] = values
+                out[order][inside] = values
         return tuple(out)
 
     def parts_of(self, index: int) -> "list[Part]":
@@ -232,14 +232,14 @@ class Motion:
         return least, most
 
 
-def _from_end(own: "Any", low: float, high: float, t: "Any") -> "Any":
+def _from_end(law_piece: "Any", low: float, high: float, t: "Any") -> "Any":
     """Distance from the end of the segment that this piece is measured from."""
-    if own.far:
+    if law_piece.far:
         return (1.0 - high) + (high - low) * (1.0 - t)
     return low + (high - low) * t
 
 
 def _within(pieces: "list[Part]", low: float, high: float, t: float, derivatives: int) -> "list[Any]":
     x = low + (high - low) * t
-    piece = next((one for one in pieces if x < one.law_piece.high), pieces[-1])
+    piece = next((item for item in pieces if x < item.law_piece.high), pieces[-1])
     return piece.give(_from_end(piece.law_piece, low, high, t), derivatives)

@@ -33,12 +33,12 @@ SWING_SYMBOLS = {"swing": "swing ψ", "velocity": "velocity ψ′", "acceleratio
 ABOVE, BELOW, LEFT = (4.0, 4.0), (4.0, -11.0), -4.0
 
 
-def svaj(result: Revolution, scene: Program, program: str = "", **given: "Any") -> Picture:
+def svaj(result: Revolution, scene: Program, program: str = "", **inputs: "Any") -> Picture:
     """Draw lift, velocity, acceleration and jerk, one below the other; a jump is a gap.
 
     Returns four panels over the cam angle, the segments shaded in turn.
     """
-    del given
+    del inputs
     motion = motion_of(scene, program)
     angles, columns = sampled(motion)
     axes = SWINGS if motion.swing else LENGTHS
@@ -115,19 +115,19 @@ def bands(motion: Motion, order: int) -> "tuple[Band, ...]":
     )
 
 
-def one_rise(result: Rise, law: LawName, lift: float, span: float, **given: "Any") -> Picture:
+def one_rise(result: Rise, law: LawName, lift: float, span: float, **inputs: "Any") -> Picture:
     """Draw one rise: lift, velocity, acceleration and jerk, with the requested points.
 
     `lift`: the lift [m]; `span`: the span [rad]. Returns four panels over the cam angle.
     """
-    given = {key: value for key, value in given.items() if key not in ("at", "count", "shaft_speed")}
-    dense = rise(law=law, lift=lift, span=span, count=401, **given).points
+    inputs = {key: value for key, value in inputs.items() if key not in ("at", "count", "shaft_speed")}
+    dense = rise(law=law, lift=lift, span=span, count=401, **inputs).points
     angles = [point.angle for point in dense]
-    asked = [point.angle for point in result.points]
+    requested = [point.angle for point in result.points]
     panels = []
     for name, kind in LENGTHS:
         curve = Curve(angles, [getattr(point, name) for point in dense])
-        points = Curve(asked, [getattr(point, name) for point in result.points], style="points")
+        points = Curve(requested, [getattr(point, name) for point in result.points], style="points")
         panels.append(Panel(Axis("cam angle θ", Angle, ends=(0.0, span)), Axis(SYMBOLS[name], kind), (curve, points)))
     title = worded("Rise of {lift} in {span}, {law}", lift=(lift, Coordinate), span=(span, Angle), law=str(law))
     return Picture(tuple(panels), title)

@@ -133,7 +133,7 @@ class Cover:
                 self.whole, np.repeat(which, t.shape[1]), t.ravel(), np.zeros(t.size), self.derivatives, shares=True,
                 singly=SINGLY,
             )  # fmt: skip
-            return self.function(*(Disc(one.centre.reshape(t.shape), one.radius.reshape(t.shape)) for one in flat))
+            return self.function(*(Disc(disc.centre.reshape(t.shape), disc.radius.reshape(t.shape)) for disc in flat))
         radius = np.broadcast_to(place.radius, (piece.size, np.shape(place.radius)[-1] if np.ndim(place.radius) else 1))
         radius = radius * (width * self.whole.span[which])[:, None]
         return self.function(*discs(self.whole, which, t, radius, self.derivatives, shares=True))
@@ -198,10 +198,10 @@ class Cover:
             edges = np.concatenate((unit - steps, unit + steps[::-1]))
             inner = sorted({-1.0, unit, 1.0, *edges[np.abs(edges) < 1.0].tolist()})
             low, high = float(proxies.starts[row]), float(proxies.ends[row])
-            shares = [low, *(0.5 * (low + high) + 0.5 * (high - low) * edge for edge in inner[1:-1]), high]
-            starts += shares[:-1]
-            ends += shares[1:]
-            owner += [int(self.owner[row])] * (len(shares) - 1)
+            borders = [low, *(0.5 * (low + high) + 0.5 * (high - low) * edge for edge in inner[1:-1]), high]
+            starts += borders[:-1]
+            ends += borders[1:]
+            owner += [int(self.owner[row])] * (len(borders) - 1)
         finer = Cover.__new__(Cover)
         finer.motion, finer.derivatives, finer.rows = self.motion, self.derivatives, self.rows
         finer.parts, finer.whole = self.parts, self.whole
@@ -233,9 +233,9 @@ class Cover:
         units = np.array([best_unit(top, values, row) for row in rows.tolist()])
         finer = self.cut(lambda disc: sign * disc[which : which + 1], rows, units)
         (ends,) = finer.ends(again=False)
-        kept = ~loose[top.rows]
+        settled = ~loose[top.rows]
         gains = np.where(np.isinf(top.gains), 0.0, top.gains)
-        reach = max(float((values + errors + gains)[kept].max(initial=-np.inf)), ends.greatest + ends.greatest_error)
+        reach = max(float((values + errors + gains)[settled].max(initial=-np.inf)), ends.greatest + ends.greatest_error)
         sure = max(sure, ends.greatest - ends.greatest_error)
         best = max(best, ends.greatest)
         return best, min(error, max(reach - best, best - sure) * (1.0 + 2.0**-40))

@@ -51,12 +51,12 @@ def motion_of(scene: Program, program: str = "") -> Motion:
     )
     start = exact_degrees(scene.start)
     if scene.segments:
-        steps = [Step(one, None if one.span is None else exact_degrees(one.span)) for one in scene.segments]
+        steps = [Step(item, None if item.span is None else exact_degrees(item.span)) for item in scene.segments]
     else:
         from dynamics_cli.cam.program.text import read_program
 
-        steps, own = read_program(program)
-        start = own or start
+        steps, written_start = read_program(program)
+        start = written_start or start
     return _joined(steps, start)
 
 
@@ -101,9 +101,9 @@ def exact_degrees(angle: float) -> "Exact":
 
 def _decimal(text: str) -> "Exact":
     mantissa, _, exponent = text.partition("e")
-    whole, _, tail = mantissa.partition(".")
+    integer, _, tail = mantissa.partition(".")
     power = int(exponent or 0) - len(tail)
-    top = int(whole + tail)
+    top = int(integer + tail)
     return (top * 10**power, 1) if power >= 0 else (top, 10**-power)
 
 
@@ -131,15 +131,15 @@ def _spans(steps: "Sequence[Step]") -> "list[Exact]":
             )
             total = _plus(total, step.span)
     open_ = [i for i, step in enumerate(steps) if step.span is None]
-    left = _plus(FULL, total, -1)
-    rest = left[0] / left[1]
+    remainder = _plus(FULL, total, -1)
+    rest = remainder[0] / remainder[1]
     require(
         len(open_) <= 1,
         "segments {numbers} give no span; only one segment can take the rest of the turn",
         numbers=", ".join(str(i + 1) for i in open_),
         code="span",
     )
-    spans = [step.span or left for step in steps]
+    spans = [step.span or remainder for step in steps]
     if open_:
         require(
             rest > CLOSED_WITHIN,
@@ -160,7 +160,7 @@ def _spans(steps: "Sequence[Step]") -> "list[Exact]":
         code="turn",
         hint="add a dwell of {off:6}" if rest > 0.0 else "shorten the segments by {off:6}",
     )
-    spans[-1] = _plus(spans[-1], left)
+    spans[-1] = _plus(spans[-1], remainder)
     return spans
 
 
@@ -174,7 +174,7 @@ def _joined(steps: "Sequence[Step]", start: "Exact") -> Motion:
     for span in spans:
         ends.append(_plus(ends[-1], span))
     laws = [_law(step.segment, number) for number, step in enumerate(steps, 1)]
-    found = []
+    joined = []
     for i, step in enumerate(steps):
         law, scale = laws[i], None
         segment = step.segment
@@ -184,8 +184,8 @@ def _joined(steps: "Sequence[Step]", start: "Exact") -> Motion:
             width = radians(spans[i])[0]
             law, scale = fitted(i, steps, levels, [radians(span)[0] for span in spans], laws, width)
         off = (offs[i], offs[i + 1])
-        found.append(Span(ends[i], ends[i + 1], levels[i], levels[i + 1], law, str(segment.move), scale, off))
-    return Motion(found, swing=swing)
+        joined.append(Span(ends[i], ends[i + 1], levels[i], levels[i + 1], law, str(segment.move), scale, off))
+    return Motion(joined, swing=swing)
 
 
 def _swings(steps: "Sequence[Step]") -> bool:

@@ -135,8 +135,8 @@ def motion(
     )
 
 
-def _fields(one: Extreme) -> "tuple[float, float, float, float]":
-    return one.least, one.least_at, one.greatest, one.greatest_at
+def _fields(extreme: Extreme) -> "tuple[float, float, float, float]":
+    return extreme.least, extreme.least_at, extreme.greatest, extreme.greatest_at
 
 
 def _impulses(steps: "list[tuple[float, str, list[float]]]") -> "Impulses":
@@ -145,11 +145,11 @@ def _impulses(steps: "list[tuple[float, str, list[float]]]") -> "Impulses":
     return (down[0] if down else None), (up[0] if up else None)
 
 
-def _with_impulses(one: Extreme, impulse: "Impulses") -> "tuple[float | None, float, float | None, float]":
+def _with_impulses(extreme: Extreme, impulse: "Impulses") -> "tuple[float | None, float, float | None, float]":
     """Extremes of the acceleration; an impulse has a place but no value."""
     down, up = impulse
-    least = (one.least, one.least_at) if down is None else (None, down)
-    greatest = (one.greatest, one.greatest_at) if up is None else (None, up)
+    least = (extreme.least, extreme.least_at) if down is None else (None, down)
+    greatest = (extreme.greatest, extreme.greatest_at) if up is None else (None, up)
     return *least, *greatest
 
 
@@ -200,8 +200,8 @@ def _table(turn: Motion, count: int) -> "tuple[Any, Any]":
     return Columns(MotionPoint, angle=angles, **columns), None
 
 
-def _greatest(one: Extreme) -> float:
-    return max(abs(one.least), abs(one.greatest))
+def _greatest(extreme: Extreme) -> float:
+    return max(abs(extreme.least), abs(extreme.greatest))
 
 
 def _swing(ends: "list[Extreme]", impulse: "Impulses") -> SwingRange:
@@ -258,13 +258,15 @@ def _advice(order: int, steps: "list[tuple[float, str, list[float]]]") -> "tuple
     if order >= 2:
         return ()
     angle, words, _ = next(step for step in steps if step[2][order + 1])
-    what, then = (("velocity", "the acceleration is infinite"), ("acceleration", "the jerk is infinite"))[max(order, 0)]
+    quantity, then = (("velocity", "the acceleration is infinite"), ("acceleration", "the jerk is infinite"))[
+        max(order, 0)
+    ]
     return (
         Advice(
-            code=f"{what}-jumps",
+            code=f"{quantity}-jumps",
             message=worded(
                 "the {what} jumps at {angle:6} ({words}): {then} there",
-                what=what,
+                what=quantity,
                 angle=(angle, Angle),
                 words=words,
                 then=then,
@@ -285,12 +287,12 @@ def _numerics(
     else:
         names = [f"{name}.{{}}" for name in NAMES]
     bounds = []
-    for order, (name, one) in enumerate(zip(names, ends, strict=True)):
+    for order, (name, ends_of) in enumerate(zip(names, ends, strict=True)):
         least, greatest = impulse if order == 2 else (None, None)
         if least is None:
-            bounds.append(ErrorBound(name.format("least"), one.least_error, relative=False))
+            bounds.append(ErrorBound(name.format("least"), ends_of.least_error, relative=False))
         if greatest is None:
-            bounds.append(ErrorBound(name.format("greatest"), one.greatest_error, relative=False))
+            bounds.append(ErrorBound(name.format("greatest"), ends_of.greatest_error, relative=False))
     finite = impulse == (None, None)
     if finite:
         name = "rms_swing_acceleration" if turn.swing else "rms_acceleration"
@@ -317,8 +319,8 @@ def _in_time_bounds(
     for order, name in enumerate(("speed", "acceleration") if swing else ("speed", "acceleration", "jerk"), 1):
         if order == 2 and not finite:
             continue
-        one = ends[order]
-        error = max(one.least_error, one.greatest_error) + (order + 1.0) * UNIT * _greatest(one)
+        extreme = ends[order]
+        error = max(extreme.least_error, extreme.greatest_error) + (order + 1.0) * UNIT * _greatest(extreme)
         in_time_bounds.append(ErrorBound(f"{address}.{name}", error * rate**order, relative=False))
     if not finite:
         return in_time_bounds
@@ -340,6 +342,6 @@ def _column_errors(turn: Motion, table: "Any") -> "list[float]":
         for order, error in enumerate(of_part(part, t)):
             # less than its change over the rounding of the angle is shown as zero
             still = 2.0 * ROUNDING * np.abs(angles[rows]) * steep[order + 1]
-            own = error + np.where(values[order][rows] == 0.0, still, 0.0)
-            worst[order] = max(worst[order], float(own.max()))
+            errors = error + np.where(values[order][rows] == 0.0, still, 0.0)
+            worst[order] = max(worst[order], float(errors.max()))
     return worst

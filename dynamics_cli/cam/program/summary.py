@@ -46,25 +46,25 @@ def extreme(motion: "Motion", order: int) -> Extreme:
     From the extremes of the normalised laws, to the last bits; values equal to 10⁻¹² count as one, and the first is
     reported.
     """
-    found: list[tuple[float, float, Callable[[], float]]] = []
+    ends: list[tuple[float, float, Callable[[], float]]] = []
     for index, span in enumerate(motion.segments):
         start, end = motion.joints[index], motion.joints[index + 1]
         if span.law is None:
             value = span.low if order == 0 else 0.0
-            found += [(place, value, partial(float, sum(span.off) if order == 0 else 0.0)) for place in (start, end)]
+            ends += [(place, value, partial(float, sum(span.off) if order == 0 else 0.0)) for place in (start, end)]
             continue
         scale = span.high - span.low if span.scale is None else span.scale
         # the span is not the difference of its ends, which are rounded
         factor = scale / motion.width(index) ** order
         base = span.low if order == 0 else 0.0
         for x, f in extremes(span.law, order):
-            at = end - (1.0 - x) * (end - start) if x > 0.5 else start + x * (end - start)
+            angle = end - (1.0 - x) * (end - start) if x > 0.5 else start + x * (end - start)
             value = span.high if order == 0 and x == 1.0 else base + factor * f
-            found.append((at, value, partial(_value_error, span, x, order, factor, f)))
-    size = max(abs(value) for _, value, _ in found) * 1e-12
-    least, most = min(value for _, value, _ in found), max(value for _, value, _ in found)
-    low = [(at, error) for at, value, error in found if value <= least + size]
-    high = [(at, error) for at, value, error in found if value >= most - size]
+            ends.append((angle, value, partial(_value_error, span, x, order, factor, f)))
+    size = max(abs(value) for _, value, _ in ends) * 1e-12
+    least, most = min(value for _, value, _ in ends), max(value for _, value, _ in ends)
+    low = [(angle, error) for angle, value, error in ends if value <= least + size]
+    high = [(angle, error) for angle, value, error in ends if value >= most - size]
     return Extreme(
         least, low[0][0], most, high[0][0], max(error() for _, error in low), max(error() for _, error in high)
     )
@@ -129,15 +129,15 @@ def jumps(motion: "Motion") -> "list[tuple[float, str, list[float]]]":
     Returns angle, words, and the four jumps; a difference that rounding explains is zero.
     """
     zones = motion.zones
-    sizes = [max(abs(one.least), abs(one.greatest)) for one in (extreme(motion, order) for order in range(4))]
+    sizes = [max(abs(ends.least), abs(ends.greatest)) for ends in (extreme(motion, order) for order in range(4))]
     boundaries = []
     for index, zone in enumerate(zones):
         before = zones[index - 1]
-        left = motion.in_zone((index - 1) % len(zones), 1.0)
+        at_end = motion.in_zone((index - 1) % len(zones), 1.0)
         right = motion.in_zone(index, 0.0)
         steps = [
             b - a if abs(b - a) > JUMP * max(abs(a), abs(b), 1e-4 * size) else 0.0
-            for a, b, size in zip(left, right, sizes, strict=True)
+            for a, b, size in zip(at_end, right, sizes, strict=True)
         ]
         words = _name(motion, zone.segment)
         if before.segment != zone.segment or len(motion.segments) == 1:

@@ -57,11 +57,11 @@ def read_program(text: str) -> "tuple[list[Step], Exact | None]":
 
 
 def _step(words: "_Words") -> Step:
-    given = words.take()
+    word = words.take()
     try:
-        move = Move(given)
+        move = Move(word)
     except ValueError:
-        words.fail(f"read {given!r}, wanted rise, return or dwell")
+        words.fail(f"read {word!r}, wanted rise, return or dwell")
     fields: dict[str, Any] = {"move": move}
     span: Exact | None = None
     level: float | None = None
@@ -88,11 +88,11 @@ def _step(words: "_Words") -> Step:
     return Step(Segment(**fields), span, level)
 
 
-def _near_laws(given: str) -> str:
+def _near_laws(word: str) -> str:
     """Laws with similar names, as a question."""
     from difflib import get_close_matches
 
-    near = get_close_matches(given.lower(), (*LawName.names, *LawName.aliases))
+    near = get_close_matches(word.lower(), (*LawName.names, *LawName.aliases))
     # another spelling of a law already listed is not a new choice
     laws = list(dict.fromkeys(str(LawName(name)) for name in near))
     return f"did you mean {' or '.join(laws)}? " if laws else ""
@@ -101,14 +101,14 @@ def _near_laws(given: str) -> str:
 def _read_law(words: "_Words", fields: "dict[str, Any]") -> None:
     if not words.peek():
         return
-    given = words.take()
+    word = words.take()
     while words.peek() and not words.at_number() and "=" not in words.peek():
-        given += "-" + words.take()
+        word += "-" + words.take()
     try:
-        fields["law"] = LawName(given)
+        fields["law"] = LawName(word)
     except ValueError:
         apart = "clauses are separated by semicolons; " if "," in words.clause else ""
-        words.fail(f"there is no law {given!r}: {apart}{_near_laws(given)}`dynamics cam laws` lists them")
+        words.fail(f"there is no law {word!r}: {apart}{_near_laws(word)}`dynamics cam laws` lists them")
     numbers = []
     while words.at_number():
         numbers.append(words.number())
@@ -267,8 +267,8 @@ def _ratio(text: str) -> "Exact | None":
 def _plain_decimal(text: str) -> "Exact | None":
     body = text[1:] if text[:1] in ("+", "-") else text
     mantissa, letter, exponent = body.lower().partition("e")
-    whole, _, tail = mantissa.partition(".")
-    digits = whole + tail
+    integer, _, tail = mantissa.partition(".")
+    digits = integer + tail
     power = exponent[1:] if exponent[:1] in ("+", "-") else exponent
     if not digits.isdecimal() or not digits.isascii() or len(digits) > LONGEST:
         return None

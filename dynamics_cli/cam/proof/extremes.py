@@ -158,12 +158,12 @@ class Survey:
         steep = (
             np.abs(weights) @ (proxies.steep + rounded * combined.shape[1] ** 2) if proxies.steep is not None else None
         )
-        whole = Proxies(
+        difference = Proxies(
             proxies.owner, proxies.starts, proxies.ends, combined[None], error[None], proxies.proved,
             None if steep is None else steep[None],
         )  # fmt: skip
         with np.errstate(all="ignore"):
-            return summits(whole, 0, self.cover.still, (1.0,))[0]
+            return summits(difference, 0, self.cover.still, (1.0,))[0]
 
     def _sums(self, top: Sum, bottom: Sum, tops: Summits) -> "tuple[Disc, Disc]":
         with np.errstate(all="ignore"):
@@ -197,18 +197,18 @@ def _off(
     These are the pieces about whose places nothing is known; what that is on them is `most` or less, where known.
     """
     counts = quotients > 0.0
-    left = above.centre - quotient * below.centre
-    slip = above.radius + quotient * below.radius + 2.0**-52 * (np.abs(above.centre) + quotient * np.abs(below.centre))
+    excess = above.centre - quotient * below.centre
+    blur = above.radius + quotient * below.radius + 2.0**-52 * (np.abs(above.centre) + quotient * np.abs(below.centre))
     with np.errstate(all="ignore"):
-        share = slip / below.centre
+        relative = blur / below.centre
         best = int(quotients.argmax())
-        more = (left + slip + np.where(np.isinf(summits_.gains), 0.0, summits_.gains)) / below.centre
-        error = max(float(share[best]), float(more[counts].max()))
-        loose = doubtful(summits_, float((left - slip)[best]))
+        more = (excess + blur + np.where(np.isinf(summits_.gains), 0.0, summits_.gains)) / below.centre
+        error = max(float(relative[best]), float(more[counts].max()))
+        loose = doubtful(summits_, float((excess - blur)[best]))
         open_ = counts & loose[summits_.rows]
         if open_.any():
             tops = np.minimum(summits_.tops[summits_.rows], most)
-            error = max(error, float((np.maximum(tops, slip) / below.centre)[open_].max()))
+            error = max(error, float((np.maximum(tops, blur) / below.centre)[open_].max()))
     return error * (1.0 + 2.0**-40), np.flatnonzero(np.bincount(summits_.rows[open_], minlength=1))
 
 

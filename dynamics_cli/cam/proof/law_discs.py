@@ -96,8 +96,8 @@ def discs(
         places, scales = t[rows], parts.scales[indices]
         single = (exact or singly > SINGLE) and t.ndim == 1 and rows.size <= singly
         values = _one_by_one(shape, places, derivatives) if single else shape(places, derivatives)
-        about = None if only else radius[rows] / parts.span[indices].reshape(column) * UP
-        wide = [0.0] * 5 if only else spreads(shape, places, about, derivatives)
+        reach = None if only else radius[rows] / parts.span[indices].reshape(column) * UP
+        wide = [0.0] * 5 if only else spreads(shape, places, reach, derivatives)
         offset = np.where(parts.inner[indices] | (not shares), 3.0, 0.0)
         near = np.abs(places)
         off = U * (5.0 * near + offset.reshape(column))
@@ -105,22 +105,22 @@ def discs(
             low, high = (end.reshape(column) for end in parts.ends[indices].T)
             off = np.where((low == places) | (high == places), 2.0 * U * near, 0.0)
         # the lift's factor and its product count two roundings, each division by the span two more
-        slips = [
-            slip + (2.0 + 2.0 * order) * U * np.abs(value)
-            for order, (slip, value) in enumerate(
+        roundings = [
+            rounding + (2.0 + 2.0 * order) * U * np.abs(value)
+            for order, (rounding, value) in enumerate(
                 zip(_running(shape, places, off, derivatives, single=single), values, strict=True)
             )
         ]
         # what the ends of a segment are off its lift is too
-        whole = np.abs(scales[:, 0].reshape(column))
-        share = off_base / np.where(whole > 0.0, whole, 1.0)
+        scale_size = np.abs(scales[:, 0].reshape(column))
+        base_error = off_base / np.where(scale_size > 0.0, scale_size, 1.0)
         for order in range(derivatives + 1):
             scale = scales[:, order].reshape(column)
             centre = scale * values[order]
             centres[order, rows] = centre + base if order == 0 else centre
             size = off_base + np.where(base, U * np.abs(centres[0, rows]), 0.0) if order == 0 else 0.0
-            slip = slips[order] + share * np.abs(values[order])
-            radii[order, rows] = (np.abs(scale) * (wide[order] + slip) + size) * UP
+            rounding = roundings[order] + base_error * np.abs(values[order])
+            radii[order, rows] = (np.abs(scale) * (wide[order] + rounding) + size) * UP
     return tuple(Disc(centre, wide) for centre, wide in zip(centres, radii, strict=True))
 
 
@@ -132,7 +132,7 @@ def _running(shape: "Any", t: "Any", off: "Any", derivatives: int, *, single: bo
     if t.ndim > 1 or not 0 < t.size <= SCALARS:
         return running_slips(shape, t, off, derivatives, halves)
     pairs = zip(t.tolist(), off.tolist(), strict=True)
-    return np.array([running_slips(shape, place, slip, derivatives, halves) for place, slip in pairs]).T
+    return np.array([running_slips(shape, place, place_error, derivatives, halves) for place, place_error in pairs]).T
 
 
 def _one_by_one(shape: "Any", t: "Any", derivatives: int) -> "Any":

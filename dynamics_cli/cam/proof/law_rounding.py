@@ -95,7 +95,7 @@ def of_law(law: "Any", x: float) -> "list[float]":
             errors = slips(piece.shape, t, U * t, 3, HALVES_OF_FLOATS)
             values = piece.shape(t, 3)
             errors[0] += U * (abs(law.total) + abs(values[0])) if piece.far else 0.0
-            worst = [max(one, other) for one, other in zip(worst, errors, strict=True)]
+            worst = [max(error, more) for error, more in zip(worst, errors, strict=True)]
     return worst
 
 
@@ -119,9 +119,9 @@ def of_part(part: "Any", t: "Any", halves: float = HALVES) -> "list[Any]":
     errors = slips(shape, t, 5.0 * U * abs(t), 3, halves)
     values = shape(t, 3)
     # what the ends are off the factor is too
-    share = part.off / abs(part.scales[0]) if part.scales[0] else 0.0
+    base_error = part.off / abs(part.scales[0]) if part.scales[0] else 0.0
     bounds = [
-        abs(scale) * (error + ((2.0 + 2.0 * order) * U + share) * abs(value)) * UP
+        abs(scale) * (error + ((2.0 + 2.0 * order) * U + base_error) * abs(value)) * UP
         for order, (scale, error, value) in enumerate(zip(part.scales, errors, values, strict=False))
     ]
     bounds[0] = bounds[0] + level + U * (abs(part.base) + abs(part.scales[0] * values[0]) if part.base else 0.0)
@@ -168,14 +168,14 @@ def _add_wave(
     moved = (near[1] + 1.0) * U * u + w * off * UP
     versed = 2.0 * sin(0.5 * u) * sin(0.5 * u)
     sine, cosine = abs(sin(u)) + U, abs(cos(u)) + U
-    whole = abs(u_minus_sine(u))
+    series = abs(u_minus_sine(u))
     factor = abs(amplitude)
     for order, part in enumerate(sums):
         which = start + order
         if which == 0:
-            small = u < 1.0
-            rounded = small * (SERIES * whole) + (1.0 - small) * (whole + halves * sine)
-            size, slope = whole, versed
+            near_zero = u < 1.0
+            rounded = near_zero * (SERIES * series) + (1.0 - near_zero) * (series + halves * sine)
+            size, slope = series, versed
         elif which == 1:
             rounded, size, slope = halves * versed, versed, sine
         elif which % 2 == 0:
@@ -191,18 +191,18 @@ def _add_wave(
 def _beta(shape: Beta, t: "Any", off: "Any", derivatives: int) -> "list[Any]":
     """Of the polynomials whose velocity is C pⁿ."""
     n, c = shape.n, shape.constant
-    p, left = abs(t * (1.0 - t)), abs(1.0 - 2.0 * t)
+    p, slope_factor = abs(t * (1.0 - t)), abs(1.0 - 2.0 * t)
     value, rounded = _horner(shape.row, t)
     lead = abs(t) ** (n + 1)
-    sizes = [abs(value) * lead, c * p**n, c * n * p ** (n - 1) * left]
+    sizes = [abs(value) * lead, c * p**n, c * n * p ** (n - 1) * slope_factor]
     # off the place, p is larger by what it may be off by at most, and so are its powers
     q = p + off
     grown = [
         c * q**n,
-        c * n * q ** (n - 1) * (left + 2.0 * off),
+        c * n * q ** (n - 1) * (slope_factor + 2.0 * off),
         c * n * (q ** max(n - 2, 0) * abs((n - 1) - (4 * n - 2) * p) + (4 * n - 2) * q ** max(n - 2, 0) * off)
         if n > 1 else 2.0 * c,
-        _fourth(n, c, q) * (left + 2.0 * off),
+        _fourth(n, c, q) * (slope_factor + 2.0 * off),
         _fifth(n, c, q),
     ]  # fmt: skip
     less = p ** max(n - 2, 0)
@@ -212,7 +212,7 @@ def _beta(shape: Beta, t: "Any", off: "Any", derivatives: int) -> "list[Any]":
         (3.0 * n + 1.0) * sizes[1],
         (3.0 * n + 2.0) * sizes[2],
         c * n * less * (bracket + 3.0 * n * abs((n - 1) - (4 * n - 2) * p)) if n > 1 else 3.0 * c,
-        (3.0 * n + 6.0) * _fourth(n, c, p) * left,
+        (3.0 * n + 6.0) * _fourth(n, c, p) * slope_factor,
     ]
     return [(U * error + off * slope) * UP for error, slope in zip(errors, grown, strict=True)][: derivatives + 1]
 
@@ -241,7 +241,7 @@ def _double_harmonic(shape: "Any", t: "Any", off: "Any", derivatives: int, halve
     off = off + 4.0 * U * abs(t)
     half, sine = abs(sin(0.5 * u)) + U, abs(sin(u)) + U
     versed, twice = 2.0 * half * half, 2.0 * sine * sine
-    left, cosine = 0.5 * versed, 1.0 - versed
+    versed2, cosine = 0.5 * versed, 1.0 - versed
     values = [abs(value) for value in shape(t, 4)]
     if isinstance(shape, FourthPowerOfSine):
         first = [
@@ -252,8 +252,8 @@ def _double_harmonic(shape: "Any", t: "Any", off: "Any", derivatives: int, halve
         third = abs(4.0 * cosine - 1.0)
     else:
         first = [
-            (halves + 3.0) * left * (2.0 - left) + (halves + 2.0) * left * left + 2.0 * left,
-            pi * sine * ((halves + 5.0) * abs(1.0 - left) + halves * left + 2.0),
+            (halves + 3.0) * versed2 * (2.0 - versed2) + (halves + 2.0) * versed2 * versed2 + 2.0 * versed2,
+            pi * sine * ((halves + 5.0) * abs(1.0 - versed2) + halves * versed2 + 2.0),
             0.5 * pi**2 * (halves * (versed + twice) + 3.0 + 5.0 * abs(cosine + 1.0 - twice)),
         ]
         third = abs(4.0 * cosine + 1.0)

@@ -20,6 +20,6 @@ def about_angles(motion: "Motion", index: int, theta: "Any", radius: "Any", deri
     for number, part in enumerate(parts[1:], 1):
         other = part.local(theta)
         # measured from the other end, or farther along
-        here = (1.0 - other if part.law_piece.far else other) >= part.law_piece.low
-        which[here], t[here] = number, other[here]
+        inside = (1.0 - other if part.law_piece.far else other) >= part.law_piece.low
+        which[inside], t[inside] = number, other[inside]
     return discs(Parts(parts), which, t, radius, derivatives)

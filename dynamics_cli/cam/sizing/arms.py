@@ -73,7 +73,7 @@ def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], 
     least, error, binding = max(ends)
     most, most_error = min((over.least, over.least_error), (pi - lift.greatest, lift.greatest_error + 4.0 * UNIT))
     # a limit that might decide contributes its error
-    error = max(slip for value, slip, _ in ends if value + slip >= least - error)
+    error = max(bound for value, bound, _ in ends if value + bound >= least - error)
     if error == inf:
         # an arc cosine is clipped somewhere on the turn, where its proxies are not proved
         error = _pressed(motion, (arm, pivot), least, limits, turn)
@@ -91,8 +91,8 @@ def _pressed(
 
     def pressed(angle: float) -> tuple[float, float]:
         geometry.start = angle
-        seen = analyse(geometry, motion).pressure
-        ends = ((seen.greatest - limits[0], seen.greatest_error), (-seen.least - limits[1], seen.least_error))
+        phi = analyse(geometry, motion).pressure
+        ends = ((phi.greatest - limits[0], phi.greatest_error), (-phi.least - limits[1], phi.least_error))
         return max(1.0 + excess for excess, _ in ends), max(error for _, error in ends)
 
     return sure_about(pressed, 1.0, start, 1e-6)
@@ -125,15 +125,15 @@ def size_arm(
             start, binding, method, error = curved, CURVATURE, "bisection on certified extremes", off
             require_round(reached, start)
     radius = distance(arm, pivot, start)
-    slip = moved(arm, pivot, start, error)
+    bound = moved(arm, pivot, start, error)
     if radius < roller:
         radius, binding = roller, ROLLER
     base = radius - roller
-    slip += UNIT * base
+    bound += UNIT * base
     geometry = Geometry(followers.OscillatingRoller(base, roller, arm, pivot), rotation, flank)
-    seen = analyse(geometry, motion)
-    round_, hollow = convex(geometry, seen)[0], concave(geometry, seen)[0]
-    high, low = seen.pressure.largest()[0], seen.pressure.smallest()[0]
+    analysis = analyse(geometry, motion)
+    round_, hollow = convex(geometry, analysis)[0], concave(geometry, analysis)[0]
+    high, low = analysis.pressure.largest()[0], analysis.pressure.smallest()[0]
     return CamSize(
         base_radius=base, offset=None, start_radius=radius, arm_start_angle=geometry.start, binding=binding,
         largest_pressure_angle=high, least_pressure_angle=low, least_convex_radius=round_ if side > 0.0 else None,
@@ -143,7 +143,7 @@ def size_arm(
             kept("least pressure angle keeps its limit", -low - limits[1], 1.0),
         ),
         advice=undercut(round_ if side > 0.0 else hollow, radius),
-        numerics=Numerics(method, (stated(slip, base),)),
+        numerics=Numerics(method, (stated(bound, base),)),
     )  # fmt: skip
 
 
@@ -192,8 +192,8 @@ def round_start(
 
     def bend(angle: float) -> tuple[float, float]:
         geometry.start = angle
-        seen = analyse(geometry, motion).curvature
-        return (seen.greatest, seen.greatest_error) if side > 0.0 else (-seen.least, seen.least_error)
+        kappa = analyse(geometry, motion).curvature
+        return (kappa.greatest, kappa.greatest_error) if side > 0.0 else (-kappa.least, kappa.least_error)
 
     def short(angle: float) -> bool:
         return bend(angle)[0] * wanted > 1.0

@@ -27,8 +27,8 @@ def size_pair(
     roller, offset = follower.roller_radius, follower.offset
     e = turn * offset
     heights, bindings, errors = [], [], []
-    for moves, way in ((motion, 1.0), (Falling(motion), -1.0)):
-        d, binding, error = _height(moves, way * e, limits, roller, least_radius, way * turn)
+    for moves, sense in ((motion, 1.0), (Falling(motion), -1.0)):
+        d, binding, error = _height(moves, sense * e, limits, roller, least_radius, sense * turn)
         heights.append(d)
         bindings.append(binding)
         errors.append(error)
@@ -75,12 +75,12 @@ def size_arms(
     turn, _ = signs(rotation, "inner")
     arm, pivot, roller = follower.arm, follower.pivot_distance, follower.roller_radius
     starts, mosts, bindings, errors = [], [], [], []
-    for moves, way in ((motion, 1.0), (Falling(motion), -1.0)):
-        reached = reach(moves, arm, pivot, limits, way * turn)
+    for moves, sense in ((motion, 1.0), (Falling(motion), -1.0)):
+        reached = reach(moves, arm, pivot, limits, sense * turn)
         start, binding, error = reached.least, reached.binding, reached.error
         require_reach(reached, start)
         if least_radius is not None:
-            start, off = round_start(moves, arm, pivot, start, least_radius + roller, way * turn, 1.0)
+            start, off = round_start(moves, arm, pivot, start, least_radius + roller, sense * turn, 1.0)
             binding, error = (CURVATURE, off) if start > reached.least else (binding, error)
             require_round(reached, start)
         if distance(arm, pivot, start) < roller:
@@ -124,7 +124,7 @@ def _both(
 ) -> CamSize:  # fmt: skip
     """The record of a pair, with the extremes of both cams."""
     checks: list[Check] = []
-    seen = []
+    extremes = []
     for name, geometry in (("first", first), ("second", second)):
         analysis = analyse(geometry, motion)
         high, low, least = (
@@ -132,7 +132,7 @@ def _both(
             analysis.pressure.smallest()[0],
             convex(geometry, analysis)[0],
         )
-        seen.append((high, low, least))
+        extremes.append((high, low, least))
         checks += [
             kept(f"largest pressure angle of the {name} cam keeps its limit", high - limits[0], 1.0),
             kept(f"least pressure angle of the {name} cam keeps its limit", -low - limits[1], 1.0),
@@ -141,13 +141,13 @@ def _both(
             checks.append(
                 kept(f"radius of curvature of the {name} cam keeps its limit", least_radius - least, start_radius)
             )
-    (high, low, least), mate = seen
+    (high, low, least), mate = extremes
     return CamSize(
         base_radius=base_radius, offset=offset, start_radius=start_radius, arm_start_angle=arm_start_angle,
         binding=binding, largest_pressure_angle=high, least_pressure_angle=low, least_convex_radius=least,
         least_concave_radius=None, in_line_base_radius=None, face_width=None, roller_distance=roller_distance,
         arm_angle=arm_angle, second=SecondCam(second_start, *mate), checks=tuple(checks),
-        advice=undercut(min((one[2] for one in seen if one[2] is not None), default=None), start_radius),
+        advice=undercut(min((item[2] for item in extremes if item[2] is not None), default=None), start_radius),
         numerics=Numerics(
             ("closed form" if least_radius is None else "secant or bisection") + " on certified extremes",
             (stated(error + UNIT * (3.0 * start_radius + base_radius), base_radius),),

@@ -32,12 +32,12 @@ def size_rocker(
             hint="move the pivot outwards")  # fmt: skip
     start, binding, error, slowest = _start(motion, pivot, back, limits, least_radius, signs(rotation, "inner")[0])
     base = max(pivot * sin(start) - back, 0.0)
-    slip = pivot * (cos(start) + error) * error + 6.0 * UNIT * pivot * sin(start) + UNIT * base
+    bound = pivot * (cos(start) + error) * error + 6.0 * UNIT * pivot * sin(start) + UNIT * base
     geometry = Geometry(followers.OscillatingFlat(base, pivot, back), rotation)
-    seen = analyse(geometry, motion)
-    least, high, low = convex(geometry, seen)[0], seen.pressure.largest()[0], seen.pressure.smallest()[0]
-    assert seen.along is not None
-    width = seen.along.largest()[0] - seen.along.smallest()[0] + 2.0 * follower.face_margin
+    analysis = analyse(geometry, motion)
+    least, high, low = convex(geometry, analysis)[0], analysis.pressure.largest()[0], analysis.pressure.smallest()[0]
+    assert analysis.along is not None
+    width = analysis.along.largest()[0] - analysis.along.smallest()[0] + 2.0 * follower.face_margin
     assert least is not None
     return CamSize(
         base_radius=base, offset=None, start_radius=None, arm_start_angle=geometry.start, binding=binding,
@@ -51,7 +51,7 @@ def size_rocker(
         advice=no_limit(least_radius),
         numerics=Numerics(
             "closed form on certified extremes",
-            (stated(slip, base),),
+            (stated(bound, base),),
         ),
     )  # fmt: skip
 

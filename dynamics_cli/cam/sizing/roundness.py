@@ -148,18 +148,18 @@ class Round:
         d = self.fine(e)
         if not d > -inf:
             return d
-        room, slope = 1.0 - self.wanted * self.bend(e, d), 1.0 / self.wanted
+        residual, slope = 1.0 - self.wanted * self.bend(e, d), 1.0 / self.wanted
         for _ in range(20):
-            if abs(room) <= 2e-15:
+            if abs(residual) <= 2e-15:
                 break
-            new = d - min(max(room / slope, -0.1 * self.wanted), 0.1 * self.wanted)
+            new = d - min(max(residual / slope, -0.1 * self.wanted), 0.1 * self.wanted)
             now = 1.0 - self.wanted * self.bend(e, new)
             if new == d:
                 break
-            if now != room:
-                slope = min(max((now - room) / (new - d), 0.01 / self.wanted), 1e4 / self.wanted)
-            d, room = new, now
-        return d if abs(room) <= 1e-13 else self._bisected(e, max(d, self.fine(e)))
+            if now != residual:
+                slope = min(max((now - residual) / (new - d), 0.01 / self.wanted), 1e4 / self.wanted)
+            d, residual = new, now
+        return d if abs(residual) <= 1e-13 else self._bisected(e, max(d, self.fine(e)))
 
     def _bisected(self, e: float, start: float) -> float:
         """The height by bisection, after steps that double; where peaks are too narrow for the nodes."""
@@ -190,9 +190,9 @@ def sure_about(bend: "Callable[[float], tuple[float, float]]", wanted: float, pl
     distance; infinite where there is none.
     """
 
-    def sure(at: float, way: float) -> bool:
-        value, error = bend(at)
-        return way * (1.0 - wanted * value) > wanted * error + 4.0 * UNIT
+    def sure(argument: float, sense: float) -> bool:
+        value, error = bend(argument)
+        return sense * (1.0 - wanted * value) > wanted * error + 4.0 * UNIT
 
     value, error = bend(place)
     step = max(step, 1e-6 * abs(place))
@@ -238,18 +238,18 @@ def _met(cost: "Callable[[float], float]", place: float, step: float) -> tuple[f
 
     Of two smooth sides each is a line over a billionth of the reach, to the square of that.
     """
-    here = cost(place)
-    far, left, right, beyond = (cost(place + k * step) for k in (-2.0, -1.0, 1.0, 2.0))
-    down, up = (left - far) / step, (beyond - right) / step
-    rounding = 8.0 * UNIT * here
+    at_place = cost(place)
+    far, before, right, beyond = (cost(place + k * step) for k in (-2.0, -1.0, 1.0, 2.0))
+    down, up = (before - far) / step, (beyond - right) / step
+    rounding = 8.0 * UNIT * at_place
     if not down < 0.0 < up or up - down < POINTED:
-        return here, place, rounding
-    met = (right - left - (up + down) * step) / (down - up)
+        return at_place, place, rounding
+    met = (right - before - (up + down) * step) / (down - up)
     if abs(met) > step:
-        return here, place, step * (up - down)
-    there = cost(place + met)
-    predicted = left + down * (met + step)
-    return (there, place + met, abs(there - predicted) + rounding)
+        return at_place, place, step * (up - down)
+    at_met = cost(place + met)
+    predicted = before + down * (met + step)
+    return (at_met, place + met, abs(at_met - predicted) + rounding)
 
 
 def _dip(cost: "Callable[[float], float]", low: float, high: float, finest: float) -> tuple[float, float]:

@@ -37,15 +37,15 @@ def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Ends]"
 
 def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str) -> CamSize:
     """Base circle of a flat-faced follower, in closed form from certified extremes: R_b = ρ − min(s + s″)."""
-    both, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s1)
-    low, _ = both.smallest()
+    sums, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s1)
+    low, _ = sums.smallest()
     base = least_radius - low
     # a base circle has no negative radius, and the lowest face stays above the axis
     floor = max(0.0, -motion.stroke[0])
     binding = CURVATURE if base > floor else "a base circle cannot be negative"
     # counts where either might decide
-    slip = max(both.least_error if base + both.least_error >= floor else 0.0, 4.0 * UNIT * floor)
-    slip += UNIT * max(base, floor)
+    bound = max(sums.least_error if base + sums.least_error >= floor else 0.0, 4.0 * UNIT * floor)
+    bound += UNIT * max(base, floor)
     base = max(base, floor)
     geometry = Geometry(followers.FlatFace(base), rotation)
     analysis = analyse(geometry, motion)
@@ -57,7 +57,7 @@ def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str
         face_width=speed.largest()[0] - speed.smallest()[0] + 2.0 * follower.face_margin,
         checks=(kept("radius of curvature keeps its limit", least_radius - low_kept, base + least_radius),),
         advice=no_limit(least_radius),
-        numerics=Numerics("closed form on certified extremes", (stated(slip, base),)),
+        numerics=Numerics("closed form on certified extremes", (stated(bound, base),)),
     )  # fmt: skip
 
 
@@ -95,11 +95,11 @@ def size_slide(
     wedge = Wedge(motion, limits)
     round_ = None if least_radius is None else Round(motion, least_radius + roller, turn, side)
     if follower.offset is None:
-        e, d, binding, slip = wedge.best()
+        e, d, binding, bound = wedge.best()
     else:
         e = turn * follower.offset
         d, binding = wedge.height(e), wedge.binding(e)
-        slip = wedge.slip(e) * abs(d) / hypot(e, d) if d else wedge.slip(e)
+        bound = wedge.slip(e) * abs(d) / hypot(e, d) if d else wedge.slip(e)
     method = "closed form on certified extremes"
     if round_ is not None and not round_.kept(e, d):
         binding, method, loose = CURVATURE, "secant on certified extremes", 0.0
@@ -108,7 +108,7 @@ def size_slide(
             method = "golden section over the offset, secant on certified extremes"
         pressed, bent = wedge.height(e), round_.height(e)
         d = max(pressed, bent)
-        slip = loose + (round_.slip(e, d) if bent >= pressed else wedge.slip(e)) * d / hypot(e, d)
+        bound = loose + (round_.slip(e, d) if bent >= pressed else wedge.slip(e)) * d / hypot(e, d)
         if abs(pressed - bent) <= 1e-9 * hypot(e, d):
             binding = f"{CURVATURE} and {wedge.binding(e)}"
     radius = hypot(e, d)
@@ -138,7 +138,7 @@ def size_slide(
         least_concave_radius=hollow,
         in_line_base_radius=in_line if in_line > 0.0 and not curved else None, face_width=None,
         checks=tuple(checks), advice=undercut(counts, radius),
-        numerics=Numerics(method, (stated(slip + UNIT * (2.0 * radius + base), base),)),
+        numerics=Numerics(method, (stated(bound + UNIT * (2.0 * radius + base), base),)),
     )  # fmt: skip
 
 
@@ -165,8 +165,8 @@ class Wedge:
         """Error bound of the minimum height: the largest of the limits that might decide."""
         heights = (self.a - e * self.cotangents[0], self.b + e * self.cotangents[1], self.floor)
         errors = [
-            error + 2.0 * COTANGENT * abs(e) * cotangent + UNIT * abs(one)
-            for error, one, cotangent in zip(self.errors, (self.a, self.b), self.cotangents, strict=True)
+            error + 2.0 * COTANGENT * abs(e) * cotangent + UNIT * abs(limit)
+            for error, limit, cotangent in zip(self.errors, (self.a, self.b), self.cotangents, strict=True)
         ] + [4.0 * UNIT * abs(self.floor)]
         best = max(height - error for height, error in zip(heights, errors, strict=True))
         return max(float(error) for height, error in zip(heights, errors, strict=True) if height + error >= best)
@@ -175,22 +175,22 @@ class Wedge:
         """Offset and height nearest to the axis, the binding limits, and the error bound of the start radius."""
         e, d, binding = best_slide(self.a, self.b, *self.cotangents)
         (first, second), (c1, c2) = self.errors, self.cotangents
-        whole = c1 + c2
+        cots = c1 + c2
         if "and" not in binding:
             # the foot on one line: a/√(1 + c²)
             error, c = (first, c1) if binding.startswith("rise") else (second, c2)
-            slip = error / hypot(1.0, c) + 8.0 * UNIT * hypot(e, d)
+            bound = error / hypot(1.0, c) + 8.0 * UNIT * hypot(e, d)
         else:
-            across = (first + second) / whole + 2.0 * COTANGENT * abs(e) + UNIT * (abs(self.a) + abs(self.b)) / whole
-            up = (first * c2 + second * c1) / whole + 8.0 * UNIT * (abs(self.a) * c2 + abs(self.b) * c1) / whole
+            across = (first + second) / cots + 2.0 * COTANGENT * abs(e) + UNIT * (abs(self.a) + abs(self.b)) / cots
+            up = (first * c2 + second * c1) / cots + 8.0 * UNIT * (abs(self.a) * c2 + abs(self.b) * c1) / cots
             radius = hypot(e, d)
-            slip = (abs(e) * across + abs(d) * up) / radius if radius else across + up
+            bound = (abs(e) * across + abs(d) * up) / radius if radius else across + up
             # an offset equal to zero within its error is zero
             e = e if abs(e) > across else 0.0
         if d < self.floor:
             # the lift may fall below the limits' apex
-            d, slip = self.floor, slip + 4.0 * UNIT * self.floor
-        return e, d, binding, slip
+            d, bound = self.floor, bound + 4.0 * UNIT * self.floor
+        return e, d, binding, bound
 
     def binding(self, e: float) -> str:
         """Which limit decides."""
@@ -245,9 +245,9 @@ def best_slide(a: float, b: float, cot_rise: float, cot_return: float) -> tuple[
     e = (a - b) / (cot_rise + cot_return)
     d = (a * cot_return + b * cot_rise) / (cot_rise + cot_return)
     if e > d * cot_rise:
-        share = a / (1.0 + cot_rise * cot_rise)
-        return share * cot_rise, share, "rise limit"
+        foot = a / (1.0 + cot_rise * cot_rise)
+        return foot * cot_rise, foot, "rise limit"
     if e < -d * cot_return:
-        share = b / (1.0 + cot_return * cot_return)
-        return -share * cot_return, share, "return limit"
+        foot = b / (1.0 + cot_return * cot_return)
+        return -foot * cot_return, foot, "return limit"
     return e, d, "rise and return limit"

@@ -146,14 +146,14 @@ def formulas_with_numbers(
     numbers = {**{name: piece(number, unit) for name, (number, _, unit) in defaults.items()}, **numbers}
     lines = []
     for clause in _clauses(_fitting(model.formulas, numbers)):
-        left, sign, right = clause.partition(" = ")
-        result = left[1:].partition("|")[0] if left.startswith("{") and left.endswith("}") else ""
-        steps = [f"{filled(left, {})} = {filled(right, {})}" if sign else filled(clause, {})]
+        left_side, sign, right_side = clause.partition(" = ")
+        result = left_side[1:].partition("|")[0] if left_side.startswith("{") and left_side.endswith("}") else ""
+        steps = [f"{filled(left_side, {})} = {filled(right_side, {})}" if sign else filled(clause, {})]
         if sign and result in numbers:
-            needed = _addresses(right)
+            needed = _addresses(right_side)
             if needed and needed <= numbers.keys():
                 # lone numbers stand for a table of one row: there is no sum
-                steps.append(filled(right.replace("Σ {", "{"), numbers))
+                steps.append(filled(right_side.replace("Σ {", "{"), numbers))
             steps.append(numbers[result])
         lines.append(list(dict.fromkeys(steps)))
     return lines

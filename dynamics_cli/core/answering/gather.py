@@ -63,16 +63,16 @@ def over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal"
     from dynamics_cli.core.inputs.sources.hashes import entry_of
 
     loaded, data = read_object(file, terminal)
-    known = {key for field in task.specification.fields for key in keys_of(field)}
-    units = loaded.pop("units", {}) if "units" not in known else {}
+    parameters = {key for field in task.specification.fields for key in keys_of(field)}
+    units = loaded.pop("units", {}) if "units" not in parameters else {}
     if not isinstance(units, dict):
         raise UsageError("[units] names default units, one for each kind", parameter="units")
     folder = "" if file == "-" else os.path.dirname(file)
     reader = Reader(terminal.environ, folder=folder, units=units)
     if file != "-":
         reader.files.append(entry_of(file, data))
-    below = parameters_of(loaded, known)
-    covariance = loaded.get("covariance") if "covariance" not in known else None
+    below = parameters_of(loaded, parameters)
+    covariance = loaded.get("covariance") if "covariance" not in parameters else None
     if covariance is not None:
         reader.origins.update((name, (file, name, covariance)) for name in below if name not in raw)
     return Gathered(merge(task, below, raw), reader)
@@ -90,14 +90,14 @@ def merge(task: Task, below: "dict[str, Any]", above: "dict[str, Any]") -> "dict
 def _excluded(field: Field, below: "dict[str, Any]", above: "dict[str, Any]") -> "set[str]":
     """The file's keys that cannot stand beside what the command line gives for the same parameter."""
     keys = keys_of(field)
-    given = keys.intersection(above)
-    if not given:
+    given_keys = keys.intersection(above)
+    if not given_keys:
         return set()
     if isinstance(field.node, Many) and field.node.single:
         # A list replaces a lone item's fields, and a lone item's fields replace a list.
-        return keys - {field.key} if field.key in given else {field.key}
+        return keys - {field.key} if field.key in given_keys else {field.key}
     if isinstance(field.node, OneOf):
-        together = given.union(keys.intersection(below))
+        together = given_keys.union(keys.intersection(below))
         fits = any(member.names >= together for member in field.node.members)
         return set() if fits else keys
     return set()
@@ -157,12 +157,12 @@ def read_words(fields: "tuple[Field, ...]", words: "list[str]", *, rows: bool) -
 
 def _at_connective(words: "list[str]") -> "list[str]":
     """The words of `60 mph to m/s`, however it is quoted, as the quantity and the units."""
-    for at, word in enumerate(words[:MOST_WORDS]):
-        if at and word in CONNECTIVES:
-            return [" ".join(words[:at]), *words[at + 1 :]]
+    for place, word in enumerate(words[:MOST_WORDS]):
+        if place and word in CONNECTIVES:
+            return [" ".join(words[:place]), *words[place + 1 :]]
     for connective in CONNECTIVES:
-        quantity, found, unit = words[0].partition(f" {connective} ")
-        if found:
+        quantity, separator, unit = words[0].partition(f" {connective} ")
+        if separator:
             return [quantity, unit, *words[1:]]
     parts = words[0].split()
     # nobody converts farad times coulomb

@@ -49,18 +49,18 @@ def _error(numerics: "dict[str, Any]", key: str, size: float) -> float:
 
 def read_limits(task: "Task", answered: "Answer", settings: "Settings") -> "list[tuple[str, Kind, float, Reading]]":
     """Each limit as read: the result's name and kind, its value, and the limit."""
-    there = {name: (kind, value) for name, kind, value in result_leaves(answered.record, task.specification.result)}
-    kinds = {name: kind for name, (kind, _) in there.items()}
+    present = {name: (kind, value) for name, kind, value in result_leaves(answered.record, task.specification.result)}
+    kinds = {name: kind for name, (kind, _) in present.items()}
     if not kinds:
         raise UsageError(f"{task.path} has no result that a limit can be applied to", parameter="limit")
     limits = []
     for name, text in settings.limit:
         if name and name not in kinds:
-            known = any(field.key == name for field in task.specification.result.fields)
-            why = f"{name!r} has no value here" if known else f"there is no result {name!r}"
+            declared = any(field.key == name for field in task.specification.result.fields)
+            why = f"{name!r} has no value here" if declared else f"there is no result {name!r}"
             raise UsageError(why, parameter="limit", hint=f"results are {', '.join(kinds)}", code="unknown-result")
         key, limit = _limited(text, {name: kinds[name]} if name else kinds)
-        limits.append((key, kinds[key], plain(there[key][1]), limit))
+        limits.append((key, kinds[key], plain(present[key][1]), limit))
     return limits
 
 

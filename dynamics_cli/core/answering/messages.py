@@ -31,13 +31,13 @@ def in_written_units(text: str, bound: Bound) -> str:
     """
     if not isinstance(text, Wording):
         return text
-    written = list(_written(bound))
+    inputs = list(_written(bound))
     shares = list(_shares(bound))
 
     def write(value: float, kind: "Kind", digits: int) -> str:
         unit = parse_unit(kind.unit)
         # pure numbers share a unit only within their kind: a grade in % does not put a drag factor in %
-        alike = [entry for entry in written if conformable(entry[2], unit)] if kind.unit else []
+        alike = [entry for entry in inputs if conformable(entry[2], unit)] if kind.unit else []
         alike = alike or [entry for name, *entry in shares if name == kind.name]  # type: ignore[misc]
         for si, shown, shown_in in alike:
             if si == value and isinstance(shown, int | float):

@@ -32,14 +32,14 @@ class Answer:
         self.leaves = leaves
 
 
-def choose(task: Task, bound: Fields, asked: str) -> "tuple[Model, str]":
+def choose(task: Task, bound: Fields, requested: str) -> "tuple[Model, str]":
     """The requested model, or the smallest that suffices, and the reason."""
-    if asked:
+    if requested:
         for model in task.models:
-            if asked.lower() == model.key:
+            if requested.lower() == model.key:
                 return model, "asked for"
-        known = ", ".join(model.key for model in task.models)
-        raise UsageError(f"there is no model {asked!r} of {task.path}", parameter="model", hint=f"there is {known}")
+        names = ", ".join(model.key for model in task.models)
+        raise UsageError(f"there is no model {requested!r} of {task.path}", parameter="model", hint=f"there is {names}")
     for model in task.models[:-1]:
         args, kwargs = arguments(task, bound)
         why = load(model.suffices)(*args, **kwargs)
@@ -53,13 +53,13 @@ def arguments(
     task: Task, bound: Fields, values: "Mapping[str, Any] | None" = None
 ) -> "tuple[list[Any], dict[str, Any]]":
     """Positional and keyword arguments for the physics function, with `values` at their addresses."""
-    made = bound.assemble(values or {})
+    objects = bound.assemble(values or {})
     args: list[Any] = []
     for field in task.specification.words:
-        if field.name in made:
-            value = made.pop(field.name)
+        if field.name in objects:
+            value = objects.pop(field.name)
             args.extend(value if field.place == "words" else (value,))
-    return args, made
+    return args, objects
 
 
 def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, Any] | None" = None) -> "Any":
@@ -120,26 +120,26 @@ def result_components(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind,
 
     Directions and axes are left out: a small change may reverse them.
     """
-    for own, kind, value in _leaves(record, spec, ""):
+    for component_address, kind, value in _leaves(record, spec, ""):
         if kind.unit and kind.form in ("vector", "planar"):
-            yield from ((f"{own}[{i}]", kind, value[i]) for i in range(kind.size))
+            yield from ((f"{component_address}[{i}]", kind, value[i]) for i in range(kind.size))
         elif kind.unit and kind.form == "tensor":
             cells = product(range(kind.size), repeat=2)
-            yield from ((f"{own}[{i}][{j}]", kind, value[i][j]) for i, j in cells)
+            yield from ((f"{component_address}[{i}][{j}]", kind, value[i][j]) for i, j in cells)
 
 
 def _leaves(record: "Any", spec: Record, address: str) -> "Iterator[tuple[str, Kind, Any]]":
     for field in spec.fields:
         value = getattr(record, field.name)
-        own = f"{address}.{field.key}" if address else field.key
+        field_address = f"{address}.{field.key}" if address else field.key
         if value is None:
             continue
         if isinstance(field.node, Record):
-            yield from _leaves(value, field.node, own)
+            yield from _leaves(value, field.node, field_address)
         elif isinstance(value, Quantity):
-            yield own, value.kind, value.value
+            yield field_address, value.kind, value.value
         elif isinstance(field.node, Leaf) and field.node.choice is None:
-            yield own, field.node.kind, value
+            yield field_address, field.node.kind, value
 
 
 def result_numbers(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind, Any]]":

@@ -144,14 +144,14 @@ class Task:
         if self._specification is None:
             spec = specification(self.models[0].call())
             named = options(spec.fields)
-            taken = sorted(set(named) & set(UNIVERSAL))
-            if taken:
-                raise SpecificationError(f"{self.path}: parameters may not be named {', '.join(taken)}")
+            reserved = sorted(set(named) & set(UNIVERSAL))
+            if reserved:
+                raise SpecificationError(f"{self.path}: parameters may not be named {', '.join(reserved)}")
             if any(option.leaf is not None and option.leaf.kind is DRAWING for option in named.values()):
                 raise SpecificationError(f"{self.path}: a drawing is a result, not a parameter")
             nodes = [getattr(field.node, "item", field.node) for field in spec.result.fields]
-            drawn = any(getattr(node, "kind", None) is DRAWING for node in nodes)
-            if drawn and not self.writers.keys().isdisjoint(("dxf", "svg", "csv")):
+            draws = any(getattr(node, "kind", None) is DRAWING for node in nodes)
+            if draws and not self.writers.keys().isdisjoint(("dxf", "svg", "csv")):
                 raise SpecificationError(f"{self.path}: dxf, svg and csv have their writers")
             self._specification = spec
         return self._specification

@@ -28,8 +28,8 @@ def tighten(record: "Any", numbers: "list[float]", again: "Callable[[list[Any]],
     Where bounds are not `seen`, they may be looser before a second pass is worth its time.
     Where the pass in more digits takes another branch (a refusal, a gap, a table of another length) the bounds stay.
     """
-    room = ROOM if seen else ROOM_UNSEEN
-    if not any(_is_loose(number, room) for number, _ in _beside(record, record)):
+    looseness = ROOM if seen else ROOM_UNSEEN
+    if not any(_is_loose(number, looseness) for number, _ in _beside(record, record)):
         return
     from dynamics_cli.numerics.exact.many_digits import ManyDigits, measured_error, run
 
@@ -37,9 +37,9 @@ def tighten(record: "Any", numbers: "list[float]", again: "Callable[[list[Any]],
         exact = run(lambda: again(ManyDigits.inputs(numbers)))
     except (DynamicsError, ArithmeticError):
         return
-    for number, own in _beside(record, exact):
-        if type(own) is ManyDigits and _is_loose(number):
-            number.error = measured_error(number.value, own, number.error)
+    for number, precise in _beside(record, exact):
+        if type(precise) is ManyDigits and _is_loose(number):
+            number.error = measured_error(number.value, precise, number.error)
 
 
 def _is_loose(number: Tracked, room: float = ROOM) -> bool:
@@ -55,11 +55,11 @@ def _beside(first: "Any", second: "Any") -> "Iterator[tuple[Tracked, Tracked | M
         return
     elif kind is tuple or kind is list:
         if len(first) == len(second):
-            for one, other in zip(first, second, strict=True):
-                yield from _beside(one, other)
+            for first_item, second_item in zip(first, second, strict=True):
+                yield from _beside(first_item, second_item)
     elif kind is dict:
-        for name, one in first.items():
-            yield from _beside(one, second.get(name))
+        for name, first_item in first.items():
+            yield from _beside(first_item, second.get(name))
     elif hasattr(kind, "fields"):
         for name in kind.fields:
             yield from _beside(getattr(first, name), getattr(second, name))

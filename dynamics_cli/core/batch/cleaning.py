@@ -74,7 +74,7 @@ def clean_columns(task: Task, call: Call, settings: Settings, terminal: "Termina
     if (settings.format_given and settings.format != "csv") or settings.jobs > 1:
         wrong = "jobs" if settings.jobs > 1 else "format"
         raise UsageError("--column reads and writes CSV in one process", parameter=wrong, code="exclusive")
-    wanted = _wanted(settings.columns)
+    requested = _wanted(settings.columns)
     source = Source(settings.rows, terminal)
     notes: dict[str, None] = {}
     failed = row = 0
@@ -86,7 +86,7 @@ def clean_columns(task: Task, call: Call, settings: Settings, terminal: "Termina
                 if not columns:
                     separator = max(DELIMITERS, key=line.count)
                     names = _cells(line.removeprefix("\ufeff"), separator)
-                    columns, heads = _columns(names, wanted), len(names)
+                    columns, heads = _columns(names, requested), len(names)
                     error_at = names.index("error") if "error" in names else -1
                     for column in columns:
                         names[column.place] = f"{column.name}[{column.wanted.text}]"
@@ -129,31 +129,33 @@ def _row(
     return cells, errors
 
 
-def _wanted(asked: "list[str]") -> "dict[str, Unit]":
-    wanted = {}
-    for item in asked:
+def _wanted(columns: "list[str]") -> "dict[str, Unit]":
+    units = {}
+    for item in columns:
         name, _, unit = (part.strip() for part in item.partition("="))
         if not (name and unit):
             raise UsageError(f"read {item!r}, wanted NAME=UNIT", parameter="column", hint="for example speed=m/s")
-        if name in wanted:
+        if name in units:
             raise UsageError(f"the column {name!r} is given twice", parameter="column")
-        wanted[name] = parse_unit(unit)
-    return wanted
+        units[name] = parse_unit(unit)
+    return units
 
 
 def _columns(names: "list[str]", wanted: "dict[str, Unit]") -> "list[_Column]":
     split = [split_header(name) for name in names]
     columns = []
     for name, unit in wanted.items():
-        places = [place for place, (own, _) in enumerate(split) if own == name]
-        places = places or [place for place, (own, _) in enumerate(split) if own.lower() == name.lower()]
+        places = [place for place, (head, _) in enumerate(split) if head == name]
+        places = places or [place for place, (head, _) in enumerate(split) if head.lower() == name.lower()]
         if len(places) != 1:
-            near = suggestions(name, [own for own, _ in split])
-            hint = f"did you mean {' or '.join(near)}?" if near else f"columns are {', '.join(own for own, _ in split)}"
-            what = "there are several columns" if places else "there is no column"
-            raise UsageError(f"{what} {name!r}", parameter="column", code="unknown-column", hint=hint)
-        own, header_unit = split[places[0]]
-        columns.append(_Column(places[0], own, header_unit, unit))
+            near = suggestions(name, [head for head, _ in split])
+            hint = (
+                f"did you mean {' or '.join(near)}?" if near else f"columns are {', '.join(head for head, _ in split)}"
+            )
+            problem = "there are several columns" if places else "there is no column"
+            raise UsageError(f"{problem} {name!r}", parameter="column", code="unknown-column", hint=hint)
+        head, header_unit = split[places[0]]
+        columns.append(_Column(places[0], head, header_unit, unit))
     return columns
 
 

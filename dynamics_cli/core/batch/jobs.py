@@ -78,15 +78,15 @@ class _Team:
 
     def results(self, pieces: "Iterable[Any]") -> "Iterator[Any]":
         """The result of every piece, in order."""
-        given = count = 0
+        yielded = count = 0
         for piece in pieces:
             self._waiting.append((count, piece))
             count += 1
             self._move(0.0)
-            if count - given >= AHEAD * self._jobs:
-                yield self._next(given)
-                given += 1
-        for place in range(given, count):
+            if count - yielded >= AHEAD * self._jobs:
+                yield self._next(yielded)
+                yielded += 1
+        for place in range(yielded, count):
             yield self._next(place)
 
     def _next(self, place: int) -> "Any":

@@ -275,21 +275,21 @@ class _Stream:
         if None in lines:
             self._failed += len(lines)
             return b"".join([self.output.bad(b"", TOO_LONG) for _ in lines])
-        whole: list[bytes] = lines  # type: ignore[assignment]
-        if self._wants_arrays(len(whole)):
+        complete: list[bytes] = lines  # type: ignore[assignment]
+        if self._wants_arrays(len(complete)):
             import gc
 
             # Thousands of small lists come and go, none of them in a cycle; looking for cycles doubles their cost.
             gc.disable()
             try:
-                return self._together(whole)
+                return self._together(complete)
             except Exception:
                 # An error of one row must not end the others: each is answered by itself.
                 self._by_arrays = False
             finally:
                 gc.enable()
             self._failed = 0
-        return b"".join(map(self._single, whole))
+        return b"".join(map(self._single, complete))
 
     def _wants_arrays(self, count: int) -> bool:
         if self._by_arrays is None and count >= FIRST_ARRAY_ROWS:
@@ -327,12 +327,12 @@ class _Stream:
             groups = self._groups.sorted(lines)
         rows: list[bytes | None] = [None] * len(lines)
         for group in groups:
-            whole = range(len(lines)) if group.rows is None else group.rows
-            for places, text in self._group([lines[row] for row in whole], group):
+            all_rows = range(len(lines)) if group.rows is None else group.rows
+            for places, text in self._group([lines[row] for row in all_rows], group):
                 if len(places) == len(lines):
                     return text
-                for place, one in zip(places, text.split(b"\n"), strict=False):
-                    rows[whole[place]] = one + b"\n"
+                for place, answer_text in zip(places, text.split(b"\n"), strict=False):
+                    rows[all_rows[place]] = answer_text + b"\n"
         return b"".join([self._single(line) if text is None else text for line, text in zip(lines, rows, strict=True)])
 
     def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], bytes]]":
@@ -348,18 +348,18 @@ class _Stream:
         except Unsuited:
             plan.failures = MOST_FAILURES + 1
             return
-        plan.failures += sum(len(one.rows) for one in answered) * 4 < len(lines)
-        for one in answered:
-            places = one.rows.tolist()
-            whole = len(places) == len(lines)
-            kept = lines if whole else [lines[place] for place in places]
-            echoes = self._echoes(kept, group, None if whole else places)
-            text = weave(self.output.pieces(echoes, written(one.results, self.output.format)), len(kept))
-            if one.signature not in plan.proved:
-                if not self._agrees(kept, text):
+        plan.failures += sum(len(part.rows) for part in answered) * 4 < len(lines)
+        for part in answered:
+            places = part.rows.tolist()
+            complete = len(places) == len(lines)
+            answered_lines = lines if complete else [lines[place] for place in places]
+            echoes = self._echoes(answered_lines, group, None if complete else places)
+            text = weave(self.output.pieces(echoes, written(part.results, self.output.format)), len(answered_lines))
+            if part.signature not in plan.proved:
+                if not self._agrees(answered_lines, text):
                     plan.failures = MOST_FAILURES + 1
                     return
-                plan.proved.add(one.signature)
+                plan.proved.add(part.signature)
             yield places, text
 
     def _echoes(self, lines: "list[bytes]", group: "Group", places: "list[int] | None") -> "list[bytes]":

@@ -100,8 +100,8 @@ class _Failures:
 
     def add(self, index: int, error: DynamicsError) -> None:
         """Count a point without an answer under its reason."""
-        one = error.all()[0]
-        entry = self._found.setdefault((one.code, one.parameter), [0, index, one])
+        first = error.all()[0]
+        entry = self._found.setdefault((first.code, first.parameter), [0, index, first])
         entry[0] += 1
 
     def warnings(self) -> "list[dict[str, Any]]":
@@ -139,8 +139,8 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
         models[model.name] = (model, why)
         if points.count >= ARRAY_POINTS and task.arrays and not (points.layout.spread or settings.bounds):
             _by_arrays(points, index, rows)
-    left = [place for place, row in enumerate(rows) if row is None]
-    pieces = [left[start : start + POINTS_A_PIECE] for start in range(0, len(left), POINTS_A_PIECE)]
+    unanswered = [place for place, row in enumerate(rows) if row is None]
+    pieces = [unanswered[start : start + POINTS_A_PIECE] for start in range(0, len(unanswered), POINTS_A_PIECE)]
     late = []
     try:
         for piece in spread(points.singles, pieces, settings.jobs):
@@ -178,8 +178,8 @@ def _template(points: _Points) -> "tuple[Fields | None, int]":
         try:
             bound = points.bind(points.point(index), uncertain=True)
         except DynamicsError as error:
-            for one in error.all():
-                if one.parameter not in names or one.code not in OF_THE_POINT:
+            for item in error.all():
+                if item.parameter not in names or item.code not in OF_THE_POINT:
                     raise
             continue
         for axis in points.axes:
@@ -199,13 +199,13 @@ def _by_arrays(points: _Points, index: int, rows: "list[list[Any] | None]") -> N
         answered = plan.run([column for column in columns if column is not None])
     except Unsuited:
         return
-    for one in answered:
-        places = one.rows.tolist()
-        columns_out = [value.tolist() if how == "each" else [value] * len(places) for _, how, value in one.results]
-        made = list(map(list, zip(*columns_out, strict=True)))
+    for group in answered:
+        places = group.rows.tolist()
+        columns_out = [value.tolist() if how == "each" else [value] * len(places) for _, how, value in group.results]
+        rows_out = list(map(list, zip(*columns_out, strict=True)))
         # The array route must equal single calls to the bit; should it ever not, single calls are used.
-        if all(points.single(places[nth])[1] == made[nth] for nth in {0, len(made) - 1}):
-            for place, row in zip(places, made, strict=True):
+        if all(points.single(places[nth])[1] == rows_out[nth] for nth in {0, len(rows_out) - 1}):
+            for place, row in zip(places, rows_out, strict=True):
                 rows[place] = row
 
 
@@ -216,8 +216,8 @@ def _tokens(points: _Points) -> "list[list[bytes]]":
     tokens = []
     for axis in points.axes:
         after //= axis.count
-        own = [axis.number(place).encode() for place in range(axis.count)]
-        tokens.append([token for token in own for _ in range(after)] * before)
+        axis_tokens = [axis.number(place).encode() for place in range(axis.count)]
+        tokens.append([token for token in axis_tokens for _ in range(after)] * before)
         before *= axis.count
     return tokens
 
@@ -230,7 +230,7 @@ def _document(
         for axis in points.axes:
             _remove(template, axis.name)
     model, why = next(iter(models.values()), (task.models[0], ""))
-    about: dict[str, Any] = {"name": model.name, "source": model.source, "assumptions": list(model.assumptions)}
+    model_entry: dict[str, Any] = {"name": model.name, "source": model.source, "assumptions": list(model.assumptions)}
     return {
         "schema": "dynamics/2",
         "command": task.path,
@@ -240,7 +240,7 @@ def _document(
             "sweep": [axis.echo() for axis in points.axes],
         },
         "results": {"sweep": _table(points, rows)},
-        "model": {**about, "why": why} if why else about,
+        "model": {**model_entry, "why": why} if why else model_entry,
         "numerics": {"method": model.method},
         "checks": [],
         "warnings": [],
@@ -310,11 +310,11 @@ def _with_polar(raw: "Raw", path: "tuple[str | int, ...]") -> "Raw":
     try:
         for step in path[:-1]:
             inner = inner[step]
-        size, polar, way = str(inner[path[-1]]).partition("@")
+        size, polar, direction = str(inner[path[-1]]).partition("@")
     except (KeyError, IndexError, TypeError):
         return raw
     if size.strip() and polar:
-        inner[path[-1]] = {"magnitude": size.strip(), "direction": way.strip()}
+        inner[path[-1]] = {"magnitude": size.strip(), "direction": direction.strip()}
     return raw
 
 

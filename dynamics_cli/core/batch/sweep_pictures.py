@@ -32,9 +32,9 @@ def of_sweep(document: "dict[str, Any]", task: "Task") -> "Picture | None":
     swept = [table[axis]["value"] for axis in axes]
     changing = [name for name in names if not _constant(table[name]["value"]) and table[name]["value"] not in swept]
     bodies = body_names(document["inputs"])
-    said = {name: with_name(label or in_words(name), bodies) for name, label in task.headline}
-    shown = [name for name in said if name in changing] or changing or names
-    panels = tuple(_swept(table, axes, name, said) for name in shown[:MOST_SWEPT])
+    words_by_name = {name: with_name(label or in_words(name), bodies) for name, label in task.headline}
+    drawn_names = [name for name in words_by_name if name in changing] or changing or names
+    panels = tuple(_swept(table, axes, name, words_by_name) for name in drawn_names[:MOST_SWEPT])
     return (
         Picture(panels, _title(document, axes), columns=2 if len(panels) > MOST_IN_A_COLUMN else 1) if panels else None
     )
@@ -43,19 +43,19 @@ def of_sweep(document: "dict[str, Any]", task: "Task") -> "Picture | None":
 def _title(document: "dict[str, Any]", axes: "list[str]") -> str:
     """The command and the inputs that stay as they are."""
     fixed = {name: node for name, node in document["inputs"].items() if name != "sweep"}
-    given = [
+    inputs = [
         f"{name.replace('_', ' ').replace('.', ' ')} {quantity(value, unit, 6)}"
         for name, value, unit in flatten(fixed)
         if name not in axes
     ]
-    more = f" and {len(given) - MOST_NAMED} more inputs" if len(given) > MOST_NAMED else ""
-    return f"{document['command']}: {', '.join(given[:MOST_NAMED])}{more}" if given else str(document["command"])
+    more = f" and {len(inputs) - MOST_NAMED} more inputs" if len(inputs) > MOST_NAMED else ""
+    return f"{document['command']}: {', '.join(inputs[:MOST_NAMED])}{more}" if inputs else str(document["command"])
 
 
 def _constant(column: "list[Any]") -> bool:
     """Whether a result is constant apart from rounding."""
-    there: list[float] = [value for value in column if value is not None]
-    return max(there) - min(there) <= ROUNDING * max(abs(max(there)), abs(min(there)))
+    numbers: list[float] = [value for value in column if value is not None]
+    return max(numbers) - min(numbers) <= ROUNDING * max(abs(max(numbers)), abs(min(numbers)))
 
 
 def _numbers(column: "list[Any]") -> bool:
@@ -64,10 +64,10 @@ def _numbers(column: "list[Any]") -> bool:
     )
 
 
-def _swept(table: "dict[str, Any]", axes: "list[str]", name: str, said: "dict[str, str]") -> Panel:
+def _swept(table: "dict[str, Any]", axes: "list[str]", name: str, words_by_name: "dict[str, str]") -> Panel:
     def titled(key: str) -> Axis:
         unit = table[key].get("unit", "")
-        words = said.get(key) or in_words(key)
+        words = words_by_name.get(key) or in_words(key)
         return Axis(f"{words} [{unit}]" if unit else words)
 
     first = table[axes[0]]["value"]

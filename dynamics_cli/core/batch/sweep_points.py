@@ -49,9 +49,9 @@ class Axis:
             )
 
 
-def read_axes(task: Task, given: "dict[str, str]") -> "list[Axis]":
+def read_axes(task: Task, texts: "dict[str, str]") -> "list[Axis]":
     """The axes of `--sweep NAME=START:STOP:COUNT`, given once or twice."""
-    axes = [_axis(task, name, text) for name, text in given.items()]
+    axes = [_axis(task, name, text) for name, text in texts.items()]
     if len({axis.path for axis in axes}) < len(axes):
         raise UsageError(f"{axes[0].name} is swept twice", parameter="sweep", code="exclusive")
     return axes
@@ -84,18 +84,18 @@ def _axis(task: Task, name: str, text: str) -> Axis:
 def _path(task: Task, name: str) -> "tuple[str | int, ...]":
     from dynamics_cli.core.answering.gather import keys_of
 
-    known = {key for field in task.specification.fields for key in keys_of(field)}
+    parameters = {key for field in task.specification.fields for key in keys_of(field)}
     address = name.replace("-", "_")
     steps = tuple(split_address(address))
-    if steps[0] in known:
+    if steps[0] in parameters:
         return steps
     option = task.options.get(name.replace("_", "-"))
     if option is not None and not option.repeats:
         return option.path
     from dynamics_cli.core.units.near_names import nearest_words
 
-    near = nearest_words(address, known)
-    hint = f"did you mean {' or '.join(near)}?" if near else f"known here: {', '.join(sorted(known))}"
+    near = nearest_words(address, parameters)
+    hint = f"did you mean {' or '.join(near)}?" if near else f"known here: {', '.join(sorted(parameters))}"
     raise UsageError(f"there is no parameter {name!r}", parameter="sweep", code="unknown-parameter", hint=hint)
 
 

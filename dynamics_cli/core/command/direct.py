@@ -7,7 +7,7 @@ from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS, Call
 def read_plainly(task: Task, argv: "list[str]") -> "Call | None":
     """The call, or None when it is not plain: `--x=v`, unknown or repeated names, a missing value, a short option."""
     call = Call()
-    known = task.options
+    options = task.options
     takes_words = bool(task.specification.words)
     words = iter(argv)
     for word in words:
@@ -15,8 +15,8 @@ def read_plainly(task: Task, argv: "list[str]") -> "Call | None":
             name = word[2:]
             if name in UNIVERSAL_OPTIONS:
                 how, target = UNIVERSAL_OPTIONS[name][0], call.settings
-            elif name in known:
-                option = known[name]
+            elif name in options:
+                option = options[name]
                 how, target = "flag" if option.flag else "many" if option.repeats else "value", call.options
             else:
                 return None

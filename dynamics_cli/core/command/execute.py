@@ -78,9 +78,9 @@ def _execute(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
     if files or settings.output:
         from dynamics_cli.core.output.files import Files
 
-        own = [(settings.output, encoded(text), "output")] if settings.output else []
-        with Files([*files, *own]):
-            if not own:
+        output_file = [(settings.output, encoded(text), "output")] if settings.output else []
+        with Files([*files, *output_file]):
+            if not output_file:
                 terminal.write(text)
                 terminal.flush()
     else:
@@ -98,10 +98,10 @@ def _show_progress(terminal: "Terminal") -> None:
     """A bar for a calculation that says how far it is."""
     from dynamics_cli.progress import Going, show
 
-    def counted(size: float, what: str) -> Going:
+    def counted(size: float, noun: str) -> Going:
         from dynamics_cli.core.batch.rows.progress import Counted
 
-        return Counted(size, what, terminal)
+        return Counted(size, noun, terminal)
 
     show(counted)
 
@@ -192,10 +192,10 @@ def _with_files(
 
         files, entries = files_of(task, record, arguments(task, bound), settings.drawing, settings.units, spread[1])
         document["files"] = [*document.get("files", ()), *entries]
-    own = _own_picture(task, record, bound, spread[1]) if settings.plot else None
+    picture = _own_picture(task, record, bound, spread[1]) if settings.plot else None
     # a picture of its own that shows what is uncertain needs no second one
-    shown = own is not None and own.spread
-    return document, *_with_picture(document, files, own if shown else _joined(own, spread[0]), settings, task)
+    shown = picture is not None and picture.spread
+    return document, *_with_picture(document, files, picture if shown else _joined(picture, spread[0]), settings, task)
 
 
 def _require_checks(document: "dict[str, Any]", task: Task) -> None:
@@ -238,16 +238,16 @@ def _own_picture(task: Task, record: "Any", bound: "Fields", spreads: "Spreads |
     return own_picture(task, record, arguments(task, bound), spreads)
 
 
-def _joined(one: "Picture | None", other: "Picture | None") -> "Picture | None":
+def _joined(first: "Picture | None", second: "Picture | None") -> "Picture | None":
     """The panels of both pictures under the first one's title."""
-    if one is None or other is None:
-        return one or other
+    if first is None or second is None:
+        return first or second
     from dynamics_cli.pictures import Picture
 
-    panels = (*one.panels, *other.panels)
+    panels = (*first.panels, *second.panels)
     return Picture(
-        panels, one.title, one.columns, width=one.width, scene=one.scene, distributions=len(other.panels),
-        subtitle=one.subtitle,
+        panels, first.title, first.columns, width=first.width, scene=first.scene, distributions=len(second.panels),
+        subtitle=first.subtitle,
     )  # fmt: skip
 
 

@@ -51,12 +51,12 @@ def _results(record: Record, address: str) -> "Iterator[Row]":
     for field in record.fields:
         node = field.node
         inner = node.item if isinstance(node, Many) else node
-        own = f"{address}{field.key}"
+        field_address = f"{address}{field.key}"
         if isinstance(inner, Record):
             if inner.cls not in (Check, Advice, Numerics):
-                yield from _results(inner, f"{own}{'[]' if isinstance(node, Many) else ''}.")
+                yield from _results(inner, f"{field_address}{'[]' if isinstance(node, Many) else ''}.")
         elif isinstance(inner, Leaf):
-            yield own, (field.text or inner.kind.about).rstrip(".")
+            yield field_address, (field.text or inner.kind.about).rstrip(".")
 
 
 def sources(task: "Task") -> "Iterator[tuple[str, list[Row]]]":

@@ -10,19 +10,19 @@ if TYPE_CHECKING:
     from typing import Any
 
 
-def call_of(task: Task, given: "dict[str, Any]") -> Call:
+def call_of(task: Task, values: "dict[str, Any]") -> Call:
     """The call that typer's values stand for."""
     call = Call()
-    call.words = list(given.pop("words__", None) or ())
+    call.words = list(values.pop("words__", None) or ())
     for word in call.words:
         if word.startswith("-") and word[1:2] not in "0123456789." and word != "-":
             raise unknown_option(task, word, call.words)
     for name in UNIVERSAL_OPTIONS:
-        value = given.pop(variable("setting", name), None)
+        value = values.pop(variable("setting", name), None)
         if value:
             call.settings[name] = single(name, value, UNIVERSAL_OPTIONS[name][0])
     for name, option in task.options.items():
-        value = given.pop(variable("option", name), None)
+        value = values.pop(variable("option", name), None)
         if value:
             how = "flag" if option.flag else "many" if option.repeats else "value"
             call.options[name] = single(name, value, how)

@@ -150,10 +150,10 @@ def print_options(
         lines += ["", f"{title}:"]
         for name in names:
             _, value, text = UNIVERSAL_OPTIONS[name]
-            first, *others = wrapped(text, width - 24, 0)
+            first, *more_lines = wrapped(text, width - 24, 0)
             head = f"--{name} {value}".rstrip()
             lines += [f"  {head:<20}  {first}" if len(head) <= 20 else f"  {head}\n{'':24}{first}"]
-            lines += [f"{'':24}{line}" for line in others]
+            lines += [f"{'':24}{line}" for line in more_lines]
     terminal.write("\n".join([*lines, "", *wrapped(SHORT_FORMS, width, 0)]) + "\n")
 
 

@@ -29,8 +29,8 @@ def plain_parameters(parameters: "Mapping[str, object]") -> "dict[str, Any]":
 def options_of(raw: "dict[str, Any]") -> "dict[str, Any]":
     """Separate the universal options from the parameters, in the form of the command line."""
     keys = {name: name.replace("-", "_") for name in UNIVERSAL_OPTIONS}
-    asked = {name: value for name, key in keys.items() if (value := raw.pop(key, None)) is not None}
-    for name, value in asked.items():
+    settings = {name: value for name, key in keys.items() if (value := raw.pop(key, None)) is not None}
+    for name, value in settings.items():
         how = UNIVERSAL_OPTIONS[name][0]
         if name in REFUSED or (name == "plot" and value == "-"):
             hint = REFUSED.get(name, "name a file")
@@ -39,10 +39,10 @@ def options_of(raw: "dict[str, Any]") -> "dict[str, Any]":
             if not isinstance(value, bool):
                 raise UsageError(f"read {name}={value!r}, wanted True or False", parameter=name)
         elif how == "many":
-            asked[name] = [_text(name, item) for item in (value if isinstance(value, list) else [value])]
+            settings[name] = [_text(name, item) for item in (value if isinstance(value, list) else [value])]
         else:
-            asked[name] = _text(name, value)
-    return asked
+            settings[name] = _text(name, value)
+    return settings
 
 
 def _text(name: str, value: object) -> str:

@@ -112,8 +112,8 @@ def _leaf_schema(leaf: Leaf) -> "dict[str, Any]":
     if kind.form in ("text", "file", "unit", "range", "formula", "let"):
         return {"type": "string", **examples}
     if kind.form == "fraction":
-        written = {"type": "object", "properties": {"value": {"type": "string"}}, "required": ["value"]}
-        return {"anyOf": [{"type": "string"}, written], **examples}
+        text_object = {"type": "object", "properties": {"value": {"type": "string"}}, "required": ["value"]}
+        return {"anyOf": [{"type": "string"}, text_object], **examples}
     value: dict[str, Any] = {"type": "number"}
     if kind.form not in _NUMBER_FORMS and kind.form != "exact":
         value = {"type": ["array", "number"]} if kind.form == "free vector" else {"type": "array"}

@@ -35,8 +35,8 @@ def task_help(task: "Task", width: int, word: str = "") -> str:
     full = [line for row in optional for line in _row(row[1], row[2], width)]
     lines = _assembled(task, width, words, required, full, brief=False)
     if len(lines) > MOST_LINES:
-        room = MOST_LINES - len(_assembled(task, width, words, required, [], brief=True))
-        lines = _assembled(task, width, words, required, _fitting(optional, room, width), brief=True)
+        lines_left = MOST_LINES - len(_assembled(task, width, words, required, [], brief=True))
+        lines = _assembled(task, width, words, required, _fitting(optional, lines_left, width), brief=True)
     return "\n".join(lines) + "\n"
 
 
@@ -51,8 +51,8 @@ def _assembled(
     lines += [f"  {line}" for line in wrapped(task.summary, width - 2, 0)]
     if task.examples:
         fitting = sorted(task.shown_examples, key=lambda example: f"{task.path}{words}" not in example)
-        shown = fitting[:EXAMPLES]
-        lines += ["", "Examples:", *(line for example in shown for line in example_lines(example, width))]
+        examples = fitting[:EXAMPLES]
+        lines += ["", "Examples:", *(line for example in examples for line in example_lines(example, width))]
         lines += [f"  the file: dynamics examples {name} --copy" for name in _files(task)]
     if task.notes:
         lines += ["", *wrapped(task.notes, width, 2)]
@@ -75,20 +75,20 @@ def _files(task: "Task") -> "list[str]":
 
 def _fitting(optional: "list[tuple[str, str, str]]", room: int, width: int) -> "list[str]":
     """A line for each of the first options, and the names of those that no longer fit."""
-    for shown in range(len(optional), -1, -1):
-        lines = [_cut(f"  {name:<{COLUMN - 4}}  {text}", width) for name, _, text in optional[:shown]]
-        names = " ".join(name for name, _, _ in optional[shown:])
+    for number in range(len(optional), -1, -1):
+        lines = [_cut(f"  {name:<{COLUMN - 4}}  {text}", width) for name, _, text in optional[:number]]
+        names = " ".join(name for name, _, _ in optional[number:])
         lines += [f"  {line}" for line in wrapped(f"also {names}" if lines else names, width - 2, 0)] if names else []
         if len(lines) <= room - 2:
             break
     spare = room - 2 - len(lines)
-    whole: list[str] = []
+    full_rows: list[str] = []
     for place, line in enumerate(lines):
-        row = _row(optional[place][0], optional[place][2], width) if place < shown else [line]
+        row = _row(optional[place][0], optional[place][2], width) if place < number else [line]
         fits = len(row) - 1 <= spare
         spare -= len(row) - 1 if fits else 0
-        whole += row if fits else [line]
-    return whole
+        full_rows += row if fits else [line]
+    return full_rows
 
 
 def _word(field: Field) -> str:
@@ -113,17 +113,17 @@ def _parameters(task: "Task", width: int, chosen: "Record | None") -> "tuple[lis
     """Lines for required parameters, and for every other option its short name, head and text."""
     texts = {**describe_options(task), **(describe_record(chosen) if chosen else {})}
     rows: dict[bool, dict[tuple[str, str], list[str]]] = {True: {}, False: {}}
-    own = options(chosen.fields) if chosen else {}
+    extra = options(chosen.fields) if chosen else {}
     sizes = {name for node in _tagged(task) for member in node.members.values() for name in options(member.fields)}
-    for name, option in (own | {name: one for name, one in task.options.items() if name not in sizes}).items():
+    for name, option in (extra | {name: item for name, item in task.options.items() if name not in sizes}).items():
         text = option_text(option, texts) if option.leaf is not None else _group_text(task, option)
         value = "" if option.flag else placeholder(option)
         rows[option.required].setdefault((text, value), []).append(f"--{name}")
-    choices = [f"either {', or '.join(one)}" for one in _choices(task.specification.fields, ())]
+    choices = [f"either {', or '.join(item)}" for item in _choices(task.specification.fields, ())]
     required = [] if chosen else [line for head, text in _words(task, scene=False) for line in _row(head, text, width)]
     for node in [] if chosen else _tagged(task):
         required += [f"    {line}" for line in wrapped(", ".join(node.members), width - 4, 0)]
-    required += [f"  {line}" for one in choices for line in wrapped(one, width - 2, 2)]
+    required += [f"  {line}" for item in choices for line in wrapped(item, width - 2, 2)]
     for (text, value), names in rows[True].items():
         required += _row(f"{', '.join(names)} {value}".rstrip(), text, width)
     optional = [(head, head, text) for head, text in _words(task, scene=True)]
@@ -282,14 +282,14 @@ def _results(task: "Task", width: int, *, brief: bool) -> "list[str]":
 
 def _named(record: Record, address: str) -> "Iterator[tuple[str, list[str] | None]]":
     for field in record.fields:
-        node, own = field.node, f"{address}{field.key}"
+        node, field_address = field.node, f"{address}{field.key}"
         inner = node.item if isinstance(node, Many) else node
         if isinstance(inner, Record):
             if inner.cls in (Check, Advice, Numerics):
                 continue
             if isinstance(node, Many):
-                yield own, [one.key for one in inner.fields]
+                yield field_address, [member.key for member in inner.fields]
             else:
-                yield from _named(inner, f"{own}.")
+                yield from _named(inner, f"{field_address}.")
         elif isinstance(inner, Leaf):
-            yield own, None
+            yield field_address, None

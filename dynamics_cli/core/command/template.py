@@ -35,9 +35,9 @@ def takes_scene(task: "Task") -> bool:
 
 def template(task: "Task") -> str:
     """The scene of a task as TOML."""
-    way = "" if task.specification.words else "--input "
+    option = "" if task.specification.words else "--input "
     scene = _Scene(task.scene)
-    for line in (task.summary, f"Use: dynamics {task.path} {way}FILE.toml", HEAD):
+    for line in (task.summary, f"Use: dynamics {task.path} {option}FILE.toml", HEAD):
         scene.comment(line)
     scene.lines.append("")
     fields: list[Field] = []
@@ -50,8 +50,8 @@ def template(task: "Task") -> str:
 def description(text: str) -> str:
     """A description without the SI unit in brackets."""
     text = text.strip().rstrip(".")
-    at = text.rfind(" [")
-    return text[:at].rstrip(".") if text.endswith("]") and at > 0 and " " not in text[at + 2 :] else text
+    start = text.rfind(" [")
+    return text[:start].rstrip(".") if text.endswith("]") and start > 0 and " " not in text[start + 2 :] else text
 
 
 def _without_example(text: str) -> str:
@@ -62,9 +62,9 @@ def example(field: "Field") -> str:
     """An example of a field's value as a user would type it: of its description, else of its kind."""
     node = field.node.item if isinstance(field.node, Many) else field.node
     assert isinstance(node, Leaf)
-    said = description(field.text).partition(EXAMPLE)[2]
-    if said:
-        return said
+    stated = description(field.text).partition(EXAMPLE)[2]
+    if stated:
+        return stated
     usual = written_default(Option(field.key, (), node, default=field.default, required=field.required))
     if usual and node.kind.form in ("scalar", "slope", "whole") and node.choice is None:
         return usual
@@ -146,14 +146,14 @@ class _Scene:
 
     def _wanted(self, field: "Field", key: str, named: "dict[str, Any]", path: str) -> str:
         """The alternative in the task's scene, else the one that a description gives as an example, else the first."""
-        shown = self.values.get(f"{path}{key}", "")
+        chosen = self.values.get(f"{path}{key}", "")
         if not key:
             # alternatives may share a name
             count = {name: sum(self._shown(f"{path}{member}") for member in name.split()) for name in named}
             most = max(named, key=lambda name: count[name])
-            shown = most if count[most] else ""
-        if shown in named:
-            return shown
+            chosen = most if count[most] else ""
+        if chosen in named:
+            return chosen
         return next((name for name in named if _chosen(field) in name.split()), next(iter(named)))
 
     def _alternatives(
@@ -177,14 +177,14 @@ class _Scene:
             self.comment(f"{text}:")
         many = isinstance(node, Tagged) and len(named) > MOST_ALTERNATIVES
         for name in [chosen] if many else [chosen, *(name for name in named if name != chosen)]:
-            here = active and name == chosen
+            live = active and name == chosen
             if isinstance(node, Tagged):
-                said = f"{text}: {', '.join(named)}" if name == chosen and not many else text if many else ""
-                self._line(node.key, f'"{name}"', said, active=here)
+                comment = f"{text}: {', '.join(named)}" if name == chosen and not many else text if many else ""
+                self._line(node.key, f'"{name}"', comment, active=live)
             elif name != chosen:
                 self.comment("or:")
             for member in named[name].fields:
-                self._field(member, path, inner, active=here and (member.required or bool(self.values)), inside=inside)
+                self._field(member, path, inner, active=live and (member.required or bool(self.values)), inside=inside)
 
     def _nested(
         self,

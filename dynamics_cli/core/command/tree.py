@@ -42,17 +42,17 @@ def run_tree(
     argv: "list[str]",
     families: "Mapping[str, tuple[str, str]]",
     find: "Finder",
-    others: "tuple[Command, ...]",
+    further: "tuple[Command, ...]",
     terminal: "Terminal",
 ) -> int:
-    """Execute a call through typer; its errors become UsageError. `others` are commands that are not tasks."""
+    """Execute a call through typer; its errors become UsageError. `further` are commands that are not tasks."""
     completion_init()
-    root = _root(families, find, others, terminal)
+    root = _root(families, find, further, terminal)
     try:
         with terminal.own_stdout():
             # As `main`, which however turns a closed pipe into a failure (status 1).
-            if wanted := os.environ.get(COMPLETE):
-                sys.exit(shell_complete(root, {}, "dynamics", COMPLETE, wanted))
+            if shell := os.environ.get(COMPLETE):
+                sys.exit(shell_complete(root, {}, "dynamics", COMPLETE, shell))
             with root.make_context("dynamics", list(argv)) as context:
                 status = root.invoke(context)
     except Exit as error:
@@ -83,7 +83,7 @@ def _try_help(error: "Any") -> str | None:
 
 
 def _root(
-    families: "Mapping[str, tuple[str, str]]", find: "Finder", others: "tuple[Command, ...]", terminal: "Terminal"
+    families: "Mapping[str, tuple[str, str]]", find: "Finder", further: "tuple[Command, ...]", terminal: "Terminal"
 ) -> TyperGroup:
     group = _Families(
         families,
@@ -93,7 +93,7 @@ def _root(
         'Example: dynamics skid speed --distance "60 ft" --friction 0.7',
         params=[_version_option(terminal), _completion_option(terminal)],
     )
-    for command in (*COMMANDS, *others):
+    for command in (*COMMANDS, *further):
         group.commands[command.name] = _plain_command(command, find, families, terminal)
     return group
 
@@ -184,8 +184,8 @@ class _TaskCommand(TyperCommand):
             self.context_settings = {"ignore_unknown_options": bool(self.task.specification.words)}
             self.help = self.task.summary
             texts = describe_options(self.task)
-            own = [_option(option, texts, self.task.names.get(name)) for name, option in self.task.options.items()]
-            self.params = [*_arguments(self.task), *own, *_universal_options(self.task)]
+            options = [_option(option, texts, self.task.names.get(name)) for name, option in self.task.options.items()]
+            self.params = [*_arguments(self.task), *options, *_universal_options(self.task)]
             self.callback = self._carry_out
 
     def format_help(self, ctx: "Any", formatter: "Any") -> None:
@@ -201,10 +201,10 @@ class _TaskCommand(TyperCommand):
         self.words = list(args)
         return super().make_context(info_name, args, parent, **extra)
 
-    def _carry_out(self, **given: "Any") -> int:
+    def _carry_out(self, **values: "Any") -> int:
         from dynamics_cli.core.command.execute import execute
 
-        return execute(self.task, call_of(self.task, given), self.terminal)
+        return execute(self.task, call_of(self.task, values), self.terminal)
 
 
 def _arguments(task: Task) -> "list[TyperArgument]":
@@ -246,7 +246,7 @@ def _option(option: Option, texts: "Mapping[tuple[str, ...], str]", names: "str 
 
 def _universal_options(task: Task) -> "list[TyperOption]":
     parameters = []
-    known = {
+    choices = {
         "format": FORMATS,
         "units": SYSTEMS,
         "method": METHODS,
@@ -261,7 +261,7 @@ def _universal_options(task: Task) -> "list[TyperOption]":
         if how == "flag":
             parameters.append(TyperOption(param_decls=decls, is_flag=True, default=False, help=text))
         else:
-            complete = result_completer(task) if name in ("to", "limit") else completer_of(known.get(name, ()))
+            complete = result_completer(task) if name in ("to", "limit") else completer_of(choices.get(name, ()))
             parameters.append(
                 TyperOption(
                     param_decls=decls, multiple=True, type=str, metavar=metavar, help=text, autocompletion=complete
@@ -284,8 +284,8 @@ def _completion_option(terminal: "Terminal") -> TyperOption:
         if value and not context.resilient_parsing:
             if value not in SHELLS:
                 raise UsageError(f"read {value!r}, wanted one of {', '.join(SHELLS)}", parameter="show-completion")
-            given = {"prog_name": "dynamics", "complete_var": COMPLETE, "shell": value}
-            terminal.write(POWERSHELL if value == "powershell" else get_completion_script(**given) + "\n")
+            arguments = {"prog_name": "dynamics", "complete_var": COMPLETE, "shell": value}
+            terminal.write(POWERSHELL if value == "powershell" else get_completion_script(**arguments) + "\n")
             context.exit()
 
     text = "Print the completion script of bash, zsh, fish or powershell."
@@ -304,9 +304,9 @@ def _plain_command(
 ) -> TyperCommand:
     """A command that is not a task."""
 
-    def carry_out(words: "tuple[str, ...]", **given: "Any") -> int:
+    def carry_out(words: "tuple[str, ...]", **values: "Any") -> int:
         options = {
-            name: "yes" if value is True else single(name, value, "value") for name, value in given.items() if value
+            name: "yes" if value is True else single(name, value, "value") for name, value in values.items() if value
         }
         command.carry_out(words, options, families, find, terminal)
         return 0

@@ -39,9 +39,9 @@ def _described(task: Task, typed: str) -> "list[str]":
 
 def unknown_option(task: Task, word: str, typed: "Sequence[str]") -> UsageError:
     """The error for an unknown option, combined with those for other unknown options in the call."""
-    known = {f"--{name}" for name in (*task.options, *UNIVERSAL_OPTIONS, "help", "template")}
+    known_options = {f"--{name}" for name in (*task.options, *UNIVERSAL_OPTIONS, "help", "template")}
     names = [part.partition("=")[0] for part in typed if part.startswith("--") and part[2:3].isalpha()]
-    unknown = dict.fromkeys([word, *(name for name in names if name not in known)])
+    unknown = dict.fromkeys([word, *(name for name in names if name not in known_options)])
     errors = [
         UsageError(
             f"there is no option {name}",

@@ -35,8 +35,8 @@ class Context:
 
     def note(self, address: str, notes: "Iterable[str]") -> None:
         """Record how one input was interpreted, once for all numbers of a list."""
-        whole = address.rpartition("[")[0] if address.endswith("]") else address
-        self.notes.extend(text for text in (f"{whole}: {note}" for note in notes) if text not in self.notes)
+        list_address = address.rpartition("[")[0] if address.endswith("]") else address
+        self.notes.extend(text for text in (f"{list_address}: {note}" for note in notes) if text not in self.notes)
 
     def default_unit(self, kind: "Kind") -> str:
         """The unit that `[units]` gives to bare numbers of this kind, or nothing."""

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 
-def default_units(given: "Mapping[str, Any]") -> "dict[str, str]":
+def default_units(unit_texts: "Mapping[str, Any]") -> "dict[str, str]":
     """The default unit by kind name.
 
     A kind that is not named takes the unit of the only named kind with the same dimension. Refuses unknown kinds, units
@@ -25,7 +25,7 @@ def default_units(given: "Mapping[str, Any]") -> "dict[str, str]":
             kinds.setdefault(kind.name, []).append(kind)
     units: dict[str, str] = {}
     by_unit: dict[str, set[str]] = {}
-    for name, text in given.items():
+    for name, text in unit_texts.items():
         key = name.replace("_", " ")
         _check(name, text, kinds.get(key, []), sorted(kinds))
         units[key] = text
@@ -44,13 +44,13 @@ def _check(name: str, text: "Any", kinds: "list[Kind]", known: "list[str]") -> N
         raise UsageError(f"there is no kind of quantity {name!r}", parameter=address, hint=hint)
     if not isinstance(text, str) or isinstance(text, Token):
         raise UsageError(f"read {text!r}, wanted a unit", parameter=address, hint=f"for example {kinds[0].si!r}")
-    wanted = parse_unit(kinds[0].unit)
+    base_unit = parse_unit(kinds[0].unit)
     try:
-        unit = parse_unit(text, wanted)
+        unit = parse_unit(text, base_unit)
     except UsageError as error:
         error.parameter = address
         raise
-    if not conformable(unit, wanted):
+    if not conformable(unit, base_unit):
         raise UsageError(
             f"{text!r} is not a unit of {kinds[0].name}", parameter=address, hint=f"for example {kinds[0].si!r}"
         )

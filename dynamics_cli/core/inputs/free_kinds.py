@@ -54,11 +54,11 @@ def kind_of_unit(text: str, size: int) -> Kind:
     form = "planar" if size == 2 else "vector"
     if not text:
         return Kind("number", "", form=form, size=size, example="3, 4 N", exact=True)
-    for known in KNOWN:
-        wanted = parse_unit(known.unit)
-        if conformable(parse_unit(text, wanted), wanted):
+    for kind in KNOWN:
+        base_unit = parse_unit(kind.unit)
+        if conformable(parse_unit(text, base_unit), base_unit):
             return Kind(
-                known.name, known.unit, form=form, si=text, us=known.us, size=size, example="3, 4 N", about=known.about,
+                kind.name, kind.unit, form=form, si=text, us=kind.us, size=size, example="3, 4 N", about=kind.about,
                 exact=True,
             )  # fmt: skip
     from dynamics_cli.core.units.names import base_expression, kind_name
@@ -117,24 +117,24 @@ class DirectedVector(VectorValue):
 
 def _read(raw: "Any", address: str, context: "Context") -> VectorValue:
     if isinstance(raw, dict) and "magnitude" in raw and "direction" in raw:
-        size, way = raw["magnitude"], raw["direction"]
-        cosines = way.get("value") if isinstance(way, dict) else way
+        size, direction = raw["magnitude"], raw["direction"]
+        cosines = direction.get("value") if isinstance(direction, dict) else direction
         if isinstance(cosines, list):
             return _directed(size, _certain(cosines, address, context).si, address, context)
-        return _planar(size, way, address, context)
+        return _planar(size, direction, address, context)
     if isinstance(raw, str):
         if "@" in raw:
-            size, _, way = (part.strip() for part in raw.partition("@"))
-            if way[:1] + way[-1:] == "()":
-                way = way[1:-1].strip()
-                if not _unit_of(split_list(way)[-1].strip()):
-                    return _directed(size, _certain(way, address, context).si, address, context)
-            if len(split_list(way)) == 1:
-                return _planar(size, way, address, context)
-            return _directed(size, _from_angles(way, address, context), address, context)
+            size, _, direction = (part.strip() for part in raw.partition("@"))
+            if direction[:1] + direction[-1:] == "()":
+                direction = direction[1:-1].strip()
+                if not _unit_of(split_list(direction)[-1].strip()):
+                    return _directed(size, _certain(direction, address, context).si, address, context)
+            if len(split_list(direction)) == 1:
+                return _planar(size, direction, address, context)
+            return _directed(size, _from_angles(direction, address, context), address, context)
         if " along " in raw:
-            size, _, way = (part.strip() for part in raw.partition(" along "))
-            return _directed(size, _certain(way, address, context).si, address, context)
+            size, _, direction = (part.strip() for part in raw.partition(" along "))
+            return _directed(size, _certain(direction, address, context).si, address, context)
         if " from " in raw and " to " in raw:
             size, _, rest = raw.partition(" from ")
             start, _, end = rest.partition(" to ")
@@ -200,10 +200,10 @@ def _certain(raw: "Any", address: str, context: "Context") -> VectorValue:
 def _between(start: str, end: str, address: str, context: "Context") -> "tuple[float, ...]":
     unit = _unit_of(split_list(end)[-1])
     shared = start if _unit_of(split_list(start)[-1]) or not unit else f"{start.strip()} {unit}"
-    one, other = _certain(shared, address, context), _certain(end, address, context)
-    if len(one.si) != len(other.si) or one.kind.unit != other.kind.unit:
+    one, finish = _certain(shared, address, context), _certain(end, address, context)
+    if len(one.si) != len(finish.si) or one.kind.unit != finish.kind.unit:
         raise UsageError("the two points of a direction differ in kind or in dimension", code="direction", hint=HINT)
-    return tuple(b - a for a, b in zip(one.si, other.si, strict=True))
+    return tuple(b - a for a, b in zip(one.si, finish.si, strict=True))
 
 
 def _normed(parts: "tuple[float, ...]") -> "tuple[float, ...]":

@@ -35,8 +35,8 @@ def read_leaf(leaf: "Leaf", raw: "Any", address: str, context: "Context") -> Bou
         raw = resolve(raw, context, address)
     if leaf.choice is not None:
         return _choice(leaf, raw)
-    read = _FORMS.get(leaf.kind.form, _scalar)
-    return read(leaf.kind, raw, address, context)
+    reader = _FORMS.get(leaf.kind.form, _scalar)
+    return reader(leaf.kind, raw, address, context)
 
 
 def _text_of(kind: Kind, raw: "Any") -> str:
@@ -82,8 +82,8 @@ def _brief(raw: object) -> str:
 
 def _default_unit(kind: Kind, raw: "Any", context: "Context") -> str:
     """The scene's unit for a bare number; text on the command line must name its unit."""
-    bare = all(isinstance(number, Token | list) for number in (raw if isinstance(raw, list) else [raw]))
-    return context.default_unit(kind) if bare else ""
+    unquoted = all(isinstance(number, Token | list) for number in (raw if isinstance(raw, list) else [raw]))
+    return context.default_unit(kind) if unquoted else ""
 
 
 def _scalar(kind: Kind, raw: "Any", address: str, context: "Context") -> Value:
@@ -140,10 +140,10 @@ def _range(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
 
 
 def _flag(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
-    own = FLAGS.get(raw.strip().lower()) if isinstance(raw, str) and not isinstance(raw, Token) else raw
-    if not isinstance(own, bool):
+    value = FLAGS.get(raw.strip().lower()) if isinstance(raw, str) and not isinstance(raw, Token) else raw
+    if not isinstance(value, bool):
         raise UsageError(f"read {_brief(raw)}, wanted true or false")
-    return Constant(own, own)
+    return Constant(value, value)
 
 
 def _text(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
@@ -166,8 +166,8 @@ def _file(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
             f"there is no file {name!r}", code="no-file", hint="names in a scene are relative to the scene"
         )
     if not os.path.isfile(path):
-        what = "is a directory" if os.path.isdir(path) else "is a pipe or a device, which cannot be read twice"
-        raise UsageError(f"{name!r} {what}", code="no-file", hint="give a file")
+        reason = "is a directory" if os.path.isdir(path) else "is a pipe or a device, which cannot be read twice"
+        raise UsageError(f"{name!r} {reason}", code="no-file", hint="give a file")
     try:
         context.files.append(entry_of_file(path))
     except OSError as error:
@@ -213,8 +213,8 @@ def _exact(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
         numerator, denominator, last = total(amount)
         unit = last.text
     value = ExactQuantity(numerator, denominator, unit, text)
-    shown = numerator if denominator == 1 and abs(numerator) < 2**53 else nearest(numerator, denominator)
-    return Constant(value, {"value": shown, "unit": unit} if unit else {"value": shown})
+    displayed = numerator if denominator == 1 and abs(numerator) < 2**53 else nearest(numerator, denominator)
+    return Constant(value, {"value": displayed, "unit": unit} if unit else {"value": displayed})
 
 
 def components_of(kind: Kind, raw: "Any") -> "list[Any]":
@@ -246,15 +246,15 @@ def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> Vec
     default_unit = _default_unit(kind, raw, context)
     parts = [read_number_of(kind, item, f"{address}[{i}]", context, default_unit) for i, item in enumerate(items)]
     units, si = {part.unit for part in parts}, tuple(part.si for part in parts)
-    shown, unit = ([part.shown for part in parts], units.pop()) if len(units) == 1 else (list(si), kind.unit)
+    displayed, unit = ([part.shown for part in parts], units.pop()) if len(units) == 1 else (list(si), kind.unit)
     if all(type(part) is Value for part in parts):
-        return VectorValue(address, kind, si, shown, unit)
+        return VectorValue(address, kind, si, displayed, unit)
     from dynamics_cli.core.inputs.uncertain.vectors import UncertainVector
 
     if address in context.origins:
         document, result, covariance = context.origins.pop(address)
         context.origins |= {f"{address}[{i}]": (document, f"{result}[{i}]", covariance) for i in range(kind.size)}
-    return UncertainVector(address, kind, si, shown, unit, parts)
+    return UncertainVector(address, kind, si, displayed, unit, parts)
 
 
 def read_planar(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:

@@ -72,8 +72,8 @@ def read_number(text: str) -> tuple[int, int]:
     body = text[1:] if text[:1] and text[0] in SIGNS else text
     mark = "e" if "e" in body else "E"
     mantissa, marked, power = body.partition(mark)
-    whole, _, broken = mantissa.partition(".")
-    digits = whole + broken
+    integer, _, broken = mantissa.partition(".")
+    digits = integer + broken
     power_digits = power[1:] if power[:1] and power[0] in SIGNS else power
     if not _all_digits(digits) or (marked and not _all_digits(power_digits)):
         raise _not_a_number(text)
@@ -110,27 +110,27 @@ def read_amount(text: str) -> Amount:
 
 def _amount(body: str, text: str) -> Amount:
     parts: list[tuple[int, int, str]] = []
-    at = 0
+    position = 0
     plain, negative = True, body[:1] in ("-", "−")
-    while at < len(body):
-        end = number_end(body, at)
-        if end == at or len(parts) == MOST_PARTS:
+    while position < len(body):
+        end = number_end(body, position)
+        if end == position or len(parts) == MOST_PARTS:
             raise _not_a_number(body, "it does not begin with a number" if not parts else "")
-        token = body[at:end]
+        token = body[position:end]
         if parts and token[0] in SIGNS and (token[0] == "+" or not (negative or all(not part[0] for part in parts))):
             hint = "a sign before 5 ft 6 in applies to the whole value; powers are written m^-1"
             raise UsageError(f"{_show(body)} has a sign inside", code="syntax", hint=hint)
         if end < len(body) - 1 and body[end] in ",_'’" and body[end + 1] in DIGITS:
-            raise _not_a_number(body[at:].split(" ")[0])
+            raise _not_a_number(body[position:].split(" ")[0])
         numerator, denominator = read_number(token)
         plain = "." not in token and "e" not in token and "E" not in token
         if plain and "/" in body and body[body.index("/") + 1 :][:1] in tuple(DIGITS):
             from dynamics_cli.core.inputs.typed_forms import with_fraction
 
-            numerator, denominator, end = with_fraction(body, at, end, numerator)
+            numerator, denominator, end = with_fraction(body, position, end, numerator)
             plain = denominator == 1
-        at = _unit_end(body, end)
-        parts.append((-abs(numerator) if negative else numerator, denominator, " ".join(body[end:at].split())))
+        position = _unit_end(body, end)
+        parts.append((-abs(numerator) if negative else numerator, denominator, " ".join(body[end:position].split())))
     if not parts:
         raise UsageError("the quantity is empty", code="syntax")
     return Amount(tuple(parts), text, plain)
@@ -167,10 +167,10 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
             hint = f"write for example {kind.example}" if kind.example else "write the number with its unit"
             raise UsageError(f"{_show(text)} has no unit", code=error.code, hint=hint) from None
         article = "an" if kind.name[:1] in tuple("aeiou") else "a"
-        wanted = kind.about if kind.form == "whole" else f"{article} {kind.name}"
+        expected = kind.about if kind.form == "whole" else f"{article} {kind.name}"
         counted = kind.form == "whole" and error.code in ("whole", "number")
         raise UsageError(
-            f"{_show(text)} is not " + ("a whole number" if counted else f"{wanted}: {error.message}"),
+            f"{_show(text)} is not " + ("a whole number" if counted else f"{expected}: {error.message}"),
             code=error.code,
             hint=f"{error.hint}; example: {kind.example}" if error.hint else f"example: {kind.example}",
         ) from None
@@ -200,7 +200,7 @@ def split_list(text: str) -> list[str]:
     """Split at the commas outside brackets and quotes; a quote opens only where an item or a value begins."""
     items, start, quote, before = [], 0, "", ","
     open_brackets = ""
-    for at, character in enumerate(text):
+    for position, character in enumerate(text):
         if quote:
             quote = "" if character == quote else quote
         elif character in "\"'" and before in ",=:([{":
@@ -212,8 +212,8 @@ def split_list(text: str) -> list[str]:
                 raise UsageError(f"{_show(text)}: {character!r} has no opening bracket", code="syntax")
             open_brackets = open_brackets[:-1]
         elif character == "," and not open_brackets:
-            items.append(text[start:at].strip())
-            start = at + 1
+            items.append(text[start:position].strip())
+            start = position + 1
         before = before if character.isspace() else character
     if quote or open_brackets:
         missing = quote or open_brackets[-1]
@@ -244,15 +244,15 @@ def split_pairs(text: str) -> dict[str, str]:
 
 
 def _scalar(amount: Amount, kind: "Kind", default_unit: str) -> Reading:
-    numerator, denominator, written = amount.parts[0]
-    if default_unit and not written and len(amount.parts) == 1:
+    numerator, denominator, unit_text = amount.parts[0]
+    if default_unit and not unit_text and len(amount.parts) == 1:
         amount = Amount(((numerator, denominator, default_unit),), amount.text, amount.plain)
-    wanted = parse_unit(kind.unit) if kind.unit else NUMBER
-    numerator, denominator, unit = total(amount, wanted)
+    base_unit = parse_unit(kind.unit) if kind.unit else NUMBER
+    numerator, denominator, unit = total(amount, base_unit)
     if kind.form == "slope" and unit.dimension == ANGLE:
         si = _tangent(numerator, denominator, unit)
-    elif not conformable(unit, wanted):
-        _mismatch(unit, wanted, amount)
+    elif not conformable(unit, base_unit):
+        _mismatch(unit, base_unit, amount)
     else:
         si = to_si(numerator, denominator, unit)
         if kind.exact and not unit.pi:
@@ -317,18 +317,18 @@ def number_end(text: str, at: int) -> int:
 def _unit_end(text: str, start: int) -> int:
     """Find where the unit that begins here ends: before the next number that begins a part."""
     before = ""
-    for at in range(start, len(text)):
-        character = text[at]
+    for position in range(start, len(text)):
+        character = text[position]
         if character.isspace():
             continue
-        apart = text[at - 1].isspace() or before in ARC_SIGNS
-        if before and apart and before not in JOINING and number_end(text, at) > at:
-            return at
+        apart = text[position - 1].isspace() or before in ARC_SIGNS
+        if before and apart and before not in JOINING and number_end(text, position) > position:
+            return position
         if before.isalpha() and character in DIGITS and not apart:
             from dynamics_cli.core.inputs.typed_forms import after_unit
 
-            if after_unit(text, start, at):
-                return at
+            if after_unit(text, start, position):
+                return position
         before = character
     return len(text)
 

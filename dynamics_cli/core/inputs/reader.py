@@ -59,15 +59,15 @@ class Reader(Context):
 
     def _object(self, fields: "tuple[Field, ...]", raw: "Raw", address: str) -> "dict[str, Bound]":
         bound: dict[str, Bound] = {}
-        known: set[str] = set()
+        known_keys: set[str] = set()
         for field in fields:
-            known.update(_keys(field))
+            known_keys.update(_keys(field))
             member = self._field(field, raw, address)
             if member is not None:
                 bound[field.name] = member
         for key in raw:
-            if key not in known:
-                self._unknown(key, known, address)
+            if key not in known_keys:
+                self._unknown(key, known_keys, address)
         return bound
 
     def _unknown(self, key: str, known: "Iterable[str]", address: str) -> None:
@@ -80,15 +80,15 @@ class Reader(Context):
     def _field(self, field: Field, raw: "Raw", address: str) -> Bound | None:
         node = field.node
         if isinstance(node, Record) and field.place:
-            given = {key: value for key, value in raw.items() if key in node.names}
-            return Fields(node.cls, self._object(node.fields, given, address), spread=True)
+            values = {key: value for key, value in raw.items() if key in node.names}
+            return Fields(node.cls, self._object(node.fields, values, address), spread=True)
         if isinstance(node, OneOf):
             return self._one_of(field, node, raw, address)
         if isinstance(node, Tagged):
             return self._tagged(field, node, raw, address)
         if isinstance(node, Many):
             return self._many(field, node, raw, address)
-        own = _join(address, field.key)
+        field_address = _join(address, field.key)
         value = raw.get(field.key)
         if value is None:
             value = self._default_of(node, raw)
@@ -97,11 +97,11 @@ class Reader(Context):
             elif not field.required:
                 return None
             elif isinstance(node, Leaf):
-                self._missing(node, own, word=bool(field.place))
+                self._missing(node, field_address, word=bool(field.place))
                 return None
             else:
                 value = {}
-        return self._item(node, value, own)
+        return self._item(node, value, field_address)
 
     def _default_of(self, node: "Node", raw: "Raw") -> str | None:
         """The default text of a kind that is never missing: gravity, from the environment or the standard value."""
@@ -111,19 +111,19 @@ class Reader(Context):
         return self.environ.get(kind.variable) or kind.default
 
     def _missing(self, node: Leaf, address: str, *, word: bool) -> None:
-        example, own = None, self.spell(address)
+        example, spelled = None, self.spell(address)
         if node.kind.example and "[" in address:
             example = f"for example {address.rpartition('.')[2]}={node.kind.example}"
         elif node.kind.example:
-            name = f"{own} " if own.startswith("--") and not word else ""
+            name = f"{spelled} " if spelled.startswith("--") and not word else ""
             example = f"for example {name}{_quoted(node.kind.example)}"
         if node.choice is not None:
             example = f"one of {', '.join(node.choice.names)}"
         pointer = self.pointers.get(address.rpartition(".")[2])
         if pointer and example:
             example = f"{example}; {pointer}"
-        what = node.kind.about or node.kind.name
-        self._fail(address, f"{own} is missing: {what}", code="missing", hint=example)
+        expected = node.kind.about or node.kind.name
+        self._fail(address, f"{spelled} is missing: {expected}", code="missing", hint=example)
 
     def _item(self, node: "Node", value: "Any", address: str) -> Bound | None:
         if isinstance(node, Leaf):
@@ -146,11 +146,11 @@ class Reader(Context):
             return None
         if isinstance(node, Record):
             return Fields(node.cls, self._object(node.fields, value, address))
-        whole = Field("", node, ())
+        wrapper = Field("", node, ())
         if isinstance(node, OneOf):
-            return self._one_of(whole, node, value, address, alone=True)
+            return self._one_of(wrapper, node, value, address, alone=True)
         if isinstance(node, Tagged):
-            return self._tagged(whole, node, value, address, alone=True)
+            return self._tagged(wrapper, node, value, address, alone=True)
         raise TypeError
 
     def _pairs(self, text: str, address: str) -> "dict[str, Any] | None":
@@ -165,12 +165,12 @@ class Reader(Context):
 
     def _one_of(self, field: Field, node: OneOf, raw: "Raw", address: str, *, alone: bool = False) -> Bound | None:
         names = {name for member in node.members for name in member.names}
-        given = [key for key in raw if raw[key] is not None and (alone or key in names)]
+        present = [key for key in raw if raw[key] is not None and (alone or key in names)]
         choices = ", or ".join(
             " and ".join(self._member(address, name) for name in sorted(member.required)) or "nothing"
             for member in node.members
         )
-        if not given:
+        if not present:
             if field.required or alone:
                 self._fail(
                     _join(address, min(node.members[0].required, default=field.key)),
@@ -178,30 +178,30 @@ class Reader(Context):
                     code="missing",
                 )
             return None
-        fits = [member for member in node.members if member.names.issuperset(given)]
+        fits = [member for member in node.members if member.names.issuperset(present)]
         if not fits:
             self._fail(
-                _join(address, given[0]),
+                _join(address, present[0]),
                 self._of_item(
-                    address, f"{' and '.join(self._member(address, name) for name in given)} cannot be given together"
+                    address, f"{' and '.join(self._member(address, name) for name in present)} cannot be given together"
                 ),
                 code="exclusive",
                 hint=f"give {choices}",
             )
             return None
-        complete = [member for member in fits if member.required.issubset(given)]
+        complete = [member for member in fits if member.required.issubset(present)]
         if not complete and len(fits) > 1:
-            ways = (
-                " and ".join(self._member(address, name) for name in sorted(fit.required.difference(given)))
+            alternatives = (
+                " and ".join(self._member(address, name) for name in sorted(fit.required.difference(present)))
                 for fit in fits
             )
-            message = self._of_item(address, f"one of these is missing: {', or '.join(ways)}")
-            beside = " and ".join(self._member(address, name) for name in given)
-            missing = min(fits[0].required.difference(given))
+            message = self._of_item(address, f"one of these is missing: {', or '.join(alternatives)}")
+            beside = " and ".join(self._member(address, name) for name in present)
+            missing = min(fits[0].required.difference(present))
             self._fail(_join(address, missing), message, code="missing", hint=f"it goes with {beside}")
             return None
         member = (complete or fits)[0]
-        fields = self._object(member.fields, {key: raw[key] for key in given}, address)
+        fields = self._object(member.fields, {key: raw[key] for key in present}, address)
         return Fields(member.cls, fields, spread=not alone)
 
     def _member(self, address: str, name: str) -> str:
@@ -213,12 +213,12 @@ class Reader(Context):
 
     def _tagged(self, field: Field, node: Tagged, raw: "Raw", address: str, *, alone: bool = False) -> Bound | None:
         tag = raw.get(node.key)
-        own = _join(address, node.key)
+        place = _join(address, node.key)
         names = node.names
         if tag is None:
             if field.required or alone or any(raw.get(name) is not None for name in names):
                 self._fail(
-                    own, f"{self.spell(own)} is missing", code="missing", hint=f"one of {', '.join(node.members)}"
+                    place, f"{self.spell(place)} is missing", code="missing", hint=f"one of {', '.join(node.members)}"
                 )
             return None
         member = node.members.get(kebab(str(tag).strip().lower().replace(" ", "-")))
@@ -227,20 +227,20 @@ class Reader(Context):
 
             near = nearest_words(str(tag), node.members)
             hint = f"did you mean {' or '.join(near)}?" if near else f"one of {', '.join(node.members)}"
-            self._fail(own, f"there is no {node.key} {str(tag)!r}", code="unknown-choice", hint=hint)
+            self._fail(place, f"there is no {node.key} {str(tag)!r}", code="unknown-choice", hint=hint)
             return None
-        given = {key: value for key, value in raw.items() if key != node.key and (alone or key in names)}
-        fields = self._object(member.fields, given, address)
+        values = {key: value for key, value in raw.items() if key != node.key and (alone or key in names)}
+        fields = self._object(member.fields, values, address)
         return Fields(member.cls, fields, spread=not alone, tag=member.cls.tag)  # type: ignore[attr-defined]
 
     def _many(self, field: Field, node: Many, raw: "Raw", address: str) -> Bound | None:
-        own = _join(address, field.key)
+        field_address = _join(address, field.key)
         value = raw.get(field.key)
         plain = [key for key in raw if raw[key] is not None and key in _plain_names(node)]
         if value is not None and plain:
             self._fail(
-                own,
-                f"{self.spell(own)} and {self._member(address, plain[0])} cannot be given together",
+                field_address,
+                f"{self.spell(field_address)} and {self._member(address, plain[0])} cannot be given together",
                 code="exclusive",
             )
             return None
@@ -248,25 +248,25 @@ class Reader(Context):
             return self._plain_item(node, {key: raw[key] for key in plain}, address)
         if value is None:
             if field.required:
-                self._fail(own, f"{self.spell(own)} is missing", code="missing")
+                self._fail(field_address, f"{self.spell(field_address)} is missing", code="missing")
             return None
         from dynamics_cli.core.inputs.forms.lists import split_items
 
         try:
-            items = _named_tables(node, value) or split_items(node, self._resolved(node, value, own))
+            items = _named_tables(node, value) or split_items(node, self._resolved(node, value, field_address))
         except DynamicsError as error:
-            error.parameter = error.parameter or own
+            error.parameter = error.parameter or field_address
             self.errors.append(error)
             return None
         if not items and field.place != "words":
-            self._fail(own, f"{self.spell(own)} is empty", code="missing")
+            self._fail(field_address, f"{self.spell(field_address)} is empty", code="missing")
             return None
-        items_read = [self._item(node.item, item, f"{own}[{index}]") for index, item in enumerate(items)]
-        kept = [item for item in items_read if item is not None]
-        if node.single and isinstance(node.item, Leaf) and len(kept) == 1 and not isinstance(value, list):
-            return kept[0]
+        items_read = [self._item(node.item, item, f"{field_address}[{index}]") for index, item in enumerate(items)]
+        bound_items = [item for item in items_read if item is not None]
+        if node.single and isinstance(node.item, Leaf) and len(bound_items) == 1 and not isinstance(value, list):
+            return bound_items[0]
         row = node.item.cls if node.columns and isinstance(node.item, Record) else None
-        return Several(kept, row)
+        return Several(bound_items, row)
 
     def _resolved(self, node: Many, value: "Any", address: str) -> "Any":
         """A list that is a reference as a whole: the list of an earlier document."""
@@ -277,15 +277,15 @@ class Reader(Context):
 
         return resolve(value, self, address)
 
-    def _plain_item(self, node: Many, given: "dict[str, Any]", address: str) -> Bound | None:
+    def _plain_item(self, node: Many, values: "dict[str, Any]", address: str) -> Bound | None:
         item = node.item
         if isinstance(item, Record):
-            return Fields(item.cls, self._object(item.fields, given, address), spread=True)
+            return Fields(item.cls, self._object(item.fields, values, address), spread=True)
         field = Field("", item, ())
         if isinstance(item, Tagged):
-            return self._tagged(field, item, given, address)
+            return self._tagged(field, item, values, address)
         if isinstance(item, OneOf):
-            return self._one_of(field, item, given, address)
+            return self._one_of(field, item, values, address)
         raise TypeError
 
 

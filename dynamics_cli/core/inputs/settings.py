@@ -136,25 +136,25 @@ class Settings:
         if self.rows == "-" and self.input == "-":
             raise UsageError("--rows and --input cannot both read standard input", parameter="rows", code="exclusive")
 
-    def _require_many(self, given: "Mapping[str, str | bool | list[str]]") -> None:
+    def _require_many(self, options: "Mapping[str, str | bool | list[str]]") -> None:
         """Refuse options for many cases when there is one."""
         if self.references and not self.rows:
             raise UsageError("--references is for --rows", parameter="references", code="exclusive")
-        if self.bounds and not (self.rows or given.get("sweep")):
+        if self.bounds and not (self.rows or options.get("sweep")):
             hint = "--all and --explain show the bounds of one case"
             raise UsageError("--bounds is for --rows and --sweep", parameter="bounds", code="exclusive", hint=hint)
 
     @staticmethod
-    def _text(given: "Mapping[str, str | bool | list[str]]", name: str) -> str:
-        value = given.get(name, "")
-        if value == "" and name in given:
+    def _text(options: "Mapping[str, str | bool | list[str]]", name: str) -> str:
+        value = options.get(name, "")
+        if value == "" and name in options:
             raise UsageError(f"--{name} is empty", parameter=name)
         return str(value)
 
-    def _format(self, given: "Mapping[str, str | bool | list[str]]", environ: "Mapping[str, str]") -> str:
-        self.format_given = bool(given.get("json") or given.get("format"))
-        if given.get("json"):
-            if given.get("format") not in (None, "json"):
+    def _format(self, options: "Mapping[str, str | bool | list[str]]", environ: "Mapping[str, str]") -> str:
+        self.format_given = bool(options.get("json") or options.get("format"))
+        if options.get("json"):
+            if options.get("format") not in (None, "json"):
                 raise UsageError("--json and --format cannot be given together", parameter="format", code="exclusive")
             if _ending_format(self.output) not in ("", "json"):
                 raise UsageError(
@@ -163,7 +163,7 @@ class Settings:
                     code="exclusive",
                 )
             return "json"
-        name = self._text(given, "format")
+        name = self._text(options, "format")
         ending = _ending_format(self.output)
         if name and name not in FORMATS:
             raise _unknown("format", name, FORMATS)
@@ -179,25 +179,25 @@ class Settings:
             raise _unknown("format", name, FORMATS)
         return name
 
-    def _jobs(self, given: "Mapping[str, str | bool | list[str]]") -> int:
-        text = self._text(given, "jobs")
+    def _jobs(self, options: "Mapping[str, str | bool | list[str]]") -> int:
+        text = self._text(options, "jobs")
         if not text:
             return 1
-        if not (self.rows or "sweep" in given):
+        if not (self.rows or "sweep" in options):
             message = "--jobs divides a stream or a sweep, and this is a single case"
             raise UsageError(message, parameter="jobs", code="exclusive", hint="give --rows or --sweep with it")
         return read_jobs(text)
 
-    def _digits(self, given: "Mapping[str, str | bool | list[str]]", environ: "Mapping[str, str]") -> int:
-        text = self._text(given, "digits") or environ.get("DYNAMICS_DIGITS", "")
+    def _digits(self, options: "Mapping[str, str | bool | list[str]]", environ: "Mapping[str, str]") -> int:
+        text = self._text(options, "digits") or environ.get("DYNAMICS_DIGITS", "")
         if not text:
             return 0
         if not (text.isascii() and text.isdigit()) or len(text) > 2 or not 1 <= int(text) <= 17:
             raise UsageError(f"read {text!r}, wanted 1 to 17 significant digits", parameter="digits")
         return int(text)
 
-    def _whole(self, given: "Mapping[str, str | bool | list[str]]", name: str, most: int) -> "int | None":
-        text = self._text(given, name)
+    def _whole(self, options: "Mapping[str, str | bool | list[str]]", name: str, most: int) -> "int | None":
+        text = self._text(options, name)
         if not text:
             return None
         if not (text.isascii() and text.isdigit() and len(text) < 20) or not 1 <= int(text) <= most:
@@ -205,14 +205,15 @@ class Settings:
         return int(text)
 
     @staticmethod
-    def _quantiles(given: "Mapping[str, str | bool | list[str]]") -> "list[tuple[str, str]]":
+    def _quantiles(options: "Mapping[str, str | bool | list[str]]") -> "list[tuple[str, str]]":
         """Each as a result's name and a probability; of one result there may be several."""
-        return [pair for item in given.get("quantile", ()) for pair in _pairs("quantile", {"quantile": [item]}).items()]  # type: ignore[union-attr]
+        items = options.get("quantile", ())
+        return [pair for item in items for pair in _pairs("quantile", {"quantile": [item]}).items()]  # type: ignore[union-attr]
 
     @staticmethod
-    def _limits(given: "Mapping[str, str | bool | list[str]]") -> "list[tuple[str, str]]":
+    def _limits(options: "Mapping[str, str | bool | list[str]]") -> "list[tuple[str, str]]":
         limits = []
-        for item in given.get("limit", ()):  # type: ignore[union-attr]
+        for item in options.get("limit", ()):  # type: ignore[union-attr]
             name, equals, value = item.partition("=")
             limits.append((name.strip().replace("-", "_"), value) if equals else ("", item))
         return limits
@@ -229,8 +230,8 @@ def _ending_format(output: str) -> str:
     stem, dot, ending = base.rpartition(".")
     if not dot or not stem:
         return ""
-    known = ENDINGS.get(ending.lower())
-    if known is None:
+    format_ = ENDINGS.get(ending.lower())
+    if format_ is None:
         writer = OTHER_WRITERS.get(ending.lower())
         raise UsageError(
             f"a document cannot be written as .{ending}",
@@ -238,16 +239,16 @@ def _ending_format(output: str) -> str:
             code="format",
             hint=f"--{writer} writes such files" if writer else f"endings are {' '.join('.' + e for e in ENDINGS)}",
         )
-    return known
+    return format_
 
 
 def _unknown(name: str, read: str, known: "tuple[str, ...]") -> UsageError:
     return UsageError(f"read {read!r}, wanted one of {', '.join(known)}", parameter=name, code="unknown-choice")
 
 
-def _pairs(option: str, given: "Mapping[str, str | bool | list[str]]") -> "dict[str, str]":
+def _pairs(option: str, options: "Mapping[str, str | bool | list[str]]") -> "dict[str, str]":
     pairs: dict[str, str] = {}
-    for item in given.get(option, ()):  # type: ignore[union-attr]
+    for item in options.get(option, ()):  # type: ignore[union-attr]
         name, equals, value = item.partition("=")
         key = name.strip().replace("-", "_")
         if not equals or not key or not value.strip():

@@ -107,11 +107,11 @@ class OneOf:
 
     def __init__(self, members: "tuple[Record, ...]") -> None:
         self.members = members
-        for i, one in enumerate(members):
+        for i, member in enumerate(members):
             for other in members[i + 1 :]:
-                if one.required | other.required <= one.names & other.names:
+                if member.required | other.required <= member.names & other.names:
                     raise SpecificationError(
-                        f"{one.cls.__name__} and {other.cls.__name__} cannot be distinguished by the names given"
+                        f"{member.cls.__name__} and {other.cls.__name__} cannot be distinguished by the names given"
                     )
 
 

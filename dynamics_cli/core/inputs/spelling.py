@@ -18,8 +18,8 @@ class Spelling:
 
     def __call__(self, address: str) -> str:
         """A parameter as the caller writes it; of one item among several, its number and then the field."""
-        whole, opened, rest = address.partition("[")
-        option = self._option(tuple(whole.split(".")))
+        outer, opened, rest = address.partition("[")
+        option = self._option(tuple(outer.split(".")))
         if option is None:
             return address
         if not opened:
@@ -35,5 +35,5 @@ class Spelling:
         return next((option for option in named if option.name in allowed), None)
 
     def _several(self, option: "Option") -> bool:
-        given = self.typed.get(option.name)
-        return not option.repeats or (isinstance(given, list) and len(given) > 1)
+        typed_value = self.typed.get(option.name)
+        return not option.repeats or (isinstance(typed_value, list) and len(typed_value) > 1)

@@ -23,18 +23,18 @@ def plain_text(text: str) -> str:
 def summands(text: str) -> list[str]:
     """The parts of `5 ft + 6.5 in`; a text without such a plus is one part."""
     parts, start = [], 0
-    for at, character in enumerate(text):
-        if character != "+" or not text[:at].strip():
+    for position, character in enumerate(text):
+        if character != "+" or not text[:position].strip():
             continue
-        before, after = text[:at].rstrip()[-1], text[at + 1 :].lstrip()[:1]
-        exponent = before in "eE" and text[at - 2 : at - 1] in (*DIGITS, ".")
+        before, after = text[:position].rstrip()[-1], text[position + 1 :].lstrip()[:1]
+        exponent = before in "eE" and text[position - 2 : position - 1] in (*DIGITS, ".")
         if after and after in DIGITS + "." and (before.isalnum() or before in "%°′″.)") and not exponent:
-            parts.append(text[start:at])
-            start = at + 1
+            parts.append(text[start:position])
+            start = position + 1
     return [*parts, text[start:]]
 
 
-def with_fraction(text: str, at: int, end: int, whole: int) -> tuple[int, int, int]:
+def with_fraction(text: str, at: int, end: int, integer: int) -> tuple[int, int, int]:
     """A whole number that a fraction follows (12 1/2) or that begins one (1/2), exactly, and where it ends."""
     sign = -1 if text[at] in "-−" else 1
     start = at if text[at] in DIGITS else at + 1
@@ -45,11 +45,11 @@ def with_fraction(text: str, at: int, end: int, whole: int) -> tuple[int, int, i
     start = end + 1 if text[end : end + 1] == "-" else len(text) - len(text[end:].lstrip(" "))
     stop = _fraction_end(text, start)
     if start == end or stop == start:
-        return whole, 1, end
+        return integer, 1, end
     up, down = _fraction(text[start:stop])
     if up >= down:
         raise UsageError(f"{text[start:stop]} is not less than 1", code="number", hint="write for example 12 1/2 in")
-    return whole * down + sign * up, down, stop
+    return integer * down + sign * up, down, stop
 
 
 def _fraction_end(text: str, at: int) -> int:
@@ -94,8 +94,8 @@ def _without_clock(text: str) -> str:
         return text
     sign = text[0] if text[0] in "+-−" else ""
     parts = text.removeprefix(sign).split(":")
-    whole = all(part.isascii() and part.isdigit() for part in parts[:-1])
-    if not whole or not parts[-1].replace(".", "", 1).isdigit() or not parts[-1].isascii() or len(parts) > GROUP:
+    digits_only = all(part.isascii() and part.isdigit() for part in parts[:-1])
+    if not digits_only or not parts[-1].replace(".", "", 1).isdigit() or not parts[-1].isascii() or len(parts) > GROUP:
         raise UsageError(f"{text[:60]!r} is not a time", code="number", hint="write 2:30:00, or 2 h 30 min")
     if len(parts) < GROUP:
         first, second = parts
@@ -106,8 +106,8 @@ def _without_clock(text: str) -> str:
 
 def _without_groups(text: str) -> str:
     """1,234,567 and 1,234.5 without their commas; 1,200 alone could be 1.2, so it is refused."""
-    at = 0
-    while (comma := text.find(",", at)) >= 0:
+    position = 0
+    while (comma := text.find(",", position)) >= 0:
         start = comma
         while start and text[start - 1] in DIGITS:
             start -= 1
@@ -119,13 +119,13 @@ def _without_groups(text: str) -> str:
         number = text[start:end]
         if not groups or not 0 < comma - start <= GROUP or text[end : end + 1] in (*DIGITS, ",") or number[0] == "0":
             return text
-        whole = number.replace(",", "")
+        ungrouped = number.replace(",", "")
         if groups == 1 and text[end : end + 1] != ".":
             decimal = number.replace(",", ".").rstrip("0").rstrip(".")
-            message = f"{number!r} may be {whole} or {decimal}"
-            raise UsageError(message, code="number", hint=f"write {whole} or {decimal}, without a comma")
-        text = text[:start] + whole + text[end:]
-        at = start + len(whole)
+            message = f"{number!r} may be {ungrouped} or {decimal}"
+            raise UsageError(message, code="number", hint=f"write {ungrouped} or {decimal}, without a comma")
+        text = text[:start] + ungrouped + text[end:]
+        position = start + len(ungrouped)
     return text
 
 

@@ -73,16 +73,16 @@ def to_answer(
     if quiet:
         return _text(head)
     # How a bare number was read is shown right beneath it.
-    bare = not any(answer.labels.values())
+    unlabelled = not any(answer.labels.values())
     rest = [*answer.accuracy(), *answer.drivers(), *answer.provenance()]
     space = LINES - len(head) - len(rest)
-    room = space - max(len(answer.warnings(0)), min(len(answer.warnings(LINES)), space // 2))
-    if head and room < LEAST_TABLE and answer.without_tables():
+    lines_left = space - max(len(answer.warnings(0)), min(len(answer.warnings(LINES)), space // 2))
+    if head and lines_left < LEAST_TABLE and answer.without_tables():
         rest = [*answer.accuracy(), *answer.drivers(), *answer.provenance()]
-    body = answer.tables(max(room, LEAST_TABLE))
+    body = answer.tables(max(lines_left, LEAST_TABLE))
     warnings = answer.warnings(LINES - len(head) - len(body) - len(rest))
-    told = [*warnings, *rest] if bare else [*rest, *warnings]
-    return _text([*head, *body, *told, *answer.explanation()])
+    footer = [*warnings, *rest] if unlabelled else [*rest, *warnings]
+    return _text([*head, *body, *footer, *answer.explanation()])
 
 
 def _text(lines: "list[str]") -> str:
@@ -113,11 +113,11 @@ class _Answer:
             for address, label in self.labels.items()
             if address in self.flat
         ]
-        left = max((len(label) for label, _, _ in rows), default=0)
+        label_width = max((len(label) for label, _, _ in rows), default=0)
         middle = max((len(text) for _, text, remarks in rows if remarks), default=0)
         lines = []
         for label, text, remarks in rows:
-            head = f"{label:<{left}}  " if left else ""
+            head = f"{label:<{label_width}}  " if label_width else ""
             lines += fitted(f"{head}{text:<{middle if remarks else 0}}", remarks, self.width, len(head))
         return lines
 
@@ -153,25 +153,27 @@ class _Answer:
             low, high = (decimals(end, std) if std else number(end, self.digits) for end in node["interval"])
             remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
         remarks += [_limit(entry) for entry in self.document.get("limits", ()) if entry["result"] == address]
-        asked = [entry for entry in self.document.get("quantiles", ()) if entry["result"] == address]
-        return remarks + [f"{100.0 * entry['probability']:.6g} % below {number(entry['value'], 6)}" for entry in asked]
+        entries = [entry for entry in self.document.get("quantiles", ()) if entry["result"] == address]
+        return remarks + [
+            f"{100.0 * entry['probability']:.6g} % below {number(entry['value'], 6)}" for entry in entries
+        ]
 
     def without_tables(self) -> bool:
         """Drop the tables; returns whether there were any."""
-        shown = [address for address in self.labels if address in self.table_names]
-        for address in shown:
+        tables = [address for address in self.labels if address in self.table_names]
+        for address in tables:
             del self.labels[address]
-        return bool(shown)
+        return bool(tables)
 
     def tables(self, space: int) -> "list[str]":
         """Headline tables, without middle rows where they do not fit."""
         named = [address for address in self.labels if address in self.table_names]
         lines: list[str] = []
         for address in named:
-            room = {"digits": self.digits, "width": self.width, "space": space // len(named)}
-            lines += ["", *table_lines(self.results[address], address, self.labels[address], **room)]
-        written = [file for file in self.document.get("files", ()) if file.get("written")]
-        return lines + ([""] if written else []) + [line for file in written for line in file_lines(file, self.width)]
+            size = {"digits": self.digits, "width": self.width, "space": space // len(named)}
+            lines += ["", *table_lines(self.results[address], address, self.labels[address], **size)]
+        saved = [file for file in self.document.get("files", ()) if file.get("written")]
+        return lines + ([""] if saved else []) + [line for file in saved for line in file_lines(file, self.width)]
 
     def accuracy(self) -> "list[str]":
         """Results accurate to few digits, and limits that lie within an error bound."""
@@ -179,10 +181,10 @@ class _Answer:
         for address, label in self.labels.items():
             value = self.flat.get(address, (None, ""))[0]
             if isinstance(value, float) and value and address in self.bounds:
-                share = self._absolute_bound(address, value) / abs(value)
-                if self._worth_saying(address, value) < share < 1.0:
-                    kept = max(int(-log10(share)), 0)
-                    lines.append(f"{label}: accurate to {kept} digits")
+                relative = self._absolute_bound(address, value) / abs(value)
+                if self._worth_saying(address, value) < relative < 1.0:
+                    sure_digits = max(int(-log10(relative)), 0)
+                    lines.append(f"{label}: accurate to {sure_digits} digits")
         return ["", *lines] if lines else []
 
     def _worth_saying(self, address: str, value: float) -> float:
@@ -196,16 +198,16 @@ class _Answer:
         for address, entry in self.document.get("sensitivity", {}).items():
             rows = [(row["input"], row.get("total", row["share"])) for row in entry["inputs"]]
             if address in self.labels and len(rows) > 1 and rows[0][1] < 1.0 - LEAST_SHARE:
-                shares = [
+                parts = [
                     f"{self._input(name)} {100.0 * share:.0f}{JOINED}%" for name, share in rows if share > LEAST_SHARE
                 ]
-                more = [f"{len(shares) - MOST_DRIVERS}{JOINED}more"] if len(shares) > MOST_DRIVERS else []
-                said = ", ".join([*shares[:MOST_DRIVERS], *more])
-                grouped.setdefault(said, []).append(self.labels[address])
+                more = [f"{len(parts) - MOST_DRIVERS}{JOINED}more"] if len(parts) > MOST_DRIVERS else []
+                statement = ", ".join([*parts[:MOST_DRIVERS], *more])
+                grouped.setdefault(statement, []).append(self.labels[address])
         lines: list[str] = []
-        for said, labels in list(grouped.items())[:MOST_DRIVEN]:
+        for statement, labels in list(grouped.items())[:MOST_DRIVEN]:
             verb = "is" if len(labels) == 1 else "are"
-            lines += wrapped(f"{', '.join(labels)} {verb} driven by  {said}", self.width, 4)
+            lines += wrapped(f"{', '.join(labels)} {verb} driven by  {statement}", self.width, 4)
         return ["", *lines] if lines else []
 
     def provenance(self) -> "list[str]":
@@ -214,8 +216,8 @@ class _Answer:
         lines = [""]
         for word, text in blocks:
             if text:
-                first, *others = wrapped(text, self.width - MARGIN, 0)
-                lines += [f"{word:<{MARGIN}}{first}", *(" " * MARGIN + line for line in others)]
+                first, *more_lines = wrapped(text, self.width - MARGIN, 0)
+                lines += [f"{word:<{MARGIN}}{first}", *(" " * MARGIN + line for line in more_lines)]
         if "timing" in self.document:
             lines.append(f"{'took':<{MARGIN}}{self.document['timing']['value'] * 1e6:.0f} µs")
         return lines
@@ -228,30 +230,30 @@ class _Answer:
         inputs = self.document["inputs"]
         for name, value, unit in listed(given_inputs(inputs)):
             standard = " (standard)" if name == "gravity" and value == 9.80665 and unit == "m/s²" else ""
-            given = value_in_words(value, unit)
-            whole = given.replace(" ", JOINED) if len(given) < self.width // 3 else given
+            value_text = value_in_words(value, unit)
+            unbroken = value_text.replace(" ", JOINED) if len(value_text) < self.width // 3 else value_text
             if not name:
-                given = self._counted(given)
+                value_text = self._counted(value_text)
             if name.removesuffix(".name") not in self.names:
-                entries.append(f"{self._input(name)} {whole}{standard}" if name else given)
+                entries.append(f"{self._input(name)} {unbroken}{standard}" if name else value_text)
         entries += [f"{in_words(axis['parameter'])} as listed" for axis in inputs.get("sweep", ())]
         text = ", ".join(entries)
-        room = 4 * (self.width - MARGIN)
-        if len(text) <= room:
+        space = 4 * (self.width - MARGIN)
+        if len(text) <= space:
             return text
-        kept: list[str] = []
+        entries_shown: list[str] = []
         for entry in entries:
-            if len(", ".join([*kept, entry])) > room - 30:
+            if len(", ".join([*entries_shown, entry])) > space - 30:
                 break
-            kept.append(entry)
-        more = len(entries) - len(kept)
-        return ", ".join([*kept, f"and {more} more input{'s' if more > 1 else ''}"])
+            entries_shown.append(entry)
+        more = len(entries) - len(entries_shown)
+        return ", ".join([*entries_shown, f"and {more} more input{'s' if more > 1 else ''}"])
 
-    def _counted(self, given: str) -> str:
+    def _counted(self, value_text: str) -> str:
         """How many records there are, `2 first after`, by the name of their body."""
-        count, _, what = given.partition(" ")
-        named = with_name(what, self.names)
-        return given if named == what else f"{named}: {count}"
+        count, _, noun = value_text.partition(" ")
+        named = with_name(noun, self.names)
+        return value_text if named == noun else f"{named}: {count}"
 
     def _method(self) -> str:
         model = self.document["model"]
@@ -271,10 +273,10 @@ class _Answer:
     def _more(self) -> str:
         hidden = [name for name in self.flat if name not in self.labels]
         tables = [in_words(name) for name in self.table_names if name not in self.labels]
-        what = ([f"{len(hidden)} more results"] if len(hidden) > 1 else list(map(in_words, hidden))) + tables
+        hidden_words = ([f"{len(hidden)} more results"] if len(hidden) > 1 else list(map(in_words, hidden))) + tables
         if "explanation" in self.document:
-            return f"--all ({', '.join(what)})" if what else ""
-        more = f"--all ({', '.join(what)}), " if what else ""
+            return f"--all ({', '.join(hidden_words)})" if hidden_words else ""
+        more = f"--all ({', '.join(hidden_words)}), " if hidden_words else ""
         return f"{more}--explain (formula, sensitivity, error bounds)"
 
     def explanation(self) -> "list[str]":
@@ -304,16 +306,16 @@ class _Answer:
     def warnings(self, space: int) -> "list[str]":
         """A paragraph for each warning, worst first; those that do not fit into `space` lines are only counted."""
         lines: list[str] = []
-        given = sorted(self.document["warnings"], key=lambda item: SEVERITIES.index(item.get("severity", "note")))
-        for nth, item in enumerate(given):
+        in_order = sorted(self.document["warnings"], key=lambda item: SEVERITIES.index(item.get("severity", "note")))
+        for nth, item in enumerate(in_order):
             remedy = item.get("remedy")
             message = message_in_words(item["message"], self.document["inputs"], self.names)
             text = f"{item['severity']}: {message}" + (f". Remedy: {remedy}" if remedy else "")
             paragraph = ["", *wrapped(text, self.width, 2)]
-            if nth and len(lines) + len(paragraph) + (2 if given[nth + 1 :] else 0) > space:
-                counts = [(sum(each["severity"] == name for each in given[nth:]), name) for name in SEVERITIES]
+            if nth and len(lines) + len(paragraph) + (2 if in_order[nth + 1 :] else 0) > space:
+                counts = [(sum(each["severity"] == name for each in in_order[nth:]), name) for name in SEVERITIES]
                 named = ", ".join(f"{count} {name}" for count, name in counts if count)
-                return [*lines, "", f"{len(given) - nth} more warnings ({named}): --all"]
+                return [*lines, "", f"{len(in_order) - nth} more warnings ({named}): --all"]
             lines += paragraph
         return lines
 

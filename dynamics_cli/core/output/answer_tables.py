@@ -15,36 +15,36 @@ MICROMETRES_BELOW = 0.01
 def table_lines(node: "Any", address: str, label: str, *, digits: int, width: int, space: int) -> "list[str]":
     """A table within the available width and lines: first and last rows, and the columns that fit."""
     every = columns(node)
-    title, _, asked = label.partition(" | ")
-    heads_of = {name: head or in_words(name) for name, _, head in (part.partition("=") for part in asked.split(", "))}
-    made = [column for column in every if column[0] in heads_of] or every
-    cells = [[heads_of.get(name, in_words(name)) for name, _, _ in made], [unit for _, unit, _ in made]]
+    title, _, wanted = label.partition(" | ")
+    heads_of = {name: head or in_words(name) for name, _, head in (part.partition("=") for part in wanted.split(", "))}
+    chosen = [column for column in every if column[0] in heads_of] or every
+    cells = [[heads_of.get(name, in_words(name)) for name, _, _ in chosen], [unit for _, unit, _ in chosen]]
     body = [cells[0]] + ([cells[1]] if any(cells[1]) else [])
     heads = len(body)
-    body += [[number(_cleared(value), digits) for value in row] for row in zip(*(v for _, _, v in made), strict=True)]
-    words = [any(isinstance(value, str) for value in values) for _, _, values in made]
-    widths = [max(len(row[i]) for row in body) for i in range(len(made))]
-    kept, total = 0, 2
-    while kept < len(widths) and total + widths[kept] <= width:
-        total += widths[kept] + 2
-        kept += 1
-    shown_names = {name for name, _, _ in made[:kept]}
-    left = [in_words(name) for name, _, _ in every if name not in shown_names]
+    body += [[number(_cleared(value), digits) for value in row] for row in zip(*(v for _, _, v in chosen), strict=True)]
+    words = [any(isinstance(value, str) for value in values) for _, _, values in chosen]
+    widths = [max(len(row[i]) for row in body) for i in range(len(chosen))]
+    columns_shown, total = 0, 2
+    while columns_shown < len(widths) and total + widths[columns_shown] <= width:
+        total += widths[columns_shown] + 2
+        columns_shown += 1
+    shown_names = {name for name, _, _ in chosen[:columns_shown]}
+    omitted = [in_words(name) for name, _, _ in every if name not in shown_names]
     rows = body[heads:]
     # besides the rows: a blank line, the title, the line of the gap and that of the columns left out
-    room = max(space - heads - 3 - bool(left), 2)
-    gap = len(rows) - room if len(rows) > room + 1 else 0
+    row_limit = max(space - heads - 3 - bool(omitted), 2)
+    gap = len(rows) - row_limit if len(rows) > row_limit + 1 else 0
     if gap:
-        rows = rows[: (room + 1) // 2] + rows[len(rows) - room // 2 :]
+        rows = rows[: (row_limit + 1) // 2] + rows[len(rows) - row_limit // 2 :]
     lines = [title]
     for index, row in enumerate([*body[:heads], *rows]):
-        if gap and index == heads + (room + 1) // 2:
+        if gap and index == heads + (row_limit + 1) // 2:
             lines.append(f"  … {gap} rows more: --all, or {_whole(address)}")
-        shown = [f"{c:<{w}}" if t else f"{c:>{w}}" for c, w, t in zip(row, widths, words, strict=True)][:kept]
-        lines.append(("  " + "  ".join(shown)).rstrip())
-    if left:
-        named = f"  and {', '.join(left)}: --all"
-        lines.append(named if len(named) <= width else f"  and {len(left)} more columns: --all")
+        padded = [f"{c:<{w}}" if t else f"{c:>{w}}" for c, w, t in zip(row, widths, words, strict=True)][:columns_shown]
+        lines.append(("  " + "  ".join(padded)).rstrip())
+    if omitted:
+        named = f"  and {', '.join(omitted)}: --all"
+        lines.append(named if len(named) <= width else f"  and {len(omitted)} more columns: --all")
     return lines
 
 

@@ -83,19 +83,19 @@ def listed(entries: "Iterable[tuple[str, Any, str]]") -> "list[tuple[str, Any, s
 
     Vectors in a list stay apart, counted from one.
     """
-    made: list[tuple[str, Any, str]] = []
+    merged: list[tuple[str, Any, str]] = []
     for name, value, unit in entries:
         base, opened, rest = name.rpartition("[")
         place = rest.removesuffix("]")
         if not (opened and rest.endswith("]") and place.isdigit()):
-            made.append((name, value, unit))
+            merged.append((name, value, unit))
         elif isinstance(value, list) or "@" in str(value):
-            made.append((f"{singular(base)} {int(place) + 1}:", value, unit))
-        elif made and made[-1][0] == base and made[-1][2] == unit and isinstance(made[-1][1], list):
-            made[-1][1].append(value)
+            merged.append((f"{singular(base)} {int(place) + 1}:", value, unit))
+        elif merged and merged[-1][0] == base and merged[-1][2] == unit and isinstance(merged[-1][1], list):
+            merged[-1][1].append(value)
         else:
-            made.append((base, [value], unit))
-    return made
+            merged.append((base, [value], unit))
+    return merged
 
 
 def value_in_words(value: "Any", unit: str) -> str:
@@ -158,8 +158,8 @@ def body_names(inputs: "dict[str, Any]") -> "dict[str, str]":
     for word, node in inputs.items():
         if isinstance(node, list):
             nodes.update((f"{word}[{index}]", item) for index, item in enumerate(node))
-    given = {word: node.get("name") for word, node in nodes.items() if isinstance(node, dict)}
-    return {word: name for word, name in given.items() if isinstance(name, str)}
+    names = {word: node.get("name") for word, node in nodes.items() if isinstance(node, dict)}
+    return {word: name for word, name in names.items() if isinstance(name, str)}
 
 
 def with_name(label: str, names: "dict[str, str]") -> str:

@@ -31,8 +31,8 @@ def header(name: str, unit: str) -> str:
     return csv_cell(f"{name}[{unit}]" if unit else name)
 
 
-def free_name(name: str, taken: "set[str]") -> str:
+def free_name(name: str, names_in_use: "set[str]") -> str:
     """A column name for a result beside an input of the same name."""
-    while name in taken:
+    while name in names_in_use:
         name = f"results.{name}"
     return name

@@ -50,21 +50,23 @@ class _Walk:
         for field in spec.fields:
             value = getattr(record, field.name)
             node = field.node
-            own = f"{address}.{field.key}" if address else field.key
+            field_address = f"{address}.{field.key}" if address else field.key
             if isinstance(node, Record) and node.cls is Numerics:
                 self.numerics = value
             elif isinstance(node, Many) and isinstance(node.item, Record) and node.item.cls in (Check, Advice):
                 (self.checks if node.item.cls is Check else self.advice).extend(value)
             elif value is not None:
-                out[field.key] = self._node(value, node, own, table=table)
-            elif self._has_no_answer(record, field.key, own):
+                out[field.key] = self._node(value, node, field_address, table=table)
+            elif self._has_no_answer(record, field.key, field_address):
                 out[field.key] = None
         return out
 
     def _has_no_answer(self, record: "Any", name: str, address: str) -> bool:
         """Whether the record, or the whole answer, gives a reason for a missing result; others are left out."""
-        told = getattr(record, "advice", ()), getattr(self.answer.record, "advice", ())
-        return any(advice.result == own for own, part in zip((name, address), told, strict=True) for advice in part)
+        lists = getattr(record, "advice", ()), getattr(self.answer.record, "advice", ())
+        return any(
+            advice.result == where for where, part in zip((name, address), lists, strict=True) for advice in part
+        )
 
     def _node(self, value: "Any", node: "Any", address: str, *, table: bool) -> "Any":
         if isinstance(node, Record):
@@ -76,8 +78,8 @@ class _Walk:
         if isinstance(value, Measured):
             self.names.append(address)
             self.conditions.setdefault(address, {})
-            own, value = value, self.display.of_measured(address, value)
-            if value is not own:
+            measured, value = value, self.display.of_measured(address, value)
+            if value is not measured:
                 self.converted.add(address)
             return quantity_node(list(value.value) if isinstance(value.value, tuple) else value.value, value.unit)
         kind = value.kind if isinstance(value, Quantity) else node.kind
@@ -118,13 +120,13 @@ class _Walk:
         out: dict[str, Any] = {}
         assert isinstance(node.item, Record)
         for field in node.item.fields:
-            own = f"{address}.{field.key}"
-            self.names.append(own)
+            field_address = f"{address}.{field.key}"
+            self.names.append(field_address)
             numbers = value.arrays[field.name].tolist()
             if isinstance(field.node, Leaf) and field.node.kind.form in ("scalar", "slope"):
-                shown = self.shown[own] = self.display.of(own, field.node.kind)
+                shown = self.shown[field_address] = self.display.of(field_address, field.node.kind)
                 for number in numbers:
-                    _finite(number, own)
+                    _finite(number, field_address)
                 out[field.key] = quantity_node([shown.value(number) for number in numbers], shown.text)
             else:
                 out[field.key] = {"value": numbers}
@@ -216,9 +218,9 @@ def build(task: Task, bound: Fields, answer: Answer, display: Display, notes: "l
     results = walk.record(answer.record, task.specification.result, "")
     display.check(walk.names)
     model = answer.model
-    about: dict[str, Any] = {"name": model.name, "source": model.source, "assumptions": list(model.assumptions)}
+    model_entry: dict[str, Any] = {"name": model.name, "source": model.source, "assumptions": list(model.assumptions)}
     if answer.why:
-        about["why"] = answer.why
+        model_entry["why"] = answer.why
     numerics: dict[str, Any] = {"method": walk.numerics.method if walk.numerics else model.method}
     _stated_bounds(walk)
     for key, entries in (
@@ -229,8 +231,8 @@ def build(task: Task, bound: Fields, answer: Answer, display: Display, notes: "l
         if entries:
             numerics[key] = entries
     # a reason that applies to two results is given once
-    said = [_advice(item, bound) for item in walk.advice]
-    warnings = [one for index, one in enumerate(said) if one not in said[:index]]
+    warnings_read = [_advice(item, bound) for item in walk.advice]
+    warnings = [warning for index, warning in enumerate(warnings_read) if warning not in warnings_read[:index]]
     warnings += [{"code": "reading", "severity": "note", "message": note} for note in notes]
     return {
         "schema": "dynamics/2",
@@ -238,7 +240,7 @@ def build(task: Task, bound: Fields, answer: Answer, display: Display, notes: "l
         "version": __version__,
         "inputs": bound.echo(),
         "results": results,
-        "model": about,
+        "model": model_entry,
         "numerics": numerics,
         "checks": [_check(item) for item in walk.checks],
         "warnings": warnings,

@@ -12,15 +12,15 @@ if TYPE_CHECKING:
 
 def wants_json(argv: "list[str]", environ: "Mapping[str, str]") -> bool:
     """Whether errors go out as JSON: requested by option or environment, however malformed the rest of the call is."""
-    asked = environ.get("DYNAMICS_FORMAT", "")
+    requested = environ.get("DYNAMICS_FORMAT", "")
     for index, word in enumerate(argv):
         if word == "--json":
             return True
         if word.startswith("--format="):
-            asked = word.partition("=")[2]
+            requested = word.partition("=")[2]
         elif word == "--format":
-            asked = "".join(argv[index + 1 : index + 2])
-    return asked in ("json", "ndjson")
+            requested = "".join(argv[index + 1 : index + 2])
+    return requested in ("json", "ndjson")
 
 
 def as_object(error: DynamicsError) -> "dict[str, Any]":
@@ -36,15 +36,15 @@ def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = (),
     if json:
         body = as_object(error)
         if len(error.all()) > 1:
-            body["errors"] = [as_object(one) for one in error.all()]
+            body["errors"] = [as_object(item) for item in error.all()]
         return to_json({"error": body}) + "\n"
     lines = []
-    for one in error.all():
-        name = one.named or _as_typed(one.parameter or "", typed)
-        named = not name or one.message.startswith((name, f"--{name}", one.parameter or "")) or name in one.message
-        named = named or (isinstance(one, MissingError) and bool(one.hint))
-        message = "dynamics: " + _printable(one.message if named else f"{name}: {one.message}")
-        hint = _printable(one.hint or "")
+    for item in error.all():
+        name = item.named or _as_typed(item.parameter or "", typed)
+        named = not name or item.message.startswith((name, f"--{name}", item.parameter or "")) or name in item.message
+        named = named or (isinstance(item, MissingError) and bool(item.hint))
+        message = "dynamics: " + _printable(item.message if named else f"{name}: {item.message}")
+        hint = _printable(item.hint or "")
         lines += wrapped(message, columns, 4) if columns else [message]
         if hint:
             lines += [f"  {line}" for line in (wrapped(hint, columns - 2, 2) if columns else [hint])]

@@ -81,10 +81,10 @@ class WholeFile:
         if not self._part:
             return
         if keep and self._existed:
-            kept = self._beside()
+            backup = self._beside()
             with suppress(OSError):  # a file system without links
-                os.link(self._name, kept)
-                self._kept = kept
+                os.link(self._name, backup)
+                self._kept = backup
         self._do(os.replace, self._part, self._name)
         self._part = ""
         self._renamed = True

@@ -52,9 +52,9 @@ def _pretty(value: "Any", indent: str) -> str:
 def _aligned(entries: "list[tuple[str, Any, str]]", digits: int, tails: "dict[str, str]") -> "list[str]":
     width = max((len(name) for name, _, _ in entries), default=0)
     lines = []
-    shown = [(name, quantity(value, unit, digits), tails.get(name, "")) for name, value, unit in entries]
-    middle = max((len(text) for _, text, tail in shown if tail), default=0)
-    for name, text, tail in shown:
+    texts = [(name, quantity(value, unit, digits), tails.get(name, "")) for name, value, unit in entries]
+    middle = max((len(text) for _, text, tail in texts if tail), default=0)
+    for name, text, tail in texts:
         lines.append(f"  {name:<{width}}  {text:<{middle}}  {tail}".rstrip() if tail else f"  {name:<{width}}  {text}")
     return lines
 
@@ -132,8 +132,8 @@ def _tables(tables: "dict[str, Any]", digits: int, width: int = 0) -> "list[str]
         for nth, block in enumerate(_blocks(widths, width - MARGIN if width else 0)):
             lines += ["", f"  {name}{', continued' if nth else ''}"]
             for row in grid:
-                shown = [f"{row[i]:<{widths[i]}}" if words[i] else f"{row[i]:>{widths[i]}}" for i in block]
-                lines.append(" " * MARGIN + "  ".join(shown).rstrip())
+                cells = [f"{row[i]:<{widths[i]}}" if words[i] else f"{row[i]:>{widths[i]}}" for i in block]
+                lines.append(" " * MARGIN + "  ".join(cells).rstrip())
     return lines
 
 
@@ -194,8 +194,8 @@ def to_csv(document: "Document", table: str) -> str:
 
             plain = with_spreads(plain, results)
         inputs = _split_lists(_input_cells(document["inputs"]))
-        taken = {name for name, _, _ in inputs}
-        named = [(free_name(name, taken), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
+        names_in_use = {name for name, _, _ in inputs}
+        named = [(free_name(name, names_in_use), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
         node_columns = [(name, unit, [value]) for name, value, unit in [*inputs, *named]]
     lines = [",".join(header(name, unit) for name, unit, _ in node_columns)]
     lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in node_columns), strict=True)]
@@ -214,14 +214,14 @@ def _input_cells(inputs: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
 
 
 def _split_lists(entries: "list[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
-    made = []
+    split = []
     for name, value, unit in entries:
         if isinstance(value, list):
             units = unit.split(";") if ";" in unit else [unit] * len(value)
-            made += _split_lists([(f"{name}[{i}]", item, units[i]) for i, item in enumerate(value)])
+            split += _split_lists([(f"{name}[{i}]", item, units[i]) for i, item in enumerate(value)])
         else:
-            made.append((name, value, unit))
-    return made
+            split.append((name, value, unit))
+    return split
 
 
 def to_markdown(document: "Document", digits: int) -> str:
@@ -232,22 +232,22 @@ def to_markdown(document: "Document", digits: int) -> str:
     bounds = document["numerics"].get("error_bound", {})
     for title, node in (("input", document["inputs"]), ("result", document["results"])):
         entries = flatten(node)
-        shown = 17 if title == "input" else digits
+        shown_digits = 17 if title == "input" else digits
         if entries:
             tail = " | error at most" if title == "result" else ""
             lines += [f"| {title} | value{tail} |", "|---|---:" + ("|---|" if tail else "|")]
             for name, value, unit in entries:
                 bound = f" | {bound_text(bounds[name]) if name in bounds else ''}" if tail else ""
-                lines.append(f"| {markdown(name)} | {markdown(quantity(value, unit, shown))}{bound} |")
+                lines.append(f"| {markdown(name)} | {markdown(quantity(value, unit, shown_digits))}{bound} |")
             lines.append("")
         for name, table in ((name, item) for name, item in node.items() if is_table(item)):
-            lines += [f"**{markdown(name)}**", "", *_markdown_table(table, shown), ""]
-    said = [f"limit: {item['message']}" for item in document.get("limits", ())]
-    said += [f"quantile: {item['message']}" for item in document.get("quantiles", ())]
-    said += [f"check: {check_line(check)}" for check in document["checks"]]
-    said += [f"{item['severity']}: {item['message']}" for item in document["warnings"]]
-    said.append(f"model: {document['model']['name']}; source: {document['model']['source']}")
-    lines += [f"- {markdown(text)}" for text in said]
+            lines += [f"**{markdown(name)}**", "", *_markdown_table(table, shown_digits), ""]
+    remarks = [f"limit: {item['message']}" for item in document.get("limits", ())]
+    remarks += [f"quantile: {item['message']}" for item in document.get("quantiles", ())]
+    remarks += [f"check: {check_line(check)}" for check in document["checks"]]
+    remarks += [f"{item['severity']}: {item['message']}" for item in document["warnings"]]
+    remarks.append(f"model: {document['model']['name']}; source: {document['model']['source']}")
+    lines += [f"- {markdown(text)}" for text in remarks]
     if "explanation" in document:
         lines += ["", fenced("\n".join(_explanation(document["explanation"])))]
     return "\n".join(lines) + "\n"
@@ -306,14 +306,14 @@ def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) 
     """Some columns of a sweep with their spread, beside the swept parameters and the errors."""
     columns_of = document["results"]["sweep"]
     swept = [entry["parameter"] for entry in document["inputs"]["sweep"]]
-    known = [name for name in columns_of if name not in (*swept, "error")]
+    names_known = [name for name in columns_of if name not in (*swept, "error")]
     for name in names:
-        if name not in known:
-            raise _unknown_result(name, known)
-    wanted = (*swept, *names, "error")
+        if name not in names_known:
+            raise _unknown_result(name, names_known)
+    names_shown = (*swept, *names, "error")
     spread = tuple(f"{name}." for name in names)
-    kept = {name: node for name, node in columns_of.items() if name in wanted or name.startswith(spread)}
-    return whole_table({**document, "results": {"sweep": kept}}, "sweep", digits, form)
+    columns_shown = {name: node for name, node in columns_of.items() if name in names_shown or name.startswith(spread)}
+    return whole_table({**document, "results": {"sweep": columns_shown}}, "sweep", digits, form)
 
 
 def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:
@@ -324,7 +324,7 @@ def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:
 def whole_table(document: "Document", name: str, digits: int, form: str, width: int = 0) -> str:
     """One table of the result with all its rows, as CSV, JSON, Markdown or columns no wider than `width`."""
     sides = {**document["inputs"], **document["results"]}
-    tables = [own for own, node in sides.items() if is_table(node)]
+    tables = [table_name for table_name, node in sides.items() if is_table(node)]
     if name not in tables:
         raise UsageError(
             f"there is no table {name!r}",

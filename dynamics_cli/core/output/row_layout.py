@@ -126,8 +126,8 @@ class Part:
             return {"value": value, "unit": self.unit} if self.unit else {"value": value}
         if isinstance(value, tuple):
             return [self.entry(item) for item in value]
-        shown = list(value.value) if isinstance(value.value, tuple) else value.value
-        return {"value": shown, "unit": value.unit} if value.unit else {"value": shown}
+        entry_value = list(value.value) if isinstance(value.value, tuple) else value.value
+        return {"value": entry_value, "unit": value.unit} if value.unit else {"value": entry_value}
 
 
 class SpreadPart(Part):
@@ -171,7 +171,7 @@ SPREAD = ("mean", "median", "std", "low", "high")
 
 def _measured(value: "Any") -> "tuple[list[float], list[str]]":
     items: Sequence[Measured] = value if isinstance(value, tuple) else (value,)
-    numbers = [one for item in items for one in (item.value if isinstance(item.value, tuple) else (item.value,))]
+    numbers = [number for item in items for number in (item.value if isinstance(item.value, tuple) else (item.value,))]
     return numbers, [item.unit for item in items]
 
 
@@ -199,26 +199,26 @@ class Layout:
 
     def narrow(self, names: "list[str]") -> None:
         """Keep the results of these names, or within them, in their order; refuses a name that no row has."""
-        kept: dict[int, Part] = {}
+        chosen_parts: dict[int, Part] = {}
         for name in names:
             chosen = {id(part): part for part in self.parts if name in _names_of(part)}
             if not chosen:
                 known = dict.fromkeys(".".join(part.keys) for part in self.parts)
                 hint = f"results of rows are {', '.join(known)}"
                 raise UsageError(f"rows have no result {name!r}", parameter="only", code="unknown-result", hint=hint)
-            kept.update(chosen)
-        self.parts = list(kept.values())
+            chosen_parts.update(chosen)
+        self.parts = list(chosen_parts.values())
 
     def _record(self, spec: Record, keys: "tuple[str, ...]", steps: "tuple[str | int, ...]") -> "Iterator[Part]":
         for field in spec.fields:
             node = field.node
-            own, path = (*keys, field.key), (*steps, field.name)
+            field_keys, path = (*keys, field.key), (*steps, field.name)
             if isinstance(node, Leaf):
-                yield from self._leaf(node, own, path)
+                yield from self._leaf(node, field_keys, path)
             elif isinstance(node, Record) and node.cls is not Numerics:
-                yield from self._record(node, own, path)
+                yield from self._record(node, field_keys, path)
             elif isinstance(node, Many):
-                yield from self._many(node, own, path)
+                yield from self._many(node, field_keys, path)
 
     def _leaf(self, leaf: Leaf, keys: "tuple[str, ...]", steps: "tuple[Any, ...]") -> "Iterator[Part]":
         form = leaf.kind.form
@@ -321,8 +321,8 @@ def _place(inner: "dict[str, Any]", part: Part, value: "Any") -> None:
     if part.how == "measured":
         inner.setdefault(key, []).append(entry)
         return
-    whole = inner.setdefault(key, {**entry, "value": []} if entry is not None else {"value": []})
-    nested(whole["value"], index).append(value)
+    entry_here = inner.setdefault(key, {**entry, "value": []} if entry is not None else {"value": []})
+    nested(entry_here["value"], index).append(value)
 
 
 def nested(nest: "list[Any]", index: "Sequence[int]") -> "list[Any]":

@@ -15,8 +15,8 @@ _CHECKED: "dict[int, tuple[Record, list[tuple[str, str, str, Any]]]]" = {}
 
 
 def _fields_to_check(spec: Record) -> "list[tuple[str, str, str, Any]]":
-    known = _CHECKED.get(id(spec))
-    if known is None:
+    cached = _CHECKED.get(id(spec))
+    if cached is None:
         fields: list[tuple[str, str, str, Any]] = []
         for field in spec.fields:
             node = field.node
@@ -32,8 +32,8 @@ def _fields_to_check(spec: Record) -> "list[tuple[str, str, str, Any]]":
             elif not (isinstance(node, Leaf) and (node.choice is not None or node.kind.form in ("text", "flag"))):
                 fields.append((field.name, field.key, "number", None))
         # The specification is kept with its entry, so that its id is not reused.
-        _CHECKED[id(spec)] = known = (spec, fields)
-    return known[1]
+        _CHECKED[id(spec)] = cached = (spec, fields)
+    return cached[1]
 
 
 def check_numbers(record: "Any", spec: Record, address: str) -> None:

@@ -49,23 +49,23 @@ def _lean(node: "dict[str, Any]") -> str:
 def driver_lines(document: "dict[str, Any]", digits: int) -> "list[str]":
     """For every result: the inputs ranked by their share of the variance, and the range that each alone gives."""
     lines: list[str] = []
-    shown: list[Any] = []
+    listed: list[Any] = []
     for name, entry in document.get("sensitivity", {}).items():
         rows = entry["inputs"]
         # The drivers of a vector's components are in the document.
-        if entry in shown or name.endswith("]"):
+        if entry in listed or name.endswith("]"):
             continue
-        shown.append(entry)
+        listed.append(entry)
         unit = entry.get("unit", "")
         lines += ["", f"  {name} is driven by"]
         width = max(len(row["input"]) for row in rows)
         rows = [row for row in rows if row.get("total", row["share"]) or len(rows) == 1]
         for row in rows[:MOST_DRIVERS]:
-            share = row.get("total", row["share"])
+            fraction = row.get("total", row["share"])
             low, high = row["alone"]
             none = low is None and high is None
             alone = "" if none else f"alone {_range((low, high), unit, digits)}"
-            lines.append(f"    {row['input']:<{width}}  {100.0 * share:5.1f} %  {alone}".rstrip())
+            lines.append(f"    {row['input']:<{width}}  {100.0 * fraction:5.1f} %  {alone}".rstrip())
         if len(rows) > MOST_DRIVERS:
             lines.append(f"    and {len(rows) - MOST_DRIVERS} more")
         if "worst_case" in entry:
@@ -89,8 +89,8 @@ def with_spreads(plain: "list[tuple[str, Any, str]]", results: "dict[str, Any]")
         figures = {"mean": node["mean"], "median": node.get("median"), "std": node["std"], "low": low, "high": high}
         for name, figure in figures.items():
             for place, value in _cells(figure):
-                own = unit.split(";")[int(place[1:-1])].strip() if ";" in unit else unit
-                spreads.setdefault(f"{address}{place}", []).append((f"{address}{place}.{name}", value, own))
+                component_unit = unit.split(";")[int(place[1:-1])].strip() if ";" in unit else unit
+                spreads.setdefault(f"{address}{place}", []).append((f"{address}{place}.{name}", value, component_unit))
     return [cell for entry in plain for cell in (entry, *spreads.get(entry[0], ()))]
 
 

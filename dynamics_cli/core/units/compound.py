@@ -153,8 +153,8 @@ def rounded_parts(parts: "Sequence[float]", text: str, place: int) -> "list[floa
     """
     tens = 10 ** abs(place)
     total = in_last_unit(parts, text)
-    whole = round(total * tens) if place >= 0 else round(total / tens)
-    return list(_split(whole if place >= 0 else whole * tens, tens if place >= 0 else 1, parse_compound(text)))
+    integer = round(total * tens) if place >= 0 else round(total / tens)
+    return list(_split(integer if place >= 0 else integer * tens, tens if place >= 0 else 1, parse_compound(text)))
 
 
 def listed_text(parts: "Sequence[object]", text: str) -> str:
@@ -183,9 +183,9 @@ def _with_pi_to(numerator: int, denominator: int, pi: int) -> tuple[int, int]:
 
 
 def _rounded(numerator: int, denominator: int) -> int:
-    whole, rest = divmod(abs(numerator), denominator)
-    whole += 2 * rest >= denominator
-    return whole if numerator >= 0 else -whole
+    quotient, rest = divmod(abs(numerator), denominator)
+    quotient += 2 * rest >= denominator
+    return quotient if numerator >= 0 else -quotient
 
 
 def _split(total: int, down: int, units: tuple[Unit, ...]) -> tuple[float, ...]:
@@ -195,9 +195,9 @@ def _split(total: int, down: int, units: tuple[Unit, ...]) -> tuple[float, ...]:
     sizes = [_size(unit, units[-1]) for unit in units]
     parts: list[int] = []
     for up, over in sizes[:-1]:
-        whole, left = divmod(rest_up * over, rest_down * up)
-        parts.append(whole)
-        rest_up, rest_down = left, rest_down * over
+        quotient, remainder = divmod(rest_up * over, rest_down * up)
+        parts.append(quotient)
+        rest_up, rest_down = remainder, rest_down * over
     rest = nearest(rest_up, rest_down)
     # The rest may round up to one of the unit before it, and that in turn.
     for index in range(len(parts) - 1, -1, -1):

@@ -100,14 +100,14 @@ def _nearest_with_pi(numerator: int, denominator: int, pi: int) -> float:
     while True:
         scale = 10 ** (digits * power)
         if pi > 0:
-            one = _ratio(numerator * low**power, denominator * scale)
-            other = _ratio(numerator * (low + 1) ** power, denominator * scale)
+            low_ratio = _ratio(numerator * low**power, denominator * scale)
+            high_ratio = _ratio(numerator * (low + 1) ** power, denominator * scale)
         else:
-            one = _ratio(numerator * scale, denominator * low**power)
-            other = _ratio(numerator * scale, denominator * (low + 1) ** power)
+            low_ratio = _ratio(numerator * scale, denominator * low**power)
+            high_ratio = _ratio(numerator * scale, denominator * (low + 1) ** power)
         # π is transcendental, so the exact value is neither a double nor a tie: enough digits always decide.
-        if one == other:
-            return one
+        if low_ratio == high_ratio:
+            return low_ratio
         digits *= 2
         low = pi_to(digits)
 

@@ -20,8 +20,8 @@ _PRETTY = (("^2", "²"), ("^3", "³"), ("^4", "⁴"), ("*", "·"))
 
 def pretty(unit: str) -> str:
     """A unit as a document shows it: `kg·m²`; it parses back."""
-    for plain, shown in _PRETTY:
-        unit = unit.replace(plain, shown)
+    for plain, symbol in _PRETTY:
+        unit = unit.replace(plain, symbol)
     return unit
 
 
@@ -41,17 +41,17 @@ class Shown:
             self.compound = parse_compound(text)
             self._check(self.compound[0])
         elif text != kind.unit:
-            wanted = parse_unit(kind.unit) if kind.unit else None
-            self.unit = parse_unit(text, wanted)
+            base_unit = parse_unit(kind.unit) if kind.unit else None
+            self.unit = parse_unit(text, base_unit)
             self._check(self.unit)
 
     def _check(self, unit: Unit) -> None:
-        wanted = parse_unit(self.kind.unit)
-        if conformable(unit, wanted) or self._is_angle_of_slope(unit):
+        base_unit = parse_unit(self.kind.unit)
+        if conformable(unit, base_unit) or self._is_angle_of_slope(unit):
             return
         from dynamics_cli.core.units.names import explain_mismatch
 
-        message, hint = explain_mismatch(unit, wanted)
+        message, hint = explain_mismatch(unit, base_unit)
         raise UsageError(f"a {self.kind.name} cannot be shown in {unit.text}: {message}", parameter="to", hint=hint)
 
     def _is_angle_of_slope(self, unit: Unit) -> bool:
@@ -90,8 +90,8 @@ class Shown:
         size = si
         if self.unit is not None and self._is_angle_of_slope(self.unit):
             error, size = error / (1.0 + si * si) + 2.0 * UNIT_ROUNDOFF * abs(math.atan(si)), math.atan(si)
-        shown = abs(self.width(size))
-        return (self.width(error) + UNIT_ROUNDOFF * shown) * (1.0 + 1e-9) + (5e-324 if 0.0 < shown < 1e-290 else 0.0)
+        value = abs(self.width(size))
+        return (self.width(error) + UNIT_ROUNDOFF * value) * (1.0 + 1e-9) + (5e-324 if 0.0 < value < 1e-290 else 0.0)
 
 
 class Display:

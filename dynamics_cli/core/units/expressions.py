@@ -30,10 +30,10 @@ def factors(text: str) -> list[tuple[str, int]]:
     if len(text) > LONGEST:
         raise UsageError(f"a unit of {len(text)} characters is too long", code="unit-syntax", hint="example: kg*m^2")
     reader = _Reader(text)
-    read = reader.product(0)
+    product = reader.product(0)
     if reader.at < len(text):
         reader.fail("')' has no '('" if reader.peek() == ")" else f"{show(reader.peek())} cannot stand in a unit")
-    return read
+    return product
 
 
 def joined_name(words: "list[str]") -> str:
@@ -71,8 +71,8 @@ class _Reader:
 
     def peek(self, ahead: int = 0) -> str:
         """The character here or so many ahead; nothing at the end."""
-        at = self.at + ahead
-        return self.text[at : at + 1]
+        position = self.at + ahead
+        return self.text[position : position + 1]
 
     def space(self) -> None:
         """Skip white space."""

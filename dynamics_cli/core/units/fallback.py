@@ -27,12 +27,12 @@ def lookup_in_pint(name: str) -> Unit | None:
         return None
     # pint raises a dozen kinds of error on odd names, including tokenizer errors and assertions.
     try:
-        known = registry().parse_unit_name(name)
+        readings = registry().parse_unit_name(name)
     except Exception:
         return None
-    if not known:
+    if not readings:
         return None
-    prefix, unit, _ = known[0]
+    prefix, unit, _ = readings[0]
     if unit == "grade":
         raise UsageError(
             f"{name!r} is both a slope and 1/400 of a turn",
@@ -95,9 +95,9 @@ def _without_pi(factor: Fraction) -> tuple[Fraction, int]:
     return factor / PINT_PI**power, power
 
 
-def _beyond(name: str, what: str) -> UsageError:
+def _beyond(name: str, reason: str) -> UsageError:
     return UsageError(
-        f"{name!r} is {what}; it cannot be converted here",
+        f"{name!r} is {reason}; it cannot be converted here",
         code="unknown-unit",
         hint="`dynamics units list` shows the units this program works with",
     )

@@ -71,10 +71,10 @@ def lookup(name: str) -> tuple[Unit, ...]:
 
 def in_table(name: str) -> tuple[str, str] | None:
     """Find a name in the table: its symbols, joined by "+", and its prefix flags."""
-    at = NAMES.find(f" {name}|")
-    if at < 0:
+    start = NAMES.find(f" {name}|")
+    if start < 0:
         return None
-    symbols, flags = NAMES[at + len(name) + 2 : NAMES.index(" ", at + 1)].split("|")
+    symbols, flags = NAMES[start + len(name) + 2 : NAMES.index(" ", start + 1)].split("|")
     return symbols, flags
 
 
@@ -172,12 +172,12 @@ def _from_table(name: str) -> tuple[Unit, ...]:
         return _readings(name, entry[0])
     for prefixes, lengths, flag in ((SYMBOL_PREFIXES, (1, 2), "s"), (WORD_PREFIXES, (3, 4, 5, 6), "w")):
         for length in lengths:
-            at = prefixes.find(f" {name[:length]}|")
-            if at < 0 or len(name) <= length:
+            start = prefixes.find(f" {name[:length]}|")
+            if start < 0 or len(name) <= length:
                 continue
             entry = in_table(name[length:])
             if entry and flag in entry[1]:
-                exponent = int(prefixes[at + length + 2 : prefixes.index(" ", at + 1)])
+                exponent = int(prefixes[start + length + 2 : prefixes.index(" ", start + 1)])
                 return (_prefixed(name, exponent, entry[0].partition("+")[0]),)
     return ()
 
@@ -198,7 +198,7 @@ def _in_other_case(name: str) -> tuple[Unit, ...]:
 
     names = names_in_other_case(name)
     lower = name.lower()
-    readings = {known: _from_table(known)[0] for known in names}
+    readings = {name_: _from_table(name_)[0] for name_ in names}
     plain = [unit.text for unit in readings.values()]
     if lower in readings and not any(unit.dimension != readings[lower].dimension for unit in readings.values()):
         plain = [lower]

@@ -170,11 +170,11 @@ def _special_hint(a: Unit, b: Unit) -> str:
     gap = tuple(x - y for x, y in zip(a.dimension, b.dimension, strict=True))
     angle = (0, 0, 0, 0, 0, 0, 0, 1)
     if gap in (angle, tuple(-x for x in angle)):
-        wanted = b if b.dimension[7] else a
-        if wanted.dimension == (0, 0, -1, 0, 0, 0, 0, 1):
+        special = b if b.dimension[7] else a
+        if special.dimension == (0, 0, -1, 0, 0, 0, 0, 1):
             turning = "write rev/s, rpm or rad/s for an angular speed, Hz or 1/s for a frequency"
             return f"a cycle is not an angle: {turning}"
-        if wanted.dimension == angle:
+        if special.dimension == angle:
             return "write an angle with its unit (deg, rad, rev), a ratio without one"
         return "an angle is a dimension of its own here: write or leave out rad on both sides"
     if a.dimension == b.dimension:

@@ -25,21 +25,21 @@ def names_like(name: str, count: int = 5) -> list[str]:
     lower = name.lower()
     limit = 0 if len(name) == 1 else 1 if len(name) <= 4 else 2
     candidates_near = []
-    for known, prefixed in _spellings():
-        if abs(len(known) - len(name)) > limit:
+    for spelling, prefixed in _spellings():
+        if abs(len(spelling) - len(name)) > limit:
             continue
-        distance = _edits(lower, known.lower(), limit)
+        distance = _edits(lower, spelling.lower(), limit)
         if distance <= limit:
-            candidates_near.append((distance, prefixed, known[0] != name[0], len(known), known))
+            candidates_near.append((distance, prefixed, spelling[0] != name[0], len(spelling), spelling))
     # A name that differs in case alone is surely meant.
     surely = [each for each in candidates_near if each[0] == 0]
-    return [known for *_, known in sorted(surely or candidates_near)[:count]]
+    return [spelling for *_, spelling in sorted(surely or candidates_near)[:count]]
 
 
 def names_in_other_case(name: str) -> list[str]:
     """The names that differ from this one in capitals alone, with the common prefixes."""
     lower = name.lower()
-    return sorted({known for known, _ in _spellings() if known.lower() == lower})
+    return sorted({spelling for spelling, _ in _spellings() if spelling.lower() == lower})
 
 
 def _spellings() -> "Iterator[tuple[str, bool]]":

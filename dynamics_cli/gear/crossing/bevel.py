@@ -127,10 +127,10 @@ def bevel(
     mean_radius = 0.5 * first_teeth * mean_module
     tangential = None if torque is None else absolute(torque) / mean_radius
     gears = []
-    for own, (teeth, angle, depth) in enumerate(zip((first_teeth, second_teeth), angles, depths, strict=True)):
-        lean = spiral if (flank == "concave") == (own == 0) else -spiral
+    for index, (teeth, angle, depth) in enumerate(zip((first_teeth, second_teeth), angles, depths, strict=True)):
+        lean = spiral if (flank == "concave") == (index == 0) else -spiral
         sizes = module, mean_module, cone, face_width
-        gears.append(_gear(teeth, angle, depth, tips[own], thetas[own], sizes, tangential, pressure_angle, lean))
+        gears.append(_gear(teeth, angle, depth, tips[index], thetas[index], sizes, tangential, pressure_angle, lean))
     transverse = atan2(sin(pressure_angle), cos(pressure_angle) * cos(spiral))
     overlap = face_width * tan(spiral) / (pi_beside(mean_module) * mean_module) if plain(spiral) > 0.0 else None
     return BevelData(
@@ -163,16 +163,16 @@ def _cones(first: int, second: int, shaft_angle: float) -> tuple[float, float]:
     )
     ratio = second / first
     sine, cosine = sin(shaft_angle), cos(shaft_angle)
-    own = atan2(sine, ratio + cosine)
+    pitch_angle = atan2(sine, ratio + cosine)
     other = atan2(ratio * sine, 1.0 + ratio * cosine)
     require(
-        own < 0.5 * pi,
+        pitch_angle < 0.5 * pi,
         "the first gear would be internal (its pitch angle is {pitch_angle:6})",
-        pitch_angle=(own, Angle),
+        pitch_angle=(pitch_angle, Angle),
         code="internal-pinion",
         hint="exchange the gears",
     )
-    return own, other
+    return pitch_angle, other
 
 
 def _crown(first: int, second: int, beside: float) -> float | None:
@@ -188,7 +188,7 @@ def _depths(
     """Addendum and dedendum of pinion and wheel."""
     if kind == "standard":
         return (module, 1.25 * module), (module, 1.25 * module)
-    least, more, working, whole = _DEPTHS[kind]
+    least, more, working, full = _DEPTHS[kind]
     equivalent = first * cos(angles[1]) / (second * cos(angles[0]))
     require(
         equivalent > -_NO_CONE,
@@ -199,7 +199,7 @@ def _depths(
     )
     wheel = (least + more * equivalent) * module
     pinion = working * module - wheel
-    return (pinion, whole * module - pinion), (wheel, whole * module - wheel)
+    return (pinion, full * module - pinion), (wheel, full * module - wheel)
 
 
 def _gear(
@@ -278,13 +278,13 @@ def _teeth_advice(
 ) -> tuple[Advice, ...]:
     """Undercut and tips of the teeth on the back cones; the flank of the tool ends where the mate's tips do."""
     advice: tuple[Advice, ...] = ()
-    for own, who in enumerate(("the pinion", "the wheel")):
-        cosine = cos(angles[own])
+    for index, who in enumerate(("the pinion", "the wheel")):
+        cosine = cos(angles[index])
         if plain(cosine) > _NO_CONE:
-            height, depth = depths[own][0] / module, depths[1 - own][0] / module
+            height, depth = depths[index][0] / module, depths[1 - index][0] / module
             # a long addendum needs a thick tooth: Gleason adds half the difference of the addenda times tan α
             shift = 0.5 * (height - depth)
-            advice += tooth_advice(who, teeth[own] / cosine, pressure_angle, height, depth, shift, _REMEDY)
+            advice += tooth_advice(who, teeth[index] / cosine, pressure_angle, height, depth, shift, _REMEDY)
     return advice
 
 

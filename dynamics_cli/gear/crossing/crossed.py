@@ -192,9 +192,9 @@ def _advice(gears: list[Gear], helices: list[float], working: float) -> tuple[Ad
     """Difference of the two gears' working pressure angles."""
     angles = []
     for gear, helix in zip(gears, helices, strict=True):
-        own = abs(plain(helix))
-        if own > 1e-6:
-            ratio = sin(plain(gear.base_helix_angle)) / sin(own)
+        helix_angle = abs(plain(helix))
+        if helix_angle > 1e-6:
+            ratio = sin(plain(gear.base_helix_angle)) / sin(helix_angle)
             angles.append(atan((max(1.0 - ratio * ratio, 0.0)) ** 0.5 / ratio))
     difference = max((abs(angle - plain(working)) for angle in angles), default=0.0)
     if difference < LEAST_DIFFERENCE:

@@ -157,9 +157,9 @@ class _Point:
 
     def offset_angle(self, turned: float) -> float:
         """η of the pitch offset angle ε' = β₁ − β₂: sin η sin Σ cos ε' = sin ε'(cos η sin δ₂ sin Σ + cos δ₂ cos Σ)."""
-        own = sin(self.shafts) * cos(turned), sin(turned) * sin(self.wheel) * sin(self.shafts)
+        components = sin(self.shafts) * cos(turned), sin(turned) * sin(self.wheel) * sin(self.shafts)
         rest = sin(turned) * cos(self.wheel) * cos(self.shafts)
-        size = sqrt(own[0] * own[0] + own[1] * own[1])
+        size = sqrt(components[0] * components[0] + components[1] * components[1])
         require(
             absolute(rest) < size,
             "no offset turns the teeth by {turned:6}",
@@ -167,7 +167,7 @@ class _Point:
             code="spiral-angle",
             hint="bring the spiral angles closer together",
         )
-        return atan2(own[1], own[0]) + asin(rest / size)
+        return atan2(components[1], components[0]) + asin(rest / size)
 
     def residual(self, eta: float) -> float:
         """Offset of the pinion's axis at η, less the one wanted."""
@@ -221,14 +221,14 @@ def _result(
     speed: float | None,
     offset: float | None,
 ) -> HypoidData:
-    wheel, own = point.wheel, point.spiral
+    wheel, pinion_spiral = point.wheel, point.spiral
     cones = radius / sin(first), point.radius / sin(wheel)
     lean = tan(first) * tan(wheel) / cos(turned)
     below = cones[0] * tan(first) + cones[1] * tan(wheel)
-    limit = atan(-lean * (cones[0] * sin(own) - cones[1] * sin(spiral)) / below)
-    bend = tan(own) / (cones[0] * tan(first)) + tan(spiral) / (cones[1] * tan(wheel))
-    curve = -tan(limit) * bend + 1.0 / (cones[0] * cos(own)) - 1.0 / (cones[1] * cos(spiral))
-    apart = sin(turned) / (cos(own) * cos(spiral))
+    limit = atan(-lean * (cones[0] * sin(pinion_spiral) - cones[1] * sin(spiral)) / below)
+    bend = tan(pinion_spiral) / (cones[0] * tan(first)) + tan(spiral) / (cones[1] * tan(wheel))
+    curve = -tan(limit) * bend + 1.0 / (cones[0] * cos(pinion_spiral)) - 1.0 / (cones[1] * cos(spiral))
+    apart = sin(turned) / (cos(pinion_spiral) * cos(spiral))
     require(
         absolute(apart) > 0.0,
         "without an offset the pair is bevel",
@@ -238,13 +238,13 @@ def _result(
     # tan β₁ − tan β₂ = sin ε'/(cos β₁ cos β₂)
     curvature = curve * cos(limit) / apart
     apexes = _apexes(point, eta, first, radius)
-    slide = sin(turned) / cos(own)
+    slide = sin(turned) / cos(pinion_spiral)
     wheel_speed = None if speed is None else speed * (first_teeth / second_teeth)
     return HypoidData(
         ratio=point.u,
         first_pitch_angle=first,
         second_pitch_angle=wheel,
-        first_spiral_angle=own,
+        first_spiral_angle=pinion_spiral,
         second_spiral_angle=spiral,
         axial_offset_angle=eta,
         pitch_offset_angle=turned,
@@ -283,8 +283,8 @@ def _apexes(point: _Point, eta: float, first: float, radius: float) -> tuple[flo
 
 def _checks(point: _Point, eta: float, first: float, turned: float, radius: float, spiral: float) -> tuple[Check, ...]:
     """Velocities along the common normal of the teeth, and the right triangle sin ε' = sin η sin Σ/cos δ₁."""
-    own, other = plain(radius) * cos(plain(point.spiral)) * plain(point.u), plain(point.radius) * cos(plain(spiral))
-    normal = abs(own - other) / plain(point.radius)
+    own, second = plain(radius) * cos(plain(point.spiral)) * plain(point.u), plain(point.radius) * cos(plain(spiral))
+    normal = abs(own - second) / plain(point.radius)
     triangle = abs(sin(plain(turned)) - sin(plain(eta)) * sin(plain(point.shafts)) / cos(plain(first)))
     return (
         Check("equal speeds along the normal", normal <= 1e-13, normal, 1e-13),

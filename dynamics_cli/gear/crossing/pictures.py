@@ -36,7 +36,7 @@ def sizes(listed: "tuple[tuple[str, str, Any, Any], ...]") -> Panel:
     return Panel(X, Y, (Rows(tuple(rows)),))
 
 
-def bevel(result: "Any", *, face_width: float, shaft_angle: float = RIGHT, **given: "Any") -> Picture:
+def bevel(result: "Any", *, face_width: float, shaft_angle: float = RIGHT, **inputs: "Any") -> Picture:
     """Both gears cut through their axes: tip, pitch and root cones to the apex they share."""
     items: list[Any] = []
     outer = float(result.cone_distance)
@@ -60,21 +60,21 @@ def bevel(result: "Any", *, face_width: float, shaft_angle: float = RIGHT, **giv
     items += [Mark(0.0, 0.0, "apex", (-6.0, -10.0))]
     title = worded(
         "Bevel pair {first} / {second}, shaft angle {angle:6}",
-        first=given.get("first_teeth", "z1"),
-        second=given.get("second_teeth", "z2"),
+        first=inputs.get("first_teeth", "z1"),
+        second=inputs.get("second_teeth", "z2"),
         angle=(shaft_angle, Angle),
     )
-    one, two = result.first, result.second
+    pinion, gear = result.first, result.second
     table = sizes(
         (
             ("outer cone distance", "R_e", outer, Size),
             ("face width", "b", face_width, Size),
             ("mean module", "m_m", result.mean_module, Module),
             ("contact ratio", "ε_α", result.contact_ratio, Ratio),
-            ("pinion: tip diameter", "d_ae1", one.tip_diameter, Size),
-            ("tip, root angle", "δ_a1, δ_f1", _two_angles(one), None),
-            ("wheel: tip diameter", "d_ae2", two.tip_diameter, Size),
-            ("tip, root angle", "δ_a2, δ_f2", _two_angles(two), None),
+            ("pinion: tip diameter", "d_ae1", pinion.tip_diameter, Size),
+            ("tip, root angle", "δ_a1, δ_f1", _two_angles(pinion), None),
+            ("wheel: tip diameter", "d_ae2", gear.tip_diameter, Size),
+            ("tip, root angle", "δ_a2, δ_f2", _two_angles(gear), None),
         )
     )
     scene = Panel(X, Y, tuple(items), equal=True, bare=True)
@@ -88,7 +88,7 @@ def _two_angles(gear: "Any") -> str:
 def _across(wheel: "Any", outer: float, axis: float, role: int) -> "list[Any]":
     """The outer pitch diameter, beyond the back of the gear."""
     radius, along = 0.5 * float(wheel.pitch_diameter), outer * max(cos(float(wheel.pitch_angle)), 0.0) + 0.16 * outer
-    ends = [turned_point((along, way * radius), axis) for way in (-1.0, 1.0)]
+    ends = [turned_point((along, side * radius), axis) for side in (-1.0, 1.0)]
     text = worded("d_e{role} = {size:6}", role=role + 1, size=(2.0 * radius, Size))
     beside = turned_point((along + (0.24 if not role else 0.06) * outer, 0.45 * radius), axis)
     return [Dimension((ends[0][0], ends[1][0]), (ends[0][1], ends[1][1]), ""), Label(*beside, text)]
@@ -98,13 +98,13 @@ def _cut(wheel: "Any", outer: float, width: float, axis: float, side: float, rol
     """The section of one gear: its blank, and its teeth on the side of its mate and on the other."""
     pitch, up, down = float(wheel.pitch_angle), float(wheel.addendum_angle), float(wheel.dedendum_angle)
     curves, feet = [], []
-    for way in (side, -side):
+    for side_sense in (side, -side):
 
-        def at(along: float, angle: float, way: float = way) -> "Point":
-            return along * cos(axis + way * angle), along * sin(axis + way * angle)
+        def at(along: float, angle: float, side_sense: float = side_sense) -> "Point":
+            return along * cos(axis + side_sense * angle), along * sin(axis + side_sense * angle)
 
         px, py = at(outer, pitch)
-        nx, ny = cos(axis + way * (pitch + RIGHT)), sin(axis + way * (pitch + RIGHT))
+        nx, ny = cos(axis + side_sense * (pitch + RIGHT)), sin(axis + side_sense * (pitch + RIGHT))
         tip = px + float(wheel.addendum) * nx, py + float(wheel.addendum) * ny
         foot = px - float(wheel.dedendum) * nx, py - float(wheel.dedendum) * ny
         ends = []
@@ -183,14 +183,14 @@ def _threads(result: "Any") -> "list[Point]":
     lean = tan(float(result.axial_pressure_angle))
     foot, top = 0.25 * pitch + (middle - root) * lean, max(0.0, 0.25 * pitch - (tip - middle) * lean)
 
-    def edge(shift: float, way: float) -> "list[Point]":
-        points: list[Point] = [(-0.5 * length, way * root)]
+    def edge(shift: float, sense: float) -> "list[Point]":
+        points: list[Point] = [(-0.5 * length, sense * root)]
         for nth in range(-round(length / pitch) - 1, round(length / pitch) + 2):
             centre = nth * pitch + shift
             if abs(centre) + foot <= 0.5 * length:
-                points += [(centre - foot, way * root), (centre - top, way * tip), (centre + top, way * tip),
-                           (centre + foot, way * root)]  # fmt: skip
-        return [*points, (0.5 * length, way * root)]
+                points += [(centre - foot, sense * root), (centre - top, sense * tip), (centre + top, sense * tip),
+                           (centre + foot, sense * root)]  # fmt: skip
+        return [*points, (0.5 * length, sense * root)]
 
     below = edge(0.0, -1.0)
     return [*below, *reversed(edge(0.5 * float(result.lead), 1.0)), below[0]]
@@ -202,16 +202,16 @@ def _wheel(result: "Any", teeth: int) -> "list[Any]":
     from dynamics_cli.gear.single.profile import tooth_form
     from dynamics_cli.gear.single.rack import basic_rack
 
-    at = (0.0, -float(result.centre_distance))
-    items: list[Any] = [circle(at, 0.5 * float(result.wheel_diameter), "", "centre", 1)]
+    centre = (0.0, -float(result.centre_distance))
+    items: list[Any] = [circle(centre, 0.5 * float(result.wheel_diameter), "", "centre", 1)]
     rack = basic_rack("a", float(result.axial_pressure_angle))
     gear = Gear(teeth, float(result.axial_module), rack, 0.0, float(result.profile_shift))
     try:
         form = tooth_form(gear, float(result.throat_diameter), None)
-        return [*items, *body(form, at, RIGHT + pi / teeth, 1)]
+        return [*items, *body(form, centre, RIGHT + pi / teeth, 1)]
     except InadmissibleError:
         diameters = (result.throat_diameter, result.wheel_root_diameter)
-        return [*items, *(circle(at, 0.5 * float(diameter), "", "solid", 1) for diameter in diameters)]
+        return [*items, *(circle(centre, 0.5 * float(diameter), "", "solid", 1) for diameter in diameters)]
 
 
 def _efficiency(result: "Any") -> Panel:

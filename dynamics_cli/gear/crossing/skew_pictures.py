@@ -23,18 +23,18 @@ GREEN, SLIDING = 2, 3
 
 def crossed(result: "Any", *, first: "Any", second: "Any", module: float, **_: "Any") -> Picture:
     """Both gears seen along their common perpendicular with their teeth, and the speeds where they touch."""
-    one, two = float(result.first_working_helix), float(result.second_working_helix)
-    one, two = copysign(one, float(first.helix_angle)), copysign(two, float(second.helix_angle))
+    lean1, lean2 = float(result.first_working_helix), float(result.second_working_helix)
+    lean1, lean2 = copysign(lean1, float(first.helix_angle)), copysign(lean2, float(second.helix_angle))
     wide = HALF_WIDTH * module
     radii = 0.5 * float(result.first_tip_diameter), 0.5 * float(result.second_tip_diameter)
     # the second lies behind
     items = [
-        *_screw("second", int(second.teeth), radii[1], one, one + two, wide, 1),
-        *_screw("first", int(first.teeth), radii[0], one, 0.0, wide, 0),
+        *_screw("second", int(second.teeth), radii[1], lean1, lean1 + lean2, wide, 1),
+        *_screw("first", int(first.teeth), radii[0], lean1, 0.0, wide, 0),
     ]
     reach = 1.1 * wide
     items += [
-        line([turned_point((-reach, 0.0), one), turned_point((reach, 0.0), one)], "", "thick", GREEN),
+        line([turned_point((-reach, 0.0), lean1), turned_point((reach, 0.0), lean1)], "", "thick", GREEN),
         Mark(0.0, 0.0, "C", (7.0, -10.0)),
     ]
     table = sizes(
@@ -44,8 +44,8 @@ def crossed(result: "Any", *, first: "Any", second: "Any", module: float, **_: "
             ("gear ratio", "u", result.ratio, Ratio),
             ("working diameter", "d_w1", result.first_working_diameter, Size),
             ("", "d_w2", result.second_working_diameter, Size),
-            ("working helix angle", "β_w1", one, Angle),
-            ("", "β_w2", two, Angle),
+            ("working helix angle", "β_w1", lean1, Angle),
+            ("", "β_w2", lean2, Angle),
             ("pressure angle", "α_wn", result.working_pressure_angle, Angle),
             ("efficiency", "η", result.efficiency, Ratio),
             ("sliding speed", "v_g", result.sliding_speed, Speed),
@@ -61,7 +61,7 @@ def crossed(result: "Any", *, first: "Any", second: "Any", module: float, **_: "
     subtitle = (
         "Seen along the common perpendicular; teeth as they lie where the gears touch, thick their common direction"
     )
-    return Picture((scene, _speeds(one, 0.0, two, one + two), table), title, columns=2, subtitle=subtitle)
+    return Picture((scene, _speeds(lean1, 0.0, lean2, lean1 + lean2), table), title, columns=2, subtitle=subtitle)
 
 
 def _screw(name: str, teeth: int, radius: float, helix: float, axis: float, wide: float, role: int) -> "list[Any]":
@@ -83,8 +83,8 @@ def _traces(radius: float, wide: float, lean: float, teeth: int) -> "list[list[P
     turn = tan(lean) / radius
     places = [wide * (k / 24 - 1.0) for k in range(49)]
     for nth in range(-teeth // 2, teeth // 2 + 1):
-        seen = [(x, 2.0 * pi * nth / teeth + turn * x) for x in places]
-        trace = [(x, radius * sin(angle)) for x, angle in seen if abs(angle) < 0.5 * pi]
+        points = [(x, 2.0 * pi * nth / teeth + turn * x) for x in places]
+        trace = [(x, radius * sin(angle)) for x, angle in points if abs(angle) < 0.5 * pi]
         if len(trace) > 1:
             traces.append(trace)
     return traces
@@ -92,54 +92,54 @@ def _traces(radius: float, wide: float, lean: float, teeth: int) -> "list[list[P
 
 def _speeds(first_helix: float, first_axis: float, second_helix: float, second_axis: float) -> Panel:
     """Pitch line velocities relative to the first's: equal across the teeth; their difference slides along them."""
-    one = turned_point((0.0, 1.0), first_axis)
+    first_speed = turned_point((0.0, 1.0), first_axis)
     size = cos(first_helix) / cos(second_helix)
-    two = turned_point((0.0, size), second_axis)
-    slip = one[0] - two[0], one[1] - two[1]
-    side = copysign(0.1, -two[0] if two[0] else 1.0)
+    second_speed = turned_point((0.0, size), second_axis)
+    sliding = first_speed[0] - second_speed[0], first_speed[1] - second_speed[1]
+    side = copysign(0.1, -second_speed[0] if second_speed[0] else 1.0)
     items = (
-        Arrow(0.0, 0.0, one[0], one[1], "", 0),
-        Arrow(0.0, 0.0, two[0], two[1], "", 1),
-        Arrow(two[0], two[1], slip[0], slip[1], "", SLIDING),
+        Arrow(0.0, 0.0, first_speed[0], first_speed[1], "", 0),
+        Arrow(0.0, 0.0, second_speed[0], second_speed[1], "", 1),
+        Arrow(second_speed[0], second_speed[1], sliding[0], sliding[1], "", SLIDING),
         Label(side * 1.5, 0.45, "v_1", 0),
-        Label(0.5 * two[0] - side, 0.5 * two[1] - 0.1, "v_2", 1),
-        Label(two[0] + 0.5 * slip[0], two[1] + 0.5 * slip[1] + 0.09, "sliding v_g", SLIDING),
+        Label(0.5 * second_speed[0] - side, 0.5 * second_speed[1] - 0.1, "v_2", 1),
+        Label(second_speed[0] + 0.5 * sliding[0], second_speed[1] + 0.5 * sliding[1] + 0.09, "sliding v_g", SLIDING),
     )
     none = Axis("")
     return Panel(none, none, items, "Speeds at the pitch point", equal=True, bare=True)
 
 
-def hypoid(result: "Any", *, offset: float | None = None, wheel_radius: float, **given: "Any") -> Picture:
+def hypoid(result: "Any", *, offset: float | None = None, wheel_radius: float, **inputs: "Any") -> Picture:
     """The wheel seen along its axis with the pinion's axis beside it, and the speeds in the pitch plane."""
     offset = float(result.offset) if offset is None else offset
     eta = float(result.axial_offset_angle)
-    at = wheel_radius * cos(eta), wheel_radius * sin(eta)
+    pitch_point = wheel_radius * cos(eta), wheel_radius * sin(eta)
     half = 0.2 * wheel_radius
     reach = 1.35 * wheel_radius
-    teeth = [given.get("first_teeth", ""), given.get("second_teeth", "")]
-    far = at[0] + half + 0.35 * wheel_radius
+    teeth = [inputs.get("first_teeth", ""), inputs.get("second_teeth", "")]
+    far = pitch_point[0] + half + 0.35 * wheel_radius
     items: list[Any] = [
         circle((0.0, 0.0), wheel_radius, "", "centre", 1),
         circle((0.0, 0.0), wheel_radius + half * sin(float(result.second_pitch_angle)), "", "outline", 1),
         circle((0.0, 0.0), wheel_radius - half * sin(float(result.second_pitch_angle)), "", "outline", 1),
-        *_pinion(result, at, offset, half),
+        *_pinion(result, pitch_point, offset, half),
         line([(-reach, 0.0), (reach, 0.0)], "", "centre", BLACK),
         line([(0.0, -1.2 * wheel_radius), (0.0, 1.2 * wheel_radius)], "", "centre", BLACK),
         line([(-0.3 * wheel_radius, offset), (far, offset)], "", "centre", BLACK),
         Dimension((-0.2 * wheel_radius,) * 2, (0.0, offset), ""),
         Label(-0.24 * wheel_radius - 0.2 * wheel_radius, 0.5 * offset, worded("E = {size:6}", size=(offset, Size))),
-        Mark(*at, "P", (6.0, -10.0)),
+        Mark(*pitch_point, "P", (6.0, -10.0)),
         Label(-0.35 * wheel_radius, -0.4 * wheel_radius, f"wheel\n{teeth[1]} teeth" if teeth[1] else "wheel", 1),
         Label(far + 0.16 * wheel_radius, offset, f"pinion\n{teeth[0]} teeth" if teeth[0] else "pinion", 0),
     ]
-    one, two = float(result.first_spiral_angle), float(result.second_spiral_angle)
+    beta1, beta2 = float(result.first_spiral_angle), float(result.second_spiral_angle)
     table = sizes(
         (
             ("ratio", "i", result.ratio, Ratio),
             ("pitch angle", "δ_1", result.first_pitch_angle, Angle),
             ("", "δ_2", result.second_pitch_angle, Angle),
-            ("spiral angle", "β_1", one, Angle),
-            ("", "β_2", two, Angle),
+            ("spiral angle", "β_1", beta1, Angle),
+            ("", "β_2", beta2, Angle),
             ("pitch radius", "r_1", result.first_pitch_radius, Size),
             ("", "r_2", result.second_pitch_radius, Size),
             ("mean normal module", "m_n", result.normal_module, Module),
@@ -150,7 +150,7 @@ def hypoid(result: "Any", *, offset: float | None = None, wheel_radius: float, *
     title = "Hypoid pair " + " / ".join(str(number) for number in teeth if number)
     scene = Panel(X, Y, tuple(items), equal=True, bare=True, wide=True)
     subtitle = "Seen along the wheel's axis; pitch circle and axes dash-dotted, P the pitch point"
-    return Picture((scene, _speeds(one, 0.0, two, two - one), table), title, columns=2, subtitle=subtitle)
+    return Picture((scene, _speeds(beta1, 0.0, beta2, beta2 - beta1), table), title, columns=2, subtitle=subtitle)
 
 
 def _pinion(result: "Any", at: "Point", offset: float, half: float) -> "list[Curve]":
@@ -164,8 +164,10 @@ def _pinion(result: "Any", at: "Point", offset: float, half: float) -> "list[Cur
     places = [half * (k / 24 - 1.0) for k in range(49)]
     for nth in range(-12, 13):
         # helices on the near side of the cone
-        seen = [(x, 0.3 * nth + x * spiral / radius) for x in places]
-        trace = [(at[0] + x, offset + (radius + x * tan(cone)) * sin(turn)) for x, turn in seen if abs(turn) < 0.5 * pi]
+        points = [(x, 0.3 * nth + x * spiral / radius) for x in places]
+        trace = [
+            (at[0] + x, offset + (radius + x * tan(cone)) * sin(turn)) for x, turn in points if abs(turn) < 0.5 * pi
+        ]
         if len(trace) > 1:
             curves.append(line(trace, "", "thin", 0))
     return curves

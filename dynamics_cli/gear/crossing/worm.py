@@ -144,7 +144,7 @@ def worm(
     profile_shift = _shift(profile_shift, centre_distance, 0.5 * (diameter + wheel), module)
     shift = profile_shift * module
     _require_root("wheel", wheel + 2.0 * (shift - ded), "give it more teeth, or a larger profile shift")
-    rho, forward, left = _efficiency(gamma, slope, pressure_angle, friction)
+    rho, forward, backward = _efficiency(gamma, slope, pressure_angle, friction)
     axial = atan2(sin(pressure_angle), cos(pressure_angle) * cos(gamma))
     load = torque_of(torque, power, speed)
     load = None if load is None else absolute(load)
@@ -158,12 +158,12 @@ def worm(
         **_heights(diameter, wheel, module, shift, addendum_factor * module, ded),
         friction_angle=rho,
         efficiency=forward,
-        backward_efficiency=left / slope,
-        locking_margin=-atan(left),
-        self_locking=plain(-atan(left)) >= 0.0,
+        backward_efficiency=backward / slope,
+        locking_margin=-atan(backward),
+        self_locking=plain(-atan(backward)) >= 0.0,
         sliding_speed=None if speed is None else 0.5 * absolute(speed) * diameter / cos(gamma),
         wheel_speed=None if speed is None else speed * (threads / teeth),
-        **_forces(load, wheel, diameter, gamma, rho, left, pressure_angle, friction),
+        **_forces(load, wheel, diameter, gamma, rho, backward, pressure_angle, friction),
         checks=_checks(forward, gamma, pressure_angle, friction),
         advice=_advice(gamma, rho)
         + tooth_advice(
@@ -273,17 +273,17 @@ def _worm(
     return size.normal_module / cos(gamma), gamma, rise / run, diameter
 
 
-def _shift(given: float | None, distance: float | None, reference: float, module: float) -> float:
+def _shift(shift: float | None, distance: float | None, reference: float, module: float) -> float:
     """x₂ as given, or as the centre distance requires."""
     require(
-        given is None or distance is None,
+        shift is None or distance is None,
         "profile shift and centre distance are both given",
         code="shift",
         hint="give one of them: each follows from the other",
     )
     if distance is not None:
         return (distance - reference) / module
-    return 0.0 if given is None else given
+    return 0.0 if shift is None else shift
 
 
 def _forces(
@@ -316,8 +316,8 @@ def _forces(
 def _checks(forward: float, gamma: float, pressure_angle: float, friction: float) -> tuple[Check, ...]:
     """The efficiency again from the forces of an inclined plane."""
     g, a, mu = plain(gamma), plain(pressure_angle), plain(friction)
-    again = tan(g) * (cos(a) - mu * tan(g)) / (cos(a) * tan(g) + mu)
-    residual = abs(plain(forward) - again)
+    expected = tan(g) * (cos(a) - mu * tan(g)) / (cos(a) * tan(g) + mu)
+    residual = abs(plain(forward) - expected)
     return (Check("efficiency from the forces", residual <= 1e-13, residual, 1e-13),)
 
 

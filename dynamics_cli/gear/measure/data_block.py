@@ -153,12 +153,12 @@ def data_block(
 def rack_name(profile: str, *factors: float | None) -> str:
     """The basic rack as a drawing names it, with the factors that are not its own."""
     name = f"ISO 53 {profile.upper()}" if profile in ("a", "b", "c", "d") else str(profile)
-    own = [
+    differing = [
         f"{symbol} {factor:g}"
         for symbol, factor in zip(("h_a*", "h_fP*", "ρ_fP*"), factors, strict=True)
         if factor is not None
     ]
-    return ", ".join([name, *own])
+    return ", ".join([name, *differing])
 
 
 def _circles(lines: "_Lines", gear: GearData) -> None:

@@ -102,13 +102,13 @@ def identify(
     require(count > 0, "the number of candidates to show is zero", code="count")
     require(reading > 0.0, "readings are never exact", code="reading", hint='--reading "0.02 mm"')
     require(bool(spans), "no span is given", code="spans", hint='--span-read "over=4, length=32.83 mm"')
-    require(len({one.over for one in spans}) == len(spans), "two spans over the same number of teeth", code="spans")
-    for one in spans:
+    require(len({item.over for item in spans}) == len(spans), "two spans over the same number of teeth", code="spans")
+    for item in spans:
         require(
-            one.over >= 1 and one.length > 0.0,
+            item.over >= 1 and item.length > 0.0,
             "a span needs at least one tooth and a length above zero, not {over} teeth and {length:6}",
-            over=one.over,
-            length=(one.length, Size),
+            over=item.over,
+            length=(item.length, Size),
             code="spans",
         )
     require(
@@ -127,12 +127,12 @@ def identify(
         code="no-candidate",
     )
     fitting = sum(off <= 1.0 for off, _, _, _ in names)
-    shown = tuple(_candidate(readings, name, size, degrees) for _, name, size, degrees in names[:count])
+    candidates = tuple(_candidate(readings, name, size, degrees) for _, name, size, degrees in names[:count])
     return Identified(
-        candidates=shown,
+        candidates=candidates,
         base_pitch=readings.pitch,
         fitting=fitting,
-        checks=_checks(readings, shown[0]),
+        checks=_checks(readings, candidates[0]),
         advice=_advice(fitting, tip_diameter),
     )
 
@@ -141,7 +141,7 @@ def _base_pitch(spans: tuple[SpanRead, ...], reading: float) -> tuple[float | No
     """The base pitch by the spans farthest apart, and what it is good for; refuses spans that contradict it."""
     if len(spans) == 1:
         return None, 0.0
-    ordered = sorted(spans, key=lambda one: one.over)
+    ordered = sorted(spans, key=lambda item: item.over)
     steps = ordered[-1].over - ordered[0].over
     pitch = (ordered[-1].length - ordered[0].length) / steps
     require(
@@ -150,12 +150,12 @@ def _base_pitch(spans: tuple[SpanRead, ...], reading: float) -> tuple[float | No
         pitch=(pitch, Size),
         code="spans",
     )
-    for one in ordered[1:-1]:
-        off = one.length - ordered[0].length - (one.over - ordered[0].over) * pitch
+    for item in ordered[1:-1]:
+        off = item.length - ordered[0].length - (item.over - ordered[0].over) * pitch
         require(
             absolute(off) <= 3.0 * reading,
             "the span over {over} teeth is {off:6} off the line of the others",
-            over=one.over,
+            over=item.over,
             off=(off, Size),
             code="spans",
             hint="an anvil was off the flank, or the teeth were miscounted: measure again",
@@ -187,20 +187,20 @@ class _Readings:
 
     def plain(self) -> "_Readings":
         """The same in plain doubles."""
-        spans = tuple(SpanRead(one.over, plain(one.length)) for one in self.spans)
+        spans = tuple(SpanRead(reading.over, plain(reading.length)) for reading in self.spans)
         tip = None if self.tip_diameter is None else plain(self.tip_diameter)
         return _Readings(self.teeth, spans, tip, plain(self.helix_angle), plain(self.reading))
 
     def mean(self) -> float:
         """The mean of the spans."""
-        return sum(one.length for one in self.spans) / len(self.spans)
+        return sum(reading.length for reading in self.spans) / len(self.spans)
 
     def bare(self, angle: float) -> float:
         """The same mean of a gear of module one without shift: m times this, and 2 x m sin α more, is a span."""
         from dynamics_cli.gear.measure.sizes import span_length
 
         unit = Toothing(self.teeth, False, like(1.0, angle), angle, self.helix_angle, 0.0, 1.0, 1.0)
-        return sum(span_length(unit, one.over) for one in self.spans) / len(self.spans)
+        return sum(span_length(unit, reading.over) for reading in self.spans) / len(self.spans)
 
 
 def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]":
@@ -209,13 +209,13 @@ def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]
     mean, sizes = read.mean(), tuple(_sizes())
     for degrees in PRESSURE_ANGLES:
         angle = degrees * pi / 180.0
-        bare = read.bare(angle)
+        unit_span = read.bare(angle)
         for name, *size in sizes:
             module = size[0] / size[1]
             error = None if read.pitch is None else read.pitch - pi * module * cos(angle)
             if error is not None and abs(error) > 6.0 * read.room:
                 continue
-            shift = (mean / module - bare) / (2.0 * sin(angle))
+            shift = (mean / module - unit_span) / (2.0 * sin(angle))
             if abs(shift) > 2.5:
                 continue
             off, _ = _disagreement(read, module, angle, degrees, shift, error)
@@ -223,7 +223,7 @@ def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]
                 candidates_fitting.append((sqrt(off), name, (size[0], size[1]), degrees))
     # among equal ones the size listed first
     order = {name: place for place, (name, *_) in enumerate(sizes)}
-    return sorted(candidates_fitting, key=lambda one: (one[0], order[one[1]], PRESSURE_ANGLES.index(one[3])))
+    return sorted(candidates_fitting, key=lambda row: (row[0], order[row[1]], PRESSURE_ANGLES.index(row[3])))
 
 
 def _candidate(read: _Readings, name: str, size: tuple[int, int], degrees: float) -> Candidate:
@@ -247,9 +247,9 @@ def _disagreement(
     addendum = None
     if read.tip_diameter is not None:
         addendum = 0.5 * read.tip_diameter / module - 0.5 * read.teeth / cos(read.helix_angle) - shift
-        known = 3.0 * read.reading / module / (2.0 * sin(angle)) + 0.02
+        uncertainty = 3.0 * read.reading / module / (2.0 * sin(angle)) + 0.02
         # full depth, or 4/5 for stub teeth
-        full, stub = (addendum - 1.0) / known, (addendum - like(4.0, shift) / 5.0) / known
+        full, stub = (addendum - 1.0) / uncertainty, (addendum - like(4.0, shift) / 5.0) / uncertainty
         off = off + minimum(full * full, stub * stub + 0.25)
     # unusual values get a small penalty
     return off + (0.0 if degrees == 20.0 else 0.05 if degrees in (14.5, 25.0) else 0.2), addendum
@@ -269,9 +269,9 @@ def _checks(read: _Readings, best: Candidate) -> tuple[Check, ...]:
         1.0,
         1.0,
     )
-    worst = max(abs(span_length(gear, one.over) - plain(one.length)) for one in read.spans)
-    room = 6.0 * plain(read.reading)
-    return (Check("spans of the best candidate against the readings [m]", worst <= room, worst, room),)
+    worst = max(abs(span_length(gear, reading.over) - plain(reading.length)) for reading in read.spans)
+    tolerance = 6.0 * plain(read.reading)
+    return (Check("spans of the best candidate against the readings [m]", worst <= tolerance, worst, tolerance),)
 
 
 def _advice(fitting: int, tip_diameter: float | None) -> tuple[Advice, ...]:

@@ -140,7 +140,7 @@ def measure(
     >>> (answer.span.over, round(1e3 * answer.span.span, 4))
     (4, 32.8266)
     """
-    made = gear_of(
+    given_gear = gear_of(
         teeth=teeth,
         pitch=pitch,
         profile=profile,
@@ -153,7 +153,7 @@ def measure(
         internal=internal,
         sign=shift_sign,
     )
-    gear = toothing(made, tip_diameter=tip_diameter, fillet=fillet_of(made, root_radius_factor))
+    gear = toothing(given_gear, tip_diameter=tip_diameter, fillet=fillet_of(given_gear, root_radius_factor))
     _require_allowances(upper_allowance, lower_allowance, gear)
     allowances = (upper_allowance, lower_allowance)
     advice: list[Advice] = []
@@ -165,21 +165,21 @@ def measure(
     )
     advice += _advice(gear, spanned, face_width)
     from_chord = None if measured_chord is None else _found(gear, shift_from_chord(gear, measured_chord))
-    read = _from_span(gear, spanned, measured_span), _from_pins(gear, pin, measured_pins), from_chord
-    for shift_found, size, name in zip(read, (measured_span, measured_pins, measured_chord), _READ, strict=True):
+    readings = _from_span(gear, spanned, measured_span), _from_pins(gear, pin, measured_pins), from_chord
+    for shift_found, size, name in zip(readings, (measured_span, measured_pins, measured_chord), _READ, strict=True):
         if shift_found is not None:
-            _require_cut(made, shift_found.profile_shift, size, name, tip_diameter, root_radius_factor)
+            _require_cut(given_gear, shift_found.profile_shift, size, name, tip_diameter, root_radius_factor)
     return Measurements(
         normal_thickness=_thickness(gear),
         span=spanned,
         pins=pinned,
         chordal=chord,
         constant_chord=constant,
-        from_span=read[0],
-        from_pins=read[1],
-        from_chord=read[2],
+        from_span=readings[0],
+        from_pins=readings[1],
+        from_chord=readings[2],
         checks=_checks(gear, spanned, pinned),
-        advice=tuple(advice) + module_advice(pitch, made.module),
+        advice=tuple(advice) + module_advice(pitch, given_gear.module),
     )
 
 
@@ -204,9 +204,9 @@ def _require_allowances(upper: float | None, lower: float | None, gear: "Toothin
         )
 
 
-def _if_possible(name: str, make: "Callable[[], Sized]", asked: bool, advice: list[Advice]) -> "Sized | None":
+def _if_possible(name: str, make: "Callable[[], Sized]", requested: bool, advice: list[Advice]) -> "Sized | None":
     """A size, or the reason why there is none; refused if it was requested."""
-    if asked:
+    if requested:
         return make()
     try:
         return make()
@@ -216,8 +216,8 @@ def _if_possible(name: str, make: "Callable[[], Sized]", asked: bool, advice: li
 
 
 def _thickness(gear: "Toothing") -> float:
-    own = -gear.shift if gear.internal else gear.shift
-    return gear.module * (0.5 * pi_beside(gear.module) + 2.0 * own * tan(gear.pressure_angle))
+    shift = -gear.shift if gear.internal else gear.shift
+    return gear.module * (0.5 * pi_beside(gear.module) + 2.0 * shift * tan(gear.pressure_angle))
 
 
 def _found(gear: "Toothing", shift: float) -> ShiftFound:
@@ -247,10 +247,10 @@ def _require_cut(
     gear: Gear, shift: float, size: float | None, name: str, tip_diameter: float | None, radius: float | None
 ) -> None:
     """Refuse a reading whose profile shift makes the gear impossible."""
-    own = with_shift(gear, -shift if gear.internal else shift)
+    cut = with_shift(gear, -shift if gear.internal else shift)
     try:
-        require_circles(own)
-        toothing(own, tip_diameter=tip_diameter, fillet=fillet_of(own, radius))
+        require_circles(cut)
+        toothing(cut, tip_diameter=tip_diameter, fillet=fillet_of(cut, radius))
     except InadmissibleError as error:
         require(
             False,
@@ -269,13 +269,13 @@ def _require_cut(
 def _checks(gear: "Toothing", spanned: Span | None, pinned: Pins | None) -> tuple[Check, ...]:
     """Check the profile shift by recalculating it from the returned sizes."""
     checks = []
-    room = 1e-12 * (1.0 + absolute(gear.shift)) * gear.teeth
+    tolerance = 1e-12 * (1.0 + absolute(gear.shift)) * gear.teeth
     if spanned is not None:
         off = absolute(shift_from_span(gear, spanned.over, spanned.span) - gear.shift)
-        checks.append(Check("profile shift back from the span", bool(off <= room), plain(off), plain(room)))
+        checks.append(Check("profile shift back from the span", bool(off <= tolerance), plain(off), plain(tolerance)))
     if pinned is not None:
         off = absolute(shift_from_pins(gear, pinned.pin, pinned.size) - gear.shift)
-        checks.append(Check("profile shift back from the pins", bool(off <= room), plain(off), plain(room)))
+        checks.append(Check("profile shift back from the pins", bool(off <= tolerance), plain(off), plain(tolerance)))
     return tuple(checks)
 
 

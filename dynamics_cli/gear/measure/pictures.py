@@ -17,39 +17,39 @@ PEN = 1
 
 
 def measure_picture(
-    result: "Any", *, teeth: int, internal: bool = False, profile_shift: float = 0.0, **given: "Any"
+    result: "Any", *, teeth: int, internal: bool = False, profile_shift: float = 0.0, **inputs: "Any"
 ) -> Picture:
     """The gear with its span and the two pins or balls in their spaces, in the transverse plane, and the sizes."""
     items: list[Any] = []
-    drawn = exact_profile(teeth, internal, None, {**given, "profile_shift": profile_shift})
-    if drawn is None:
+    profile = exact_profile(teeth, internal, None, {**inputs, "profile_shift": profile_shift})
+    if profile is None:
         limits = [float(result.pins.centre_diameter)] if result.pins is not None else []
     else:
-        items += _gear(drawn, internal)
-        limits = [float(drawn.base_diameter)]
-    if result.span is not None and drawn is not None:
-        items += _jaws(float(drawn.base_diameter), result.span, teeth)
+        items += _gear(profile, internal)
+        limits = [float(profile.base_diameter)]
+    if result.span is not None and profile is not None:
+        items += _jaws(float(profile.base_diameter), result.span, teeth)
     if result.pins is not None:
         items += _pins(result.pins, teeth)
     if not limits:
         items.append(Mark(0.0, 0.0, "none of this gear's sizes can be drawn"))
     title = worded("Measuring a gear of {teeth} teeth, x = {shift}", teeth=teeth, shift=(float(profile_shift), Ratio))
-    if getattr(given.get("pitch"), "module", None) is not None:
-        title = worded("{title}, module {module:6}", title=title, module=(float(given["pitch"].module), Module))
+    if getattr(inputs.get("pitch"), "module", None) is not None:
+        title = worded("{title}, module {module:6}", title=title, module=(float(inputs["pitch"].module), Module))
     scene = Panel(X, Y, tuple(items), equal=True, bare=True)
     table = Panel(X, Y, (Rows(_rows(result)),))
     return Picture((scene, table), title, subtitle="Transverse section; base circle dotted, jaws tangent to it")
 
 
-def _gear(drawn: "Any", internal: bool) -> "list[Any]":
+def _gear(profile: "Any", internal: bool) -> "list[Any]":
     """The gear filled, with its base circle."""
-    x, y = outline_points(drawn.drawing.outlines[0])
+    x, y = outline_points(profile.drawing.outlines[0])
     x, y = (*x, x[0]), (*y, y[0])
-    base = circle((0.0, 0.0), 0.5 * float(drawn.base_diameter), "", "dots", BLACK)
+    base = circle((0.0, 0.0), 0.5 * float(profile.base_diameter), "", "dots", BLACK)
     if not internal:
         return [Curve(x, y, "", "filled", 0), base]
-    depth = 0.5 * (float(drawn.root_diameter) - float(drawn.tip_diameter))
-    rim = circle((0.0, 0.0), 0.5 * float(drawn.root_diameter) + 0.5 * RIM * depth, "", "solid", 0)
+    depth = 0.5 * (float(profile.root_diameter) - float(profile.tip_diameter))
+    rim = circle((0.0, 0.0), 0.5 * float(profile.root_diameter) + 0.5 * RIM * depth, "", "solid", 0)
     around = (*rim.x, *reversed(x), rim.x[0]), (*rim.y, *reversed(y), rim.y[0])
     return [Curve(*around, "", "fill", 0), Curve(x, y, "", "outline", 0), base]
 
@@ -105,9 +105,9 @@ def _pins(pins: "Any", teeth: int) -> "list[Any]":
     # A quarter turn from where the span is drawn.
     for space in (teeth // 4, teeth // 4 + teeth // 2):
         angle = (2 * space + 1) * pi / teeth
-        at = radius * sin(angle), radius * cos(angle)
-        items.append(circle(at, 0.5 * float(pins.pin), "", "filled", 2))
-        items.append(Mark(*at))
+        centre = radius * sin(angle), radius * cos(angle)
+        items.append(circle(centre, 0.5 * float(pins.pin), "", "filled", 2))
+        items.append(Mark(*centre))
     items.append(Label(0.0, -0.12 * radius, worded("M = {size:6}", size=(float(pins.size), Size)), 2))
     items.append(Label(0.0, -0.26 * radius, worded("over pins of {size:6}", size=(float(pins.pin), Size)), 2))
     return items
@@ -115,8 +115,8 @@ def _pins(pins: "Any", teeth: int) -> "list[Any]":
 
 def candidates(result: "Any", *, teeth: int = 0, **_: "Any") -> Picture:
     """How well each candidate agrees with the readings."""
-    names = tuple(f"{one.size}, {degrees(float(one.pressure_angle)):.4g}°" for one in result.candidates)
-    worst = [float(one.disagreement) for one in result.candidates]
+    names = tuple(f"{row.size}, {degrees(float(row.pressure_angle)):.4g}°" for row in result.candidates)
+    worst = [float(row.disagreement) for row in result.candidates]
     bars = Bars(names, [0.0] * len(worst), worst)
     title = f"Which gear of {teeth} teeth it may be" if teeth else "Candidate gears"
     axis = Axis("largest deviation from a reading; below 1 the gear fits")

@@ -158,19 +158,19 @@ def pins(gear: Toothing, pin: float | None, allowances: "tuple[float | None, flo
     if chosen is None:
         near = _USUAL * plain(gear.module) if ideal is None else plain(ideal)
         doubles = bare(gear)
-        chosen = next((one for one in standard_pins(near) if _serves(doubles, one)), None)
+        chosen = next((item for item in standard_pins(near) if _serves(doubles, item)), None)
         require(chosen is not None, "no standard pin touches on the flanks", code="pin-off-flank", hint="give --pin")
         assert chosen is not None
     else:
         require(chosen > 0.0, "the pin diameter {pin:6} must be above zero", pin=(chosen, Size), code="pin")
         fault = pin_fault(bare(gear), plain(chosen))
         if fault is not None:
-            text, at, limit = fault
+            text, diameter, limit = fault
             require(
                 False,
                 text,
                 pin=(chosen, Size),
-                at=(2.0 * at, Size),
+                at=(2.0 * diameter, Size),
                 limit=(2.0 * limit, Size),
                 ideal=(ideal, Size),
                 code="pin-off-flank",
@@ -178,7 +178,7 @@ def pins(gear: Toothing, pin: float | None, allowances: "tuple[float | None, flo
             )
     roll = pin_roll(gear, chosen)
     upper, lower = (
-        None if one is None else pin_size(with_shift(gear, thinned(gear, one)), chosen) for one in allowances
+        None if item is None else pin_size(with_shift(gear, thinned(gear, item)), chosen) for item in allowances
     )
     return Pins(
         pin=chosen,

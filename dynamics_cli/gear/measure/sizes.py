@@ -142,9 +142,7 @@ def span(gear: Toothing, over: int | None, allowances: "tuple[float | None, floa
             code="span-off-flank",
             hint=serves,
         )
-    upper, lower = (
-        None if one is None else span_length(with_shift(gear, thinned(gear, one)), chosen) for one in allowances
-    )
+    upper, lower = (None if a is None else span_length(with_shift(gear, thinned(gear, a)), chosen) for a in allowances)
     helical = plain(gear.helix_angle) != 0.0
     slope = sin(gear.helix_angle) * cos(gear.pressure_angle)
     return Span(
@@ -168,8 +166,8 @@ def chordal(gear: Toothing, allowances: "tuple[float | None, float | None]") -> 
     diameter = equivalent * gear.module
 
     def half_angle(shift: float) -> float:
-        own = -shift if gear.internal else shift
-        return (0.5 * pi_beside(own, gear.module) + 2.0 * own * tan(gear.pressure_angle)) / equivalent
+        signed_shift = -shift if gear.internal else shift
+        return (0.5 * pi_beside(signed_shift, gear.module) + 2.0 * signed_shift * tan(gear.pressure_angle)) / equivalent
 
     half = half_angle(gear.shift)
     require(
@@ -178,7 +176,7 @@ def chordal(gear: Toothing, allowances: "tuple[float | None, float | None]") -> 
         half=(half, Angle),
         code="no-tooth",
     )
-    upper, lower = (None if one is None else diameter * sin(half_angle(thinned(gear, one))) for one in allowances)
+    upper, lower = (None if a is None else diameter * sin(half_angle(thinned(gear, a))) for a in allowances)
     rise = diameter * sin(0.5 * half) * sin(0.5 * half)
     addendum = gear.pitch_radius - gear.tip if gear.internal else gear.tip - gear.pitch_radius
     return Chord(
@@ -200,8 +198,8 @@ def shift_from_chord(gear: Toothing, thickness: float) -> float:
         thickness=(thickness, Size),
         code="chord",
     )
-    own = 0.5 * (asin(sine) * equivalent - 0.5 * pi_beside(sine)) / tan(gear.pressure_angle)
-    return -own if gear.internal else own
+    signed_shift = 0.5 * (asin(sine) * equivalent - 0.5 * pi_beside(sine)) / tan(gear.pressure_angle)
+    return -signed_shift if gear.internal else signed_shift
 
 
 def constant_chord(gear: Toothing, allowances: "tuple[float | None, float | None]") -> Chord:
@@ -213,7 +211,7 @@ def constant_chord(gear: Toothing, allowances: "tuple[float | None, float | None
         return gear.module * (0.5 * pi_beside(gear.module) * cosine * cosine + 2.0 * shift * sine * cosine)
 
     thickness = chord(gear.shift)
-    upper, lower = (None if one is None else chord(thinned(gear, one)) for one in allowances)
+    upper, lower = (None if a is None else chord(thinned(gear, a)) for a in allowances)
     height = gear.tip - gear.pitch_radius - 0.5 * thickness * sine / cosine
     require(
         height > 0.0, "the constant chord lies {height:6} above the tips", height=(-height, Size), code="constant-chord"

@@ -14,10 +14,10 @@ OVERLAP = 1e-6
 
 def tip_notes(first: ToothForm, second: ToothForm, distance: float) -> tuple[Advice, ...]:
     """Note that the tips are left at full height where `gear pair` shortens them."""
-    one, two = first.cutter, second.cutter
-    if one is None or two is None:
+    rack1, rack2 = first.cutter, second.cutter
+    if rack1 is None or rack2 is None:
         return ()
-    change = distance - first.module * (one.pitch_radius + two.pitch_radius + one.shift + two.shift)
+    change = distance - first.module * (rack1.pitch_radius + rack2.pitch_radius + rack1.shift + rack2.shift)
     if change > -1e-9 * first.module:
         return ()
     tips = [2.0 * (form.tip + change) for form in (first, second)]

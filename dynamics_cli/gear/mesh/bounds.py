@@ -34,9 +34,9 @@ def mesh_numerics(known: "Any", exact: "Any", turning: float, columns: "dict[str
     gaps = {"first_in_second": known.inward, "second_in_first": known.outward}
     bounds += [width(name, gap, placed) for name, gap in gaps.items() if gap is not None]
     along: tuple[float, ...] = _column_bounds(known, bare(known.path))
-    whole, picks = shares
+    steps, picks = shares
     if exact is not None and len(picks) <= MEASURED:
-        rows = in_digits(lambda: [tuple(_row(exact, pick, whole)) for pick in picks])
+        rows = in_digits(lambda: [tuple(_row(exact, pick, steps)) for pick in picks])
         along = tuple(
             max(measured(float(value), row[place], most) for value, row in zip(columns[name], rows, strict=True))
             for place, (name, most) in enumerate(zip(COLUMNS, along, strict=True))
@@ -67,11 +67,11 @@ def _diameter_bound(base: float, length: float, error: float) -> float:
     return 2.0 * (error_of(base) + error * abs(length) / radius + 1.5 * UNIT_ROUNDOFF * radius)
 
 
-def _row(exact: "Any", pick: int, whole: int) -> "Iterator[Any]":
+def _row(exact: "Any", pick: int, steps: int) -> "Iterator[Any]":
     """Place and diameters of a point of contact, in many digits."""
     path = exact.path
-    own = path.start + (path.end - path.start) * pick / whole
-    other = own + path.total if exact.second.internal else path.total - own
-    yield own - exact.pitch_point
-    for base, length in ((exact.first.base, own), (exact.second.base, other)):
+    first_length = path.start + (path.end - path.start) * pick / steps
+    second_length = first_length + path.total if exact.second.internal else path.total - first_length
+    yield first_length - exact.pitch_point
+    for base, length in ((exact.first.base, first_length), (exact.second.base, second_length)):
         yield 2.0 * sqrt(base * base + length * length)

@@ -76,12 +76,12 @@ def _places(gap: "Array") -> "list[tuple[int, int]]":
 def _beside(tooth: "tuple[Array, Array]", fine: "tuple[Array, Array]", column: int) -> "tuple[Array, Array]":
     """The fine points of the tooth between the neighbours of one of its coarse points."""
     low, high = max(column - 1, 0), min(column + 2, len(tooth[0]))
-    kept = True
+    inside = True
     for coarse, points in zip(tooth, fine, strict=True):
         part = coarse[low:high]
         slack = 1e-9 * abs(part).max()
-        kept = kept & (points >= part.min() - slack) & (points <= part.max() + slack)
-    return fine[0][kept], fine[1][kept]
+        inside = inside & (points >= part.min() - slack) & (points <= part.max() + slack)
+    return fine[0][inside], fine[1][inside]
 
 
 class _Turn:
@@ -132,10 +132,10 @@ class _Turn:
         side = -1.0 if self.second.internal else 1.0
         cosine = side * (radius * radius + self.distance**2 - self.second.form**2) / (2.0 * radius * self.distance)
         polar = np.arccos(np.clip(cosine, -1.0, 1.0))
-        both = np.stack((polar, -polar)) - angle
-        both = np.remainder(both + pi, 2.0 * pi) - pi
-        crosses = (np.abs(cosine) <= 1.0) & (both >= grid[0]) & (both <= grid[-1])
-        return np.where(crosses, both, grid[0])
+        angles = np.stack((polar, -polar)) - angle
+        angles = np.remainder(angles + pi, 2.0 * pi) - pi
+        crosses = (np.abs(cosine) <= 1.0) & (angles >= grid[0]) & (angles <= grid[-1])
+        return np.where(crosses, angles, grid[0])
 
     def least(self, radius: "Array", angle: "Array", middle: float, width: float) -> tuple[float, float]:
         """The minimum distance within a width of an angle, and its angle."""

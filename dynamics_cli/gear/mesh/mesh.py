@@ -157,7 +157,7 @@ def mesh(
         most=MOST_POINTS,
         code="points",
     )
-    given = {
+    inputs = {
         "first_teeth": first_teeth,
         "second_teeth": second_teeth,
         "pitch": pitch,
@@ -174,8 +174,8 @@ def mesh(
         "first_tip_diameter": first_tip_diameter,
         "second_tip_diameter": second_tip_diameter,
     }
-    known = _Known(carried(given), carried(centre_distance))
-    exact = in_digits(lambda: _Known(in_many_digits(given), in_many_digits(centre_distance), known.places))
+    known = _Known(carried(inputs), carried(centre_distance))
+    exact = in_digits(lambda: _Known(in_many_digits(inputs), in_many_digits(centre_distance), known.places))
     if exact is not None:
         tighten(known.numbers(), exact.numbers())
     bare_tips = first_tip_diameter is None and second_tip_diameter is None and not internal
@@ -232,7 +232,7 @@ def _require_contact(path: Path) -> None:
     )
 
 
-def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bare_tips: bool) -> MeshProof:
+def _proof(known: "_Known", exact: "_Known | None", points: int, rows: int, bare_tips: bool) -> MeshProof:
     """The proof in numbers that carry rounding bounds; the turning itself is in doubles."""
     import numpy as np
 
@@ -251,11 +251,11 @@ def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bar
     gaps = {"gear 1 in the root of gear 2": known.inward, "gear 2 in the root of gear 1": known.outward}
     overlaps = {where: bare(gap) for where, gap in gaps.items() if gap is not None}
     clearances = numbers["first_tip_clearance"], numbers["second_tip_clearance"]
-    room = min((*overlaps.values(), *clearances)) >= -OVERLAP * first.module
-    runs = numbers["contact_ratio"] >= 1.0 and numbers["backlash"] >= -EXACT * apart and room and not trims
-    picks = np.unique(np.linspace(0, len(lengths) - 1, max(2, min(shown, len(lengths)))).astype(int))
+    free = min((*overlaps.values(), *clearances)) >= -OVERLAP * first.module
+    runs = numbers["contact_ratio"] >= 1.0 and numbers["backlash"] >= -EXACT * apart and free and not trims
+    picks = np.unique(np.linspace(0, len(lengths) - 1, max(2, min(rows, len(lengths)))).astype(int))
     path = _points(first, second, plain, lengths[picks], error[picks])
-    shares = len(lengths) - 1, picks.tolist()
+    sampling = len(lengths) - 1, picks.tolist()
     notes = tip_notes(first, second, apart) if bare_tips else ()
     return MeshProof(
         **numbers,
@@ -271,7 +271,7 @@ def _proof(known: "_Known", exact: "_Known | None", points: int, shown: int, bar
         advice=advice(plain, numbers["contact_ratio"], numbers["backlash"], overlaps, clearances, first)
         + (tips_meet(trimmed) if trims else ())
         + notes,
-        numerics=mesh_numerics(known, exact, worst, path.arrays, shares),
+        numerics=mesh_numerics(known, exact, worst, path.arrays, sampling),
     )
 
 
@@ -332,12 +332,12 @@ def _tip_clearances(first: ToothForm, second: ToothForm, distance: float) -> tup
 def _points(first: ToothForm, second: ToothForm, path: Path, lengths: object, error: object) -> Columns[ContactPoint]:
     import numpy as np
 
-    own: np.ndarray = lengths  # type: ignore[assignment]
-    other = own + path.total if second.internal else path.total - own
+    first_lengths: np.ndarray = lengths  # type: ignore[assignment]
+    second_lengths = first_lengths + path.total if second.internal else path.total - first_lengths
     return Columns(
         ContactPoint,
-        along=own - first.base * tan(path.pressure_angle),
-        first_diameter=2.0 * np.hypot(first.base, own),
-        second_diameter=2.0 * np.hypot(second.base, other),
+        along=first_lengths - first.base * tan(path.pressure_angle),
+        first_diameter=2.0 * np.hypot(first.base, first_lengths),
+        second_diameter=2.0 * np.hypot(second.base, second_lengths),
         error=error,
     )

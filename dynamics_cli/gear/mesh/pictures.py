@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 EXACT = 1e-12
 
 
-def mesh_picture(result: "MeshProof", **given: "Any") -> Picture:
+def mesh_picture(result: "MeshProof", **inputs: "Any") -> Picture:
     """Both profiles about the pitch point with the path of contact, and the results."""
     from dynamics_cli.gear.mesh.mesh import forms_of, mesh
 
-    every = {**(mesh.__kwdefaults__ or {}), **given}
+    every = {**(mesh.__kwdefaults__ or {}), **inputs}
     forms = forms_of(**{name: every[name] for name in every if name not in ("centre_distance", "points", "shown")})
     first, second = (bare(form) for form in forms)
     angle = float(result.working_pressure_angle)

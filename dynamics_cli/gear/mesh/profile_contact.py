@@ -105,13 +105,13 @@ def transmission_error(
     alpha = path.pressure_angle
     x = first.base * np.cos(alpha) + lengths * np.sin(alpha)
     y = lengths * np.cos(alpha) - first.base * np.sin(alpha)
-    own = np.arctan2(y, x) - _half_angles(first, np.hypot(x, y))
+    first_angles = np.arctan2(y, x) - _half_angles(first, np.hypot(x, y))
     if second.internal:
         x2, y2, ratio = x + distance, y, first.teeth / second.teeth
     else:
         x2, y2, ratio = distance - x, -y, -first.teeth / second.teeth
-    other = np.arctan2(y2, x2) - _half_angles(second, np.hypot(x2, y2))
-    error = other - ratio * own
+    second_angles = np.arctan2(y2, x2) - _half_angles(second, np.hypot(x2, y2))
+    error = second_angles - ratio * first_angles
     return lengths, error - np.median(error)
 
 
@@ -139,11 +139,11 @@ def tips_pass(first: ToothForm, second: ToothForm, distance: float) -> float:
 
     Negative when it cuts into the tooth that it should have left; infinite when the tip circles do not cross.
     """
-    own = (second.tip**2 - first.tip**2 - distance**2) / (2.0 * first.tip * distance)
-    other = (second.tip**2 - first.tip**2 + distance**2) / (2.0 * second.tip * distance)
-    if not second.internal or absolute(own) >= 1.0 or absolute(other) >= 1.0:
+    pinion_cosine = (second.tip**2 - first.tip**2 - distance**2) / (2.0 * first.tip * distance)
+    ring_cosine = (second.tip**2 - first.tip**2 + distance**2) / (2.0 * second.tip * distance)
+    if not second.internal or absolute(pinion_cosine) >= 1.0 or absolute(ring_cosine) >= 1.0:
         return float("inf")
     # the corners' angles from the line of centres, with tooth and space turned back onto it
-    pinion = acos(own) - first.half_angle(first.roll(first.tip))
-    ring = acos(other) - second.half_angle(second.roll(second.tip))
+    pinion = acos(pinion_cosine) - first.half_angle(first.roll(first.tip))
+    ring = acos(ring_cosine) - second.half_angle(second.roll(second.tip))
     return second.tip * (pinion * first.teeth / second.teeth - ring)

@@ -122,16 +122,16 @@ class TipPath:
         angle = turn + side * self.half
         along, across = self.first.tip * cos(angle), self.first.tip * sin(angle)
         if self.first.internal:
-            x, y, way = along - self.distance, across, 1.0
+            x, y, sense = along - self.distance, across, 1.0
         elif self.second.internal:
-            x, y, way = along + self.distance, across, 1.0
+            x, y, sense = along + self.distance, across, 1.0
         else:
-            x, y, way = self.distance - along, -across, -1.0
+            x, y, sense = self.distance - along, -across, -1.0
         # in this order, so that doubles standing for exact angles lose nothing in other numbers
         back = self.way * turn * self.first.teeth / self.second.teeth + self.play
         sine, cosine = sin(back), cos(back)
         px, py = x * cosine + y * sine, y * cosine - x * sine
-        vx, vy = -way * across, way * along
+        vx, vy = -sense * across, sense * along
         # motion of its own gear, less that of the space
         return (px, py), (vx * cosine + vy * sine + self.ratio * py, vy * cosine - vx * sine - self.ratio * px)
 
@@ -162,8 +162,8 @@ def root_gaps(
     """
     turned = play * (second.teeth / first.teeth)
     if places is None:
-        one, two, apart = bare(first), bare(second), bare(distance)
-        places = least_places(one, two, apart, bare(play)), least_places(two, one, apart, bare(turned))
+        pinion, wheel, apart = bare(first), bare(second), bare(distance)
+        places = least_places(pinion, wheel, apart, bare(play)), least_places(wheel, pinion, apart, bare(turned))
     into, out = places
     inward = None if into is None else root_gap(first, second, distance, play, touches[0], into)
     outward = None if out is None else root_gap(second, first, distance, turned, touches[1], out)
@@ -189,7 +189,7 @@ def root_gap(
         gaps.append(touch)
     least = min(gaps, key=bare)
     # whichever of nearly equal ones is the minimum, their common bound holds
-    worst = max(error_of(one) for one in gaps if bare(one - least) <= error_of(one))
+    worst = max(error_of(gap) for gap in gaps if bare(gap - least) <= error_of(gap))
     return with_error(least, worst)  # type: ignore[no-any-return]
 
 
@@ -200,11 +200,11 @@ def least_places(first: ToothForm, second: ToothForm, distance: float, play: flo
     deepest = distance + first.tip if second.internal else absolute(distance - first.tip)
     if (deepest < second.form) if second.internal else (deepest > second.form):
         return None
-    both = TipPath(first, second, distance, play, np), RootCurve(second, np)
+    curves = TipPath(first, second, distance, play, np), RootCurve(second, np)
     path, curve = TipPath(first, second, distance, play, math), RootCurve(second, math)
     # without backlash one side is the mirror image of the other
     sides = (-1.0, 1.0) if play > 0.0 else (1.0,)
-    places = [place for side in sides for place in _places(both, path, curve, side)]
+    places = [place for side in sides for place in _places(curves, path, curve, side)]
     gaps = [_distance(path, curve, *place) for place in places]
     nearly = min(gaps, default=0.0) + 1e-9 * second.module
     return tuple(place for place, gap in zip(places, gaps, strict=True) if gap <= nearly)
@@ -259,13 +259,13 @@ def _look(
     theta = thetas[np.hypot(x[:, None] - cx, y[:, None] - cy).argmin(axis=1)]
     low, high = sorted(curve.range)
 
-    def along(at: "Array") -> "Array":
-        (cx, cy), (nx, ny) = curve.at(at)
+    def along(angles: "Array") -> "Array":
+        (cx, cy), (nx, ny) = curve.at(angles)
         return (y - cy) * nx - (x - cx) * ny  # type: ignore[no-any-return]
 
-    small = 1e-4 * (thetas[1] - thetas[0])
+    half_step = 1e-4 * (thetas[1] - thetas[0])
     for _ in range(SHARPER):
-        slope = (along(theta + small) - along(theta - small)) / (2.0 * small)
+        slope = (along(theta + half_step) - along(theta - half_step)) / (2.0 * half_step)
         move = along(theta) / np.where(slope == 0.0, np.inf, slope)
         theta = np.clip(theta - np.clip(move, -(high - low), high - low), low, high)
     (cx, cy), (nx, ny) = curve.at(theta)

@@ -14,7 +14,7 @@ def pair_advice(
 ) -> tuple[Advice, ...]:
     """Advice on what is wrong with a pair, or close to it."""
     # where no exact roots were looked at, a tip that passes the other's involute counts as an overlap
-    short = ("root", "trimming") + (("involute",) if any(one.kind.startswith(PROFILES) for one in interference) else ())
+    short = ("root", "trimming") + (("involute",) if any(v.kind.startswith(PROFILES) for v in interference) else ())
     advice = [
         Advice(
             "interference",

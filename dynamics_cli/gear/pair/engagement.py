@@ -177,10 +177,10 @@ def specific_sliding(mesh: Engagement, curvature: float) -> tuple[float | None, 
     away = curvature - mesh.pitch_curvature
     # 1 + 1/u and 1 + u from the teeth: with an internal gear the ratio would cancel
     first, second = mesh.first.teeth, mesh.second.teeth
-    both = first + second
-    own = away * (both / second) / curvature if plain(curvature) > 0.0 else None
-    mate = -away * (both / first) / other if plain(other) * mesh.ratio > 0.0 else None
-    return own, mate
+    total = first + second
+    first_sliding = away * (total / second) / curvature if plain(curvature) > 0.0 else None
+    second_sliding = -away * (total / first) / other if plain(other) * mesh.ratio > 0.0 else None
+    return first_sliding, second_sliding
 
 
 def overlap_ratio(gear: Gear, width: float) -> float:

@@ -86,6 +86,6 @@ def loss_factor(mesh: Engagement, path: Path) -> float:
     pitch = mesh.first.base_pitch
     recess = (path.end - mesh.pitch_curvature) / pitch
     approach = (mesh.pitch_curvature - path.start) / pitch
-    both = (mesh.first.teeth + mesh.second.teeth) / (mesh.first.teeth * mesh.second.teeth)
+    reciprocal_sum = (mesh.first.teeth + mesh.second.teeth) / (mesh.first.teeth * mesh.second.teeth)
     shape = 1.0 - (recess + approach) + recess * recess + approach * approach
-    return pi_beside(both, shape) * both * shape / cos(mesh.first.base_helix_angle)
+    return pi_beside(reciprocal_sum, shape) * reciprocal_sum * shape / cos(mesh.first.base_helix_angle)

@@ -71,16 +71,17 @@ def verdicts(
         )
     else:
         corner = _Corner(mesh)
-        own = _Corner(_bare(mesh))
-        turn = _last_turn(own)
+        corner_in_doubles = _Corner(_bare(mesh))
+        turn = _last_turn(corner_in_doubles)
         running, pushing = (
-            _in_numbers_of(corner, at, turn) for at in (_least_after_crest(own, turn), _least_sideways(own, turn))
+            _in_numbers_of(corner, place, turn)
+            for place in (_least_after_crest(corner_in_doubles, turn), _least_sideways(corner_in_doubles, turn))
         )
         verdicts_of_pair.append(("trochoid: the pinion's tip past the ring's", corner.clearance(running)))
         verdicts_of_pair.append(("trimming: the pinion put in radially", corner.sideways(pushing)))
-    room = {PROFILES: -OVERLAP * plain(first.module)}
+    allowed = {PROFILES: -OVERLAP * plain(first.module)}
     return tuple(
-        Verdict(kind, plain(margin) >= room.get(kind.partition(":")[0], 0.0), margin)
+        Verdict(kind, plain(margin) >= allowed.get(kind.partition(":")[0], 0.0), margin)
         for kind, margin in verdicts_of_pair
     )
 
@@ -183,19 +184,19 @@ class _Corner:
 
     def sideways_slope(self, turn: float) -> float:
         """Its derivative by the rotation."""
-        own = self.ring * self._follow(1.0) * cos(self._follow(turn) + self.ring_half)
-        return own - self.pinion * cos(turn + self.half)
+        ring_slope = self.ring * self._follow(1.0) * cos(self._follow(turn) + self.ring_half)
+        return ring_slope - self.pinion * cos(turn + self.half)
 
     def ahead(self, turn: float) -> float:
         """How far the pinion's corner reaches beyond the ring's along the line of centres."""
         return self._place(turn)[0] - self.ring * cos(self._follow(turn) + self.ring_half)
 
 
-def _last_turn(own: _Corner) -> float:
+def _last_turn(corner: _Corner) -> float:
     """The turn at which the corner crosses the ring's tip circle."""
-    a, pinion, ring = own.distance, own.pinion, own.ring
+    a, pinion, ring = corner.distance, corner.pinion, corner.ring
     cosine = (ring * ring - pinion * pinion - a * a) / (2.0 * a * pinion)
-    return acos(minimum(1.0, maximum(-1.0, cosine))) - own.half
+    return acos(minimum(1.0, maximum(-1.0, cosine))) - corner.half
 
 
 def _in_numbers_of(corner: _Corner, turn: float, last: float) -> float:
@@ -206,20 +207,20 @@ def _in_numbers_of(corner: _Corner, turn: float, last: float) -> float:
     return _last_turn(corner) if turn == last else like(turn, corner.distance)
 
 
-def _least_after_crest(own: _Corner, last: float) -> float:
+def _least_after_crest(corner: _Corner, last: float) -> float:
     """The minimum clearance after contact has ended and the corner is free."""
-    first = min(own.parting, last)
-    crest = extremum(lambda turn: -own.clearance(turn), lambda turn: -own.clearance_slope(turn), first, last)
-    return extremum(own.clearance, own.clearance_slope, crest, last)
+    first = min(corner.parting, last)
+    crest = extremum(lambda turn: -corner.clearance(turn), lambda turn: -corner.clearance_slope(turn), first, last)
+    return extremum(corner.clearance, corner.clearance_slope, crest, last)
 
 
-def _least_sideways(own: _Corner, last: float) -> float:
+def _least_sideways(corner: _Corner, last: float) -> float:
     """The minimum lateral clearance in radial assembly, among corners that must pass the ring's."""
     high = last
     step = max(0.02, 0.25 * last)
-    while own.ahead(high + step) > 0.0 and high + step + own.half < 0.5 * pi:
+    while corner.ahead(high + step) > 0.0 and high + step + corner.half < 0.5 * pi:
         high += step
-    return extremum(own.sideways, own.sideways_slope, 0.0, high)
+    return extremum(corner.sideways, corner.sideways_slope, 0.0, high)
 
 
 def extremum(function: "Callable[[float], float]", slope: "Callable[[float], float]", low: float, high: float) -> float:

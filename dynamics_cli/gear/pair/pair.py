@@ -136,11 +136,11 @@ def pair(
         mesh, tip_change = engaged(gears[0], gears[1], first, second, centre_distance, split, tips)
     play = total_backlash(mesh, (first, second))
     cut = as_cut(mesh.first, first.thinning), as_cut(mesh.second, second.thinning)
-    course = path(mesh)
+    contact_path = path(mesh)
     load = torque_of(torque, power, speed)
-    interference = verdicts(mesh, course, play, cut, root_radius_factor)
+    interference = verdicts(mesh, contact_path, play, cut, root_radius_factor)
     forces = None if load is None else tooth_forces(mesh, load, _own_hand(hand, helix_angle))
-    return _result(mesh, course, tip_change, interference, forces, load, speed, friction, face_width,
+    return _result(mesh, contact_path, tip_change, interference, forces, load, speed, friction, face_width,
                    (first, second), (first_bearings, second_bearings), pitch, play)  # fmt: skip
 
 
@@ -150,7 +150,7 @@ def _own_hand(hand: Hand, helix_angle: float) -> str:
 
 def _result(
     mesh: Engagement,
-    course: Path,
+    contact_path: Path,
     tip_change: float | None,
     interference: tuple[Verdict, ...],
     forces: ToothForces | None,
@@ -163,13 +163,13 @@ def _result(
     pitch: object,
     backlash: float,
 ) -> PairData:
-    one, two = mesh.first, mesh.second
-    module = one.module
-    transverse = contact_ratio(mesh, course.start, course.end)
-    nominal = contact_ratio(mesh, course.nominal_start, course.nominal_end)
-    overlap = None if face_width is None else overlap_ratio(one, face_width)
-    working = mesh.working_diameter(one), mesh.working_diameter(two)
-    losses = loss_factor(mesh, course)
+    first_gear, second_gear = mesh.first, mesh.second
+    module = first_gear.module
+    transverse = contact_ratio(mesh, contact_path.start, contact_path.end)
+    nominal = contact_ratio(mesh, contact_path.nominal_start, contact_path.nominal_end)
+    overlap = None if face_width is None else overlap_ratio(first_gear, face_width)
+    working = mesh.working_diameter(first_gear), mesh.working_diameter(second_gear)
+    losses = loss_factor(mesh, contact_path)
     require(
         friction * losses < 1.0,
         "a friction coefficient of {friction:6} would lose {loss:6} times the power",
@@ -177,7 +177,7 @@ def _result(
         loss=(friction * losses, Ratio),
         code="friction",
     )
-    common = gcd(one.teeth, two.teeth)
+    common = gcd(first_gear.teeth, second_gear.teeth)
     turns = None if speed is None else absolute(speed) / (2.0 * pi_beside(speed))
     pitch_curvature = mesh.pitch_curvature
     thinned = tuple(mate.thinning for mate in mates)
@@ -185,58 +185,59 @@ def _result(
         centre_distance=absolute(mesh.centre_distance),
         working_pressure_angle=mesh.angle,
         involute=mesh.tight,
-        ratio=abs(two.teeth) / one.teeth,
-        first_profile_shift=one.shift,
-        second_profile_shift=two.shift,
-        reference_distance=absolute(reference_distance(one, two)),
-        distance_modification=absolute(mesh.centre_distance / module) - absolute(reference_distance(one, two) / module),
+        ratio=abs(second_gear.teeth) / first_gear.teeth,
+        first_profile_shift=first_gear.shift,
+        second_profile_shift=second_gear.shift,
+        reference_distance=absolute(reference_distance(first_gear, second_gear)),
+        distance_modification=absolute(mesh.centre_distance / module)
+        - absolute(reference_distance(first_gear, second_gear) / module),
         tip_change=tip_change,
         first_working_diameter=working[0],
         second_working_diameter=absolute(working[1]),
-        first_base_diameter=one.base_diameter,
-        second_base_diameter=absolute(two.base_diameter),
-        first_tip_diameter=one.tip_diameter,
-        second_tip_diameter=absolute(two.tip_diameter),
-        first_root_diameter=one.root_diameter,
-        second_root_diameter=absolute(two.root_diameter),
+        first_base_diameter=first_gear.base_diameter,
+        second_base_diameter=absolute(second_gear.base_diameter),
+        first_tip_diameter=first_gear.tip_diameter,
+        second_tip_diameter=absolute(second_gear.tip_diameter),
+        first_root_diameter=first_gear.root_diameter,
+        second_root_diameter=absolute(second_gear.root_diameter),
         transverse_contact_ratio=transverse,
         nominal_contact_ratio=nominal if plain(nominal) != plain(transverse) else None,
         overlap_ratio=overlap,
         total_contact_ratio=None if overlap is None else transverse + overlap,
-        path_length=course.end - course.start,
-        approach_length=pitch_curvature - course.start,
-        recess_length=course.end - pitch_curvature,
-        first_generating_shift=generating_shift(one, thinned[0]),
-        second_generating_shift=generating_shift(two, thinned[1]),
+        path_length=contact_path.end - contact_path.start,
+        approach_length=pitch_curvature - contact_path.start,
+        recess_length=contact_path.end - pitch_curvature,
+        first_generating_shift=generating_shift(first_gear, thinned[0]),
+        second_generating_shift=generating_shift(second_gear, thinned[1]),
         circumferential_backlash=backlash,
-        normal_backlash=backlash * cos(mesh.angle) * cos(one.base_helix_angle),
-        first_tip_clearance=interference[-2 if not two.internal else -4].margin,
-        second_tip_clearance=interference[-1 if not two.internal else -3].margin,
+        normal_backlash=backlash * cos(mesh.angle) * cos(first_gear.base_helix_angle),
+        first_tip_clearance=interference[-2 if not second_gear.internal else -4].margin,
+        second_tip_clearance=interference[-1 if not second_gear.internal else -3].margin,
         loss_factor=losses,
         efficiency=1.0 - friction * losses,
         common_factor=common,
         pitch_line_speed=None if speed is None else 0.5 * absolute(speed) * working[0],
-        mesh_frequency=None if turns is None else turns * one.teeth,
-        hunting_frequency=None if turns is None else turns * common / abs(two.teeth),
+        mesh_frequency=None if turns is None else turns * first_gear.teeth,
+        hunting_frequency=None if turns is None else turns * common / abs(second_gear.teeth),
         torque=torque,
-        second_torque=None if torque is None else torque * abs(two.teeth) / one.teeth,
+        second_torque=None if torque is None else torque * abs(second_gear.teeth) / first_gear.teeth,
         forces=forces,
         bearings=_bearings(forces, working, spans),
-        points=tuple(_points(mesh, course, working[0], speed)),
+        points=tuple(_points(mesh, contact_path, working[0], speed)),
         verdicts=interference,
         checks=_checks(mesh),
         advice=pair_advice(mesh, transverse, backlash, interference, thinned) + module_advice(pitch, module),
     )
 
 
-def _points(mesh: Engagement, course: Path, working: float, speed: float | None) -> "list[ContactPoint]":
+def _points(mesh: Engagement, contact_path: Path, working: float, speed: float | None) -> "list[ContactPoint]":
     pitch = mesh.first.base_pitch
     places = (
-        ("A", course.start),
-        ("B", course.end - pitch),
+        ("A", contact_path.start),
+        ("B", contact_path.end - pitch),
         ("C", mesh.pitch_curvature),
-        ("D", course.start + pitch),
-        ("E", course.end),
+        ("D", contact_path.start + pitch),
+        ("E", contact_path.end),
     )
     points = []
     for name, curvature in places:
@@ -244,7 +245,7 @@ def _points(mesh: Engagement, course: Path, working: float, speed: float | None)
         away = curvature - mesh.pitch_curvature
         # 1 + 1/u
         factor = 2.0 * away * ((mesh.first.teeth + mesh.second.teeth) / mesh.second.teeth) / working
-        own, mate = specific_sliding(mesh, curvature)
+        first_sliding, second_sliding = specific_sliding(mesh, curvature)
         base, wide = 0.5 * mesh.first.base_diameter, 0.5 * mesh.second.base_diameter
         points.append(
             ContactPoint(
@@ -256,8 +257,8 @@ def _points(mesh: Engagement, course: Path, working: float, speed: float | None)
                 absolute(other),
                 factor,
                 None if speed is None else 0.5 * factor * working * absolute(speed),
-                own,
-                mate,
+                first_sliding,
+                second_sliding,
             )
         )
     return points
@@ -286,7 +287,7 @@ def _checks(mesh: Engagement) -> tuple[Check, ...]:
     """Check that the working pitch circles touch, and that both base circles give the same pressure angle."""
     from dynamics_cli.numerics.elementary import cos as cosine
 
-    own = plain(mesh.working_diameter(mesh.first)) * cosine(plain(mesh.angle))
+    pinion_base = plain(mesh.working_diameter(mesh.first)) * cosine(plain(mesh.angle))
     base = plain(mesh.first.base_diameter)
-    residual = abs(own - base) / base
+    residual = abs(pinion_base - base) / base
     return (Check("working pitch circle and base circle", residual <= 1e-13, residual, 1e-13),)

@@ -36,10 +36,10 @@ _SMALL = 0.6
 
 
 def pair(
-    made: "PairData", *, first: "Mate", second: "Mate", internal: bool = False, pitch: "Any", **given: "Any"
+    made: "PairData", *, first: "Mate", second: "Mate", internal: bool = False, pitch: "Any", **inputs: "Any"
 ) -> Picture:
     """Both gears at their working distance, the path of contact, the main sizes and the specific sliding."""
-    module = module_in(pitch, float(given.get("helix_angle", 0.0)))
+    module = module_in(pitch, float(inputs.get("helix_angle", 0.0)))
     title = worded(
         "Gear pair {first} / {second}, module {module:6}",
         first=first.teeth,
@@ -47,7 +47,7 @@ def pair(
         module=(module, Module),
     )
     return Picture(
-        pair_panels(made, first=first, second=second, internal=internal, pitch=pitch, **given),
+        pair_panels(made, first=first, second=second, internal=internal, pitch=pitch, **inputs),
         title,
         columns=2,
         subtitle="Transverse section at the working centre distance; pitch circles dash-dotted, base circles dotted",
@@ -62,14 +62,14 @@ def pair_panels(
     internal: bool,
     pitch: "Any",
     brief: int = 0,
-    **given: "Any",
+    **inputs: "Any",
 ) -> "tuple[Panel, ...]":
     """The gears, the path of contact, the main sizes and the sliding; `brief` where a table stands beside them.
 
     Beside a long table (2) the path of contact is wider than high.
     """
-    gears = _gears(made, internal, _forms(made, first, second, internal, pitch, given))
-    module = module_in(pitch, float(given.get("helix_angle", 0.0)))
+    gears = _gears(made, internal, _forms(made, first, second, internal, pitch, inputs))
+    module = module_in(pitch, float(inputs.get("helix_angle", 0.0)))
     return (
         _whole(made, first, second, internal, gears, module, brief > 0),
         contact_panel(gears, _path(made), module, wide=brief > 1, titled=not brief),
@@ -84,7 +84,7 @@ def module_in(pitch: "Any", helix: float) -> float:
 
 
 def _forms(
-    made: "PairData", first: "Mate", second: "Mate", internal: bool, pitch: "Any", given: "dict[str, Any]"
+    result: "PairData", first: "Mate", second: "Mate", internal: bool, pitch: "Any", inputs: "dict[str, Any]"
 ) -> "list[ToothForm | None]":
     """The exact forms of both gears as they are cut; None where there are none to draw."""
     from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
@@ -92,15 +92,15 @@ def _forms(
     from dynamics_cli.gear.single.profile import tooth_form
     from dynamics_cli.gear.single.rack import basic_rack
 
-    helix = abs(float(given.get("helix_angle", 0.0)))
-    angle = normal_pressure_angle(given.get("pressure_angle"), given.get("transverse_pressure_angle"), helix)
-    radius = given.get("root_radius_factor")
-    factors = given.get("addendum_factor"), given.get("dedendum_factor"), radius
-    rack = basic_rack(given.get("profile", "a"), angle, *factors)
+    helix = abs(float(inputs.get("helix_angle", 0.0)))
+    angle = normal_pressure_angle(inputs.get("pressure_angle"), inputs.get("transverse_pressure_angle"), helix)
+    radius = inputs.get("root_radius_factor")
+    factors = inputs.get("addendum_factor"), inputs.get("dedendum_factor"), radius
+    rack = basic_rack(inputs.get("profile", "a"), angle, *factors)
     ends = (
-        (first.teeth, made.first_profile_shift, made.first_generating_shift, made.first_tip_diameter),
-        (-second.teeth if internal else second.teeth, made.second_profile_shift, made.second_generating_shift,
-         made.second_tip_diameter),
+        (first.teeth, result.first_profile_shift, result.first_generating_shift, result.first_tip_diameter),
+        (-second.teeth if internal else second.teeth, result.second_profile_shift, result.second_generating_shift,
+         result.second_tip_diameter),
     )  # fmt: skip
     forms: list[ToothForm | None] = []
     for teeth, shift, generating, tip in ends:
@@ -112,14 +112,14 @@ def _forms(
     return forms
 
 
-def _gears(made: "PairData", internal: bool, forms: "list[ToothForm | None]") -> "list[Any]":
+def _gears(result: "PairData", internal: bool, forms: "list[ToothForm | None]") -> "list[Any]":
     """Both gears about their axes; circles where a gear has no exact form."""
-    radii = 0.5 * float(made.first_working_diameter), 0.5 * float(made.second_working_diameter)
+    radii = 0.5 * float(result.first_working_diameter), 0.5 * float(result.second_working_diameter)
     exact = [bare(form) for form in forms if form is not None]
     if len(exact) == len(forms):
-        return [*meshing(exact, float(made.centre_distance), radii)]
-    places = (0.0, 0.0), (float(-made.centre_distance if internal else made.centre_distance), 0.0)
-    tips = made.first_tip_diameter, made.second_tip_diameter
+        return [*meshing(exact, float(result.centre_distance), radii)]
+    places = (0.0, 0.0), (float(-result.centre_distance if internal else result.centre_distance), 0.0)
+    tips = result.first_tip_diameter, result.second_tip_diameter
     return [
         item
         for role in (0, 1)
@@ -130,14 +130,14 @@ def _gears(made: "PairData", internal: bool, forms: "list[ToothForm | None]") ->
     ]
 
 
-def _path(made: "PairData") -> "list[tuple[str, float, float]]":
+def _path(result: "PairData") -> "list[tuple[str, float, float]]":
     """The points A to E in the plane of the gears, the first gear's axis at the origin."""
-    along = [(one.point, float(one.path)) for one in made.points]
-    return contact_points(along, 0.5 * float(made.first_working_diameter), float(made.working_pressure_angle))
+    along = [(point.point, float(point.path)) for point in result.points]
+    return contact_points(along, 0.5 * float(result.first_working_diameter), float(result.working_pressure_angle))
 
 
 def _whole(
-    made: "PairData",
+    result: "PairData",
     first: "Mate",
     second: "Mate",
     internal: bool,
@@ -146,13 +146,15 @@ def _whole(
     brief: bool,
 ) -> Panel:
     """Both gears to scale with their distance."""
-    outer = 0.5 * float(made.second_root_diameter) + RIM * module if internal else 0.5 * float(made.second_tip_diameter)
-    radii = 0.5 * float(made.first_tip_diameter), outer
-    x = float(-made.centre_distance if internal else made.centre_distance)
+    outer = (
+        0.5 * float(result.second_root_diameter) + RIM * module if internal else 0.5 * float(result.second_tip_diameter)
+    )
+    radii = 0.5 * float(result.first_tip_diameter), outer
+    x = float(-result.centre_distance if internal else result.centre_distance)
     size = max(radii)
     foot = -1.2 * size
-    points = _path(made)
-    distance = worded("a_w = {distance:6}", distance=(float(made.centre_distance), Size))
+    points = _path(result)
+    distance = worded("a_w = {distance:6}", distance=(float(result.centre_distance), Size))
     items: list[Any] = [*centre_lines((0.0, 0.0), 1.08 * radii[0]), *centre_lines((x, 0.0), 1.08 * radii[1]), *gears]
     items += [
         Curve((points[0][1], points[-1][1]), (points[0][2], points[-1][2]), "", "thick", GREEN),
@@ -164,12 +166,12 @@ def _whole(
         items.append(Dimension(ends, (foot, foot), distance))
     else:
         items += [Dimension(ends, (foot, foot), ""), Label(ends[1] + 0.05 * size, foot, distance, BLACK, left=True)]
-    items += _names(made, first, second, internal, radii, x, brief)
+    items += _names(result, first, second, internal, radii, x, brief)
     return Panel(X, Y, tuple(items), equal=True, bare=True, wide=True)
 
 
 def _names(
-    made: "PairData",
+    result: "PairData",
     first: "Mate",
     second: "Mate",
     internal: bool,
@@ -179,8 +181,8 @@ def _names(
 ) -> "list[Label]":
     """The names of both gears: inside them where there is room between the teeth, a small pinion's above it."""
     size = max(radii)
-    small = radii[0] < _SMALL * radii[1]
-    if small and not internal:
+    pinion_small = radii[0] < _SMALL * radii[1]
+    if pinion_small and not internal:
         places = (
             (-0.1 * size, 1.08 * radii[0] + (0.09 if brief else 0.16) * size),
             (x + 0.4 * radii[1], 0.35 * radii[1]),
@@ -190,7 +192,7 @@ def _names(
             ((0.4 if internal else -0.4) * radii[0], 0.35 * radii[0]),
             ((x, 1.13 * radii[1]) if internal else (x + 0.35 * radii[1], 0.35 * radii[1])),
         )
-    shifts = made.first_profile_shift, made.second_profile_shift
+    shifts = result.first_profile_shift, result.second_profile_shift
     labels = []
     for role, name in enumerate(("1", "2, internal" if internal else "2")):
         text = worded(
@@ -207,61 +209,67 @@ def _names(
     return labels
 
 
-def _rows(made: "PairData", first: "Mate", second: "Mate") -> "tuple[tuple[str, str, str], ...]":
+def _rows(result: "PairData", first: "Mate", second: "Mate") -> "tuple[tuple[str, str, str], ...]":
     """The main sizes with their symbols."""
 
     def row(name: str, symbol: str, value: "Any", kind: "Any", digits: int = 6) -> "tuple[str, str, str]":
         return name, symbol, worded(f"{{value:{digits}}}", value=(float(value), kind))
 
-    common = int(made.common_factor)
-    clearances = float(made.first_tip_clearance), float(made.second_tip_clearance)
+    common = int(result.common_factor)
+    clearances = float(result.first_tip_clearance), float(result.second_tip_clearance)
     rows = [
-        row("centre distance", "a_w", made.centre_distance, Size),
-        row("working pressure angle", "α_wt", made.working_pressure_angle, Angle, 5),
-        ("gear ratio", "u", worded("{z2}/{z1} = {u:5}", z1=first.teeth, z2=second.teeth, u=(float(made.ratio), Ratio))),
-        row("path of contact", "g_α", made.path_length, Size, 5),
-        row("transverse contact ratio", "ε_α", made.transverse_contact_ratio, Ratio),
-        row("circumferential backlash", "j_wt", made.circumferential_backlash, Coordinate),
+        row("centre distance", "a_w", result.centre_distance, Size),
+        row("working pressure angle", "α_wt", result.working_pressure_angle, Angle, 5),
+        (
+            "gear ratio",
+            "u",
+            worded("{z2}/{z1} = {u:5}", z1=first.teeth, z2=second.teeth, u=(float(result.ratio), Ratio)),
+        ),
+        row("path of contact", "g_α", result.path_length, Size, 5),
+        row("transverse contact ratio", "ε_α", result.transverse_contact_ratio, Ratio),
+        row("circumferential backlash", "j_wt", result.circumferential_backlash, Coordinate),
         row("tip clearance of gear 1", "c_1", clearances[0], Coordinate),
         row("tip clearance of gear 2", "c_2", clearances[1], Coordinate),
-        row("efficiency of the mesh", "η", made.efficiency, Fraction),
+        row("efficiency of the mesh", "η", result.efficiency, Fraction),
         ("every tooth meets every other", "", "yes" if common == 1 else f"no: common factor {common}"),
     ]
-    if made.total_contact_ratio is not None:
-        rows.insert(5, row("total contact ratio", "ε_γ", made.total_contact_ratio, Ratio))
+    if result.total_contact_ratio is not None:
+        rows.insert(5, row("total contact ratio", "ε_γ", result.total_contact_ratio, Ratio))
     return tuple(rows)
 
 
-def _sliding(made: "PairData", internal: bool, brief: bool) -> Panel:
+def _sliding(result: "PairData", internal: bool, brief: bool) -> Panel:
     """Specific sliding of both flanks along the path of contact, with the points A to E."""
-    start, end, pitch = made.points[0], made.points[-1], made.points[2]
-    u = -made.ratio if internal else made.ratio
+    start, end, pitch = result.points[0], result.points[-1], result.points[2]
+    u = -result.ratio if internal else result.ratio
     other = -pitch.second_curvature if internal else pitch.second_curvature
     steps = [start.path + (end.path - start.path) * k / (4 * POINTS) for k in range(4 * POINTS + 1)]
-    own = [_bounded(s * (1.0 + 1.0 / u), pitch.first_curvature + s) for s in steps]
-    mate = [_bounded(-s * (1.0 + u), other - s) for s in steps]
-    finite = [value for value in own + mate if isfinite(value)]
+    zeta1 = [_bounded(s * (1.0 + 1.0 / u), pitch.first_curvature + s) for s in steps]
+    zeta2 = [_bounded(-s * (1.0 + u), other - s) for s in steps]
+    finite = [value for value in zeta1 + zeta2 if isfinite(value)]
     low, high = min(finite), max(finite)
     # Lines without names: in the legend they would all look alike, so the points are named beside them.
-    marks = [Band(point.path, point.path) for point in made.points]
-    room = 0.16 * (high - low)
+    marks = [Band(point.path, point.path) for point in result.points]
+    margin = 0.16 * (high - low)
     across = 0.008 * (end.path - start.path)
-    names = [Label(point.path + across, high + 0.6 * room, point.point, left=True) for point in made.points]
-    curves = (Curve(steps, own, role=0), Curve(steps, mate, "", "dashed", role=1))
-    names += _beside(steps, own, mate)
-    up = Axis("sliding ζ" if brief else "specific sliding ζ", Ratio, ends=(low - 0.3 * room, high + room))
+    names = [Label(point.path + across, high + 0.6 * margin, point.point, left=True) for point in result.points]
+    curves = (Curve(steps, zeta1, role=0), Curve(steps, zeta2, "", "dashed", role=1))
+    names += _beside(steps, zeta1, zeta2)
+    up = Axis("sliding ζ" if brief else "specific sliding ζ", Ratio, ends=(low - 0.3 * margin, high + margin))
     along = Axis("along the path of contact", Coordinate) if brief else PATH
     return Panel(along, up, (*curves, *marks, *names), wide=True)
 
 
-def _beside(steps: "list[float]", own: "list[float]", mate: "list[float]") -> "list[Label]":
+def _beside(steps: "list[float]", zeta1: "list[float]", zeta2: "list[float]") -> "list[Label]":
     """The names of both curves at their lower ends, on the side where the panel is free."""
     length = steps[-1] - steps[0]
     names = []
-    for role, values in enumerate((own, mate)):
-        at, value = min(((s, v) for s, v in zip(steps, values, strict=True) if isfinite(v)), key=lambda item: item[1])
-        inwards = 0.05 if at - steps[0] < 0.5 * length else -0.16
-        names.append(Label(at + inwards * length, value, f"gear {role + 1}", role, left=True))
+    for role, values in enumerate((zeta1, zeta2)):
+        place, value = min(
+            ((s, v) for s, v in zip(steps, values, strict=True) if isfinite(v)), key=lambda item: item[1]
+        )
+        inwards = 0.05 if place - steps[0] < 0.5 * length else -0.16
+        names.append(Label(place + inwards * length, value, f"gear {role + 1}", role, left=True))
     return names
 
 
@@ -271,18 +279,18 @@ def _bounded(above: float, below: float) -> float:
     return value if isfinite(value) and abs(value) <= _STEEPEST else float("nan")
 
 
-def involute_curve(made: "Any", *, base_diameter: "float | None" = None, **_: "Any") -> Picture:
+def involute_curve(result: "Any", *, base_diameter: "float | None" = None, **_: "Any") -> Picture:
     """The involute from its base circle to the point asked for, or the involute function when there is no circle."""
     if base_diameter is None:
-        angles = [made.pressure_angle * k / (POINTS - 1) for k in range(POINTS)]
+        angles = [result.pressure_angle * k / (POINTS - 1) for k in range(POINTS)]
         from dynamics_cli.quantities import Angle
 
-        items = (Curve(angles, [involute(a) for a in angles]), Mark(made.pressure_angle, made.involute, "inv α"))
+        items = (Curve(angles, [involute(a) for a in angles]), Mark(result.pressure_angle, result.involute, "inv α"))
         return Picture(
             (Panel(Axis("pressure angle", Angle), Axis("involute function", Ratio), items),), "involute function"
         )
     base = 0.5 * base_diameter
-    rolls = [made.roll_angle * k / (POINTS - 1) for k in range(POINTS)]
+    rolls = [result.roll_angle * k / (POINTS - 1) for k in range(POINTS)]
     radii = [base * (1.0 + t * t) ** 0.5 for t in rolls]
     polar = [t - atan(t) for t in rolls]
     x, y = (

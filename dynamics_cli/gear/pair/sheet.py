@@ -49,19 +49,19 @@ PITCHES = {
 
 
 def pair_sheet(
-    made: "PairData", *, first: "Mate", second: "Mate", internal: bool = False, pitch: "Any", **given: "Any"
+    result: "PairData", *, first: "Mate", second: "Mate", internal: bool = False, pitch: "Any", **inputs: "Any"
 ) -> Sheet:
     """Both gears and their mesh on one page."""
-    made = bare(made)
-    helix = abs(float(given.get("helix_angle", 0.0)))
+    result = bare(result)
+    helix = abs(float(inputs.get("helix_angle", 0.0)))
     module = module_in(pitch, helix)
-    angle = normal_pressure_angle(given.get("pressure_angle"), given.get("transverse_pressure_angle"), helix)
-    mesh = _mesh(made, first, second, given)
-    whole, contact, _, sliding = pair_panels(
-        made, first=first, second=second, internal=internal, pitch=pitch, brief=2 if len(mesh) > MANY else 1, **given
+    angle = normal_pressure_angle(inputs.get("pressure_angle"), inputs.get("transverse_pressure_angle"), helix)
+    mesh = _mesh(result, first, second, inputs)
+    overview, contact, _, sliding = pair_panels(
+        result, first=first, second=second, internal=internal, pitch=pitch, brief=2 if len(mesh) > MANY else 1, **inputs
     )
     gears = Listing("Gears", ("size", "symbol", "gear 1", "gear 2"), tuple(
-        _gears(made, (first, second), internal, pitch, module, float(bare(angle)), helix, given)
+        _gears(result, (first, second), internal, pitch, module, float(bare(angle)), helix, inputs)
     ))  # fmt: skip
     kinds = {name: kind for name, (_, _, kind) in PITCHES.items()}
     name, size = next(item for item in vars(pitch).items() if item[0] in kinds)
@@ -75,7 +75,7 @@ def pair_sheet(
     return Sheet(
         title,
         "Transverse section at the working centre distance; pitch circles dash-dotted, base circles dotted.",
-        (Picture((whole,), "both gears at the working centre distance", width=LEFT), gears),
+        (Picture((overview,), "both gears at the working centre distance", width=LEFT), gears),
         (
             Picture((contact,), "path of contact, A to E", width=RIGHT),
             Listing("Mesh", ("size", "symbol", "value"), tuple(mesh)),
@@ -85,28 +85,28 @@ def pair_sheet(
 
 
 def _gears(
-    made: "PairData",
+    result: "PairData",
     mates: "tuple[Mate, Mate]",
     internal: bool,
     pitch: "Any",
     module: float,
     angle: float,
     helix: float,
-    given: "dict[str, Any]",
+    inputs: "dict[str, Any]",
 ) -> "list[Row]":
     """What each gear is, and how it is measured."""
     teeth = mates[0].teeth, -mates[1].teeth if internal else mates[1].teeth
-    sizes = [_measured(made, nth, mates[nth].teeth, internal, angle, module, given) for nth in (0, 1)]
-    factors = given.get("addendum_factor"), given.get("dedendum_factor"), given.get("root_radius_factor")
+    sizes = [_measured(result, nth, mates[nth].teeth, internal, angle, module, inputs) for nth in (0, 1)]
+    factors = inputs.get("addendum_factor"), inputs.get("dedendum_factor"), inputs.get("root_radius_factor")
     rows: list[Row] = [
         ("number of teeth", "z", *map(str, teeth)),
         *_pitch(pitch, module, bool(helix)),
         _both("pressure angle", "α_n" if helix else "α", (angle, angle), Angle),
-        ("basic rack", "", *[rack_name(given.get("profile", "a"), *factors)] * 2),
+        ("basic rack", "", *[rack_name(inputs.get("profile", "a"), *factors)] * 2),
     ]
     if helix:
-        hand = str(given.get("hand", "right"))
-        if float(given.get("helix_angle", 0.0)) < 0.0:
+        hand = str(inputs.get("hand", "right"))
+        if float(inputs.get("helix_angle", 0.0)) < 0.0:
             hand = _other(hand)
         lead = [pi * abs(count) * module / cos(helix) / tan(helix) for count in teeth]
         rows += [
@@ -115,18 +115,18 @@ def _gears(
             _both("lead", "p_z", lead, Size),
         ]
     rows += [
-        _of(made, "profile shift", "x", "profile_shift", Ratio),
+        _of(result, "profile shift", "x", "profile_shift", Ratio),
         _both("reference diameter", "d", [abs(count) * module / cos(helix) for count in teeth], Size),
-        _of(made, "base diameter", "d_b", "base_diameter", Size),
-        _of(made, "working pitch diameter", "d_w", "working_diameter", Size),
-        _of(made, "tip diameter", "d_a", "tip_diameter", Size),
-        _of(made, "root diameter", "d_f", "root_diameter", Size),
+        _of(result, "base diameter", "d_b", "base_diameter", Size),
+        _of(result, "working pitch diameter", "d_w", "working_diameter", Size),
+        _of(result, "tip diameter", "d_a", "tip_diameter", Size),
+        _of(result, "root diameter", "d_f", "root_diameter", Size),
         _both("tooth depth", "h", [
-            0.5 * abs(float(getattr(made, f"{side}_tip_diameter")) - float(getattr(made, f"{side}_root_diameter")))
+            0.5 * abs(float(getattr(result, f"{side}_tip_diameter")) - float(getattr(result, f"{side}_root_diameter")))
             for side in ("first", "second")], Size),
         _both("normal tooth thickness", "s_n", [_part(size, "normal_thickness") for size in sizes], Size),
     ]  # fmt: skip
-    return rows + _inspection(sizes, [_thinning(made, nth, module, angle) for nth in (0, 1)], made)
+    return rows + _inspection(sizes, [_thinning(result, nth, module, angle) for nth in (0, 1)], result)
 
 
 def _pitch(pitch: "Any", module: float, helical: bool) -> "list[Row]":
@@ -139,13 +139,13 @@ def _pitch(pitch: "Any", module: float, helical: bool) -> "list[Row]":
     return rows
 
 
-def _inspection(sizes: "list[Measurements | None]", thinning: "list[float]", made: "PairData") -> "list[Row]":
+def _inspection(sizes: "list[Measurements | None]", thinning: "list[float]", result: "PairData") -> "list[Row]":
     """Span, pins and chord of both gears; of thinned teeth what is to be measured as well."""
     thin = any(thinning)
     over = [_part(size, "span.over") for size in sizes]
     rows: list[Row] = [_both("thinning of the teeth", "A_sn", thinning, Size, 4)] if thin else []
     rows += [
-        ("teeth (spaces) to span", "k", *(_dash(one) for one in over)),
+        ("teeth (spaces) to span", "k", *(_dash(count) for count in over)),
         _both("span (base tangent)", "W_k", [_part(size, "span.span") for size in sizes], Size),
         *([_both("span, thinned", "W_k", [_part(size, "span.span_upper") for size in sizes], Size)] if thin else []),
         _both("pin or ball diameter", "D_M", [_part(size, "pins.pin") for size in sizes], Size),
@@ -158,90 +158,90 @@ def _inspection(sizes: "list[Measurements | None]", thinning: "list[float]", mad
         *rows,
         _both("chordal thickness", "s_c", chord, Size),
         _both("chordal height", "h_c", height, Size),
-        _both("tip clearance", "c", (made.first_tip_clearance, made.second_tip_clearance), Coordinate, 4),
+        _both("tip clearance", "c", (result.first_tip_clearance, result.second_tip_clearance), Coordinate, 4),
     ]
 
 
 def _measured(
-    made: "PairData", nth: int, teeth: int, internal: bool, angle: float, module: float, given: "dict[str, Any]"
+    result: "PairData", nth: int, teeth: int, internal: bool, angle: float, module: float, inputs: "dict[str, Any]"
 ) -> "Measurements | None":
     """What shows the thickness of a gear's teeth; None where there is no such size."""
     from dynamics_cli.gear.pitch import NormalModule
 
     side = ("first", "second")[nth]
-    thinning = _thinning(made, nth, module, angle)
+    thinning = _thinning(result, nth, module, angle)
     try:
         return measure(
             teeth=teeth,
             pitch=NormalModule(module),
             pressure_angle=angle,
-            helix_angle=abs(float(given.get("helix_angle", 0.0))),
-            profile_shift=float(getattr(made, f"{side}_profile_shift")),
+            helix_angle=abs(float(inputs.get("helix_angle", 0.0))),
+            profile_shift=float(getattr(result, f"{side}_profile_shift")),
             internal=internal and nth == 1,
-            tip_diameter=float(getattr(made, f"{side}_tip_diameter")),
+            tip_diameter=float(getattr(result, f"{side}_tip_diameter")),
             upper_allowance=-thinning if thinning else None,
             **{
-                name: given[name]
+                name: inputs[name]
                 for name in ("profile", "addendum_factor", "dedendum_factor", "root_radius_factor")
-                if name in given
+                if name in inputs
             },
         )
     except DynamicsError:
         return None
 
 
-def _thinning(made: "PairData", nth: int, module: float, angle: float) -> float:
+def _thinning(result: "PairData", nth: int, module: float, angle: float) -> float:
     """A_sn = 2 (x − x_E) m_n tan α_n: what a gear's teeth lack of their nominal thickness."""
     side = ("first", "second")[nth]
-    cut = getattr(made, f"{side}_generating_shift")
+    cut = getattr(result, f"{side}_generating_shift")
     if cut is None:
         return 0.0
-    return 2.0 * abs(float(getattr(made, f"{side}_profile_shift")) - float(cut)) * module * tan(angle)
+    return 2.0 * abs(float(getattr(result, f"{side}_profile_shift")) - float(cut)) * module * tan(angle)
 
 
-def _mesh(made: "PairData", first: "Mate", second: "Mate", given: "dict[str, Any]") -> "list[Row]":
+def _mesh(result: "PairData", first: "Mate", second: "Mate", inputs: "dict[str, Any]") -> "list[Row]":
     """How the gears run together."""
-    common = int(made.common_factor)
-    interferes = [verdict.kind.partition(":")[0] for verdict in made.verdicts if not verdict.free]
-    ends = made.points[0], made.points[-1]
+    common = int(result.common_factor)
+    interferes = [verdict.kind.partition(":")[0] for verdict in result.verdicts if not verdict.free]
+    ends = result.points[0], result.points[-1]
     highest = max((abs(float(value)) for point in ends for value in (point.first_sliding, point.second_sliding)
                    if value is not None), default=None)  # fmt: skip
     rows: list[Row] = [
-        _one("centre distance", "a_w", made.centre_distance, Size),
-        _one("working pressure angle", "α_wt", made.working_pressure_angle, Angle),
-        ("gear ratio", "u", worded("{b}/{a} = {u:6}", a=first.teeth, b=second.teeth, u=(float(made.ratio), Ratio))),
-        _one("transverse contact ratio", "ε_α", made.transverse_contact_ratio, Ratio, 4),
-        _one("overlap ratio", "ε_β", made.overlap_ratio, Ratio, 4),
-        _one("total contact ratio", "ε_γ", made.total_contact_ratio, Ratio, 4),
-        _one("path of contact", "g_α", made.path_length, Size),
-        _one("circumferential backlash", "j_wt", made.circumferential_backlash, Coordinate, 4),
-        _one("normal backlash", "j_bn", made.normal_backlash, Coordinate, 4),
+        _one("centre distance", "a_w", result.centre_distance, Size),
+        _one("working pressure angle", "α_wt", result.working_pressure_angle, Angle),
+        ("gear ratio", "u", worded("{b}/{a} = {u:6}", a=first.teeth, b=second.teeth, u=(float(result.ratio), Ratio))),
+        _one("transverse contact ratio", "ε_α", result.transverse_contact_ratio, Ratio, 4),
+        _one("overlap ratio", "ε_β", result.overlap_ratio, Ratio, 4),
+        _one("total contact ratio", "ε_γ", result.total_contact_ratio, Ratio, 4),
+        _one("path of contact", "g_α", result.path_length, Size),
+        _one("circumferential backlash", "j_wt", result.circumferential_backlash, Coordinate, 4),
+        _one("normal backlash", "j_bn", result.normal_backlash, Coordinate, 4),
         _one("largest specific sliding", "ζ", highest, Ratio, 4),
-        _one("tip change", "k", made.tip_change, Ratio, 4),
+        _one("tip change", "k", result.tip_change, Ratio, 4),
         ("interference", "", f"yes: {', '.join(interferes)}" if interferes else "none"),
         ("every tooth meets every other", "", "yes" if common == 1 else f"no: common factor {common}"),
         _one(
-            worded("efficiency at friction {mu}", mu=(float(given.get("friction", 0.06)), Ratio)),
-            "η", made.efficiency, Fraction, 4,
+            worded("efficiency at friction {mu}", mu=(float(inputs.get("friction", 0.06)), Ratio)),
+            "η", result.efficiency, Fraction, 4,
         ),
-        _one("face width", "b", given.get("face_width"), Size),
-        _one("speed of gear 1", "n_1", given.get("speed"), ShaftSpeed),
-        _one("power", "P", given.get("power"), Power),
-        _one("torque on gear 1", "T_1", made.torque, Torque),
-        _one("torque on gear 2", "T_2", made.second_torque, Torque),
-        _one("pitch line velocity", "v", made.pitch_line_speed, Speed, 4),
-        _one("tooth meshing frequency", "f_z", made.mesh_frequency, Frequency, 4),
+        _one("face width", "b", inputs.get("face_width"), Size),
+        _one("speed of gear 1", "n_1", inputs.get("speed"), ShaftSpeed),
+        _one("power", "P", inputs.get("power"), Power),
+        _one("torque on gear 1", "T_1", result.torque, Torque),
+        _one("torque on gear 2", "T_2", result.second_torque, Torque),
+        _one("pitch line velocity", "v", result.pitch_line_speed, Speed, 4),
+        _one("tooth meshing frequency", "f_z", result.mesh_frequency, Frequency, 4),
     ]  # fmt: skip
-    if made.forces is not None:
+    if result.forces is not None:
         rows += [
-            _one(f"{name} force", symbol, getattr(made.forces, name), Force, 5)
+            _one(f"{name} force", symbol, getattr(result.forces, name), Force, 5)
             for name, symbol in (("tangential", "F_t"), ("radial", "F_r"), ("axial", "F_a"))
         ]
     return [row for row in rows if row[-1] != "–"]
 
 
-def _of(made: "PairData", name: str, symbol: str, key: str, kind: "Any") -> "Row":
-    return _both(name, symbol, [getattr(made, f"{side}_{key}") for side in ("first", "second")], kind)
+def _of(result: "PairData", name: str, symbol: str, key: str, kind: "Any") -> "Row":
+    return _both(name, symbol, [getattr(result, f"{side}_{key}") for side in ("first", "second")], kind)
 
 
 def _both(name: str, symbol: str, values: "Any", kind: "Any", digits: int = 6) -> "Row":

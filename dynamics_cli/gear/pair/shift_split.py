@@ -44,31 +44,31 @@ class Tips(Choice):
 
 
 def engaged(
-    first: Gear, second: Gear, one: "Mate", two: "Mate", centre_distance: float | None, split: str, tips: str
+    first: Gear, second: Gear, mate1: "Mate", mate2: "Mate", centre_distance: float | None, split: str, tips: str
 ) -> tuple[Engagement, float | None]:
     """The gears with their final shifts and tips at their centre distance, and the change k of the tips."""
     require_partners(first, second)
     if centre_distance is None:
         mesh = at_tight_distance(first, second)
-        return _tipped(mesh, one, two, tips)
+        return _tipped(mesh, mate1, mate2, tips)
     distance = -centre_distance if second.internal else centre_distance
     angle = angle_at(first, second, distance)
-    if one.profile_shift is not None and two.profile_shift is not None:
+    if mate1.profile_shift is not None and mate2.profile_shift is not None:
         tight = tight_involute(first, second)
-        return _tipped(Engagement(first, second, distance, angle, tight), one, two, tips)
+        return _tipped(Engagement(first, second, distance, angle, tight), mate1, mate2, tips)
     total = needed_shift(first, second, angle)
-    if one.profile_shift is not None:
-        shifts = one.profile_shift, total - one.profile_shift
-    elif two.profile_shift is not None:
+    if mate1.profile_shift is not None:
+        shifts = mate1.profile_shift, total - mate1.profile_shift
+    elif mate2.profile_shift is not None:
         shifts = total - second.shift, second.shift
     else:
-        shifts = _divided(first, second, distance, angle, total, split, (one, two, tips))
+        shifts = _divided(first, second, distance, angle, total, split, (mate1, mate2, tips))
     shifted = Engagement(with_shift(first, shifts[0]), with_shift(second, shifts[1]), distance, angle, involute(angle))
-    return _tipped(shifted, one, two, tips)
+    return _tipped(shifted, mate1, mate2, tips)
 
 
 def _divided(
-    first: Gear, second: Gear, distance: float, angle: float, total: float, split: str, given: "tuple[Mate, Mate, str]"
+    first: Gear, second: Gear, distance: float, angle: float, total: float, split: str, mates: "tuple[Mate, Mate, str]"
 ) -> tuple[float, float]:
     if split == "first":
         return total, 0.0 * total
@@ -78,20 +78,20 @@ def _divided(
         shift = total * (first.teeth / (first.teeth + second.teeth))
         return shift, total - shift
     if split == "balanced-sliding":
-        shift = _balanced(first, second, distance, angle, total, given)
+        shift = _balanced(first, second, distance, angle, total, mates)
         return shift, total - shift
     return 0.5 * total, 0.5 * total
 
 
 def _balanced(
-    first: Gear, second: Gear, distance: float, angle: float, total: float, given: "tuple[Mate, Mate, str]"
+    first: Gear, second: Gear, distance: float, angle: float, total: float, scheme: "tuple[Mate, Mate, str]"
 ) -> float:
     """x₁ with equal maximum sliding of both gears: ζ₁ at A equals ζ₂ at E."""
 
     def difference(
-        shift: float, one: Gear, two: Gear, a: float, alpha: float, both: float, mates: "tuple[Mate, Mate, str]"
+        shift: float, gear1: Gear, gear2: Gear, a: float, alpha: float, total_x: float, mates: "tuple[Mate, Mate, str]"
     ) -> float:
-        mesh = Engagement(with_shift(one, shift), with_shift(two, both - shift), a, alpha, 0.0)
+        mesh = Engagement(with_shift(gear1, shift), with_shift(gear2, total_x - shift), a, alpha, 0.0)
         mesh, _ = _tipped(mesh, *mates, check=False)
         end = 0.5 * mesh.first.base_diameter * mesh.first.tip_roll
         start = mesh.line - 0.5 * mesh.second.base_diameter * mesh.second.tip_roll
@@ -100,12 +100,12 @@ def _balanced(
         at_end = specific_sliding(mesh, end)[1] if plain((mesh.line - end) * mesh.ratio) > 0.0 else -1e9
         return at_end - at_start  # type: ignore[operator]
 
-    own = *(bare(one) for one in (first, second, distance, angle, total)), (*map(bare, given[:2]), given[2])
+    doubles = *(bare(gear1) for gear1 in (first, second, distance, angle, total)), (*map(bare, scheme[:2]), scheme[2])
     grid = [-1.0 + 0.05 * k for k in range(61)]
     values: list[float | None] = []
     for shift in grid:
         try:
-            values.append(difference(shift, *own))
+            values.append(difference(shift, *doubles))
         except ArithmeticError:
             values.append(None)
         except Exception as error:
@@ -114,10 +114,10 @@ def _balanced(
             values.append(None)
     for low, high, a, b in zip(grid, grid[1:], values, values[1:], strict=False):
         if a is not None and b is not None and a > 0.0 >= b and max(abs(a), abs(b)) < 1e3:
-            found = bisect(lambda shift: difference(shift, *own), low, high)
-            slope = (difference(found + 1e-5, *own) - difference(found - 1e-5, *own)) / 2e-5
-            start: float = like(found, total)
-            return start - difference(start, first, second, distance, angle, total, given) / slope
+            root = bisect(lambda shift: difference(shift, *doubles), low, high)
+            slope = (difference(root + 1e-5, *doubles) - difference(root - 1e-5, *doubles)) / 2e-5
+            start: float = like(root, total)
+            return start - difference(start, first, second, distance, angle, total, scheme) / slope
     require(
         False,
         "no profile shift of the first gear between -1 and 2 balances the sliding",
@@ -155,7 +155,7 @@ def _require_thickness(gear: Gear, thinning: float) -> None:
 
 
 def _tipped(
-    mesh: Engagement, one: "Mate", two: "Mate", tips: str, check: bool = True
+    mesh: Engagement, mate1: "Mate", mate2: "Mate", tips: str, check: bool = True
 ) -> tuple[Engagement, float | None]:
     """The engagement with its tips as given, shortened, or as cut by the rack."""
     first, second = mesh.first, mesh.second
@@ -177,12 +177,12 @@ def _tipped(
             hint="bring the gears closer together, or take more teeth or a larger module",
         )
     gears = []
-    for gear, mate in ((first, one), (second, two)):
+    for gear, mate in ((first, mate1), (second, mate2)):
         tipped = with_shift(gear, gear.shift, 0.0 if change is None else change)
         if mate.tip_diameter is not None:
             bare_tip = with_shift(gear, gear.shift).tip_diameter
-            wanted = -mate.tip_diameter if gear.internal else mate.tip_diameter
-            tipped = with_shift(gear, gear.shift, 0.5 * (wanted - bare_tip) / gear.module)
+            tip = -mate.tip_diameter if gear.internal else mate.tip_diameter
+            tipped = with_shift(gear, gear.shift, 0.5 * (tip - bare_tip) / gear.module)
         if check:
             require_circles(tipped)
             thickness = tipped.tip_thickness
@@ -199,6 +199,6 @@ def _tipped(
         if point is not None and plain(point) < plain(tipped.tip_diameter):
             tipped = with_shift(gear, gear.shift, tipped.tip_change + 0.5 * (point - tipped.tip_diameter) / gear.module)
         gears.append(tipped)
-    both_given = one.tip_diameter is not None and two.tip_diameter is not None
+    both_given = mate1.tip_diameter is not None and mate2.tip_diameter is not None
     shortened = Engagement(gears[0], gears[1], mesh.centre_distance, mesh.angle, mesh.tight)
     return shortened, None if both_given else change

@@ -297,8 +297,8 @@ def _checks(gear: Gear, roll: float, tip_thickness: float) -> tuple[Check, ...]:
         return ()
     turn = involute(plain(gear.transverse_angle)) - involute(atan(plain(roll)))
     across = 0.5 * pi + 2.0 * plain(gear.shift) * tan(plain(gear.rack.pressure_angle))
-    again = plain(gear.tip_diameter) * (across / gear.teeth + turn)
-    residual = absolute(again - plain(tip_thickness)) / plain(gear.module)
+    thickness = plain(gear.tip_diameter) * (across / gear.teeth + turn)
+    residual = absolute(thickness - plain(tip_thickness)) / plain(gear.module)
     size = abs(plain(gear.tip_diameter)) / plain(gear.module)
     tolerance = 1e-13 * (size + 10.0) * (1.0 + steepness * steepness)
     return (Check("tooth thickness at the tip", residual <= tolerance, residual, tolerance),)
@@ -308,10 +308,10 @@ def _advice(
     gear: Gear, pitch: object, least: float | None, most: float | None, tip_thickness: float, form: float | None
 ) -> tuple[Advice, ...]:
     advice = list(module_advice(pitch, gear.module))
-    share = plain(tip_thickness) / plain(gear.module)
-    if share < LEAST_TIP:
+    relative = plain(tip_thickness) / plain(gear.module)
+    if relative < LEAST_TIP:
         text = worded(
-            "the tips are {share:3} modules thick, less than {limit}", share=(share, Ratio), limit=(LEAST_TIP, Ratio)
+            "the tips are {share:3} modules thick, less than {limit}", share=(relative, Ratio), limit=(LEAST_TIP, Ratio)
         )
         advice.append(Advice("thin-tip", text, remedy="lower the profile shift, or shorten the tips"))
     if least is None or most is None or plain(least) <= plain(gear.shift):

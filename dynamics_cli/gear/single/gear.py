@@ -108,8 +108,8 @@ class Gear:
         across = 0.5 * pi_beside(self.module) + 2.0 * self.shift * tan(self.rack.pressure_angle)
         tangent = tan(self.rack.pressure_angle) / cos(self.helix_angle)
         # near 90° the tangent has more information than the angle
-        own = involute(self.transverse_angle) if tangent < 1.0 else tangent - atan(tangent)
-        return across / self.teeth + own
+        involute_part = involute(self.transverse_angle) if tangent < 1.0 else tangent - atan(tangent)
+        return across / self.teeth + involute_part
 
     @property
     def cutter(self) -> Cutter:
@@ -183,10 +183,10 @@ def signed_gear(
         helix_angle=(helix_angle, Angle),
         code="helix-angle",
     )
-    own = -shift if internal and sign == "outward" else shift
+    signed_shift = -shift if internal and sign == "outward" else shift
     # defaults are doubles that round in every formula like given numbers
     rack = BasicRack(*(like(value, module) for value in rack.__dict__.values()))
-    gear = Gear(-teeth if internal else teeth, module, rack, lean, own, tip_change)
+    gear = Gear(-teeth if internal else teeth, module, rack, lean, signed_shift, tip_change)
     require_circles(gear)
     return gear
 
@@ -205,12 +205,12 @@ def require_number(teeth: int, most: int) -> None:
 def require_circles(gear: Gear) -> None:
     """Refuse a gear whose tip and root circles are not in order about its centre."""
     least, name = (gear.tip_diameter, "tip") if gear.internal else (gear.root_diameter, "root")
-    way = -1.0 if gear.internal else 1.0
+    sense = -1.0 if gear.internal else 1.0
     require(
-        way * least > 0.0,
+        sense * least > 0.0,
         "the {name} circle would have a diameter of {diameter:6}",
         name=name,
-        diameter=(way * least, Size),
+        diameter=(sense * least, Size),
         code="no-root",
         hint="raise the number of teeth or the profile shift",
     )

@@ -194,10 +194,10 @@ def _points(base_diameter: float | None, roll: float, count: int) -> tuple[Curve
         return None
     points = []
     for index in range(count):
-        share = index / (count - 1) if count > 1 else 1.0
+        fraction = index / (count - 1) if count > 1 else 1.0
         # the curve bends most near the base circle
-        own = roll * share * share
-        radius = 0.5 * base_diameter * sqrt(1.0 + own * own)
-        polar = roll_less_arc(own)
-        points.append(CurvePoint(own, radius, radius * cos(polar), radius * sin(polar)))
+        roll_here = roll * fraction * fraction
+        radius = 0.5 * base_diameter * sqrt(1.0 + roll_here * roll_here)
+        polar = roll_less_arc(roll_here)
+        points.append(CurvePoint(roll_here, radius, radius * cos(polar), radius * sin(polar)))
     return tuple(points)

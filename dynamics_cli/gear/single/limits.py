@@ -72,26 +72,26 @@ def pointed_shift(gear: Gear) -> float:
     while half(high)[0] > 0.0:
         low, high = high, 2.0 * high - low + 1.0
     # the lower end may be pointed itself when the rack is; among tracked numbers, so that rounding of its sums counts
-    found: float = like(_root_left_of(high, low, half), gear.module)
-    shifted = _shifted(gear, found)
+    root: float = like(_root_left_of(high, low, half), gear.module)
+    shifted = _shifted(gear, root)
     tip = shifted.tip_diameter
     remaining = shifted.tip_thickness / tip
     slope = 2.0 * tan(doubles.rack.pressure_angle) / doubles.teeth
     slope -= 2.0 * plain(shifted.tip_roll) * doubles.module / plain(tip)
-    return found - remaining / slope
+    return root - remaining / slope
 
 
 def _root_left_of(start: float, least: float, function: "Callable[[float], tuple[float, float]]") -> float:
     """Where a function of downward curvature, with its slope, comes down to zero: Newton's steps stay beyond it."""
-    at = start
+    place = start
     for _ in range(STEPS):
-        value, slope = function(at)
-        step = maximum(at - value / slope, least)
-        moving: Any = step < at
-        at = where(moving, step, at)
+        value, slope = function(place)
+        step = maximum(place - value / slope, least)
+        moving: Any = step < place
+        place = where(moving, step, place)
         if not (moving.any() if is_array(moving) else moving):
             break
-    return at
+    return place
 
 
 def bisect(function: "Callable[[float], float]", low: float, high: float) -> float:

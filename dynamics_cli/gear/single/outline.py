@@ -82,9 +82,9 @@ def _chain(shape: ToothForm, tolerance: float, *, arcs: bool) -> Chain:
     if arcs:
         from dynamics_cli.gear.flank_arcs import flank_arcs
 
-        found = flank_arcs(shape, tolerance)
-        if found is not None:
-            return found
+        flanks = flank_arcs(shape, tolerance)
+        if flanks is not None:
+            return flanks
     return flank(shape, tolerance)
 
 
@@ -163,7 +163,7 @@ def _tooth(
     size, joint = marks.size, marks.joint
     pieces: list[Piece] = []
     top = row[size] if marks.tip_land else row[size - 1]
-    left = (top, *row[size + 1 :])
+    left_flank = (top, *row[size + 1 :])
     end = row[-1]
     if not marks.root_land and following is not None:
         end = following
@@ -173,7 +173,7 @@ def _tooth(
         pieces += marks.run(row[:size], 0)
         if marks.tip_land:
             pieces.append(Arc(row[size - 1], top, marks.tip_bulge))
-        pieces += marks.run(left, size - 1)
+        pieces += marks.run(left_flank, size - 1)
         end = _on_root(shape, marks, index, 1.0) if marks.root_land or following is None else following
         pieces.append(Arc(row[-1], end, marks.fillet_turn))
     else:
@@ -182,8 +182,8 @@ def _tooth(
         if marks.tip_land:
             pieces.append(Arc(row[size - 1], top, marks.tip_bulge))
         cut = size - joint
-        pieces += marks.run(left[:cut], size - 1)
-        pieces += marks.run((*left[cut - 1 : -1], end), size + cut - 2)
+        pieces += marks.run(left_flank[:cut], size - 1)
+        pieces += marks.run((*left_flank[cut - 1 : -1], end), size + cut - 2)
     if following is not None and marks.root_land:
         pieces.append(Arc(end, following, marks.root_bulge))
     return pieces
@@ -225,8 +225,8 @@ def rack_outline(cutter: "Cutter", module: float, addendum: float, teeth: int) -
         if rho == 0.0:
             # flank and root land share one corner to the bit
             right[1] = right[2]
-        left = [(2.0 * x - px, py) for px, py in reversed(right)]
-        tooth = [(module * px, module * py) for px, py in left + right]
+        left_flank = [(2.0 * x - px, py) for px, py in reversed(right)]
+        tooth = [(module * px, module * py) for px, py in left_flank + right]
         if last is not None and abs(last[0] - tooth[0][0]) > _NO_LAND * module:
             pieces.append(Line(last, tooth[0]))
         elif last is not None:

@@ -24,7 +24,7 @@ STEPS = 96
 FINE = 2e-3
 
 
-def gear_picture(result: "Any", *, teeth: int, internal: bool = False, **given: "Any") -> Picture:
+def gear_picture(result: "Any", *, teeth: int, internal: bool = False, **inputs: "Any") -> Picture:
     """The whole gear with its main sizes, and three teeth enlarged with their circles."""
     module = float(result.normal_module)
     title = worded(
@@ -36,9 +36,9 @@ def gear_picture(result: "Any", *, teeth: int, internal: bool = False, **given: 
     )
     return Picture(
         (
-            _whole_gear(result, teeth, internal, given),
+            _whole_gear(result, teeth, internal, inputs),
             Panel(X, Y, (Rows(_sizes(result)),)),
-            _enlarged(result, teeth, internal, given),
+            _enlarged(result, teeth, internal, inputs),
         ),
         title,
         columns=2,
@@ -46,14 +46,14 @@ def gear_picture(result: "Any", *, teeth: int, internal: bool = False, **given: 
     )
 
 
-def _whole_gear(result: "Any", teeth: int, internal: bool, given: "dict[str, Any]") -> Panel:
+def _whole_gear(result: "Any", teeth: int, internal: bool, inputs: "dict[str, Any]") -> Panel:
     """The gear with its centre lines."""
     outer = (
         0.5 * float(result.root_diameter) + RIM * float(result.normal_module) if internal else 0.5 * result.tip_diameter
     )
     centre = (0.0, 0.0)
     items: list[Any] = [*centre_lines(centre, 1.1 * float(outer))]
-    line = _outline(result, teeth, internal, teeth, given) if teeth <= MOST_DRAWN else None
+    line = _outline(result, teeth, internal, teeth, inputs) if teeth <= MOST_DRAWN else None
     if line is None:
         items.append(circle(centre, 0.5 * float(result.tip_diameter), "", "outline", 0))
     elif internal:
@@ -93,10 +93,10 @@ def _sizes(result: "Any") -> "tuple[tuple[str, str, str], ...]":
     return tuple(rows)
 
 
-def _enlarged(result: "Any", teeth: int, internal: bool, given: "dict[str, Any]") -> Panel:
+def _enlarged(result: "Any", teeth: int, internal: bool, inputs: "dict[str, Any]") -> Panel:
     """Three teeth with their circles, each named at its end."""
     items: list[Any] = []
-    line = _outline(result, teeth, internal, SHOWN, given)
+    line = _outline(result, teeth, internal, SHOWN, inputs)
     if line is not None:
         items.append(Curve(*line, "", "outline", role=BLACK))
     reach = min(1.15 * pi * SHOWN / teeth, 0.5 * pi)
@@ -142,10 +142,10 @@ def profile_picture(result: "Any", **_: "Any") -> Picture:
     return Picture((Panel(X, Y, tuple(items), equal=True),), f"Profile: {result.drawing.title}")
 
 
-def rack_picture(result: "Any", *, teeth: int, helix_angle: float = 0.0, **given: "Any") -> Picture:
+def rack_picture(result: "Any", *, teeth: int, helix_angle: float = 0.0, **inputs: "Any") -> Picture:
     """The gear on its rack in the transverse plane, the rack below, and the main sizes."""
     items: list[Any] = []
-    outline = _outline(result, teeth, False, teeth, {**given, "helix_angle": helix_angle})
+    outline = _outline(result, teeth, False, teeth, {**inputs, "helix_angle": helix_angle})
     pitch, datum = float(result.pitch), -float(result.datum_distance)
     if outline is not None:
         # the gear's middle tooth stands in the rack's space at x = 0
@@ -185,15 +185,15 @@ def rack_picture(result: "Any", *, teeth: int, helix_angle: float = 0.0, **given
         )
         if value is not None
     )
-    title = worded("Rack and gear of {teeth} teeth, x = {shift}", teeth=teeth, shift=(_shift(given), Ratio))
+    title = worded("Rack and gear of {teeth} teeth, x = {shift}", teeth=teeth, shift=(_shift(inputs), Ratio))
     x_axis, y_axis = Axis("x", Coordinate, ends=(-wide, wide)), Axis("y", Coordinate, ends=(low, top))
     scene = Panel(x_axis, y_axis, tuple(items), equal=True, bare=True)
     subtitle = "Transverse section; pitch circle dash-dotted, base circle dotted"
     return Picture((scene, Panel(X, Y, (Rows(rows),))), title, subtitle=subtitle)
 
 
-def _shift(given: "dict[str, Any]") -> float:
-    return float(given.get("profile_shift") or 0.0)
+def _shift(inputs: "dict[str, Any]") -> float:
+    return float(inputs.get("profile_shift") or 0.0)
 
 
 def _rack_line(result: "Any", pitch: float, datum: float, bottom: float) -> "tuple[Points, float]":
@@ -210,18 +210,22 @@ def _rack_line(result: "Any", pitch: float, datum: float, bottom: float) -> "tup
     return ([x[0], *x, x[-1], x[0]], [bottom, *y, bottom, bottom]), datum - 1.35 * dedendum
 
 
-def _outline(result: "Any", teeth: int, internal: bool, shown: int, given: "dict[str, Any]") -> "Points | None":
+def _outline(result: "Any", teeth: int, internal: bool, teeth_drawn: int, inputs: "dict[str, Any]") -> "Points | None":
     """The exact outline of some teeth about +y; None if it cannot be drawn, for example for pointed teeth."""
-    shift = given.get("profile_shift", 0.0)
-    own = getattr(result, "profile_shift", None)
-    drawn = exact_profile(
-        teeth, internal, shown, {**given, "profile_shift": shift if own is None else float(own)}, result
+    shift = inputs.get("profile_shift", 0.0)
+    shift_as_cut = getattr(result, "profile_shift", None)
+    profile = exact_profile(
+        teeth,
+        internal,
+        teeth_drawn,
+        {**inputs, "profile_shift": shift if shift_as_cut is None else float(shift_as_cut)},
+        result,
     )
-    if drawn is None:
+    if profile is None:
         return None
     # Tooth after tooth anticlockwise from +y: rotated back by half of them, they are centred on it.
-    turn = -pi * (min(shown, teeth) - 1) / teeth
-    x, y = outline_points(drawn.drawing.outlines[0])
+    turn = -pi * (min(teeth_drawn, teeth) - 1) / teeth
+    x, y = outline_points(profile.drawing.outlines[0])
     return (
         [cos(turn) * a - sin(turn) * b for a, b in zip(x, y, strict=True)],
         [sin(turn) * a + cos(turn) * b for a, b in zip(x, y, strict=True)],
@@ -229,36 +233,36 @@ def _outline(result: "Any", teeth: int, internal: bool, shown: int, given: "dict
 
 
 def exact_profile(
-    teeth: int, internal: bool, shown: "int | None", given: "dict[str, Any]", result: "Any" = None
+    teeth: int, internal: bool, teeth_drawn: "int | None", inputs: "dict[str, Any]", result: "Any" = None
 ) -> "Any":
     """The profile of a gear from the task's inputs, in lines; None if it cannot be drawn."""
     from dynamics_cli.gear.pitch import module_of
     from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
     from dynamics_cli.gear.single.profile import profile
 
-    helix = given.get("helix_angle", 0.0)
+    helix = inputs.get("helix_angle", 0.0)
     names = ("profile", "addendum_factor", "dedendum_factor", "root_radius_factor")
-    taken = {name: given[name] for name in names if given.get(name) is not None}
-    transverse = given.get("transverse_pressure_angle")
-    if transverse is not None or given.get("pressure_angle") is not None:
-        taken["pressure_angle"] = normal_pressure_angle(given.get("pressure_angle"), transverse, helix)
+    chosen = {name: inputs[name] for name in names if inputs.get(name) is not None}
+    transverse = inputs.get("transverse_pressure_angle")
+    if transverse is not None or inputs.get("pressure_angle") is not None:
+        chosen["pressure_angle"] = normal_pressure_angle(inputs.get("pressure_angle"), transverse, helix)
     if result is not None:
-        taken["tip_diameter"] = float(result.tip_diameter)
-    elif given.get("tip_diameter") is not None:
-        taken["tip_diameter"] = given["tip_diameter"]
-    if result is None and "shift_sign" in given:
-        taken["shift_sign"] = given["shift_sign"]
+        chosen["tip_diameter"] = float(result.tip_diameter)
+    elif inputs.get("tip_diameter") is not None:
+        chosen["tip_diameter"] = inputs["tip_diameter"]
+    if result is None and "shift_sign" in inputs:
+        chosen["shift_sign"] = inputs["shift_sign"]
     try:
         return profile(
             teeth=teeth,
-            pitch=given["pitch"],
+            pitch=inputs["pitch"],
             helix_angle=helix,
-            profile_shift=given["profile_shift"],
+            profile_shift=inputs["profile_shift"],
             internal=internal,
-            only_teeth=None if shown is None else min(shown, teeth),
+            only_teeth=None if teeth_drawn is None else min(teeth_drawn, teeth),
             form="lines",  # type: ignore[arg-type]
-            tolerance=FINE * module_of(given["pitch"], helix),
-            **taken,
+            tolerance=FINE * module_of(inputs["pitch"], helix),
+            **chosen,
         )
     except InadmissibleError:
         return None

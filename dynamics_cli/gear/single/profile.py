@@ -150,7 +150,7 @@ def profile(
     require(
         not (rack and internal), "a rack is neither internal nor external", code="rack", hint="leave out --internal"
     )
-    given = {
+    inputs = {
         "teeth": ANY_TEETH if rack else teeth,
         "pitch": pitch,
         "profile": profile,
@@ -164,20 +164,20 @@ def profile(
         "sign": shift_sign,
     }
     if rack:
-        made = gear_of(**given)  # type: ignore[arg-type]
-        cutter = made.cutter
+        toothed = gear_of(**inputs)  # type: ignore[arg-type]
+        cutter = toothed.cutter
         require(
             cutter.corner_offset >= 0.0,
             "a root radius of {tip_radius:6} modules does not fit the rack",
-            tip_radius=(made.rack.tip_radius, Ratio),
+            tip_radius=(toothed.rack.tip_radius, Ratio),
             code="tip-radius",
         )
-        outline = rack_outline(cutter, made.module, made.rack.addendum, teeth)
+        outline = rack_outline(cutter, toothed.module, toothed.rack.addendum, teeth)
         return _result(outline, 4 * teeth, None, None, Drawing((outline,), title="rack"))
-    gear = gear_of(**carried(given))
+    gear = gear_of(**carried(inputs))
     shape = tooth_form(gear, carried(tip_diameter), carried(root_radius_factor))
     if error_of(shape.form) > LOOSE * UNIT_ROUNDOFF * bare(shape.form):
-        more = [in_many_digits(part) for part in (given, tip_diameter, root_radius_factor)]
+        more = [in_many_digits(part) for part in (inputs, tip_diameter, root_radius_factor)]
         exact = in_digits(lambda: tooth_form(gear_of(**more[0]), *more[1:]))
         if exact is not None:
             tighten((shape.form,), (exact.form,))

@@ -150,12 +150,12 @@ def root(cutter: Cutter) -> Root:
         return Root(sqrt(base * base + margin * margin), margin / base, False, cutter.transverse_angle, margin)
     delta = like(_meeting(curve), margin)
     # One Newton step in the numbers of the input carries their derivatives and rounding bounds through the root.
-    own = _Corner(_bare(cutter))
+    corner = _Corner(_bare(cutter))
     start = Tracked.inputs([bare(delta)])[0]
-    slope = own.residual(start).slopes[0]  # type: ignore[arg-type, attr-defined]
+    slope = corner.residual(start).slopes[0]  # type: ignore[arg-type, attr-defined]
     step = curve.residual(delta) / slope
     # R along the trochoid, so that both parts take the same step
-    radius = curve.radius(delta) - own.radius(start).slopes[0] * step  # type: ignore[arg-type, attr-defined]
+    radius = curve.radius(delta) - corner.radius(start).slopes[0] * step  # type: ignore[arg-type, attr-defined]
     delta = delta - step
     roll = sqrt(maximum(curve.roll_squared(delta), 0.0))
     return Root(radius, roll, True, cutter.transverse_angle + delta, margin)
@@ -226,14 +226,14 @@ class _Corner:
         # difference of the two arc tangents of −ξ/(r cos θ) as one
         fall = 2.0 * sin(self.angle + 0.5 * delta) * sin(0.5 * delta)
         step = -(change * self.cosine + self.margin * fall) / (self.radius_ * cosine * self.cosine)
-        both = xi * self.margin / (self.radius_ * self.radius_ * cosine * self.cosine)
-        turned = delta + atan(step / (1.0 + both))
+        tangent = xi * self.margin / (self.radius_ * self.radius_ * cosine * self.cosine)
+        turned = delta + atan(step / (1.0 + tangent))
         travel = -self.depth * sin(delta) / (sine * self.sine)
         bend = -fall / sqrt(1.0 + self.excess * cosine * cosine) + self.cosine * narrowing
         travel = travel - self.tip * self.excess * bend
         square = self.roll_squared(delta)
-        own = roll_less_arc(sqrt(square)) if square > 0.0 else 0.0
-        return turned - travel / self.radius_ - own - self.start
+        involute_angle = roll_less_arc(sqrt(square)) if square > 0.0 else 0.0
+        return turned - travel / self.radius_ - involute_angle - self.start
 
 
 def _meeting(curve: _Corner) -> float:
@@ -262,9 +262,9 @@ def _bracketed(f: "Callable[[float], float]", high: float) -> float:
     while f(low) > 0.0 and low > 1e-60:
         high, low = low, 0.0625 * low
     a, b, fa, fb = high, low, f(high), f(low)
-    c, fc, share = a, fa, 0.5
+    c, fc, fraction = a, fa, 0.5
     for _ in range(100):
-        x = a + share * (b - a)
+        x = a + fraction * (b - a)
         fx = f(x)
         if (fx > 0.0) == (fa > 0.0):
             c, fc = a, fa
@@ -276,11 +276,11 @@ def _bracketed(f: "Callable[[float], float]", high: float) -> float:
             return best
         xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
         if phi * phi < xi and (1.0 - phi) * (1.0 - phi) < 1.0 - xi:
-            share = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+            fraction = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
         else:
-            share = 0.5
+            fraction = 0.5
         least = 2e-16 * abs(best) / abs(b - a)
-        share = min(max(share, least), 1.0 - least)
+        fraction = min(max(fraction, least), 1.0 - least)
     return a if abs(fa) < abs(fb) else b
 
 

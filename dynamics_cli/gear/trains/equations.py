@@ -29,7 +29,7 @@ class Known:
             _require_mesh(mesh)
         words = [] if fixed.strip().lower() == "none" else [word for word in fixed.split(",") if word.strip()]
         self.fixed = tuple(dict.fromkeys(self._named(word, "fixed") for word in words if settled(word) != GROUND))
-        self.shafts = tuple(Shaft(self._named(one.name, "shaft"), one.speed, one.torque) for one in shafts)
+        self.shafts = tuple(Shaft(self._named(s.name, "shaft"), s.speed, s.torque) for s in shafts)
         self.driver = self._named(driver, "driver") if driver else ""
         self.driven = self._named(driven, "driven") if driven else ""
         if isinstance(arrangement, Stages):
@@ -53,7 +53,7 @@ class Known:
 
     def _settle_planetary(self, *, hold: bool) -> None:
         """Default roles: the sun drives, the carrier is driven, and the remaining shaft is held."""
-        taken = [self.driver, self.driven, *self.fixed, *(one.name for one in self.shafts if one.speed is not None)]
+        taken = [self.driver, self.driven, *self.fixed, *(s.name for s in self.shafts if s.speed is not None)]
 
         def left_over(*names: str) -> str:
             remaining = next((name for name in names if name not in taken), "")
@@ -63,9 +63,9 @@ class Known:
         # a shaft with a given speed may still be the driver or the driven one
         self.driver = self.driver or left_over("sun", "carrier", "ring")
         self.driven = self.driven or left_over("carrier", "ring", "sun")
-        held = left_over("ring", "sun", "carrier") if hold else ""
-        if held:
-            self.fixed = (held,)
+        held_shaft = left_over("ring", "sun", "carrier") if hold else ""
+        if held_shaft:
+            self.fixed = (held_shaft,)
 
     def _require_roles(self) -> None:
         require(
@@ -99,13 +99,11 @@ class Known:
     def speeds(self, speed: float | None) -> "dict[str, Pair | None]":
         """Shafts whose speed is given; None for a driver that turns by one."""
         speeds_known: dict[str, Pair | None] = {}
-        for one in self.shafts:
-            if one.speed is not None:
-                require(
-                    one.name not in self.fixed, "{name} is fixed and has a speed", name=one.name, code="fixed-speed"
-                )
-                require(one.name not in speeds_known, "{name} has two speeds", name=one.name, code="two-speeds")
-                speeds_known[one.name] = exact(one.speed)
+        for s in self.shafts:
+            if s.speed is not None:
+                require(s.name not in self.fixed, "{name} is fixed and has a speed", name=s.name, code="fixed-speed")
+                require(s.name not in speeds_known, "{name} has two speeds", name=s.name, code="two-speeds")
+                speeds_known[s.name] = exact(s.speed)
         if speed is not None:
             require(
                 self.driver not in speeds_known,
@@ -174,7 +172,7 @@ class Motion:
         terms = self.terms(name)
         if terms is None or None in self._given.values():
             return None
-        return total(product(term, own) for term, own in zip(terms, self._given.values(), strict=True) if own)
+        return total(product(term, omega) for term, omega in zip(terms, self._given.values(), strict=True) if omega)
 
     def ratio(self) -> "Pair | None":
         """Driver over driven."""
@@ -183,11 +181,11 @@ class Motion:
 
     def _require_motion(self) -> None:
         known = self.known
-        held = f" with {', '.join(known.fixed)} fixed" if known.fixed else ""
+        fixed = f" with {', '.join(known.fixed)} fixed" if known.fixed else ""
         require(
             self.freedom > 0,
             "the train is locked{held}: its meshes allow no motion of its {count} shafts",
-            held=held,
+            held=fixed,
             count=len(self._names),
             code="locked",
             hint=f"release {known.fixed[-1]}" if known.fixed else "leave out a mesh",
@@ -198,7 +196,7 @@ class Motion:
                 False,
                 "{driver} cannot turn{held}: the train locks it",
                 driver=known.driver,
-                held=held,
+                held=fixed,
                 code="locked",
                 hint="drive another shaft",
             )
@@ -208,17 +206,17 @@ class Motion:
             count=len(self._given),
             names=", ".join(self._given),
             free=len(self._given) - len(conflict),
-            held=held,
+            held=fixed,
             code="too-many-speeds",
             hint=f"leave out the speed of {conflict[-1]}" if conflict else None,
         )
         open_shafts = [name for name in self._names if self.terms(name) is None]
-        wanted = known.driven or known.driver
+        s = known.driven or known.driver
         require(
-            self.terms(wanted) is not None and self.terms(known.driver) is not None,
+            self.terms(s) is not None and self.terms(known.driver) is not None,
             "the motion of {wanted} is not determined{held}: {freedom} speeds can be chosen and {count} are given",
-            wanted=wanted,
-            held=held,
+            wanted=s,
+            held=fixed,
             freedom=self.freedom,
             count=len(self._given),
             code="indeterminate",

@@ -30,13 +30,13 @@ def train_picture(result: "TrainMotion", *, arrangement: "Any", **_: "Any") -> P
     elif isinstance(arrangement, Stages):
         panels.append(_stages(arrangement))
         name = f"Gear train {arrangement.stages}"
-    speeds = [(one.name, one.speed if one.turns is None else one.turns) for one in result.shafts]
-    known = [(shaft, value) for shaft, value in speeds if value is not None]
+    speeds = [(row.name, row.speed if row.turns is None else row.turns) for row in result.shafts]
+    turning = [(shaft, value) for shaft, value in speeds if value is not None]
     title = "turns for each turn of the driver" if result.ratio is not None else "speed, rad/s"
     bars = Bars(
-        tuple(shaft for shaft, _ in known),
-        tuple(min(value, 0.0) for _, value in known),
-        tuple(max(value, 0.0) for _, value in known),
+        tuple(shaft for shaft, _ in turning),
+        tuple(min(value, 0.0) for _, value in turning),
+        tuple(max(value, 0.0) for _, value in turning),
     )
     panels.append(Panel(Axis(title), Axis("shaft"), (bars,)))
     subtitle = "Pitch circles dash-dotted, base circles dotted; all of one module, teeth without profile shift"
@@ -76,15 +76,15 @@ def _planetary(result: "TrainMotion", arrangement: Planetary) -> Panel:
     assert result.assembly is not None
     for index, place in enumerate(result.assembly.places):
         angle = UPWARDS + place_angle(place)
-        at = distance * cos(angle), distance * sin(angle)
+        centre = distance * cos(angle), distance * sin(angle)
         tooth = _mate(arrangement.sun, UPWARDS, inner, angle)
-        items += _gear(inner, at, tooth, PLANET)
+        items += _gear(inner, centre, tooth, PLANET)
         if outer != inner:
-            items.append(circle(at, 0.5 * outer, "", "dashed", PLANET))
+            items.append(circle(centre, 0.5 * outer, "", "dashed", PLANET))
         elif not index:
             ring = _mate(inner, tooth, arrangement.ring, angle, internal=True)
             items += _gear(arrangement.ring, (0.0, 0.0), ring, RING, internal=True)
-        items.append(Curve((0.0, at[0]), (0.0, at[1]), "", "thin", BLACK))
+        items.append(Curve((0.0, centre[0]), (0.0, centre[1]), "", "thin", BLACK))
     if outer != inner:
         items.append(circle((0.0, 0.0), distance + 0.5 * outer, "", "centre", RING))
     radius = 0.5 * arrangement.ring + 1.25 + RIM
@@ -119,11 +119,11 @@ def _stages(arrangement: Stages) -> Panel:
 def ratio_picture(result: "Any", *, target: "Any" = None, **_: "Any") -> Picture:
     """The best train's gears in mesh, and the errors of the best trains."""
     best = result.best
-    names = tuple(one.stages for one in best)
-    misses = [1e6 * float(one.error_value) for one in best]
+    names = tuple(train.stages for train in best)
+    misses = [1e6 * float(train.error_value) for train in best]
     bars = Bars(names, [min(miss, 0.0) for miss in misses], [max(miss, 0.0) for miss in misses])
     panels = [Panel(Axis("error of the ratio, parts per million"), Axis("train"), (bars,))]
-    teeth = [int(one.teeth) for one in best]
+    teeth = [int(train.teeth) for train in best]
     if len(set(teeth)) > 1:
         bars = Bars(names, [0.0] * len(teeth), teeth)
         panels.append(Panel(Axis("teeth of all wheels together"), Axis("train"), (bars,)))

@@ -49,7 +49,7 @@ def planetary_assembly(arrangement: Planetary) -> Assembly:
     )
     # nearest whole number of steps to each evenly spaced place, halves downwards
     chosen = [(2 * index * steps + count - 1) // (2 * count) for index in range(count)]
-    gaps = [(other - one) % steps or steps for one, other in zip(chosen, chosen[1:] + chosen[:1], strict=True)]
+    gaps = [(after - angle) % steps or steps for angle, after in zip(chosen, chosen[1:] + chosen[:1], strict=True)]
     shifts = [abs(place * count - index * steps) for index, place in enumerate(chosen)]
     narrowest = 2.0 * pi * min(gaps) / steps
     distance = 0.5 * (arrangement.sun + inner)
@@ -95,15 +95,15 @@ def assembly_advice(arrangement: Planetary) -> tuple[Advice, ...]:
     inner, outer = arrangement.planet_teeth
     if steps % count:
         number = written((steps, count))
-        room = planetary_assembly(arrangement).most_planets
-        fits = ", ".join(str(n) for n in range(2, 9) if steps % n == 0 and n <= room) or "no small number of"
+        most = planetary_assembly(arrangement).most_planets
+        fits = ", ".join(str(n) for n in range(2, 9) if steps % n == 0 and n <= most) or "no small number of"
         simple = inner == outer
         ring = _nearest_ring(arrangement) if simple else None
-        what = "(z_sun + z_ring)/N" if simple else "(z_sun·z_outer + z_ring·z_inner)/(N·gcd)"
+        formula = "(z_sun + z_ring)/N" if simple else "(z_sun·z_outer + z_ring·z_inner)/(N·gcd)"
         message = worded(
             "{what} = {number} is not whole: {count} planets cannot be spread evenly; the places shown are the "
             "nearest possible",
-            what=what,
+            what=formula,
             number=number,
             count=count,
         )

@@ -119,21 +119,21 @@ def ratio(
     reach = drivers[0] + driven[0], drivers[-1] + driven[-1]
     sums = _sums(tooth_sum, centre_distance, module, distance_tolerance, reach)
     limits = Limits(coprime, coaxial, sums, largest_stage)
-    wanted = lowest(top, bottom)
+    exact_ratio = lowest(top, bottom)
     search: Products | Pairs
     if sums is None and not coaxial:
-        search = Products(wanted, drivers, driven, stages, limits)
+        search = Products(exact_ratio, drivers, driven, stages, limits)
     else:
-        search = Pairs(wanted, drivers, driven, stages, limits)
+        search = Pairs(exact_ratio, drivers, driven, stages, limits)
     search.require_reach()
     trains, rejected = search.best(count)
-    best = [_shown(train, wanted) for train in trains]
+    best = [_shown(train, exact_ratio) for train in trains]
     return RatioFound(
         best=tuple(best),
         considered=search.considered,
         ratios=search.account,
         rejected=rejected,
-        checks=_checks(best, wanted),
+        checks=_checks(best, exact_ratio),
         advice=_advice(best, count),
         numerics=Numerics(
             "exhaustive: sorted products, exact ranking",
@@ -172,8 +172,8 @@ def _sums(
     require_given(module is not None, "a centre distance needs the module", ("module",), code="module")
     assert module is not None
     sum_wanted = 2.0 * distance / module
-    room = 2.0 * abs(tolerance or 0.0) / module + 1e-9 * sum_wanted
-    low, high = int(-((room - sum_wanted) // 1)), int(sum_wanted + room)
+    tolerated = 2.0 * abs(tolerance or 0.0) / module + 1e-9 * sum_wanted
+    low, high = int(-((tolerated - sum_wanted) // 1)), int(sum_wanted + tolerated)
     require(
         low <= high,
         "2a/m = {sum_wanted:9} is not a whole sum of teeth",
@@ -211,12 +211,12 @@ def _shown(train: "Train", target: "Pair") -> TrainFound:
 def _checks(best: list[TrainFound], target: "Pair") -> tuple[Check, ...]:
     """Check the trains by multiplying out the tooth numbers shown."""
     passed = True
-    for one in best:
-        pairs = [tuple(map(int, pair.split(":"))) for pair in one.stages.split(", ")]
+    for train in best:
+        pairs = [tuple(map(int, pair.split(":"))) for pair in train.stages.split(", ")]
         top, bottom = prod(driven for _, driven in pairs), prod(driver for driver, _ in pairs)
-        passed = passed and written((top, bottom)) == one.ratio
-        passed = passed and written((top * target[1] - bottom * target[0], bottom * target[0])) == one.error
-    errors = [abs(one.error_value) for one in best]
+        passed = passed and written((top, bottom)) == train.ratio
+        passed = passed and written((top * target[1] - bottom * target[0], bottom * target[0])) == train.error
+    errors = [abs(train.error_value) for train in best]
     return (
         Check("the trains shown multiply out to their ratios and errors", passed),
         Check("errors rise", errors == sorted(errors)),

@@ -37,10 +37,10 @@ class Pairs:
         self._groups = []
         for sums in _sum_groups(drivers, driven, limits):
             pairs = [
-                (own, total - own)
+                (driver, total - driver)
                 for total in sums
-                for own in drivers
-                if total - own in driven and limits.pair(own, total - own)
+                for driver in drivers
+                if total - driver in driven and limits.pair(driver, total - driver)
             ]
             if pairs:
                 self._groups.append(pairs)
@@ -86,11 +86,11 @@ class Pairs:
             sizes = [size for size, _ in long]
             for size, train in short:
                 for place in range(bisect_left(sizes, low / size), bisect_right(sizes, high / size)):
-                    whole = tuple(sorted(train + long[place][1]))
-                    value = lowest(prod(b for _, b in whole), prod(a for a, _ in whole))
-                    known = trains.get(value)
-                    if known is None or (_teeth(whole), whole) < (_teeth(known), known):
-                        trains[value] = whole
+                    pairs = tuple(sorted(train + long[place][1]))
+                    value = lowest(prod(b for _, b in pairs), prod(a for a, _ in pairs))
+                    best = trains.get(value)
+                    if best is None or (_teeth(pairs), pairs) < (_teeth(best), best):
+                        trains[value] = pairs
         return trains
 
     def best(self, count: int) -> "tuple[list[Train], int]":

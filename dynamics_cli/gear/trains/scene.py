@@ -51,8 +51,8 @@ class Stages:
                 stage=repr(stage),
                 code="stage",
             )
-            for one, other in pairwise(teeth):
-                meshes.append(_external_first(str(shaft), one, str(shaft + 1), other))
+            for first, second in pairwise(teeth):
+                meshes.append(_external_first(str(shaft), first, str(shaft + 1), second))
                 shaft += 1
         return tuple(meshes)
 
@@ -155,5 +155,5 @@ class Shaft:
 
 def settled(name: str) -> str:
     """A shaft's name as written; all names of the frame are equivalent, in any capitals."""
-    own = name.strip()
-    return GROUND if own.lower() in _GROUND_NAMES else own
+    stripped = name.strip()
+    return GROUND if stripped.lower() in _GROUND_NAMES else stripped

@@ -27,7 +27,7 @@ class Forces:
     def _given(self, torque: float | None, power: float | None) -> "dict[str, Pair]":
         known = self.known
         require(torque is None or power is None, "give the torque or the power of the driver, not both", code="torque")
-        given = {one.name: exact(one.torque) for one in known.shafts if one.torque is not None}
+        given = {shaft.name: exact(shaft.torque) for shaft in known.shafts if shaft.torque is not None}
         if torque is None and power is None:
             return given
         require(
@@ -46,7 +46,7 @@ class Forces:
 
     def _solve(self) -> None:
         known = self.known
-        loaded = dict.fromkeys((known.driver, known.driven, *known.fixed, *(one.name for one in known.shafts)))
+        loaded = dict.fromkeys((known.driver, known.driven, *known.fixed, *(shaft.name for shaft in known.shafts)))
         ends = [name for name in loaded if name]
         width = len(known.meshes) + len(ends)
         rows = []
@@ -74,7 +74,7 @@ class Forces:
     def _value(self, terms: "tuple[Pair, ...] | None") -> "Pair | None":
         if terms is None:
             return None
-        return total(product(term, own) for term, own in zip(terms, self.given.values(), strict=True))
+        return total(product(term, torque) for term, torque in zip(terms, self.given.values(), strict=True))
 
     def torque(self, name: str) -> "Pair | None":
         """Torque from outside; zero on a shaft that is neither driven nor held."""

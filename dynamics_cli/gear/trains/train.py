@@ -123,7 +123,7 @@ def train(
     forces = Forces(known, motion, torque, power)
     assembly = planetary_assembly(arrangement) if isinstance(arrangement, Planetary) else None
     ratio = motion.ratio()
-    shown = tuple(_shaft(name, motion, forces) for name in known.names)
+    shaft_results = tuple(_shaft(name, motion, forces) for name in known.names)
     return TrainMotion(
         ratio=None if ratio is None else written(ratio),
         ratio_value=None if ratio is None else _finite(nearest(ratio)),
@@ -131,10 +131,10 @@ def train(
         basic_ratio=basic_ratio(arrangement) if isinstance(arrangement, Planetary) else None,
         input_power=_number(forces.input_power()),
         circulating_power=_number(forces.circulating()),
-        shafts=shown,
+        shafts=shaft_results,
         meshes=tuple(_mesh(mesh, index, motion, forces) for index, mesh in enumerate(known.meshes)),
         assembly=assembly,
-        checks=_checks(known, shown),
+        checks=_checks(known, shaft_results),
         advice=motion.advice()
         + forces.advice()
         + (assembly_advice(arrangement) if isinstance(arrangement, Planetary) else ()),
@@ -156,12 +156,12 @@ def _shaft(name: str, motion: Motion, forces: Forces) -> ShaftMotion:
 
 def _mesh(mesh: Mesh, index: int, motion: Motion, forces: Forces) -> MeshMotion:
     first, second = mesh.teeth
-    own, carrier = motion.relative(mesh.first), motion.relative(mesh.carrier)
-    relative = None if own is None or carrier is None else total((own, (-carrier[0], carrier[1])))
+    relative_speed, carrier = motion.relative(mesh.first), motion.relative(mesh.carrier)
+    relative = None if relative_speed is None or carrier is None else total((relative_speed, (-carrier[0], carrier[1])))
     rolling = rolling_speed(mesh, motion)
-    held = "" if mesh.carrier == GROUND else f" on {mesh.carrier}"
+    suffix = "" if mesh.carrier == GROUND else f" on {mesh.carrier}"
     return MeshMotion(
-        gears=f"{mesh.first} {first} : {mesh.second} {second}{held}",
+        gears=f"{mesh.first} {first} : {mesh.second} {second}{suffix}",
         rolling=None if relative is None else written(relative),
         frequency=None if rolling is None else _finite(abs(nearest(product(rolling, (first, 1)))) / (2.0 * pi)),
         rolling_power=_number(forces.rolling_power(index)),
@@ -179,23 +179,23 @@ def _finite(value: float) -> float:
 
 def _checks(known: Known, shafts: tuple[ShaftMotion, ...]) -> tuple[Check, ...]:
     """Check Willis' equation of every mesh and the power balance with the returned numbers."""
-    speeds = {one.name: one.speed if one.speed is not None else one.turns for one in shafts}
+    speeds = {shaft.name: shaft.speed if shaft.speed is not None else shaft.turns for shaft in shafts}
     speeds[GROUND] = 0.0
     worst = 0.0
     for mesh in known.meshes:
-        own = [speeds[name] for name in (mesh.first, mesh.second, mesh.carrier)]
-        if None in own:
+        turns = [speeds[name] for name in (mesh.first, mesh.second, mesh.carrier)]
+        if None in turns:
             continue
         first, second = mesh.teeth
-        parts = [first * own[0], second * own[1], -first * own[2], -second * own[2]]  # type: ignore[operator]
+        parts = [first * turns[0], second * turns[1], -first * turns[2], -second * turns[2]]  # type: ignore[operator]
         scale = max(map(abs, parts))
         worst = max(worst, abs(sum(parts)) / scale if scale else 0.0)
     checks = [Check("Willis' equation of every mesh", worst <= 8.0 * ONE_ROUNDING, worst, 8.0 * ONE_ROUNDING)]
-    powers = [one.power for one in shafts if one.power is not None]
+    powers = [shaft.power for shaft in shafts if shaft.power is not None]
     scale = sum(map(abs, powers))
     if scale:
-        left = abs(sum(powers)) / scale
-        checks.append(Check("power in and power out", left <= 8.0 * ONE_ROUNDING, left, 8.0 * ONE_ROUNDING))
+        imbalance = abs(sum(powers)) / scale
+        checks.append(Check("power in and power out", imbalance <= 8.0 * ONE_ROUNDING, imbalance, 8.0 * ONE_ROUNDING))
     return tuple(checks)
 
 

@@ -24,13 +24,17 @@ def wheels(
     radii = 0.5 * first_diameter, 0.5 * second_diameter
     distance, drive = float(result.centre_distance), str(drive)
     items: list[Any] = []
-    for role, (at, radius) in enumerate(zip(((0.0, 0.0), (distance, 0.0)), radii, strict=True)):
-        edge = circle(at, radius, "", "filled", role)
-        items += [edge, *centre_lines(at, 1.15 * radius), Mark(*at)]
+    for role, (spot, radius) in enumerate(zip(((0.0, 0.0), (distance, 0.0)), radii, strict=True)):
+        edge = circle(spot, radius, "", "filled", role)
+        items += [edge, *centre_lines(spot, 1.15 * radius), Mark(*spot)]
         name = f"{'driver' if not role else 'driven'}\n"
         text = worded(name + "d_{role} = {size:6}", role=role + 1, size=(2.0 * radius, Size))
-        small = radius < SMALL * max(radii)
-        beside = (at[0] - radius - 0.4 * max(radii), at[1]) if small else (at[0] + 0.4 * radius, at[1] + 0.45 * radius)
+        inner = radius < SMALL * max(radii)
+        beside = (
+            (spot[0] - radius - 0.4 * max(radii), spot[1])
+            if inner
+            else (spot[0] + 0.4 * radius, spot[1] + 0.45 * radius)
+        )
         items.append(Label(*beside, text, role))
     low = -max(radii) * 1.12
     items.append(Dimension((0.0, distance), (low, low), worded("a = {size:6}", size=(distance, Size))))
@@ -68,18 +72,18 @@ def wheels(
 
 def _belt(radii: "tuple[float, float]", distance: float, *, crossed: bool) -> Curve:
     """The belt as one closed line: a tangent, the wrap of the second wheel, a tangent, the wrap of the first."""
-    one, two = radii
-    far = -two if crossed else two
+    r1, r2 = radii
+    far = -r2 if crossed else r2
     # A tangent's normal leans by acos((r₁ ∓ r₂)/a) from the line of centres.
-    lean = acos((one - far) / distance)
-    span = [(one * cos(lean), one * sin(lean)), (distance + far * cos(lean), far * sin(lean))]
+    lean = acos((r1 - far) / distance)
+    span = [(r1 * cos(lean), r1 * sin(lean)), (distance + far * cos(lean), far * sin(lean))]
     turns = [k / STEPS for k in range(1, STEPS)]
     if crossed:
         second = [(pi + lean) + (2.0 * pi - 2.0 * lean) * k for k in turns]
     else:
         second = [lean - 2.0 * lean * k for k in turns]
-    points = [*span, *((distance + two * cos(t), two * sin(t)) for t in second)]
-    points += [(distance + far * cos(lean), -far * sin(lean)), (one * cos(lean), -one * sin(lean))]
-    points += [(one * cos(t), one * sin(t)) for t in (-lean - (2.0 * pi - 2.0 * lean) * k for k in turns)]
+    points = [*span, *((distance + r2 * cos(t), r2 * sin(t)) for t in second)]
+    points += [(distance + far * cos(lean), -far * sin(lean)), (r1 * cos(lean), -r1 * sin(lean))]
+    points += [(r1 * cos(t), r1 * sin(t)) for t in (-lean - (2.0 * pi - 2.0 * lean) * k for k in turns)]
     points.append(span[0])
     return Curve([x for x, _ in points], [y for _, y in points], "", "thick", BLACK)

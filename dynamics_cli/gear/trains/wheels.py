@@ -166,9 +166,9 @@ def _belt(first: float, second: float, distance: float | None, drive: str) -> tu
         code="overlap",
     )
     if drive == "crossed-belt":
-        both = first + second
-        span = sqrt((apart - both) * (apart + both))
-        wrap = 2.0 * acos(-(both / apart))
+        radius_sum = first + second
+        span = sqrt((apart - radius_sum) * (apart + radius_sum))
+        wrap = 2.0 * acos(-(radius_sum / apart))
         return apart, span, (wrap, wrap)
     lean = second - first
     span = sqrt((apart - lean) * (apart + lean))

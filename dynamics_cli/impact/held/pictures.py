@@ -60,9 +60,9 @@ def seize(result: "Any", *, body: "Any", **_: "Any") -> Picture:
             Curve(ends, zero, style="thin", role=6),
             Curve(zero, ends, style="thin", role=6),
             *(
-                Arrow(0.0, 0.0, one[i], one[j], name, role)
-                for role, (name, one) in enumerate((("before", before), ("after", after)))
-                if max(abs(one[i]), abs(one[j])) > 1e-3 * reach
+                Arrow(0.0, 0.0, spin[i], spin[j], name, role)
+                for role, (name, spin) in enumerate((("before", before), ("after", after)))
+                if max(abs(spin[i]), abs(spin[j])) > 1e-3 * reach
             ),
         )
         across, up = (Axis(f"about {'xyz'[k]}", AngularSpeed) for k in (i, j))
@@ -84,7 +84,7 @@ def step(result: "Any", *, radius: float, height: float, speed: "float | None" =
     back = sqrt(height * (2.0 * radius - height))
     turns = [2.0 * pi * k / STEPS for k in range(STEPS + 1)]
     start = asin(min(1.0, back / radius))
-    way = [start * (1.0 - k / STEPS) for k in range(STEPS + 1)]
+    angles = [start * (1.0 - k / STEPS) for k in range(STEPS + 1)]
 
     def wheel(x: float, y: float, label: str, style: "Any", role: int) -> Curve:
         return Curve([x + radius * cos(t) for t in turns], [y + radius * sin(t) for t in turns], label, style, role)
@@ -93,7 +93,7 @@ def step(result: "Any", *, radius: float, height: float, speed: "float | None" =
         Curve([-back - 1.3 * radius, 0.0, 0.0, 1.3 * radius], [0.0, 0.0, height, height], "road", role=6),
         wheel(-back, radius, "meets the edge", "solid", 0),
         wheel(0.0, radius + height, "on the step", "dashed", 1),
-        Curve([-radius * sin(t) for t in way], [height + radius * cos(t) for t in way], "centre", "dotted", 2),
+        Curve([-radius * sin(t) for t in angles], [height + radius * cos(t) for t in angles], "centre", "dotted", 2),
         Mark(0.0, height, "edge"),
     )
     names, speeds = ["least speed over the step", "jumps off the edge above"], [

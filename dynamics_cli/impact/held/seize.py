@@ -128,40 +128,40 @@ def seize(
     (0.176776695297, 0.125)
     """
     require_sizes(body=body)
-    whole = _plate(body) if isinstance(body, SquarePlate) else body
-    mass = whole.mass
+    solid = _plate(body) if isinstance(body, SquarePlate) else body
+    mass = solid.mass
     require(mass > 0.0, "the mass of the body must be above zero", code="no-mass")
-    _require_inertia(whole.inertia)
-    (a, b, c), (_, d, e), (_, _, f) = whole.inertia
+    _require_inertia(solid.inertia)
+    (a, b, c), (_, d, e), (_, _, f) = solid.inertia
     inertia = (a, b, c), (b, d, e), (c, e, f)
-    spin, velocity = whole.angular_velocity, whole.velocity
-    way = scale(-1.0, whole.point)
-    own = times(inertia, spin)
-    before = 0.5 * dot(own, spin) + 0.5 * mass * dot(velocity, velocity)
+    spin, velocity = solid.angular_velocity, solid.velocity
+    reach = scale(-1.0, solid.point)
+    spin_part = times(inertia, spin)
+    before = 0.5 * dot(spin_part, spin) + 0.5 * mass * dot(velocity, velocity)
     require(before > 0.0, "the body does not move before it is held", code="no-impact")
     require_finite(before, "the energy of the body")
-    momentum = add(own, scale(mass, cross(way, velocity)))
-    about = moved(inertia, mass, whole.point)
+    momentum = add(spin_part, scale(mass, cross(reach, velocity)))
+    pivoted = moved(inertia, mass, solid.point)
     axis: Vector | None = None
-    if whole.axis is None:
-        after = solve(about, momentum, "the body has no inertia about some direction through the held point")
+    if solid.axis is None:
+        after = solve(pivoted, momentum, "the body has no inertia about some direction through the held point")
     else:
-        axis = _unit(whole.axis)
-        moment = dot(axis, times(about, axis))
+        axis = _unit(solid.axis)
+        moment = dot(axis, times(pivoted, axis))
         require(moment > 0.0, "the body has no inertia about the held axis", code="no-inertia")
         after = scale(dot(axis, momentum) / moment, axis)
-    centre = cross(after, way)
+    centre = cross(after, reach)
     lost_velocity, lost_spin = subtract(centre, velocity), subtract(after, spin)
     impulse = scale(mass, lost_velocity)
     turned = times(inertia, lost_spin)
-    couple = add(turned, cross(way, impulse))
+    couple = add(turned, cross(reach, impulse))
     lost = 0.5 * mass * dot(lost_velocity, lost_velocity) + 0.5 * dot(turned, lost_spin)
-    left = 0.5 * dot(momentum, after)
+    kept = 0.5 * dot(momentum, after)
     speed = _size(spin)
     checks = _checks(
-        couple, axis, _size(momentum) + _size(turned) + mass * _size(way) * (_size(velocity) + _size(centre))
+        couple, axis, _size(momentum) + _size(turned) + mass * _size(reach) * (_size(velocity) + _size(centre))
     )
-    checks += balance("energy", before, left + lost, before) + not_above("no energy is gained", left, before, before)
+    checks += balance("energy", before, kept + lost, before) + not_above("no energy is gained", kept, before, before)
     return Seized(
         angular_velocity=after,
         angular_speed=_size(after),
@@ -172,9 +172,9 @@ def seize(
         couple=None if axis is None else couple,
         couple_size=None if axis is None else _size(couple),
         energy_before=before,
-        energy_after=left,
+        energy_after=kept,
         energy_lost=lost,
-        energy_ratio=left / before,
+        energy_ratio=kept / before,
         checks=checks,
     )
 

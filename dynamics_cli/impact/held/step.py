@@ -128,36 +128,38 @@ def step(
         code="wall",
     )
     factor = _factor(wheel, mass, radius)
-    whole = 1.0 + factor
+    radius_factor = 1.0 + factor
     depth = height / radius
-    kept = whole - depth
-    ratio = kept / whole
-    share = depth * (2.0 * whole - depth) / (whole * whole)
-    least = sqrt(2.0 * gravity * height * whole) / kept
+    retained = radius_factor - depth
+    ratio = retained / radius_factor
+    lost = depth * (2.0 * radius_factor - depth) / (radius_factor * radius_factor)
+    least = sqrt(2.0 * gravity * height * radius_factor) / retained
     leaves = sqrt(gravity * (radius - height)) / ratio
     advice = _never_stays(least, leaves)
     if speed is None:
-        return StepMet(least, ratio, share, leaves, None, None, None, None, None, None, None, None, None, (), advice)
+        return StepMet(least, ratio, lost, leaves, None, None, None, None, None, None, None, None, None, (), advice)
     require(speed > 0.0, "the speed of the wheel must be above zero", code="no-impact")
     spin = speed / radius
     after = ratio * spin
     over = speed >= least
-    left = where(over, (speed - least) * (speed + least), 0.0)
-    down = where(over, 0.0, ratio * speed * (ratio * speed) * whole / (2.0 * gravity))
+    square_left = where(over, (speed - least) * (speed + least), 0.0)
+    down = where(over, 0.0, ratio * speed * (ratio * speed) * radius_factor / (2.0 * gravity))
     advice += _jump(speed, leaves)
     answer = StepMet(
         least_speed=least,
         angular_ratio=ratio,
-        share_lost=share,
+        share_lost=lost,
         leaves_edge_speed=leaves,
         angular_velocity=spin,
         angular_velocity_after=after,
         centre_speed_after=ratio * speed,
         gets_over=over,
-        speed_on_step=ratio * sqrt(left),
+        speed_on_step=ratio * sqrt(square_left),
         greatest_rise=down,
-        energy_lost=None if mass is None else 0.5 * mass * whole * speed * speed * share,
-        impulse_forward=None if mass is None else -mass * speed * (depth * (1.0 + whole - depth) / whole),
+        energy_lost=None if mass is None else 0.5 * mass * radius_factor * speed * speed * lost,
+        impulse_forward=None
+        if mass is None
+        else -mass * speed * (depth * (1.0 + radius_factor - depth) / radius_factor),
         impulse_upward=None if mass is None else mass * speed * ratio * sqrt(depth * (2.0 - depth)),
         advice=advice,
     )
@@ -199,13 +201,15 @@ def _jump(speed: float, leaves: float) -> tuple[Advice, ...]:
 def _checks(answer: StepMet, factor: float, speed: float, depth: float, mass: float | None) -> tuple[Check, ...]:
     """Angular momentum about the edge, energy, and the impulse's moment about the axle, per mass."""
     ratio = answer.angular_ratio
-    whole = 1.0 + factor
-    checks = balance("angular momentum about the edge", factor + (1.0 - depth), whole * ratio, whole)
-    checks += balance("energy", whole * (1.0 - ratio * ratio), whole * answer.share_lost, whole)
+    radius_factor = 1.0 + factor
+    checks = balance("angular momentum about the edge", factor + (1.0 - depth), radius_factor * ratio, radius_factor)
+    checks += balance("energy", radius_factor * (1.0 - ratio * ratio), radius_factor * answer.share_lost, radius_factor)
     checks += not_above("no energy is gained", ratio, 1.0, 1.0)
     if mass is None or answer.impulse_forward is None or answer.impulse_upward is None:
         return checks
     side = sqrt(depth * (2.0 - depth))
     moment = answer.impulse_forward * (1.0 - depth) + answer.impulse_upward * side
     size = mass * speed
-    return checks + balance("moment of the impulse about the axle", moment, factor * (depth / whole) * size, size)
+    return checks + balance(
+        "moment of the impulse about the axle", moment, factor * (depth / radius_factor) * size, size
+    )

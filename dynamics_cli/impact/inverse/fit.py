@@ -121,25 +121,25 @@ def _free(side: Side, start: int) -> "list[int]":
     return [start + 1] if side.bends else []
 
 
-def _velocity(side: Side, own: "Any") -> "tuple[Pair, list[Pair]]":
+def _velocity(side: Side, entries: "Any") -> "tuple[Pair, list[Pair]]":
     """Approach velocity of the unknowns of a vehicle, and its derivatives by them."""
     if side.way is None or side.turn is None:
-        return (own[0], own[1]), [(1.0, 0.0), (0.0, 1.0)]
+        return (entries[0], entries[1]), [(1.0, 0.0), (0.0, 1.0)]
     if not side.bends:
-        return (own[0] * side.way[0], own[0] * side.way[1]), [side.way]
+        return (entries[0] * side.way[0], entries[0] * side.way[1]), [side.way]
     import math
 
-    cosine, sine = math.cos(own[1]), math.sin(own[1])
-    way = cosine * side.way[0] + sine * side.turn[0], cosine * side.way[1] + sine * side.turn[1]
+    cosine, sine = math.cos(entries[1]), math.sin(entries[1])
+    travel = cosine * side.way[0] + sine * side.turn[0], cosine * side.way[1] + sine * side.turn[1]
     turn = cosine * side.turn[0] - sine * side.way[0], cosine * side.turn[1] - sine * side.way[1]
-    return (own[0] * way[0], own[0] * way[1]), [way, (own[0] * turn[0], own[0] * turn[1])]
+    return (entries[0] * travel[0], entries[0] * travel[1]), [travel, (entries[0] * turn[0], entries[0] * turn[1])]
 
 
 def _state(sides: "tuple[Side, Side]", unknowns: "Any") -> "Any":
     import numpy as np
 
-    one, two, last = _starts(sides)
-    first, second = _velocity(sides[0], unknowns[one:two])[0], _velocity(sides[1], unknowns[two:last])[0]
+    start2, start3, last = _starts(sides)
+    first, second = _velocity(sides[0], unknowns[start2:start3])[0], _velocity(sides[1], unknowns[start3:last])[0]
     return np.array([*first, *second, *unknowns[last:]])
 
 
@@ -161,8 +161,8 @@ def _rows(sides: "tuple[Side, Side]", unknowns: "Any") -> "tuple[list[str], Any,
         rows.append(row / sigma)
 
     for index, side in enumerate(sides):
-        own = unknowns[starts[index] : starts[index + 1]]
-        velocity, slopes = _velocity(side, own)
+        entries = unknowns[starts[index] : starts[index + 1]]
+        velocity, slopes = _velocity(side, entries)
         push = side.sense / side.mass
         for axis, letter in enumerate("xy"):
             jacobian[2 * index + axis, starts[index] : starts[index + 1]] = [slope[axis] for slope in slopes]
@@ -178,7 +178,7 @@ def _rows(sides: "tuple[Side, Side]", unknowns: "Any") -> "tuple[list[str], Any,
         if side.bends:
             row = np.zeros(len(unknowns))
             row[starts[index] + 1] = 1.0
-            measured(f"{side.name} approach heading", float(own[1]), row, side.heading_sigma)
+            measured(f"{side.name} approach heading", float(entries[1]), row, side.heading_sigma)
     return names, np.array(residuals), np.array(rows), jacobian
 
 

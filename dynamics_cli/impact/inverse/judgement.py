@@ -43,7 +43,7 @@ class Contact:
             for row, a in enumerate((-y, x)):
                 for column, b in enumerate((-y, x)):
                     gain[row][column] += a * b / inertia
-        p = [float(one) for one in fit.state[4:]]
+        p = [float(number) for number in fit.state[4:]]
         after = [before[row] + gain[row][0] * p[0] + gain[row][1] * p[1] for row in (0, 1)]
         lost = -0.5 * sum(p[axis] * (before[axis] + after[axis]) for axis in (0, 1))
         self.energy_lost = lost
@@ -112,14 +112,14 @@ def chance(chi_squared: float, freedom: int) -> float | None:
     if freedom <= 0:
         return None
     half = 0.5 * chi_squared
-    at = 2 - freedom % 2
-    total = 2.0 * upper(sqrt(chi_squared)) if at == 1 else exp(-half)
+    freedom_so_far = 2 - freedom % 2
+    total = 2.0 * upper(sqrt(chi_squared)) if freedom_so_far == 1 else exp(-half)
     # half^(ν/2) e^(-half)/Γ(ν/2 + 1)
-    term = 2.0 * sqrt(half) * exp(-half) / ROOT_PI if at == 1 else half * exp(-half)
-    while at < freedom:
+    term = 2.0 * sqrt(half) * exp(-half) / ROOT_PI if freedom_so_far == 1 else half * exp(-half)
+    while freedom_so_far < freedom:
         total += term
-        at += 2
-        term *= half / (0.5 * at)
+        freedom_so_far += 2
+        term *= half / (0.5 * freedom_so_far)
     return total
 
 
@@ -127,24 +127,24 @@ def least_certain(fit: Fit, names: "tuple[str, str]") -> "tuple[str, float] | No
     """The direction of both speeds that is known least, in words, and its standard deviation."""
     import numpy as np
 
-    ways = []
+    directions = []
     for index in (0, 1):
         speed = fit.speed(index)
         if speed == 0.0:
             return None
         row = np.zeros(6)
         row[2 * index : 2 * index + 2] = fit.state[2 * index : 2 * index + 2] / speed
-        ways.append(row)
-    rows = np.array(ways)
+        directions.append(row)
+    rows = np.array(directions)
     values, vectors = np.linalg.eigh(rows @ fit.covariance @ rows.T)
     x, y = (float(part) for part in vectors[:, 1])
     main, other = (0, 1) if abs(x) >= abs(y) else (1, 0)
-    share = (y / x) if main == 0 else (x / y)
+    ratio = (y / x) if main == 0 else (x / y)
     sigma = float(max(values[1], 0.0) ** 0.5)
-    if abs(share) < SMALL_SHARE:
+    if abs(ratio) < SMALL_SHARE:
         return f"{names[main]} faster, the other unchanged", sigma
-    word = "faster" if share > 0.0 else "slower"
-    return f"{names[main]} faster and {names[other]} {word} by {abs(share):.2f} of it", sigma
+    word = "faster" if ratio > 0.0 else "slower"
+    return f"{names[main]} faster and {names[other]} {word} by {abs(ratio):.2f} of it", sigma
 
 
 def agreement(probability: float | None, residuals: "list[tuple[str, float]]") -> "tuple[Advice, ...]":
@@ -202,9 +202,9 @@ def unreliable(sides: "tuple[tuple[str, str | None, float, float | None], ...]")
     return tuple(cautions)
 
 
-def judge_crossing(one: Pair, two: Pair) -> str:
+def judge_crossing(a: Pair, b: Pair) -> str:
     """The verdict of momentum alone by the angle between the approach paths; refused close to one line."""
-    sine, cosine = one[0] * two[1] - one[1] * two[0], one[0] * two[0] + one[1] * two[1]
+    sine, cosine = a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]
     require(sine != 0.0, "the approach paths are on one line: momentum alone gives no speeds", code="undetermined")
     condition = (1.0 + abs(cosine)) / abs(sine)
     judge(
@@ -239,11 +239,11 @@ def by_heading(fit: Fit, sides: "tuple[Side, Side]", index: int) -> "tuple[str, 
     return verdict, tolerance, worst, DEGREE * steepest / sine
 
 
-def judge_levers(one: Pair, two: Pair) -> "tuple[float, str]":
+def judge_levers(a: Pair, b: Pair) -> "tuple[float, str]":
     """Sine between the levers and its verdict; refused where the contact is on the line of centres."""
-    size = sqrt((one[0] * one[0] + one[1] * one[1]) * (two[0] * two[0] + two[1] * two[1]))
+    size = sqrt((a[0] * a[0] + a[1] * a[1]) * (b[0] * b[0] + b[1] * b[1]))
     require(size > 0.0, "a lever is zero: its spin says nothing about the impulse", code="no-lever")
-    sine = abs(one[0] * two[1] - one[1] * two[0]) / size
+    sine = abs(a[0] * b[1] - a[1] * b[0]) / size
     judge(
         sine >= SMALLEST_SINE,
         "the contact is almost on the line of the mass centres: the sine between the levers is {sine:3}, below 0.1, "

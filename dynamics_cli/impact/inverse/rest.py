@@ -65,14 +65,15 @@ class Ended:
     def car(self, friction: float) -> "Any":
         """The car on its wheels, with this friction."""
         motion = self.motion
-        shares = [
-            motion.braking if one is None else one
-            for one in (motion.left_front, motion.right_front, motion.left_rear, motion.right_rear)
+        wheel_braking = [
+            motion.braking if braking is None else braking
+            for braking in (motion.left_front, motion.right_front, motion.left_rear, motion.right_rear)
         ]
         assert self.side.spins is not None
         gyration = sqrt(self.side.spins[0] / self.side.mass)
         return car_of(
-            motion.front_axle, motion.rear_axle, motion.track, gyration, friction, shares, 0.1, 0.0, self.gravity, (),
+            motion.front_axle, motion.rear_axle, motion.track, gyration, friction, wheel_braking, 0.1, 0.0,
+            self.gravity, (),
             self.axes,
         )  # fmt: skip
 
@@ -133,34 +134,34 @@ class Problem:
         push = self._impulse(before, bounce, ratio)
         exits = []
         for side, velocity in zip(self.sides, before, strict=True):
-            share = side.sense / side.mass
+            signed_mobility = side.sense / side.mass
             spin = 0.0
             if side.spins is not None:
                 inertia, lever, spun, _ = side.spins
                 spin = spun + side.sense * (lever[0] * push[1] - lever[1] * push[0]) / inertia
-            exits.append(((velocity[0] + share * push[0], velocity[1] + share * push[1]), spin))
+            exits.append(((velocity[0] + signed_mobility * push[0], velocity[1] + signed_mobility * push[1]), spin))
         return [*before[0], *before[1], *push], exits, drags
 
     def _impulse(self, before: "list[Pair]", bounce: float, ratio: float) -> "Pair":
         """The impulse on the first that ends the closing with this restitution and ratio."""
         inward, across = self.contact.inward, self.contact.across
-        way = inward[0] + ratio * across[0], inward[1] + ratio * across[1]
+        direction = inward[0] + ratio * across[0], inward[1] + ratio * across[1]
         closing = [before[0][axis] - before[1][axis] for axis in (0, 1)]
         gain = [0.0, 0.0]
         for side in self.sides:
-            gain[0] += way[0] / side.mass
-            gain[1] += way[1] / side.mass
+            gain[0] += direction[0] / side.mass
+            gain[1] += direction[1] / side.mass
             if side.spins is None:
                 continue
             inertia, (x, y), spin, _ = side.spins
-            turned = (x * way[1] - y * way[0]) / inertia
+            turned = (x * direction[1] - y * direction[0]) / inertia
             gain[0] -= turned * y
             gain[1] += turned * x
             closing[0] -= side.sense * spin * y
             closing[1] += side.sense * spin * x
         along = closing[0] * inward[0] + closing[1] * inward[1]
         size = -(1.0 + bounce) * along / (gain[0] * inward[0] + gain[1] * inward[1])
-        return size * way[0], size * way[1]
+        return size * direction[0], size * direction[1]
 
     def residuals(self, unknowns: "list[float]") -> "list[tuple[str, float]]":
         """Every measurement against the forward run, in standard deviations."""
@@ -168,8 +169,8 @@ class Problem:
         listed: list[tuple[str, float]] = []
         for end, (velocity, spin), drag in zip(self.ends, exits, drags, strict=True):
             listed += end.gaps(velocity, spin, drag)
-        for (name, value, sigma), at in zip(self.known, unknowns[2:], strict=True):
-            listed.append((name, (at - value) / sigma))
+        for (name, value, sigma), fitted in zip(self.known, unknowns[2:], strict=True):
+            listed.append((name, (fitted - value) / sigma))
         return listed
 
     def starts(self) -> "list[list[float]]":
@@ -177,20 +178,20 @@ class Problem:
         exits = []
         for end in self.ends:
             motion = end.motion
-            share = 1.0 if isinstance(motion, RestAfter) else max(motion.braking, 0.5)
+            braking = 1.0 if isinstance(motion, RestAfter) else max(motion.braking, 0.5)
             distance = hypot(*motion.rest)
-            speed = sqrt(2.0 * share * end.drag[0] * end.gravity * distance)
+            speed = sqrt(2.0 * braking * end.drag[0] * end.gravity * distance)
             exits.append((speed * motion.rest[0] / (distance or 1.0), speed * motion.rest[1] / (distance or 1.0)))
-        (a, b), (one, two) = (self.sides[0].way, self.sides[1].way), self.sides
+        (a, b), (first_side, second_side) = (self.sides[0].way, self.sides[1].way), self.sides
         assert a is not None
         assert b is not None
-        total = [one.mass * exits[0][axis] + two.mass * exits[1][axis] for axis in (0, 1)]
+        total = [first_side.mass * exits[0][axis] + second_side.mass * exits[1][axis] for axis in (0, 1)]
         sine = a[0] * b[1] - a[1] * b[0]
         sine = sine if abs(sine) > 0.1 else 0.1
-        v1 = abs(total[0] * b[1] - total[1] * b[0]) / abs(sine) / one.mass
-        v2 = abs(a[0] * total[1] - a[1] * total[0]) / abs(sine) / two.mass
-        known = [value for _, value, _ in self.known]
-        return [[pace * v1, pace * v2, *known] for pace in STARTS]
+        v1 = abs(total[0] * b[1] - total[1] * b[0]) / abs(sine) / first_side.mass
+        v2 = abs(a[0] * total[1] - a[1] * total[0]) / abs(sine) / second_side.mass
+        parameters = [value for _, value, _ in self.known]
+        return [[pace * v1, pace * v2, *parameters] for pace in STARTS]
 
 
 def solve_rest(problem: Problem) -> Fit:
@@ -216,7 +217,7 @@ def solve_rest(problem: Problem) -> Fit:
         len(residuals) >= len(unknowns), "there are more unknowns than measurements", code="undetermined",
         hint="leave the standard deviation of restitution, ratio or drags out, or measure more",
     )  # fmt: skip
-    jacobian = _differences(lambda at: problem.state(at)[0], unknowns, problem.smooth)
+    jacobian = _differences(lambda numbers: problem.state(numbers)[0], unknowns, problem.smooth)
     half = jacobian @ inverse
     fit = Fit(np.array(problem.state(unknowns)[0]), half @ half.T, residuals, len(unknowns))
     fit.steps, fit.gradient = count, moved
@@ -226,8 +227,8 @@ def solve_rest(problem: Problem) -> Fit:
 def _settled(problem: Problem, unknowns: "list[float]") -> "tuple[float, list[float], float, Any] | None":
     import numpy as np
 
-    def values(at: "list[float]") -> "list[float]":
-        return [value for _, value in problem.residuals(at)]
+    def values(numbers: "list[float]") -> "list[float]":
+        return [value for _, value in problem.residuals(numbers)]
 
     now = np.array(values(unknowns))
     for count in range(1, MOST_STEPS + 1):
@@ -239,15 +240,15 @@ def _settled(problem: Problem, unknowns: "list[float]") -> "tuple[float, list[fl
             return size, unknowns, min(moved, SETTLED * (1.0 + size**0.5)), (count, inverse)
         scale = min(1.0, 0.5 * max(hypot(*unknowns[:2]), 1.0) / max(float(np.linalg.norm(step[:2])), 1e-300))
         for _ in range(12):
-            tried = [at - scale * float(part) for at, part in zip(unknowns, step, strict=True)]
-            there = np.array(values(tried))
-            if float(there @ there) < size:
+            tried = [numbers - scale * float(part) for numbers, part in zip(unknowns, step, strict=True)]
+            residuals_there = np.array(values(tried))
+            if float(residuals_there @ residuals_there) < size:
                 break
             scale *= 0.5
         else:
             # as near as the differences can tell
             return size, unknowns, SETTLED, (count, inverse)
-        unknowns, now = tried, there
+        unknowns, now = tried, residuals_there
     return None
 
 
@@ -289,10 +290,10 @@ def contact_of(normal: float | None, axes: Axes, known: KnownContact) -> Contact
 def with_turning(result: InverseResult, problem: Problem) -> InverseResult:
     """The result with a caution for each straight slide in which the vehicle would have turned far."""
     notes: list[Advice] = []
-    for index, (end, one) in enumerate(zip(problem.ends, (result.first, result.second), strict=True)):
-        if not isinstance(end.motion, RestAfter) or one.exit_spin is None:
+    for index, (end, vehicle) in enumerate(zip(problem.ends, (result.first, result.second), strict=True)):
+        if not isinstance(end.motion, RestAfter) or vehicle.exit_spin is None:
             continue
-        turned = end.turned(one.exit_velocity, one.exit_spin)
+        turned = end.turned(vehicle.exit_velocity, vehicle.exit_spin)
         if turned > FAR:
             text = worded(
                 "{name} turned about {angle:2} in its slide: a straight one with a mean drag is rough",

@@ -52,7 +52,7 @@ def turns(vehicle: Departing) -> bool:
     needed = [vehicle.turning, vehicle.arm]
     if not ended(vehicle):
         needed += [vehicle.exit_spin, vehicle.approach_spin]  # type: ignore[list-item]
-    return all(one is not None for one in needed)
+    return all(quantity is not None for quantity in needed)
 
 
 def _called(vehicle: Departing, index: int) -> str:
@@ -77,14 +77,14 @@ class Scene:
     ) -> None:
         self.vehicles, self.axes, self.zero = vehicles, axes, zero
         self.solids = [
-            _solid(one, contact_point, axes, gravity, name) for one, name in zip(vehicles, NAMES, strict=True)
+            _solid(vehicle, contact_point, axes, gravity, name) for vehicle, name in zip(vehicles, NAMES, strict=True)
         ]
         self.momentum = not spins
-        used = [spins and turns(one) for one in vehicles]
+        used = [spins and turns(vehicle) for vehicle in vehicles]
         self.weighted = all(
-            (one.rest_sigma if ended(one) else one.velocity_sigma) is not None
-            and (one.spin_sigma is not None or not turning or ended(one))
-            for one, turning in zip(vehicles, used, strict=True)
+            (vehicle.rest_sigma if ended(vehicle) else vehicle.velocity_sigma) is not None
+            and (vehicle.spin_sigma is not None or not turning or ended(vehicle))
+            for vehicle, turning in zip(vehicles, used, strict=True)
         )
         self.sides = self._side(0, used[0], headings), self._side(1, used[1], headings)
         self.inward = None
@@ -122,12 +122,12 @@ class Scene:
     def answer(self, fit: Fit, verdict: str | None, sine: float | None, method: str) -> InverseResult:
         """The complete answer."""
         self._require_forward(fit)
-        residuals = sorted(fit.residuals, key=lambda one: -abs(one[1])) if self.weighted else []
+        residuals = sorted(fit.residuals, key=lambda a: -abs(a[1])) if self.weighted else []
         probability = chance(fit.chi_squared, fit.freedom) if self.weighted else None
         advice = agreement(probability, residuals)
         contact = Contact(fit, self.sides, self.inward)
         approaches = [self._approach(index, fit, verdict) for index in (0, 1)]
-        shown = [(NAMES[i], one.verdict, one.approach_speed, one.speed_sigma) for i, one in enumerate(approaches)]
+        verdicts = [(NAMES[i], a.verdict, a.approach_speed, a.speed_sigma) for i, a in enumerate(approaches)]
         p = float(fit.state[4]), float(fit.state[5])
         tolerance = 100.0 * SETTLED
         gradient = fit.gradient / (1.0 + fit.chi_squared**0.5)
@@ -154,7 +154,7 @@ class Scene:
             conventions=conventions(self.axes, self.zero),
             numerics=Numerics(method),
             checks=(Check("the fit has settled", gradient <= tolerance, gradient, tolerance),),
-            advice=contact.advice() + advice + unreliable(tuple(shown)) + self._unused(),
+            advice=contact.advice() + advice + unreliable(tuple(verdicts)) + self._unused(),
         )
 
     def _require_forward(self, fit: Fit) -> None:
@@ -175,25 +175,27 @@ class Scene:
         vehicle, body, side = self.vehicles[index], self.solids[index], self.sides[index]
         velocity = float(fit.state[2 * index]), float(fit.state[2 * index + 1])
         speed = fit.speed(index)
-        way = self._way(index, fit)
+        along = self._way(index, fit)
         p = float(fit.state[4]), float(fit.state[5])
         push = side.sense / side.mass
-        heading = heading_of(*way, self.axes)
+        heading = heading_of(*along, self.axes)
         if side.way is not None and not side.bends:
             heading = vehicle.approach_heading  # type: ignore[assignment]
         sigma = heading_sigma = None
         if self.weighted:
-            sigma = fit.sigma(self._row(index, way))
-            turned = 0.0 if side.way is not None and not side.bends else fit.sigma(self._row(index, (-way[1], way[0])))
+            sigma = fit.sigma(self._row(index, along))
+            turned = (
+                0.0 if side.way is not None and not side.bends else fit.sigma(self._row(index, (-along[1], along[0])))
+            )
             heading_sigma = turned / speed if speed > 0.0 else None
         spin = None
         if side.spins is not None:
             inertia, lever, before, _ = side.spins
             spin = before + side.sense * (lever[0] * p[1] - lever[1] * p[0]) / inertia
         headed = by_heading(fit, self.sides, index) if self.momentum else None
-        nose = way if vehicle.nose is None else direction_of(vehicle.nose, self.axes)
+        nose = along if vehicle.nose is None else direction_of(vehicle.nose, self.axes)
         push_on_it = side.sense * p[0], side.sense * p[1]
-        change = delta_v(push_on_it, float(body.mass), nose, axes=self.axes, pdof_zero=self.zero, travel=way)  # type: ignore[arg-type]
+        change = delta_v(push_on_it, float(body.mass), nose, axes=self.axes, pdof_zero=self.zero, travel=along)  # type: ignore[arg-type]
         return Approach(
             approach_speed=speed,
             approach_heading=heading,
@@ -219,12 +221,12 @@ class Scene:
         return [*([0.0, 0.0] * index), *way, *([0.0, 0.0] * (2 - index))]
 
     def _correlation(self, fit: Fit, approaches: "list[Approach]") -> float | None:
-        sigmas = [one.speed_sigma for one in approaches]
+        sigmas = [approach.speed_sigma for approach in approaches]
         if None in sigmas or 0.0 in sigmas:
             return None
         rows = [self._row(index, self._way(index, fit)) for index in (0, 1)]
-        both = fit.sigma([a + b for a, b in zip(*rows, strict=True)])
-        return (both * both - sigmas[0] ** 2 - sigmas[1] ** 2) / (2.0 * sigmas[0] * sigmas[1])  # type: ignore[operator]
+        sum_deviation = fit.sigma([a + b for a, b in zip(*rows, strict=True)])
+        return (sum_deviation * sum_deviation - sigmas[0] ** 2 - sigmas[1] ** 2) / (2.0 * sigmas[0] * sigmas[1])  # type: ignore[operator]
 
     def _unused(self) -> "tuple[Advice, ...]":
         notes = []

@@ -60,10 +60,10 @@ def by_momentum(
         code="not-enough",
         hint="give them; or, for headings unknown, both exit spins and approach spins, inertias and levers",
     )
-    one, two = scene.sides[0].way, scene.sides[1].way
-    assert one is not None
-    assert two is not None
-    verdict = judge_crossing(one, two)
+    first_path, second_path = scene.sides[0].way, scene.sides[1].way
+    assert first_path is not None
+    assert second_path is not None
+    verdict = judge_crossing(first_path, second_path)
     return scene.answer(solve(scene.sides), verdict, None, "momentum, QR of the scaled equations")
 
 
@@ -250,8 +250,8 @@ def by_rest(
         code="no-sigma",
         hint="give the rest sigma of each vehicle, e.g. 0.5 m",
     )
-    one, two = scene.sides
-    ends = Ended(first, one, axes, gravity), Ended(second, two, axes, gravity)
+    first_side, second_side = scene.sides
+    ends = Ended(first, first_side, axes, gravity), Ended(second, second_side, axes, gravity)
     problem = Problem(scene.sides, ends, contact_of(normal, axes, contact))
     fit = solve_rest(problem)
     result = scene.answer(fit, None, None, f"Gauss–Newton by QR of the scaled matrix, {fit.steps} steps")

@@ -162,16 +162,16 @@ def central(
     compression = reduced * closing
     impulse = (1.0 + restitution) * compression
     require_finite(impulse * closing, "the energy of the impact")
-    share = (1.0 - restitution) * (1.0 + restitution)
-    lost = 0.5 * share * (compression * closing)
-    shares = -(reduced / mass), 0.0 if two is None else reduced / two
+    lost_share = (1.0 - restitution) * (1.0 + restitution)
+    lost = 0.5 * lost_share * (compression * closing)
+    fractions = -(reduced / mass), 0.0 if two is None else reduced / two
     changes = -(impulse / mass), 0.0 if two is None else impulse / two
-    common, after = velocities_after((mass, two), before, shares, closing, restitution)
+    common, after = velocities_after((mass, two), before, fractions, closing, restitution)
     if closing_speed is not None and first.velocity is not None and second.velocity is not None:
         # the velocities give the closing speed less accurately: each body keeps its own
         after = [
-            multiply_add(restitution * share, closing, multiply_add(share, closing, velocity))
-            for share, velocity in zip(shares, before, strict=True)
+            multiply_add(restitution * lost_share, closing, multiply_add(lost_share, closing, velocity))
+            for lost_share, velocity in zip(fractions, before, strict=True)
         ]
     answer = CentralImpact(
         first=AfterCentral(after[0], changes[0], -impulse * (before[0] + 0.5 * changes[0]), mass),
@@ -183,7 +183,7 @@ def central(
         common_velocity=common,
         reduced_mass=reduced,
         energy_lost=lost,
-        share_lost=share,
+        share_lost=lost_share,
         push=push(force, reduced, closing, restitution),
         advice=contact_advice(contact),
     )
@@ -201,12 +201,12 @@ def velocities_after(
 
     Taken from the heavier body, which changes less, so that nothing cancels unless it was nearly equal before.
     """
-    one, two = masses
+    m1, m2 = masses
     common = before[1]
-    if two is not None:
-        ways = multiply_add(shares[0], closing, before[0]), multiply_add(shares[1], closing, before[1])
-        common = where(one > two, ways[0], where(one < two, ways[1], 0.5 * (ways[0] + ways[1])))
-    return common, [multiply_add(restitution * share, closing, common) for share in shares]
+    if m2 is not None:
+        ends = multiply_add(shares[0], closing, before[0]), multiply_add(shares[1], closing, before[1])
+        common = where(m1 > m2, ends[0], where(m1 < m2, ends[1], 0.5 * (ends[0] + ends[1])))
+    return common, [multiply_add(restitution * fraction, closing, common) for fraction in shares]
 
 
 def _approach(first: float | None, second: float | None, closing: float | None) -> tuple[tuple[float, float], float]:
@@ -257,17 +257,17 @@ def contact_advice(contact: Restituted | Energetic) -> tuple[Advice, ...]:
 
 
 def _checks(answer: CentralImpact, before: tuple[float, float], restitution: Restitution) -> tuple[Check, ...]:
-    one, two = answer.first, answer.second
+    first, second = answer.first, answer.second
     momentum: tuple[Check, ...] = ()
-    if one.mass is not None and two.mass is not None:
-        held = one.mass * before[0], two.mass * before[1]
-        left = one.mass * one.velocity + two.mass * two.velocity
-        size = absolute(held[0]) + absolute(held[1]) + answer.impulse
-        momentum = balance("momentum", held[0] + held[1], left, size)
+    if first.mass is not None and second.mass is not None:
+        momenta = first.mass * before[0], second.mass * before[1]
+        momentum_after = first.mass * first.velocity + second.mass * second.velocity
+        size = absolute(momenta[0]) + absolute(momenta[1]) + answer.impulse
+        momentum = balance("momentum", momenta[0] + momenta[1], momentum_after, size)
     speeds = absolute(before[0]) + absolute(before[1]) + answer.closing_speed + answer.separation_speed
-    restituted = balance("restitution", two.velocity - one.velocity, restitution * answer.closing_speed, speeds)
-    work = absolute(one.energy_change) + absolute(two.energy_change) + answer.impulse * answer.closing_speed
-    energy = balance("energy", one.energy_change + two.energy_change, -answer.energy_lost, work)
+    restituted = balance("restitution", second.velocity - first.velocity, restitution * answer.closing_speed, speeds)
+    work = absolute(first.energy_change) + absolute(second.energy_change) + answer.impulse * answer.closing_speed
+    energy = balance("energy", first.energy_change + second.energy_change, -answer.energy_lost, work)
     gained = () if plain_above(restitution) else not_above("no energy is gained", -answer.energy_lost, 0.0, work)
     return momentum + restituted + energy + gained
 

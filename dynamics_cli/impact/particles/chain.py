@@ -91,13 +91,13 @@ def chain(
 
     masses, speeds = [body.mass for body in bodies], [body.velocity for body in bodies]
     row = Chain(masses, speeds, ratios)
-    asked = LAWS if law == "all" else (str(law),)
+    laws = LAWS if law == "all" else (str(law),)
     answers: list[LawAnswer] = []
     solutions: list[Answer] = []
     after: list[tuple[AfterChain, ...]] = []
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
-    for name in asked:
+    for name in laws:
         solution = Answer(row, name)
         text = worded("{name}: {why}", name=name, why=solution.why)
         require(not solution.why or law == "all", "{text}", text=text, code="no-answer", hint="try --law all")
@@ -114,14 +114,14 @@ def chain(
         **{name: item.message for name, item in zip(LAWS, advice, strict=False)},
         code="no-answer",
     )
-    whole = momentum(masses, speeds)
+    total = momentum(masses, speeds)
     return ChainResult(
-        momentum=whole,
+        momentum=total,
         laws=tuple(answers),
         bodies=tuple(row for rows in after for row in rows),
         checks=checks,
         advice=advice + _differ(after, fastest),
-        numerics=Numerics("pairs and complementarity, in decimals of many digits", _bounds(solutions, whole)),
+        numerics=Numerics("pairs and complementarity, in decimals of many digits", _bounds(solutions, total)),
     )
 
 
@@ -180,8 +180,8 @@ def _checks(answer: LawAnswer, rows: tuple[AfterChain, ...], bodies: tuple[Body,
     checks = balance(f"{name}: momentum", _sum(parts[0]), _sum(parts[1]), size)
     energies = [_sum([0.5 * m * v for m, v in zip(*side, strict=True)]) for side in zip(parts, speeds, strict=True)]
     scale = energies[0] + _sum([abs(p * body.velocity) for p, body in zip(pushes, bodies, strict=True)])
-    room = max(TOLERANCE, 32.0 * answer.collisions * UNIT_ROUNDOFF)
-    checks += balance(f"{name}: energy", energies[0] - energies[1], answer.energy_lost, scale, room)
+    tolerance = max(TOLERANCE, 32.0 * answer.collisions * UNIT_ROUNDOFF)
+    checks += balance(f"{name}: energy", energies[0] - energies[1], answer.energy_lost, scale, tolerance)
     checks += not_above(f"{name}: no energy is gained", -answer.energy_lost, 0.0, scale)
     checks += not_above(f"{name}: no tension", -min(pushes), 0.0, max(pushes))
     return checks + not_above(f"{name}: no pair closes", max(_closing(speeds[1])), 0.0, fastest)
@@ -190,7 +190,7 @@ def _checks(answer: LawAnswer, rows: tuple[AfterChain, ...], bodies: tuple[Body,
 def _differ(after: list[tuple[AfterChain, ...]], fastest: float) -> tuple[Advice, ...]:
     if len(after) < 2:
         return ()
-    apart = max(abs(one.velocity - other.velocity) for one, other in zip(*after, strict=True))
+    apart = max(abs(body.velocity - other_body.velocity) for body, other_body in zip(*after, strict=True))
     if apart <= 1e-9 * fastest:
         return ()
     message = worded(

@@ -130,7 +130,7 @@ def _simultaneous(chain: Chain, run: int) -> Motion:
         works = [p * (u + u - o) / 2 for p, u, o in zip(pushes, closing, opened, strict=True)]
         motion.lost += sum(works)
         size += sum(map(abs, works))
-        motion.impulses = [one + more for one, more in zip(motion.impulses, pushes, strict=True)]
+        motion.impulses = [so_far + more for so_far, more in zip(motion.impulses, pushes, strict=True)]
         closing = [u - o for u, o in zip(closing, opened, strict=True)]
         motion.collisions += 1
     # remaining digits of a sum that is zero

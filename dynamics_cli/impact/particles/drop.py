@@ -126,12 +126,12 @@ def drop(
     fall = sqrt(2.0 * (height / gravity))
     speed = sqrt(2.0 * gravity * height)
     listed: list[Bounce] = []
-    way, moment, coming = height, fall, speed
+    rise, moment, coming = height, fall, speed
     for number in range(1, bounces + 1):
         going = restitution * coming
         flight = 2.0 * going / gravity
-        way = restitution * restitution * way
-        listed.append(Bounce(number, moment, coming, going, way, flight))
+        rise = restitution * restitution * rise
+        listed.append(Bounce(number, moment, coming, going, rise, flight))
         moment, coming = moment + flight, going
     share = missing * (1.0 + restitution)
     ends = share > 0.0
@@ -193,8 +193,8 @@ def _restitution(
         fall=(fall, Time),
         code="too-early",
     )
-    whole = evidence.rest_time + fall
-    return (evidence.rest_time - fall) / whole, 2.0 * fall / whole, height
+    time_sum = evidence.rest_time + fall
+    return (evidence.rest_time - fall) / time_sum, 2.0 * fall / time_sum, height
 
 
 def _from_height(evidence: ReboundHeight, height: float) -> tuple[float, float]:
@@ -207,13 +207,13 @@ def _from_height(evidence: ReboundHeight, height: float) -> tuple[float, float]:
         code="energy-gained",
     )
     require(evidence.after_bounces >= 1, "a height is reached after the first bounce or a later one", code="no-bounce")
-    share = evidence.rebound_height / height
+    height_ratio = evidence.rebound_height / height
     count = evidence.after_bounces
     if count == 1:
-        restitution = sqrt(share)
+        restitution = sqrt(height_ratio)
     else:
-        reached = share > 0.0
-        root = exp(log(where(reached, share, 1.0)) / (2.0 * count))
+        reached = height_ratio > 0.0
+        root = exp(log(where(reached, height_ratio, 1.0)) / (2.0 * count))
         restitution = where(reached, root, 0.0)
     if count > 1000:
         return restitution, 1.0 - restitution

@@ -73,7 +73,7 @@ def _shapes(restitution: "Any") -> "Any":
     for value, before, after in zip(values, low, high, strict=True):
         slope = (after - before) / width
         error = WRONG * value + abs(slope) * restitution.error
-        tracked.append(type(restitution)(value, error, tuple(slope * own for own in restitution.slopes)))
+        tracked.append(type(restitution)(value, error, tuple(slope * part for part in restitution.slopes)))
     return tracked[0], tracked[1], tracked[2]
 
 
@@ -93,7 +93,7 @@ def _sampled(restitution: "Any") -> "Any":
         rows = np.array([_shape(middle + reach * node) for node in nodes.tolist()])
         _POLYNOMIALS.extend(chebyshev.chebfit(nodes, rows[:, i], DEGREE) for i in range(3))
     place = (np.asarray(restitution) - middle) / reach
-    return tuple(chebyshev.chebval(place, one) for one in _POLYNOMIALS)
+    return tuple(chebyshev.chebval(place, coefficients) for coefficients in _POLYNOMIALS)
 
 
 _NODES: "list[tuple[tuple[float, float], ...]]" = []

@@ -18,15 +18,15 @@ POINTS = 61
 def oblique(result: "Any", *, first: "Any" = None, second: "Any" = None, **_: "Any") -> Picture:
     """Velocities before and after on one scale, and the line of impact."""
     before, after = [], []
-    for one in (result.first, result.second):
-        gone = (0.0, 0.0) if one.delta_v is None else one.delta_v.vector
-        after.append(one.velocity)
-        before.append((one.velocity[0] - gone[0], one.velocity[1] - gone[1]))
+    for end in (result.first, result.second):
+        gone = (0.0, 0.0) if end.delta_v is None else end.delta_v.vector
+        after.append(end.velocity)
+        before.append((end.velocity[0] - gone[0], end.velocity[1] - gone[1]))
     turn = result.normal_direction
     compass = str(result.conventions.axes).startswith("compass")
     way = (math.sin(turn), math.cos(turn)) if compass else (math.cos(turn), math.sin(turn))
     reach = 0.7 * max(max(abs(x), abs(y)) for x, y in [*before, *after]) or 1.0
-    names = tuple(getattr(one, "name", None) or word for one, word in ((first, "first"), (second, "second")))
+    names = tuple(getattr(end, "name", None) or word for end, word in ((first, "first"), (second, "second")))
     panel = velocities(names, before, after)
     line = Curve([-reach * way[0], reach * way[0]], [-reach * way[1], reach * way[1]], "line of impact", "dotted", 2)
     return Picture((Panel(panel.x, panel.y, (line, *panel.items), panel.title, equal=True),), "oblique impact")
@@ -35,16 +35,16 @@ def oblique(result: "Any", *, first: "Any" = None, second: "Any" = None, **_: "A
 def momentum(result: "Any", *, first: "Any", second: "Any", gravity: float, **_: "Any") -> Picture:
     """The vehicles at the impact with their velocities, and the polygon of momenta."""
     axes = result.conventions.axes.partition(":")[0]
-    both = (result.first, result.second)
-    names = tuple(getattr(one, "name", None) or word for one, word in ((first, "first"), (second, "second")))
-    before = [_seen(one.approach_speed, one.approach_heading, axes) for one in both]
-    after = [_seen(one.exit_speed, one.exit_heading, axes) for one in both]
+    bodies = (result.first, result.second)
+    names = tuple(getattr(vehicle, "name", None) or word for vehicle, word in ((first, "first"), (second, "second")))
+    before = [_seen(vehicle.approach_speed, vehicle.approach_heading, axes) for vehicle in bodies]
+    after = [_seen(vehicle.exit_speed, vehicle.exit_heading, axes) for vehicle in bodies]
     noses = [
-        _seen(1.0, body.approach_heading if given.nose is None else given.nose, axes)
-        for body, given in zip(both, (first, second), strict=True)
+        _seen(1.0, body.approach_heading if entered.nose is None else entered.nose, axes)
+        for body, entered in zip(bodies, (first, second), strict=True)
     ]
     north = (0.0, 1.0) if axes == "compass" else None
-    masses = [mass_of(one.bulk, gravity) for one in (first, second)]
+    masses = [mass_of(vehicle.bulk, gravity) for vehicle in (first, second)]
     panels = (collision(names, noses, before, after, north), polygon(names, masses, before, after))
     return Picture(panels, "velocities at the impact, before and after", columns=2, scene=True)
 
@@ -58,9 +58,9 @@ def _seen(length: float, heading: float, axes: str) -> "tuple[float, float]":
 def central(result: "Any", **_: "Any") -> Picture:
     """Velocities of both bodies: before, in common at the greatest compression, and after."""
     items: list[Any] = []
-    for role, (name, one) in enumerate((("first", result.first), ("second", result.second))):
+    for role, (name, end) in enumerate((("first", result.first), ("second", result.second))):
         items.append(
-            Curve([1.0, 2.0, 3.0], [one.velocity - one.delta_v, result.common_velocity, one.velocity], name, role=role)
+            Curve([1.0, 2.0, 3.0], [end.velocity - end.delta_v, result.common_velocity, end.velocity], name, role=role)
         )
     stage = Axis("", names=("before", "greatest compression", "after"))
     return Picture((Panel(stage, Axis("velocity", Speed), tuple(items)),), "central impact")
@@ -70,10 +70,10 @@ def drop(result: "Any", **_: "Any") -> Picture:
     """Height over time."""
     times = [result.fall_time * i / (POINTS - 1) for i in range(POINTS)]
     heights = [result.drop_height * (1.0 - (i / (POINTS - 1)) ** 2) for i in range(POINTS)]
-    for one in result.bounces:
-        shares = [i / (POINTS - 1) for i in range(POINTS)]
-        times += [one.time + share * one.flight_time for share in shares]
-        heights += [4.0 * one.height * share * (1.0 - share) for share in shares]
+    for bounce in result.bounces:
+        fractions = [i / (POINTS - 1) for i in range(POINTS)]
+        times += [bounce.time + fraction * bounce.flight_time for fraction in fractions]
+        heights += [4.0 * bounce.height * fraction * (1.0 - fraction) for fraction in fractions]
     items: list[Any] = [Curve(times, heights, role=0), Mark(0.0, result.drop_height, "let go")]
     if result.time_to_rest is not None and result.time_to_rest < 2.0 * times[-1]:
         items.append(Band(result.time_to_rest, result.time_to_rest, "rest"))
@@ -120,8 +120,8 @@ def chain(result: "Any", *, bodies: "Any", **_: "Any") -> Picture:
 
 def yaw_inertia(result: "Any", **_: "Any") -> Picture:
     """The estimate of every rule, and the range of all."""
-    names = tuple(str(one.rule) for one in result.rules)
-    rules = Bars(names, [0.0] * len(names), [float(one.yaw_inertia) for one in result.rules])
+    names = tuple(str(estimate.rule) for estimate in result.rules)
+    rules = Bars(names, [0.0] * len(names), [float(estimate.yaw_inertia) for estimate in result.rules])
     items = (
         rules,
         Band(float(result.yaw_inertia), float(result.yaw_inertia), "estimate"),

@@ -99,8 +99,8 @@ def _history(
     else:
         time = _pace(deep, later, work) * _rest(hertz, later * first and turned * turned / (2.0 * later), work)
         if first > 0.0:
-            done = -0.5 * (approach + turned) * first
-            time = time + _before(hertz, deep, work, approach, slope, turned, done)
+            work_done = -0.5 * (approach + turned) * first
+            time = time + _before(hertz, deep, work, approach, slope, turned, work_done)
     if not back > 0.0:
         return time, peak
     shallow = power * back / peak
@@ -127,23 +127,23 @@ def _rest(hertz: bool, left: float, work: float) -> float:
 
 
 def _before(
-    hertz: bool, deflection: float, work: float, speed: float, slope: float, turned: float, done: float
+    hertz: bool, deflection: float, work: float, speed: float, slope: float, turned: float, work_done: float
 ) -> float:
-    """Time from no force, at `speed`, until the work `done` has been done on a path of constant `slope`."""
-    if not done > 0.0:
+    """Time from no force, at `speed`, until the work `work_done` has been done on a path of constant `slope`."""
+    if not work_done > 0.0:
         return 0.0 * work
     if slope > 0.0:
         limit = speed * speed / (2.0 * slope)
         if not hertz:
             stretch = deflection * sqrt(limit / work)
-            return stretch / abs(speed) * atan2(sqrt(done), abs(turned) / sqrt(2.0 * slope))
+            return stretch / abs(speed) * atan2(sqrt(work_done), abs(turned) / sqrt(2.0 * slope))
         stretch = deflection * exp(0.4 * log(limit / work))
-        share = done / limit
-        reach = _fifth_root(share) if share < 1.0 else 1.0 + 0.0 * share
+        ratio = work_done / limit
+        reach = _fifth_root(ratio) if ratio < 1.0 else 1.0 + 0.0 * ratio
         return stretch / abs(speed) * _hertz_integral(reach)
-    share = done / work
-    top = _fifth_root(share) if hertz else sqrt(sqrt(share))
-    total = 0.0 * share
+    ratio = work_done / work
+    top = _fifth_root(ratio) if hertz else sqrt(sqrt(ratio))
+    total = 0.0 * ratio
     from dynamics_cli.numerics.quadrature.gauss import legendre
 
     for node, weight in legendre(NODES):

@@ -199,20 +199,20 @@ def cross(a: Pair, b: Pair) -> float:
     return multiply_add(a[0], b[1], -(a[1] * b[0]))
 
 
-def contact_velocity(one: Solid, two: Solid) -> Pair:
+def contact_velocity(a: Solid, b: Solid) -> Pair:
     """Velocity of body 1 relative to body 2 at the contact."""
-    x = multiply_add(two.spin, two.lever[1], multiply_add(-one.spin, one.lever[1], one.velocity[0] - two.velocity[0]))
-    y = multiply_add(-two.spin, two.lever[0], multiply_add(one.spin, one.lever[0], one.velocity[1] - two.velocity[1]))
+    x = multiply_add(b.spin, b.lever[1], multiply_add(-a.spin, a.lever[1], a.velocity[0] - b.velocity[0]))
+    y = multiply_add(-b.spin, b.lever[0], multiply_add(a.spin, a.lever[0], a.velocity[1] - b.velocity[1]))
     return x, y
 
 
-def mobility(one: Solid, two: Solid, normal: Pair) -> tuple[Mobility, Pair]:
+def mobility(a: Solid, b: Solid, normal: Pair) -> tuple[Mobility, Pair]:
     """K in the frame of the contact, and the relative spin per tangential and normal impulse (Keller 1986).
 
     det K = s² + s·Σ r²/J + (r₁ × r₂)²/(J₁J₂), s = Σ 1/m: a sum of positive terms.
     """
     across = -normal[1], normal[0]
-    bodies = [body for body in (one, two) if body.mass is not None and body.inertia is not None]
+    bodies = [body for body in (a, b) if body.mass is not None and body.inertia is not None]
     freedom: float = 0.0
     kt = kx = kn = bt = bn = 0.0
     reach: float = 0.0
@@ -228,15 +228,15 @@ def mobility(one: Solid, two: Solid, normal: Pair) -> tuple[Mobility, Pair]:
         reach = reach + turn * (rn * rn + rt * rt)
     det = freedom * (freedom + reach)
     if len(bodies) == 2:
-        area = cross(one.lever, two.lever)
-        det = det + area * area / (one.inertia * two.inertia)  # type: ignore[operator]
+        area = cross(a.lever, b.lever)
+        det = det + area * area / (a.inertia * b.inertia)  # type: ignore[operator]
     return Mobility(kt + freedom, kx, kn + freedom, det), (bt, bn)
 
 
-def far_levers(one: Solid, two: Solid) -> list[tuple[str, float]]:
+def far_levers(a: Solid, b: Solid) -> list[tuple[str, float]]:
     """Bodies whose contact is farther away than four radii of gyration, with the number of them."""
     far = []
-    for body, name in ((one, "first"), (two, "second")):
+    for body, name in ((a, "first"), (b, "second")):
         if body.mass is None or body.inertia is None:
             continue
         reach = absolute(hypot(body.lever[0], body.lever[1]))

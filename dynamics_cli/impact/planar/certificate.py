@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 
 def certificate(
-    answer: "PlanarImpact", solved: Outcome, law: str, m: Meeting, one: Solid, two: Solid, inward: Pair
+    answer: "PlanarImpact", solved: Outcome, law: str, m: Meeting, first: Solid, second: Solid, inward: Pair
 ) -> tuple[Check, ...]:
     """Momentum, angular momentum, energy, friction, no tension, and the law by its own definition."""
-    if not single(solved.normal, m.slip, one.spin, two.spin):
+    if not single(solved.normal, m.slip, first.spin, second.spin):
         return ()
     size = answer.impulse_magnitude
-    states = (one, answer.first), (two, answer.second)
+    states = (first, answer.first), (second, answer.second)
     checks = _momentum(states, size)
     checks += _turning(states, answer.moment_impulse, size)
     # velocity change at the contact in the most compliant direction: all components are rounded beside it
@@ -55,7 +55,7 @@ def _momentum(states: "tuple[tuple[Solid, AfterPlanar], ...]", size: float) -> t
 def _turning(states: "tuple[tuple[Solid, AfterPlanar], ...]", moment: float | None, size: float) -> tuple[Check, ...]:
     """Angular momentum of each body about the contact, where the impulse has no moment but a moment impulse."""
     checks: tuple[Check, ...] = ()
-    for (body, end), name, way in zip(states, ("first", "second"), (-1.0, 1.0), strict=True):
+    for (body, end), name, sense in zip(states, ("first", "second"), (-1.0, 1.0), strict=True):
         if body.mass is None or body.inertia is None:
             continue
         before = body.inertia * body.spin - body.mass * cross(body.lever, body.velocity)
@@ -63,8 +63,8 @@ def _turning(states: "tuple[tuple[Solid, AfterPlanar], ...]", moment: float | No
         reach = hypot(body.lever[0], body.lever[1])
         scale = absolute(body.inertia * body.spin) + reach * size
         scale = scale + reach * body.mass * hypot(body.velocity[0], body.velocity[1])
-        given = 0.0 if moment is None else way * moment
-        checks += balance(f"angular momentum of the {name} about the contact", before + given, after, scale)
+        moment_impulse = 0.0 if moment is None else sense * moment
+        checks += balance(f"angular momentum of the {name} about the contact", before + moment_impulse, after, scale)
     return checks
 
 
@@ -73,17 +73,17 @@ def _kinematics(
 ) -> tuple[Check, ...]:
     """Check that velocities after, at the contact, give the law's final relative velocity."""
     speeds, relative = least, [0.0, 0.0]
-    for (body, end), way in zip(states, (1.0, -1.0), strict=True):
+    for (body, end), sense in zip(states, (1.0, -1.0), strict=True):
         x = end.velocity[0] - end.spin * body.lever[1]
         y = end.velocity[1] + end.spin * body.lever[0]
-        relative = [relative[0] + way * x, relative[1] + way * y]
+        relative = [relative[0] + sense * x, relative[1] + sense * y]
         reach = hypot(body.lever[0], body.lever[1])
         speeds = speeds + hypot(body.velocity[0], body.velocity[1]) + end.speed
         speeds = speeds + reach * (absolute(body.spin) + absolute(end.spin))
-    left = relative[0], relative[1]
+    after_relative = relative[0], relative[1]
     across = -inward[1], inward[0]
-    return balance("separation at the contact", dot(left, inward), solved.normal_after, speeds) + balance(
-        "slip at the contact", dot(left, across), solved.tangential_after, speeds
+    return balance("separation at the contact", dot(after_relative, inward), solved.normal_after, speeds) + balance(
+        "slip at the contact", dot(after_relative, across), solved.tangential_after, speeds
     )
 
 
@@ -96,8 +96,8 @@ def _friction(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
         )
     path = travel(m.mobility, m.slip, m.approach, m.friction, m.restitution, law)
     steepest = max(abs(plain(path.slopes[0])), 0.0 if plain(path.ended_first) else abs(plain(path.slopes[1])))
-    whole = not_above("friction at most μ times the normal impulse", absolute(solved.tangential), limit, solved.normal)
-    return whole + not_above("friction at most μ at every stage", steepest, m.friction, 1.0 + plain(m.friction))
+    checks = not_above("friction at most μ times the normal impulse", absolute(solved.tangential), limit, solved.normal)
+    return checks + not_above("friction at most μ at every stage", steepest, m.friction, 1.0 + plain(m.friction))
 
 
 def _restitution(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
@@ -122,7 +122,7 @@ def _restitution(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
     return balance(name, back, m.restitution * m.restitution * path.compression_work, path.compression_work)
 
 
-def lever_advice(one: Solid, two: Solid) -> tuple[Advice, ...]:
+def lever_advice(first: Solid, second: Solid) -> tuple[Advice, ...]:
     """Advice when a contact lies far outside a body of that inertia."""
     return tuple(
         Advice(
@@ -134,17 +134,17 @@ def lever_advice(one: Solid, two: Solid) -> tuple[Advice, ...]:
             ),
             remedy="check its lever and its inertia: within a solid body it is at most about 2.5",
         )
-        for name, times in far_levers(one, two)
+        for name, times in far_levers(first, second)
     )
 
 
-def side_advice(one: Solid, two: Solid, towards: Pair) -> tuple[Advice, ...]:
+def side_advice(first: Solid, second: Solid, towards: Pair) -> tuple[Advice, ...]:
     """Advice when a mass centre lies on the other body's side of the contact."""
     advice: tuple[Advice, ...] = ()
-    for body, name, way in ((one, "first", 1.0), (two, "second", -1.0)):
+    for body, name, sense in ((first, "first", 1.0), (second, "second", -1.0)):
         if body.mass is None:
             continue
-        ahead = way * dot(body.lever, towards)
+        ahead = sense * dot(body.lever, towards)
         if single(ahead) and plain(ahead) < 0.0:
             message = worded(
                 "the mass centre of the {name} body lies on the other body's side of the contact", name=name

@@ -154,7 +154,7 @@ def envelope(
     return _report(region, body, two, map_points)
 
 
-def _map(region: Region, one: Solid, two: Solid, map_points: int) -> "Columns[EnvelopePoint]":
+def _map(region: Region, first: Solid, second: Solid, map_points: int) -> "Columns[EnvelopePoint]":
     """The answers on a coarse grid of the region."""
     import numpy as np
 
@@ -168,14 +168,14 @@ def _map(region: Region, one: Solid, two: Solid, map_points: int) -> "Columns[En
         EnvelopePoint,
         restitution=grid_e[good],
         friction=grid_mu[good],
-        first_delta_v=size / one.mass if one.mass is not None else 0.0 * size,
-        second_delta_v=size / two.mass if two.mass is not None else 0.0 * size,
+        first_delta_v=size / first.mass if first.mass is not None else 0.0 * size,
+        second_delta_v=size / second.mass if second.mass is not None else 0.0 * size,
         impulse_ratio=(pt / pn)[good],
         energy_lost=lost[good],
     )
 
 
-def _report(region: Region, one: Solid, two: Solid, map_points: int) -> Envelope:
+def _report(region: Region, first: Solid, second: Solid, map_points: int) -> Envelope:
     total = region.e.size * region.mu.size
     refused = total - region.good
     advice: tuple[Advice, ...] = ()
@@ -188,9 +188,9 @@ def _report(region: Region, one: Solid, two: Solid, map_points: int) -> Envelope
         )
         advice = (Advice("law-inadmissible", text, "caution", remedy="--law stronge has an answer everywhere"),)
     extremes = region.extremes()
-    bodies = {"first": one, "second": two}
+    bodies = {"first": first, "second": second}
     ranges = {name: _delta_v_range(extremes["size"], body) for name, body in bodies.items()}
-    spins = {name: _spin_range(extremes.get(name), way) for name, way in (("first", 1.0), ("second", -1.0))}
+    spins = {name: _spin_range(extremes.get(name), sense) for name, sense in (("first", 1.0), ("second", -1.0))}
     least, greatest = extremes["lost"]
     checks: tuple[Check, ...] = ()
     if region.law == "stronge":
@@ -207,7 +207,7 @@ def _report(region: Region, one: Solid, two: Solid, map_points: int) -> Envelope
         points=total,
         refused=refused,
         slip_share=region.full / region.good,
-        map=_map(region, one, two, map_points),
+        map=_map(region, first, second, map_points),
         checks=checks,
         advice=advice,
         numerics=Numerics(
@@ -249,8 +249,8 @@ def _bounds(extremes: "dict[str, tuple[Extreme, Extreme]]", bodies: dict[str, So
         if name in extremes:
             ends = extremes[name] if name == "first" else extremes[name][::-1]
             rows += [
-                (f"{name}_spin_change.{end}", one.value, one.error)
-                for end, one in zip(("least", "greatest"), ends, strict=True)
+                (f"{name}_spin_change.{end}", extreme.value, extreme.error)
+                for end, extreme in zip(("least", "greatest"), ends, strict=True)
             ]
     return tuple(
         ErrorBound(name, error / abs(value)) if value else ErrorBound(name, error, relative=False)

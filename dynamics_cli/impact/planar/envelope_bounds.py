@@ -48,21 +48,21 @@ class ExactContact:
         self, first: "Any", second: "Any", normal: float, contact_point: "Any", closing: "float | None", axes: "Any",
         gravity: float,
     ) -> None:  # fmt: skip
-        given = (first, second, normal, contact_point, closing, gravity)
+        numbers = (first, second, normal, contact_point, closing, gravity)
         self.context = CONTEXT
-        self._meet(given, axes)
+        self._meet(numbers, axes)
         digits = DIGITS + self._lost()
         if digits > DIGITS + GUARDS:
             self.context = CONTEXT.copy()
             self.context.prec = digits
-            self._meet(given, axes)
+            self._meet(numbers, axes)
 
-    def _meet(self, given: "Any", axes: "Any") -> None:
+    def _meet(self, numbers: "Any", axes: "Any") -> None:
         with localcontext(self.context):
-            one, two, angle, point, speed, weight = widened(given, _many)
+            first, second, angle, point, speed, weight = widened(numbers, _many)
             self.bodies = (
-                solid(one, point, axes, weight, "the first body"),
-                solid(two, point, axes, weight, "the second body"),
+                solid(first, point, axes, weight, "the first body"),
+                solid(second, point, axes, weight, "the second body"),
             )
             towards = direction_of(angle, axes)
             self.inward = -towards[0], -towards[1]

@@ -95,16 +95,16 @@ class Region:
         corners = {(row, column) for row in (0, self.mu.size - 1) for column in (0, self.e.size - 1)}
         extremes.learn(self._point(*place) for place in places | corners if self.at(*self._point(*place)))
         missed = extremes.missed()
-        left = {}
-        for name, room in missed.items():
+        unresolved = {}
+        for name, margin in missed.items():
             for greatest in (False, True):
-                near = self._near(name, greatest, extremes.end(name, greatest=greatest, missed=0.0).value, room)
-                left[name, greatest] = room if near is None else 0.0
+                near = self._near(name, greatest, extremes.end(name, greatest=greatest, missed=0.0).value, margin)
+                unresolved[name, greatest] = margin if near is None else 0.0
                 extremes.learn(near or ())
         return {
             name: (
-                extremes.end(name, greatest=False, missed=left[name, False]),
-                extremes.end(name, greatest=True, missed=left[name, True]),
+                extremes.end(name, greatest=False, missed=unresolved[name, False]),
+                extremes.end(name, greatest=True, missed=unresolved[name, True]),
             )
             for name in missed
         }
@@ -112,23 +112,23 @@ class Region:
     def _point(self, row: int, column: int) -> tuple[float, float]:
         return float(self.mu[row]), float(self.e[column])
 
-    def _near(self, name: str, greatest: bool, value: float, room: float) -> "list[tuple[float, float]] | None":
+    def _near(self, name: str, greatest: bool, value: float, margin: float) -> "list[tuple[float, float]] | None":
         """The points that may be beyond the extreme within the error of doubles; None if they are many."""
         import numpy as np
 
-        way = 1.0 if greatest else -1.0
+        sense = 1.0 if greatest else -1.0
         # the impulse is kept as its square
-        limit = way * value - 2.0 * room
-        bar = limit if name != "size" else way * (way * limit) ** 2 if way * limit > 0.0 else -np.inf
+        limit = sense * value - 2.0 * margin
+        bar = limit if name != "size" else sense * (sense * limit) ** 2 if sense * limit > 0.0 else -np.inf
         points: list[tuple[float, float]] = []
         for start, best in self.blocks[name, greatest]:
-            if way * best < bar:
+            if sense * best < bar:
                 continue
             mu = self.mu[start : start + self.rows, None]
             pn, pt, lost = self.answer(mu, self.e)
             values = np.where(pn == pn, self.quantities(pn, pt, lost)[name], np.nan)
             with np.errstate(invalid="ignore"):
-                rows, columns = np.nonzero(way * values >= bar)
+                rows, columns = np.nonzero(sense * values >= bar)
             if len(points) + rows.size > MOST_NEAR:
                 return None
             points += [

@@ -137,17 +137,17 @@ def planar(
         code="moment-restitution",
     )
     meeting = meeting_of(body, two, inward, closing_speed, friction, contact.restitution, moment_restitution)
-    asked = LAWS[0] if law == "all" else law
-    solved = outcome(meeting, asked)
+    main = LAWS[0] if law == "all" else law
+    solved = outcome(meeting, main)
     energetic = plain_above(contact.restitution)
     require_finite(solved.normal * meeting.approach, "the energy of the impact")
-    refuse(solved, asked, energetic)
-    answer = _answer(solved, asked, meeting, body, two, inward, axes, pdof_zero)
+    refuse(solved, main, energetic)
+    answer = _answer(solved, main, meeting, body, two, inward, axes, pdof_zero)
     alternatives, missing = _all_laws(meeting, body, two, inward, energetic) if law == "all" else ({}, ())
-    duration, peak = contact_history(force, meeting, solved, asked)
-    advice = contact_advice(contact) + force_advice(force, duration, asked) + missing
-    advice += side_advice(body, two, towards) + lever_advice(body, two) + restituted_advice(asked, moment_restitution)
-    checks = certificate(answer, solved, asked, meeting, body, two, inward)
+    duration, peak = contact_history(force, meeting, solved, main)
+    advice = contact_advice(contact) + force_advice(force, duration, main) + missing
+    advice += side_advice(body, two, towards) + lever_advice(body, two) + restituted_advice(main, moment_restitution)
+    checks = certificate(answer, solved, main, meeting, body, two, inward)
     return PlanarImpact(
         **{
             **answer.__dict__,
@@ -162,8 +162,8 @@ def planar(
 
 
 def meeting_of(
-    one: Solid,
-    two: Solid,
+    a: Solid,
+    b: Solid,
     inward: Pair,
     closing: float | None,
     friction: float,
@@ -171,11 +171,11 @@ def meeting_of(
     moment_restitution: float,
 ) -> Meeting:
     """Velocities and mobility in the frame of the contact; refuses bodies that do not approach there."""
-    relative = contact_velocity(one, two)
+    relative = contact_velocity(a, b)
     across = -inward[1], inward[0]
     approach = dot(relative, inward)
     if closing is not None:
-        speeds = absolute(relative[0]) + absolute(relative[1]) + absolute(one.velocity[0]) + absolute(one.velocity[1])
+        speeds = absolute(relative[0]) + absolute(relative[1]) + absolute(a.velocity[0]) + absolute(a.velocity[1])
         require(
             absolute(closing + approach) <= 1e-6 * closing + 4e-15 * speeds,
             "the velocities close at {approach:9} at the contact, but the closing speed is {closing:9}",
@@ -197,9 +197,9 @@ def meeting_of(
             hint="give --closing-speed if they do meet",
         )
     require_approach(-approach)
-    k, arms = mobility(one, two, inward)
+    k, arms = mobility(a, b, inward)
     compliance: float = 0.0
-    for body in (one, two):
+    for body in (a, b):
         if body.inertia is not None:
             compliance = compliance + 1.0 / body.inertia
     return Meeting(
@@ -208,7 +208,7 @@ def meeting_of(
         approach=approach,
         friction=friction,
         restitution=restitution,
-        turning=one.spin - two.spin,
+        turning=a.spin - b.spin,
         moment_restitution=moment_restitution,
         compliance=compliance,
         arms=arms,
@@ -245,15 +245,15 @@ def _scene_impulse(solved: Outcome, inward: Pair) -> Pair:
 
 
 def _answer(
-    solved: Outcome, law: str, m: Meeting, one: Solid, two: Solid, inward: Pair, axes: Axes, zero: PdofZero
+    solved: Outcome, law: str, m: Meeting, a: Solid, b: Solid, inward: Pair, axes: Axes, zero: PdofZero
 ) -> PlanarImpact:
     impulse = _scene_impulse(solved, inward)
     back = -impulse[0], -impulse[1]
     moment = solved.moment
     lost = solved.lost
     return PlanarImpact(
-        first=after_impact(one, impulse, moment, axes, zero),
-        second=after_impact(two, back, None if moment is None else -moment, axes, zero),
+        first=after_impact(a, impulse, moment, axes, zero),
+        second=after_impact(b, back, None if moment is None else -moment, axes, zero),
         law=str(law),
         slip_history=solved.history,
         impulse=back,
@@ -285,14 +285,14 @@ def _critical(m: Meeting) -> Critical:
     if single(exists) and not exists:
         return Critical(None, None, absolute(m.mobility.coupling) / m.mobility.tangential)
     ratio = along / across
-    share = absolute(ratio)
-    if single(share) and not share > 0.0:
+    size = absolute(ratio)
+    if single(size) and not size > 0.0:
         return Critical(ratio, None, absolute(m.mobility.coupling) / m.mobility.tangential)
-    return Critical(ratio, m.friction / share, absolute(m.mobility.coupling) / m.mobility.tangential)
+    return Critical(ratio, m.friction / size, absolute(m.mobility.coupling) / m.mobility.tangential)
 
 
 def _all_laws(
-    m: Meeting, one: Solid, two: Solid, inward: Pair, energetic: bool
+    m: Meeting, a: Solid, b: Solid, inward: Pair, energetic: bool
 ) -> tuple[dict[str, Alternative | None], tuple[Advice, ...]]:
     """Every law's answer by name; of one case, a law without an answer is None and says why."""
     answers: dict[str, Alternative | None] = {}
@@ -311,26 +311,26 @@ def _all_laws(
         else:
             # rows where a law has no answer are removed and calculated one by one
             refuse(solved, law, energetic)
-            answers[name] = _alternative(solved, one, two, inward)
+            answers[name] = _alternative(solved, a, b, inward)
             continue
         answers[name] = None
         missing += (Advice("law-inadmissible", text, "note", result=name),)
     return answers, missing
 
 
-def _alternative(solved: Outcome, one: Solid, two: Solid, inward: Pair) -> Alternative:
+def _alternative(solved: Outcome, a: Solid, b: Solid, inward: Pair) -> Alternative:
     impulse = _scene_impulse(solved, inward)
     size = hypot(solved.normal, solved.tangential)
-    first = after_impact(one, impulse, solved.moment, AXES, PDOF_ZERO)
+    first = after_impact(a, impulse, solved.moment, AXES, PDOF_ZERO)
     second = after_impact(
-        two, (-impulse[0], -impulse[1]), None if solved.moment is None else -solved.moment, AXES, PDOF_ZERO
+        b, (-impulse[0], -impulse[1]), None if solved.moment is None else -solved.moment, AXES, PDOF_ZERO
     )
     return Alternative(
         normal_impulse=solved.normal,
         tangential_impulse=solved.tangential,
         impulse_ratio=solved.tangential / where(solved.normal != 0.0, solved.normal, 1.0),
-        first_delta_v=None if one.mass is None else size / one.mass,
-        second_delta_v=None if two.mass is None else size / two.mass,
+        first_delta_v=None if a.mass is None else size / a.mass,
+        second_delta_v=None if b.mass is None else size / b.mass,
         first_spin=first.spin,
         second_spin=second.spin,
         separation_speed=solved.normal_after,

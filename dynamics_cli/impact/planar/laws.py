@@ -141,8 +141,8 @@ def _on_the_path(m: Meeting, law: str) -> Outcome:
 
 def _lost(difference: float, restitution: float, work: float, ended: bool, law: str) -> float:
     """(1 − e²)|W| where the path gives that, else the difference of work done and work returned."""
-    share = (1.0 - restitution) * (1.0 + restitution) * work
-    return share if law == "stronge" else where(ended, share, difference)
+    lost = (1.0 - restitution) * (1.0 + restitution) * work
+    return lost if law == "stronge" else where(ended, lost, difference)
 
 
 def _history(m: Meeting, ended: bool, sticks: bool) -> str:
@@ -175,21 +175,21 @@ def _brach(m: Meeting) -> Outcome:
     tangential, normal = -m.slip, -(1.0 + m.restitution) * m.approach
     with_moment = not single(free) or free != 0.0
     if with_moment:
-        share = free / m.compliance
+        drop = free / m.compliance
         bt, bn = m.arms
         k = Mobility(
-            k.tangential - share * bt * bt, k.coupling - share * bt * bn, k.normal - share * bn * bn, determinant=0.0
+            k.tangential - drop * bt * bt, k.coupling - drop * bt * bn, k.normal - drop * bn * bn, determinant=0.0
         )
         det = determinant(k.tangential, k.coupling, k.normal)
-        tangential = tangential + share * bt * m.turning
-        normal = normal + share * bn * m.turning
+        tangential = tangential + drop * bt * m.turning
+        normal = normal + drop * bn * m.turning
     along, across, pushes, holds = _capped(k, det, tangential, normal, m.friction)
     moment: float | None = None
     moment_lost: float | None = None
     drift = multiply_add(m.mobility.tangential, along, m.slip) + m.mobility.coupling * across
     if with_moment:
         kick = m.turning + (bt * along + bn * across)
-        moment = -share * kick
+        moment = -drop * kick
         drift = drift + bt * moment
         moment_lost = -0.5 * moment * (m.turning + kick + m.compliance * moment)
     drift = where(holds, 0.0, drift)

@@ -69,12 +69,12 @@ def travel(k: Mobility, slip: float, approach: float, friction: float, restituti
     ----------
     J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000).
     """
-    way = sign(slip)
-    ratio = -friction * way
+    sense = sign(slip)
+    ratio = -friction * sense
     change = multiply_add(ratio, k.tangential, k.coupling)
     slope = multiply_add(ratio, k.coupling, k.normal)
-    stops = (way * change < 0.0) & (friction > 0.0)
-    lasts = ((way != 0.0) & (way * change >= 0.0)) | (friction == 0.0)
+    stops = (sense * change < 0.0) & (friction > 0.0)
+    lasts = ((sense != 0.0) & (sense * change >= 0.0)) | (friction == 0.0)
     first = where(stops, -slip / where(stops, change, 1.0), 0.0)
 
     size = absolute(k.coupling)
@@ -94,27 +94,27 @@ def travel(k: Mobility, slip: float, approach: float, friction: float, restituti
     # before the turn both speeds are negative: nothing cancels
     bent = where(inside, 1.0, 0.5 * (turned * (turned / later) - (approach + turned) * first))
     work = where(inside, 0.5 * approach * (approach / safe), bent)
-    whole = (1.0 + restitution) * straight
-    ended = inside & (lasts | (whole <= first))
+    total = (1.0 + restitution) * straight
+    ended = inside & (lasts | (total <= first))
     if law == "newton":
         after = -restitution * approach
         beyond = -multiply_add(restitution, approach, turned) / later
         half = 0.5 * after
         back = where(inside, 0.5 * turned * (turned / safe) + 0.5 * (turned + after) * beyond, half * (after / later))
     elif law == "poisson":
-        beyond = where(inside, whole - first, (1.0 + restitution) * compression - first)
+        beyond = where(inside, total - first, (1.0 + restitution) * compression - first)
         rest = restitution * compression
         after = where(inside, multiply_add(later, beyond, turned), later * rest)
         back = where(inside, 0.5 * turned * (turned / safe) + 0.5 * (turned + after) * beyond, 0.5 * after * rest)
     else:
         # work left at the turn, e²|W| − u_n²/(2n), as a product
         aim = -restitution * approach
-        left = (0.5 / safe) * maximum(-multiply_add(restitution, approach, turned), 0.0) * (aim + turned)
+        work_left = (0.5 / safe) * maximum(-multiply_add(restitution, approach, turned), 0.0) * (aim + turned)
         start = where(inside, maximum(turned, 0.0), 0.0)
-        square = multiply_add(2.0 * later, left, start * start)
+        square = multiply_add(2.0 * later, work_left, start * start)
         runs = inside & (square > 0.0)
         speed = sqrt(where(runs, square, 1.0))
-        root = 2.0 * left / where(runs, start + speed, 1.0)
+        root = 2.0 * work_left / where(runs, start + speed, 1.0)
         pace = restitution * sqrt(2.0 * bent / later)
         beyond = where(inside, where(runs, root, 0.0), pace - turned / later)
         after = where(inside, where(runs, speed, 0.0), later * pace)
@@ -122,7 +122,7 @@ def travel(k: Mobility, slip: float, approach: float, friction: float, restituti
     after = where(ended, -restitution * approach, after)
     back = where(ended, restitution * restitution * work, back)
     beyond = where(ended, 0.0, beyond)
-    along = where(ended, whole, first)
+    along = where(ended, total, first)
     drift = where(ended, multiply_add(change, along, slip), side * over * beyond)
     dragged = where(ended, slip + drift, slip)
     rubbed = -0.5 * (ratio * along * dragged + late_ratio * beyond * where(ended, 0.0, drift))

@@ -57,8 +57,8 @@ def planar_impacts(
         raise ValueError(f"{law} has no path")
     if determinant is None:
         determinant = np.asarray(tangential) * normal - np.asarray(coupling) * coupling
-    given = (tangential, coupling, normal, determinant, slip, approach, friction, restitution)
-    arrays = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in given))
+    inputs = (tangential, coupling, normal, determinant, slip, approach, friction, restitution)
+    arrays = np.broadcast_arrays(*(np.asarray(value, dtype=float) for value in inputs))
     shape = arrays[0].shape
     flat = [array.ravel() for array in arrays]
     across, along = np.empty(flat[0].size), np.empty(flat[0].size)
@@ -84,20 +84,20 @@ def impulses(
         turned = un + slope * first
         inside = turned >= 0.0
         straight = -un / slope
-        whole = (1.0 + e) * straight
-        ended = inside & (whole <= first)
+        total = (1.0 + e) * straight
+        ended = inside & (total <= first)
         bent = first - turned / later
         if law == "newton":
             beyond = (-e * un - turned) / later
         elif law == "poisson":
-            beyond = np.where(inside, whole, (1.0 + e) * bent) - first
+            beyond = np.where(inside, total, (1.0 + e) * bent) - first
         else:
             final = e * un
-            left = (final - turned) * (final + turned) / slope
-            crossing = left / (turned + np.sqrt(turned * turned + later * left))
+            square_left = (final - turned) * (final + turned) / slope
+            crossing = square_left / (turned + np.sqrt(turned * turned + later * square_left))
             work = turned * (turned / later) - (un + turned) * first
             beyond = np.where(inside, crossing, e * np.sqrt(work / later) - turned / later)
-        along = np.where(ended, whole, first)
+        along = np.where(ended, total, first)
         beyond = np.where(ended, 0.0, np.maximum(beyond, 0.0))
         across = np.where(un < 0.0, along + beyond, np.nan)
         return across, ratio * along + late_ratio * beyond

@@ -88,13 +88,13 @@ def crush(
     66150.0
     """
     require_sizes(first=first, second=second, restitution=restitution, gravity=gravity)
-    one, advice = _damage(first, mass_of(first.bulk, gravity, "the first vehicle"), "first")
+    damage, advice = _damage(first, mass_of(first.bulk, gravity, "the first vehicle"), "first")
     if second is None:
         alone = "one vehicle alone: ΔV and the closing speed need the body that it met; restitution is not used"
         advice += (
             Advice("no-second-body", alone, "note", remedy="give the second mass, or --second-fixed for a barrier"),
         )
-        return CrushResult(one, None, one.energy, None, None, None, None, _checks(one, first), advice)
+        return CrushResult(damage, None, damage.energy, None, None, None, None, _checks(damage, first), advice)
     mass = struck_mass(second.bulk, gravity, "the second vehicle")
     two: VehicleDamage | None = None
     if _is_damaged(second):
@@ -107,7 +107,7 @@ def crush(
         assert mass is not None
         two, more = _damage(second, mass, "second")
         advice += more
-    energy = one.energy if two is None else one.energy + two.energy
+    energy = damage.energy if two is None else damage.energy + two.energy
     require(
         restitution < 1.0,
         "a restitution of {restitution:6} leaves no energy for damage",
@@ -116,22 +116,22 @@ def crush(
         hint="vehicles with visible damage have 0 to 0.3",
     )
     effective = None if mass is None else (mass if two is None else two.effective_mass)
-    reduced = reduced_mass(one.effective_mass, effective)
+    reduced = reduced_mass(damage.effective_mass, effective)
     impulse = sqrt(2.0 * reduced * energy * ((1.0 + restitution) / (1.0 - restitution)))
     closing = sqrt(2.0 * energy / (reduced * ((1.0 - restitution) * (1.0 + restitution))))
-    one = VehicleDamage(**{**one.__dict__, "delta_v": impulse / one.mass})
+    damage = VehicleDamage(**{**damage.__dict__, "delta_v": impulse / damage.mass})
     undamaged: float | None = None
     if two is not None:
         two = VehicleDamage(**{**two.__dict__, "delta_v": impulse / two.mass})
-        advice += share_advice(first.damage is not None, "first", one.energy, energy)
+        advice += share_advice(first.damage is not None, "first", damage.energy, energy)
         advice += share_advice(second.damage is not None, "second", two.energy, energy)
     elif mass is not None:
         undamaged = impulse / mass
     scale = reduced * closing * (1.0 + restitution)
     tolerance = restitution_tolerance(restitution)
     advice += restitution_advice(tolerance)
-    checks = _checks(one, first) + balance("impulse from the closing speed", impulse, scale, impulse)
-    return CrushResult(one, two, energy, impulse, closing, undamaged, tolerance, checks, advice)
+    checks = _checks(damage, first) + balance("impulse from the closing speed", impulse, scale, impulse)
+    return CrushResult(damage, two, energy, impulse, closing, undamaged, tolerance, checks, advice)
 
 
 def _is_damaged(vehicle: Damaged | Opponent) -> bool:
@@ -191,7 +191,7 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
         angle=(angle, Angle),
         code="force-angle",
     )
-    share = _effective_share(vehicle, mass, name)
+    effective = _effective_share(vehicle, mass, name)
     if vehicle.damage is not None:
         require(
             vehicle.stiffness is None and vehicle.profile is None,
@@ -200,7 +200,7 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
             code="two-damages",
             hint="leave out one of them",
         )
-        return _given_damage(vehicle.damage, mass, share, name), ()
+        return _given_damage(vehicle.damage, mass, effective, name), ()
     a, b, profile = _crushed(vehicle, name)
     width = profile.width
     mean, square, centre = moments(profile)
@@ -219,22 +219,22 @@ def _damage(vehicle: Damaged | Opponent, mass: float, name: str) -> tuple[Vehicl
         mean_crush=mean,
         crush_centre=None if centre is None else centre * width,
         mass=mass,
-        effective_mass=mass * share,
-        effective_share=share,
+        effective_mass=mass * effective,
+        effective_share=effective,
         delta_v=None,
         determined=damage_verdict(normal, width * (a + b * mean), angle),
     )
-    said = verdict_advice(damage.determined, damage.equivalent_barrier_speed, name)
-    return damage, said + _advice(vehicle, mean, name)
+    cautions = verdict_advice(damage.determined, damage.equivalent_barrier_speed, name)
+    return damage, cautions + _advice(vehicle, mean, name)
 
 
-def _given_damage(given: GivenEnergy | GivenSpeed, mass: float, share: float, name: str) -> VehicleDamage:
+def _given_damage(evidence: GivenEnergy | GivenSpeed, mass: float, share: float, name: str) -> VehicleDamage:
     """Damage by its energy E or by E = ½ m EES²."""
-    if isinstance(given, GivenEnergy):
-        energy = given.energy
+    if isinstance(evidence, GivenEnergy):
+        energy = evidence.energy
         speed = sqrt(2.0 * energy / mass)
     else:
-        speed = given.ees
+        speed = evidence.ees
         energy = 0.5 * mass * (speed * speed)
     require(
         energy > 0.0, "the {name} vehicle: its energy of deformation must be above zero", name=name, code="no-damage"
@@ -310,20 +310,20 @@ def _advice(vehicle: Damaged | Opponent, mean: float, name: str) -> tuple[Advice
     return advice
 
 
-def _checks(one: VehicleDamage, vehicle: Damaged) -> tuple[Check, ...]:
+def _checks(damage: VehicleDamage, vehicle: Damaged) -> tuple[Check, ...]:
     """Check the energy by Simpson's rule on every piece, which is exact for squares."""
     profile = vehicle.profile
     if profile is None:
         return ()
-    assert one.stiffness_a is not None and one.stiffness_b is not None and one.energy_normal is not None  # noqa: PT018
+    assert damage.stiffness_a is not None and damage.stiffness_b is not None and damage.energy_normal is not None  # noqa: PT018
     depths = profile.stations if isinstance(profile, Stations) else (profile.mean_crush, profile.mean_crush)
     pieces = len(depths) - 1
     total: float = 0.0
     for index in range(pieces):
-        left, right = depths[index], depths[index + 1]
-        ends = [0.5 * (one.stiffness_a + one.stiffness_b * c) for c in (left, 0.5 * (left + right), right)]
-        works = [2.0 * end / one.stiffness_b * end for end in ends]
+        c0, c1 = depths[index], depths[index + 1]
+        ends = [0.5 * (damage.stiffness_a + damage.stiffness_b * c) for c in (c0, 0.5 * (c0 + c1), c1)]
+        works = [2.0 * end / damage.stiffness_b * end for end in ends]
         total = total + (works[0] + 4.0 * works[1] + works[2])
     return balance(
-        "energy by Simpson's rule", profile.width * total / (6.0 * pieces), one.energy_normal, one.energy_normal
+        "energy by Simpson's rule", profile.width * total / (6.0 * pieces), damage.energy_normal, damage.energy_normal
     )

@@ -175,16 +175,16 @@ def require_damage(vehicle: Damaged | Opponent, name: str) -> None:
     profiles: tuple[tuple[str, ...], ...] = (("mean_crush", "width"), ("stations", "width"))
     stiffness = ("stiffness_a", "stiffness_b")
     missing = "damage"
-    ways: tuple[tuple[str, ...], ...] = (("energy",), ("ees",), stiffness + profiles[0])
+    alternatives: tuple[tuple[str, ...], ...] = (("energy",), ("ees",), stiffness + profiles[0])
     if vehicle.stiffness is not None:
-        missing, ways = "crush profile", profiles
+        missing, alternatives = "crush profile", profiles
     elif vehicle.profile is not None:
         test = ("test_speed", "test_crush", "no_damage_speed", "test_mass", "test_width")
-        missing, ways = "stiffness", (stiffness, test)
+        missing, alternatives = "stiffness", (stiffness, test)
     require_given(
         vehicle.profile is not None and vehicle.stiffness is not None,
         "the {name} vehicle: its {missing} is missing",
-        *(tuple(f"{name}.{part}" for part in way) for way in ways),
+        *(tuple(f"{name}.{part}" for part in names) for names in alternatives),
         name=name,
         missing=missing,
         code="half-damage",

@@ -58,5 +58,5 @@ def coefficients(stiffness: Coefficients | Campbell | BarrierTest, name: str) ->
             code="no-test",
         )
         slope = (stiffness.test_speed - stiffness.no_damage_speed) / stiffness.test_crush
-    share = stiffness.test_mass * slope / stiffness.test_width
-    return share * stiffness.no_damage_speed, share * slope
+    factor = stiffness.test_mass * slope / stiffness.test_width
+    return factor * stiffness.no_damage_speed, factor * slope

@@ -42,12 +42,12 @@ def damage_verdict(normal: float, force: float, angle: float) -> DamageVerdict:
     return DamageVerdict(level, depth, turn)  # type: ignore[arg-type]
 
 
-def verdict_advice(one: DamageVerdict | None, speed: float, name: str) -> tuple[Advice, ...]:
+def verdict_advice(limits: DamageVerdict | None, speed: float, name: str) -> tuple[Advice, ...]:
     """A caution where a few centimetres or degrees change the equivalent barrier speed by a tenth."""
-    if one is None or not single(one.depth_tolerance, speed) or one.verdict == LEVELS[2]:
+    if limits is None or not single(limits.depth_tolerance, speed) or limits.verdict == LEVELS[2]:
         return ()
-    shallow = plain(one.depth_tolerance) / CAUTION_DEPTH < plain(one.angle_tolerance) / CAUTION_ANGLE
-    share = CAUTION_DEPTH / plain(one.depth_tolerance) if shallow else CAUTION_ANGLE / plain(one.angle_tolerance)
+    shallow = plain(limits.depth_tolerance) / CAUTION_DEPTH < plain(limits.angle_tolerance) / CAUTION_ANGLE
+    ratio = CAUTION_DEPTH / plain(limits.depth_tolerance) if shallow else CAUTION_ANGLE / plain(limits.angle_tolerance)
     text = worded(
         "the {name} vehicle: "
         + (
@@ -58,9 +58,9 @@ def verdict_advice(one: DamageVerdict | None, speed: float, name: str) -> tuple[
         + " its equivalent barrier speed by {change:2}",
         name=name,
         depth=(CAUTION_DEPTH, Size),
-        change=(0.1 * share * plain(speed), RoadSpeed),
+        change=(0.1 * ratio * plain(speed), RoadSpeed),
     )
-    undetermined = one.verdict == LEVELS[0]
+    undetermined = limits.verdict == LEVELS[0]
     remedy = "measure the crush again" if shallow else "take the face that was pushed in more squarely"
     code = "undetermined-damage" if undetermined else "sensitive-damage"
     return (Advice(code, text, "serious" if undetermined else "caution", remedy),)
@@ -81,15 +81,15 @@ def restitution_advice(tolerance: float) -> tuple[Advice, ...]:
     return (Advice("sensitive-restitution", text, "caution", "vehicles with visible damage have 0 to 0.3"),)
 
 
-def share_advice(given: bool, name: str, own: float, energy: float) -> tuple[Advice, ...]:
+def share_advice(stated: bool, name: str, own_energy: float, energy: float) -> tuple[Advice, ...]:
     """Effect of a given energy on ΔV: an estimate may be wrong by a factor of two."""
-    if not given or not single(own, energy):
+    if not stated or not single(own_energy, energy):
         return ()
-    share = plain(own) / plain(energy)
+    fraction = plain(own_energy) / plain(energy)
     text = worded(
         "the {name} vehicle has {share:3} of the energy: twice its energy would raise ΔV by {change:2}",
         name=name,
-        share=(share, Fraction),
-        change=((1.0 + share) ** 0.5 - 1.0, Fraction),
+        share=(fraction, Fraction),
+        change=((1.0 + fraction) ** 0.5 - 1.0, Fraction),
     )
     return (Advice("energy-share", text, "note"),)

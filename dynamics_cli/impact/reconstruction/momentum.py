@@ -216,8 +216,8 @@ def momentum_and_energy(
     straight = line, -side * reduced * (closing + apart)
     answer = _answer(terms, (first, second), axes, pdof_zero, None, straight)
     # along the line these need no difference of velocities
-    known = {"energy_lost": energy, "closing_along_impulse": closing, "separation_along_impulse": apart}
-    answer = MomentumResult(**{**answer.__dict__, **known, "restitution": apart / closing})
+    along_impulse = {"energy_lost": energy, "closing_along_impulse": closing, "separation_along_impulse": apart}
+    answer = MomentumResult(**{**answer.__dict__, **along_impulse, "restitution": apart / closing})
     answer = certified(answer, terms, check=False, along=line)
     return with_energy_verdicts(answer, terms, (after[0], after[1]), energy, side)
 
@@ -233,11 +233,11 @@ def _masses(first: Vehicle, second: Vehicle, gravity: float) -> Pair:
 
 def _terms(first: Vehicle, second: Vehicle, masses: Pair) -> list[Term]:
     terms = []
-    for one, mass, name in zip((first, second), masses, ("the first", "the second"), strict=True):
-        terms.append(Term(1.0, mass, one.approach_speed, _heading(one.approach_speed, one.approach_heading), name))
-    for one, mass, name in zip((first, second), masses, ("the first", "the second"), strict=True):
-        heading = _heading(one.exit_speed, one.exit_heading)
-        terms.append(Term(-1.0, mass, one.exit_speed, heading, name + " exit"))
+    for car, mass, name in zip((first, second), masses, ("the first", "the second"), strict=True):
+        terms.append(Term(1.0, mass, car.approach_speed, _heading(car.approach_speed, car.approach_heading), name))
+    for car, mass, name in zip((first, second), masses, ("the first", "the second"), strict=True):
+        heading = _heading(car.exit_speed, car.exit_heading)
+        terms.append(Term(-1.0, mass, car.exit_speed, heading, name + " exit"))
     return terms
 
 
@@ -276,7 +276,7 @@ def _answer(
     size = hypot(*impulse)
     struck = size > 0.0
     require(struck, "no impact: neither vehicle changes its velocity", code="no-impact", hint="check the speeds after")
-    way = impulse[0] / size, impulse[1] / size
+    direction = impulse[0] / size, impulse[1] / size
     bodies = []
     for index, (term, vehicle, sign) in enumerate(zip(terms[:2], vehicles, (1.0, -1.0), strict=True)):
         nose = term.heading if vehicle.nose is None else vehicle.nose
@@ -291,8 +291,8 @@ def _answer(
         )
     before = velocities[0][0] - velocities[1][0], velocities[0][1] - velocities[1][1]
     apart = velocities[2][0] - velocities[3][0], velocities[2][1] - velocities[3][1]
-    closing = -(before[0] * way[0] + before[1] * way[1])
-    parting = apart[0] * way[0] + apart[1] * way[1]
+    closing = -(before[0] * direction[0] + before[1] * direction[1])
+    parting = apart[0] * direction[0] + apart[1] * direction[1]
     lost = 0.5 * size * (closing - parting)
     total = [terms[2].mass * velocities[2][axis] + terms[3].mass * velocities[3][axis] for axis in (0, 1)]
     return MomentumResult(

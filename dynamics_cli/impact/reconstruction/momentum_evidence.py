@@ -29,13 +29,13 @@ def with_verdicts(
 ) -> MomentumResult:
     """The answer with the verdict of every vehicle's reconstructed speed, and the worse of the two."""
     sides: dict[str, object] = {}
-    for side, own in (("first", terms[::2]), ("second", terms[1::2])):
-        cautions = [one for term, one in verdicts if term in own]
+    for side, own_terms in (("first", terms[::2]), ("second", terms[1::2])):
+        cautions = [item for term, item in verdicts if term in own_terms]
         if cautions:
             body = getattr(answer, side)
             sides[side] = Reconstructed(**{**body.__dict__, "determined": worse(*cautions)})
-    whole = worse(*(one for _, one in verdicts)).verdict if verdicts else None
-    return MomentumResult(**{**answer.__dict__, **sides, "angle_condition": condition, "verdict": whole})
+    overall = worse(*(item for _, item in verdicts)).verdict if verdicts else None
+    return MomentumResult(**{**answer.__dict__, **sides, "angle_condition": condition, "verdict": overall})
 
 
 def with_energy_verdicts(
@@ -49,18 +49,20 @@ def with_energy_verdicts(
     total = terms[0].mass + terms[1].mass
     sides: dict[str, Any] = {}
     verdicts = []
-    for name, term, other, way in (("first", terms[0], terms[1], side), ("second", terms[1], terms[0], -side)):
+    for name, term, other, sense in (("first", terms[0], terms[1], side), ("second", terms[1], terms[0], -side)):
         # by the speeds after, which shift the common speed and the closing one
-        turned = way * (other.mass / total) * (apart / closing)
+        turned = sense * (other.mass / total) * (apart / closing)
         steep = terms[0].mass / total - turned, terms[1].mass / total + turned
-        effects = [(ENERGY, way * energy / (term.mass * closing))]
-        effects += [(one.speed_name, slope * speed) for one, slope, speed in zip(terms[2:], steep, after, strict=True)]
+        effects = [(ENERGY, sense * energy / (term.mass * closing))]
+        effects += [
+            (first.speed_name, slope * speed) for first, slope, speed in zip(terms[2:], steep, after, strict=True)
+        ]
         verdict = energy_verdict(term.speed, closing, effects)  # type: ignore[arg-type]
         most = max(abs(plain(effect)) for _, effect in effects) if single(closing) else 0.0
         verdicts.append((term.name, most, verdict))
         sides[name] = Reconstructed(**{**getattr(answer, name).__dict__, "determined": verdict})
-    (_, _, one), (_, _, two) = verdicts
-    worst = where(one.tolerance <= two.tolerance, one.verdict, two.verdict)  # type: ignore[operator,arg-type]
+    (_, _, first), (_, _, second) = verdicts
+    worst = where(first.tolerance <= second.tolerance, first.verdict, second.verdict)  # type: ignore[operator,arg-type]
     advice = energy_advice(verdicts) + answer.advice
     return MomentumResult(**{**answer.__dict__, **sides, "verdict": worst, "advice": advice})
 
@@ -116,12 +118,12 @@ def _advice(answer: MomentumResult, size: float) -> tuple[Advice, ...]:
         return ()
     cautions: list[Advice] = []
     if answer.closure is not None and plain(answer.closure) > 0.01 * plain(size):
-        share = plain(answer.closure) / plain(size)
+        relative = plain(answer.closure) / plain(size)
         cautions.append(
             Advice(
                 code="momentum-not-closed",
-                message=worded("momentum does not close: {share:3} of all momenta remain", share=(share, Fraction)),
-                severity="serious" if share > 0.05 else "caution",
+                message=worded("momentum does not close: {share:3} of all momenta remain", share=(relative, Fraction)),
+                severity="serious" if relative > 0.05 else "caution",
                 remedy="leave out the least certain quantity and let momentum give it",
             )
         )

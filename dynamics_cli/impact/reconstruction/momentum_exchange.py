@@ -60,11 +60,11 @@ class Exchange:
             return self._along_the_line(*self.straight, heading)
         smaller = self.first_smaller
         impulses: list[Pair] = []
-        for before, after, mass, wanted in (
+        for before, after, mass, required in (
             (0, 2, self.terms[0].mass, smaller),
             (3, 1, self.terms[1].mass, ~smaller if is_array(smaller) else not smaller),
         ):
-            if not is_array(smaller) and not wanted:
+            if not is_array(smaller) and not required:
                 continue
             old, new = self._turned(before, heading), self._turned(after, heading)
             impulses.append((mass * (new[0] - old[0]), mass * (new[1] - old[1])))

@@ -67,7 +67,7 @@ class Solution:
 
 def unknowns(terms: "Sequence[Term]") -> list[str]:
     """Names of the unknown quantities."""
-    return [f"{t.name} {what}" for t in terms for what in ("speed", "heading") if getattr(t, what) is None]
+    return [f"{t.name} {quantity}" for t in terms for quantity in ("speed", "heading") if getattr(t, quantity) is None]
 
 
 def solve(terms: "Sequence[Term]", branch: Branch | None) -> Solution:
@@ -99,28 +99,28 @@ def solve(terms: "Sequence[Term]", branch: Branch | None) -> Solution:
     return _size_and_heading(sizes[0], turns[0], rest, branch)
 
 
-def angle_condition(one: float, other: float) -> float:
+def angle_condition(first: float, second: float) -> float:
     """Condition of two directions: the cotangent of half the angle between their lines, 1 at 90 degrees."""
-    apart = other - one
+    apart = second - first
     return (1.0 + absolute(cos(apart))) / absolute(sin(apart))
 
 
-def _two_sizes(one: Term, other: Term, rest: "Sequence[Term]") -> Solution:
-    assert one.heading is not None and other.heading is not None  # noqa: PT018
-    sine = sin(other.heading - one.heading)
+def _two_sizes(first: Term, second: Term, rest: "Sequence[Term]") -> Solution:
+    assert first.heading is not None and second.heading is not None  # noqa: PT018
+    sine = sin(second.heading - first.heading)
     require(
         absolute(sine) > 1e-9,
         "{one} and {other} lie on one line: momentum cannot tell their speeds apart",
-        one=one.name,
-        other=other.name,
+        one=first.name,
+        other=second.name,
         code="collinear",
         hint="give the crush energies or equivalent speeds of both vehicles: the energy decides",
     )
-    one.speed = -_across(rest, other.heading) / (one.sign * one.mass * sine)
-    other.speed = _across(rest, one.heading) / (other.sign * other.mass * sine)
-    require_forward(one.speed >= 0.0, one, one.speed)
-    require_forward(other.speed >= 0.0, other, other.speed)
-    return Solution(condition=angle_condition(one.heading, other.heading))
+    first.speed = -_across(rest, second.heading) / (first.sign * first.mass * sine)
+    second.speed = _across(rest, first.heading) / (second.sign * second.mass * sine)
+    require_forward(first.speed >= 0.0, first, first.speed)
+    require_forward(second.speed >= 0.0, second, second.speed)
+    return Solution(condition=angle_condition(first.heading, second.heading))
 
 
 def _across(rest: "Sequence[Term]", heading: float) -> float:
@@ -228,16 +228,16 @@ def _size_and_heading(sized: Term, turned: Term, rest: "Sequence[Term]", branch:
     return Solution()
 
 
-def _two_headings(one: Term, other: Term, rest: "Sequence[Term]", branch: Branch | None) -> Solution:
+def _two_headings(first: Term, second: Term, rest: "Sequence[Term]", branch: Branch | None) -> Solution:
     """Two headings: a triangle of three known sides, which may lie on either side of the known one."""
     x, y = _sum(rest)
-    known, a, b = hypot(x, y), absolute(one.amount), absolute(other.amount)
-    require((known > 0.0) & (a > 0.0), "the momenta form no triangle: one of its sides is zero", code="no-solution")
-    cosine = (known * known + (a - b) * (a + b)) / (2.0 * known * a)
+    side, a, b = hypot(x, y), absolute(first.amount), absolute(second.amount)
+    require((side > 0.0) & (a > 0.0), "the momenta form no triangle: one of its sides is zero", code="no-solution")
+    cosine = (side * side + (a - b) * (a + b)) / (2.0 * side * a)
     require(
         absolute(cosine) <= 1.0,
         "the momenta form no triangle: sides of {known:6}, {one:6} and {other:6} do not close",
-        known=(known, Impulse),
+        known=(side, Impulse),
         one=(a, Impulse),
         other=(b, Impulse),
         code="no-solution",
@@ -247,11 +247,11 @@ def _two_headings(one: Term, other: Term, rest: "Sequence[Term]", branch: Branch
         "two mirrored pairs of headings close the equation",
         code="ambiguous",
         hint="choose with --branch left or --branch right: {name} to that side of the known momentum",
-        name=one.name,
+        name=first.name,
     )
     turn = acos(cosine)
-    base = atan2(-one.sign * y, -one.sign * x)
-    one.heading = base + turn if branch in ("left", "larger") else base - turn
-    x, y = _sum([*rest, one])
-    other.heading = atan2(-other.sign * y, -other.sign * x)
+    base = atan2(-first.sign * y, -first.sign * x)
+    first.heading = base + turn if branch in ("left", "larger") else base - turn
+    x, y = _sum([*rest, first])
+    second.heading = atan2(-second.sign * y, -second.sign * x)
     return Solution()

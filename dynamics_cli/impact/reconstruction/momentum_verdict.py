@@ -69,16 +69,16 @@ class Unknowns:
 
     def _slopes(self, term: Term) -> "tuple[float, list[tuple[str, float]]]":
         """Derivatives of a speed by every heading given, times a common factor; the factor."""
-        other = next((one for one in self.sizes if one is not term), None)
-        given = [one for one in self.terms if one not in self.turns]
+        other = next((item for item in self.sizes if item is not term), None)
+        with_heading = [item for item in self.terms if item not in self.turns]
         if other is not None:
             factor = term.mass * sin(other.heading - term.heading)  # type: ignore[operator]
-            return factor, [(one.heading_name, one.amount * cos(other.heading - one.heading)) for one in given]  # type: ignore[operator]
+            return factor, [(t.heading_name, t.amount * cos(other.heading - t.heading)) for t in with_heading]  # type: ignore[operator]
         turned = self.turns[0] if self.turns else term
         factor = term.mass * cos(turned.heading - term.heading)  # type: ignore[operator]
         # across its own heading a single unknown speed leaves the closing error
-        rest = given if self.turns else [one for one in given if one is not term]
-        slopes = [(one.heading_name, one.amount * sin(turned.heading - one.heading)) for one in rest]  # type: ignore[operator]
+        rest = with_heading if self.turns else [item for item in with_heading if item is not term]
+        slopes = [(item.heading_name, item.amount * sin(turned.heading - item.heading)) for item in rest]  # type: ignore[operator]
         if not self.turns:
             slopes.append((term.heading_name, sum((slope for _, slope in slopes[1:]), slopes[0][1])))
         return factor, slopes
@@ -98,46 +98,46 @@ def _verdict(term: Term, factor: float, slopes: "list[tuple[str, float]]") -> Sp
     return SpeedVerdict(level, tolerance, worst)  # type: ignore[arg-type]
 
 
-def worse(one: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
+def worse(least: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
     """The verdict of the least determined speed."""
     for other in others:
-        lower = one.heading_tolerance <= other.heading_tolerance  # type: ignore[operator]
-        one = SpeedVerdict(
-            where(lower, one.verdict, other.verdict),  # type: ignore[arg-type]
-            where(lower, one.heading_tolerance, other.heading_tolerance),  # type: ignore[arg-type]
-            where(lower, one.worst_heading, other.worst_heading),  # type: ignore[arg-type]
+        lower = least.heading_tolerance <= other.heading_tolerance  # type: ignore[operator]
+        least = SpeedVerdict(
+            where(lower, least.verdict, other.verdict),  # type: ignore[arg-type]
+            where(lower, least.heading_tolerance, other.heading_tolerance),  # type: ignore[arg-type]
+            where(lower, least.worst_heading, other.worst_heading),  # type: ignore[arg-type]
         )
-    return one
+    return least
 
 
 def judge_crossing(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: float) -> None:
     """Refuse two speeds along paths next to one line, unless momentum determines one of them all the same."""
-    (one, first), (other, second) = verdicts
+    (first_term, first), (second_term, second) = verdicts
     judge(
         (condition <= ON_ONE_LINE) | (first.heading_tolerance >= CAUTION) | (second.heading_tolerance >= CAUTION),  # type: ignore[operator]
         "the directions of {one} and {other} are too close to one line: their angle condition is {kappa}, above "
         "12, and heading errors of {first:3} and {second:3} change the speeds by a tenth",
-        one=one.name,
-        other=other.name,
+        one=first_term.name,
+        other=second_term.name,
         kappa=(condition, Ratio),
         first=(first.heading_tolerance, Angle),
         second=(second.heading_tolerance, Angle),
         hint=CROSSING,
-        results=(one.speed_name, other.speed_name),
+        results=(first_term.speed_name, second_term.speed_name),
     )
 
 
 def verdict_advice(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: float | None) -> tuple[Advice, ...]:
     """A caution for every speed that a few degrees change by a tenth, with the cause."""
     cautions: list[Advice] = []
-    for term, one in verdicts:
-        tolerance = plain(one.heading_tolerance)
+    for term, verdict in verdicts:
+        tolerance = plain(verdict.heading_tolerance)
         if not single(tolerance) or tolerance >= GOOD:
             continue
         speed = plain(term.speed)
         bounded = tolerance > 0.0
         change = 0.1 * speed * DEGREE / tolerance if bounded else 0.0
-        undetermined = one.verdict == LEVELS[0]
+        undetermined = verdict.verdict == LEVELS[0]
         near = condition is not None and plain(condition) > NEAR_ONE_LINE
         cautions.append(
             Advice(
@@ -148,7 +148,7 @@ def verdict_advice(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: f
                     + ("by {change:3}" if bounded else "without bound")
                     + ("; the paths are close to one line (angle condition {condition:3})" if near else ""),
                     name=term.name,
-                    heading=one.worst_heading,
+                    heading=verdict.worst_heading,
                     change=(change, RoadSpeed),
                     condition=(condition, Ratio),
                 ),
@@ -179,19 +179,19 @@ def energy_verdict(speed: float, closing: float, effects: "Sequence[tuple[str, f
 def energy_advice(verdicts: "Sequence[tuple[str, float, SpeedVerdict]]") -> tuple[Advice, ...]:
     """A caution for every speed that some per cent of a quantity change by a tenth, with the greatest effect of one."""
     cautions: list[Advice] = []
-    for name, effect, one in verdicts:
-        share = plain(one.tolerance)
-        if share is None or not single(share) or share >= GOOD_SHARE:
+    for name, effect, verdict in verdicts:
+        tolerance = plain(verdict.tolerance)
+        if tolerance is None or not single(tolerance) or tolerance >= GOOD_SHARE:
             continue
         change = 0.1 * effect
-        undetermined = one.verdict == LEVELS[0]
+        undetermined = verdict.verdict == LEVELS[0]
         cautions.append(
             Advice(
                 code="undetermined-speed" if undetermined else "sensitive-speed",
                 message=worded(
                     ("the {quantity} does not determine" if undetermined else "the {quantity} decides")
                     + " the speed of {name}: a tenth of it changes that by {change:3}",
-                    quantity=str(one.worst_quantity).replace(".", " ").replace("_", " "),
+                    quantity=str(verdict.worst_quantity).replace(".", " ").replace("_", " "),
                     name=name,
                     change=(change, RoadSpeed),
                 ),

@@ -102,14 +102,14 @@ def _lever_advice(lever: float, change: float, speed: float) -> tuple[Advice, ..
     """What a place of contact judged by eye does to the speed."""
     if not single(lever, change, speed) or plain(lever) <= BY_EYE or plain(speed) == 0.0:
         return ()
-    share = float(plain(change)) * BY_EYE / (float(plain(lever)) - BY_EYE) / abs(float(plain(absolute(speed))))
+    ratio = float(plain(change)) * BY_EYE / (float(plain(lever)) - BY_EYE) / abs(float(plain(absolute(speed))))
     message = worded(
         "if the impulse passed {by} nearer to the mass centre, the speed is {share} higher",
-        by=(BY_EYE, Distance), share=f"{100.0 * share:.2g} %",
+        by=(BY_EYE, Distance), share=f"{100.0 * ratio:.2g} %",
     )  # fmt: skip
     return (
         Advice(
-            code="lever-by-eye", message=message, severity="note" if share < 0.15 else "caution",
+            code="lever-by-eye", message=message, severity="note" if ratio < 0.15 else "caution",
             remedy="give lever, spin and inertia with their ranges",
         ),
     )  # fmt: skip

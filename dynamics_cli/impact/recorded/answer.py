@@ -140,25 +140,25 @@ def _second(crash: Crash, values: Found, zero: PdofZero) -> OtherVehicle:
     travel = direction_of(heading, crash.axes)
     nose = travel if other.nose is None else direction_of(other.nose, crash.axes)
     speed, low, high = values.other or (None, None, None)
-    after = way = None
+    after = exit_heading = None
     if values.velocity is not None:
         leaving = plus(values.velocity, crash.second_change)
-        after, way = hypot(*leaving), heading_of(*leaving, crash.axes)
-    shown: float | None = None if speed is None else heading
+        after, exit_heading = hypot(*leaving), heading_of(*leaving, crash.axes)
+    shown_heading: float | None = None if speed is None else heading
     if values.in_line and speed is not None:
         back = heading_of(0.0 - crash.impulse[0], 0.0 - crash.impulse[1], crash.axes)
         towards = speed >= 0.0
         ends = where(towards, low, 0.0 - high), where(towards, high, 0.0 - low)  # type: ignore[operator,arg-type]
         low, high = maximum(ends[0], 0.0), ends[1]
-        shown, speed = where(towards, heading, back), absolute(speed)
+        shown_heading, speed = where(towards, heading, back), absolute(speed)
     return OtherVehicle(
         delta_v=_change(crash, float_like(crash.two.mass), -1.0, nose, travel, zero),
         approach_speed=speed,
         approach_speed_low=low,
         approach_speed_high=high,
-        approach_heading=shown,
+        approach_heading=shown_heading,
         exit_speed=after,
-        exit_heading=way,
+        exit_heading=exit_heading,
         spin_change=crash.spin_change(crash.two, -1.0),
     )
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def record(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
     """The vehicles with their velocities, or both ΔV where these are unknown; and the limits of the speeds."""
     axes = Axes(result.conventions.axes.partition(":")[0].lower())
-    names = [getattr(one, "name", None) or word for one, word in ((first, "first"), (second, "second"))]
+    names = [getattr(vehicle, "name", None) or word for vehicle, word in ((first, "first"), (second, "second"))]
     title = "crash from a recorded ΔV"
     limits = _limits(result, names)
     if result.second.approach_speed is None:
@@ -25,7 +25,7 @@ def record(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture
         _seen(first.approach_speed, heading, axes),
         _seen(result.second.approach_speed, result.second.approach_heading, axes),
     ]
-    after = [_seen(one.exit_speed, one.exit_heading, axes) for one in (result.first, result.second)]
+    after = [_seen(vehicle.exit_speed, vehicle.exit_heading, axes) for vehicle in (result.first, result.second)]
     facing = result.second.approach_heading if second.nose is None else second.nose
     noses = [_seen(1.0, first.nose, axes), _seen(1.0, facing, axes)]
     scene = collision(names, noses, before, after, (0.0, 1.0) if axes == "compass" else None)
@@ -68,12 +68,12 @@ def _seen(length: float, heading: float, axes: Axes) -> "tuple[float, float]":
 def _changes(result: "Any", names: "list[str]") -> Panel:
     """Both changes of velocity from one point on one scale."""
     items: list[Any] = []
-    ways = [one.delta_v.vector for one in (result.first, result.second)]
-    size = max(abs(part) for way in ways for part in way)
-    for role, (name, (x, y)) in enumerate(zip(names, ways, strict=True)):
+    changes = [vehicle.delta_v.vector for vehicle in (result.first, result.second)]
+    size = max(abs(part) for change in changes for part in change)
+    for role, (name, (x, y)) in enumerate(zip(names, changes, strict=True)):
         items += [Arrow(0.0, 0.0, x, y, "", role), Mark(0.5 * x, 0.5 * y, f"{name} ΔV", (0.1, 6.0), False, role)]
     # room beside the arrows, which may lie on one line
-    reach = [max(1.15 * max(abs(way[axis]) for way in ways), 0.6 * size) for axis in (0, 1)]
+    reach = [max(1.15 * max(abs(change[axis]) for change in changes), 0.6 * size) for axis in (0, 1)]
     x_axis = Axis("along x", RoadSpeed, ends=(-reach[0], reach[0]))
     y_axis = Axis("along y", RoadSpeed, ends=(-reach[1], reach[1]))
     return Panel(x_axis, y_axis, tuple(items), "changes of velocity", equal=True)
@@ -81,14 +81,14 @@ def _changes(result: "Any", names: "list[str]") -> Panel:
 
 def _limits(result: "Any", names: "list[str]") -> Panel:
     """The speeds with the limits of the record's tolerance and of restitution."""
-    one, two = result.first, result.second
+    first, second = result.first, result.second
     entries = [
-        (f"{names[0]} ΔV", one.delta_v_low, one.delta_v.magnitude, one.delta_v_high),
+        (f"{names[0]} ΔV", first.delta_v_low, first.delta_v.magnitude, first.delta_v_high),
         ("closing speed", result.closing_speed_low, result.closing_speed, result.closing_speed_high),
-        (f"{names[1]} before", two.approach_speed_low, two.approach_speed, two.approach_speed_high),
+        (f"{names[1]} before", second.approach_speed_low, second.approach_speed, second.approach_speed_high),
     ]
-    shown = [entry for entry in entries if entry[1] is not None]
-    bars = Bars(tuple(entry[0] for entry in shown), [entry[1] for entry in shown], [entry[3] for entry in shown])
-    middles = [Mark(entry[2], float(place), role=1) for place, entry in enumerate(shown)]
+    rows = [entry for entry in entries if entry[1] is not None]
+    bars = Bars(tuple(entry[0] for entry in rows), [entry[1] for entry in rows], [entry[3] for entry in rows])
+    middles = [Mark(entry[2], float(place), role=1) for place, entry in enumerate(rows)]
     title = "limits of the record and of restitution"
     return Panel(Axis("speed", RoadSpeed), Axis(""), (bars, *middles), title)

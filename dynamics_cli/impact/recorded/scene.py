@@ -118,15 +118,15 @@ def _solid(
 
 
 def slopes(
-    crash: Crash, inward: Pair, course: Pair, before: Pair, restitution: float, speed: float
+    crash: Crash, inward: Pair, travel: Pair, before: Pair, restitution: float, speed: float
 ) -> "tuple[float, float]":
     """Sizes of the derivatives of the second's speed by its heading and by the normal: v₂ = (W·n)/(d₂·n)."""
-    whole = plus(
+    relative = plus(
         plus(crash.contact(crash.one, before), crash.contact(crash.two, (0.0, 0.0)), -1.0),
         crash.gained(), 1.0 / (1.0 + restitution),
     )  # fmt: skip
-    facing = dot(course, inward)
+    facing = dot(travel, inward)
     turned = 0.0 - inward[1], inward[0]
-    by_heading = absolute(speed * cross(course, inward) / facing)
-    by_normal = absolute((dot(whole, turned) - speed * dot(course, turned)) / facing)
+    by_heading = absolute(speed * cross(travel, inward) / facing)
+    by_normal = absolute((dot(relative, turned) - speed * dot(travel, turned)) / facing)
     return by_heading, by_normal

@@ -138,7 +138,7 @@ def by_restitution(
     2.363636
     """
     crash = Crash(first, second, contact_point, axes, gravity)
-    before, course = _planar(crash)
+    before, travel = _planar(crash)
     require(
         normal is not None,
         "restitution acts along the contact normal, which is not given",
@@ -148,7 +148,7 @@ def by_restitution(
     inward = _inward(normal, axes)
     _require_push(crash, inward)
     restitutions = _range(least_restitution, greatest_restitution)
-    facing = dot(course, inward)
+    facing = dot(travel, inward)
     judge(
         absolute(facing) >= ALONG_THE_SURFACE,
         "the second vehicle came along the surface of contact, with only {sine:2} of its speed across it: restitution "
@@ -163,13 +163,13 @@ def by_restitution(
     speed = (lone + closing) / facing
     _require_forward(speed)
     speeds = _limits(lambda scale, k: scale * ends[k], tolerance)
-    others = _limits(lambda scale, k: (lone + scale * ends[k]) / facing, tolerance)
-    velocity = speed * course[0], speed * course[1]
-    approach, tilt = slopes(crash, inward, course, before, restitutions[0], speed)
+    limits = _limits(lambda scale, k: (lone + scale * ends[k]) / facing, tolerance)
+    velocity = speed * travel[0], speed * travel[1]
+    approach, tilt = slopes(crash, inward, travel, before, restitutions[0], speed)
     steepest = maximum(maximum(approach, tilt), 1e-12 * (1.0 + speed))
     worst = where(approach >= tilt, "second.approach_heading", "normal")  # type: ignore[arg-type]
     bearing = minimum(0.1 * speed / steepest, HALF_TURN)
-    values = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *others), bearing=bearing,
+    values = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *limits), bearing=bearing,
                    worst=str(worst) if single(worst) else None, per_degree=DEGREE * steepest)  # fmt: skip
     return answer(crash, values, tolerance, final_change, pdof_zero)
 
@@ -226,15 +226,15 @@ def by_headings(
         "this needs the directions of travel of the second vehicle before and after",
         code="not-enough", hint="give its approach heading and exit heading",
     )  # fmt: skip
-    course, leaving = direction_of(alpha, axes), direction_of(beta, axes)  # type: ignore[arg-type]
-    sine = cross(course, leaving)
+    travel, leaving = direction_of(alpha, axes), direction_of(beta, axes)  # type: ignore[arg-type]
+    sine = cross(travel, leaving)
     require(
         absolute(sine) > 1e-12,
         "the second vehicle kept its direction: its headings do not give its speed", code="undetermined",
         hint="give the contact normal and a range of restitution instead of its exit heading",
     )  # fmt: skip
     speed = 0.0 - cross(crash.second_change, leaving) / sine
-    after = 0.0 - cross(crash.second_change, course) / sine
+    after = 0.0 - cross(crash.second_change, travel) / sine
     _require_forward(speed)
     _require_forward(after, "leave")
     bend = beta - alpha  # type: ignore[operator]
@@ -249,8 +249,8 @@ def by_headings(
         hint="give the contact normal and a range of restitution instead of its exit heading",
         results=("second.approach_speed",),
     )
-    velocity = speed * course[0], speed * course[1]
-    others = _limits(lambda scale, _: scale * speed, tolerance)
+    velocity = speed * travel[0], speed * travel[1]
+    limits = _limits(lambda scale, _: scale * speed, tolerance)
     inward = restitution = closing = speeds = None
     if normal is not None and crash.before is not None:
         inward = _inward(normal, axes)
@@ -259,10 +259,10 @@ def by_headings(
         closing = 0.0 - dot(relative, inward)
         require(closing > 0.0, "along this normal the vehicles would part before they meet", code="pull")
         restitution = dot(crash.gained(), inward) / closing - 1.0
-        lone = dot(relative, inward) + speed * dot(course, inward)
-        facing = dot(course, inward)
+        lone = dot(relative, inward) + speed * dot(travel, inward)
+        facing = dot(travel, inward)
         speeds = _limits(lambda scale, _: scale * speed * facing - lone, tolerance)
-    values = Found(inward, restitution, closing, speeds, velocity, (speed, *others), bearing=bearing,
+    values = Found(inward, restitution, closing, speeds, velocity, (speed, *limits), bearing=bearing,
                    worst=str(worst) if single(worst) else None, per_degree=DEGREE * steepest, bend=True)  # fmt: skip
     stated = None
     if least_restitution is not None and greatest_restitution is not None:
@@ -335,6 +335,6 @@ def _limits(at: "Callable[[float, int], float]", tolerance: float) -> "tuple[flo
     """Lowest and highest of a quantity that is linear in the scale of the record, at the ends of restitution."""
     ends = [at(scale, k) for scale in (1.0 - tolerance, 1.0 + tolerance) for k in (0, 1)]
     low, high = ends[0], ends[0]
-    for one in ends[1:]:
-        low, high = minimum(low, one), maximum(high, one)
+    for end in ends[1:]:
+        low, high = minimum(low, end), maximum(high, end)
     return maximum(low, 0.0), high

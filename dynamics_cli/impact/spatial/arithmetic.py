@@ -52,8 +52,8 @@ def cosine_and_sine(heading: float) -> tuple[float, float]:
     if multiple_of(float(heading)) is None:
         return functions.cosine(heading), functions.sine(heading)  # type: ignore[arg-type, return-value]
     root = Decimal(3).sqrt() / 2
-    whole = (Decimal(part) for part in turned(float(heading)))
-    cosine, sine = (part if part * 2 == int(part * 2) else root.copy_sign(part) for part in whole)
+    exact_parts = (Decimal(part) for part in turned(float(heading)))
+    cosine, sine = (part if part * 2 == int(part * 2) else root.copy_sign(part) for part in exact_parts)
     return cosine, sine  # type: ignore[return-value]
 
 

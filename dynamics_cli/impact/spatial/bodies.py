@@ -56,13 +56,13 @@ class SolidInSpace:
         if hasattr(change[0], "sqrt"):
             # decimals have digits to spare
             return change
-        left = tuple(-residual(row, change, part) for row, part in zip(self.inertia, moment, strict=True))
-        return add(change, times(self.inverse, left))  # type: ignore[arg-type]
+        remainders = tuple(-residual(row, change, part) for row, part in zip(self.inertia, moment, strict=True))
+        return add(change, times(self.inverse, remainders))  # type: ignore[arg-type]
 
 
-def residual(row: Vector, vector: Vector, given: float) -> float:
+def residual(row: Vector, vector: Vector, target: float) -> float:
     """row·vector − given, rounded once."""
-    return total([*exact_products(zip(row, vector, strict=True)), -given])
+    return total([*exact_products(zip(row, vector, strict=True)), -target])
 
 
 def exact_products(pairs: "Iterable[tuple[float, float]]") -> list[float]:
@@ -74,18 +74,18 @@ def exact_products(pairs: "Iterable[tuple[float, float]]") -> list[float]:
     return products
 
 
-def relative_velocity(one: SolidInSpace, two: SolidInSpace) -> Vector:
+def relative_velocity(first: SolidInSpace, second: SolidInSpace) -> Vector:
     """Velocity of body 1 relative to body 2 at the contact, each component rounded once: all may be a last bit."""
     parts = []
     for i in range(3):
         j, k = (i + 1) % 3, (i + 2) % 3
         turning = [
-            (one.spin[j], one.lever[k]),
-            (-one.spin[k], one.lever[j]),
-            (-two.spin[j], two.lever[k]),
-            (two.spin[k], two.lever[j]),
+            (first.spin[j], first.lever[k]),
+            (-first.spin[k], first.lever[j]),
+            (-second.spin[j], second.lever[k]),
+            (second.spin[k], second.lever[j]),
         ]
-        parts.append(total([one.velocity[i], -two.velocity[i], *exact_products(turning)]))
+        parts.append(total([first.velocity[i], -second.velocity[i], *exact_products(turning)]))
     return parts[0], parts[1], parts[2]
 
 

@@ -37,11 +37,11 @@ DOUBTFUL = "singular", "no-impact"
 ANGLES = ("pdof", "elevation")
 
 
-def answered(solver: "Callable[..., Solved]", *given: "Any", advice: tuple[Advice, ...] = ()) -> SpatialImpact:
+def answered(solver: "Callable[..., Solved]", *inputs: "Any", advice: tuple[Advice, ...] = ()) -> SpatialImpact:
     """The answer of a solver that takes doubles and decimals and, for decimals, order and digits of the path."""
     before: dict[str, Any] | None = None
     try:
-        solved = solver(*given)
+        solved = solver(*inputs)
         require_finite(solved.end.impulse[2] * solved.before[2], "the energy of the impact")
         before = dict(numbers(report(solved)))
     except InadmissibleError as error:
@@ -50,25 +50,25 @@ def answered(solver: "Callable[..., Solved]", *given: "Any", advice: tuple[Advic
     if drawing() and before is not None:
         _refuse_gain(solved)
         return report(solved)
-    exact, left = widened(given), None
+    exact, residuals = widened(inputs), None
     with localcontext(Context()) as context:
         for order, digits, context.prec in EFFORTS:
             try:
                 solved = solver(*exact, order=order, digits=digits)
             except ArithmeticError:
                 # this many digits need too many steps: the previous run is used
-                if left is None:
+                if residuals is None:
                     raise
                 break
             answer = report(solved)
             after = dict(numbers(answer))
-            left = None if before is None else _left(before, after, digits)
+            residuals = None if before is None else _left(before, after, digits)
             before = after
-            if left is not None and all(_small(after[name], error) for name, error in left.items()):
+            if residuals is not None and all(_small(after[name], error) for name, error in residuals.items()):
                 break
-        assert left is not None
-        bounds = tuple(_bounds(after, left))
-        answer = _rounded(answer, "", left)
+        assert residuals is not None
+        bounds = tuple(_bounds(after, residuals))
+        answer = _rounded(answer, "", residuals)
     solved = _plain(solved)
     _refuse_gain(solved)
     more = {"checks": certificate(answer, solved), "advice": advice, "numerics": Numerics(solved.how, bounds)}
@@ -101,12 +101,12 @@ def numbers(tree: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":
         yield address, tree
 
 
-def beside(answer: SpatialImpact, whole: SpatialImpact) -> SpatialImpact:
+def beside(answer: SpatialImpact, full: SpatialImpact) -> SpatialImpact:
     """The answer of a smaller model, with bounds that include what it neglects of the full one."""
     assert answer.numerics is not None
-    assert whole.numerics is not None
-    more = {bound.result: bound for bound in whole.numerics.bounds}
-    values, others = dict(numbers(answer)), dict(numbers(whole))
+    assert full.numerics is not None
+    more = {bound.result: bound for bound in full.numerics.bounds}
+    values, full_values = dict(numbers(answer)), dict(numbers(full))
     vectors: dict[str, float] = {}
     errors = []
     for bound in answer.numerics.bounds:
@@ -116,8 +116,8 @@ def beside(answer: SpatialImpact, whole: SpatialImpact) -> SpatialImpact:
             errors.append(ErrorBound(name, vectors.get(name, 0.0), relative=False))
             continue
         size = abs(values[name])
-        error = bound.bound * (size if bound.relative else 1.0) + abs(values[name] - others[name])
-        error += more[name].bound * (abs(others[name]) if more[name].relative else 1.0)
+        error = bound.bound * (size if bound.relative else 1.0) + abs(values[name] - full_values[name])
+        error += more[name].bound * (abs(full_values[name]) if more[name].relative else 1.0)
         errors.append(ErrorBound(name, error / size) if size else ErrorBound(name, error, relative=False))
         vector = name.partition("[")[0]
         vectors[vector] = max(error, vectors.get(vector, 0.0))

@@ -49,12 +49,12 @@ def series(k: "Matrix", friction: float, start: "list[float]", order: int) -> "S
     double = 1 / (2 * s[0])
     # τ in units of its own, so that no coefficient leaves the range
     unit = 1 / ((1 + friction) * max(k11, k22, k33))
-    rub, one = friction * unit, type(unit)(1)
+    rub, unity = friction * unit, type(unit)(1)
     a11, a12, a22, a13, a23 = rub * k11, rub * k12, rub * k22, rub * k13, rub * k23
     b13, b23, b33 = unit * k13, unit * k23, unit * k33
     for i in range(order):
         xi, yi, si = x[i], y[i], s[i]
-        part = one / (i + 1)
+        part = unity / (i + 1)
         x.append((b13 * si - a11 * xi - a12 * yi) * part)
         y.append((b23 * si - a12 * xi - a22 * yi) * part)
         rise, heat = unit * part, rub * part
@@ -162,9 +162,9 @@ def march(
         if speed <= stopped:
             slip.stopped = True
             return slip
-        way = settled(k, friction, slip, digits)
-        if way is not None:
-            glide(k, slip, way, friction, start[2], restitution, law)
+        exit_direction = settled(k, friction, slip, digits)
+        if exit_direction is not None:
+            glide(k, slip, exit_direction, friction, start[2], restitution, law)
             return slip
         fastest = max(speed, fastest)
         coefficients = series(k, friction, state, order)

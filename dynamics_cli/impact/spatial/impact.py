@@ -151,8 +151,8 @@ def spatial(
     """
     from dynamics_cli.impact.spatial.bounds import answered
 
-    given = first, second, normal, friction, contact.restitution, str(law), contact_point, gravity
-    return answered(_solved, *given, advice=contact_advice(contact))
+    arguments = first, second, normal, friction, contact.restitution, str(law), contact_point, gravity
+    return answered(_solved, *arguments, advice=contact_advice(contact))
 
 
 def _solved(

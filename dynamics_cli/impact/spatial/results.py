@@ -229,13 +229,13 @@ def certificate(answer: SpatialImpact, solved: Solved) -> tuple[Check, ...]:
 def _momentum(states: tuple[State, State], size: float) -> tuple[Check, ...]:
     """Linear momentum of both bodies, or none where one is fixed."""
     checks: tuple[Check, ...] = ()
-    (one, first), (two, second) = states
-    if one.mass is None or two.mass is None:
+    (first_body, first), (second_body, second) = states
+    if first_body.mass is None or second_body.mass is None:
         return checks
     for axis, letter in enumerate("xyz"):
-        parts = one.mass * one.velocity[axis], two.mass * two.velocity[axis]
-        left = one.mass * first.velocity[axis] + two.mass * second.velocity[axis]
-        checks += balance(f"momentum along {letter}", sum(parts), left, size + abs(parts[0]) + abs(parts[1]))
+        parts = first_body.mass * first_body.velocity[axis], second_body.mass * second_body.velocity[axis]
+        end = first_body.mass * first.velocity[axis] + second_body.mass * second.velocity[axis]
+        checks += balance(f"momentum along {letter}", sum(parts), end, size + abs(parts[0]) + abs(parts[1]))
     return checks
 
 
@@ -243,13 +243,13 @@ def _turning(body: SolidInSpace, after: AfterSpatial, name: str, size: float) ->
     """Angular momentum of a body about the contact, where the impulse has no moment."""
     if body.mass is None or body.inertia is None:
         return ()
-    held = add(times(body.inertia, body.spin), scaled(cross(body.velocity, body.lever), body.mass))
-    left = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
+    start = add(times(body.inertia, body.spin), scaled(cross(body.velocity, body.lever), body.mass))
+    end = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
     reach = root(dot(body.lever, body.lever))
-    scale = reach * size + root(dot(held, held)) + reach * body.mass * root(dot(body.velocity, body.velocity))
+    scale = reach * size + root(dot(start, start)) + reach * body.mass * root(dot(body.velocity, body.velocity))
     # the rounding of the spin, magnified about the long axes of a slender body
     scale += max(body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]) * root(dot(after.spin, after.spin))
-    apart = subtract(held, left)
+    apart = subtract(start, end)
     return balance(f"angular momentum of the {name} about the contact", root(dot(apart, apart)), 0.0, scale)
 
 

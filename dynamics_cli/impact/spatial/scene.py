@@ -28,27 +28,27 @@ if TYPE_CHECKING:
 
 def central_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
     """Reason why the line of impact is enough, or None."""
-    seen = viewed(scene, gravity)
-    if seen.rubs or seen.eccentric or seen.across:
+    view = viewed(scene, gravity)
+    if view.rubs or view.eccentric or view.across:
         return None
     return "both bodies move along the normal, which passes through their mass centres: nothing acts across it"
 
 
 def oblique_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
     """Reason why an oblique impact without friction or spin is enough, or None."""
-    seen = viewed(scene, gravity)
-    if seen.rubs or seen.eccentric:
+    view = viewed(scene, gravity)
+    if view.rubs or view.eccentric:
         return None
-    why = "without friction" if seen.friction == 0 else "without slip at the contact"
+    why = "without friction" if view.friction == 0 else "without slip at the contact"
     return f"{why} and with the normal through the mass centres nothing acts across it and no spin changes"
 
 
 def planar_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
     """Reason why the plane of normal and slip is enough, or None."""
-    seen = viewed(scene, gravity)
-    if seen.friction == 0:
+    view = viewed(scene, gravity)
+    if view.friction == 0:
         return "without friction the direction of slip does not matter"
-    if seen.turns:
+    if view.turns:
         return None
     return "an impulse in the plane of normal and slip moves the contact in that plane only: the slip stays on one line"
 
@@ -69,9 +69,9 @@ def solve_central(
     ----------
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 9.10.
     """
-    seen = viewed(scene, gravity)
+    view = viewed(scene, gravity)
     neglects = _neglects(
-        ("friction", seen.rubs), ("the levers", seen.eccentric), ("motion across the line", seen.across)
+        ("friction", view.rubs), ("the levers", view.eccentric), ("motion across the line", view.across)
     )
     return _answered(_smooth, scene, gravity, "central impact", advice=neglects)
 
@@ -92,8 +92,8 @@ def solve_oblique(
     ----------
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 9.11.
     """
-    seen = viewed(scene, gravity)
-    neglects = _neglects(("friction", seen.rubs), ("the levers", seen.eccentric))
+    view = viewed(scene, gravity)
+    neglects = _neglects(("friction", view.rubs), ("the levers", view.eccentric))
     return _answered(_smooth, scene, gravity, "oblique impact", advice=neglects)
 
 
@@ -116,25 +116,25 @@ def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:
     from dynamics_cli.impact.spatial.arithmetic import widened
 
     with localcontext(Context(prec=80)):
-        seen = SeenScene(widened(scene), widened(gravity))
-        k = seen.k
+        view = SeenScene(widened(scene), widened(gravity))
+        k = view.k
         least = max(k[0][0], k[1][1], k[2][2]) / 10**60
         coupled = (k[0][1], k[1][2]) if plane else (k[0][2], k[1][2])
         if any(abs(entry) > least for entry in coupled):
-            return seen.friction > 0 or not plane
-        if not plane and seen.turning > least / 10**60:
+            return view.friction > 0 or not plane
+        if not plane and view.turning > least / 10**60:
             return True
-        return seen.slips and seen.friction > 0 and not seen.before[0]
+        return view.slips and view.friction > 0 and not view.before[0]
 
 
 def _smooth(scene: Scene, gravity: float, name: str, **_: int) -> Solved:
     """An impulse along the normal through both mass centres."""
-    seen = viewed(scene, gravity)
+    view = viewed(scene, gravity)
     # without inertia nothing turns; with a lever a spin still moves the contact
-    one, two = (SolidInSpace(body.mass, None, body.lever, body.velocity, body.spin, body.nose) for body in seen.bodies)
-    k = mobility((one, two), seen.frame)
-    before = approach((one, two), seen.frame)
-    e = seen.restitution
+    a, b = (SolidInSpace(body.mass, None, body.lever, body.velocity, body.spin, body.nose) for body in view.bodies)
+    k = mobility((a, b), view.frame)
+    before = approach((a, b), view.frame)
+    e = view.restitution
     compression = -before[2] / k[2][2]
     impulse = (1 + e) * compression
     work = compression * -before[2] / 2
@@ -147,9 +147,9 @@ def _smooth(scene: Scene, gravity: float, name: str, **_: int) -> Solved:
         work_back=e * e * work,
         heat=zero,
         history="slip without friction" if before[0] or before[1] else "no slip",
-        slip_impulse=impulse if seen.friction == 0 else zero,
+        slip_impulse=impulse if view.friction == 0 else zero,
     )
-    return Solved((one, two), seen.frame, k, before, end, zero, e, seen.law, f"closed form of a {name}, in decimals")
+    return Solved((a, b), view.frame, k, before, end, zero, e, view.law, f"closed form of a {name}, in decimals")
 
 
 def solve_planar(
@@ -168,29 +168,29 @@ def solve_planar(
     ----------
     J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000).
     """
-    seen = viewed(scene, gravity)
-    turns = seen.turns and seen.friction > 0
+    view = viewed(scene, gravity)
+    turns = view.turns and view.friction > 0
     return _answered(_in_plane, scene, gravity, advice=_neglects(("the turning of the slip out of its plane", turns)))
 
 
 def _in_plane(scene: Scene, gravity: float, **_: int) -> Solved:
     """Slip along its line, and then stick or reversed slip."""
-    seen = viewed(scene, gravity)
-    k, before, zero = seen.k, seen.before, seen.before[2] * 0
+    view = viewed(scene, gravity)
+    k, before, zero = view.k, view.before, view.before[2] * 0
     plane = (k[0][0], zero, k[0][2]), (zero, k[1][1], zero), (k[0][2], zero, k[2][2])
     slip = Slip([*before, zero, zero, zero, zero, zero])
-    given = before[2], seen.friction, seen.restitution, seen.law
-    slides = before[0] != 0 and seen.friction > 0
-    if slides and glide(plane, slip, (before[0] / abs(before[0]), zero), given[1], before[2], *given[2:]):
+    impact_data = before[2], view.friction, view.restitution, view.law
+    slides = before[0] != 0 and view.friction > 0
+    if slides and glide(plane, slip, (before[0] / abs(before[0]), zero), impact_data[1], before[2], *impact_data[2:]):
         end = end_of(slip, "slip")
     else:
-        end = from_rest(plane, slip, *given, at_rest=not slides)
+        end = from_rest(plane, slip, *impact_data, at_rest=not slides)
     if end.history == "slip, slip anew":
         end.history = "slip, reversed slip"
     aside = k[0][1] * end.impulse[0] + k[1][2] * end.impulse[2]
     end.velocity = end.velocity[0], aside, end.velocity[2]
     how = "closed-form Routh–Keller path in the plane of normal and slip, in decimals"
-    return Solved(seen.bodies, seen.frame, k, before, end, seen.friction, seen.restitution, seen.law, how)
+    return Solved(view.bodies, view.frame, k, before, end, view.friction, view.restitution, view.law, how)
 
 
 def solve(
@@ -223,11 +223,11 @@ def solve(
     ----------
     J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000).
     """
-    seen = viewed(scene, gravity)
+    view = viewed(scene, gravity)
     require(
-        not seen.single,
+        not view.single,
         "the impact leaves the plane, but the {names} body has one moment of inertia only",
-        names=" and the ".join(seen.single),
+        names=" and the ".join(view.single),
         code="one-moment",
         hint="give the inertia tensor, or choose --model planar and say why",
     )
@@ -237,13 +237,13 @@ def solve(
 
 
 def _in_space(scene: Scene, gravity: float, **effort: int) -> Solved:
-    seen = viewed(scene, gravity)
-    return solved_in_space(seen.bodies, seen.inward, seen.friction, seen.restitution, seen.law, **effort)
+    view = viewed(scene, gravity)
+    return solved_in_space(view.bodies, view.inward, view.friction, view.restitution, view.law, **effort)
 
 
-def _neglects(*what: tuple[str, bool]) -> tuple[Advice, ...]:
+def _neglects(*aspects: tuple[str, bool]) -> tuple[Advice, ...]:
     """Advice on what a requested model neglects of this scene."""
-    names = [name for name, present in what if present]
+    names = [name for name, present in aspects if present]
     if not names:
         return ()
     text = "this scene goes beyond the model, which leaves out " + ", ".join(names)

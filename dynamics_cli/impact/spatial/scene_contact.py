@@ -39,13 +39,13 @@ class SeenScene:
             _solid(scene.first, contact.point, gravity, "the first body"),
             _solid(scene.second, contact.point, gravity, "the second body"),
         )
-        one, two = self.bodies
+        first, second = self.bodies
         require(
-            one.mass is not None or two.mass is not None,
+            first.mass is not None or second.mass is not None,
             "both bodies are fixed: one of them must be able to move",
             code="no-mass",
         )
-        slip = relative_velocity(one, two)
+        slip = relative_velocity(first, second)
         self.frame = frame_about(self.inward, slip)
         self.before = approach(self.bodies, self.frame)
         # the first tangent is the direction of slip

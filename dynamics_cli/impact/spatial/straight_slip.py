@@ -121,14 +121,14 @@ def restitution_of(slip: Slip, speed: float, slope: float, approach: float, rest
     if law == "poisson":
         rest = (1 + restitution) * slip.compression - slip.state[P]  # type: ignore[operator]
         return rest, speed + slope * rest
-    left = max(restitution * restitution * slip.work - (slip.state[W] + slip.work), type(slope)(0))
-    square = speed * speed + 2 * slope * left
+    work_left = max(restitution * restitution * slip.work - (slip.state[W] + slip.work), type(slope)(0))
+    square = speed * speed + 2 * slope * work_left
     if square < 0:
         return inf, type(slope)(0)
     after = root(square)
     if speed < 0:
         return ((after - speed) / slope, after) if slope > 0 else (inf, after)
-    return (2 * left / (speed + after) if after > 0 else type(slope)(0)), after
+    return (2 * work_left / (speed + after) if after > 0 else type(slope)(0)), after
 
 
 def rates_along(k: "Matrix", way: "Pair", friction: float) -> "tuple[Pair, float, float]":
@@ -145,11 +145,11 @@ def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float
     speed = state[X] * way[0] + state[Y] * way[1]
     ratio, growth, slope = rates_along(k, way, friction)
     inf = type(speed)("inf")
-    left = -speed / growth if growth < 0 else inf
+    impulse_left = -speed / growth if growth < 0 else inf
 
     def ahead(more: float) -> None:
         """Advance by a normal impulse."""
-        nonlocal speed, left
+        nonlocal speed, impulse_left
         state[W] += more * (state[V] + slope * more / 2)
         state[H] += friction * more * (speed + growth * more / 2)
         state[V] += slope * more
@@ -157,13 +157,13 @@ def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float
         state[FX] += ratio[0] * more
         state[FY] += ratio[1] * more
         speed += growth * more
-        left -= more
+        impulse_left -= more
         state[X], state[Y] = speed * way[0], speed * way[1]
 
     if not slip.restoring:
         more = -state[V] / slope if slope > 0 else inf
-        if more > left:
-            ahead(left)
+        if more > impulse_left:
+            ahead(impulse_left)
             slip.stopped = True
             return False
         ahead(more)
@@ -172,8 +172,8 @@ def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float
         if restitution == 0:
             return True
     more, after = restitution_of(slip, state[V], slope, approach, restitution, law)
-    if more > left:
-        ahead(left)
+    if more > impulse_left:
+        ahead(impulse_left)
         slip.stopped = True
         return False
     ahead(more)

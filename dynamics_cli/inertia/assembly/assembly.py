@@ -84,11 +84,11 @@ def body(
     >>> answer.moments
     AxisMoments(xx=0.0, yy=12.0, zz=12.0)
     """
-    whole = compose_scene(scene)
-    if not whole.sloped:
+    assembly = compose_scene(scene)
+    if not assembly.sloped:
         about_point, turn, shaft = each_number((about_point, turn, shaft), plain, _tracked())
-    view = view_of(about, about_point, turn, axes=axes, product_sign=product_sign, shaft=shaft, parts=whole.origins)
-    return reported(whole, view)
+    view = view_of(about, about_point, turn, axes=axes, product_sign=product_sign, shaft=shaft, parts=assembly.origins)
+    return reported(assembly, view)
 
 
 def _tracked() -> type:
@@ -104,12 +104,12 @@ def compose_scene(scene: Assembly) -> "Composed":
         # a mesh is integrated in doubles, whatever the numbers beside it
         only_in_doubles(number)
     slopes = getattr(number, "slopes", None)
-    given = None if slopes is None else len(slopes)
-    parts, width = _carried(scene.parts, given)
+    slope_count = None if slopes is None else len(slopes)
+    parts, width = _carried(scene.parts, slope_count)
     walk = Walk(width)
     walk.into(parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
     require(walk.leaves, "the assembly has no body", code="empty")
-    return composed(walk, asked=given is not None)
+    return composed(walk, asked=slope_count is not None)
 
 
 def _carried(parts: "tuple[Part, ...]", width: int | None) -> "tuple[tuple[Part, ...], int | None]":

@@ -138,9 +138,9 @@ def compare(scene: Annotated[Pair, "The bodies, `first` and `second`, each with 
 
 
 def _numbers(a: "Composed", b: "Composed") -> "list[tuple[str, float, float]]":
-    one, two = tensor_of(a.lump.second), tensor_of(b.lump.second)
+    first, second = tensor_of(a.lump.second), tensor_of(b.lump.second)
     names = (("xx", 0, 0), ("yy", 1, 1), ("zz", 2, 2), ("xy", 0, 1), ("yz", 1, 2), ("zx", 2, 0))
-    rows = [(name, one[i][j], two[i][j]) for name, i, j in names]
+    rows = [(name, first[i][j], second[i][j]) for name, i, j in names]
     return rows + [(f"principal {k + 1}", a.spread.moments[k], b.spread.moments[k]) for k in range(3)]
 
 
@@ -162,7 +162,7 @@ def _distance(rows: "tuple[MomentRow, ...]") -> float:
 
 
 def _angle(a: "Composed", b: "Composed") -> "tuple[float | None, tuple[Advice, ...]]":
-    words = [one.spread.degeneracy for one in (a, b) if not one.spread.degeneracy.startswith("none")]
+    words = [side.spread.degeneracy for side in (a, b) if not side.spread.degeneracy.startswith("none")]
     if words:
         message = f"no angle between principal axes: {words[0]}"
         return (None, (Advice("axes-undetermined", message, severity="note", result="axes_angle"),))
@@ -185,12 +185,12 @@ def _turn_error(scene: Pair, a: "Composed", b: "Composed", angle: float) -> floa
     return tilt if exact is None else measured_error(angle, exact, tilt)
 
 
-def _tilt(one: "Composed") -> float:
+def _tilt(composed: "Composed") -> float:
     """Possible rotation of the principal axes from the true ones; infinite if unknown.
 
     A turn by ω moves the three by |ω × eₖ|, whose squares add up to 2 ω².
     """
-    tilts = one.spread.tilts
+    tilts = composed.spread.tilts
     return inf if tilts is None else float((0.5 * sum(tilt * tilt for tilt in tilts)) ** 0.5)
 
 

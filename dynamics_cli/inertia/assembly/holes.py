@@ -33,10 +33,10 @@ def hole_advice(leaves: "list[Leaf]") -> tuple[Advice, ...]:
         if boxes and hole.part.shape is not None and _leaves(hole, boxes):
             message = f"{hole.name} reaches outside every body: there is no mass to remove there"
             advice.append(Advice("hole-outside", message, "serious", "end the hole where its body ends"))
-        own = _density(hole)
-        known = [density for density in map(_density, bodies) if density is not None]
-        alike = any(own and own[0] == d[0] and abs(own[1] - d[1]) <= ALIKE * d[1] for d in known)
-        if own and len(known) == len(bodies) and not alike:
+        rho = _density(hole)
+        solids = [density for density in map(_density, bodies) if density is not None]
+        alike = any(rho and rho[0] == d[0] and abs(rho[1] - d[1]) <= ALIKE * d[1] for d in solids)
+        if rho and len(solids) == len(bodies) and not alike:
             text = f"{hole.name} removes material of a density that no body has"
             remedy = "give the hole the density of the body that it is cut out of"
             advice.append(Advice("hole-density", text, "serious", remedy))
@@ -58,14 +58,14 @@ class _Box:
         self.origin = _plain(leaf.origin)
         self.back = transposed(_plain(leaf.rotation))
         columns = list(zip(*(point for wire in wires(_plain(leaf.part.shape)) for point in wire), strict=True))
-        room = DRAWN * max(max(column) - min(column) for column in columns)
-        self.low = [min(column) - room for column in columns]
-        self.high = [max(column) + room for column in columns]
+        margin = DRAWN * max(max(column) - min(column) for column in columns)
+        self.low = [min(column) - margin for column in columns]
+        self.high = [max(column) + margin for column in columns]
 
     def holds(self, point: "Vector") -> bool:
         """Whether a point is within it."""
-        own = times(self.back, less(point, self.origin))
-        return all(low <= x <= high for low, x, high in zip(self.low, own, self.high, strict=True))
+        local = times(self.back, less(point, self.origin))
+        return all(low <= x <= high for low, x, high in zip(self.low, local, self.high, strict=True))
 
 
 def _leaves(hole: "Leaf", boxes: "list[_Box]") -> bool:

@@ -112,74 +112,74 @@ class Walk:
         """Every part of a list, in the frame at `origin` turned by `rotation`."""
         group = group or self.group
         for index, part in enumerate(parts):
-            own = prefix + (part.name or f"part {index + 1}")
+            label = prefix + (part.name or f"part {index + 1}")
             place = plus(origin, part.position if rotation is IDENTITY else times(rotation, part.position))
             own_turn, turn = IDENTITY, rotation
             if part.turn is not None:
                 own_turn = matrix_of(part.turn)
                 turn = own_turn if rotation is IDENTITY else product(rotation, own_turn)
-            self._name(part, own, place)
+            self._name(part, label, place)
             own_sign = -1.0 if part.subtract else 1.0
-            kept = own_sign * sign
-            lump, measure = lump_of(part, own, self.width)
-            if lump is not None:
-                self.leaves.append(Leaf(own, part, lump, place, turn, kept, measure))
-                group.members.append(Leaf(own, part, lump, part.position, own_turn, own_sign, measure))
+            part_sign = own_sign * sign
+            properties, measure = lump_of(part, label, self.width)
+            if properties is not None:
+                self.leaves.append(Leaf(label, part, properties, place, turn, part_sign, measure))
+                group.members.append(Leaf(label, part, properties, part.position, own_turn, own_sign, measure))
             else:
                 require(
                     part.parts,
                     "{part} has neither shape, mesh, tensor, mass nor parts",
                     code="empty-part",
                     hint="give a shape with a density, a mass, or parts of its own",
-                    part=own,
+                    part=label,
                 )
             if part.parts:
                 inner = Group(part.position, own_turn, own_sign)
                 group.members.append(inner)
-                self.into(part.parts, own + "/", place, turn, kept, inner)
+                self.into(part.parts, label + "/", place, turn, part_sign, inner)
 
-    def _name(self, part: Part, own: str, place: "Vector") -> None:
+    def _name(self, part: Part, label: str, place: "Vector") -> None:
         if not part.name:
             return
         require(
-            own not in self.origins,
+            label not in self.origins,
             "two parts are named {part}",
             code="name",
             hint="give each part of an assembly a name of its own",
-            part=repr(own),
+            part=repr(label),
         )
-        self.origins[own] = place
+        self.origins[label] = place
 
 
-def lump_of(part: Part, own: str, width: int | None) -> "tuple[Lump | None, Any]":
+def lump_of(part: Part, label: str, width: int | None) -> "tuple[Lump | None, Any]":
     """The mass properties of a part in its own axes, and its measure by dimension; None if it is only an assembly."""
-    given = [word for word, has in (("shape", part.shape), ("mesh", part.mesh), ("tensor", part.tensor)) if has]
+    bodies = [word for word, has in (("shape", part.shape), ("mesh", part.mesh), ("tensor", part.tensor)) if has]
     require(
-        len(given) < 2,
+        len(bodies) < 2,
         "{part} has {given} together",
         code="exclusive",
         hint="a part is one body; give further bodies as parts within it",
-        part=own,
-        given=" and ".join(given),
+        part=label,
+        given=" and ".join(bodies),
     )
-    _require_measured(part, own, given)
+    _require_measured(part, label, bodies)
     if part.shape is not None:
-        return _shaped(part, own)
+        return _shaped(part, label)
     if part.mesh:
-        return _meshed(part, own, width)
+        return _meshed(part, label, width)
     if part.amount is None:
         return None, None
-    return _weighed(part, own)
+    return _weighed(part, label)
 
 
-def _require_measured(part: Part, own: str, given: list[str]) -> None:
-    body = bool(given) or part.amount is not None
+def _require_measured(part: Part, label: str, bodies: list[str]) -> None:
+    body = bool(bodies) or part.amount is not None
     for word in ("mass_std", "centroid_std", "tensor_std", "centroid"):
         require(
             getattr(part, word) is None or body,
             "{part} gives {field} without a body",
             code="contradiction",
-            part=own,
+            part=label,
             field=word,
         )
     require(
@@ -187,68 +187,68 @@ def _require_measured(part: Part, own: str, given: list[str]) -> None:
         "{part} gives a centroid, which its shape already determines",
         code="contradiction",
         hint="move the part by its position",
-        part=own,
+        part=label,
     )
     require(
         part.tensor_std is None or part.tensor is not None,
         "{part} gives tensor_std without a tensor",
         code="contradiction",
-        part=own,
+        part=label,
     )
 
 
-def _amount(part: Part, own: str) -> Amount:
+def _amount(part: Part, label: str) -> Amount:
     require(
         part.amount is not None,
         "{part} has neither mass nor density",
         code="missing",
         hint="give mass, density, material, areal-density or linear-density",
-        part=own,
+        part=label,
     )
     assert part.amount is not None
     return part.amount
 
 
-def _shaped(part: Part, own: str) -> "tuple[Lump, Any]":
+def _shaped(part: Part, label: str) -> "tuple[Lump, Any]":
     unit = part.shape.unit()  # type: ignore[union-attr]
     dimension = part.shape.dimension  # type: ignore[union-attr]
-    mass = mass_of(_amount(part, own), unit.measure, dimension, own)
+    mass = mass_of(_amount(part, label), unit.measure, dimension, label)
     return unit.lump(mass), (dimension, unit.measure)
 
 
-def _weighed(part: Part, own: str) -> "tuple[Lump, Any]":
-    amount = _amount(part, own)
+def _weighed(part: Part, label: str) -> "tuple[Lump, Any]":
+    amount = _amount(part, label)
     require(
         isinstance(amount, OfMass),
         "{part} has a density and no shape",
         code="contradiction",
         hint="give its mass, or a shape",
-        part=own,
+        part=label,
     )
-    mass = mass_of(amount, 0.0, 0, own)
+    mass = mass_of(amount, 0.0, 0, label)
     middle = part.centroid or (0.0, 0.0, 0.0)
     if part.tensor is None:
         return Lump(mass, middle, NOTHING), None
-    require_tensor(part.tensor, MEASURED_TOLERANCE, hint=f"check the tensor of {own}, which is about its mass centre")
+    require_tensor(part.tensor, MEASURED_TOLERANCE, hint=f"check the tensor of {label}, which is about its mass centre")
     return Lump(mass, middle, second_of(part.tensor)), None
 
 
-def _meshed(part: Part, own: str, width: int | None) -> "tuple[Lump, Any]":
+def _meshed(part: Part, label: str, width: int | None) -> "tuple[Lump, Any]":
     from dynamics_cli.inertia.mesh.measurement import measured, require_closed, require_extent, unit_of
     from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 
     readings = measured(part.mesh, shell=False)
-    require_closed(readings, allowed=False, part=own)
-    require_extent(readings, shell=False, part=own)
-    lift = Lift(readings, unit_of(readings, part.length_unit, own), width or 0)
+    require_closed(readings, allowed=False, part=label)
+    require_extent(readings, shell=False, part=label)
+    lift = Lift(readings, unit_of(readings, part.length_unit, label), width or 0)
     volume = lift.measure()
-    amount = _amount(part, own)
-    mass = mass_of(amount, volume, 3, own)
-    density = mass / volume if isinstance(amount, OfMass) else mass_of(amount, 1.0, 3, own)
-    lump = Lump(mass, lift.centroid(), lift.second(density))
+    amount = _amount(part, label)
+    mass = mass_of(amount, volume, 3, label)
+    density = mass / volume if isinstance(amount, OfMass) else mass_of(amount, 1.0, 3, label)
+    properties = Lump(mass, lift.centroid(), lift.second(density))
     if width is not None:
-        return lump, (3, volume)
-    return each_number(lump, plain, type(volume)), (3, plain(volume))
+        return properties, (3, volume)
+    return each_number(properties, plain, type(volume)), (3, plain(volume))
 
 
 def each_number(tree: "Any", change: "Callable[[Any], Any]", kind: type = float) -> "Any":

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
 
-def deviation(whole: "Composed") -> Deviation | None:
+def deviation(assembly: "Composed") -> Deviation | None:
     """Standard uncertainties of the assembly, or None if no part has one.
 
     About the mass centre: σ²(I) = Σ σ²(Iᵢ) + (∂I/∂mᵢ σ(mᵢ))² + Σₖ (∂I/∂cᵢₖ σ(cᵢₖ))²; terms through the common mass
@@ -22,33 +22,33 @@ def deviation(whole: "Composed") -> Deviation | None:
     """
     leaves = [
         (leaf, piece)
-        for leaf, piece in zip(whole.leaves, whole.pieces, strict=True)
+        for leaf, piece in zip(assembly.leaves, assembly.pieces, strict=True)
         if not (leaf.part.mass_std is None and leaf.part.centroid_std is None and leaf.part.tensor_std is None)
     ]
     if not leaves:
         return None
-    total = plain(whole.lump.mass)
-    middle = tuple(plain(x) for x in whole.lump.centroid)
+    total = plain(assembly.lump.mass)
+    middle = tuple(plain(x) for x in assembly.lump.centroid)
     mass_variance = 0.0
     centroid = [0.0] * 3
-    given, own = [0.0] * 6, [0.0] * 6
+    about_axes, about_principal = [0.0] * 6, [0.0] * 6
     for leaf, piece in leaves:
         sigma = plain(leaf.part.mass_std or 0.0)
         mass_variance += sigma * sigma
         away = tuple(plain(x) for x in less(piece.centroid, middle))  # type: ignore[arg-type]
         along = _centroid_variances(leaf)
-        share = plain(piece.mass) / total
+        fraction = plain(piece.mass) / total
         for k in range(3):
-            centroid[k] += (away[k] / total * sigma) ** 2 + share * share * along[k][k]
-        _add(given, leaf, piece, away, along, IDENTITY)
-        _add(own, leaf, piece, away, along, _bare(whole.spread.axes))
-    roots = [x**0.5 for x in given]
+            centroid[k] += (away[k] / total * sigma) ** 2 + fraction * fraction * along[k][k]
+        _add(about_axes, leaf, piece, away, along, IDENTITY)
+        _add(about_principal, leaf, piece, away, along, _bare(assembly.spread.axes))
+    roots = [x**0.5 for x in about_axes]
     return Deviation(
         mass=mass_variance**0.5,
         centroid=(centroid[0] ** 0.5, centroid[1] ** 0.5, centroid[2] ** 0.5),
         moments=tuple(roots[:3]),
         products=tuple(roots[3:]),
-        principal_moments=tuple(x**0.5 for x in own[:3]),
+        principal_moments=tuple(x**0.5 for x in about_principal[:3]),
     )
 
 
@@ -61,8 +61,8 @@ def _centroid_variances(leaf: "Leaf") -> "list[list[float]]":
     if leaf.part.centroid_std is None:
         return [[0.0] * 3 for _ in range(3)]
     r = _bare(leaf.rotation)
-    own = [plain(x) ** 2 for x in leaf.part.centroid_std]
-    return [[sum(r[i][k] * own[k] * r[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
+    variances = [plain(x) ** 2 for x in leaf.part.centroid_std]
+    return [[sum(r[i][k] * variances[k] * r[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
 
 
 def _add(

@@ -45,13 +45,13 @@ class OfLinearDensity:
 Amount = OfMass | OfDensity | OfMaterial | OfArealDensity | OfLinearDensity
 
 
-def mass_of(amount: Amount, measure: float, dimension: int, what: str = "the shape") -> float:
+def mass_of(amount: Amount, measure: float, dimension: int, name: str = "the shape") -> float:
     """The mass of a length, an area or a volume.
 
     Raises InadmissibleError when the density is one of another dimension, the material unknown, or the mass zero.
     """
     if isinstance(amount, OfMass):
-        require(amount.mass > 0.0, "the mass of {body} is zero", code="no-mass", body=what)
+        require(amount.mass > 0.0, "the mass of {body} is zero", code="no-mass", body=name)
         return amount.mass
     density, of = _density(amount)
     require(
@@ -59,12 +59,12 @@ def mass_of(amount: Amount, measure: float, dimension: int, what: str = "the sha
         "{body} has {extent}, but the density given is per {measure}",
         code="dimension",
         hint=f"give mass, or {('mass', 'linear-density', 'areal-density', 'density or material')[dimension]}",
-        body=what,
+        body=name,
         extent=("no extent", "a length and no area", "an area and no volume", "a volume")[dimension],
         measure=MEASURES[of],
     )
     mass = density * measure
-    require(mass > 0.0, "the mass of {body} is zero", code="no-mass", hint="check its sizes and its density", body=what)
+    require(mass > 0.0, "the mass of {body} is zero", code="no-mass", hint="check its sizes and its density", body=name)
     return mass
 
 

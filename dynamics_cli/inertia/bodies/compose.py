@@ -63,15 +63,15 @@ def composed(walk: "Walk", *, asked: bool) -> Composed:
     if len(group.members) == len(leaves):
         group = Group((0.0, 0.0, 0.0), IDENTITY, 1.0)
         group.members.extend(leaves)
-    whole = _sum(pieces if group is not walk.group else _pieces(group, base, IDENTITY))  # type: ignore[arg-type]
-    centroid = plus(base, whole.centroid)  # type: ignore[arg-type]
-    first = spread_of(whole.second)
+    total = _sum(pieces if group is not walk.group else _pieces(group, base, IDENTITY))  # type: ignore[arg-type]
+    centroid = plus(base, total.centroid)  # type: ignore[arg-type]
+    first = spread_of(total.second)
     if any(not piece.mass > 0.0 for piece in pieces):
-        _require_body(whole, first)
+        _require_body(total, first)
     spread = _second_pass(group, base, first)  # type: ignore[arg-type]
-    lump = Lump(whole.mass, centroid, whole.second)
+    properties = Lump(total.mass, centroid, total.second)
     placed = [Lump(piece.mass, plus(base, piece.centroid), piece.second) for piece in pieces]  # type: ignore[arg-type]
-    return Composed(walk, lump, spread, placed, asked=asked)
+    return Composed(walk, properties, spread, placed, asked=asked)
 
 
 class _Sums:
@@ -196,12 +196,12 @@ def _near(pieces: "Sequence[Lump | _Sums]") -> "Vector":
     return x, y, z
 
 
-def _require_body(whole: Lump, spread: Spread) -> None:
+def _require_body(body: Lump, spread: Spread) -> None:
     """Refuse second moments below zero by more than rounding: a hole reached beyond its body."""
     least = spread.seconds[2]
-    room = 2.0 * getattr(least, "error", 0.0) + 64.0 * 2.0**-53 * abs(plain(spread.seconds[0]))
+    tolerance = 2.0 * getattr(least, "error", 0.0) + 64.0 * 2.0**-53 * abs(plain(spread.seconds[0]))
     require(
-        plain(least) >= -room,
+        plain(least) >= -tolerance,
         "the holes leave a second moment of {least:6} along an axis: a hole is larger than its body or lies outside it",
         code="hole",
         hint="check positions and sizes of what is subtracted",
@@ -216,18 +216,18 @@ def _second_pass(group: "Group", base: "Vector", first: Spread) -> Spread:
         return first
     if sorted(abs(x) for row in frame for x in row) == [0.0] * 6 + [1.0] * 3:
         return first
-    whole = _sum(_pieces(group, base, frame))
-    matrix = tuple(tuple(plain(x) for x in row) for row in whole.second)
+    total = _sum(_pieces(group, base, frame))
+    matrix = tuple(tuple(plain(x) for x in row) for row in total.second)
     axes = principal(matrix)  # type: ignore[arg-type]
     seconds = axes.seconds
-    if not any(is_tracked(x) for row in whole.second for x in row):
+    if not any(is_tracked(x) for row in total.second for x in row):
         return Spread(seconds, product(axes.axes, frame), first.degeneracy)
-    seconds = bounded(whole.second, seconds, axes.vectors)
+    seconds = bounded(total.second, seconds, axes.vectors)
     # axes that are not exactly orthonormal change every eigenvalue by no more than this factor (Ostrowski)
     stretch = 3.0 * departure(frame) + 4.0 * 2.0**-53
     seconds = tuple(type(x)(x.value, x.error + stretch * abs(x.value), x.slopes) for x in seconds)  # type: ignore[attr-defined, call-arg, assignment]
     axes = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]
     words = axes.degeneracy if determined(first.degeneracy) else first.degeneracy
     # the product with the frame rounds every component
-    tilts = each(lambda tilt: tilt + 4.0 * 2.0**-53, tilts_of(whole.second, axes.axes, stretch))
+    tilts = each(lambda tilt: tilt + 4.0 * 2.0**-53, tilts_of(total.second, axes.axes, stretch))
     return Spread(seconds, product(axes.axes, frame), words, tilts)

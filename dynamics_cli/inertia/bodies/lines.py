@@ -38,25 +38,25 @@ def complement(u: "Vector") -> "tuple[Vector, Vector]":
     return first, (y * c - z * b, z * a - x * c, x * b - y * a)
 
 
-def moment_about(lump: "Lump", point: "Vector", direction: "Vector") -> "tuple[float, float]":
+def moment_about(body: "Lump", point: "Vector", direction: "Vector") -> "tuple[float, float]":
     """Moment of inertia about a line, as a sum of two second moments, and the mass centre's distance."""
     moment = distance = 0.0
-    d = less(lump.centroid, point)
+    d = less(body.centroid, point)
     for e in complement(unit(direction)):
-        along = turned(lump.second, (e, e, e))[0][0]
+        along = turned(body.second, (e, e, e))[0][0]
         off = e[0] * d[0] + e[1] * d[1] + e[2] * d[2]
-        moment = moment + along + lump.mass * off * off
+        moment = moment + along + body.mass * off * off
         distance = hypot(distance, off)
     return moment, distance
 
 
-def shaft_moment(lump: "Lump", shaft: "Shaft") -> ShaftMoment:
+def shaft_moment(body: "Lump", shaft: "Shaft") -> ShaftMoment:
     """Moment about a shaft in the units used in drive engineering."""
-    moment, distance = moment_about(lump, shaft.point, shaft.direction)
+    moment, distance = moment_about(body, shaft.point, shaft.direction)
     number = getattr(moment, "value", moment)
     return ShaftMoment(
         moment=moment,
-        radius_of_gyration=root(moment / lump.mass),
+        radius_of_gyration=root(moment / body.mass),
         eccentricity=distance,
         wr2=Measured(number / (POUND * FOOT * FOOT), "lb*ft^2"),
         gd2=Measured(4.0 * number, "kg*m^2"),

@@ -111,7 +111,7 @@ def scaled(scale: float, a: "Matrix") -> "Matrix":
     return tuple((scale * x, scale * y, scale * z) for x, y, z in a)  # type: ignore[return-value]
 
 
-def about(lump: Lump, point: "Vector") -> "Matrix":
+def about(body: Lump, point: "Vector") -> "Matrix":
     """Second moments about another point: S + m d dᵀ."""
-    d = less(lump.centroid, point)
-    return added(lump.second, outer(lump.mass, d))
+    d = less(body.centroid, point)
+    return added(body.second, outer(body.mass, d))

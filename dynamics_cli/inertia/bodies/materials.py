@@ -115,8 +115,8 @@ def _key(name: str) -> str:
     if key not in TABLE:
         from difflib import get_close_matches
 
-        known = (*TABLE, *OTHER_NAMES)
-        near = [other for other in known if key[:3] and other.startswith(key[:3])] or get_close_matches(key, known)
+        names = (*TABLE, *OTHER_NAMES)
+        near = [other for other in names if key[:3] and other.startswith(key[:3])] or get_close_matches(key, names)
         require(
             False,
             "the table has no material {read}",

@@ -101,9 +101,9 @@ def bounded(second: "Matrix", values: "Vector", axes: "Matrix") -> "Vector":
     from dynamics_cli.numerics.eigen3.residual import residual_bounds
     from dynamics_cli.numerics.tracked import Tracked
 
-    bare = tuple(tuple(plain(x) for x in row) for row in second)
+    doubles = tuple(tuple(plain(x) for x in row) for row in second)
     errors = tuple(tuple(getattr(x, "error", 0.0) for x in row) for row in second)
-    bounds = residual_bounds(bare, values, axes, errors)  # type: ignore[arg-type]
+    bounds = residual_bounds(doubles, values, axes, errors)  # type: ignore[arg-type]
     slopes = [_slopes(second, axis) for axis in axes]
     return tuple(map(Tracked, values, bounds, slopes))  # type: ignore[return-value]
 
@@ -111,5 +111,5 @@ def bounded(second: "Matrix", values: "Vector", axes: "Matrix") -> "Vector":
 def _slopes(second: "Matrix", axis: "Vector") -> "tuple[float, ...]":
     """Slopes of vᵀ S v along a fixed axis v."""
     parts = [(axis[i] * axis[j], getattr(second[i][j], "slopes", ())) for i in range(3) for j in range(3)]
-    width = max(len(own) for _, own in parts)
-    return tuple([sum([share * own[n] for share, own in parts if own]) for n in range(width)])
+    width = max(len(slopes) for _, slopes in parts)
+    return tuple([sum([weight * slopes[n] for weight, slopes in parts if slopes]) for n in range(width)])

@@ -143,15 +143,15 @@ def named_point(
             read=repr(about),
         )
         return "the given point", about_point
-    known = parts or {}
-    if about in known and about not in ("centroid", "origin"):
-        return f"the origin of part {about}", known[about]
+    points = parts or {}
+    if about in points and about not in ("centroid", "origin"):
+        return f"the origin of part {about}", points[about]
     require(
         about in ("centroid", "origin"),
         "about: {read} is unknown",
         code="reference",
         hint="give centroid, origin{names}, or a point by --about-point",
-        names="".join(f", {name}" for name in known),
+        names="".join(f", {name}" for name in points),
         read=repr(about),
     )
     return about, None if about == "centroid" else (0.0, 0.0, 0.0)
@@ -193,8 +193,8 @@ def properties(
     Raises InadmissibleError when there is no mass.
     """
     require(lump.mass > 0.0, "a mass of {mass:6} has no mass centre", code="no-mass", mass=(lump.mass, Mass))
-    own = spread or spread_of(lump.second)
-    words, rotation = _axes(view, own)
+    principal = spread or spread_of(lump.second)
+    words, rotation = _axes(view, principal)
     point = lump.centroid if view.point is None else view.point
     at_point = lump.second if view.point is None else about(lump, view.point)
     tensor = tensor_of(turned(at_point, rotation))
@@ -215,20 +215,20 @@ def properties(
         tensor=tensor,
         radii_of_gyration=each(lambda moment: root(moment / lump.mass), moments),
         second_moments=tuple(each(lambda x: minus(minus(x)), row) for row in turned(lump.second, rotation)),  # type: ignore[arg-type]
-        principal_moments=PrincipalMoments(*own.moments),
-        principal_axes=own.axes,
-        degeneracy=own.degeneracy,
-        principal_radii=each(lambda moment: root(moment / lump.mass), own.moments),
-        ellipsoid_axes=ellipsoid(own.moments),
-        equivalent_ellipsoid=each(lambda part: root(5.0 * part / lump.mass), own.seconds),
-        equivalent_box=each(lambda part: root(12.0 * part / lump.mass), own.seconds),
+        principal_moments=PrincipalMoments(*principal.moments),
+        principal_axes=principal.axes,
+        degeneracy=principal.degeneracy,
+        principal_radii=each(lambda moment: root(moment / lump.mass), principal.moments),
+        ellipsoid_axes=ellipsoid(principal.moments),
+        equivalent_ellipsoid=each(lambda part: root(5.0 * part / lump.mass), principal.seconds),
+        equivalent_box=each(lambda part: root(12.0 * part / lump.mass), principal.seconds),
         shaft=None if view.shaft is None else shaft_moment(lump, view.shaft),
         cancellation=cancellation,
         standard_uncertainty=standard_uncertainty,
         parts=parts,
         checks=checks,
         advice=advice,
-        numerics=Numerics("closed form" if numerics is None else numerics.method, own.axes_bound()),
+        numerics=Numerics("closed form" if numerics is None else numerics.method, principal.axes_bound()),
     )
 
 
@@ -237,11 +237,11 @@ def _products(tensor: "Matrix", *, flipped: bool) -> AxisProducts:
     return AxisProducts(*(minus(part) if flipped else part for part in products))
 
 
-def _axes(view: View, own: Spread) -> "tuple[str, Matrix]":
+def _axes(view: View, principal: Spread) -> "tuple[str, Matrix]":
     if view.axes == "principal":
         # results are about the axes that are shown, which are doubles
-        only_in_doubles(*own.axes[0])
-        return "principal", own.axes
+        only_in_doubles(*principal.axes[0])
+        return "principal", principal.axes
     if view.rotation is not None:
         return "turned", view.rotation
     return "given", IDENTITY

@@ -70,20 +70,20 @@ class Room:
         """The sums over the vectors, seen from the reference point; overwrites them, and `weighted`."""
         n, t, terms = self.normals, self.spare, part.terms
         a, e, f = self.a, self.e, self.f
-        d, share, more = self._spare_rows
+        d, weighted_row, more = self._spare_rows
         self._cross(n, t, terms)
         if turned:
             terms[EDGES] = [np.dot(row, row) for edge in (e, f) for row in edge]
         np.add.reduce(n, axis=1, out=terms[CLOSURE])
         np.multiply(n, n, out=t)
         np.add.reduce(t, axis=1, out=terms[SQUARES])
-        np.add(d, share, out=d)
+        np.add(d, weighted_row, out=d)
         np.add(d, more, out=d)
         np.sqrt(d, out=d)
         terms[AREA] = np.add.reduce(d)
         if not shell:
             np.multiply(a, n, out=t)
-            np.add(d, share, out=d)
+            np.add(d, weighted_row, out=d)
             np.add(d, more, out=d)
         terms[TOTAL] = np.add.reduce(d)
         np.add(e, f, out=n)
@@ -96,19 +96,19 @@ class Room:
             part.spread = spread.max(axis=1)
         first, second, third = self._corners
         np.multiply(a, d, out=first)
-        np.multiply(d, 1.0 / 18.0, out=share)
-        np.multiply(e, share, out=second)
-        np.multiply(d, 1.0 / 24.0, out=share)
-        np.multiply(f, share, out=third)
+        np.multiply(d, 1.0 / 18.0, out=weighted_row)
+        np.multiply(e, weighted_row, out=second)
+        np.multiply(d, 1.0 / 24.0, out=weighted_row)
+        np.multiply(f, weighted_row, out=third)
         np.add.reduce(first, axis=1, out=terms[FIRST])
         # products this short stay on one thread: waking others costs more than they do
         dot = np.dot
-        terms[SECOND] = [dot(*one) + dot(*two) + dot(*three) for one, two, three in self._pairs]
+        terms[SECOND] = [dot(*pair) + dot(*second_pair) + dot(*three) for pair, second_pair, three in self._pairs]
 
     def _cross(self, n: "Array", t: "Array", terms: "Array") -> None:
         """The cross product of the edges, and the sums of the sizes of the products that it is differences of."""
-        for again, once in self._again:
-            np.copyto(again, once)
+        for target, source in self._again:
+            np.copyto(target, source)
         e, f, other_e, other_f = self._factors
         size, more, _ = self._corners
         np.multiply(e, f, out=n)

@@ -51,9 +51,9 @@ class WholeMoments:
         origin = rows[0][:3]
         total, first, second = _sums(rows, origin, shell=shell)
         # of the volume, of r and of r rᵀ, and the power of the unit that the volume has
-        shares, power = ((2, 6, 24), 2) if shell else ((6, 24, 120), 3)
+        parts, power = ((2, 6, 24), 2) if shell else ((6, 24, 120), 3)
         scale = unit**power << (ROOT_BITS if shell else 0)
-        self.measure = total / (shares[0] * scale)
+        self.measure = total / (parts[0] * scale)
         # truncation error of the roots, and its maximum distance from any point of the body
         self._cut = len(rows) / (unit * unit << ROOT_BITS) + TINY if shell else 0.0
         self._size = float(np.ptp(corners.reshape(3, 3, -1), axis=(0, 2)).max())
@@ -63,10 +63,10 @@ class WholeMoments:
         self._in_file = self.second
         self._stretch = 0.0
         if total:
-            down = shares[1] * total
-            middle = [(origin[k] * down + shares[0] * first[k]) / (down * unit) for k in range(3)]
+            down = parts[1] * total
+            middle = [(origin[k] * down + parts[0] * first[k]) / (down * unit) for k in range(3)]
             self.centroid = np.array(middle)
-            self._turned(_central(total, first, second, shares), shares[2] * shares[1] ** 2 * total * scale * unit**2)
+            self._turned(_central(total, first, second, parts), parts[2] * parts[1] ** 2 * total * scale * unit**2)
 
     def _turned(self, central: "list[list[int]]", scale: int) -> None:
         """Second moments in the axes of the file, then in their principal axes."""
@@ -105,8 +105,8 @@ class WholeMoments:
 
 def _rows(corners: "Array") -> "tuple[list[tuple[int, ...]], int]":
     """The nine coordinates of each triangle as whole multiples of one over a power of two, and that power."""
-    shares, exponents = np.frexp(corners)
-    parts = (shares * 2.0**_DOUBLE).astype(np.int64)
+    mantissas, exponents = np.frexp(corners)
+    parts = (mantissas * 2.0**_DOUBLE).astype(np.int64)
     bits = _DOUBLE
     if not (parts & (1 << (_DOUBLE - _SINGLE)) - 1).any():
         parts >>= _DOUBLE - _SINGLE

@@ -41,7 +41,7 @@ class Frame:
         """A block as coordinates by vectors a, e, f by triangles, seen in these axes from this point."""
         size = corners.shape[1]
         x, lost, lead, out = (
-            room[: 9 * size].reshape(3, 3, size) for room in (self._x, self._lost, self._lead, self._seen)
+            space[: 9 * size].reshape(3, 3, size) for space in (self._x, self._lost, self._lead, self._seen)
         )
         a, b, c = corners.reshape(3, 3, size)
         for vector, (end, start) in enumerate(((a, self._point), (b, a), (c, a))):
@@ -60,8 +60,8 @@ class Frame:
 
         An axis of the file's own is seen without the grain of the grid.
         """
-        own = np.isin(self.rows, (-1.0, 0.0, 1.0)).all(axis=1)
-        return np.abs(self.rows.T) @ (extent + np.where(own, 0.0, self.grain))  # type: ignore[no-any-return]
+        aligned = np.isin(self.rows, (-1.0, 0.0, 1.0)).all(axis=1)
+        return np.abs(self.rows.T) @ (extent + np.where(aligned, 0.0, self.grain))  # type: ignore[no-any-return]
 
 
 def departure(rows: "Array") -> "Array":

@@ -83,11 +83,11 @@ class Moments:
         second = second * (1.0 - float(longer.sum())) - self.measure * np.outer(centre, centre)
         self.second = second * (1.0 - (longer[:, None] + longer))
         # of a volume that may be half its own error nothing that is divided by it is known
-        share = self.measure_error / abs(self.measure)
-        room = abs(self.measure) * (1.0 - share) if share < 0.5 else 0.0
-        self.known = room > 0.0
-        self.centre_error = unit * weight * extent / scale[1] / room if self.known else np.full(3, np.inf)
-        self.terms = ROUNDINGS_SECOND * UNIT_ROUNDOFF * (weight / scale[2]) / (1.0 - min(share, 0.5))
+        relative = self.measure_error / abs(self.measure)
+        least_measure = abs(self.measure) * (1.0 - relative) if relative < 0.5 else 0.0
+        self.known = least_measure > 0.0
+        self.centre_error = unit * weight * extent / scale[1] / least_measure if self.known else np.full(3, np.inf)
+        self.terms = ROUNDINGS_SECOND * UNIT_ROUNDOFF * (weight / scale[2]) / (1.0 - min(relative, 0.5))
         reach = np.sqrt(sums.spread) + sums.grain if sums.grain else extent
         self.second_error = self.terms * np.outer(reach, reach) if self.known else np.full((3, 3), np.inf)
 

@@ -62,8 +62,8 @@ class Measured:
 
         sums = self.sums
         spacings = np.spacing(np.maximum(abs(sums.low), abs(sums.high)))
-        seen = np.sqrt(sums.count * sums.squares)
-        return bool(abs(self.moments.measure) > 0.5 * float(seen @ spacings))
+        projected = np.sqrt(sums.count * sums.squares)
+        return bool(abs(self.moments.measure) > 0.5 * float(projected @ spacings))
 
     @property
     def closed(self) -> bool:
@@ -90,25 +90,25 @@ def measured(name: str, *, shell: bool, diagnosed: bool = False) -> Measured:
     return _LAST[key]
 
 
-def unit_of(source: "Measured | Source", given: "LengthUnit | None", part: str = "") -> "LengthUnit":
+def unit_of(source: "Measured | Source", stated_unit: "LengthUnit | None", part: str = "") -> "LengthUnit":
     """The unit of a file's numbers: as stated in the file, else as given."""
     of_part = f" of {part}" if part else ""
     if not source.unit:
-        if given is None:
+        if stated_unit is None:
             raise UsageError(
                 f"length_unit is missing: the file{of_part} does not say its unit of length",
                 code="missing",
                 parameter=None if part else "length_unit",
                 hint='length_unit = "mm", for example' if part else "for example --length-unit mm",
             )
-        return given
+        return stated_unit
     require(
-        given is None or given == source.unit,
+        stated_unit is None or stated_unit == source.unit,
         "the file{of_part} says that its lengths are in {unit}, and {given} was given",
         code="unit",
         hint="leave out the length unit",
         unit=source.unit,
-        given=given,
+        given=stated_unit,
         of_part=of_part,
     )
     return LengthUnit(source.unit)
@@ -118,11 +118,11 @@ def require_closed(mesh: Measured, *, allowed: bool, flip: bool = False, part: s
     """Refuse surfaces that enclose nothing definite, or enclose it from the wrong side; `part` names the part."""
     places = ""
     if mesh.faults is not None:
-        kept = mesh.faults
+        faults = mesh.faults
         places = (
-            f": {kept.open_edges} open edges, {kept.clashing_edges} clashing edges, {kept.flipped} flipped, "
-            f"{kept.duplicated} duplicated and {kept.degenerate} degenerate triangles"
-            + "".join("; " + place for place in kept.places)
+            f": {faults.open_edges} open edges, {faults.clashing_edges} clashing edges, {faults.flipped} flipped, "
+            f"{faults.duplicated} duplicated and {faults.degenerate} degenerate triangles"
+            + "".join("; " + place for place in faults.places)
         )
     require(
         mesh.closed or allowed,

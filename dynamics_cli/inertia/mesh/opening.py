@@ -97,24 +97,24 @@ def _packed_unit(name: str) -> str:
             entries = archive.infolist()
             unpacked = sum(entry.file_size for entry in entries)
             _require_small(unpacked)
-            said = set()
+            units = set()
             for entry in entries:
                 if entry.filename.lower().endswith(".model"):
                     with archive.open(entry) as file:
                         _, root = next(ElementTree.iterparse(file, events=("start",)))
-                    said.add(root.get("unit", "millimeter"))
+                    units.add(root.get("unit", "millimeter"))
     except (zipfile.BadZipFile, ElementTree.ParseError, StopIteration, NotImplementedError, RuntimeError) as error:
         raise InadmissibleError(
             f"the file is not a readable .3mf file ({str(error) or 'it is empty'})", code="form"
         ) from None
     require(
-        len(said) == 1 and said <= UNITS.keys(),
+        len(units) == 1 and units <= UNITS.keys(),
         "the models of the file are in {read}, wanted one of {known}",
         code="unit",
-        read=" and ".join(sorted(said)) or "no unit",
+        read=" and ".join(sorted(units)) or "no unit",
         known=", ".join(UNITS),
     )
-    return UNITS[said.pop()]
+    return UNITS[units.pop()]
 
 
 def _require_sound_obj(name: str) -> None:

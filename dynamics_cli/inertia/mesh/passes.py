@@ -77,8 +77,8 @@ def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array")
 
         def block(space: Room, part: BlockSum, _: int) -> None:
             a, e, f = space.a, space.e, space.f
-            for vector, seen in zip((a, e, f), frame.seen(space.weighted).transpose(1, 0, 2), strict=True):
-                vector[:] = seen
+            for vector, turned in zip((a, e, f), frame.seen(space.weighted).transpose(1, 0, 2), strict=True):
+                vector[:] = turned
             reach = [np.abs(corner).max(axis=1) for corner in (a, a + e, a + f)]
             part.extent = np.maximum(np.maximum(reach[0], reach[1]), reach[2])
             space.add(part, shell=moments.shell, turned=True)
@@ -103,12 +103,12 @@ def _in_order(source: "Source", prepare: "Callable[[], Work]") -> "Iterator[Bloc
     from concurrent.futures import ThreadPoolExecutor
     from threading import local
 
-    mine = local()
+    thread_data = local()
 
     def added(span: "Source") -> "list[BlockSum]":
-        if not hasattr(mine, "work"):
-            mine.work, mine.room = prepare(), Room(source.room)
-        return list(_added(span, mine.work, mine.room))
+        if not hasattr(thread_data, "work"):
+            thread_data.work, thread_data.room = prepare(), Room(source.room)
+        return list(_added(span, thread_data.work, thread_data.room))
 
     with ThreadPoolExecutor(threads) as pool:
         for parts in pool.map(added, spans):
@@ -137,8 +137,8 @@ def _cores() -> int:
 def _reference(corners: "Array") -> "Array":
     """A point near the first triangles, on a coarse grid so that differences from it are mostly exact."""
     mean = corners.reshape(3, 3, -1).mean(axis=(0, 2), dtype=np.float64)
-    share, exponent = np.frexp(mean)
-    return np.ldexp(np.round(share * 2.0**_REFERENCE_BITS), exponent - _REFERENCE_BITS)[:, None]  # type: ignore[no-any-return]
+    mantissa, exponent = np.frexp(mean)
+    return np.ldexp(np.round(mantissa * 2.0**_REFERENCE_BITS), exponent - _REFERENCE_BITS)[:, None]  # type: ignore[no-any-return]
 
 
 def _box(corners: "Array", before: int) -> "tuple[Array, Array]":

@@ -31,11 +31,11 @@ def outlines(file: str, metres: float) -> "Wire":
     source = open_mesh(file)
     count = source.count or sum(block.shape[1] for block in source.blocks())
     step = -(-count // DRAWN)
-    wire, at = [], 0
+    wire, position = [], 0
     for block in source.blocks():
-        chosen = block[:, -at % step :: step]
+        chosen = block[:, -position % step :: step]
         for numbers in (metres * chosen.T.astype(float)).tolist():
             a, b, c = (tuple(numbers[k : k + 3]) for k in (0, 3, 6))
             wire += [a, b, c, a, (NAN, NAN, NAN)]
-        at += block.shape[1]
+        position += block.shape[1]
     return wire

@@ -1,6 +1,7 @@
 """Triangles from STL files in constant memory: blocks of corner coordinates, nine rows by at most 8192 columns."""
 
 import os
+from abc import ABC, abstractmethod
 from struct import unpack
 
 import numpy as np
@@ -24,7 +25,7 @@ _END = b"endfacet"
 _BOM = b"\xef\xbb\xbf"
 
 
-class Source:
+class Source(ABC):
     """Triangles that can be read more than once.
 
     `count` is how many there are (None until a text has been read through), `single` whether coordinates are stored in
@@ -48,9 +49,9 @@ class Source:
         """Triangles of the largest block."""
         return BLOCK if self.count is None else min(self.count, BLOCK)
 
+    @abstractmethod
     def blocks(self, into: "Block | None" = None) -> "Iterator[Block]":
         """Blocks of corner coordinates in order; `into` is room for the largest, which may be used."""
-        raise NotImplementedError
 
     def spans(self) -> "Sequence[Source]":
         """Sources of consecutive triangles that together are this one, to be gone through side by side."""
@@ -74,9 +75,9 @@ class BinaryStl(Source):
         buffer = bytearray(self.room * RECORD)
         with open(self.name, "rb", buffering=0) as file:
             file.seek(HEADER + RECORD * self.first)
-            left = self.count
-            while left:
-                size = min(self.room, left)
+            remaining = self.count
+            while remaining:
+                size = min(self.room, remaining)
                 _fill(file, memoryview(buffer)[: size * RECORD])
                 corners = np.ndarray((size, 9), "<f4", buffer, offset=12, strides=(RECORD, 4))
                 block = rows if size == rows.shape[1] else rows.reshape(-1)[: 9 * size].reshape(9, size)
@@ -84,7 +85,7 @@ class BinaryStl(Source):
                 # no minus zeros
                 np.add(block, 0.0, out=block)
                 yield block
-                left -= size
+                remaining -= size
 
     def spans(self) -> "Sequence[Source]":
         """Sources of consecutive triangles that together are this one, to be gone through side by side."""
@@ -102,7 +103,7 @@ class TextStl(Source):
 
     def blocks(self, into: "Block | None" = None) -> "Iterator[Block]":
         """Blocks of corner coordinates in order."""
-        done = 0
+        read_so_far = 0
         rest = last = pending = b""
         with open(self.name, "rb") as file:
             while chunk := file.read(_TEXT) or (rest and b"\n"):
@@ -128,11 +129,11 @@ class TextStl(Source):
                     "facets {first} to {last} of the text are not three corners of three numbers each",
                     code="stl",
                     hint="export the file again, as binary STL if you can",
-                    first=done + 1,
-                    last=done + count,
+                    first=read_so_far + 1,
+                    last=read_so_far + count,
                 )
                 assert columns is not None
-                done += count
+                read_so_far += count
                 for start in range(0, count, BLOCK):
                     yield np.ascontiguousarray(columns[:, start : start + BLOCK])
         require(
@@ -140,21 +141,21 @@ class TextStl(Source):
             "the text ends within facet {first}: the file is incomplete",
             code="truncated",
             hint="copy or export the file again",
-            first=done + 1,
+            first=read_so_far + 1,
         )
         if not last.startswith(b"endsolid"):
-            self.caution = f"the text ends after {done} triangles without endsolid: triangles may be missing"
-        self.count = done
+            self.caution = f"the text ends after {read_so_far} triangles without endsolid: triangles may be missing"
+        self.count = read_so_far
 
 
 def _nameless(text: bytes) -> bytes:
     """A text without the lines that name solids: a name may be any word."""
-    kept, at = [], 0
-    while (found := text.find(b"solid", at)) >= 0:
-        kept.append(text[at:found].removesuffix(b"end"))
-        line = text.find(b"\n", found)
-        at = len(text) if line < 0 else line
-    return b"".join([*kept, text[at:]])
+    pieces, position = [], 0
+    while (start := text.find(b"solid", position)) >= 0:
+        pieces.append(text[position:start].removesuffix(b"end"))
+        line = text.find(b"\n", start)
+        position = len(text) if line < 0 else line
+    return b"".join([*pieces, text[position:]])
 
 
 def _facets(text: bytes) -> "tuple[int, Block | None]":
@@ -205,16 +206,18 @@ def open_stl(name: str) -> Source:
         return TextStl(name)
     require(size >= HEADER, "the file has {size} bytes; a binary STL has at least 84", code="truncated", size=size)
     require(claimed > 0, "the header claims no triangles", code="empty")
-    held = (size - HEADER) // RECORD
+    present = (size - HEADER) // RECORD
     require(
         False,
         "the header claims {claimed} triangles, {needed} bytes; the file has {size} bytes, enough for {held}",
-        code="truncated" if held < claimed else "count",
-        hint="copy or export the file again" if held < claimed else "its count is wrong or something else follows it",
+        code="truncated" if present < claimed else "count",
+        hint="copy or export the file again"
+        if present < claimed
+        else "its count is wrong or something else follows it",
         claimed=claimed,
         needed=HEADER + RECORD * claimed,
         size=size,
-        held=held,
+        held=present,
     )
     raise AssertionError
 
@@ -230,11 +233,11 @@ def _has_facet(name: str, head: bytes, size: int) -> bool:
 
 def _fill(file: "BinaryIO", view: memoryview) -> None:
     """Read until the view is full."""
-    done = 0
-    while done < len(view):
-        got = file.readinto(view[done:])  # type: ignore[attr-defined]
-        require(got, "the file became shorter while it was read", code="truncated")
-        done += got
+    filled = 0
+    while filled < len(view):
+        received = file.readinto(view[filled:])  # type: ignore[attr-defined]
+        require(received, "the file became shorter while it was read", code="truncated")
+        filled += received
 
 
 def _numbers(text: bytes) -> "Block":

@@ -121,8 +121,8 @@ def mesh(
         advice=advice_of(measurement, shell=shell, wall=lift.in_file_unit(thickness)),
         numerics=Numerics(METHODS[measurement.way]),
     )
-    whole = MassProperties(**{**report.__dict__, "surface": surface_of(measurement, lift)})
-    return whole if width is not None else _plain(whole)
+    with_surface = MassProperties(**{**report.__dict__, "surface": surface_of(measurement, lift)})
+    return with_surface if width is not None else _plain(with_surface)
 
 
 def _require_thickness(amount: Amount, thickness: float | None) -> None:
@@ -146,16 +146,16 @@ def _mass_and_density(amount: Amount, measure: float, thickness: float | None, *
     return mass, mass_of(amount, 1.0 if thickness is None else thickness, dimension)
 
 
-def _tracked(thing: "Any") -> "Iterator[Any]":
+def _tracked(value: "Any") -> "Iterator[Any]":
     """Every tracked number within arguments."""
-    if is_carrier(thing):
-        yield thing
-    elif isinstance(thing, tuple):
-        for part in thing:
+    if is_carrier(value):
+        yield value
+    elif isinstance(value, tuple):
+        for part in value:
             yield from _tracked(part)
-    elif hasattr(thing, "fields"):
-        for name in thing.fields:
-            yield from _tracked(getattr(thing, name))
+    elif hasattr(value, "fields"):
+        for name in value.fields:
+            yield from _tracked(getattr(value, name))
 
 
 def _plain(report: MassProperties) -> MassProperties:
@@ -163,26 +163,26 @@ def _plain(report: MassProperties) -> MassProperties:
     bounds: list[ErrorBound] = []
     out = _floats(report, "", bounds)
     assert report.numerics is not None
-    kept = Numerics(report.numerics.method, (*bounds, *report.numerics.bounds))
-    return MassProperties(**{**out.__dict__, "numerics": kept})
+    numerics = Numerics(report.numerics.method, (*bounds, *report.numerics.bounds))
+    return MassProperties(**{**out.__dict__, "numerics": numerics})
 
 
-def _floats(thing: "Any", address: str, bounds: list[ErrorBound]) -> "Any":
-    if is_tracked(thing):
-        if thing.value and thing.error < 0.5 * abs(thing.value):
-            bounds.append(ErrorBound(address, thing.error / (abs(thing.value) - thing.error) + SHOWN))
-        return thing.value
-    if isinstance(thing, tuple):
+def _floats(value: "Any", address: str, bounds: list[ErrorBound]) -> "Any":
+    if is_tracked(value):
+        if value.value and value.error < 0.5 * abs(value.value):
+            bounds.append(ErrorBound(address, value.error / (abs(value.value) - value.error) + SHOWN))
+        return value.value
+    if isinstance(value, tuple):
         inner: list[ErrorBound] = []
-        out = tuple(_floats(part, address, inner) for part in thing)
-        if inner and len(inner) == sum(1 for _ in _tracked(thing)):
+        out = tuple(_floats(part, address, inner) for part in value)
+        if inner and len(inner) == sum(1 for _ in _tracked(value)):
             bounds.append(ErrorBound(address, max(bound.bound for bound in inner)))
         return out
-    if hasattr(thing, "fields") and not isinstance(thing, Check | Advice | Numerics):
-        return type(thing)(
+    if hasattr(value, "fields") and not isinstance(value, Check | Advice | Numerics):
+        return type(value)(
             **{
-                name: _floats(getattr(thing, name), f"{address}.{name}" if address else name, bounds)
-                for name in thing.fields
+                name: _floats(getattr(value, name), f"{address}.{name}" if address else name, bounds)
+                for name in value.fields
             }
         )
-    return thing
+    return value

@@ -48,8 +48,8 @@ class Lift:
 
     def measure(self) -> float:
         """Volume or area."""
-        own = self.moments
-        return self.number(abs(own.measure), own.measure_error, 2 if own.shell else 3)
+        moments = self.moments
+        return self.number(abs(moments.measure), moments.measure_error, 2 if moments.shell else 3)
 
     def point(self, values: "Any", errors: "Any") -> "tuple[float, float, float]":
         """A point."""
@@ -75,13 +75,13 @@ class Lift:
 
     def spread(self, density: float) -> Spread:
         """Principal second moments; their bounds are those of the axes they were integrated in."""
-        own = self.moments
-        sign = 1.0 if own.measure > 0.0 else -1.0
-        matrix = rows(sign * own.second)
-        frame = None if own.frame is None else rows(own.frame)
-        raw, errors = eigen(matrix), rows(own.second_error)
+        moments = self.moments
+        sign = 1.0 if moments.measure > 0.0 else -1.0
+        matrix = rows(sign * moments.second)
+        frame = None if moments.frame is None else rows(moments.frame)
+        raw, errors = eigen(matrix), rows(moments.second_error)
         own_errors = residual_bounds(matrix, raw.values, raw.vectors, errors)
-        off = [error + own.spread_error(value) for value, error in zip(raw.values, own_errors, strict=True)]
+        off = [error + moments.spread_error(value) for value, error in zip(raw.values, own_errors, strict=True)]
         axes = principal(matrix, (off[0], off[1], off[2]), frame)
         require(
             raw.values[2] >= -off[2],
@@ -96,12 +96,12 @@ class Lift:
             hint="check the unit of the file; give its numbers in a smaller unit",
             size=(float((self.found.sums.high - self.found.sums.low).max()), Ratio),
         )
-        power = 4 if own.shell else 5
+        power = 4 if moments.shell else 5
         seconds = []
         for value, own_value, error in zip(axes.seconds, raw.values, off, strict=True):
             own_error = error + max(-own_value, 0.0)
             seconds.append(_or_unknown(density * self.number(max(value, 0.0), own_error, power)))
-        more = [own.spread_error(matrix[k][k]) for k in range(3)]
+        more = [moments.spread_error(matrix[k][k]) for k in range(3)]
         errors = tuple(tuple(errors[i][j] + more[i] + more[j] for j in range(3)) for i in range(3))
         # seen in the axes of the file, every component is rounded
         tilts = each(lambda tilt: tilt + 4.0 * UNIT_ROUNDOFF, tilt_bounds(matrix, axes.vectors, errors))

@@ -88,8 +88,8 @@ def contours(
     )
     out = []
     for name, sign, numbers, diameter in shapes:
-        whole = [sum(up * (unit // down) for up, down in number) for number in numbers]
-        corners = list(zip(whole[0::2], whole[1::2], strict=True))
+        multiples = [sum(up * (unit // down) for up, down in number) for number in numbers]
+        corners = list(zip(multiples[0::2], multiples[1::2], strict=True))
         round_ = diameter != NOTHING
         if not round_ and len(corners) > 1 and corners[0] == corners[-1]:
             corners.pop()
@@ -113,11 +113,11 @@ def contours(
 
 def _shape(name: str, sign: int, item: "Piece | Hole") -> "tuple[str, int, list[tuple[Ratio, ...]], Ratio]":
     """A contour's name, sign, coordinates (each an exact sum) and diameter, in metres."""
-    given = [bool(item.polygon), item.diameter is not None, item.width is not None or item.height is not None]
+    kinds = [bool(item.polygon), item.diameter is not None, item.width is not None or item.height is not None]
     require(
-        sum(given) == 1,
+        sum(kinds) == 1,
         "{name} needs a polygon, or a diameter, or a width and a height",
-        code="exclusive" if sum(given) else "missing",
+        code="exclusive" if sum(kinds) else "missing",
         name=name,
     )
     if item.polygon:
@@ -140,9 +140,9 @@ def _shape(name: str, sign: int, item: "Piece | Hole") -> "tuple[str, int, list[
     assert item.width is not None
     assert item.height is not None
     require(item.width > 0.0 and item.height > 0.0, "{name} has no area", code="size", name=name)
-    left, right = _ends(item.x.as_integer_ratio(), item.width.as_integer_ratio())
+    low_x, high_x = _ends(item.x.as_integer_ratio(), item.width.as_integer_ratio())
     low, high = _ends(item.y.as_integer_ratio(), item.height.as_integer_ratio())
-    return name, sign, [left, low, right, low, right, high, left, high], NOTHING
+    return name, sign, [low_x, low, high_x, low, high_x, high, low_x, high], NOTHING
 
 
 def _half(number: "Ratio") -> "Ratio":

@@ -48,9 +48,9 @@ class Integrals:
         """Denominator of the central moments, in m⁴."""
         return self.area * _D * self.unit**4
 
-    def moment(self, whole: int, degree: int) -> "tuple[int, int]":
+    def moment(self, integral: int, degree: int) -> "tuple[int, int]":
         """An integral as a ratio in metres, of degree 2 (area) to 4."""
-        return whole, _D * self.unit**degree
+        return integral, _D * self.unit**degree
 
 
 def _polygon(contour: "Contour") -> "tuple[int, ...]":
@@ -69,8 +69,8 @@ def _polygon(contour: "Contour") -> "tuple[int, ...]":
 def _circle(contour: "Contour") -> "tuple[int, ...]":
     (x, y), d = contour.corners[0], contour.diameter
     pi = PI * (_D // PI_SCALE)
-    area, own = pi // 4 * d * d, pi // 64 * d**4
-    return area, area * x, area * y, own + area * x * x, own + area * y * y, area * x * y
+    area, central = pi // 4 * d * d, pi // 64 * d**4
+    return area, area * x, area * y, central + area * x * x, central + area * y * y, area * x * y
 
 
 def root(numerator: int, denominator: int) -> "tuple[int, int]":

@@ -20,9 +20,9 @@ SHRUNK = 1e-6
 MATERIAL, CUT, AXES = 0, 1, 2
 
 
-def section_picture(answer: "SectionProperties", drawn: "Drawn") -> Picture:
+def section_picture(answer: "SectionProperties", contours: "Drawn") -> Picture:
     """The section and its principal axes; Mohr's circle."""
-    shape = _shape(answer, drawn.polygon, drawn.pieces, drawn.holes)
+    shape = _shape(answer, contours.polygon, contours.pieces, contours.holes)
     return Picture((shape, _mohr(answer)), columns=2)
 
 
@@ -54,7 +54,7 @@ def _shape(
 
 def _mohr(answer: "SectionProperties") -> Panel:
     """The circle of (I, product) over all directions: its diameter joins the points of x and of y."""
-    at, main = answer.centroidal, answer.principal
+    about_centroid, main = answer.centroidal, answer.principal
     centre, radius = 0.5 * (main.i1 + main.i2), 0.5 * (main.i1 - main.i2)
     axes = Axis("second moment", SecondMoment), Axis("product", SecondMoment)
     if radius <= SHRUNK * centre:
@@ -63,7 +63,7 @@ def _mohr(answer: "SectionProperties") -> Panel:
         return Panel(*axes, alike, "Mohr's circle", equal=True)
     items: tuple[Curve | Mark, ...] = (
         Curve([centre + radius * cos(t) for t in _turns()], [radius * sin(t) for t in _turns()]),
-        Curve([at.ix, at.iy], [at.ixy, -at.ixy], style="dashed"),
+        Curve([about_centroid.ix, about_centroid.iy], [about_centroid.ixy, -about_centroid.ixy], style="dashed"),
         *_marks(answer, radius),
     )
     return Panel(*axes, items, "Mohr's circle", equal=True)
@@ -71,14 +71,14 @@ def _mohr(answer: "SectionProperties") -> Panel:
 
 def _marks(answer: "SectionProperties", radius: float) -> "list[Mark]":
     """The directions x and y and the principal ones, named together where they fall together."""
-    at, main = answer.centroidal, answer.principal
-    given = [(at.ix, at.ixy, "x"), (at.iy, -at.ixy, "y")]
+    about_centroid, main = answer.centroidal, answer.principal
+    directions = [(about_centroid.ix, about_centroid.ixy, "x"), (about_centroid.iy, -about_centroid.ixy, "y")]
     out = []
     for value, name in ((main.i1, "I₁"), (main.i2, "I₂")):
-        near = [word for x, y, word in given if hypot(x - value, y) < CLOSE * radius]
-        given = [one for one in given if one[2] not in near]
+        near = [word for x, y, word in directions if hypot(x - value, y) < CLOSE * radius]
+        directions = [item for item in directions if item[2] not in near]
         out.append(Mark(value, 0.0, ", ".join((name, *near))))
-    return out + [Mark(*one) for one in given]
+    return out + [Mark(*item) for item in directions]
 
 
 def _turns() -> "list[float]":

@@ -48,13 +48,13 @@ def _require_no_crossing(shapes: "list[Contour]") -> None:
     for side in sides:
         low, _, number, place, a, b = side
         open_ = [other for other in open_ if other[1] >= low]
-        for _, _, other, its, c, d in open_:
+        for _, _, other, side_name, c, d in open_:
             require(
                 not (_apart(a, b, c, d) and _apart(c, d, a, b)),
                 "side {side} of {other} crosses side {crossed} of {contour}",
                 code="polygon",
                 hint="give corners in order along the contour",
-                side=its,
+                side=side_name,
                 other=shapes[other].name,
                 crossed=place,
                 contour=shapes[number].name,
@@ -106,8 +106,8 @@ def _holds(outer: "Contour", inner: "Contour") -> bool:
     if outer.diameter:
         (x, y), d = outer.corners[0], outer.diameter
         if inner.diameter:
-            room = d - inner.diameter
-            return room >= 0 and 4 * _square(inner.corners[0], (x, y)) <= room * room
+            clearance = d - inner.diameter
+            return clearance >= 0 and 4 * _square(inner.corners[0], (x, y)) <= clearance * clearance
         return all(4 * _square(corner, (x, y)) <= d * d for corner in inner.corners)
     if inner.diameter:
         return _places(outer, inner.corners[0]) > 0 and _bigger(outer, inner)

@@ -80,8 +80,8 @@ def section(
     """
     shapes, unit = contours(polygon, pieces, holes)
     for contour in shapes:
-        own = Integrals([contour], unit).area
-        require(own != 0, "{contour} has no area", code="polygon", hint="check its corners", contour=contour.name)
+        area = Integrals([contour], unit).area
+        require(area != 0, "{contour} has no area", code="polygon", hint="check its corners", contour=contour.name)
     require_sound(shapes)
     sums = Integrals(shapes, unit)
     require(sums.area > 0, "the holes leave no material", code="no-area")
@@ -111,7 +111,7 @@ class _Report:
         equal = (i1 - i2) <= EQUAL * i1
         angle = 0.0 if equal else _angle(ix, iy, ixy)
         area = sums.moment(sums.area, 2)
-        about = [sums.moment(part, 4) for part in (sums.yy, sums.xx, sums.xy, sums.yy + sums.xx)]
+        origin_moments = [sums.moment(part, 4) for part in (sums.yy, sums.xx, sums.xy, sums.yy + sums.xx)]
         values = {
             "area": area[0] / area[1], "centroidal.ix": ix / scale, "centroidal.iy": iy / scale,
             "centroidal.polar": (ix + iy) / scale, "principal.i1": i1, "principal.i2": i2,
@@ -125,7 +125,7 @@ class _Report:
             x=middle[0],
             y=middle[1],
             centroidal=PlaneMoments(ix / scale, iy / scale, ixy / scale, (ix + iy) / scale),
-            about_origin=PlaneMoments(*(up / down for up, down in about)),
+            about_origin=PlaneMoments(*(up / down for up, down in origin_moments)),
             principal=PrincipalPlane(
                 i1,
                 i2,
@@ -163,7 +163,7 @@ class _Report:
     ) -> Moduli:
         """Moments over the distances of the outermost fibres; `greatest` is along the axis of the first."""
         sides = [self._reach(axis, sign) for axis in (1, 0) for sign in (1, -1)]
-        top, bottom, right, left = (
+        top, bottom, rightmost, leftmost = (
             (moment[0] * reach[1]) / (moment[1] * reach[0])
             for moment, reach in zip((ix, ix, iy, iy), sides, strict=True)
         )
@@ -171,7 +171,7 @@ class _Report:
         for moment, nx, ny in ((first, -greatest[1], greatest[0]), (second, *greatest)):
             reach = self._farthest(nx, ny)
             least.append((moment[0] * reach[1]) / (moment[1] * reach[0]))
-        return Moduli(top, bottom, right, left, *least)
+        return Moduli(top, bottom, rightmost, leftmost, *least)
 
     def _reach(self, axis: int, sign: int) -> "tuple[int, int]":
         """How far the section reaches along an axis from its centroid, as a ratio."""

@@ -24,8 +24,8 @@ class HollowSphere:
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         size, fourth = cubes(self.radius, inner_radius(self.radius, self.thickness))
-        own = fourth / size / 5.0
-        return Unit(FOUR_THIRDS * PI * self.thickness * size, CENTRE, own, own, own)
+        ixx = fourth / size / 5.0
+        return Unit(FOUR_THIRDS * PI * self.thickness * size, CENTRE, ixx, ixx, ixx)
 
 
 @tagged("shape")
@@ -44,17 +44,17 @@ class HollowHemisphere:
         a = self.radius
         b = inner_radius(a, self.thickness)
         size, fourth = cubes(a, b)
-        own = fourth / size / 5.0
+        ixx = fourth / size / 5.0
         # ∫z² less the square of the mean, as a polynomial in the inner over the outer radius without a negative term
         s = b / a
         ends = 19.0 + s * (38.0 + s * (57.0 + s * (12.0 + s * (57.0 + s * (38.0 + s * 19.0)))))
-        one = 1.0 + s * (1.0 + s)
+        ratio_sum = 1.0 + s * (1.0 + s)
         return Unit(
             TWO_THIRDS * PI * self.thickness * size,
             (0.0, 0.0, 0.375 * (a + b) * (a * a + b * b) / size),
-            own,
-            own,
-            a * a * (ends / (320.0 * one * one)),
+            ixx,
+            ixx,
+            a * a * (ends / (320.0 * ratio_sum * ratio_sum)),
         )
 
 
@@ -73,12 +73,12 @@ class HollowCylinder:
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         inner = inner_radius(self.radius, self.thickness)
-        own = 0.25 * (self.radius * self.radius + inner * inner)
+        ixx = 0.25 * (self.radius * self.radius + inner * inner)
         return Unit(
             PI * self.thickness * (self.radius + inner) * self.length,
             CENTRE,
-            own,
-            own,
+            ixx,
+            ixx,
             self.length * self.length / 12.0,
         )
 
@@ -102,9 +102,9 @@ class ClosedCylinder:
         wall, ends = (a + b) * c, 2.0 * b * b
         size = wall + ends
         require(size > 0.0, "a closed cylinder needs a radius", code="size")
-        own = 0.25 * ((a * a + b * b) * wall + b * b * ends) / size
+        ixx = 0.25 * ((a * a + b * b) * wall + b * b * ends) / size
         along = (c * c * wall + (c * c + c * d + d * d) * ends) / size / 12.0
-        return Unit(PI * t * size, CENTRE, own, own, along)
+        return Unit(PI * t * size, CENTRE, ixx, ixx, along)
 
 
 @tagged("shape")
@@ -124,17 +124,17 @@ class HollowFrustum:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         a, b, t = self.base_radius, self.top_radius, self.thickness
         p, q = a + inner_radius(a, t), b + inner_radius(b, t)
-        both = p + q
-        require(both > 0.0, "a frustum needs a base or a top", code="frustum")
+        radius_sum = p + q
+        require(radius_sum > 0.0, "a frustum needs a base or a top", code="frustum")
         # a ring at z has the area π t s and π t s (s² + t²)/8 across, where s runs straight from p to q
         across = 0.125 * (0.5 * (p * p + q * q) + t * t)
         h = self.height
         return Unit(
-            0.5 * PI * t * both * h,
-            (0.0, 0.0, h * (p + 2.0 * q) / (3.0 * both)),
+            0.5 * PI * t * radius_sum * h,
+            (0.0, 0.0, h * (p + 2.0 * q) / (3.0 * radius_sum)),
             across,
             across,
-            h * h * (p * p + 4.0 * p * q + q * q) / (18.0 * both * both),
+            h * h * (p * p + 4.0 * p * q + q * q) / (18.0 * radius_sum * radius_sum),
         )
 
 
@@ -215,5 +215,5 @@ class HollowTorus:
         require_ring(ring, outer)
         inner = inner_radius(outer, self.thickness)
         square = outer * outer + inner * inner
-        own = 0.5 * ring * ring + 0.375 * square
-        return Unit(2.0 * PI * PI * ring * self.thickness * (outer + inner), CENTRE, own, own, 0.25 * square)
+        ixx = 0.5 * ring * ring + 0.375 * square
+        return Unit(2.0 * PI * PI * ring * self.thickness * (outer + inner), CENTRE, ixx, ixx, 0.25 * square)

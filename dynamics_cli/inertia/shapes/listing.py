@@ -47,16 +47,16 @@ def shapes(
     'length'
     """
     rows = tuple(_row(name, cls) for name, members in GROUPS for cls in members.__args__)
-    wanted = kind.strip().lower().replace(" ", "-")
-    kept = tuple(row for row in rows if not wanted or wanted in (row.kind, row.kind + "s", row.shape))
+    kind_sought = kind.strip().lower().replace(" ", "-")
+    matching = tuple(row for row in rows if not kind_sought or kind_sought in (row.kind, row.kind + "s", row.shape))
     require(
-        kept,
+        matching,
         "no kind or shape is named {read}",
         code="shape",
         hint="rod, lamina, shell, solid or hollow",
         read=repr(kind),
     )
-    return ShapeTable(kept)
+    return ShapeTable(matching)
 
 
 def _row(kind: str, cls: type) -> ShapeRow:

@@ -118,8 +118,8 @@ class QuarterDisk:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         middle = FOUR_THIRDS_OVER_PI * self.radius
-        own = HALF_DISK * square
-        return Unit(0.25 * PI * square, (middle, middle, 0.0), own, own, 0.0, xy=QUARTER_DISK * square)
+        ixx = HALF_DISK * square
+        return Unit(0.25 * PI * square, (middle, middle, 0.0), ixx, ixx, 0.0, xy=QUARTER_DISK * square)
 
 
 @tagged("shape")
@@ -179,5 +179,5 @@ class Annulus:
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         inner = inner_radius(self.radius, self.thickness)
-        own = 0.25 * (self.radius * self.radius + inner * inner)
-        return Unit(PI * self.thickness * (self.radius + inner), CENTRE, own, own, 0.0)
+        ixx = 0.25 * (self.radius * self.radius + inner * inner)
+        return Unit(PI * self.thickness * (self.radius + inner), CENTRE, ixx, ixx, 0.0)

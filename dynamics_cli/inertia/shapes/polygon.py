@@ -37,11 +37,11 @@ def polygon_unit(vertices: "tuple[Vertex, ...]", height: float = 0.0, *, solid: 
     require(area > 0.0 or area < 0.0, "the polygon has no area", code="polygon", hint="check the order of the corners")
     # seen from near the centroid nothing large is subtracted; any point serves, so this one is a plain number
     middle = (plain(x / (3.0 * area)), plain(y / (3.0 * area)))
-    seen = [(px - middle[0], py - middle[1]) for px, py in corners]
-    area, x, y = _first_moments(seen)
+    shifted = [(px - middle[0], py - middle[1]) for px, py in corners]
+    area, x, y = _first_moments(shifted)
     rest = (x / (3.0 * area), y / (3.0 * area))
     xx = yy = xy = 0.0
-    for (ax, ay), (bx, by) in _sides(seen):
+    for (ax, ay), (bx, by) in _sides(shifted):
         weight = ax * (by - ay) - ay * (bx - ax)
         sx, sy = ax + bx, ay + by
         xx = xx + weight * (ax * ax + bx * bx + sx * sx)

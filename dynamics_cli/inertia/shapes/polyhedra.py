@@ -80,9 +80,9 @@ class RegularPrism:
         require(self.sides >= 3, "a polygon needs at least 3 sides; read {sides}", code="polygon", sides=self.sides)
         step = 2.0 * PI.beside(self.radius) / self.sides
         square = self.radius * self.radius
-        own = square * (2.0 + cos(step)) / 12.0
+        ixx = square * (2.0 + cos(step)) / 12.0
         return Unit(
-            0.5 * self.sides * square * sin(step) * self.height, CENTRE, own, own, self.height * self.height / 12.0
+            0.5 * self.sides * square * sin(step) * self.height, CENTRE, ixx, ixx, self.height * self.height / 12.0
         )
 
 
@@ -127,17 +127,17 @@ class Tetrahedron:
         ) / 6.0
         away = plus(plus(a, b), c)
         middle = plus(self.first, (0.25 * away[0], 0.25 * away[1], 0.25 * away[2]))
-        own = [
+        ixx = [
             [sum((e[i] * e[j] for e in edges[1:]), edges[0][i] * edges[0][j]) / 80.0 for j in range(3)]
             for i in range(3)
         ]
         return Unit(
             abs(volume),
             middle,
-            own[0][0],
-            own[1][1],
-            own[2][2],
-            xy=own[0][1],
-            yz=own[1][2],
-            zx=own[2][0],
+            ixx[0][0],
+            ixx[1][1],
+            ixx[2][2],
+            xy=ixx[0][1],
+            yz=ixx[1][2],
+            zx=ixx[2][0],
         )

@@ -36,12 +36,12 @@ class Paraboloid:
 
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
-        own = self.radius * self.radius / 6.0
+        ixx = self.radius * self.radius / 6.0
         return Unit(
             0.5 * PI * self.radius * self.radius * self.height,
             (0.0, 0.0, 2.0 * self.height / 3.0),
-            own,
-            own,
+            ixx,
+            ixx,
             self.height * self.height / 18.0,
         )
 

@@ -86,9 +86,9 @@ class ConicalShell:
         total = slant + r if self.closed else slant
         require(total > 0.0, "a cone needs a radius or a height", code="size")
         wall = slant / total
-        own = 0.25 * r * r
+        ixx = 0.25 * r * r
         away = r / total if self.closed else 0.0
-        return Unit(PI * r * total, (0.0, 0.0, wall * h / 3.0), own, own, h * h * wall * (1.0 + 2.0 * away) / 18.0)
+        return Unit(PI * r * total, (0.0, 0.0, wall * h / 3.0), ixx, ixx, h * h * wall * (1.0 + 2.0 * away) / 18.0)
 
 
 @tagged("shape")
@@ -106,15 +106,15 @@ class FrustumShell:
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         a, b, h = self.base_radius, self.top_radius, self.height
-        both = a + b
-        require(both > 0.0, "a frustum needs a base or a top", code="frustum")
-        own = 0.25 * (a * a + b * b)
+        radius_sum = a + b
+        require(radius_sum > 0.0, "a frustum needs a base or a top", code="frustum")
+        ixx = 0.25 * (a * a + b * b)
         return Unit(
-            PI * both * hypot(a - b, h),
-            (0.0, 0.0, h * (a + 2.0 * b) / (3.0 * both)),
-            own,
-            own,
-            h * h * (a * a + 4.0 * a * b + b * b) / (18.0 * both * both),
+            PI * radius_sum * hypot(a - b, h),
+            (0.0, 0.0, h * (a + 2.0 * b) / (3.0 * radius_sum)),
+            ixx,
+            ixx,
+            h * h * (a * a + 4.0 * a * b + b * b) / (18.0 * radius_sum * radius_sum),
         )
 
 
@@ -130,8 +130,8 @@ class SphericalShell:
 
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
-        own = self.radius * self.radius / 3.0
-        return Unit(4.0 * PI * self.radius * self.radius, CENTRE, own, own, own)
+        ixx = self.radius * self.radius / 3.0
+        return Unit(4.0 * PI * self.radius * self.radius, CENTRE, ixx, ixx, ixx)
 
 
 @tagged("shape")
@@ -150,10 +150,10 @@ class HemisphericalShell:
         r = self.radius
         square = r * r
         if self.closed:
-            own = 11.0 * square / 36.0
-            return Unit(3.0 * PI * square, (0.0, 0.0, r / 3.0), own, own, square / 9.0)
-        own = square / 3.0
-        return Unit(2.0 * PI * square, (0.0, 0.0, 0.5 * r), own, own, square / 12.0)
+            ixx = 11.0 * square / 36.0
+            return Unit(3.0 * PI * square, (0.0, 0.0, r / 3.0), ixx, ixx, square / 9.0)
+        ixx = square / 3.0
+        return Unit(2.0 * PI * square, (0.0, 0.0, 0.5 * r), ixx, ixx, square / 12.0)
 
 
 @tagged("shape")
@@ -198,5 +198,5 @@ class TorusShell:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         ring, square = self.ring_radius, self.radius * self.radius
         require_ring(ring, self.radius)
-        own = 0.5 * ring * ring + 0.75 * square
-        return Unit(4.0 * PI * PI * ring * self.radius, CENTRE, own, own, 0.5 * square)
+        ixx = 0.5 * ring * ring + 0.75 * square
+        return Unit(4.0 * PI * PI * ring * self.radius, CENTRE, ixx, ixx, 0.5 * square)

@@ -30,8 +30,8 @@ class Sphere:
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
-        own = square / 5.0
-        return Unit(FOUR_THIRDS * PI * square * self.radius, CENTRE, own, own, own)
+        ixx = square / 5.0
+        return Unit(FOUR_THIRDS * PI * square * self.radius, CENTRE, ixx, ixx, ixx)
 
 
 @tagged("shape")
@@ -47,9 +47,9 @@ class Hemisphere:
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
-        own = square / 5.0
+        ixx = square / 5.0
         return Unit(
-            TWO_THIRDS * PI * square * self.radius, (0.0, 0.0, 0.375 * self.radius), own, own, 19.0 * square / 320.0
+            TWO_THIRDS * PI * square * self.radius, (0.0, 0.0, 0.375 * self.radius), ixx, ixx, 19.0 * square / 320.0
         )
 
 
@@ -108,12 +108,12 @@ class QuarterCylinder:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
         middle = FOUR_THIRDS_OVER_PI * self.radius
-        own = HALF_DISK * square
+        ixx = HALF_DISK * square
         return Unit(
             0.25 * PI * square * self.length,
             (middle, middle, 0.0),
-            own,
-            own,
+            ixx,
+            ixx,
             self.length * self.length / 12.0,
             xy=QUARTER_DISK * square,
         )
@@ -133,12 +133,12 @@ class Cone:
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         square = self.radius * self.radius
-        own = 3.0 * square / 20.0
+        ixx = 3.0 * square / 20.0
         return Unit(
             PI * square * self.height / 3.0,
             (0.0, 0.0, 0.25 * self.height),
-            own,
-            own,
+            ixx,
+            ixx,
             3.0 * self.height * self.height / 80.0,
         )
 
@@ -164,12 +164,12 @@ class Frustum:
         # the factored form of ∫z² less the square of the mean: no term is negative
         spread = a * a * (a * a + 4.0 * a * b + 10.0 * b * b) + b * b * (4.0 * a * b + b * b)
         fourth = a * a * (a * a + a * b + b * b) + b * b * (a * b + b * b)
-        own = 3.0 * fourth / size / 20.0
+        ixx = 3.0 * fourth / size / 20.0
         return Unit(
             PI * self.height * size / 3.0,
             (0.0, 0.0, 0.25 * self.height * first / size),
-            own,
-            own,
+            ixx,
+            ixx,
             3.0 * self.height * self.height * (spread / size / size) / 80.0,
         )
 
@@ -189,13 +189,13 @@ class Capsule:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         r, length = self.radius, self.length
         balls = 4.0 * r / 3.0
-        both = length + balls
-        require(both > 0.0, "a capsule needs a radius or a length", code="capsule")
-        own = r * r * (0.25 * length + FIFTH * balls) / both
+        total = length + balls
+        require(total > 0.0, "a capsule needs a radius or a length", code="capsule")
+        ixx = r * r * (0.25 * length + FIFTH * balls) / total
         # a half ball's centroid is 3R/8 off its face: its spread is 19R²/320 and the square of that distance
         away = 0.5 * length + 0.375 * r
-        along = (length * length * length / 12.0 + balls * (19.0 * r * r / 320.0 + away * away)) / both
-        return Unit(PI * r * r * both, CENTRE, own, own, along)
+        along = (length * length * length / 12.0 + balls * (19.0 * r * r / 320.0 + away * away)) / total
+        return Unit(PI * r * r * total, CENTRE, ixx, ixx, along)
 
 
 @tagged("shape")
@@ -213,5 +213,5 @@ class Torus:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         ring, square = self.ring_radius, self.radius * self.radius
         require_ring(ring, self.radius)
-        own = 0.5 * ring * ring + 0.375 * square
-        return Unit(2.0 * PI * PI * ring * square, CENTRE, own, own, 0.25 * square)
+        ixx = 0.5 * ring * ring + 0.375 * square
+        return Unit(2.0 * PI * PI * ring * square, CENTRE, ixx, ixx, 0.25 * square)

@@ -62,8 +62,8 @@ def shape(
     >>> shape(Rod(length=2.0), amount=OfMass(mass=3.0)).moments
     AxisMoments(xx=0.0, yy=1.0, zz=1.0)
     """
-    own = shape.unit()
-    mass = mass_of(amount, own.measure, shape.dimension, "the " + shape.tag[1])  # type: ignore[union-attr]
+    unit_body = shape.unit()
+    mass = mass_of(amount, unit_body.measure, shape.dimension, "the " + shape.tag[1])  # type: ignore[union-attr]
     view = view_of(about, about_point, turn, axes=axes, product_sign=product_sign, shaft=shaft)
-    measure: dict[str, Any] = {("length", "area", "volume")[shape.dimension - 1]: own.measure}
-    return properties(own.lump(mass), view, **measure)
+    measure: dict[str, Any] = {("length", "area", "volume")[shape.dimension - 1]: unit_body.measure}
+    return properties(unit_body.lump(mass), view, **measure)

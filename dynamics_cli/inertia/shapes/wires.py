@@ -65,8 +65,8 @@ def _round(shape: "Any") -> "list[Wire]":
     top = getattr(shape, "top_radius", 0.0 if name in ("Cone", "ConicalShell") else base)
     first, last = _span(name)
     if "pher" in name:
-        whole = not name.lower().replace("hollow", "").startswith("hemi")
-        return _ball(base, base, base, whole=whole)
+        full = not name.lower().replace("hollow", "").startswith("hemi")
+        return _ball(base, base, base, whole=full)
     wall = getattr(shape, "thickness", 0.0)
     lines = [ring(base, low, None, first, last)]
     if 0.0 < wall < base:

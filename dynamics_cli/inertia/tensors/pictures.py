@@ -16,7 +16,7 @@ STEPS = 96
 def mohr(result: "Any", **_: "Any") -> Picture:
     """Mohr's three circles: every direction's moment and product lies between them."""
     answer = bare(result)
-    main = [float(one) for one in (answer.principal_moments.first, answer.principal_moments.second,
+    main = [float(moment) for moment in (answer.principal_moments.first, answer.principal_moments.second,
                                    answer.principal_moments.third)]  # fmt: skip
     items: list[Any] = []
     for role, (i, j) in enumerate(((0, 2), (0, 1), (1, 2))):
@@ -26,8 +26,8 @@ def mohr(result: "Any", **_: "Any") -> Picture:
         items.append(Curve(x, y, f"axes {i + 1} and {j + 1}", "dashed" if role else "solid", role))
     tensor = answer.tensor
     for k, name in enumerate("xyz"):
-        others = [tensor[k][other] for other in range(3) if other != k]
-        items.append(Mark(float(tensor[k][k]), float(sum(own * own for own in others) ** 0.5), name))
+        products = [tensor[k][other] for other in range(3) if other != k]
+        items.append(Mark(float(tensor[k][k]), float(sum(product * product for product in products) ** 0.5), name))
     items += [Mark(value, 0.0, name, (4.0, -12.0)) for value, name in zip(main, ("I₁", "I₂", "I₃"), strict=True)]
     axes = Axis("moment of inertia", Inertia), Axis("magnitude of the product of inertia", ProductOfInertia)
     return Picture((Panel(*axes, tuple(items), equal=True),), "Mohr's circles")

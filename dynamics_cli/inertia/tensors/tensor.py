@@ -170,11 +170,11 @@ def tensor(
     """
     matrix = inertia.matrix()
     moments, axes, words = require_tensor(matrix, tolerance)
-    known = determined(words) and hasattr(moments[0], "error")
+    bounded_moments = determined(words) and hasattr(moments[0], "error")
     slack = (moments[0] - (moments[2] - moments[1])) / moments[2]
     first, third = axes[0], axes[2]
-    ways = tuple(tuple(HALF_ROOT * (a + s * b) for a, b in zip(first, third, strict=True)) for s in (1.0, -1.0))
-    seen = matrix if turn is None else turned(matrix, _rows(turn))
+    diagonals = tuple(tuple(HALF_ROOT * (a + s * b) for a, b in zip(first, third, strict=True)) for s in (1.0, -1.0))
+    rotated = matrix if turn is None else turned(matrix, _rows(turn))
     along = None
     if direction is not None:
         u = unit(direction)
@@ -191,17 +191,17 @@ def tensor(
             0.5 * (moments[1] - moments[0]),
         ),
         greatest_product=0.5 * (moments[2] - moments[0]),
-        greatest_product_axes=ways,  # type: ignore[arg-type]
+        greatest_product_axes=diagonals,  # type: ignore[arg-type]
         moment_there=0.5 * (moments[0] + moments[2]),
         ellipsoid_axes=ellipsoid(moments),
-        tensor=seen,
-        second_moments=tuple(each(lambda x: minus(minus(x)), row) for row in second_of(seen)),  # type: ignore[arg-type]
+        tensor=rotated,
+        second_moments=tuple(each(lambda x: minus(minus(x)), row) for row in second_of(rotated)),  # type: ignore[arg-type]
         product_sign="negative: Ixy = -∫ x y dm",
         direction_moment=along,
         radii_of_gyration=radii,
         equivalent_box=box,
         advice=_advice(plain(slack)),
-        numerics=Numerics("Jacobi rotations", stated_tilt(tilts_of(matrix, axes) if known else None)),
+        numerics=Numerics("Jacobi rotations", stated_tilt(tilts_of(matrix, axes) if bounded_moments else None)),
     )
 
 
@@ -230,15 +230,15 @@ def require_tensor(
 
     Raises InadmissibleError when no body can have it.
     """
-    bare = tuple(tuple(plain(x) for x in row) for row in matrix)
+    doubles = tuple(tuple(plain(x) for x in row) for row in matrix)
     # the least moment of a needle is a small difference of the tensor's elements
-    eigenvalues = eigen(bare).refined()  # type: ignore[arg-type]
+    eigenvalues = eigen(doubles).refined()  # type: ignore[arg-type]
     least, middle, most = values = eigenvalues.values[::-1]
     require(most > 0.0, "the tensor has no positive moment", code="tensor", hint="moments of inertia are positive")
-    room = plain(tolerance) * most
-    other = _other_sign(bare, room)  # type: ignore[arg-type]
+    allowed = plain(tolerance) * most
+    other = _other_sign(doubles, allowed)  # type: ignore[arg-type]
     require(
-        least >= -room,
+        least >= -allowed,
         "a principal moment is negative: {least:6}, {middle:6}, {most:6}",
         code="negative-moment",
         hint=other,
@@ -247,7 +247,7 @@ def require_tensor(
         most=(most, Inertia),
     )
     require(
-        least + middle - most >= -room,
+        least + middle - most >= -allowed,
         "impossible moments: {most:6} exceeds the sum of {least:6} and {middle:6} by {excess:3} of it",
         code="triangle-inequality",
         hint=other or "{remedy}",
@@ -257,16 +257,16 @@ def require_tensor(
         most=(most, Inertia),
         excess=((most - least - middle) / most, Ratio),
     )
-    own = principal(second_of(bare))  # type: ignore[arg-type]
+    result = principal(second_of(doubles))  # type: ignore[arg-type]
     if in_many_digits(matrix):
         from dynamics_cli.numerics.eigen3.jacobi_digits import eigen_of_many_digits
 
-        return eigen_of_many_digits(matrix)[0][::-1], own.axes, own.degeneracy  # type: ignore[return-value]
+        return eigen_of_many_digits(matrix)[0][::-1], result.axes, result.degeneracy  # type: ignore[return-value]
     if not any(is_tracked(x) for row in matrix for x in row):
-        return values, own.axes, own.degeneracy
+        return values, result.axes, result.degeneracy
     moments = bounded(matrix, values, eigenvalues.vectors[::-1])
-    own = principal(second_of(bare), each(error_of, moments))  # type: ignore[arg-type]
-    return moments, own.axes, own.degeneracy
+    result = principal(second_of(doubles), each(error_of, moments))  # type: ignore[arg-type]
+    return moments, result.axes, result.degeneracy
 
 
 def _other_sign(matrix: "Matrix", room: float) -> str | None:

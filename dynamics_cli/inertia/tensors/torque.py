@@ -91,9 +91,9 @@ def torque(
 
     require_tensor(tensor, hint="check the tensor: its moments, its units, and more digits for a lamina")
     momentum = times(tensor, angular_velocity)
-    own = opposite(times(tensor, angular_acceleration))
+    inertial = opposite(times(tensor, angular_acceleration))
     gyroscopic = _gyroscopic(tensor, angular_velocity)
-    total = plus(own, gyroscopic)
+    total = plus(inertial, gyroscopic)
     w = angular_velocity
     force = None
     if mass is not None or acceleration is not None:
@@ -106,7 +106,7 @@ def torque(
     return InertiaTorque(
         inertia_torque=total,
         magnitude=hypot(hypot(total[0], total[1]), total[2]),
-        acceleration_part=own,
+        acceleration_part=inertial,
         gyroscopic_part=gyroscopic,
         angular_momentum=momentum,
         rotational_energy=0.5 * (momentum[0] * w[0] + momentum[1] * w[1] + momentum[2] * w[2]),

@@ -219,8 +219,8 @@ def _checks(point: "Pair", velocity: "Pair", omega: float, centre: "Pair | None"
     vx, vy = plain(velocity[0]), plain(velocity[1])
     # the coordinates of the centre are rounded beside those of the point
     size = abs(vx) + abs(vy) + abs(w) * (abs(plain(point[0])) + abs(plain(point[1])))
-    left = hypot(vx - w * y, vy + w * x) / size if size else 0.0
-    return (Check("the instant centre has no velocity", left <= ROUNDING, left, ROUNDING),)
+    residual = hypot(vx - w * y, vy + w * x) / size if size else 0.0
+    return (Check("the instant centre has no velocity", residual <= ROUNDING, residual, ROUNDING),)
 
 
 def body_line(result: BodyMotion) -> str:

@@ -20,8 +20,8 @@ def _arrows(points: "list[tuple[Any, Any, str]]", size: float, role: int, label:
     longest = max((abs(complex(*vector)) for _, vector, _ in points), default=0.0)
     scale = ARROW * size / longest if longest else 0.0
     return [
-        Arrow(at[0], at[1], scale * vector[0], scale * vector[1], f"{label}{name}", role)
-        for at, vector, name in points
+        Arrow(position[0], position[1], scale * vector[0], scale * vector[1], f"{label}{name}", role)
+        for position, vector, name in points
         if scale and abs(complex(*vector)) > 0.0
     ]
 
@@ -34,15 +34,15 @@ def body_picture(
     second = getattr(rest, "second_point", None)
     if second is not None:
         marks.append((second, rest.second_velocity, " B"))
-    marks += [(one.position, one.velocity, "") for one in result.points or ()]
-    spots = [at for at, _, _ in marks] + [result.instant_centre or point, result.zero_acceleration or point]
+    marks += [(item.position, item.velocity, "") for item in result.points or ()]
+    spots = [position for position, _, _ in marks] + [result.instant_centre or point, result.zero_acceleration or point]
     size = max(
-        max(at[i] for at in spots) - min(at[i] for at in spots) for i in (0, 1)
+        max(position[i] for position in spots) - min(position[i] for position in spots) for i in (0, 1)
     ) or 0.1  # fmt: skip
     items: list[Any] = []
     if result.instant_centre:
         px, py = result.instant_centre
-        items += [Curve([px, at[0]], [py, at[1]], "", "thin", 6) for at, _, _ in marks]
+        items += [Curve([px, position[0]], [py, position[1]], "", "thin", 6) for position, _, _ in marks]
         items.append(Mark(px, py, "instant centre"))
     if result.inflection_diameter and result.inflection_diameter < 10.0 * size:
         px, py = result.instant_centre
@@ -57,7 +57,7 @@ def body_picture(
         )  # fmt: skip
     if result.zero_acceleration:
         items.append(Mark(result.zero_acceleration[0], result.zero_acceleration[1], "zero acceleration", (5.0, -12.0)))
-    items += [Mark(at[0], at[1], name.strip(), (-12.0, -12.0)) for at, _, name in marks]
+    items += [Mark(position[0], position[1], name.strip(), (-12.0, -12.0)) for position, _, name in marks]
     items += _arrows(marks, size, 0, "v")
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     return Picture((panel,), f"plane motion of a body\n{body_line(result)}")
@@ -71,7 +71,7 @@ def chain_picture(result: "Any", **_: "Any") -> Picture:
         Curve([a[0], b[0]], [a[1], b[1]], f"link {number}", "thick", number - 1)
         for number, (a, b) in enumerate(pairwise(joints), 1)
     ]
-    items += [Mark(at[0], at[1], "") for at in joints]
+    items += [Mark(position[0], position[1], "") for position in joints]
     items += _arrows([(joint.position, joint.velocity, "") for joint in result.joints], size, 2, "v")
     items += _arrows([(joint.position, joint.acceleration, "") for joint in result.joints], size, 3, "a")
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)

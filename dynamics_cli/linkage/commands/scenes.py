@@ -18,9 +18,9 @@ def _shown() -> "dict[str, str]":
     scene = {}
     for index, (name, *points) in enumerate(links):
         scene[f"links[{index}].name"] = name
-        for place, (pin, at) in enumerate(points):
+        for place, (pin, position) in enumerate(points):
             scene[f"links[{index}].points[{place}].name"] = pin
-            scene[f"links[{index}].points[{place}].at"] = at
+            scene[f"links[{index}].points[{place}].at"] = position
     driver = {"link": "crank", "angle": "40 deg", "speed": "10 rad/s"}
     side = {"pin": "B", "side": "left"}
     scene |= {f"drivers[0].{key}": value for key, value in driver.items()}

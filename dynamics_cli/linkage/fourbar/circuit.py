@@ -53,18 +53,18 @@ class Circuit:
             turn = sine * half + middle
             return turn, (Jet(1.0) - turn * turn).root() * self.side, cosine * (2.0 * ad * half)
         reach = np.sin(0.5 * self.outer) if self.outer is not None else np.cos(0.5 * self.inner)  # type: ignore[operator]
-        share = sine * reach
-        square = share * share
+        relative = sine * reach
+        square = relative * relative
         other = (Jet(1.0) - square).root()
-        turn, across = Jet(1.0) - square * 2.0, share * other * 2.0
+        turn, across = Jet(1.0) - square * 2.0, relative * other * 2.0
         root = cosine * (2.0 * np.sqrt(ad) * reach)
         gap = abs(links.slim)
         if self.outer is not None:
             if links.inner == 0.0:
-                return turn, across, root * share * (2.0 * np.sqrt(ad))
+                return turn, across, root * relative * (2.0 * np.sqrt(ad))
             return turn, across, root * (square * (4.0 * ad) + links.inner * (links.apart + gap)).root()
         if links.outer == 0.0:
-            return -turn, -across, root * share * (2.0 * np.sqrt(ad))
+            return -turn, -across, root * relative * (2.0 * np.sqrt(ad))
         return -turn, -across, root * (square * (4.0 * ad) + links.outer * (a + b + c + d)).root()
 
     def _turning(self, u: "Any") -> "tuple[Jet, Jet, Jet]":
@@ -100,8 +100,8 @@ class Circuit:
         fx, fy = -ax + links.d, -ay
         square = (Jet(1.0) - turn) * (2.0 * links.product) + links.apart * links.apart
         twice = (square * 2.0).inverse()
-        ahead, left = (square + links.excess) * twice, area * twice
-        bx, by = ahead * fx - left * fy, ahead * fy + left * fx
+        ahead, offset = (square + links.excess) * twice, area * twice
+        bx, by = ahead * fx - offset * fy, ahead * fy + offset * fx
         return ax + bx * along - by * aside, ay + by * along + bx * aside
 
     def _kite(self, u: "Any") -> "tuple[tuple[Jet, Jet], tuple[Jet, Jet]]":
@@ -116,8 +116,8 @@ class Circuit:
             half, root = (cosine, sine), None
             if self.outer is not None:
                 reach = np.sin(0.5 * self.outer)
-                share = sine * reach
-                half, root = ((Jet(1.0) - share * share).root(), share), cosine * (2.0 * a * reach)
+                relative = sine * reach
+                half, root = ((Jet(1.0) - relative * relative).root(), relative), cosine * (2.0 * a * reach)
             if root is None:
                 root = (Jet(4.0 * b * b) - half[1] * half[1] * (4.0 * a * a)).root() * self.side
             ax, ay = (half[0] * half[0] * 2.0 - 1.0) * a, half[0] * half[1] * (2.0 * a)
@@ -138,8 +138,8 @@ class CouplerPath:
         places = sorted(cusps)
         starts = list(places or [0.0])
         for place, after in pairwise([*places, *(cusp + FULL for cusp in places[:1])]):
-            room = 0.2 * (after - place)
-            starts += [place + self._short(place, room, tolerance), after - self._short(after, -room, tolerance)]
+            reach = 0.2 * (after - place)
+            starts += [place + self._short(place, reach, tolerance), after - self._short(after, -reach, tolerance)]
         self.starts = np.array(sorted(starts))
         self.ends = np.append(self.starts[1:], self.starts[0] + FULL)
         self.still = np.zeros(self.starts.size, dtype=bool)
@@ -148,12 +148,12 @@ class CouplerPath:
 
     def _short(self, cusp: float, room: float, tolerance: float) -> float:
         """Width beside a cusp over which a straight line keeps half the tolerance; `room` is negative before it."""
-        shares = np.linspace(0.0, 1.0, 17)
+        fractions = np.linspace(0.0, 1.0, 17)
         while True:
-            x, y = self.circuit.place(cusp + room * shares, self.point)
+            x, y = self.circuit.place(cusp + room * fractions, self.point)
             z = x.value + 1j * y.value
-            way = z[-1] - z[0]
-            if np.abs(((z - z[0]) * way.conj()).imag).max() <= 0.5 * tolerance * abs(way):
+            chord = z[-1] - z[0]
+            if np.abs(((z - z[0]) * chord.conj()).imag).max() <= 0.5 * tolerance * abs(chord):
                 return abs(room)
             room *= 0.5
 

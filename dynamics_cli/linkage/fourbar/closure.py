@@ -142,16 +142,16 @@ def close(
     smooth_first, smooth_second = links.outer == 0.0, links.inner == 0.0
     root = sqrt(ad)
     # the root of a change point may be that of a rounding error below zero
-    one = _either(smooth_first, lambda: 2.0 * root * half_cosine, lambda: sqrt(_kept(first)))
-    two = _either(smooth_second, lambda: 2.0 * root * half_sine, lambda: sqrt(_kept(second)))
+    r1 = _either(smooth_first, lambda: 2.0 * root * half_cosine, lambda: sqrt(_kept(first)))
+    r2 = _either(smooth_second, lambda: 2.0 * root * half_sine, lambda: sqrt(_kept(second)))
     square = links.apart * links.apart + 4.0 * ad * (half_sine * half_sine)
     fx, fy = 2.0 * a * (half_sine * half_sine) - links.longer, -(a * sine)
-    area, twice = side * (one * two), 0.5 / square
+    area, twice = side * (r1 * r2), 0.5 / square
     ahead, behind = (square + links.excess) * twice, (square - links.excess) * twice
     across = area * twice
-    response, change = _response(links, turn, half, (one, two), (smooth_first, smooth_second))
+    response, change = _response(links, turn, half, (r1, r2), (smooth_first, smooth_second))
     return Closed(
-        square, fx, fy, one, two,
+        square, fx, fy, r1, r2,
         ahead * fx - across * fy, ahead * fy + across * fx,
         -(behind * fx) - across * fy, across * fx - behind * fy,
         side * response, side * change, -(a * links.longer) - 2.0 * ad * (half_sine * half_sine), ad * sine,
@@ -168,20 +168,20 @@ def _response(
     smooth: "tuple[Any, Any]",
 ) -> "tuple[float, float]":  # fmt: skip
     """K and its derivative; a root of zero that is no change point is taken as one, and refused by the caller."""
-    (one, two), moment = roots, links.product * turn[1]
+    (r1, r2), moment = roots, links.product * turn[1]
     root = sqrt(links.product)
 
     def general() -> "tuple[float, float]":
-        over = _reciprocal(one * two)
+        over = _reciprocal(r1 * r2)
         response = moment * over
-        return response, (links.product * turn[0] - response * response * ((one - two) * (one + two))) * over
+        return response, (links.product * turn[0] - response * response * ((r1 - r2) * (r1 + r2))) * over
 
     def through_first() -> "tuple[float, float]":
-        over = _reciprocal(two)
+        over = _reciprocal(r2)
         return root * half[1] * over, root * over * (0.5 * half[0] - half[1] * moment * (over * over))
 
     def through_second() -> "tuple[float, float]":
-        over = _reciprocal(one)
+        over = _reciprocal(r1)
         return root * half[0] * over, root * over * (half[0] * moment * (over * over) - 0.5 * half[1])
 
     def through_both() -> "tuple[float, float]":

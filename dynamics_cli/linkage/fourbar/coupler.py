@@ -128,14 +128,14 @@ def coupler(
     sampled = drawing()
     sharp = [] if sampled else cusp_places(circuit, place, length)
     outline = None if sampled else drawn(circuit, place, str(form), tolerance, sharp)
-    (left, right), (bottom, top) = extremes(circuit, place)
+    (min_x, max_x), (min_y, max_y) = extremes(circuit, place)
     return CouplerCurve(
         length=length,
         area=abs(area),
-        left=left,
-        right=right,
-        bottom=bottom,
-        top=top,
+        left=min_x,
+        right=max_x,
+        bottom=min_y,
+        top=max_y,
         crank_turns=circuit.turns if circuit.full else 0,
         kind=kind,
         cognates=cognates(lengths, place),
@@ -165,15 +165,15 @@ def _within(outline: Outline, tolerance: float) -> "tuple[Check, ...]":
 def cognates(lengths: "tuple[float, ...]", point: complex) -> "tuple[Cognate, ...]":
     """The two other four-bars of Roberts and Chebyshev; a link of length zero where the point lies on a pin."""
     a, b, c, d = lengths
-    left, right = point / b, 1.0 - point / b
-    third = (left.real * d, left.imag * d)
+    from_a, from_b = point / b, 1.0 - point / b
+    third = (from_a.real * d, from_a.imag * d)
     result = []
-    for name, share, links, pivot, arm in (
-        ("left, at O₂", left, (b, a, c, d), (0.0, 0.0), a),
-        ("right, at O₄", right, (b, c, a, d), (d, 0.0), c),
+    for name, scale, links, pivot, arm in (
+        ("left, at O₂", from_a, (b, a, c, d), (0.0, 0.0), a),
+        ("right, at O₄", from_b, (b, c, a, d), (d, 0.0), c),
     ):
-        size = abs(share)
-        place = arm * size / share if size else complex(arm)
-        one, two, three, four = (size * link for link in links)
-        result.append(Cognate(name, one, two, three, four, pivot, third, (place.real, place.imag)))
+        size = abs(scale)
+        place = arm * size / scale if size else complex(arm)
+        ground_, crank_, three, four = (size * link for link in links)
+        result.append(Cognate(name, ground_, crank_, three, four, pivot, third, (place.real, place.imag)))
     return tuple(result)

@@ -47,10 +47,10 @@ def _roots(function: "Any", u: "Any") -> "Any":
     sign = np.sign(function(low)[0])
     place = 0.5 * (low + high)
     for _ in range(60):
-        own, slope = function(place)
-        low, high = np.where(np.sign(own) == sign, place, low), np.where(np.sign(own) == sign, high, place)
+        ordinate, slope = function(place)
+        low, high = np.where(np.sign(ordinate) == sign, place, low), np.where(np.sign(ordinate) == sign, high, place)
         with np.errstate(all="ignore"):
-            newton = place - own / slope
+            newton = place - ordinate / slope
         inside = (newton >= low) & (newton <= high)
         before, place = place, np.where(inside, newton, 0.5 * (low + high))
         if np.all(np.abs(place - before) <= NEAREST * FULL):
@@ -65,8 +65,8 @@ def extremes(circuit: Circuit, point: complex) -> "tuple[tuple[float, float], tu
     for which in (0, 1):
 
         def slope(place: "Any", which: int = which) -> "tuple[Any, Any]":
-            own = circuit.place(place, point)[which]
-            return own.first, own.second
+            coordinate = circuit.place(place, point)[which]
+            return coordinate.first, coordinate.second
 
         places = np.concatenate((_roots(slope, u), u))
         values = circuit.place(places, point)[which].value
@@ -90,8 +90,8 @@ def cusp_places(circuit: Circuit, point: complex, length: float) -> "list[float]
 
     def slope(place: "Any") -> "tuple[Any, Any]":
         (x, y), (x_, y_) = circuit.place(place, point), circuit.place(place + h, point)
-        own = x.first * x.second + y.first * y.second
-        return own, (x_.first * x_.second + y_.first * y_.second - own) / h
+        half_slope = x.first * x.second + y.first * y.second
+        return half_slope, (x_.first * x_.second + y_.first * y_.second - half_slope) / h
 
     x, y = circuit.place(u, point)
     if not np.ptp(np.hypot(x.first, y.first)) > SETTLED * length:
@@ -124,12 +124,12 @@ def crossings(circuit: Circuit, point: complex) -> "tuple[Special, ...]":
     apart = z[None, :] - z[:, None]
     cross = (np.conj(step[:, None]) * step[None, :]).imag
     with np.errstate(all="ignore"):
-        one = (np.conj(apart) * step[None, :]).imag / cross
-        other = (np.conj(apart) * step[:, None]).imag / cross
-    i, j = np.nonzero((one >= 0.0) & (one < 1.0) & (other >= 0.0) & (other < 1.0))
+        s = (np.conj(apart) * step[None, :]).imag / cross
+        t = (np.conj(apart) * step[:, None]).imag / cross
+    i, j = np.nonzero((s >= 0.0) & (s < 1.0) & (t >= 0.0) & (t < 1.0))
     far = (j - i > 1) & (i - j + SEGMENTS > 1)
     specials: list[Special] = []
-    for first, second in zip(u[i[far]] + one[i, j][far] * u[1], u[j[far]] + other[i, j][far] * u[1], strict=True):
+    for first, second in zip(u[i[far]] + s[i, j][far] * u[1], u[j[far]] + t[i, j][far] * u[1], strict=True):
         pair = _crossing(circuit, point, first, second)
         if pair is None:
             continue

@@ -100,12 +100,12 @@ def four_bar(
         rows = table(links, side, steps, speed, angular_acceleration)
         return FourBar(kind=kind, table=rows, advice=closeness(lengths, kind or ""))
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
-    both = discriminants(links, half)
-    require_closed(links, both, crank_angle)
-    loop, other = (close(links, turn, half, sign * side, both) for sign in (1.0, -1.0))
+    both_discriminants = discriminants(links, half)
+    require_closed(links, both_discriminants, crank_angle)
+    loop, other = (close(links, turn, half, sign * side, both_discriminants) for sign in (1.0, -1.0))
     if speed is not None or load_torque is not None:
         _require_movable(loop, links)
-    shown = _shown(loop, links) if alone else True
+    regular = _shown(loop, links) if alone else True
     speeds = ratios(links, loop)
     transmission = 2.0 * atan2(_size(loop.second), _size(loop.first))
     pin = (crank * turn[0], crank * turn[1])
@@ -113,19 +113,19 @@ def four_bar(
         rocker_angle=_angle(loop.cy, loop.cx),
         coupler_angle=_angle(loop.by, loop.bx),
         transmission_angle=transmission,
-        rocker_ratio=speeds[1] if shown else None,
-        coupler_ratio=speeds[0] if shown else None,
+        rocker_ratio=speeds[1] if regular else None,
+        coupler_ratio=speeds[0] if regular else None,
         crank_torque=None if load_torque is None else load_torque * speeds[1],
         other_rocker_angle=_angle(other.cy, other.cx),
         other_coupler_angle=_angle(other.by, other.bx),
-        other_rocker_ratio=ratios(links, other)[1] if shown else None,
+        other_rocker_ratio=ratios(links, other)[1] if regular else None,
         crank_pin=pin,
         rocker_pin=(pin[0] + loop.bx, pin[1] + loop.by),
         **_moving(links, loop, pin, speeds, (speed, angular_acceleration), point),
         kind=kind,
         side=_side(kind, side, plain(turn[1])) if alone and kind else None,
-        checks=_checks(links, loop, pin, speeds) if alone and shown else (),
-        advice=(*closeness(lengths, kind), *_poor(transmission, shown)) if alone and kind else (),
+        checks=_checks(links, loop, pin, speeds) if alone and regular else (),
+        advice=(*closeness(lengths, kind), *_poor(transmission, regular)) if alone and kind else (),
     )
 
 
@@ -162,13 +162,13 @@ def require_closed(links: Frame, both: "Pair", crank_angle: float) -> None:
     sine = turned(0.5 * crank_angle)[1]
     reach = sqrt(links.apart * links.apart + 4.0 * links.product * (sine * sine))
     outer, inner = limits(links) if single(*links.lengths) else (None, None)
-    for share, limit, words, gap, change in (
+    for reserve, limit, words, gap, change in (
         (both[0], outer, "stretched", reach - (b + c), "lengthen coupler or rocker"),
         (both[1], inner, "folded", where(b >= c, b - c, c - b) - reach, "bring coupler and rocker nearer in length"),
     ):
         nearest = limit if limit is not None else 0.0 * crank_angle
         require(
-            share >= 0.0,
+            reserve >= 0.0,
             f"at a crank angle of {{angle:6}} coupler and rocker, {words}, leave a gap of {{gap}}",
             angle=(crank_angle, Angle),
             gap=(gap, Size),
@@ -242,15 +242,15 @@ def _checks(links: Frame, loop: Closed, pin: "Pair", speeds: "Any") -> "tuple[Ch
     ax, ay = plain(pin[0]), plain(pin[1])
     gap = hypot(ax + bx - cx - plain(links.d), ay + by - cy) / size
     w3, w4 = plain(speeds[0]), plain(speeds[1])
-    slip = hypot(-ay - w3 * by + w4 * cy, ax + w3 * bx - w4 * cx) / (size * (1.0 + abs(w3) + abs(w4)))
+    residual = hypot(-ay - w3 * by + w4 * cy, ax + w3 * bx - w4 * cx) / (size * (1.0 + abs(w3) + abs(w4)))
     return (
         Check("the loop closes", gap <= CLOSES, gap, CLOSES),
-        Check("B has one velocity (power in = power out)", slip <= CLOSES, slip, CLOSES),
+        Check("B has one velocity (power in = power out)", residual <= CLOSES, residual, CLOSES),
     )
 
 
-def _poor(transmission: float, shown: bool) -> "tuple[Advice, ...]":
-    if not shown:
+def _poor(transmission: float, regular: bool) -> "tuple[Advice, ...]":
+    if not regular:
         return (
             Advice(
                 "toggle",

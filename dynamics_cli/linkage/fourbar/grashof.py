@@ -245,8 +245,8 @@ def change_points(lengths: "tuple[float, ...]") -> "list[ChangePoint]":
             for k in (1, -1):
                 if (i, j, k) == (-1, -1, 1) or margin((i, j, -k, -1), lengths) != 0.0:
                     continue
-                one, two, three = i * a, j * b, k * c
-                first, second = _continuations(one, two, three, d)
+                first_link, second_link, third_link = i * a, j * b, k * c
+                first, second = _continuations(first_link, second_link, third_link, d)
                 angles = [0.0 if sign > 0 else pi for sign in (i, j, k)]
                 points.append(ChangePoint(*angles, *(first or (None, None)), *(second or (None, None))))
     return points

@@ -31,9 +31,9 @@ def decimal_of(x: float) -> tuple[int, int]:
     (254, -5)
     """
     digits, _, exponent = repr(float(x)).partition("e")
-    whole, _, part = digits.partition(".")
-    part = part.rstrip("0")
-    return int(whole + part), int(exponent or 0) - len(part)
+    integer, _, decimals = digits.partition(".")
+    decimals = decimals.rstrip("0")
+    return int(integer + decimals), int(exponent or 0) - len(decimals)
 
 
 def whole_numbers(lengths: "Sequence[float]") -> tuple[tuple[int, ...], int]:
@@ -118,10 +118,10 @@ def require_links(crank: float, coupler: float, rocker: float, ground: float) ->
     for index, name in enumerate(LINKS):
         signs = [1, 1, 1, 1]
         signs[index] = -1
-        room = margin(signs, lengths)
-        gap = absolute(where(room < 0.0, room, 0.0))
+        reserve = margin(signs, lengths)
+        gap = absolute(where(reserve < 0.0, reserve, 0.0))
         require(
-            room >= 0.0,
+            reserve >= 0.0,
             f"the {name} of {{length}} is longer than the other three links together: it cannot be closed by {{gap}}",
             length=(lengths[index], Size),
             gap=(gap, Size),

@@ -109,30 +109,32 @@ def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | Non
 
     links = frame(*lengths)
     ranges = reachable(links)
-    low, high = next((one for one in ranges if crank_angle is not None and one[0] <= crank_angle <= one[1]), ranges[-1])
+    low, high = next(
+        (ends for ends in ranges if crank_angle is not None and ends[0] <= crank_angle <= ends[1]), ranges[-1]
+    )
     inset = (0.0, 1.0) if links.outer >= 0.0 and links.inner >= 0.0 else ENDS
     theta = np.linspace(low + (high - low) * inset[0], low + (high - low) * inset[1], SAMPLES)
     with np.errstate(all="ignore"):
         loop, tracks = poses(links, theta, side)
     clipped = [np.where(np.abs(part) <= STEEP, part, np.nan).tolist() for part in tracks]
-    way = Axis("crank angle θ₂", Angle, ends=(low, high), step=pi / 6.0 if high - low > 2.0 else pi / 18.0)
-    here = () if crank_angle is None or not low <= crank_angle <= high else (Band(crank_angle, crank_angle),)
+    angle_axis = Axis("crank angle θ₂", Angle, ends=(low, high), step=pi / 6.0 if high - low > 2.0 else pi / 18.0)
+    marks = () if crank_angle is None or not low <= crank_angle <= high else (Band(crank_angle, crank_angle),)
     mu = (2.0 * np.arctan2(np.abs(loop.second), np.abs(loop.first))).tolist()
     angles = theta.tolist()
     return (
         Panel(
-            way, Axis("speed ratio"),
+            angle_axis, Axis("speed ratio"),
             (Curve(angles, clipped[1], "ω₄/ω₂", role=2), Curve(angles, clipped[0], "ω₃/ω₂", "dashed", 1),
-             Band(0.0, 0.0, vertical=False), *here), "speeds of rocker and coupler over that of the crank",
+             Band(0.0, 0.0, vertical=False), *marks), "speeds of rocker and coupler over that of the crank",
         ),
         Panel(
-            way, Axis("α/ω₂²"),
+            angle_axis, Axis("α/ω₂²"),
             (Curve(angles, clipped[3], "α₄/ω₂²", role=2), Curve(angles, clipped[2], "α₃/ω₂²", "dashed", 1),
-             Band(0.0, 0.0, vertical=False), *here), "accelerations, crank at uniform speed",
+             Band(0.0, 0.0, vertical=False), *marks), "accelerations, crank at uniform speed",
         ),
         Panel(
-            way, Axis("transmission angle μ", Angle, ends=(0.0, pi), step=pi / 4.0),
-            (Curve(angles, mu, role=0), Band(2.0 * pi / 9.0, 7.0 * pi / 9.0, "good", vertical=False), *here),
+            angle_axis, Axis("transmission angle μ", Angle, ends=(0.0, pi), step=pi / 4.0),
+            (Curve(angles, mu, role=0), Band(2.0 * pi / 9.0, 7.0 * pi / 9.0, "good", vertical=False), *marks),
             "transmission angle; force is transmitted well between 40 and 140 deg",
         ),
     )  # fmt: skip
@@ -147,25 +149,25 @@ def coupler_picture(
     side, place = (1.0 if branch == OPEN else -1.0), complex(*point)
     items = linkage_items(lengths, side, place, None)
     for name, group in (("cusp", result.cusps), ("crossing", result.crossings)):
-        items += [Mark(one.x, one.y, name) for one in group or ()]
+        items += [Mark(pose.x, pose.y, name) for pose in group or ()]
     first = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     every = _frames(lengths, side, place, SAMPLES - 1)
     a, b, tip = every[SHOWN]
-    share = place / coupler
-    third = share * ground
-    left, right = tip - a, complex(ground) + tip - b
-    second_left, second_right = left + share * a, right + (1.0 - share) * (b - ground)
+    scale = place / coupler
+    third = scale * ground
+    first_leg, second_leg = tip - a, complex(ground) + tip - b
+    second_left, second_right = first_leg + scale * a, second_leg + (1.0 - scale) * (b - ground)
     second = Panel(
         Axis("x", Coordinate),
         Axis("y", Coordinate),
         (
-            complex_curve([*(one[2] for one in every), every[0][2]], "one curve", "solid", 3),
+            complex_curve([*(pose[2] for pose in every), every[0][2]], "one curve", "solid", 3),
             complex_curve((0j, a, b, complex(ground)), "linkage", "thick", 0),
             complex_curve((a, tip, b), "", "thin", 0),
-            complex_curve((0j, left, second_left, third), "left cognate", "solid", 1),
-            complex_curve((left, tip, second_left), "", "thin", 1),
-            complex_curve((complex(ground), right, second_right, third), "right cognate", "dashed", 2),
-            complex_curve((right, tip, second_right), "", "thin", 2),
+            complex_curve((0j, first_leg, second_left, third), "left cognate", "solid", 1),
+            complex_curve((first_leg, tip, second_left), "", "thin", 1),
+            complex_curve((complex(ground), second_leg, second_right, third), "right cognate", "dashed", 2),
+            complex_curve((second_leg, tip, second_right), "", "thin", 2),
             Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(ground, 0.0, "O₄", (5.0, -12.0)),
             Mark(third.real, third.imag, "C₀"), Mark(tip.real, tip.imag, "P"),
         ),
@@ -199,10 +201,10 @@ def synthesis_picture(result: "Any", **_: "Any") -> Picture:
     items: list[Any] = []
     if not result.met:
         items = linkage_items(lengths, 1.0, None, None)
-    for index, one in enumerate(result.met or ()):
-        a, b = result.crank * exp(1j * one.crank_angle), d + result.rocker * exp(1j * one.rocker_angle)
+    for index, target in enumerate(result.met or ()):
+        a, b = result.crank * exp(1j * target.crank_angle), d + result.rocker * exp(1j * target.rocker_angle)
         items += [
-            complex_curve((0j, a, b, d), f"pair {index + 1}, {one.branch}", "thick", index),
+            complex_curve((0j, a, b, d), f"pair {index + 1}, {target.branch}", "thick", index),
             Mark(b.real, b.imag, ""),
         ]
     if result.met:
@@ -223,6 +225,6 @@ def moving_four_bar(
     every = _frames(lengths, side, place, FRAMES)
     o4 = complex(ground)
     frames = [((0j, a), (a, b) if place is None else (a, p, b, a), (o4, b)) for a, b, p in every]
-    tips = [one[2] for one in every] if place is not None else [one[1] for one in every]
+    tips = [pose[2] for pose in every] if place is not None else [pose[1] for pose in every]
     pins = [(a, b, p) if place is not None else (a, b) for a, b, p in every]
     return animated("One motion of a four-bar", frames, [[*tips, tips[0]]], (0j, o4), pins)

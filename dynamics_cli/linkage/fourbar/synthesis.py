@@ -139,16 +139,16 @@ def _by_angles(task: AnglePairs) -> Synthesis:
     rows = [(cos(rocker), -cos(crank), cos(crank - rocker)) for crank, rocker in met]
     (a, b, c), (d, e, f), (g, h, i) = rows
     # differences take R₃ out
-    one, two = (a - d, b - e, c - f), (a - g, b - h, c - i)
-    determinant = one[0] * two[1] - one[1] * two[0]
+    first_row, second_row = (a - d, b - e, c - f), (a - g, b - h, c - i)
+    determinant = first_row[0] * second_row[1] - first_row[1] * second_row[0]
     require(
         absolute(determinant) > 1e-12,
         "these pairs have no linkage: two of them are the same",
         code="no-linkage",
         hint="take pairs farther apart",
     )
-    first = (one[2] * two[1] - one[1] * two[2]) / determinant
-    second = (one[0] * two[2] - one[2] * two[0]) / determinant
+    first = (first_row[2] * second_row[1] - first_row[1] * second_row[2]) / determinant
+    second = (first_row[0] * second_row[2] - first_row[2] * second_row[0]) / determinant
     third = c - a * first - b * second
     require(
         (first != 0.0) & (second != 0.0),
@@ -168,15 +168,15 @@ def _by_angles(task: AnglePairs) -> Synthesis:
 
 def _centre(places: "list[complex]") -> complex:
     """Centre of the circle through three places."""
-    one, two = places[1] - places[0], places[2] - places[0]
-    across = 2.0 * (one.conjugate() * two).imag
+    first_chord, second_chord = places[1] - places[0], places[2] - places[0]
+    across = 2.0 * (first_chord.conjugate() * second_chord).imag
     require(
-        abs(across) > 1e-9 * abs(one) * abs(two),
+        abs(across) > 1e-9 * abs(first_chord) * abs(second_chord),
         "three positions of a pin lie on a line: its pivot would be at infinity",
         code="no-pivot",
         hint="move the pin on the body, or use a slide",
     )
-    return places[0] - 1j * (two * abs(one) ** 2 - one * abs(two) ** 2) / across
+    return places[0] - 1j * (second_chord * abs(first_chord) ** 2 - first_chord * abs(second_chord) ** 2) / across
 
 
 def _by_poses(task: Poses) -> Synthesis:
@@ -188,16 +188,16 @@ def _by_poses(task: Poses) -> Synthesis:
     pivots = [_centre(places) for places in ends]
     base = pivots[1] - pivots[0]
     require(abs(base) > 0.0, "both pivots fall on one point", code="no-pivot", hint="move a pin on the body")
-    way = base / abs(base)
+    direction = base / abs(base)
     met = []
-    for one, other in zip(*ends, strict=True):
-        arms = (one - pivots[0]) / way, (other - pivots[1]) / way
+    for first_end, second_end in zip(*ends, strict=True):
+        arms = (first_end - pivots[0]) / direction, (second_end - pivots[1]) / direction
         met.append((atan2(arms[0].imag, arms[0].real), atan2(arms[1].imag, arms[1].real)))
     lengths = (abs(ends[0][0] - pivots[0]), abs(ends[1][0] - ends[0][0]), abs(ends[1][0] - pivots[1]), abs(base))
     result = _judged(lengths, met, "")
     places = [(pivot.real, pivot.imag) for pivot in pivots]
-    given = {name: getattr(result, name) for name in Synthesis.fields}  # type: ignore[attr-defined]
-    return Synthesis(**given | {"crank_pivot": places[0], "rocker_pivot": places[1]})
+    fields = {name: getattr(result, name) for name in Synthesis.fields}  # type: ignore[attr-defined]
+    return Synthesis(**fields | {"crank_pivot": places[0], "rocker_pivot": places[1]})
 
 
 def _judged(lengths: "tuple[float, float, float, float]", met: "list[tuple[float, float]]", words: str) -> Synthesis:
@@ -255,21 +255,21 @@ def _by_swing(task: QuickSwing) -> Synthesis:
     best = max(count, key=lambda k: _quality(task, lag, k / PLACES))
     low, high = (best - 1) / PLACES, (best + 1) / PLACES
     for _ in range(STEPS):
-        one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        if _quality(task, lag, one) < _quality(task, lag, two):
-            low = one
+        first, second = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+        if _quality(task, lag, first) < _quality(task, lag, second):
+            low = first
         else:
-            high = two
-    share = 0.5 * (low + high)
+            high = second
+    position = 0.5 * (low + high)
     require(
-        _quality(task, lag, share) > 0.0,
+        _quality(task, lag, position) > 0.0,
         "no crank-rocker swings through {swing} with a time ratio of {ratio}",
         swing=(task.swing, Angle),
         ratio=(task.time_ratio, Positive),
         code="no-linkage",
         hint="take a smaller swing or time ratio",
     )
-    lengths = _lengths(task, lag, share)
+    lengths = _lengths(task, lag, position)
     least = _least(lengths)
     return Synthesis(
         *lengths, kind=kind_of(lengths), defects="none", least_transmission_angle=least, advice=_poor(least)
@@ -290,8 +290,8 @@ def _lengths(task: QuickSwing, lag: float, share: float) -> "tuple[float, float,
         # the arc below the chord, seen from its centre
         angle = -0.5 * PI - (PI - lag) * (1.0 - 2.0 * share)
         crank_pivot = middle + radius * complex(cos(angle), sin(angle))
-    one, two = abs(ends[0] - crank_pivot), abs(ends[1] - crank_pivot)
-    return 0.5 * absolute(one - two), 0.5 * (one + two), c, abs(crank_pivot)
+    far, near = abs(ends[0] - crank_pivot), abs(ends[1] - crank_pivot)
+    return 0.5 * absolute(far - near), 0.5 * (far + near), c, abs(crank_pivot)
 
 
 def _quality(task: QuickSwing, lag: float, share: float) -> float:

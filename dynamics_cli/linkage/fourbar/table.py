@@ -94,9 +94,9 @@ def _rows(
     links: Frame, theta: "Any", side: float, toggles: "Any", turning: "tuple[float | None, float]"
 ) -> "list[Step]":
     turn, half = turns(theta)
-    both: Any = discriminants(links, half)
+    both_discriminants: Any = discriminants(links, half)
     # at the ends of a range one of the two is zero but for rounding
-    first, second = (np.where(toggles & (d <= 1e-9 * np.abs(d).max()), 0.0, d) for d in both)
+    first, second = (np.where(toggles & (d <= 1e-9 * np.abs(d).max()), 0.0, d) for d in both_discriminants)
     free = links.apart == 0.0
     stuck = (half[1] == 0.0) & free
     with np.errstate(all="ignore"):
@@ -104,11 +104,11 @@ def _rows(
         speeds = ratios(links, loop)
     smooth = links.outer == 0.0 or links.inner == 0.0
     still = stuck | (((loop.first * loop.second) == 0.0) & (not smooth))
-    shown = [np.where(still, np.nan, part) for part in speeds]
+    regular_speeds = [np.where(still, np.nan, part) for part in speeds]
     coupler, rocker = np.arctan2(loop.by + 0.0, loop.bx), np.arctan2(loop.cy + 0.0, loop.cx)
     transmission = 2.0 * np.arctan2(np.abs(loop.second), np.abs(loop.first))
     columns = (theta, np.where(stuck, np.nan, coupler), np.where(stuck, np.nan, rocker),
-               shown[0], *_speeds(shown[1], shown[3], *turning), transmission)  # fmt: skip
+               regular_speeds[0], *_speeds(regular_speeds[1], regular_speeds[3], *turning), transmission)  # fmt: skip
     return [Step(*row) for row in zip(*(_known(column) for column in columns), strict=True)]
 
 

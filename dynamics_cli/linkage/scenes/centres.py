@@ -75,20 +75,20 @@ def centres(
     fastest = max(abs(speed) for speed, _ in motions.values())
     rows = []
     places: dict[frozenset[str], complex | None] = {}
-    for one, other in combinations(motions, 2):
-        (first, start), (second, end) = motions[one], motions[other]
+    for a, b in combinations(motions, 2):
+        (first, start), (second, end) = motions[a], motions[b]
         apart, drift = second - first, end - start
         ratio = second / first if abs(first) > PARALLEL * fastest and abs(second) > PARALLEL * fastest else None
         if abs(apart) > PARALLEL * fastest:
             place = 1j * drift / apart
-            places[frozenset((one, other))] = place
-            rows.append(Centre(one, other, (place.real, place.imag), None, ratio))
+            places[frozenset((a, b))] = place
+            rows.append(Centre(a, b, (place.real, place.imag), None, ratio))
         else:
             from cmath import phase
 
-            places[frozenset((one, other))] = None
+            places[frozenset((a, b))] = None
             # square to the common translation
-            rows.append(Centre(one, other, None, phase(1j * drift) if drift else None, ratio))
+            rows.append(Centre(a, b, None, phase(1j * drift) if drift else None, ratio))
     worst = _kennedy(list(motions), places)
     return Centres(
         len(rows), tuple(rows), worst,
@@ -103,9 +103,9 @@ def _moving(scene: Scene) -> Scene:
     if any(driver.speed or driver.velocity for driver in scene.drivers):
         return scene
     drivers = list(scene.drivers)
-    given = {name: getattr(drivers[0], name) for name in Driver.fields}  # type: ignore[attr-defined]
-    given |= {"velocity": 1.0} if drivers[0].point else {"speed": 1.0}
-    drivers[0] = Driver(**given)
+    fields = {name: getattr(drivers[0], name) for name in Driver.fields}  # type: ignore[attr-defined]
+    fields |= {"velocity": 1.0} if drivers[0].point else {"speed": 1.0}
+    drivers[0] = Driver(**fields)
     return Scene(scene.links, tuple(drivers), scene.slides, scene.sides, scene.near)
 
 

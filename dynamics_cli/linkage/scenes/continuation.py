@@ -43,9 +43,9 @@ class Continuation:
         target = target / self.scale
         sense = 1.0 if target > self.at else -1.0
         while self.at != target:
-            left = abs(target - self.at)
-            size = min(self.step, left)
-            end = target if size == left else self.at + sense * size
+            remaining = abs(target - self.at)
+            size = min(self.step, remaining)
+            end = target if size == remaining else self.at + sense * size
             q = self._joined(end) if self.steps < MOST_STEPS else None
             if q is not None:
                 self._accept(end, q)
@@ -75,9 +75,9 @@ class Continuation:
 
     def _slope(self) -> "Any":
         """Change of the pins for a change of the driver's position."""
-        here = self.system.residuals(self.q)
+        residuals = self.system.residuals(self.q)
         h = 1e-7
-        change = (self._moved(self.at + h).residuals(self.q) - here) / h
+        change = (self._moved(self.at + h).residuals(self.q) - residuals) / h
         return np.linalg.lstsq(self.system.jacobian(self.q), -change)[0]
 
     def _joined(self, end: float) -> "Any | None":
@@ -106,17 +106,21 @@ class Continuation:
         moved, bent = self._drift(middle, centre, inverse, half), 0.0
         first = middle.scene.drivers[0]
         if not first.point and first.against != GROUND:
-            row, at = next(row for row in middle.rows if first in row), middle.positions(centre)
+            row, pins = next(row for row in middle.rows if first in row), middle.positions(centre)
             bent = (
-                beta * 2.0 * sin(0.5 * half) * sqrt(2.0) * (abs(at[row[2]] - at[row[1]]) + abs(at[row[4]] - at[row[3]]))
+                beta
+                * 2.0
+                * sin(0.5 * half)
+                * sqrt(2.0)
+                * (abs(pins[row[2]] - pins[row[1]]) + abs(pins[row[4]] - pins[row[3]]))
             )
         if bent >= 1.0:
             return 0.0
         beta, step = beta / (1.0 - bent), (proof.step + moved) / (1.0 - bent)
-        share = beta * proof.curve * step
-        if share > 0.5:
+        contraction = beta * proof.curve * step
+        if contraction > 0.5:
             return 0.0
-        return (1.0 + sqrt(1.0 - 2.0 * share)) / (beta * proof.curve) if proof.curve else inf
+        return (1.0 + sqrt(1.0 - 2.0 * contraction)) / (beta * proof.curve) if proof.curve else inf
 
     @staticmethod
     def _drift(middle: System, centre: "Any", inverse: "Any", half: float) -> float:
@@ -127,32 +131,32 @@ class Continuation:
         if row[0] == "push":
             return float(np.linalg.norm(columns, 2) * abs(row[4]) * half)
         if row[0] == "turn":
-            size, way = abs(row[3]), [(1j * one[3]).imag if one[4] else (1j * one[3]).real for _, one in rows]
+            size, parts = abs(row[3]), [(1j * r[3]).imag if r[4] else (1j * r[3]).real for _, r in rows]
         else:
-            at = middle.positions(centre)
-            turned = (at[row[2]] - at[row[1]]) * (at[row[4]] - at[row[3]]).conjugate() * np.exp(-1j * row[5])
-            size, way = abs(turned), [turned.real]
+            pins = middle.positions(centre)
+            turned = (pins[row[2]] - pins[row[1]]) * (pins[row[4]] - pins[row[3]]).conjugate() * np.exp(-1j * row[5])
+            size, parts = abs(turned), [turned.real]
         # along the driver's own direction the linkage moves no faster than it does, also next to a change point
-        along = float(np.linalg.norm(columns @ np.array(way))) * sin(half)
+        along = float(np.linalg.norm(columns @ np.array(parts))) * sin(half)
         return float(along + np.linalg.norm(columns, 2) * size * 2.0 * sin(0.5 * half) ** 2)
 
     def _predicted(self, end: float, guess: "Any") -> "Any | None":
         """The pose near a prediction, where Newton moves little from it."""
         q, gap = refined(self._moved(end), guess)
-        way = float(np.linalg.norm(guess - self.q))
-        return q if gap <= SAME and np.linalg.norm(q - guess) <= SMOOTH * way + SAME else None
+        moved = float(np.linalg.norm(guess - self.q))
+        return q if gap <= SAME and np.linalg.norm(q - guess) <= SMOOTH * moved + SAME else None
 
     def _leap(self, sense: float, target: float) -> bool:
         """Over a change point, along the smooth continuation of the last poses; False at a true limit."""
         if len(self.before) < 2:
             return False
-        (_, past), (there, last) = self.before[-2:]
+        (_, past), (last_shift, last) = self.before[-2:]
         for leap in LEAPS:
             end = self.at + sense * leap
             if abs(end - self.at) > abs(target - self.at):
                 end = target
             # a parabola through three poses
-            times = (self.before[-2][0], there, self.at)
+            times = (self.before[-2][0], last_shift, self.at)
             guess = sum(
                 pose * np.prod([(end - t) / (times[i] - t) for j, t in enumerate(times) if j != i])
                 for i, pose in enumerate((past, last, self.q))

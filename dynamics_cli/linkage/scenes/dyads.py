@@ -56,9 +56,9 @@ class Assembler:
     def all(self) -> "list[Assembly]":
         """Every assembly, in order."""
         solutions: list[Assembly] = []
-        for one in self._walk(dict(self.system.known), (), 0):
-            if all(max(abs(one.at[p] - other.at[p]) for p in one.at) > SAME for other in solutions):
-                solutions.append(one)
+        for assembly in self._walk(dict(self.system.known), (), 0):
+            if all(max(abs(assembly.at[p] - earlier.at[p]) for p in assembly.at) > SAME for earlier in solutions):
+                solutions.append(assembly)
         return solutions
 
     def _walk(self, at: "Pins", words: "tuple[tuple[str, str], ...]", dyads: int) -> "Iterator[Assembly]":
@@ -94,11 +94,11 @@ class Assembler:
         """The unit direction of a link's own x axis where it is known."""
         if shape.name == GROUND:
             return 1.0 + 0j
-        known = [pin for pin in shape.points if pin in at]
-        for one, other in pairwise(known):
-            apart = shape.points[other] - shape.points[one]
+        placed = [pin for pin in shape.points if pin in at]
+        for first, second in pairwise(placed):
+            apart = shape.points[second] - shape.points[first]
             if apart:
-                turn = (at[other] - at[one]) / apart
+                turn = (at[second] - at[first]) / apart
                 return turn / abs(turn) if turn else None
         return None
 
@@ -106,22 +106,22 @@ class Assembler:
         """Place the parts that need no decision; returns whether there were any."""
         for driver in self.scene.drivers:
             if driver.point:
-                slide = next(one for one in self.scene.slides if one.point == driver.point)
+                slide = next(s for s in self.scene.slides if s.point == driver.point)
                 if driver.point not in at and slide.start in at and slide.end in at:
                     line = at[slide.end] - at[slide.start]
                     at[driver.point] = at[slide.start] + line / abs(line) * driver.position / self.system.scale
                     return True
                 continue
             shape, other = self.system.shapes[driver.link], self.system.shapes[driver.against]
-            way = self._direction(other, at)
-            if way is not None and self._fill(shape, at, way * np.exp(1j * driver.angle)):
+            direction = self._direction(other, at)
+            if direction is not None and self._fill(shape, at, direction * np.exp(1j * driver.angle)):
                 return True
-            way = self._direction(shape, at)
-            if way is not None and self._fill(other, at, way * np.exp(-1j * driver.angle)):
+            direction = self._direction(shape, at)
+            if direction is not None and self._fill(other, at, direction * np.exp(-1j * driver.angle)):
                 return True
         for shape in self.system.shapes.values():
-            way = self._direction(shape, at)
-            if way is not None and self._fill(shape, at, way):
+            direction = self._direction(shape, at)
+            if direction is not None and self._fill(shape, at, direction):
                 return True
         return False
 
@@ -142,10 +142,10 @@ class Assembler:
                 continue
             circles = []
             for shape in self.system.shapes.values():
-                start = next((own for own in shape.points if own in at), None)
+                start = next((pin_name for pin_name in shape.points if pin_name in at), None)
                 if pin in shape.points and start is not None:
                     circles.append((at[start], abs(shape.points[pin] - shape.points[start]), shape.name))
-            lines = [one for one in self.scene.slides if one.point == pin and one.start in at and one.end in at]
+            lines = [s for s in self.scene.slides if s.point == pin and s.start in at and s.end in at]
             if len(circles) >= 2:
                 yield pin, self._circles(pin, circles[0], circles[1])
             elif circles and lines:
@@ -154,54 +154,54 @@ class Assembler:
                 yield pin, self._lines(pin, lines[0], lines[1], at)
         for slide in self.scene.slides:
             shape = self.system.shapes[slide.link]
-            pivot = next((own for own in shape.points if own in at), None)
+            pivot = next((pin_name for pin_name in shape.points if pin_name in at), None)
             if slide.point in at and pivot is not None and self._direction(shape, at) is None:
                 yield slide.link, self._slot(shape, slide, pivot, at)
 
-    def _missed(self, gap: float, what: str) -> "list[tuple[str, Pins]]":
+    def _missed(self, gap: float, decision: str) -> "list[tuple[str, Pins]]":
         if gap < self.gap[0]:
-            self.gap = (gap, what)
+            self.gap = (gap, decision)
         return []
 
-    def _circles(self, pin: str, one: "Any", other: "Any") -> "list[tuple[str, Pins]]":
-        (centre, radius, name), (second, reach, second_name) = one, other
-        way = second - centre
-        f = abs(way)
-        what = f"{pin} on {name} and {second_name}"
+    def _circles(self, pin: str, first_circle: "Any", second_circle: "Any") -> "list[tuple[str, Pins]]":
+        (centre, radius, name), (second, reach, second_name) = first_circle, second_circle
+        centres_apart = second - centre
+        f = abs(centres_apart)
+        decision = f"{pin} on {name} and {second_name}"
         first, last = (radius + reach - f) * (radius + reach + f), (f - abs(radius - reach)) * (f + abs(radius - reach))
         size = (radius + reach) ** 2
         if f == 0.0 or first < -TOUCH * size or last < -TOUCH * size:
-            return self._missed(max(f - radius - reach, abs(radius - reach) - f), what)
+            return self._missed(max(f - radius - reach, abs(radius - reach) - f), decision)
         root = max(first, 0.0) ** 0.5 * max(last, 0.0) ** 0.5
         along = f * f + (radius - reach) * (radius + reach)
         places = [
-            (word, {pin: centre + way * complex(along, sign * root) / (2.0 * f * f)})
+            (word, {pin: centre + centres_apart * complex(along, sign * root) / (2.0 * f * f)})
             for word, sign in (("left", 1.0), ("right", -1.0))
         ]
         return places if root else [("", places[0][1])]
 
-    def _circle_line(self, pin: str, one: "Any", slide: Slide, at: "Pins") -> "list[tuple[str, Pins]]":
-        centre, radius, name = one
+    def _circle_line(self, pin: str, circle: "Any", slide: Slide, at: "Pins") -> "list[tuple[str, Pins]]":
+        centre, radius, name = circle
         line = at[slide.end] - at[slide.start]
         line = line / abs(line)
         away = (centre - at[slide.start]) * line.conjugate()
-        room = (radius - abs(away.imag)) * (radius + abs(away.imag))
-        if room < -TOUCH * radius * radius:
+        square = (radius - abs(away.imag)) * (radius + abs(away.imag))
+        if square < -TOUCH * radius * radius:
             return self._missed(abs(away.imag) - radius, f"{pin} on {name} and its slide")
-        root = max(room, 0.0) ** 0.5
+        root = max(square, 0.0) ** 0.5
         places = [
             (word, {pin: at[slide.start] + line * (away.real + sign * root)})
             for word, sign in (("ahead", 1.0), ("behind", -1.0))
         ]
         return places if root else [("", places[0][1])]
 
-    def _lines(self, pin: str, one: Slide, other: Slide, at: "Pins") -> "list[tuple[str, Pins]]":
-        line, second = at[one.end] - at[one.start], at[other.end] - at[other.start]
+    def _lines(self, pin: str, first: Slide, second_slide: Slide, at: "Pins") -> "list[tuple[str, Pins]]":
+        line, second = at[first.end] - at[first.start], at[second_slide.end] - at[second_slide.start]
         across = (line.conjugate() * second).imag
         if across == 0.0:
             return self._missed(np.inf, f"{pin} on two parallel slides")
-        share = ((at[other.start] - at[one.start]).conjugate() * second).imag / across
-        return [("", {pin: at[one.start] + share * line})]
+        fraction = ((at[second_slide.start] - at[first.start]).conjugate() * second).imag / across
+        return [("", {pin: at[first.start] + fraction * line})]
 
     def _slot(self, shape: Shape, slide: Slide, pivot: str, at: "Pins") -> "list[tuple[str, Pins]]":
         """A link on one pin whose line passes through another."""
@@ -209,14 +209,14 @@ class Assembler:
         line = line / abs(line)
         # the line as seen from the pivot, in the link's own axes along the line
         height = ((start - shape.points[pivot]) * line.conjugate()).imag
-        way = at[slide.point] - at[pivot]
-        room = (abs(way) - abs(height)) * (abs(way) + abs(height))
-        if abs(way) == 0.0 or room < -TOUCH * abs(way) ** 2:
-            return self._missed(abs(height) - abs(way), f"{slide.point} on the line of {shape.name}")
+        to_slot = at[slide.point] - at[pivot]
+        square = (abs(to_slot) - abs(height)) * (abs(to_slot) + abs(height))
+        if abs(to_slot) == 0.0 or square < -TOUCH * abs(to_slot) ** 2:
+            return self._missed(abs(height) - abs(to_slot), f"{slide.point} on the line of {shape.name}")
         places = []
         for word, sign in (("ahead", 1.0), ("behind", -1.0)):
-            seen = complex(sign * max(room, 0.0) ** 0.5, height) * line
-            turn = way / seen
+            local = complex(sign * max(square, 0.0) ** 0.5, height) * line
+            turn = to_slot / local
             turn = turn / abs(turn)
             places.append((
                 word, {pin: at[pivot] + turn * (shape.points[pin] - shape.points[pivot]) for pin in shape.points}
@@ -261,14 +261,14 @@ def refined(system: System, q: "Any") -> "tuple[Any, float]":
         if gap <= SETTLED * 0.01:
             break
         step = np.linalg.lstsq(system.jacobian(q), -system.residuals(q))[0]
-        share = 1.0
-        while share > 0.02:
-            new = q + share * step
-            left = float(np.abs(system.residuals(new)).max())
-            if left < gap:
+        damping = 1.0
+        while damping > 0.02:
+            new = q + damping * step
+            residual = float(np.abs(system.residuals(new)).max())
+            if residual < gap:
                 break
-            share *= 0.5
+            damping *= 0.5
         else:
             break
-        q, gap = new, left
+        q, gap = new, residual
     return q, gap

@@ -69,8 +69,8 @@ def followed(system: "System", q: "Any", name: str, steps: int, turn: "float | N
         code="range",
         hint="--travel '80 mm'" if first.point else "--turn '90 deg'",
     )
-    known = {*system.shapes, *system.known, *system.unknown}
-    require(name in known, "no link or pin is called {name}", name=repr(name), code="name")
+    named = {*system.shapes, *system.known, *system.unknown}
+    require(name in named, "no link or pin is called {name}", name=repr(name), code="name")
     span = travel or (TURN if turn is None else turn)
     ahead = Continuation(system, q)
     rows = [_row(ahead, name)]
@@ -97,12 +97,12 @@ def _row(walk: "Continuation", name: str) -> Followed:
     jacobian = walk.system.jacobian(walk.q)
     links, pins = posed(walk.system, walk.q, jacobian, is_free(walk.system, jacobian))
     driver = walk.system.scene.drivers[0]
-    given: dict[str, Any] = {"driver_position": driver.position} if driver.point else {"driver_angle": driver.angle}
-    for one in links:
-        if one.name == name:
-            return Followed(**given, angle=one.angle, speed=one.speed, acceleration=one.acceleration)
-    pin = next(one for one in pins if one.name == name)
-    return Followed(**given, position=pin.position, velocity=pin.velocity, pin_acceleration=pin.acceleration)
+    position: dict[str, Any] = {"driver_position": driver.position} if driver.point else {"driver_angle": driver.angle}
+    for item in links:
+        if item.name == name:
+            return Followed(**position, angle=item.angle, speed=item.speed, acceleration=item.acceleration)
+    pin = next(item for item in pins if item.name == name)
+    return Followed(**position, position=pin.position, velocity=pin.velocity, pin_acceleration=pin.acceleration)
 
 
 def _unwrapped(rows: "list[Followed]") -> "list[Followed]":
@@ -111,8 +111,8 @@ def _unwrapped(rows: "list[Followed]") -> "list[Followed]":
     for row in rows:
         if row.angle is not None and last is not None:
             angle = row.angle + TURN * round((last - row.angle) / TURN)
-            given = {key: getattr(row, key) for key in Followed.fields} | {"angle": angle}  # type: ignore[attr-defined]
-            row = Followed(**given)
+            fields = {key: getattr(row, key) for key in Followed.fields} | {"angle": angle}  # type: ignore[attr-defined]
+            row = Followed(**fields)
         last = row.angle
         out.append(row)
     return out
@@ -125,10 +125,10 @@ def _motion(parts: "list[Continuation]", rows: "list[Followed]", reached: bool) 
     shifts = [0.0, *(part.shift for part in parts)]
     ends = (base + min(shifts), base + max(shifts))
     count = sum(part.steps for part in parts)
-    crossed = sorted({round(base + at, 6) for part in parts for at in part.crossed})
-    way = "proved to be one motion" if parts[0].proves else "followed by small steps, without a proof"
-    way = "proved to be one motion but for the change point" if crossed and parts[0].proves else way
-    motion = Motion(rows, (None, None) if first.point else ends, f"{way}, in {count} steps")
+    crossed = sorted({round(base + shift, 6) for part in parts for shift in part.crossed})
+    evidence = "proved to be one motion" if parts[0].proves else "followed by small steps, without a proof"
+    evidence = "proved to be one motion but for the change point" if crossed and parts[0].proves else evidence
+    motion = Motion(rows, (None, None) if first.point else ends, f"{evidence}, in {count} steps")
     if crossed:
         words = worded(
             "at {at:4} the linkage passes a change point, where it can go on in two ways: the smooth one is shown",

@@ -64,11 +64,11 @@ def mobility(
     q = system.vector(chosen(system, possible, True).at)
     free = [index for index, name in enumerate(system.names) if not name.startswith("driver")]
     jacobian = _undriven(system, q, free)
-    left, values, _ = np.linalg.svd(jacobian)
+    left_vectors, values, _ = np.linalg.svd(jacobian)
     top = float(values.max(initial=0.0))
     rank = int((values > ZERO * top).sum())
     repeated = jacobian.shape[0] - rank
-    names = _names(system, free, left[:, rank:]) if repeated else None
+    names = _names(system, free, left_vectors[:, rank:]) if repeated else None
     joints = sum(
         sum(pin in shape.points for shape in system.shapes.values()) - 1
         for pin in (*system.known, *system.unknown)
@@ -102,17 +102,17 @@ def _undriven(system: "Any", q: "Any", free: "list[int]") -> "Any":
     import numpy as np
 
     rows = [system.jacobian(q)[index] for index in free]
-    at, half = system.positions(q), len(system.unknown)
+    places, half = system.positions(q), len(system.unknown)
     for driver in system.scene.drivers:
         if driver.point or driver.against != "ground":
             continue
         shape = system.shapes[driver.link]
-        way = at[shape.last] - at[shape.first]
+        link_vector = places[shape.last] - places[shape.first]
         row = np.zeros(system.size)
         for pin, sign in ((shape.last, 1.0), (shape.first, -1.0)):
             if pin in system.place:
-                row[system.place[pin]] = sign * way.real
-                row[half + system.place[pin]] = sign * way.imag
+                row[system.place[pin]] = sign * link_vector.real
+                row[half + system.place[pin]] = sign * link_vector.imag
         rows.append(row)
     return np.array(rows).reshape(len(rows), system.size)
 
@@ -120,8 +120,8 @@ def _undriven(system: "Any", q: "Any", free: "list[int]") -> "Any":
 def _names(system: "Any", free: "list[int]", null: "Any") -> str:
     import numpy as np
 
-    share = np.abs(null).max(axis=1)
+    weights = np.abs(null).max(axis=1)
     names = [system.names[index] for index in free]
     names += [f"length of {driver.link}" for driver in system.scene.drivers]
-    chosen = [name for name, own in zip(names, share, strict=False) if own > PART]
+    chosen = [name for name, weight in zip(names, weights, strict=False) if weight > PART]
     return ", ".join(dict.fromkeys(chosen))

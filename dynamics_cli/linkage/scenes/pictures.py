@@ -30,20 +30,20 @@ def motion(scene: Scene, start: "Pins", count: int) -> "list[Pins]":
 
     system = System(scene)
     first = scene.drivers[0]
-    q = system.vector({pin: at / system.scale for pin, at in start.items()})
+    q = system.vector({pin: place / system.scale for pin, place in start.items()})
     range_ = PUSH * system.scale if first.point else 2.0 * pi
 
     def run(sense: int) -> "list[Pins]":
         walk, poses = Continuation(system, q), [start]
         while len(poses) < count and walk.to(sense * range_ * len(poses) / count):
-            poses.append({pin: at * system.scale for pin, at in walk.system.positions(walk.q).items()})
+            poses.append({pin: place * system.scale for pin, place in walk.system.positions(walk.q).items()})
         return poses
 
     forward = run(1)
     if len(forward) == count:
         return forward if not first.point else [*forward, *forward[-2:0:-1]]
-    there = [*run(-1)[:0:-1], *forward]
-    return there + there[-2:0:-1] if len(there) > 2 else there
+    outward = [*run(-1)[:0:-1], *forward]
+    return outward + outward[-2:0:-1] if len(outward) > 2 else outward
 
 
 def _shape(scene: Scene, name: str, at: "Pins") -> "list[complex]":
@@ -64,26 +64,26 @@ def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     """The linkage, ghosts of it over the driver's range, the paths of its pins, and their velocities."""
     curves = _curves(result)
     result = _posed(result, scene)
-    at = {pin.name: complex(*pin.position) for pin in result.pins}
-    poses = motion(scene, at, FRAMES)
+    places = {pin.name: complex(*pin.position) for pin in result.pins}
+    poses = motion(scene, places, FRAMES)
     moving = [link.name for link in scene.links if link.name != GROUND]
     items: list[Any] = []
     for pose in poses[:: max(1, len(poses) // GHOSTS)]:
         items += [complex_curve(_shape(scene, name, pose), "", "dots", 6) for name in moving]
     fixed = {pin.name for link in scene.links if link.name == GROUND for pin in link.points}
     closed = [*poses, poses[0]]
-    items += [complex_curve([pose[pin] for pose in closed], "", "thin", 3) for pin in at if pin not in fixed]
-    items += [complex_curve(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)]
+    items += [complex_curve([pose[pin] for pose in closed], "", "thin", 3) for pin in places if pin not in fixed]
+    items += [complex_curve(_shape(scene, name, places), name, "thick", index) for index, name in enumerate(moving)]
     for slide in scene.slides:
-        items.append(complex_curve((at[slide.start], at[slide.end]), "", "centre", 5))
-    size = max(abs(one - other) for one in at.values() for other in at.values())
+        items.append(complex_curve((places[slide.start], places[slide.end]), "", "centre", 5))
+    size = max(abs(first - second) for first in places.values() for second in places.values())
     speeds = {pin.name: complex(*pin.velocity) for pin in result.pins if pin.velocity is not None}
     longest = max((abs(speed) for speed in speeds.values()), default=0.0)
-    for pin, place in at.items():
+    for pin, place in places.items():
         items.append(Mark(place.real, place.imag, pin))
         if longest and abs(speeds.get(pin, 0j)) > 0.0:
-            way = speeds[pin] * (ARROW * size / longest)
-            items.append(Arrow(place.real, place.imag, way.real, way.imag, "", 6))
+            arrow = speeds[pin] * (ARROW * size / longest)
+            items.append(Arrow(place.real, place.imag, arrow.real, arrow.imag, "", 6))
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     words = "with velocities" if longest else "paths of its pins"
     return Picture((panel, *curves), f"linkage of {len(scene.links)} links, {words}")
@@ -94,20 +94,20 @@ def _curves(result: "Any") -> "tuple[Panel, ...]":
     if not result.motion:
         return ()
     pushed = result.motion[0].driver_angle is None
-    at = [row.driver_position if pushed else row.driver_angle for row in result.motion]
-    way = (
-        Axis("driver position", Coordinate, ends=(min(at), max(at)))
+    positions = [row.driver_position if pushed else row.driver_angle for row in result.motion]
+    axis = (
+        Axis("driver position", Coordinate, ends=(min(positions), max(positions)))
         if pushed
-        else Axis("driver angle", Angle, ends=(min(at), max(at)), step=pi / 6.0)
+        else Axis("driver angle", Angle, ends=(min(positions), max(positions)), step=pi / 6.0)
     )
     if result.motion[0].angle is None:
         x, y = ([row.position[i] for row in result.motion] for i in (0, 1))
-        curves = (Curve(at, x, "x", role=0), Curve(at, y, "y", "dashed", 1))
-        return (Panel(way, Axis("position", Coordinate), curves, "the pin that was followed"),)
+        curves = (Curve(positions, x, "x", role=0), Curve(positions, y, "y", "dashed", 1))
+        return (Panel(axis, Axis("position", Coordinate), curves, "the pin that was followed"),)
     angles, speeds = [row.angle for row in result.motion], [row.speed for row in result.motion]
-    panels = [Panel(way, Axis("angle", Angle), (Curve(at, angles, role=0),), "the link that was followed")]
+    panels = [Panel(axis, Axis("angle", Angle), (Curve(positions, angles, role=0),), "the link that was followed")]
     if None not in speeds and any(speeds):
-        panels.append(Panel(way, Axis("angular velocity ω", TurnRate), (Curve(at, speeds, role=1),)))
+        panels.append(Panel(axis, Axis("angular velocity ω", TurnRate), (Curve(positions, speeds, role=1),)))
     return tuple(panels)
 
 
@@ -116,24 +116,24 @@ def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     from dynamics_cli.linkage.scenes.solve import solve
 
     solved = solve(scene)
-    at = {pin.name: complex(*pin.position) for pin in solved.pins or ()}
-    size = max(abs(one - other) for one in at.values() for other in at.values())
-    middle = sum(at.values()) / len(at)
+    places = {pin.name: complex(*pin.position) for pin in solved.pins or ()}
+    size = max(abs(centre - other) for centre in places.values() for other in places.values())
+    middle = sum(places.values()) / len(places)
     moving = [link.name for link in scene.links if link.name != GROUND]
     items: list[Any] = [
-        complex_curve(_shape(scene, name, at), name, "thick", index) for index, name in enumerate(moving)
+        complex_curve(_shape(scene, name, places), name, "thick", index) for index, name in enumerate(moving)
     ]
     names = {link.name: str(number) for number, link in enumerate(scene.links, 1)}
     far = []
-    taken: list[tuple[complex, int]] = []
-    for one in result.centres:
-        label = f"I({names[one.first]},{names[one.second]})"
-        if one.position is None or abs(complex(*one.position) - middle) > 4.0 * size:
+    placed: list[tuple[complex, int]] = []
+    for centre in result.centres:
+        label = f"I({names[centre.first]},{names[centre.second]})"
+        if centre.position is None or abs(complex(*centre.position) - middle) > 4.0 * size:
             far.append(label)
         else:
-            place = complex(*one.position)
-            beside = sum(abs(place - other) < CLOSE * size for other, _ in taken)
-            taken.append((place, beside))
+            place = complex(*centre.position)
+            beside = sum(abs(place - other) < CLOSE * size for other, _ in placed)
+            placed.append((place, beside))
             items.append(Mark(place.real, place.imag, label, ASIDE[beside % len(ASIDE)]))
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     order = ", ".join(f"{number} {name}" for name, number in names.items())
@@ -144,13 +144,13 @@ def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
 def moving_scene(result: "Any", scene: Scene, **_: "Any") -> str:
     """The linkage over its driver's range as an animated SVG."""
     result = _posed(result, scene)
-    at = {pin.name: complex(*pin.position) for pin in result.pins}
-    poses = motion(scene, at, FRAMES)
+    places = {pin.name: complex(*pin.position) for pin in result.pins}
+    poses = motion(scene, places, FRAMES)
     moving = [link.name for link in scene.links if link.name != GROUND]
     fixed = [pin.name for link in scene.links if link.name == GROUND for pin in link.points]
-    free = [pin for pin in at if pin not in fixed]
+    free = [pin for pin in places if pin not in fixed]
     frames = [[_shape(scene, name, pose) for name in moving] for pose in poses]
     traces = [[pose[pin] for pose in [*poses, poses[0]]] for pin in free]
-    traces += [[at[slide.start], at[slide.end]] for slide in scene.slides if slide.link == GROUND]
+    traces += [[places[slide.start], places[slide.end]] for slide in scene.slides if slide.link == GROUND]
     pins = [[pose[pin] for pin in free] for pose in poses]
-    return animated("A linkage in motion", frames, traces, [at[pin] for pin in fixed], pins)
+    return animated("A linkage in motion", frames, traces, [places[pin] for pin in fixed], pins)

@@ -52,13 +52,13 @@ def posed(
 ) -> "tuple[tuple[LinkMotion, ...], tuple[PinMotion, ...]]":
     """Links and pins at q; without rates where the pose is free to move with its drivers held."""
     velocity, acceleration = (None, None) if free else system.rates(q, jacobian)
-    moving, bending, at = _spread(system, velocity), _spread(system, acceleration), _clean(system.positions(q))
+    moving, bending, place = _spread(system, velocity), _spread(system, acceleration), _clean(system.positions(q))
     links = tuple(
-        _link(shape, at, moving, bending, system.scene.drivers)
+        _link(shape, place, moving, bending, system.scene.drivers)
         for shape in system.shapes.values()
         if shape.name != GROUND
     )
-    pins = tuple(PinMotion(pin, *(pair(part, pin, system.scale) for part in (at, moving, bending))) for pin in at)
+    pins = tuple(PinMotion(pin, *(pair(part, pin, system.scale) for part in (place, moving, bending))) for pin in place)
     return links, pins
 
 

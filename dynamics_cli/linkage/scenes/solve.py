@@ -121,7 +121,7 @@ def assembled(system: "System") -> "tuple[list[Assembly], bool]":
     walk = Assembler(system)
     possible = walk.all()
     surplus = len(system.rows) - system.size
-    gap, what = walk.gap
+    gap, decision = walk.gap
     require(
         bool(possible) or gap != float("inf"),
         "the linkage cannot be placed: its links depend on each other in a way that leaves no solution",
@@ -131,7 +131,7 @@ def assembled(system: "System") -> "tuple[list[Assembly], bool]":
         bool(possible),
         "the linkage cannot be closed at this position of its drivers: {what} miss by {gap}"
         + (", with {surplus} more conditions than it can keep" if surplus > 0 else ""),
-        what=what,
+        what=decision,
         gap=(gap * system.scale, Size),
         surplus=surplus,
         code="cannot-be-closed",
@@ -142,9 +142,9 @@ def assembled(system: "System") -> "tuple[list[Assembly], bool]":
 
 def chosen(system: "System", possible: "list[Assembly]", listed: bool) -> "Assembly":
     """The assembly chosen by the scene; a refusal with the list if it does not choose."""
-    wanted = {side.pin: str(side.side) for side in system.scene.sides}
-    decided = {pin for one in possible for pin, _ in one.words}
-    for pin in wanted:
+    sides = {side.pin: str(side.side) for side in system.scene.sides}
+    decided = {pin for a in possible for pin, _ in a.words}
+    for pin in sides:
         require(
             pin in decided or pin in system.place or pin in system.shapes,
             "sides name {pin}, which the scene does not have",
@@ -152,28 +152,28 @@ def chosen(system: "System", possible: "list[Assembly]", listed: bool) -> "Assem
             code="side",
         )
         require(
-            pin in decided or not any(one.solution for one in possible),
+            pin in decided or not any(a.solution for a in possible),
             "the side of {pin} selects none of these assemblies, which Newton's method found: see --assemblies",
             pin=repr(pin),
             code="side",
             hint="select one by [[near]] with a pin and its approximate position",
         )
-    fits = [one for one in possible if all(wanted.get(pin, word) == word for pin, word in one.words)]
+    fits = [a for a in possible if all(sides.get(pin, word) == word for pin, word in a.words)]
     require(
         bool(fits),
         "no assembly has those sides; there is: {list}",
-        list="; ".join(one.text for one in possible[:LISTED]),
+        list="; ".join(a.text for a in possible[:LISTED]),
         code="no-assembly",
     )
-    near = {one.pin: complex(*one.at) / system.scale for one in system.scene.near}
+    near = {a.pin: complex(*a.at) / system.scale for a in system.scene.near}
     if near and len(fits) > 1:
-        fits = [min(fits, key=lambda one: sum(abs(one.at[pin] - at) for pin, at in near.items() if pin in one.at))]
-    named = all(one.words for one in fits) and len({one.words for one in fits}) == len(fits)
+        fits = [min(fits, key=lambda a: sum(abs(a.at[pin] - spot) for pin, spot in near.items() if pin in a.at))]
+    named = all(a.words for a in fits) and len({a.words for a in fits}) == len(fits)
     require(
         len(fits) == 1 or listed,
         "{count} assemblies are possible and the scene does not say which: {list}",
         count=len(fits),
-        list="; ".join(one.text for one in fits[:LISTED]) if named else "see --assemblies",
+        list="; ".join(a.text for a in fits[:LISTED]) if named else "see --assemblies",
         code="which-assembly",
         hint="add [[sides]] with pin and side to the scene, or [[near]] with a pin and roughly where it is"
         if named
@@ -246,7 +246,7 @@ def _method(dyads: int, newton: bool) -> str:
 
 def _listed(system: "System", possible: "list[Assembly]") -> "tuple[AssemblyPin, ...]":
     return tuple(
-        AssemblyPin(number, one.text, pin, pair(one.at, pin, system.scale))
-        for number, one in enumerate(possible, 1)
+        AssemblyPin(number, a.text, pin, pair(a.at, pin, system.scale))
+        for number, a in enumerate(possible, 1)
         for pin in system.unknown
     )

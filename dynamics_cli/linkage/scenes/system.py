@@ -38,7 +38,7 @@ class Shape:
         """Further points as shares of the base."""
         start = self.points[self.first]
         return [
-            (name, (at - start) / self.base) for name, at in self.points.items() if name not in (self.first, self.last)
+            (name, (z - start) / self.base) for name, z in self.points.items() if name not in (self.first, self.last)
         ]
 
 
@@ -116,10 +116,10 @@ class System:
     def moved(self, shift: float) -> "System":
         """The same with its first driver moved on by an angle, or along its slide."""
         first = self.scene.drivers[0]
-        given = {name: getattr(first, name) for name in Driver.fields}  # type: ignore[attr-defined]
-        given["position" if first.point else "angle"] += shift
+        fields = {name: getattr(first, name) for name in Driver.fields}  # type: ignore[attr-defined]
+        fields["position" if first.point else "angle"] += shift
         scene, other = self.scene, copy(self)
-        other.scene = Scene(scene.links, (Driver(**given), *scene.drivers[1:]), scene.slides, scene.sides, scene.near)
+        other.scene = Scene(scene.links, (Driver(**fields), *scene.drivers[1:]), scene.slides, scene.sides, scene.near)
         other.rows, other.names = [], []
         other._build()
         if not first.point and first.against != GROUND:
@@ -139,14 +139,14 @@ class System:
                 continue
             if shape.name not in fixed:
                 self._add(f"length of {shape.name}", ("length", shape.first, shape.last, abs(shape.base)))
-            for name, share in shape.others():
-                self._add(f"{name} on {shape.name}, along", ("point", name, shape.first, shape.last, share, 0))
-                self._add(f"{name} on {shape.name}, across", ("point", name, shape.first, shape.last, share, 1))
+            for name, ratio in shape.others():
+                self._add(f"{name} on {shape.name}, along", ("point", name, shape.first, shape.last, ratio, 0))
+                self._add(f"{name} on {shape.name}, across", ("point", name, shape.first, shape.last, ratio, 1))
         for slide in self.scene.slides:
             self._add(f"slide of {slide.point}", ("slide", slide.point, slide.start, slide.end))
         for driver in self.scene.drivers:
             if driver.point:
-                slide = next(one for one in self.scene.slides if one.point == driver.point)
+                slide = next(slide_ for slide_ in self.scene.slides if slide_.point == driver.point)
                 points = self.shapes[slide.link].points
                 span = abs(points[slide.end] - points[slide.start])
                 self._add(
@@ -180,8 +180,8 @@ class System:
 
     def residuals(self, q: "Any") -> "Any":
         """All equations at q."""
-        at = self.positions(q)
-        return np.array([_residual(row, at) for row in self.rows])
+        places = self.positions(q)
+        return np.array([_residual(row, places) for row in self.rows])
 
     def _quadratic(self) -> "tuple[Any, Any]":
         """The linear part and the constant second derivatives, by polarisation, exact to rounding."""
@@ -194,8 +194,8 @@ class System:
         curved = np.zeros((len(self.rows), n, n))
         for j in range(n):
             for k in range(j, n):
-                both = self.residuals(unit[j] + unit[k]) - plus[j] - plus[k] + zero
-                curved[:, j, k] = curved[:, k, j] = np.where(np.abs(both) > 1e-12, both, 0.0)
+                mixed = self.residuals(unit[j] + unit[k]) - plus[j] - plus[k] + zero
+                curved[:, j, k] = curved[:, k, j] = np.where(np.abs(mixed) > 1e-12, mixed, 0.0)
         return linear, curved
 
     def jacobian(self, q: "Any") -> "Any":
@@ -204,14 +204,14 @@ class System:
 
     def rates(self, q: "Any", jacobian: "Any") -> "tuple[Any, Any]":
         """Velocities and accelerations of the unknowns for the drivers' rates."""
-        at = self.positions(q)
-        velocity = np.linalg.lstsq(jacobian, -np.array([_drift(row, at, self.scale) for row in self.rows]))[0]
+        places = self.positions(q)
+        velocity = np.linalg.lstsq(jacobian, -np.array([_drift(row, places, self.scale) for row in self.rows]))[0]
         half = len(self.unknown)
         moving = dict.fromkeys(self.known, 0j) | {
             pin: complex(velocity[i], velocity[half + i]) for pin, i in self.place.items()
         }
         bend = np.einsum("j,ijk,k->i", velocity, self.curved, velocity)
-        bend = bend + np.array([_second_drift(row, at, moving, self.scale) for row in self.rows])
+        bend = bend + np.array([_second_drift(row, places, moving, self.scale) for row in self.rows])
         return velocity, np.linalg.lstsq(jacobian, -bend)[0]
 
 
@@ -229,10 +229,10 @@ def _residual(row: "Row", at: "dict[str, complex]") -> float:
     if kind == "angle":
         turned = (at[row[2]] - at[row[1]]) * (at[row[4]] - at[row[3]]).conjugate() * np.exp(-1j * row[5])
         return turned.imag  # type: ignore[no-any-return]
-    way, line = at[row[1]] - at[row[2]], at[row[3]] - at[row[2]]
+    offset, line = at[row[1]] - at[row[2]], at[row[3]] - at[row[2]]
     if kind == "slide":
-        return float((line.conjugate() * way).imag)
-    return (line.conjugate() * way).real - row[4] * row[5].position / row[6]  # type: ignore[no-any-return]
+        return float((line.conjugate() * offset).imag)
+    return (line.conjugate() * offset).real - row[4] * row[5].position / row[6]  # type: ignore[no-any-return]
 
 
 def _drift(row: "Row", at: "dict[str, complex]", scale: float) -> float:
@@ -276,7 +276,7 @@ class Certificate:
         # residuals are sums of a few products of coordinates of order one
         rounding = 16.0 * UNIT * (1.0 + float(np.abs(q).max(initial=0.0)) ** 2) * beta * len(q) ** 0.5
         step = float(np.linalg.norm(inverse @ system.residuals(q))) + rounding
-        curve = float(np.sqrt(sum(np.linalg.norm(one, 2) ** 2 for one in system.curved)))
+        curve = float(np.sqrt(sum(np.linalg.norm(curvature, 2) ** 2 for curvature in system.curved)))
         self.step, self.curve = step, curve
         self.share = beta * curve * step
         root = max(0.0, 1.0 - 2.0 * self.share) ** 0.5

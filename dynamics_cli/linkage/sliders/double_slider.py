@@ -265,14 +265,14 @@ def trammel(
         return Trammel(velocity=None, acceleration=None, bar_speed=None, bar_acceleration=None, foot_velocity=None,
                        top_velocity=None, **shape)  # fmt: skip
     square = rate * rate
-    drawn, pulled = (-(top * rate), -(foot * square + top * bend)) if pull is None else (pull, pull_acceleration)
-    share = rest / bar
+    run, pulled = (-(top * rate), -(foot * square + top * bend)) if pull is None else (pull, pull_acceleration)
+    ratio = rest / bar
     return Trammel(
-        velocity=(share * drawn, point * cosine * rate),
-        acceleration=(share * pulled, point * (cosine * bend - sine * square)),
+        velocity=(ratio * run, point * cosine * rate),
+        acceleration=(ratio * pulled, point * (cosine * bend - sine * square)),
         bar_speed=rate,
         bar_acceleration=bend,
-        foot_velocity=drawn,
+        foot_velocity=run,
         top_velocity=foot * rate,
         **shape,
     )

@@ -62,16 +62,16 @@ def slider_picture(
     ends = (complex(low - 1.5 * size, offset), complex(high + 1.5 * size, offset))
     items += [complex_curve(ends, "", "centre", 5), Mark(0.0, 0.0, "O", (-14.0, -12.0))]
     scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    way = Axis("crank angle θ", Angle, ends=(0.0, 2.0 * pi), step=pi / 6.0)
-    here = () if crank_angle is None else (Band(crank_angle % (2.0 * pi), crank_angle % (2.0 * pi)),)
+    turn = Axis("crank angle θ", Angle, ends=(0.0, 2.0 * pi), step=pi / 6.0)
+    mark = () if crank_angle is None else (Band(crank_angle % (2.0 * pi), crank_angle % (2.0 * pi)),)
     angle = columns["crank_angle"]
     zero = Band(0.0, 0.0, vertical=False)
     return Picture(
         (
             scene,
-            Panel(way, Axis("position x", Coordinate), (Curve(angle, columns["position"], role=2), *here)),
+            Panel(turn, Axis("position x", Coordinate), (Curve(angle, columns["position"], role=2), *mark)),
             *(
-                Panel(way, axis, (Curve(angle, columns[name], role=2), zero, *here))
+                Panel(turn, axis, (Curve(angle, columns[name], role=2), zero, *mark))
                 for name, axis in zip(names, axes, strict=True)
             ),
         ),
@@ -135,9 +135,9 @@ def quick_return_picture(
         way_out = place - pivot
         square = abs(way_out) ** 2
         ratios.append((place * way_out.conjugate()).real / square if square else float("nan"))
-    way = Axis("crank angle θ₂", Angle, ends=(0.0, 2.0 * pi), step=pi / 6.0)
+    axis = Axis("crank angle θ₂", Angle, ends=(0.0, 2.0 * pi), step=pi / 6.0)
     speeds = Panel(
-        way, Axis("speed ratio ω₄/ω₂"), (Curve(angles, ratios, role=1), Band(0.0, 0.0, vertical=False)),
+        axis, Axis("speed ratio ω₄/ω₂"), (Curve(angles, ratios, role=1), Band(0.0, 0.0, vertical=False)),
         "the return is where the lever runs against the crank" if crank < ground else "",
     )  # fmt: skip
     title = worded("quick return: crank {a}, pivots {d} apart", a=(crank, Size), d=(ground, Size))

@@ -80,10 +80,10 @@ def quick_return(
     """
     for name, length in (("crank", crank), ("ground link", ground)):
         require_long(name, length)
-    known = _ratio(crank, ground, lever)
+    fields = _ratio(crank, ground, lever)
     if crank_angle is None:
         require(speed is None, "a speed needs a crank angle", code="no-angle", hint="give --crank-angle")
-        return QuickReturn(**known)  # type: ignore[arg-type]
+        return QuickReturn(**fields)  # type: ignore[arg-type]
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
     apart = crank - ground
     # a cos θ − d without cancellation where the pin passes near the lever's pivot
@@ -100,24 +100,24 @@ def quick_return(
     ratio = (ax * ex + ay * ey) / reach
     sliding = ax * ey - ay * ex
     rate = 0.0 * crank_angle if speed is None else speed
-    lever_speed, slip = ratio * rate, sliding * rate
+    lever_speed, sliding_speed = ratio * rate, sliding * rate
     across = -(angular_acceleration * ay + rate * rate * ax) * -ey + (angular_acceleration * ax - rate * rate * ay) * ex
-    coriolis = 2.0 * slip * lever_speed
+    coriolis = 2.0 * sliding_speed * lever_speed
     moving = speed is not None
     size = lever if lever is not None else 0.0 * reach
-    given = moving and lever is not None
+    with_tip = moving and lever is not None
     alone = single(crank, ground, crank_angle)
     return QuickReturn(
-        **known,  # type: ignore[arg-type]
+        **fields,  # type: ignore[arg-type]
         lever_angle=atan2(ay, rx),
         lever_ratio=ratio,
         lever_speed=lever_speed if moving else None,
         lever_acceleration=(across - coriolis) / reach if moving else None,
         reach=reach,
-        slip=slip if moving else None,
+        slip=sliding_speed if moving else None,
         coriolis=coriolis if moving else None,
         tip=None if lever is None else (ground + size * ex, size * ey),
-        tip_velocity=(-(size * ey) * lever_speed, size * ex * lever_speed) if given else None,
+        tip_velocity=(-(size * ey) * lever_speed, size * ex * lever_speed) if with_tip else None,
         checks=_checks(ax, ay, (ex, ey), reach, ratio, sliding) if alone else (),
     )
 
@@ -131,10 +131,10 @@ def _ratio(crank: float, ground: float, lever: "float | None") -> "dict[str, obj
     angle, rest = 2.0 * atan2(short, leg), 2.0 * atan2(leg, short)
     if crank < ground:
         stroke = None if lever is None else 2.0 * lever * (crank / ground)
-        known: dict[str, object] = {"swing": angle, "stroke": stroke, "kind": "oscillating lever"}
+        fields: dict[str, object] = {"swing": angle, "stroke": stroke, "kind": "oscillating lever"}
     else:
-        known = {"kind": "turning lever (Whitworth)"}
-    return {"time_ratio": (pi + angle) / rest, **known}
+        fields = {"kind": "turning lever (Whitworth)"}
+    return {"time_ratio": (pi + angle) / rest, **fields}
 
 
 def _checks(

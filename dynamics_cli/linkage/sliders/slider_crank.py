@@ -245,11 +245,11 @@ def _fastest(a: float, b: float, e: float, end: End, speed: "float | None") -> "
     """The largest |dx/dθ| of a crank that turns fully, where the acceleration vanishes, and its angle."""
     lengths = plain(a), plain(b), plain(e)
     side = 1.0 if end == RIGHT else -1.0
-    at = max(
+    fastest_angle = max(
         (tau * k / SAMPLES for k in range(SAMPLES)),
         key=lambda t: round(abs(_slopes(*lengths, side, turned(t))[0]) / lengths[0], 9),
     )
-    low, high = at - tau / SAMPLES, at + tau / SAMPLES
+    low, high = fastest_angle - tau / SAMPLES, fastest_angle + tau / SAMPLES
     first = _slopes(*lengths, side, turned(low))[1]
     while low < (middle := 0.5 * (low + high)) < high:
         same = (_slopes(*lengths, side, turned(middle))[1] < 0.0) == (first < 0.0)
@@ -257,8 +257,8 @@ def _fastest(a: float, b: float, e: float, end: End, speed: "float | None") -> "
     ahead, behind = (_slopes(*lengths, side, turned(low + step))[1] for step in (STEP, -STEP))
     slope, bend = _slopes(a, b, e, side, turned(low + 0.0 * a))
     # one step of Newton carries bounds and derivatives by the lengths into the angle
-    known = {"top_slope": absolute(slope), "top_at": low - bend / ((ahead - behind) / (2.0 * STEP))}
-    return known if speed is None else known | {"top_speed": absolute(slope) * absolute(speed)}
+    fields = {"top_slope": absolute(slope), "top_at": low - bend / ((ahead - behind) / (2.0 * STEP))}
+    return fields if speed is None else fields | {"top_speed": absolute(slope) * absolute(speed)}
 
 
 def _checks(a: float, b: float, e: float, turn: "tuple[float, float]", x: float) -> "tuple[Check, ...]":

@@ -135,7 +135,7 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     low, high = np.array(starts, dtype=float), np.array(ends, dtype=float)
     origin = np.arange(low.size)
     before: Any = np.inf
-    done: list[tuple[Any, Any, Any, Any, Any]] = []
+    resolved: list[tuple[Any, Any, Any, Any, Any]] = []
     for level in range(depth + 1):
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         values = function(middle[:, None] + half[:, None] * nodes, origin)
@@ -147,23 +147,23 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
         worst = np.max(tail / np.where(size > 0.0, size, 1.0), axis=0)
         hopeless = (worst > 0.2 * before) & (worst < 1e-6) & (level > 1)
         good = (worst <= RESOLVED) | hopeless | (level == depth) | (middle <= low) | (middle >= high)
-        done.append((low[good], high[good], coefficients[:, good], 2.0 * tail[:, good], origin[good]))
+        resolved.append((low[good], high[good], coefficients[:, good], 2.0 * tail[:, good], origin[good]))
         if good.all():
             break
         bad = ~good
-        left, mid, right = low[bad], middle[bad], high[bad]
-        low, high = np.concatenate((left, mid)), np.concatenate((mid, right))
+        lows, mid, right = low[bad], middle[bad], high[bad]
+        low, high = np.concatenate((lows, mid)), np.concatenate((mid, right))
         origin = np.concatenate((origin[bad], origin[bad]))
         before = np.concatenate((worst[bad], worst[bad]))
-    all_low = np.concatenate([part[0] for part in done])
-    owner = np.concatenate([part[4] for part in done])
+    all_low = np.concatenate([part[0] for part in resolved])
+    owner = np.concatenate([part[4] for part in resolved])
     order = np.lexsort((all_low, owner))
     return Proxies(
         owner[order],
         all_low[order],
-        np.concatenate([part[1] for part in done])[order],
-        np.concatenate([part[2] for part in done], axis=1)[:, order],
-        np.concatenate([part[3] for part in done], axis=1)[:, order],
+        np.concatenate([part[1] for part in resolved])[order],
+        np.concatenate([part[2] for part in resolved], axis=1)[:, order],
+        np.concatenate([part[3] for part in resolved], axis=1)[:, order],
     )
 
 
@@ -193,25 +193,25 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "An
     >>> abs(place - np.pi / 2) < 1e-7, abs(value - 1.0) < 1e-15
     (True, True)
     """
-    whole = proxy.coefficients[which]
-    count = whole.shape[1]
+    series = proxy.coefficients[which]
+    count = series.shape[1]
     t, basis, first, second = _basis(count)
     k = np.arange(count, dtype=float)
-    size = np.abs(whole)
+    size = np.abs(series)
     # a coefficient that is only rounding would add turning points of its own
-    c = np.where(size > NOISE * size.sum(axis=1)[:, None], whole, 0.0)
+    c = np.where(size > NOISE * size.sum(axis=1)[:, None], series, 0.0)
     size = np.abs(c)
     bounds = [size @ k**power for power in (2, 3, 4)]
     slack = [ROUNDING * (size @ k), ROUNDING * bounds[0]]
     scale = size.sum(axis=1)
     # error of the values against the maximum and minimum of the proxy
-    off = 2.0 * np.abs(whole - c).sum(axis=1) + ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-51 * scale
+    off = 2.0 * np.abs(series - c).sum(axis=1) + ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-51 * scale
     step = np.pi / GRID
     roots: list[tuple[Any, Any, Any]] = []
     calm: list[tuple[Any, Any, Any]] = []
     q, d1, d2 = c @ basis, c @ first, c @ second
     # the mean last: the other terms are small beside it on a short piece
-    moving, mean = whole[:, 1:], whole[:, 0]
+    moving, mean = series[:, 1:], series[:, 0]
     ends = np.concatenate((moving @ np.where(k[1:] % 2, -1.0, 1.0) + mean, moving.sum(axis=1) + mean))
     most, least = ends.max(), ends.min()
     owner, grid = np.arange(c.shape[0]), np.broadcast_to(t, (c.shape[0], t.size))
@@ -222,33 +222,33 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "An
         steady = (bounds[0] == 0.0)[owner]
         turning[steady], unsure[steady] = False, False
         # within a cell the function is near its chord
-        room = (0.125 * step * step * bounds[0] + 4e-16 * scale)[owner][:, None]
-        high, low = np.maximum(q[:, :-1], q[:, 1:]) + room, np.minimum(q[:, :-1], q[:, 1:]) - room
+        edge = (0.125 * step * step * bounds[0] + 4e-16 * scale)[owner][:, None]
+        high, low = np.maximum(q[:, :-1], q[:, 1:]) + edge, np.minimum(q[:, :-1], q[:, 1:]) - edge
         if level == 0:
             tops, bottoms = high.max(axis=1), low.min(axis=1)
         if not every:
             most, least = max(most, q.max()), min(least, q.min())
-            room = 0.0 if margin is None else margin[owner][:, None]
-            decides = (high >= most - room) | (low <= least + room)
+            edge = 0.0 if margin is None else margin[owner][:, None]
+            decides = (high >= most - edge) | (low <= least + edge)
             turning &= decides
             unsure &= decides
-        found, cells = np.nonzero(turning)
-        roots.append((owner[found], grid[found, cells], grid[found, cells + 1]))
-        found, cells = np.nonzero(unsure)
-        rows, left = owner[found], grid[found, cells]
+        pieces_found, cells = np.nonzero(turning)
+        roots.append((owner[pieces_found], grid[pieces_found, cells], grid[pieces_found, cells + 1]))
+        pieces_found, cells = np.nonzero(unsure)
+        rows, lefts = owner[pieces_found], grid[pieces_found, cells]
         if not rows.size:
             break
         # where the function hardly varies within a cell, any place in it will do
-        moves = step * np.maximum(np.abs(d1[found, cells]), np.abs(d1[found, cells + 1]))
+        moves = step * np.maximum(np.abs(d1[pieces_found, cells]), np.abs(d1[pieces_found, cells + 1]))
         moves += 0.125 * step**3 * bounds[1][rows] + step * slack[0][rows]
         still = (moves <= CALM * scale[rows]) | (level == LEVELS)
         np.maximum.at(off, rows[still], off[rows[still]] + moves[still])
-        calm.append((rows[still], left[still] - 0.5 * step, np.full(rows[still].size, step)))
-        owner, left = rows[~still], left[~still]
+        calm.append((rows[still], lefts[still] - 0.5 * step, np.full(rows[still].size, step)))
+        owner, lefts = rows[~still], lefts[~still]
         if not owner.size:
             break
         step /= SPLIT
-        grid = left[:, None] - step * np.arange(SPLIT + 1)
+        grid = lefts[:, None] - step * np.arange(SPLIT + 1)
         q, d1, d2 = _derivatives(c[owner], grid)
     at = [np.concatenate([part[index] for part in roots]) for index in range(3)]
     row = np.concatenate([at[0], *(part[0] for part in calm)])
@@ -262,15 +262,15 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "An
     # by t, every function turns at the ends of its piece
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
     rows = np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))
-    about = np.concatenate((np.zeros(ends.size + at[0].size), *(part[2] for part in calm)))
+    widths = np.concatenate((np.zeros(ends.size + at[0].size), *(part[2] for part in calm)))
     units = np.concatenate((np.full(c.shape[0], -1.0), np.ones(c.shape[0]), np.cos(place)))
     owners = proxy.owner[rows]
     order = np.lexsort((places, owners))
     # a piece below the maximum by more than its error does not contribute to the maximum's error
-    room = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
+    edge = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
     return Extremes(
         owners[order], places[order], values[order], inside[order],
-        float(max(np.max(proxy.error[which] + off + room) * UP, 0.0)), rows[order], units[order], about[order], off,
+        float(max(np.max(proxy.error[which] + off + edge) * UP, 0.0)), rows[order], units[order], widths[order], off,
     )  # fmt: skip
 
 
@@ -280,10 +280,10 @@ def _cells(
     """Cells with exactly one root of the derivative, and undecided cells."""
     a, b = d1[:, :-1], d1[:, 1:]
     changes = (a > 0.0) != (b > 0.0)
-    room = 0.125 * step * step
-    clear = ~changes & (np.minimum(np.abs(a), np.abs(b)) > room * bounds[1][rows] + slack[0][rows])
+    bulge = 0.125 * step * step
+    clear = ~changes & (np.minimum(np.abs(a), np.abs(b)) > bulge * bounds[1][rows] + slack[0][rows])
     p, q = d2[:, :-1], d2[:, 1:]
-    monotone = ((p > 0.0) == (q > 0.0)) & (np.minimum(np.abs(p), np.abs(q)) > room * bounds[2][rows] + slack[1][rows])
+    monotone = ((p > 0.0) == (q > 0.0)) & (np.minimum(np.abs(p), np.abs(q)) > bulge * bounds[2][rows] + slack[1][rows])
     return changes & monotone, ~clear & ~monotone
 
 
@@ -295,22 +295,22 @@ def _derivatives(c: "Any", t: "Any") -> "tuple[Any, Any, Any]":
     rows = np.stack((c, k * k * c), axis=-1)
     kc = (k * c)[..., None]
     if t.ndim == 1:
-        both = (cosine[:, None, :] @ rows)[:, 0]
-        return both[:, 0], -(sine[:, None, :] @ kc)[:, 0, 0], -both[:, 1]
-    both = cosine @ rows
-    return both[..., 0], -(sine @ kc)[..., 0], -both[..., 1]
+        value_and_bend = (cosine[:, None, :] @ rows)[:, 0]
+        return value_and_bend[:, 0], -(sine[:, None, :] @ kc)[:, 0, 0], -value_and_bend[:, 1]
+    value_and_bend = cosine @ rows
+    return value_and_bend[..., 0], -(sine @ kc)[..., 0], -value_and_bend[..., 1]
 
 
 def _refined(c: "Any", rows: "Any", high: "Any", low: "Any") -> "tuple[Any, Any]":
     """Newton's method kept close to its cell, where the derivative is monotone; and the remaining derivative."""
     if not rows.size:
         return np.zeros(0), np.zeros(0)
-    own, hair = c[rows], 0.01 * (high - low)
+    series, hair = c[rows], 0.01 * (high - low)
     place = 0.5 * (low + high)
     for _ in range(6):
-        _, d1, d2 = _derivatives(own, place)
+        _, d1, d2 = _derivatives(series, place)
         before, place = place, np.clip(place - d1 / np.where(d2 == 0.0, np.inf, d2), low - hair, high + hair)
         # the square of such a step is below a rounding
         if np.abs(place - before).max() <= 1e-9:
             break
-    return place, _derivatives(own, place)[1]
+    return place, _derivatives(series, place)[1]

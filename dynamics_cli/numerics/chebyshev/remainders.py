@@ -76,21 +76,21 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
     half = 0.5 * (high - low)
     places = 0.5 * (low + high)[:, None] + half[:, None] * nodes
     with np.errstate(all="ignore"):
-        found = function(Disc(places), origin)
-    shape = np.broadcast_shapes(found.centre.shape, (1, low.size, COUNT))
-    values = np.broadcast_to(found.centre, shape)
-    slip = np.broadcast_to(found.radius, shape).max(axis=2)
+        samples = function(Disc(places), origin)
+    shape = np.broadcast_shapes(samples.centre.shape, (1, low.size, COUNT))
+    values = np.broadcast_to(samples.centre, shape)
+    rounding = np.broadcast_to(samples.radius, shape).max(axis=2)
     if not np.isfinite(values).all():
         raise ValueError("the function is not finite inside a piece")
     # nodes are rounded: to half a unit of their place, and eight units of their share of the piece
     moved = U * (np.abs(places).max(axis=1) + 8.0 * half)
     with np.errstate(all="ignore"):
-        slip = slip + np.minimum(steep * (moved / np.where(half > 0.0, half, 1.0)), 2.0 * wide)
-    slip = np.where(np.isfinite(slip), slip, np.inf)
+        rounding = rounding + np.minimum(steep * (moved / np.where(half > 0.0, half, 1.0)), 2.0 * wide)
+    rounding = np.where(np.isfinite(rounding), rounding, np.inf)
     away = values - middle[:, :, None]
     coefficients = away @ matrix
     coefficients[:, :, 0] += middle
-    rounded = LEBESGUE * slip + 2.0**-52 * ((COUNT + 12.0) * np.abs(away).sum(axis=2) + np.abs(middle))
+    rounded = LEBESGUE * rounding + 2.0**-52 * ((COUNT + 12.0) * np.abs(away).sum(axis=2) + np.abs(middle))
     error, steep = left_out + rounded, (COUNT + 2.0) ** 2 * (spectral + rounded)
     error, steep = (np.where(np.isfinite(part), part * UP, np.inf) for part in (error, steep))
     return Proxies(origin, low, high, coefficients, error, True, steep)
@@ -101,33 +101,33 @@ def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rou
     low, high = np.array(starts, dtype=float), np.array(ends, dtype=float)
     origin = np.arange(low.size)
     scale: Any = 0.0
-    done: list[tuple[Any, ...]] = []
+    finished: list[tuple[Any, ...]] = []
     for level in range(rounds + 1):
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         with np.errstate(all="ignore"):
-            found = function(Disc(middle[:, None], half[:, None] * MULTIPLES), origin)
-        shape = np.broadcast_shapes(found.centre.shape, found.radius.shape, (1, low.size, MULTIPLES.size))
+            enclosures = function(Disc(middle[:, None], half[:, None] * MULTIPLES), origin)
+        shape = np.broadcast_shapes(enclosures.centre.shape, enclosures.radius.shape, (1, low.size, MULTIPLES.size))
         # the middles may go along the discs' axis or stand alone
-        values = np.broadcast_to(found.centre, shape)[:, :, 0]
-        wide = np.broadcast_to(found.radius, shape)
+        values = np.broadcast_to(enclosures.centre, shape)[:, :, 0]
+        wide = np.broadcast_to(enclosures.radius, shape)
         wide = np.where(np.isfinite(wide), wide, np.inf)
         finite = np.where(np.isfinite(values) & (wide[:, :, 0] < np.inf), np.abs(values), 0.0)
         scale = np.maximum(scale, finite.max(axis=1))
-        wanted = (RESOLVED * scale + SMALLEST)[:, None]
+        allowed = (RESOLVED * scale + SMALLEST)[:, None]
         with np.errstate(over="ignore"):
             remainder = (wide * REMAINDERS[0]).min(axis=2)
         left_out = np.minimum(remainder, (1.0 + LEBESGUE) * wide[:, :, UNIT])
-        good = (left_out <= wanted).all(axis=0) | (level == rounds) | (middle <= low) | (middle >= high)
+        good = (left_out <= allowed).all(axis=0) | (level == rounds) | (middle <= low) | (middle >= high)
         good |= low.size > MOST
         with np.errstate(over="ignore"):
             steep = (wide[:, :, UNIT + 1 :] / (MULTIPLES[UNIT + 1 :] - 1.0)).min(axis=2)
         parted = (values, left_out, steep, wide[:, :, UNIT], remainder)
-        done.append((low[good], high[good], origin[good], *(one[:, good] for one in parted)))
+        finished.append((low[good], high[good], origin[good], *(item[:, good] for item in parted)))
         if good.all():
             break
         # as many parts as would suffice if the discs of the parts were no worse than that of the whole piece
         with np.errstate(over="ignore"):
-            enough = np.array([((wide * row).min(axis=2) <= wanted).all(axis=0) for row in REMAINDERS[1:]])
+            enough = np.array([((wide * row).min(axis=2) <= allowed).all(axis=0) for row in REMAINDERS[1:]])
         parts = np.where(enough.any(axis=0), 2 ** (1 + enough.argmax(axis=0)), 16)[~good]
         step = (high - low)[~good] / parts
         owner = np.repeat(np.arange(parts.size), parts)
@@ -138,11 +138,11 @@ def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rou
         # neighbouring pieces share their end to the bit
         high[:-1] = np.where(number[1:] > 0, low[1:], high[:-1])
         origin = origin[~good][owner]
-    all_low, owner = np.concatenate([part[0] for part in done]), np.concatenate([part[2] for part in done])
+    all_low, owner = np.concatenate([part[0] for part in finished]), np.concatenate([part[2] for part in finished])
     order = np.lexsort((all_low, owner))
     return (
         all_low[order],
-        np.concatenate([part[1] for part in done])[order],
+        np.concatenate([part[1] for part in finished])[order],
         owner[order],
-        *(np.concatenate([part[index] for part in done], axis=1)[:, order] for index in range(3, 8)),
+        *(np.concatenate([part[index] for part in finished], axis=1)[:, order] for index in range(3, 8)),
     )

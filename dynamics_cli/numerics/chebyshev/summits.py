@@ -76,24 +76,24 @@ def summits(
     >>> float(summits(made)[0].gains[0]) < 1e-18
     True
     """
-    whole = proxy.coefficients[which]
-    small = proxy.error[which] * UP
+    series = proxy.coefficients[which]
+    slack = proxy.error[which] * UP
     # with what the values of the proxies round by
-    moving = np.abs(whole[:, 1:]).sum(axis=1)
-    wide = small + 2.0 * ROUNDING * moving + 2.0**-50 * np.abs(whole[:, 0])
-    best = float(np.where(np.isfinite(wide), wide, 0.0)[_reaching(whole)].max(initial=0.0))
+    moving = np.abs(series[:, 1:]).sum(axis=1)
+    wide = slack + 2.0 * ROUNDING * moving + 2.0**-50 * np.abs(series[:, 0])
+    best = float(np.where(np.isfinite(wide), wide, 0.0)[_reaching(series)].max(initial=0.0))
     with np.errstate(invalid="ignore"):
         margin = np.where(np.isfinite(wide), 2.0 * wide + 4.0 * best, 0.0)
     # on a piece that varies by less than that, all places are equivalent
     even = (moving <= margin) & ~np.broadcast_to(still, margin.shape)
     candidates = extremes(proxy, which, margin=np.where(even, 0.0, margin))
     # the searched polynomial has no coefficients that are only rounding
-    sizes = np.abs(whole)
-    searched = np.where(sizes > NOISE * sizes.sum(axis=1)[:, None], whole, 0.0)
-    dropped = np.abs(whole - searched).sum(axis=1)
-    steep = (np.full(small.shape, inf) if proxy.steep is None else proxy.steep[which]) + whole.shape[1] ** 2 * dropped
+    sizes = np.abs(series)
+    searched = np.where(sizes > NOISE * sizes.sum(axis=1)[:, None], series, 0.0)
+    dropped = np.abs(series - searched).sum(axis=1)
+    steep = (np.full(slack.shape, inf) if proxy.steep is None else proxy.steep[which]) + series.shape[1] ** 2 * dropped
     # all that it is off, with the rounding of its values
-    errors = small + candidates.off
+    errors = slack + candidates.off
     parts = []
     for sign in ways:
         values = sign * candidates.values
@@ -112,36 +112,36 @@ def summits(
     values = np.concatenate([part[1][part[2]] for part in parts])
     levels = np.concatenate([part[3][candidates.rows[part[2]]] for part in parts])
     turned = signs[:, None] * searched[rows]
-    units, about = _nearer(turned, candidates.units[near], candidates.about[near])
-    gains, wide = _gains(turned, units, values + errors[rows] - levels, steep[rows], about)
-    gains = _covered(gains, wide, about, signs * (1.0 + rows), units, values)
-    gains = np.where(np.broadcast_to(still, small.shape)[rows], 0.0, gains)
-    done, low = [], 0
+    units, widths = _nearer(turned, candidates.units[near], candidates.about[near])
+    gains, wide = _gains(turned, units, values + errors[rows] - levels, steep[rows], widths)
+    gains = _covered(gains, wide, widths, signs * (1.0 + rows), units, values)
+    gains = np.where(np.broadcast_to(still, slack.shape)[rows], 0.0, gains)
+    result, low = [], 0
     for part in parts:
-        own = slice(low, low + part[2].size)
-        low, loose = own.stop, part[5] | ~np.isfinite(errors)
-        loose[rows[own][np.isinf(gains[own])]] = True
-        done.append(Summits(rows[own], units[own], gains[own], part[4], errors, part[3], loose))
-    return tuple(done)
+        cut = slice(low, low + part[2].size)
+        low, loose = cut.stop, part[5] | ~np.isfinite(errors)
+        loose[rows[cut][np.isinf(gains[cut])]] = True
+        result.append(Summits(rows[cut], units[cut], gains[cut], part[4], errors, part[3], loose))
+    return tuple(result)
 
 
-def _reaching(whole: "Any") -> "Any":
+def _reaching(series: "Any") -> "Any":
     """Pieces that may contain the maximum or minimum, judged by their ends and middles."""
-    count = whole.shape[1]
+    count = series.shape[1]
     k = np.arange(count)
-    some = np.stack((whole @ np.where(k % 2, -1.0, 1.0), whole.sum(axis=1), whole @ np.cos(0.5 * np.pi * k)))
-    room = np.abs(whole[:, 1:]).sum(axis=1)
-    high, low = whole[:, 0] + room, whole[:, 0] - room
-    return (high >= some.max()) | (low <= some.min())
+    samples = np.stack((series @ np.where(k % 2, -1.0, 1.0), series.sum(axis=1), series @ np.cos(0.5 * np.pi * k)))
+    swing = np.abs(series[:, 1:]).sum(axis=1)
+    high, low = series[:, 0] + swing, series[:, 0] - swing
+    return (high >= samples.max()) | (low <= samples.min())
 
 
-def _nearer(own: "Any", units: "Any", about: "Any") -> "tuple[Any, Any]":
+def _nearer(series: "Any", units: "Any", about: "Any") -> "tuple[Any, Any]":
     """Places in cells in which a function hardly moves, brought nearer to a turn by two steps of Newton's."""
     calm = about > 0.0
     if not calm.any():
         return units, about
-    matrix, k = _derivative(own.shape[1]), np.arange(own.shape[1])
-    first = own[calm] @ matrix
+    matrix, k = _derivative(series.shape[1]), np.arange(series.shape[1])
+    first = series[calm] @ matrix
     second, place = first @ matrix, units[calm]
     for _ in range(2):
         basis = np.cos(k * np.arccos(place)[:, None])
@@ -154,18 +154,18 @@ def _nearer(own: "Any", units: "Any", about: "Any") -> "tuple[Any, Any]":
     return refined, wide
 
 
-def _gains(own: "Any", units: "Any", above: "Any", steep: "Any", about: "Any") -> "tuple[Any, Any]":
+def _gains(series: "Any", units: "Any", above: "Any", steep: "Any", about: "Any") -> "tuple[Any, Any]":
     """How much greater a function may be about places than at them, and how far that is known to each side.
 
     Its proxy is `above` the level looked for there.
     """
-    count = own.shape[1]
+    count = series.shape[1]
     matrix, k = _derivative(count), np.arange(count, dtype=float)
-    first = own @ matrix
+    first = series @ matrix
     second = first @ matrix
     third = second @ matrix
     basis = np.cos(k * np.arccos(np.clip(units, -1.0, 1.0))[:, None])
-    slack = [factor * (np.abs(own) @ k**power) for factor, power in zip(SLACK, (2, 4), strict=True)]
+    slack = [factor * (np.abs(series) @ k**power) for factor, power in zip(SLACK, (2, 4), strict=True)]
     slope, bend = (first * basis).sum(axis=1), (second * basis).sum(axis=1)
     # into the piece from its ends, either way from within
     slope = np.where(units == 1.0, -slope, np.where(units == -1.0, slope, np.abs(slope))) + slack[0]

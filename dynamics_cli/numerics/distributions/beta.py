@@ -49,10 +49,10 @@ def log_odds(z: "Array", a: float, b: float) -> "Array":
     table = _tables[a, b]
     inside = np.clip(z, -_REACH, _REACH)
     piece = np.minimum((inside + _REACH).astype(np.int64), 2 * _REACH - 1)
-    own = 2.0 * (inside + _REACH - piece) - 1.0
+    local = 2.0 * (inside + _REACH - piece) - 1.0
     total = table[_DEGREE][piece]
     for k in range(_DEGREE - 1, -1, -1):
-        total = total * own + table[k][piece]
+        total = total * local + table[k][piece]
     return total  # type: ignore[no-any-return]
 
 
@@ -71,11 +71,11 @@ def _front(odds: float, a: float, b: float) -> float:
 
 def _solve(z: float, a: float, b: float, odds: float) -> float:
     """Newton on the logarithm of the smaller tail."""
-    wanted = normal.upper(abs(z))
+    tail = normal.upper(abs(z))
     for _ in range(_NEWTON_STEPS):
         low, high = tails(odds, a, b)
-        found = low if z < 0.0 else high
-        step = math.log(found / wanted) * found / _front(odds, a, b)
+        probability = low if z < 0.0 else high
+        step = math.log(probability / tail) * probability / _front(odds, a, b)
         step = max(min(-step if z < 0.0 else step, 2.0 / min(a, b, 1.0)), -2.0 / min(a, b, 1.0))
         odds += step
         if abs(step) <= 1e-15 * max(abs(odds), 1.0):

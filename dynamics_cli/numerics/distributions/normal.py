@@ -59,10 +59,10 @@ def quantile(p: float) -> float:
     if abs(p - 0.5) < 0.425:
         return z
     # One step of Newton on the logarithm of the tail, which is nearly a parabola.
-    tail, wanted = (lower(z), p) if z < 0.0 else (upper(z), 1.0 - p)
-    if wanted < 1e-300:
+    tail, target = (lower(z), p) if z < 0.0 else (upper(z), 1.0 - p)
+    if target < 1e-300:
         return z
-    step = (tail - wanted) / density(z)
+    step = (tail - target) / density(z)
     return z - step if z < 0.0 else z + step
 
 

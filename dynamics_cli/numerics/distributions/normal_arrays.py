@@ -72,10 +72,10 @@ def quantile(p: "Array") -> "Array":
     z = q * _ratio(CENTRE, np.maximum(0.180625 - q * q, 0.0))
     outside = np.abs(q) > 0.425
     if outside.any():
-        own = p[outside]
-        r = np.sqrt(-np.log(np.where(own < 0.5, own, 1.0 - own)))
+        outer = p[outside]
+        r = np.sqrt(-np.log(np.where(outer < 0.5, outer, 1.0 - outer)))
         far = np.where(r <= 5.0, _ratio(NEAR, r - 1.6), _ratio(FAR, r - 5.0))
-        z[outside] = np.copysign(far, own - 0.5)
+        z[outside] = np.copysign(far, outer - 0.5)
     return z
 
 

@@ -35,13 +35,13 @@ def upper(t: float, freedom: float) -> float:
     if t == 0.0:
         return 0.5
     square = t * t
-    whole = freedom + square
+    total = freedom + square
     near = freedom < square * (freedom + 2.0)
     # ½ I_x(ν/2, ½) with x = ν/(ν + t²), from whichever end the continued fraction converges fast.
     if near:
         front = _front(freedom, t) * 2.0 / freedom
-        return 0.5 * front * incomplete_fraction(0.5 * freedom, 0.5, freedom / whole)
-    return 0.5 - _front(freedom, t) * incomplete_fraction(0.5, 0.5 * freedom, square / whole)
+        return 0.5 * front * incomplete_fraction(0.5 * freedom, 0.5, freedom / total)
+    return 0.5 - _front(freedom, t) * incomplete_fraction(0.5, 0.5 * freedom, square / total)
 
 
 def density(t: float, freedom: float) -> float:
@@ -71,10 +71,10 @@ def quantiles(z: "Array", freedom: float) -> "Array":
         _tables[freedom] = _table(freedom)
     table = _tables[freedom]
     piece = np.minimum(x.astype(np.int64), _REACH - 1)
-    own = 2.0 * (np.minimum(x, _REACH) - piece) - 1.0
+    local = 2.0 * (np.minimum(x, _REACH) - piece) - 1.0
     total = table[_DEGREE][piece]
     for k in range(_DEGREE - 1, -1, -1):
-        total = total * own + table[k][piece]
+        total = total * local + table[k][piece]
     t = z * np.exp(total)
     far = x > _REACH
     if far.any():
@@ -84,15 +84,15 @@ def quantiles(z: "Array", freedom: float) -> "Array":
 
 def _solve(z: float, freedom: float, guess: float) -> float:
     """Newton on the logarithm of the tail by log t, nearly straight at both ends."""
-    wanted = normal.upper(z)
+    target = normal.upper(z)
     t = guess
     for _ in range(100):
         tail = upper(t, freedom)
         if z < 1.0:
-            step = (tail - wanted) / density(t, freedom)
+            step = (tail - target) / density(t, freedom)
         else:
             slope = t * density(t, freedom) / tail
-            step = t * math.expm1(max(min(math.log(tail / wanted) / slope, 2.0), -2.0))
+            step = t * math.expm1(max(min(math.log(tail / target) / slope, 2.0), -2.0))
         t = max(t + step, 0.25 * t)
         if abs(step) <= 4e-16 * t:
             break

@@ -44,9 +44,9 @@ class Eigen:
             return self
         from dynamics_cli.numerics.eigen3.residual import quotients
 
-        found = quotients(self._matrix, self.vectors)
-        order = sorted(range(3), key=lambda k: (-found[k], k))
-        values, vectors = (tuple(part[k] for k in order) for part in (found, self.vectors))
+        refined_values = quotients(self._matrix, self.vectors)
+        order = sorted(range(3), key=lambda k: (-refined_values[k], k))
+        values, vectors = (tuple(part[k] for k in order) for part in (refined_values, self.vectors))
         return Eigen(values, vectors, self._matrix)  # type: ignore[arg-type]
 
 
@@ -90,8 +90,8 @@ def eigen(matrix: "Rows") -> Eigen:
             break
     order = sorted(range(3), key=lambda k: (-a[k][k], k))
     values = tuple(times_power_of_two(a[k][k], -exponent) for k in order)
-    whole = None if diagonal else tuple(tuple(matrix[max(i, j)][min(i, j)] for j in range(3)) for i in range(3))
-    return Eigen(values, tuple(_normal(axes[k]) for k in order), whole)  # type: ignore[arg-type]
+    symmetric = None if diagonal else tuple(tuple(matrix[max(i, j)][min(i, j)] for j in range(3)) for i in range(3))
+    return Eigen(values, tuple(_normal(axes[k]) for k in order), symmetric)  # type: ignore[arg-type]
 
 
 def _rotate(a: "list[list[float]]", axes: "list[list[float]]", p: int, q: int, r: int) -> bool:

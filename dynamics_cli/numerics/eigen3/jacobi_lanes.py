@@ -15,8 +15,8 @@ def rotate(a: "list[list[Any]]", axes: "list[list[Any]]", p: int, q: int, r: int
     kind = type(off)
     off = np.asarray(off)
     with np.errstate(all="ignore"):
-        small = abs(off) <= 0.25 * UNIT_ROUNDOFF * np.sqrt(abs(a[p][p])) * np.sqrt(abs(a[q][q]))
-        turning = (off != 0.0) & ~np.asarray(small)
+        negligible = abs(off) <= 0.25 * UNIT_ROUNDOFF * np.sqrt(abs(a[p][p])) * np.sqrt(abs(a[q][q]))
+        turning = (off != 0.0) & ~np.asarray(negligible)
         theta = (a[q][q] - a[p][p]) / (2.0 * off)
         t = np.where(
             abs(theta) < 1e150,

@@ -34,11 +34,11 @@ def quotients(matrix: "Rows", vectors: "Rows", exact: "Callable[[Any, Any], Trip
     numbers = np.array(np.broadcast_arrays(*leaves))
     a, v = numbers[:9].reshape(3, 3, -1), numbers[9:].reshape(3, 3, -1)
     with np.errstate(all="ignore"):
-        found, known = _in_pairs(a, v)
-    for lane in np.flatnonzero(~known.all(axis=0)).tolist():
-        found[:, lane] = exact(a[:, :, lane].tolist(), v[:, :, lane].tolist())
+        values, certain = _in_pairs(a, v)
+    for lane in np.flatnonzero(~certain.all(axis=0)).tolist():
+        values[:, lane] = exact(a[:, :, lane].tolist(), v[:, :, lane].tolist())
     shape = numbers.shape[1:]
-    first, second, third = (row.reshape(shape).view(kind) for row in found)
+    first, second, third = (row.reshape(shape).view(kind) for row in values)
     return first, second, third
 
 
@@ -51,11 +51,11 @@ def _in_pairs(a: "Array", v: "Array") -> "tuple[Array, Array]":
     size = abs(v)
     sizes = sum((size[:, None, j] * abs(a[:, j]) for j in range(1, 3)), size[:, None, 0] * abs(a[:, 0]))
     added = size[:, 0] * sizes[:, 0] + size[:, 1] * sizes[:, 1] + size[:, 2] * sizes[:, 2]
-    whole = above[0] / below[0]
-    product, lost = _product(whole, below[0])
-    rest = (((above[0] - product) - lost) + above[1] - whole * below[1]) / below[0]
-    room = _OPEN * added / below[0]
-    low, high = whole + (rest - room), whole + (rest + room)
+    quotient = above[0] / below[0]
+    product, lost = _product(quotient, below[0])
+    rest = (((above[0] - product) - lost) + above[1] - quotient * below[1]) / below[0]
+    uncertainty = _OPEN * added / below[0]
+    low, high = quotient + (rest - uncertainty), quotient + (rest + uncertainty)
     return low, (low == high) & (added > _SMALLEST) & (added < _LARGEST)
 
 

@@ -55,12 +55,12 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "
     """
     if errors is not None and not all(error < inf for row in errors for error in row):
         return inf, inf, inf
-    seen = _Seen(matrix, values, vectors, errors)
+    terms = _Seen(matrix, values, vectors, errors)
     bounds = []
-    for k, spread in enumerate(_spreads(seen.quotients, seen.beside, seen.blur)):
-        known = abs(seen.quotients[k]) + seen.blur[k] + spread
-        bounds.append((seen.away[k] + seen.blur[k] + spread + seen.skew * known) * _SLACK)
-    return _back(_paired(values, bounds, seen.size), seen.size)
+    for k, spread in enumerate(_spreads(terms.quotients, terms.beside, terms.blur)):
+        magnitude = abs(terms.quotients[k]) + terms.blur[k] + spread
+        bounds.append((terms.away[k] + terms.blur[k] + spread + terms.skew * magnitude) * _SLACK)
+    return _back(_paired(values, bounds, terms.size), terms.size)
 
 
 def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
@@ -89,17 +89,17 @@ def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -
     """
     if errors is not None and not all(error < inf for row in errors for error in row):
         return inf, inf, inf
-    seen = _Seen(matrix, (0.0, 0.0, 0.0), vectors, errors)
-    spreads = _spreads(seen.quotients, seen.beside, seen.blur)
+    terms = _Seen(matrix, (0.0, 0.0, 0.0), vectors, errors)
+    spreads = _spreads(terms.quotients, terms.beside, terms.blur)
     bounds = []
-    for k, others in enumerate(_OTHERS):
+    for k, pair in enumerate(_OTHERS):
         gap = min(
-            abs(seen.quotients[k] - seen.quotients[j]) * (1.0 - _CLOSE) - seen.blur[k] - seen.blur[j] - spreads[j]
-            for j in others
+            abs(terms.quotients[k] - terms.quotients[j]) * (1.0 - _CLOSE) - terms.blur[k] - terms.blur[j] - spreads[j]
+            for j in pair
         )
-        off = hypot(*(seen.residual(k, j) for j in others))
-        known = off < gap
-        bounds.append((asin(off / gap) + 2.0 * seen.skew + seen.long[k]) * _SLACK if known else inf)
+        off = hypot(*(terms.residual(k, j) for j in pair))
+        separated = off < gap
+        bounds.append((asin(off / gap) + 2.0 * terms.skew + terms.long[k]) * _SLACK if separated else inf)
     return bounds[0], bounds[1], bounds[2]
 
 
@@ -118,10 +118,10 @@ class _Seen:
         self.long = [abs(products[k][k] - one * one) / (one * one) for k in range(3)]
         scale = unit << size if size > 0 else unit
         more = 1 << -size if size < 0 else 1
-        own = [products[k][k] * scale for k in range(3)]
-        self.quotients = [more * cells[k][k] / own[k] for k in range(3)]
-        self.away = [more * abs(cells[k][k] - rows[3][k] * products[k][k]) / own[k] for k in range(3)]
-        self.beside = [more * abs(cells[i][j]) / min(own) for i, j in _OTHERS]
+        squares = [products[k][k] * scale for k in range(3)]
+        self.quotients = [more * cells[k][k] / squares[k] for k in range(3)]
+        self.away = [more * abs(cells[k][k] - rows[3][k] * products[k][k]) / squares[k] for k in range(3)]
+        self.beside = [more * abs(cells[i][j]) / min(squares) for i, j in _OTHERS]
         skews = [sum(abs(products[k][j]) for j in range(3) if j != k) / products[k][k] for k in range(3)]
         self.skew = max(skews) * _SLACK
         self.blur, self._others = [0.0] * 3, [0.0] * 3
@@ -133,9 +133,11 @@ class _Seen:
     def residual(self, k: int, j: int) -> float:
         """What A vₖ less its quotient times vₖ has along vⱼ, which may be not quite across vₖ."""
         cells, products, scale, more = self._exact
-        own = products[k][k]
-        left = more * abs(cells[k][j] * own - cells[k][k] * products[k][j]) / (own * min(own, products[j][j]) * scale)
-        return left + self._others[3 - k - j]
+        norm = products[k][k]
+        residue = (
+            more * abs(cells[k][j] * norm - cells[k][k] * products[k][j]) / (norm * min(norm, products[j][j]) * scale)
+        )
+        return residue + self._others[3 - k - j]
 
 
 def _blurred(errors: "Rows", vectors: "Rows", size: int) -> "tuple[list[float], list[float]]":
@@ -195,7 +197,7 @@ def along(matrix: "Sequence[Sequence[int]]", lines: "Sequence[Sequence[int]]") -
 
 def grams(lines: "Sequence[Sequence[int]]") -> "list[list[int]]":
     """V Vᵀ: the Gram matrix of the vectors."""
-    return [[_dot(one, line) for line in lines] for one in lines]
+    return [[_dot(row, line) for line in lines] for row in lines]
 
 
 def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:
@@ -209,13 +211,13 @@ def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]"
         abs(diagonal[i] - diagonal[j]) - blur[i] - blur[j] - _CLOSE * (abs(diagonal[i]) + abs(diagonal[j]))
         for i, j in _OTHERS
     ]
-    for one, (i, j) in enumerate(_OTHERS):
-        gap = min(apart[i], apart[j]) - beside[one]
+    for index, (i, j) in enumerate(_OTHERS):
+        gap = min(apart[i], apart[j]) - beside[index]
         if gap > 0.0:
             # its own diagonal element, and the other two as a matrix
             square = (beside[i] * beside[i] + beside[j] * beside[j]) / gap
-            within = beside[one] * min(1.0, beside[one] / apart[one] if apart[one] > 0.0 else 1.0)
-            spreads[one] = min(spreads[one], square)
+            within = beside[index] * min(1.0, beside[index] / apart[index] if apart[index] > 0.0 else 1.0)
+            spreads[index] = min(spreads[index], square)
             spreads[i], spreads[j] = min(spreads[i], square + within), min(spreads[j], square + within)
     return spreads
 

@@ -48,8 +48,8 @@ class Constant(float):
         up = down = 1
         for factor in self._factors:
             if isinstance(factor, str):
-                whole, _, decimals = factor.partition(".")
-                more = int(whole + decimals), 10 ** len(decimals)
+                integer, _, decimals = factor.partition(".")
+                more = int(integer + decimals), 10 ** len(decimals)
             else:
                 more = factor.as_integer_ratio()
             up, down = up * more[0], down * more[1]

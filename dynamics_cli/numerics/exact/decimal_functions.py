@@ -49,22 +49,22 @@ def _series(x: Decimal, term: Decimal, first: int) -> Decimal:
 
 def sine(x: Decimal) -> Decimal:
     """Sine of an angle in radians."""
-    left, quarter = _reduced(x)
-    value = _series(left, Decimal(1), 0) if quarter % 2 else _series(left, left, 1)
+    reduced, quarter = _reduced(x)
+    value = _series(reduced, Decimal(1), 0) if quarter % 2 else _series(reduced, reduced, 1)
     return +value if quarter < 2 else -value
 
 
 def cosine(x: Decimal) -> Decimal:
     """Cosine of an angle in radians."""
-    left, quarter = _reduced(x)
-    value = _series(left, left, 1) if quarter % 2 else _series(left, Decimal(1), 0)
+    reduced, quarter = _reduced(x)
+    value = _series(reduced, reduced, 1) if quarter % 2 else _series(reduced, Decimal(1), 0)
     return +value if quarter in (0, 3) else -value
 
 
 def tangent(x: Decimal) -> Decimal:
     """Tangent of an angle in radians."""
-    left, quarter = _reduced(x)
-    across, along = _series(left, left, 1), _series(left, Decimal(1), 0)
+    reduced, quarter = _reduced(x)
+    across, along = _series(reduced, reduced, 1), _series(reduced, Decimal(1), 0)
     return -along / across if quarter % 2 else across / along
 
 

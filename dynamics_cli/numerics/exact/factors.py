@@ -81,8 +81,8 @@ class Factor:
         return self.numerator == self.denominator and not self.pi and not self.shift[0]
 
 
-def scale(values: "Array", factor: Factor, one: "Callable[[float], float]", *, whole: bool = False) -> "Array":
-    """Scale finite numbers, the doubtful ones by `one` (which gives NaN where no double holds the result).
+def scale(values: "Array", factor: Factor, scalar: "Callable[[float], float]", *, whole: bool = False) -> "Array":
+    """Scale finite numbers, the doubtful ones by `scalar` (which gives NaN where no double holds the result).
 
     `whole` says that all values are integers below 2^53.
     """
@@ -90,7 +90,7 @@ def scale(values: "Array", factor: Factor, one: "Callable[[float], float]", *, w
         result, doubtful = _scaled(values, factor, whole)
     if doubtful is not None and doubtful.any():
         where = np.flatnonzero(doubtful)
-        result[where] = [one(value) for value in values[where].tolist()]
+        result[where] = [scalar(value) for value in values[where].tolist()]
     # No result is a negative zero: exact arithmetic knows one zero.
     return result + 0.0
 
@@ -187,13 +187,13 @@ class Decimals:
         with np.errstate(all="ignore"):
             for power in (self.power, *range(len(TENS))):
                 ten = TENS[power]
-                whole = np.rint(values * ten)
-                mask = (whole / ten == values) & (np.abs(whole) < TENS[DECIMAL_DIGITS])
+                integers = np.rint(values * ten)
+                mask = (integers / ten == values) & (np.abs(integers) < TENS[DECIMAL_DIGITS])
                 lost = mask.size - int(np.count_nonzero(mask))
                 if best is None or lost < missing:
-                    best, missing = (whole, power, mask), lost
+                    best, missing = (integers, power, mask), lost
                 if lost == 0:
                     break
         assert best is not None
-        whole, self.power, mask = best
-        return whole, self.power, ~mask if missing else None
+        integers, self.power, mask = best
+        return integers, self.power, ~mask if missing else None

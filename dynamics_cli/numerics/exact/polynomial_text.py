@@ -73,8 +73,8 @@ class _Reader:
 
     def __init__(self, text: str, variable: str, gain: str) -> None:
         self.typed = text
-        for written, plain in SIGNS.items():
-            text = text.replace(written, plain)
+        for sign, plain in SIGNS.items():
+            text = text.replace(sign, plain)
         self.text, self.at, self.raised = "".join(text.split()), 0, False
         self.powers = {variable: (1, 0), gain: (0, 1)} if gain else {variable: (1, 0)}
         self.powers.pop("", None)
@@ -121,12 +121,12 @@ class _Reader:
 
     def _times(self, first: "Terms", second: "Terms") -> "Terms":
         out: Terms = {}
-        for (a, j), one in first.items():
+        for (a, j), coefficient in first.items():
             for (b, k), other in second.items():
                 key = a + b, j + k
                 if key[0] > MOST_DEGREE or key[1] > MOST_DEGREE:
                     self._refuse(f"the degree goes beyond {MOST_DEGREE}")
-                out[key] = total((out.get(key, (0, 1)), product(one, other)))
+                out[key] = total((out.get(key, (0, 1)), product(coefficient, other)))
         return out
 
     def _power(self, depth: int) -> "Terms":

@@ -69,7 +69,7 @@ def reduce_rows(rows: "Sequence[Sequence[int]]") -> tuple[list[list[int]], list[
     Gauss–Jordan elimination in integers: each row is divided by its greatest common divisor.
     """
     work = [list(row) for row in rows]
-    done: list[list[int]] = []
+    reduced: list[list[int]] = []
     pivots: list[int] = []
     width = len(work[0]) if work else 0
     for column in range(width):
@@ -79,19 +79,19 @@ def reduce_rows(rows: "Sequence[Sequence[int]]") -> tuple[list[list[int]], list[
         chosen = work.pop(index)
         _shorten(chosen, column)
         work = [_cleared(row, chosen, column) for row in work]
-        done = [_cleared(row, chosen, column) for row in done]
-        for row, own in zip(done, pivots, strict=True):
-            _shorten(row, own)
-        done.append(chosen)
+        reduced = [_cleared(row, chosen, column) for row in reduced]
+        for row, pivot_column in zip(reduced, pivots, strict=True):
+            _shorten(row, pivot_column)
+        reduced.append(chosen)
         pivots.append(column)
-    return done, pivots
+    return reduced, pivots
 
 
 def _cleared(row: list[int], pivot: list[int], column: int) -> list[int]:
     if not row[column]:
         return row
     a, b = pivot[column], row[column]
-    return [a * own - b * other for own, other in zip(row, pivot, strict=True)]
+    return [a * element - b * pivot_element for element, pivot_element in zip(row, pivot, strict=True)]
 
 
 def _shorten(row: list[int], pivot: int) -> None:

@@ -38,8 +38,8 @@ def typed(x: float) -> "Pair":
     if not isfinite(x):
         raise InadmissibleError("a number leaves the range of a double", code="range", hint="check the inputs")
     mantissa, _, power = repr(float(x)).partition("e")
-    whole, _, fraction = mantissa.partition(".")
-    digits = int(whole + fraction)
+    integer, _, fraction = mantissa.partition(".")
+    digits = int(integer + fraction)
     if len(str(abs(digits)).rstrip("0")) > DECIMAL_DIGITS:
         return float(x).as_integer_ratio()
     exponent = int(power or 0) - len(fraction)
@@ -70,10 +70,10 @@ def sum_of_products(*terms: "Sequence[float]") -> float:
 def _plain_sum(terms: "Sequence[Sequence[float]]") -> float:
     result = 0.0
     for term in terms:
-        whole = term[0]
+        term_product = term[0]
         for factor in term[1:]:
-            whole = whole * factor
-        result = result + whole
+            term_product = term_product * factor
+        result = result + term_product
     return result
 
 

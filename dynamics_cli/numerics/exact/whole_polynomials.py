@@ -125,11 +125,11 @@ def square_free(p: "Sequence[int]") -> "tuple[tuple[Polynomial, int], ...]":
     >>> square_free((1, 1, -1, -1))  # (1 − s)(1 + s)²
     (((-1, 1), 1), ((1, 1), 2))
     """
-    whole = primitive(p)
-    if len(whole) < 2:
+    primitive_part = primitive(p)
+    if len(primitive_part) < 2:
         return ()
-    common = common_divisor(whole, derivative(whole))
-    rest, out, multiplicity = quotient(whole, common), [], 1
+    common = common_divisor(primitive_part, derivative(primitive_part))
+    rest, out, multiplicity = quotient(primitive_part, common), [], 1
     while len(rest) > 1:
         shared = common_divisor(rest, common)
         factor = quotient(rest, shared)
@@ -166,8 +166,8 @@ def negated(p: "Sequence[int]") -> "Polynomial":
 
 def changes(signs: "Iterable[int]") -> int:
     """How often the sign changes along a row, zeros left out."""
-    kept = [sign for sign in signs if sign]
-    return sum(a != b for a, b in pairwise(kept))
+    nonzero = [sign for sign in signs if sign]
+    return sum(a != b for a, b in pairwise(nonzero))
 
 
 def changes_at(polynomials: "Sequence[Sequence[int]]", at: "Pair") -> int:
@@ -219,8 +219,8 @@ def isolated(p: "Sequence[int]") -> "list[tuple[Pair, Pair]]":
     return sorted((_off_root(p, *interval) for interval in intervals), key=cmp_to_key(_order))
 
 
-def _order(one: "tuple[Pair, Pair]", other: "tuple[Pair, Pair]") -> int:
-    return one[0][0] * other[0][1] - other[0][0] * one[0][1]
+def _order(first: "tuple[Pair, Pair]", second: "tuple[Pair, Pair]") -> int:
+    return first[0][0] * second[0][1] - second[0][0] * first[0][1]
 
 
 def _below(p: "Sequence[int]", sturm: "Sequence[Polynomial]", low: "Pair", root: "Pair", count: int) -> "Pair":

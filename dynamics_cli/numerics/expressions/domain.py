@@ -25,9 +25,9 @@ def first_fault(formula: Expression, name: str, low: float, high: float, **other
     Every cell is evaluated as a whole (discs); a suspicious one is halved until it is cleared or is a point.
     """
     edges = np.linspace(low, high, CELLS + 1)
-    left, right = edges[:-1], edges[1:]
+    lows, highs = edges[:-1], edges[1:]
     for step in range(HALVINGS):
-        middle, half = 0.5 * (left + right), 0.5 * (right - left)
+        middle, half = 0.5 * (lows + highs), 0.5 * (highs - lows)
         cells = Disc(middle, half * (1.0 + 1e-15))
         numbers = {key: Disc(np.full(len(middle), value)) for key, value in others.items()}
         with np.errstate(all="ignore"):
@@ -35,16 +35,16 @@ def first_fault(formula: Expression, name: str, low: float, high: float, **other
             wrong = ~(np.isfinite(result.radius * 0.0 + result.centre) & np.isfinite(result.radius))
         if not wrong.any():
             return None
-        left, right, middle = left[wrong], right[wrong], middle[wrong]
+        lows, highs, middle = lows[wrong], highs[wrong], middle[wrong]
         if step == HALVINGS - 1:
             break
         # the first fault is reported
-        left, right, middle = left[:MOST_CELLS], right[:MOST_CELLS], middle[:MOST_CELLS]
-        left, right = np.concatenate([left, middle]), np.concatenate([middle, right])
-        order = np.argsort(left, kind="stable")
-        left, right = left[order], right[order]
-    at = 0.5 * float(left[0] + right[0])
-    return 0.0 if abs(at) < 1e-9 * (high - low) else at
+        lows, highs, middle = lows[:MOST_CELLS], highs[:MOST_CELLS], middle[:MOST_CELLS]
+        lows, highs = np.concatenate([lows, middle]), np.concatenate([middle, highs])
+        order = np.argsort(lows, kind="stable")
+        lows, highs = lows[order], highs[order]
+    place = 0.5 * float(lows[0] + highs[0])
+    return 0.0 if abs(place) < 1e-9 * (high - low) else place
 
 
 def _over(tree: "Tree", variables: "Mapping[str, Disc]", count: int) -> Disc:

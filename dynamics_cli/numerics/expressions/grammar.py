@@ -54,8 +54,8 @@ def parse(text: str, variables: "frozenset[str] | set[str] | tuple[str, ...] | N
     formula = begin(text)
     if formula.end < len(text.rstrip()):
         rest = text[formula.end :]
-        at = formula.end + len(rest) - len(rest.lstrip())
-        _refuse(text, at, f"{rest.strip()[:20]!r} cannot follow here in the formula")
+        start = formula.end + len(rest) - len(rest.lstrip())
+        _refuse(text, start, f"{rest.strip()[:20]!r} cannot follow here in the formula")
     if variables is not None:
         check_names(formula, variables)
     return formula
@@ -64,9 +64,9 @@ def parse(text: str, variables: "frozenset[str] | set[str] | tuple[str, ...] | N
 def check_names(formula: Expression, variables: "frozenset[str] | set[str] | tuple[str, ...]") -> None:
     """Refuse variables that have no value."""
     for name in sorted(formula.names - set(variables)):
-        known = ", ".join(sorted(variables))
-        at = _position_of(formula.text, name)
-        _refuse(formula.text, at, f"{name!r} has no value", hint=f"variables here: {known}; functions: sin, sqrt, …")
+        names = ", ".join(sorted(variables))
+        start = _position_of(formula.text, name)
+        _refuse(formula.text, start, f"{name!r} has no value", hint=f"variables here: {names}; functions: sin, sqrt, …")
 
 
 def begin(text: str) -> Expression:
@@ -86,18 +86,21 @@ class _Reader:
         self.at = 0
 
     def peek(self) -> str:
-        at = self.at
-        while at < len(self.text) and self.text[at].isspace():
-            at += 1
-        return self.text[at : at + 1]
+        """The next character that is not a space, without taking it; empty at the end."""
+        start = self.at
+        while start < len(self.text) and self.text[start].isspace():
+            start += 1
+        return self.text[start : start + 1]
 
     def take(self) -> str:
+        """Take the next character that is not a space."""
         while self.text[self.at].isspace():
             self.at += 1
         self.at += 1
         return self.text[self.at - 1]
 
     def sum(self, depth: int) -> "Tree":
+        """Sum: product { ("+" | "-") product }."""
         if depth > MOST_DEPTH:
             _refuse(self.text, self.at, "brackets are nested too deeply")
         tree = self.product(depth)
@@ -107,6 +110,7 @@ class _Reader:
         return tree
 
     def product(self, depth: int) -> "Tree":
+        """Product: signed { ("*" | "/") signed }."""
         tree = self.signed(depth)
         while self.peek() in PRODUCTS:
             sign = self.take()
@@ -114,6 +118,7 @@ class _Reader:
         return tree
 
     def signed(self, depth: int) -> "Tree":
+        """Sign: ("+" | "-") signed, or raised: the minus of -t^2 is applied last."""
         if self.peek() in SUMS:
             if depth > MOST_DEPTH:
                 _refuse(self.text, self.at, "too many signs in a row")
@@ -123,17 +128,18 @@ class _Reader:
         return self.raised(depth)
 
     def raised(self, depth: int) -> "Tree":
+        """Power: operand [ ("^" | "**") signed ]; a^b^c is a^(b^c)."""
         base = self.operand(depth)
         rest = self.text[self.at :].lstrip()
         if rest.startswith(("^", "**")):
             self.take()
             if rest.startswith("**"):
                 self.take()
-            # to the right first, as in a^b^c
             return ("^", base, self.signed(depth + 1))
         return base
 
     def operand(self, depth: int) -> "Tree":
+        """Operand: number, name, function of an argument, or "(" sum ")"."""
         letter = self.peek()
         if not letter:
             _refuse(self.text, len(self.text), "the formula ends where a number, a variable or a bracket is expected")
@@ -149,6 +155,7 @@ class _Reader:
         raise AssertionError
 
     def closed(self, depth: int) -> "Tree":
+        """Bracket: sum ")", the opening bracket just taken."""
         opened = self.at - 1
         tree = self.sum(depth + 1)
         if self.peek() != ")":
@@ -157,6 +164,7 @@ class _Reader:
         return tree
 
     def number(self) -> float:
+        """A decimal number with an optional exponent; refuses one beyond a double."""
         self.take()
         start = self.at - 1
         while self.at < len(self.text) and (self.text[self.at].isdigit() or self.text[self.at] == "."):
@@ -177,6 +185,7 @@ class _Reader:
         return value
 
     def name(self, depth: int) -> "Tree":
+        """A variable, pi, or a function with its argument in brackets."""
         self.take()
         start = self.at - 1
         while self.at < len(self.text) and (self.text[self.at].isalnum() or self.text[self.at] == "_"):
@@ -204,10 +213,12 @@ def _refuse(text: str, at: int, why: str, hint: str = "") -> None:
 
 
 def _position_of(text: str, name: str) -> int:
-    at = text.find(name)
-    while at >= 0 and (text[at - 1 : at].isalnum() or text[at + len(name) : at + len(name) + 1].isalnum()):
-        at = text.find(name, at + 1)
-    return max(at, 0)
+    start = text.find(name)
+    while start >= 0 and (
+        text[start - 1 : start].isalnum() or text[start + len(name) : start + len(name) + 1].isalnum()
+    ):
+        start = text.find(name, start + 1)
+    return max(start, 0)
 
 
 def _names(tree: "Tree") -> "Iterator[str]":
@@ -255,9 +266,9 @@ def _function(name: str, x: "Any") -> "Any":
 def _power(base: "Any", exponent: "Any") -> "Any":
     if isinstance(base, jets.Jet) or isinstance(exponent, jets.Jet):
         return jets.power(base, exponent)
-    whole = plain(exponent)
-    if not is_array(whole) and whole == int(whole) and abs(whole) <= 64:
-        return jets.whole_power(base, int(whole))
+    power = plain(exponent)
+    if not is_array(power) and power == int(power) and abs(power) <= 64:
+        return jets.whole_power(base, int(power))
     return elementary.exp(exponent * elementary.log(base))
 
 

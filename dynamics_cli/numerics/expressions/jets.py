@@ -140,12 +140,12 @@ def _by_slope(value: "Any", u: Jet, slope: Jet) -> Jet:
 
 def _pair(u: Jet, first: "Any", second: "Any", sign: float) -> "tuple[Jet, Jet]":
     """Two functions, each the derivative of the other but for a sign: sine and cosine, with h or without."""
-    one, two = [first], [second]
+    first_series, second_series = [first], [second]
     for k in range(1, len(u.parts)):
-        up, down = _chained(u.parts, two, k), _chained(u.parts, one, k)
-        one.append(up)
-        two.append(down * sign)
-    return Jet(one), Jet(two)
+        up, down = _chained(u.parts, second_series, k), _chained(u.parts, first_series, k)
+        first_series.append(up)
+        second_series.append(down * sign)
+    return Jet(first_series), Jet(second_series)
 
 
 def sin(u: Jet) -> Jet:
@@ -222,9 +222,9 @@ def power(u: Jet, exponent: "Any") -> Jet:
     """A power: whole exponents by products, others of positive numbers by their differential equation."""
     if isinstance(exponent, Jet):
         return exp(exponent * log(u)) if isinstance(u, Jet) else exp(exponent * elementary.log(u))
-    whole = plain(exponent)
-    if type(whole) is float and whole == int(whole) and abs(whole) <= 64.0:
-        return whole_power(u, int(whole))  # type: ignore[no-any-return]
+    exponent_value = plain(exponent)
+    if type(exponent_value) is float and exponent_value == int(exponent_value) and abs(exponent_value) <= 64.0:
+        return whole_power(u, int(exponent_value))  # type: ignore[no-any-return]
     return exp(log(u) * exponent)
 
 

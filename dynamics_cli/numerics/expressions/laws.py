@@ -22,10 +22,10 @@ def law_of(
     InadmissibleError
         When the formula has variables with units, and its own unit is not the coherent one of SI.
     """
-    read = parse(formula.text)
-    values = {one.name: one.value for one in let}
-    check_names(read, {*variables, *values})
-    used = [one.name for one in let if one.unit and one.name in read.names]
+    expression = parse(formula.text)
+    values = {item.name: item.value for item in let}
+    check_names(expression, {*variables, *values})
+    used = [item.name for item in let if item.unit and item.name in expression.names]
     require(
         not used or formula.factor == 1.0,
         "the formula {text} ends in {unit}, but {names} in it has a unit too",
@@ -36,8 +36,8 @@ def law_of(
         names=", ".join(used),
     )
 
-    def value(**given: "Any") -> "Any":
-        out = read(**values, **given)
+    def value(**variables_now: "Any") -> "Any":
+        out = expression(**values, **variables_now)
         return out if formula.factor == 1.0 else out * formula.factor
 
     return value

@@ -54,9 +54,9 @@ def circle_through(x: "Sequence[float]", y: "Sequence[float]") -> "Circle | None
     cx, cy, radius = start
     for _ in range(MOST_STEPS):
         rows = [_row(a - cx, b - cy) for a, b in zip(u, v, strict=True)]
-        left = [hypot(a - cx, b - cy) - radius for a, b in zip(u, v, strict=True)]
+        off = [hypot(a - cx, b - cy) - radius for a, b in zip(u, v, strict=True)]
         normal = [[fsum(row[i] * row[j] for row in rows) for j in range(3)] for i in range(3)]
-        step = solved(normal, [-fsum(row[i] * part for row, part in zip(rows, left, strict=True)) for i in range(3)])
+        step = solved(normal, [-fsum(row[i] * part for row, part in zip(rows, off, strict=True)) for i in range(3)])
         if step is None:
             return None
         cx, cy, radius = cx + step[0], cy + step[1], radius + step[2]
@@ -65,13 +65,13 @@ def circle_through(x: "Sequence[float]", y: "Sequence[float]") -> "Circle | None
     inverse = solved(normal, [0.0, 0.0, 1.0])
     if inverse is None or not inverse[2] > 0.0 or not radius > 0.0:
         return None
-    left = [hypot(a - cx, b - cy) - radius for a, b in zip(u, v, strict=True)]
-    made = Circle(
-        middle[0] + size * cx, middle[1] + size * cy, size * radius, [size * part for part in left], sqrt(inverse[2])
+    off = [hypot(a - cx, b - cy) - radius for a, b in zip(u, v, strict=True)]
+    fitted = Circle(
+        middle[0] + size * cx, middle[1] + size * cy, size * radius, [size * part for part in off], sqrt(inverse[2])
     )
     chord = hypot(x[-1] - x[0], y[-1] - y[0])
-    made.sagitta = made.radius - sqrt(max(made.radius * made.radius - 0.25 * chord * chord, 0.0))
-    return made
+    fitted.sagitta = fitted.radius - sqrt(max(fitted.radius * fitted.radius - 0.25 * chord * chord, 0.0))
+    return fitted
 
 
 def settled_radius(x: "Sequence[Any]", y: "Sequence[Any]", circle: Circle) -> "Any":
@@ -132,10 +132,10 @@ def solved(matrix: "Rows", right: "list[float]") -> "list[float] | None":
             return None
         rows[column], rows[best] = rows[best], rows[column]
         for row in range(column + 1, size):
-            share = rows[row][column] / rows[column][column]
-            rows[row] = [a - share * b for a, b in zip(rows[row], rows[column], strict=True)]
+            factor = rows[row][column] / rows[column][column]
+            rows[row] = [a - factor * b for a, b in zip(rows[row], rows[column], strict=True)]
     answer = [0.0] * size
     for row in reversed(range(size)):
-        known = fsum(rows[row][k] * answer[k] for k in range(row + 1, size))
-        answer[row] = (rows[row][size] - known) / rows[row][row]
+        substituted = fsum(rows[row][k] * answer[k] for k in range(row + 1, size))
+        answer[row] = (rows[row][size] - substituted) / rows[row][row]
     return answer

@@ -54,27 +54,27 @@ def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, poi
     coarse = _coarse(path, piece, places)
     size = float(np.abs(points).max() if form != "cubics" else max(np.abs(points).max(), np.abs(shape).max()))
     bounds = np.full(places.size - 1, np.inf)
-    left = np.arange(bounds.size)
+    remaining = np.arange(bounds.size)
     finer = 1.0
     for _ in range(FINER):
         owner, low, high, bend, _ = coarse
         cells = np.ceil(finer * (high - low) * np.sqrt(bend / (4.0 * SHARE * tolerance))).clip(1.0)
-        own = np.zeros(bounds.size)
-        np.add.at(own, owner, cells)
+        counts = np.zeros(bounds.size)
+        np.add.at(counts, owner, cells)
         require(
-            float(own[left].sum()) <= MOST_CELLS,
+            float(counts[remaining].sum()) <= MOST_CELLS,
             "a tolerance of {tolerance} is too fine to be proved for this curve",
             tolerance=(tolerance, Size),
             code="too-fine",
             hint="allow a wider tolerance",
         )
-        group = np.floor_divide(np.cumsum(own[left]), BLOCK)
+        group = np.floor_divide(np.cumsum(counts[remaining]), BLOCK)
         for index in sorted(set(group.tolist())):
-            chosen = left[group == index]
-            found = _block(path, piece, places, shape, form, points, coarse, cells, chosen)
-            bounds[chosen] = np.minimum(bounds[chosen], found + ROUNDING * size)
-        left = left[bounds[left] > tolerance]
-        if not left.size:
+            chosen = remaining[group == index]
+            block_bounds = _block(path, piece, places, shape, form, points, coarse, cells, chosen)
+            bounds[chosen] = np.minimum(bounds[chosen], block_bounds + ROUNDING * size)
+        remaining = remaining[bounds[remaining] > tolerance]
+        if not remaining.size:
             break
         finer *= 3.0
     return bounds
@@ -83,8 +83,8 @@ def proved(path: "Path", piece: int, places: "Any", shape: "Any", form: str, poi
 def _coarse(path: "Path", piece: int, places: "Any") -> "tuple[Any, ...]":
     """Coarse cells in order: the piece each belongs to, its ends, and bounds of |z″| and |z′| on it."""
     count = places.size - 1
-    share = np.arange(COARSE) / COARSE
-    low = (places[:-1, None] + np.diff(places)[:, None] * share).ravel()
+    fractions = np.arange(COARSE) / COARSE
+    low = (places[:-1, None] + np.diff(places)[:, None] * fractions).ravel()
     owner = np.repeat(np.arange(count), COARSE)
     for level in range(DEEPEST + 1):
         high = np.append(low[1:], places[-1])
@@ -113,11 +113,11 @@ def _block(
     coarse: "tuple[Any, ...]", cells: "Any", chosen: "Any",
 ) -> "Any":  # fmt: skip
     """Bounds for the chosen pieces, neighbours in order."""
-    mine = np.zeros(places.size - 1, dtype=bool)
-    mine[chosen] = True
-    here = mine[coarse[0]]
-    coarse_owner, low, high, bend, fast = (part[here] for part in coarse)
-    count = cells[here].astype(int)
+    selected = np.zeros(places.size - 1, dtype=bool)
+    selected[chosen] = True
+    in_block = selected[coarse[0]]
+    coarse_owner, low, high, bend, fast = (part[in_block] for part in coarse)
+    count = cells[in_block].astype(int)
     cell = np.repeat(np.arange(count.size), count)
     number = np.arange(cell.size) - np.repeat(np.cumsum(count) - count, count)
     theta = low[cell] + (high - low)[cell] * (number / count[cell])
@@ -133,9 +133,9 @@ def _block(
     else:
         near, place, bent = _on_arcs(ends, shape[chosen], owner, (x, y))
     final = theta.size + np.arange(chosen.size)
-    for at, column, which in ((np.flatnonzero(first), 0, 0), (final, 2, 1)):
-        near[at] = _apart(x[at] - ends[:, column], y[at] - ends[:, column + 1])
-        place[at] = bent[which]
+    for index, column, which in ((np.flatnonzero(first), 0, 0), (final, 2, 1)):
+        near[index] = _apart(x[index] - ends[:, column], y[index] - ends[:, column + 1])
+        place[index] = bent[which]
     after = np.where(last, final[owner], np.arange(1, theta.size + 1))
     width = (nodes[after] - theta) * UP
     steps = np.abs(place[after] - place[: theta.size]) * UP + bent[3]
@@ -167,9 +167,9 @@ def _on_arcs(ends: "Any", bulges: "Any", owner: "Any", at: "tuple[Disc, Disc]") 
     kappa, cosine = 2.0 * bulge * below / a, (1.0 - bulge.square()) * below
     x, y = at
     # the ends of the pieces come after their cells
-    own = np.concatenate((owner, np.arange(bulges.size)))
-    rx, ry = x - (0.5 * (x0 + x1))[own], y - (0.5 * (y0 + y1))[own]
-    ux, uy, a_, kappa_, cosine_ = ux[own], uy[own], a[own], kappa[own], cosine[own]
+    owners = np.concatenate((owner, np.arange(bulges.size)))
+    rx, ry = x - (0.5 * (x0 + x1))[owners], y - (0.5 * (y0 + y1))[owners]
+    ux, uy, a_, kappa_, cosine_ = ux[owners], uy[owners], a[owners], kappa[owners], cosine[owners]
     along, across = rx * ux + ry * uy, ry * ux - rx * uy
     g = 0.5 * kappa_ * ((along - a_) * (along + a_) + across.square()) - across * cosine_
     away = 2.0 * g / ((1.0 + 2.0 * kappa_ * g).root() + 1.0)
@@ -179,12 +179,12 @@ def _on_arcs(ends: "Any", bulges: "Any", owner: "Any", at: "tuple[Disc, Disc]") 
     angle = np.arctan2(kappa_.centre * along.centre, cosine_.centre - kappa_.centre * across.centre)
     straight = kappa_.centre == 0.0
     place = np.where(straight, along.centre, angle / np.where(straight, 1.0, kappa_.centre))
-    inside = np.abs(place) <= half[own]
-    before = _apart(x - x0[own], y - y0[own])
-    behind = _apart(x - x1[own], y - y1[own])
+    inside = np.abs(place) <= half[owners]
+    before = _apart(x - x0[owners], y - y0[owners])
+    behind = _apart(x - x1[owners], y - y1[owners])
     near = np.where(inside, away.size, np.where(place > 0.0, behind, before))
-    slip = ROUNDING * float(np.abs(ends).max())
-    return near, np.clip(place, -half[own], half[own]), (-half, half, kappa.size, slip)
+    rounding = ROUNDING * float(np.abs(ends).max())
+    return near, np.clip(place, -half[owners], half[owners]), (-half, half, kappa.size, rounding)
 
 
 def _on_cubics(
@@ -192,13 +192,13 @@ def _on_cubics(
 ) -> "tuple[Any, Any, tuple[Any, ...]]":
     """Distances of nodes from points of their cubics, the parameters of these, and what the cubics are."""
     x, y = at
-    own = np.concatenate((owner, np.arange(ends.shape[0])))
+    owners = np.concatenate((owner, np.arange(ends.shape[0])))
     px = np.stack((ends[:, 0], inner[:, 0, 0], inner[:, 1, 0], ends[:, 2]))
     py = np.stack((ends[:, 1], inner[:, 0, 1], inner[:, 1, 1], ends[:, 3]))
     count = np.bincount(owner, minlength=ends.shape[0])
     number = np.arange(owner.size) - np.repeat(np.cumsum(count) - count, count)
     t = np.concatenate((number / count[owner], np.ones(count.size)))
-    px_, py_ = px[:, own], py[:, own]
+    px_, py_ = px[:, owners], py[:, owners]
     for _ in range(ROUNDS):
         bx, dx, _ = bezier(px_[0], px_[1], px_[2], px_[3], t)
         by, dy, _ = bezier(py_[0], py_[1], py_[2], py_[3], t)

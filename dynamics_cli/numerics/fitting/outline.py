@@ -77,11 +77,11 @@ def _fitted(path: "Path", form: str, aim: float, tolerance: float, joints: "Any"
     pieces: list[Any] = []
     bounds: list[float] = []
     for index, places, shape in fit(path, form, aim):
-        own, made_of = path.on(index), form_of(path, index, form)
-        points = np.stack(own.at(places)[:2], axis=1)
+        smooth_piece, made_of = path.on(index), form_of(path, index, form)
+        points = np.stack(smooth_piece.at(places)[:2], axis=1)
         points[0], points[-1] = joints[index], joints[(index + 1) % len(joints)]
         if made_of == "cubics":
-            cx, cy = controls(own, places, shape)
+            cx, cy = controls(smooth_piece, places, shape)
             shape = np.stack((cx[:, 1:3], cy[:, 1:3]), axis=2)
         # the proof is for the coordinates as written, to the bit
         bounds.append(float(proved(path, index, places, shape, made_of, points, tolerance).max()))

@@ -52,8 +52,8 @@ def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]
             places = np.linspace(start, end, count + 1)
             fits.append((index, places, np.full(count, -path.turn * np.tan(0.25 * (end - start) / count))))
             continue
-        own = form_of(path, index, form)
-        fits.append((index, *_spread(path.on(index), own, float(start), float(end), tolerance)))
+        shape = form_of(path, index, form)
+        fits.append((index, *_spread(path.on(index), shape, float(start), float(end), tolerance)))
     return fits
 
 
@@ -129,13 +129,13 @@ def _pairs(path: "OnPiece", places: "Any") -> "tuple[Any, Any]":
     """Pairs of arcs that meet on the curve: tangent to it at their outer ends and to each other."""
     x, y, tx, ty, _ = path.at(places)
     x0, y0, x1, y1 = x[:-1], y[:-1], x[1:], y[1:]
-    whole = 0.5 * angle_between(tx[:-1], ty[:-1], tx[1:], ty[1:])
+    turning = 0.5 * angle_between(tx[:-1], ty[:-1], tx[1:], ty[1:])
 
     def excess(theta: "Any") -> "tuple[Any, Any, Any]":
         jx, jy = path.at(theta)[:2]
         first = angle_between(tx[:-1], ty[:-1], jx - x0, jy - y0)
         second = angle_between(x1 - jx, y1 - jy, tx[1:], ty[1:])
-        return first + second - whole, first, second
+        return first + second - turning, first, second
 
     low, high = places[:-1].copy(), places[1:].copy()
     width = high - low
@@ -149,9 +149,9 @@ def _pairs(path: "OnPiece", places: "Any") -> "tuple[Any, Any]":
     # where every place will do (an exact circle), the middle is used
     _, first, second = excess(middle)
     bulges = np.stack((np.tan(0.5 * first), np.tan(0.5 * second)), axis=1)
-    both = np.empty(2 * places.size - 1)
-    both[::2], both[1::2] = places, middle
-    errors = _arc_errors(path, both, bulges.reshape(-1))
+    all_places = np.empty(2 * places.size - 1)
+    all_places[::2], all_places[1::2] = places, middle
+    errors = _arc_errors(path, all_places, bulges.reshape(-1))
     return (middle, bulges), errors.reshape(-1, 2).max(axis=1)
 
 
@@ -213,9 +213,9 @@ def _cubics(path: "OnPiece", places: "Any") -> "tuple[Any, Any]":
     theta = places[:-1, None] + width[:, None] * FRACTIONS
     qx, qy = path.at(theta)[:2]
     t = np.broadcast_to(FRACTIONS, qx.shape).copy()
-    found = first.copy()
+    lengths = first.copy()
     for _ in range(8):
-        cx, cy = controls(path, places, found)
+        cx, cy = controls(path, places, lengths)
         px, dx, _ = bezier(cx[:, 0:1], cx[:, 1:2], cx[:, 2:3], cx[:, 3:4], t)
         py, dy, _ = bezier(cy[:, 0:1], cy[:, 1:2], cy[:, 2:3], cy[:, 3:4], t)
         early, late = 3.0 * t * (1.0 - t) ** 2, 3.0 * t * t * (1.0 - t)
@@ -224,17 +224,17 @@ def _cubics(path: "OnPiece", places: "Any") -> "tuple[Any, Any]":
         matrix[:, 0:2, 1], matrix[:, 2:4, 1] = -late * tx[1:, None], -late * ty[1:, None]
         for i in range(2):
             matrix[:, i, 2 + i], matrix[:, 2 + i, 2 + i] = dx[:, i], dy[:, i]
-        left = np.concatenate((qx - px, qy - py), axis=1)
+        misfit = np.concatenate((qx - px, qy - py), axis=1)
         try:
-            step = np.linalg.solve(matrix, left[..., None])[..., 0]
+            step = np.linalg.solve(matrix, misfit[..., None])[..., 0]
         except np.linalg.LinAlgError:
             break
-        found = np.clip(found + step[:, :2], 0.3 * first, 3.0 * first)
+        lengths = np.clip(lengths + step[:, :2], 0.3 * first, 3.0 * first)
         t = np.clip(t + step[:, 2:], 0.05, 0.95)
-    errors = _cubic_errors(path, places, found)
+    errors = _cubic_errors(path, places, lengths)
     plain = _cubic_errors(path, places, first)
     better = errors <= plain
-    return np.where(better[:, None], found, first), np.where(better, errors, plain)
+    return np.where(better[:, None], lengths, first), np.where(better, errors, plain)
 
 
 def _cubic_errors(path: "OnPiece", places: "Any", handles: "Any") -> "Any":

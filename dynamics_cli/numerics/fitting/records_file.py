@@ -52,14 +52,14 @@ def read_record(file: str, units: "dict[str, float] | None" = None) -> "tuple[li
     )
     names = [cell.strip().partition("[") for cell in rows[0][:2]]
     time, unit = (part[2].strip().rstrip("]").strip() for part in names)
-    known = units if units is not None else {unit: 1.0}
+    factors = units if units is not None else {unit: 1.0}
     require(
-        names[0][0].strip().lower() in ("t", "time") and time in TIMES and unit in known,
+        names[0][0].strip().lower() in ("t", "time") and time in TIMES and unit in factors,
         "the header {header} has no columns of a time and a value that is wanted",
         header=repr(",".join(rows[0])[:60]),
         code="header",
         hint="name them t[s],{value}",
-        value=f"a[{next(iter(known))}]" if units else "x[mm]",
+        value=f"a[{next(iter(factors))}]" if units else "x[mm]",
     )
     require(
         3 <= len(rows) - 1 <= MOST, "the record has {count} samples; 3 to 200,000 are read", code="length",
@@ -69,7 +69,7 @@ def read_record(file: str, units: "dict[str, float] | None" = None) -> "tuple[li
     require(all(len(row) == 2 for row in table), "a row of the record has no value", code="number")
     times = [row[0] * TIMES[time] for row in table]
     _require_rising(times)
-    return times, [row[1] * known[unit] for row in table], unit
+    return times, [row[1] * factors[unit] for row in table], unit
 
 
 def _require_rising(times: "list[float]") -> None:
@@ -88,12 +88,12 @@ def read_columns(file: str, known: "dict[str, dict[str, float]]") -> "tuple[list
     rows = _cells(file)
     heads = [cell.strip().rstrip("]").partition("[")[::2] for cell in rows[0]]
     (time, unit), rest = heads[0], heads[1:]
-    wanted = "t[s]," + ", or ".join(f"{name}[{next(iter(units))}]" for name, units in known.items())
+    expected = "t[s]," + ", or ".join(f"{name}[{next(iter(units))}]" for name, units in known.items())
     require(
         time.strip().lower() in ("t", "time") and unit in TIMES and rest
-        and all(name in known and one in known[name] for name, one in rest),
+        and all(name in known and u in known[name] for name, u in rest),
         "the header {header} is not one of a time and columns that are wanted",
-        header=repr(",".join(rows[0])[:60]), code="header", hint="such as {wanted}", wanted=wanted,
+        header=repr(",".join(rows[0])[:60]), code="header", hint="such as {wanted}", wanted=expected,
     )  # fmt: skip
     require(2 <= len(rows) - 1 <= MOST, "the table has {count} rows; 2 to 200,000 are read", code="length",
             count=str(len(rows) - 1))  # fmt: skip
@@ -102,7 +102,7 @@ def read_columns(file: str, known: "dict[str, dict[str, float]]") -> "tuple[list
             code="number")  # fmt: skip
     times = [row[0] * TIMES[unit] for row in table]
     _require_rising(times)
-    return times, {name: [row[k] * known[name][one] for row in table] for k, (name, one) in enumerate(rest, 1)}
+    return times, {name: [row[k] * known[name][u] for row in table] for k, (name, u) in enumerate(rest, 1)}
 
 
 def read_load(file: str, units: "dict[str, float] | None" = None) -> "tuple[Any, Any, bool]":

@@ -84,16 +84,16 @@ class Smooth:
             residual = rest + float(((1.0 - shrink) ** 2 * squares).sum())
             if sigma is not None:
                 return residual + 2.0 * float(width) * sigma * sigma * float(shrink.sum())
-            left = count - CAUTION * float(shrink.sum())
-            return residual / (left * left) if left > 0.0 else math.inf
+            freedom = count - CAUTION * float(shrink.sum())
+            return residual / (freedom * freedom) if freedom > 0.0 else math.inf
 
         powers = np.linspace(-0.5 * DECADES, 0.5 * DECADES, int(DECADES * PER_DECADE) + 1)
         values = [criterion(power) for power in powers]
         best = int(np.argmin(values))
         low, high = powers[max(best - 1, 0)], powers[min(best + 1, len(powers) - 1)]
         for _ in range(40):
-            one, other = low + 0.382 * (high - low), low + 0.618 * (high - low)
-            low, high = (low, other) if criterion(one) <= criterion(other) else (one, high)
+            lower, upper = low + 0.382 * (high - low), low + 0.618 * (high - low)
+            low, high = (low, upper) if criterion(lower) <= criterion(upper) else (lower, high)
         self.power = 0.5 * (low + high)
         return 1.0 / (1.0 + 10.0**self.power / scale * penalties)
 

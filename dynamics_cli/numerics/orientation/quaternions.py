@@ -42,7 +42,7 @@ def conjugate(q: Quaternion) -> Quaternion:
     return q[0], opposite(q[1]), opposite(q[2]), opposite(q[3])
 
 
-def normalized(q: Quaternion, what: str = "the quaternion has no length") -> Quaternion:
+def normalized(q: Quaternion, message: str = "the quaternion has no length") -> Quaternion:
     """The unit quaternion along one of any length, however large or small.
 
     Raises
@@ -51,7 +51,7 @@ def normalized(q: Quaternion, what: str = "the quaternion has no length") -> Qua
         When all four components are zero.
     """
     largest = maximum(maximum(abs(q[0]), abs(q[1])), maximum(abs(q[2]), abs(q[3])))
-    require(largest > 0.0, what, code="rotation", hint="1, 0, 0, 0 leaves the axes as they are")
+    require(largest > 0.0, message, code="rotation", hint="1, 0, 0, 0 leaves the axes as they are")
     w, x, y, z = q[0] / largest, q[1] / largest, q[2] / largest, q[3] / largest
     size = sqrt(w * w + x * x + y * y + z * z)
     return w / size, x / size, y / size, z / size
@@ -81,8 +81,8 @@ def of_vector(v: Vector) -> Quaternion:
     """The quaternion of a rotation vector, the axis times the angle: the exponential."""
     angle = length(v)
     still = angle == 0.0
-    share = where(still, 0.5, sin(0.5 * angle) / where(still, 1.0, angle))
-    return cos(0.5 * angle), share * v[0], share * v[1], share * v[2]
+    factor = where(still, 0.5, sin(0.5 * angle) / where(still, 1.0, angle))
+    return cos(0.5 * angle), factor * v[0], factor * v[1], factor * v[2]
 
 
 def of_rotation(m: Matrix) -> Quaternion:
@@ -123,8 +123,8 @@ def vector_of(q: Quaternion) -> Vector:
     w, x, y, z = q
     size = length((x, y, z))
     still = size == 0.0
-    share = where(still, 2.0, 2.0 * atan2(size, w) / where(still, 1.0, size))
-    return share * x, share * y, share * z
+    factor = where(still, 2.0, 2.0 * atan2(size, w) / where(still, 1.0, size))
+    return factor * x, factor * y, factor * z
 
 
 def between_directions(first: Vector, second: Vector) -> Quaternion:
@@ -153,7 +153,7 @@ def between_directions(first: Vector, second: Vector) -> Quaternion:
     return cosine, b * w - c * v, c * u - a * w, a * v - b * u
 
 
-def unit(v: Vector, what: str = "the direction is the zero vector") -> Vector:
+def unit(v: Vector, message: str = "the direction is the zero vector") -> Vector:
     """The unit vector along a direction.
 
     Raises
@@ -162,7 +162,7 @@ def unit(v: Vector, what: str = "the direction is the zero vector") -> Vector:
         When it has no length.
     """
     size = length(v)
-    require(size > 0.0, what, code="direction", hint="give three numbers of which one is not zero")
+    require(size > 0.0, message, code="direction", hint="give three numbers of which one is not zero")
     return v[0] / size, v[1] / size, v[2] / size
 
 

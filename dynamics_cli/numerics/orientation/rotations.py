@@ -126,11 +126,11 @@ def euler(angles: "tuple[float, ...]", order: str) -> Matrix:
         read=repr(order),
     )
     require(len(angles) == 3, "read {count} Euler angles, wanted 3", code="rotation", count=len(angles))
-    whole = IDENTITY
+    rotation = IDENTITY
     for letter, angle in zip(order.lower(), angles, strict=True):
         turn = about_axis("xyz".index(letter), angle)
-        whole = product(whole, turn) if order.islower() else product(turn, whole)
-    return whole
+        rotation = product(rotation, turn) if order.islower() else product(turn, rotation)
+    return rotation
 
 
 def about_axis(k: int, angle: float) -> Matrix:
@@ -171,13 +171,13 @@ def from_rows(rows: "tuple[tuple[float, float, float], ...]") -> Matrix:
     )
     # Newton's iteration for the polar factor squares the departure; three steps end at rounding
     for _ in range(4):
-        done = departure(matrix) < 4e-16
-        if done is True or getattr(done, "all", bool)():
+        orthogonal = departure(matrix) < 4e-16
+        if orthogonal is True or getattr(orthogonal, "all", bool)():
             break
         excess = product(transposed(matrix), matrix)
         half = tuple(tuple((1.5 if i == j else 0.0) - 0.5 * excess[i][j] for j in range(3)) for i in range(3))
         better = product(matrix, half)  # type: ignore[arg-type]
-        matrix = _chosen(done, matrix, better)
+        matrix = _chosen(orthogonal, matrix, better)
     return matrix
 
 

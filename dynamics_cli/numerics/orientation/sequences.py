@@ -82,8 +82,8 @@ def sequence_of(text: str) -> Sequence:
     """
     words = text.strip().replace("_", "-").split()
     fixed = words[0].lower() in ("fixed", "extrinsic") if words else False
-    bare = words[-1] if words else ""
-    letters = NAMES.get("-".join(words).lower(), bare.replace("-", "").translate(str.maketrans("123", "xyz")))
+    last_word = words[-1] if words else ""
+    letters = NAMES.get("-".join(words).lower(), last_word.replace("-", "").translate(str.maketrans("123", "xyz")))
     if len(words) == 2 and words[0].lower() in ("body", "fixed", "intrinsic", "extrinsic"):
         letters = letters.upper() if fixed else letters.lower()
     require(
@@ -119,14 +119,14 @@ def names_of(sequence: Sequence) -> str:
 def quaternion_of_angles(angles: Vector, sequence: Sequence) -> Quaternion:
     """The quaternion of three turns."""
     ordered = angles[::-1] if sequence.fixed else angles
-    whole = (1.0, 0.0, 0.0, 0.0)
+    rotation = (1.0, 0.0, 0.0, 0.0)
     for nth, (axis, angle) in enumerate(zip(sequence.axes, ordered, strict=True)):
         cosine, sine = turned(0.5 * angle)
         parts = [cosine, 0.0, 0.0, 0.0]
         parts[axis + 1] = sine
         turn: Quaternion = (parts[0], parts[1], parts[2], parts[3])
-        whole = multiply(whole, turn) if nth else turn
-    return whole
+        rotation = multiply(rotation, turn) if nth else turn
+    return rotation
 
 
 def angles_of_rotation(m: Matrix, sequence: Sequence, *, zero_third: bool = False) -> Angles:
@@ -250,8 +250,8 @@ def _whole(off: float) -> float:
 
 def nearest(angles: Angles, near: Vector) -> Vector:
     """Of both triples and their whole turns, the angles nearest to the given ones."""
-    one = tuple(wrapped(angle, beside) for angle, beside in zip(angles.angles, near, strict=True))
+    first = tuple(wrapped(angle, beside) for angle, beside in zip(angles.angles, near, strict=True))
     two = tuple(wrapped(angle, beside) for angle, beside in zip(angles.alternative, near, strict=True))
-    far = [sum(abs(angle - beside) for angle, beside in zip(triple, near, strict=True)) for triple in (one, two)]
+    far = [sum(abs(angle - beside) for angle, beside in zip(triple, near, strict=True)) for triple in (first, two)]
     nearer = far[0] <= far[1]
-    return tuple(where(nearer, p, q) for p, q in zip(one, two, strict=True))  # type: ignore[return-value]
+    return tuple(where(nearer, p, q) for p, q in zip(first, two, strict=True))  # type: ignore[return-value]

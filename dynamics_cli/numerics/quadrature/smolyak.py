@@ -73,15 +73,15 @@ def _build(dimensions: int, level: int) -> "tuple[Array, Array]":
     idle: dict[int, Array] = {}
     for active in range(min(level, dimensions) + 1):
         idle[active] = _powers(centres, dimensions - active, level)
-        coordinates, own = _active(differences, idle[active], active, level)
+        coordinates, point_weights = _active(differences, idle[active], active, level)
         for axes in combinations(range(dimensions), active):
-            block = np.zeros((dimensions, own.size))
+            block = np.zeros((dimensions, point_weights.size))
             block[list(axes)] = coordinates
             points.append(block)
-            weights.append(own)
+            weights.append(point_weights)
     grid, total = np.concatenate(points, axis=1), np.concatenate(weights)
-    kept = total != 0.0
-    return grid[:, kept], total[kept]
+    weighted = total != 0.0
+    return grid[:, weighted], total[weighted]
 
 
 def _differences(level: int) -> "list[Array]":

@@ -194,7 +194,7 @@ def _build_up(
 
 def _require_count(phase: Phase, words: "tuple[str, ...]", count: int, name: str) -> None:
     """Refuse a phase with more or fewer quantities than it needs."""
-    known = [word for word in words if getattr(phase, word) is not None]
+    present = [word for word in words if getattr(phase, word) is not None]
     everything = ("duration", "distance") if phase.kind in EVEN else ("duration", "distance", "speed")
     surplus = [word for word in everything if word not in words and getattr(phase, word) is not None]
     require(
@@ -202,11 +202,11 @@ def _require_count(phase: Phase, words: "tuple[str, ...]", count: int, name: str
         code="surplus", name=name, words=" and ".join(surplus), kind=str(phase.kind),
     )  # fmt: skip
     require(
-        len(known) == count, "{name}a phase of {kind} needs {wanted}, and {given} given",
-        code="incomplete" if len(known) < count else "twice",
+        len(present) == count, "{name}a phase of {kind} needs {wanted}, and {given} given",
+        code="incomplete" if len(present) < count else "twice",
         name=name, kind=str(phase.kind),
         wanted=("its " if len(words) == 1 else "one of ") + " and ".join(words),
-        given="none is" if not known else " and ".join(known) + (" are" if len(known) > 1 else " is"),
+        given="none is" if not present else " and ".join(present) + (" are" if len(present) > 1 else " is"),
     )  # fmt: skip
 
 
@@ -215,19 +215,21 @@ def _uniform(speed: float, phase: Phase, rate: "float | None", name: str) -> "tu
 
     Going back in time is going forward with the rate's sign turned.
     """
-    time, way, other = phase.duration, phase.distance, phase.speed
-    known = [word for word, value in (("duration", time), ("distance", way), ("speed", other)) if value is not None]
-    wanted = 2 if rate is None else 1
+    time, covered, other = phase.duration, phase.distance, phase.speed
+    quantities = ("duration", time), ("distance", covered), ("speed", other)
+    present = [word for word, value in quantities if value is not None]
+    needed = 2 if rate is None else 1
+    rate_word = [] if rate is None else ["friction" if phase.friction is not None else "acceleration"]
     require(
-        len(known) == wanted,
+        len(present) == needed,
         "{name}a phase of {kind} needs two of its duration, distance, speed and acceleration (or friction), "
         "and {given} given",
-        code="incomplete" if len(known) < wanted else "twice",
+        code="incomplete" if len(present) < needed else "twice",
         name=name, kind=str(phase.kind),
-        given=_and([*known, *([] if rate is None else ["friction" if phase.friction is not None else "acceleration"])]),
+        given=_and([*present, *rate_word]),
     )  # fmt: skip
     if rate is None:
-        return _by_two(speed, time, way, other, name)
+        return _by_two(speed, time, covered, other, name)
     if time is not None:
         other = speed + rate * time
         require(
@@ -236,18 +238,18 @@ def _uniform(speed: float, phase: Phase, rate: "float | None", name: str) -> "tu
             rest=(speed / absolute(where(rate == 0.0, 1.0, rate)), Time), time=(time, Time),
         )  # fmt: skip
         return other, time, time * (speed + 0.5 * rate * time), rate
-    if way is not None:
-        square = speed * speed + 2.0 * rate * way
+    if covered is not None:
+        square = speed * speed + 2.0 * rate * covered
         require(
             square >= 0.0, "{name}the party is at rest after {rest}, before the {way} of the phase are over",
             code="stops-early", hint="end the phase there and wait", name=name,
-            rest=(0.5 * speed * speed / absolute(where(rate == 0.0, 1.0, rate)), Distance), way=(way, Distance),
+            rest=(0.5 * speed * speed / absolute(where(rate == 0.0, 1.0, rate)), Distance), way=(covered, Distance),
         )  # fmt: skip
         if single(rate):
-            other = hypot(speed, sqrt(2.0 * rate * way)) if plain(rate) >= 0.0 else sqrt(square)
+            other = hypot(speed, sqrt(2.0 * rate * covered)) if plain(rate) >= 0.0 else sqrt(square)
         else:
-            other = where(rate >= 0.0, hypot(speed, sqrt(2.0 * maximum(rate, 0.0) * way)), sqrt(square))
-        return other, _crossing(way, speed, other, name), way, rate
+            other = where(rate >= 0.0, hypot(speed, sqrt(2.0 * maximum(rate, 0.0) * covered)), sqrt(square))
+        return other, _crossing(covered, speed, other, name), covered, rate
     assert other is not None
     require(rate != 0.0, "{name}without acceleration the speed does not change", code="no-rate", name=name)
     time = (other - speed) / rate
@@ -282,9 +284,9 @@ def _by_two(
 
 def _crossing(way: float, speed: float, other: float, name: str) -> float:
     """Time of a distance at a uniformly changing speed."""
-    both = speed + other
-    require((both > 0.0) | (way == 0.0), "{name}a party at rest covers no distance", code="at-rest", name=name)
-    return 2.0 * way / where(both > 0.0, both, 1.0)
+    speed_sum = speed + other
+    require((speed_sum > 0.0) | (way == 0.0), "{name}a party at rest covers no distance", code="at-rest", name=name)
+    return 2.0 * way / where(speed_sum > 0.0, speed_sum, 1.0)
 
 
 def _and(words: "list[str]") -> str:

@@ -23,11 +23,11 @@ class SurfaceCrossed:
     distance: Annotated[Distance, "Length of the surface [m]."]
 
 
-def require_kept(kept: object, what: str) -> None:
+def require_kept(nonzero: object, quantity: str) -> None:
     """Refuse a nonzero number that underflowed to zero."""
     require(
-        kept,
-        what + " is too small: the calculation leaves the range of a double",
+        nonzero,
+        quantity + " is too small: the calculation leaves the range of a double",
         code="range",
         hint="check the size of the inputs",
     )
@@ -40,9 +40,9 @@ def crossing_time(distance: float, entry_speed: float, exit_speed: float) -> flo
     ----------
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, chapter 3.
     """
-    both = entry_speed + exit_speed
-    require_kept((both > 0.0) | (distance == 0.0), "the speed over the distance")
-    return 2.0 * distance / where(both > 0.0, both, 1.0)
+    speed_sum = entry_speed + exit_speed
+    require_kept((speed_sum > 0.0) | (distance == 0.0), "the speed over the distance")
+    return 2.0 * distance / where(speed_sum > 0.0, speed_sum, 1.0)
 
 
 def crossed_back(

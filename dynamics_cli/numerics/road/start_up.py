@@ -24,19 +24,19 @@ def start_up(phase: "Any", speed: float, name: str, *, forward: bool) -> Leg:
         "{name}a phase of start-up needs its acceleration at rest and its fade, and no friction",
         name=name, code="incomplete", hint="for example acceleration=2 m/s^2, fade=0.12 1/s",
     )  # fmt: skip
-    left = alpha - fade * speed
+    rate_now = alpha - fade * speed
     require(
-        left > 0.0,
+        rate_now > 0.0,
         "{name}at {speed} nothing is left of the acceleration of {alpha}: the fade takes all of it",
         name=name, speed=(speed, RoadSpeed), alpha=(alpha, Acceleration), code="beyond-top-speed",
         hint="the top speed is acceleration over fade",
     )  # fmt: skip
-    rate, bend = (left, fade) if forward else (-left, -fade)
-    known = [word for word in ("duration", "distance", "speed") if getattr(phase, word) is not None]
+    rate, bend = (rate_now, fade) if forward else (-rate_now, -fade)
+    present = [word for word in ("duration", "distance", "speed") if getattr(phase, word) is not None]
     require(
-        len(known) == 1, "{name}a phase of start-up needs one of its duration, distance and speed, and {given} given",
-        name=name, given=" and ".join(known) + " are" if known else "none is",
-        code="twice" if known else "incomplete",
+        len(present) == 1, "{name}a phase of start-up needs one of its duration, distance and speed, and {given} given",
+        name=name, given=" and ".join(present) + " are" if present else "none is",
+        code="twice" if present else "incomplete",
     )  # fmt: skip
     duration = phase.duration
     if duration is None:
@@ -49,17 +49,17 @@ def start_up(phase: "Any", speed: float, name: str, *, forward: bool) -> Leg:
         speed=(speed, RoadSpeed), code="stops-early", hint="a shorter phase: it began at rest",
     )  # fmt: skip
     other = maximum(other, 0.0) if phase.speed is None else phase.speed
-    way = speed * duration + rate * more if phase.distance is None else phase.distance
+    covered = speed * duration + rate * more if phase.distance is None else phase.distance
     if forward:
-        return Leg("start-up", speed, other, duration, way, left, fade)
-    return Leg("start-up", other, speed, duration, way, alpha - fade * other, fade)
+        return Leg("start-up", speed, other, duration, covered, rate_now, fade)
+    return Leg("start-up", other, speed, duration, covered, alpha - fade * other, fade)
 
 
 def _time(speed: "Any", rate: "Any", bend: "Any", way: "Any", other: "Any", name: str) -> "Any":
     """Time to a distance, or to a speed: a root in doubles, then one step of Newton's with what the numbers carry."""
     to_way = way is not None
-    wanted = way if to_way else other
-    numbers = (speed, rate, bend, wanted)
+    target = way if to_way else other
+    numbers = (speed, rate, bend, target)
     only_in_doubles(*numbers)
     function = _time_to_way if to_way else _time_to_speed
     if any(is_array(number) for number in numbers):
@@ -80,23 +80,23 @@ def _time(speed: "Any", rate: "Any", bend: "Any", way: "Any", other: "Any", name
     if not any(is_carrier(number) for number in numbers):
         return time
     gained, more = faded(time, bend)
-    there, slope = (
+    reached, slope = (
         (speed * time + rate * more, speed + rate * gained)
         if to_way
         else (speed + rate * gained, rate * any_exp(-bend * time))
     )
-    return time - (there - wanted) / plain(slope) if plain(slope) != 0.0 else time
+    return time - (reached - target) / plain(slope) if plain(slope) != 0.0 else time
 
 
 def _time_to_speed(speed: float, rate: float, bend: float, other: float) -> float:
     """When v + r(1 − e^(−βt))/β is the other speed; endless when it never is."""
-    share = (other - speed) / rate
-    if share < 0.0:
+    relative = (other - speed) / rate
+    if relative < 0.0:
         return inf
-    inside = share * bend
+    inside = relative * bend
     if inside >= 1.0:
         return inf
-    return share if bend == 0.0 else -log1p(-inside) / bend
+    return relative if bend == 0.0 else -log1p(-inside) / bend
 
 
 def _time_to_way(speed: float, rate: float, bend: float, way: float) -> float:
@@ -119,12 +119,12 @@ def _time_to_way(speed: float, rate: float, bend: float, way: float) -> float:
         return inf
     time = 0.5 * (low + high)
     for _ in range(MOST_STEPS):
-        there, swift = states(time)
-        if there < way:
+        reached, swift = states(time)
+        if reached < way:
             low = time
         else:
             high = time
-        step = time - (there - way) / swift if swift > 0.0 else low
+        step = time - (reached - way) / swift if swift > 0.0 else low
         after = step if low < step < high else 0.5 * (low + high)
         if abs(after - time) <= 4e-16 * time:
             return after

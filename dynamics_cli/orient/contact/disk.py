@@ -159,5 +159,5 @@ def _checks(velocity: Vector, omega: Vector, radius: float) -> tuple[Check, ...]
     v, w = tuple(map(plain, velocity)), tuple(map(plain, omega))
     off = add(v, cross(w, (0.0, -plain(radius), 0.0)))  # type: ignore[arg-type]
     size = plain(radius) * max(map(abs, w)) + 1e-300
-    share = length(off) / size
-    return (Check("the point of contact is at rest", share <= TOLERANCE, share, TOLERANCE),)
+    relative = length(off) / size
+    return (Check("the point of contact is at rest", relative <= TOLERANCE, relative, TOLERANCE),)

@@ -104,18 +104,18 @@ def rolling(
     """
     n = unit(normal, "the normal is the zero vector")
     arms = [subtract(contact, body.point) for body in (first, second)]
-    known = [
+    surface_velocities = [
         add(body.velocity, cross(body.angular_velocity, arm)) for body, arm in zip((first, second), arms, strict=True)
     ]
-    off = _along(subtract(known[0], known[1]), n)
+    off = _along(subtract(surface_velocities[0], surface_velocities[1]), n)
     axes = [None if body.axis is None else unit(body.axis, "an axis is the zero vector") for body in (first, second)]
-    ways = [
+    slips = [
         None if axis is None else _along(scale(sign, cross(axis, arm)), n)
         for axis, arm, sign in zip(axes, arms, (1.0, -1.0), strict=True)
     ]
     moves = [
         _moved(body, axis, arm, rate)
-        for body, axis, arm, rate in zip((first, second), axes, arms, _rates(off, ways[0], ways[1]), strict=True)
+        for body, axis, arm, rate in zip((first, second), axes, arms, _rates(off, slips[0], slips[1]), strict=True)
     ]
     over = subtract(moves[0].contact_velocity, moves[1].contact_velocity)
     relative = subtract(moves[0].angular_velocity, moves[1].angular_velocity)
@@ -123,9 +123,9 @@ def rolling(
     closing = dot(over, n)
     spin = dot(relative, n)
     roll = _along(relative, n)
-    asked = any(axis is not None for axis in axes)
+    unknowns = any(axis is not None for axis in axes)
     alone = single(slip, closing)
-    size = sum(plain(length(v)) for v in (*known, *(m.contact_velocity for m in moves))) if alone else 0.0
+    size = sum(plain(length(v)) for v in (*surface_velocities, *(m.contact_velocity for m in moves))) if alone else 0.0
     return Rolling(
         first=moves[0],
         second=moves[1],
@@ -135,7 +135,7 @@ def rolling(
         spin=spin,
         roll=roll,
         roll_speed=length(roll),
-        advice=_advice(slip, closing, size, asked) if alone else (),
+        advice=_advice(slip, closing, size, unknowns) if alone else (),
     )
 
 
@@ -144,24 +144,24 @@ def _along(v: Vector, n: Vector) -> Vector:
     return cross(n, cross(v, n))
 
 
-def _rates(off: Vector, one: "Vector | None", two: "Vector | None") -> "tuple[float | None, float | None]":
+def _rates(off: Vector, first_arm: "Vector | None", second_arm: "Vector | None") -> "tuple[float | None, float | None]":
     """Rates that leave the least slip: the normal equations of one or two of them."""
-    a = dot(one, one) if one is not None else 0.0
-    b = dot(two, two) if two is not None else 0.0
-    for way, square in ((one, a), (two, b)):
+    a = dot(first_arm, first_arm) if first_arm is not None else 0.0
+    b = dot(second_arm, second_arm) if second_arm is not None else 0.0
+    for arm, square in ((first_arm, a), (second_arm, b)):
         require(
-            way is None or square > 0.0,
+            arm is None or square > 0.0,
             "an axis passes through the contact, or rotation about it moves the contact along the normal: its rate is "
             "not determined",
             code="axis",
             hint="give another axis, or leave it out",
         )
-    if one is None or two is None:
+    if first_arm is None or second_arm is None:
         return (
-            None if one is None else 0.0 - dot(off, one) / a,
-            None if two is None else 0.0 - dot(off, two) / b,
+            None if first_arm is None else 0.0 - dot(off, first_arm) / a,
+            None if second_arm is None else 0.0 - dot(off, second_arm) / b,
         )
-    between = cross(one, two)
+    between = cross(first_arm, second_arm)
     square = dot(between, between)
     require(
         square > PARALLEL * a * b,
@@ -169,7 +169,7 @@ def _rates(off: Vector, one: "Vector | None", two: "Vector | None") -> "tuple[fl
         code="undetermined",
         hint="give one of the rates as a part of --first-angular-velocity or --second-angular-velocity",
     )
-    return 0.0 - dot(cross(off, two), between) / square, 0.0 - dot(cross(one, off), between) / square
+    return 0.0 - dot(cross(off, second_arm), between) / square, 0.0 - dot(cross(first_arm, off), between) / square
 
 
 def _moved(body: Roller, axis: "Vector | None", arm: Vector, rate: "float | None") -> RollerMotion:
@@ -182,9 +182,9 @@ def _moved(body: Roller, axis: "Vector | None", arm: Vector, rate: "float | None
     return RollerMotion(rate, omega, length(omega), alpha, add(body.velocity, cross(omega, arm)))
 
 
-def _advice(slip: float, closing: float, size: float, asked: bool) -> tuple[Advice, ...]:
+def _advice(slip: float, closing: float, size: float, unknowns: bool) -> tuple[Advice, ...]:
     advice = []
-    if asked and plain(slip) > TOLERANCE * size:
+    if unknowns and plain(slip) > TOLERANCE * size:
         message = worded("no rate makes the bodies roll: at the best one {slip} of slip remains", slip=(slip, Speed))
         advice.append(Advice("slips", message, severity="serious", remedy="check the axis, or free a second rate"))
     if abs(plain(closing)) > TOLERANCE * size:

@@ -128,7 +128,7 @@ def points(
     spin = length(omega)
     turns = not single(spin) or plain(spin) > 0.0
     axis = (omega[0] / spin, omega[1] / spin, omega[2] / spin) if turns else None
-    known = all(point.velocity is not None for point in each)
+    velocities_given = all(point.velocity is not None for point in each)
     foot = _axis_point(base, velocity, axis, spin) if axis is not None else None
     root = sqrt(total / len(each))
     fastest = moved[0].speed
@@ -142,10 +142,10 @@ def points(
         axis_point=foot,
         slide=dot(axis, velocity) if axis is not None else length(velocity),
         pitch=dot(axis, velocity) / spin if axis is not None else None,
-        misfit=root if known else None,
+        misfit=root if velocities_given else None,
         points=tuple(moved),
         checks=_checks(foot, base, velocity, omega) if foot is not None and single(spin) else (),
-        advice=_advice(turns, root if known else 0.0, moved) if single(spin) else (),
+        advice=_advice(turns, root if velocities_given else 0.0, moved) if single(spin) else (),
     )
 
 
@@ -156,20 +156,20 @@ def _at_rest(base: Vector, velocity: Vector) -> bool:
 
 def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, Vector]":
     """Mean position and velocity, and the angular velocity that fits all velocities best."""
-    given = [point.velocity for point in points if point.velocity is not None]
+    velocities = [point.velocity for point in points if point.velocity is not None]
     require(
-        len(given) == len(points) and len(points) >= 3,
+        len(velocities) == len(points) and len(points) >= 3,
         "the body's motion is not given, and velocities of {count} points do not determine it",
         code="missing",
         hint="give --angular-velocity, or velocities of 3 or more points that are not on one line; of two points of a "
         "plane motion: dynamics linkage body",
-        count=len(given),
+        count=len(velocities),
     )
-    share = 1.0 / len(points)
-    base = scale(share, _total([point.position for point in points]))
-    velocity = scale(share, _total(given))
+    weight = 1.0 / len(points)
+    base = scale(weight, _total([point.position for point in points]))
+    velocity = scale(weight, _total(velocities))
     arms = [subtract(point.position, base) for point in points]
-    differences = [subtract(measured, velocity) for measured in given]
+    differences = [subtract(measured, velocity) for measured in velocities]
     second = [[total(d[i] * d[j] for d in arms) for j in range(3)] for i in range(3)]
     trace = second[0][0] + second[1][1] + second[2][2]
     right = _total([cross(d, u) for d, u in zip(arms, differences, strict=True)])
@@ -179,8 +179,8 @@ def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, 
     determinant = dot(_row(m, 0), cofactors[0])
     longest = max(arms, key=lambda d: plain(length(d)) if single(*d) else 0.0)
     size = length(longest)
-    known = single(size) and plain(size) > 0.0
-    line = [part / size if known else 0.0 for part in longest]
+    sized = single(size) and plain(size) > 0.0
+    line = [part / size if sized else 0.0 for part in longest]
     require(
         determinant > COLLINEAR * trace * trace * trace,
         "the points lie on one line: they do not determine the rotation about its direction ({x:3}, {y:3}, {z:3})",

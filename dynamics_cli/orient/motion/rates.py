@@ -168,10 +168,10 @@ def _axes(sequence: Sequence, angles: Vector) -> "tuple[Matrix, Matrix]":
     """The axes that the three angles turn about, as rows, and the whole rotation."""
     i, j, k = sequence.axes
     first = about_axis(i, angles[0])
-    both = product(first, about_axis(j, angles[1]))
-    matrix = product(both, about_axis(k, angles[2]))
+    first_two = product(first, about_axis(j, angles[1]))
+    matrix = product(first_two, about_axis(k, angles[2]))
     unit = tuple(1.0 if axis == i else 0.0 for axis in range(3))
-    second, third = (tuple(row[j] for row in first), tuple(row[k] for row in both))
+    second, third = (tuple(row[j] for row in first), tuple(row[k] for row in first_two))
     return (unit, second, third), matrix  # type: ignore[return-value]
 
 

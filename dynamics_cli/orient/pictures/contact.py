@@ -34,9 +34,9 @@ def disk(answer: "Any", *, radius: float, tilt: float, heading: float = 0.0, **_
     for vector, name, role in ((v, "v", 1), (a, "a", 2)):
         size = hypot(*vector)
         if size:
-            way = tuple(1.1 * r * part / size for part in vector)
-            items += [arrow(way, "", role, start=centre)]
-            items.append(words(tuple(c + 1.12 * w for c, w in zip(centre, way, strict=True)), name, role))
+            scaled = tuple(1.1 * r * part / size for part in vector)
+            items += [arrow(scaled, "", role, start=centre)]
+            items.append(words(tuple(c + 1.12 * w for c, w in zip(centre, scaled, strict=True)), name, role))
     subtitle = worded(
         "centre: v {v}, a {a} (directions alone are to scale)",
         v=(answer.centre_speed, Speed),
@@ -88,22 +88,22 @@ def joint(
     """Speed ratio and lead of the driven shaft over a turn."""
     from dynamics_cli.orient.contact.joint import joint as calculated
 
-    bend, fork, at = (float(plain(number)) for number in (joint_angle, fork_angle, input_angle))
+    bend, fork, turned = (float(plain(number)) for number in (joint_angle, fork_angle, input_angle))
     second = None if second_joint_angle is None else float(plain(second_joint_angle))
-    first = at - pi
+    first = turned - pi
     angles = [first + 2.0 * pi * k / (POINTS - 1) for k in range(POINTS)]
     rows = [calculated(joint_angle=bend, input_angle=t, second_joint_angle=second, fork_angle=fork) for t in angles]
     x = Axis("angle of the driving shaft", Angle)
     ratio = Panel(
         x,
         Axis("speed ratio", Ratio),
-        (Curve(angles, [row.ratio for row in rows], role=0), Mark(at, float(plain(answer.ratio)), "here")),
+        (Curve(angles, [row.ratio for row in rows], role=0), Mark(turned, float(plain(answer.ratio)), "here")),
         worded("bent by {angle}", angle=(bend, Angle)),
     )
     lead = Panel(
         x,
         Axis("lead of the driven shaft", Angle),
-        (Curve(angles, [row.lead for row in rows], role=1), Mark(at, float(plain(answer.lead)), "here")),
+        (Curve(angles, [row.lead for row in rows], role=1), Mark(turned, float(plain(answer.lead)), "here")),
     )
     title = "universal joint" if second is None else "two universal joints"
     return Picture((ratio, lead), title)

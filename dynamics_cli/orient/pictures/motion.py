@@ -33,16 +33,16 @@ def _sum(v: "Sequence[float]", w: "Sequence[float]") -> "Vector":
 
 def _polygon(terms: "Sequence[tuple[str, Any]]", total: "Any", name: str, title: "Any") -> Panel:
     """Vectors tip to tail, and their sum."""
-    given = [(label, numbers(v)) for label, v in terms]
-    given = [(label, v) for label, v in given if any(v)]
+    terms_shown = [(label, numbers(v)) for label, v in terms]
+    terms_shown = [(label, v) for label, v in terms_shown if any(v)]
     resultant = numbers(total)
-    view = view_of([resultant, *(v for _, v in given)])
+    view = view_of([resultant, *(v for _, v in terms_shown)])
     items: list[Any] = []
-    at: Vector = (0.0, 0.0, 0.0)
-    for role, (label, v) in enumerate(given, 1):
-        items.append(arrow(v, label, role % 6, view, start=at))
-        at = _sum(at, v)
-    items.append(arrow(resultant, name, 0, view, dashed=len(given) > 1))
+    tip: Vector = (0.0, 0.0, 0.0)
+    for role, (label, v) in enumerate(terms_shown, 1):
+        items.append(arrow(v, label, role % 6, view, start=tip))
+        tip = _sum(tip, v)
+    items.append(arrow(resultant, name, 0, view, dashed=len(terms_shown) > 1))
     return scene(items, title)
 
 
@@ -119,10 +119,10 @@ def points(answer: "Any", **_: "Any") -> Picture:
     scale = 0.5 * reach / fastest
     view = view_of([*places, *speeds]) if answer.axis is None or abs(plain(answer.axis[2])) > 1.0 - 1e-12 else seen
     items: list[Any] = []
-    for point, at, v in zip(answer.points, places, speeds, strict=True):
-        items.append(curve([at], "points", 0, view))
-        items.append(arrow(tuple(scale * part for part in v), "", 1, view, start=at))
-        items.append(words(tuple(1.08 * part for part in at), point.name, 0, view))
+    for point, place, v in zip(answer.points, places, speeds, strict=True):
+        items.append(curve([place], "points", 0, view))
+        items.append(arrow(tuple(scale * part for part in v), "", 1, view, start=place))
+        items.append(words(tuple(1.08 * part for part in place), point.name, 0, view))
     items.append(curve([*places, places[0]], "thin", GREY, view))
     if answer.axis is not None:
         foot, n = numbers(answer.axis_point), numbers(answer.axis)

@@ -47,9 +47,9 @@ def between(answer: "Any", *, first: "Any", **_: "Any") -> Picture:
     from dynamics_cli.orient.turns.attitude import orientation
 
     start = orientation(first.turn).quaternion
-    bare = tuple(float(plain(part)) for part in start)
-    before = from_quaternion(bare)  # type: ignore[arg-type]
-    after = from_quaternion(multiply(bare, tuple(float(plain(part)) for part in answer.quaternion)))  # type: ignore[arg-type]
+    floats = tuple(float(plain(part)) for part in start)
+    before = from_quaternion(floats)  # type: ignore[arg-type]
+    after = from_quaternion(multiply(floats, tuple(float(plain(part)) for part in answer.quaternion)))  # type: ignore[arg-type]
     angle = float(plain(answer.rotation_angle))
     items = [
         *triad(before, "₁", GREY, dashed=True),
@@ -68,8 +68,8 @@ def aligned(answer: "Any", *, pairs: "Any", **_: "Any") -> Picture:
     matrix = tuple(numbers(row) for row in answer.rotation_matrix)
     items: list[Any] = triad(matrix, "′", GREY, dashed=True)
     for pair, fit in zip(pairs if isinstance(pairs, tuple) else (pairs,), answer.pairs, strict=True):
-        given = unit(numbers(pair.after))
-        items += [arrow(given, "", 1), words(tuple(1.12 * part for part in given), fit.name, 1)]
+        measured = unit(numbers(pair.after))
+        items += [arrow(measured, "", 1), words(tuple(1.12 * part for part in measured), fit.name, 1)]
         items.append(arrow(rotated(matrix, unit(numbers(pair.before))), "", 0, dashed=True))  # type: ignore[arg-type]
     subtitle = worded("measured, and rotated (dashed); {off} remains", off=(answer.residual, Angle))
     return Picture((scene(items, subtitle, room=ROOM),), "directions and the rotation that fits")
@@ -86,8 +86,8 @@ def screw(answer: "Any", **_: "Any") -> Picture:
     arm = tuple(-part for part in foot)
     turned = swept(n, angle, arm) if angle else [arm] * 49  # type: ignore[arg-type]
     helix = [
-        tuple(f + t + travel * k / (len(turned) - 1) * e for f, t, e in zip(foot, way, n, strict=True))
-        for k, way in enumerate(turned)
+        tuple(f + t + travel * k / (len(turned) - 1) * e for f, t, e in zip(foot, turned_point, n, strict=True))
+        for k, turned_point in enumerate(turned)
     ]
     ends = [tuple(f + k * size * e for f, e in zip(foot, n, strict=True)) for k in (-0.6, 1.2)]
     items: list[Any] = [

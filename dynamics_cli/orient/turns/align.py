@@ -100,43 +100,43 @@ def align(
     >>> round(align(pairs=(one, two)).rotation_angle, 12)
     1.570796326795
     """
-    given = pairs if isinstance(pairs, tuple) else (pairs,)
-    only_in_doubles(*(part for pair in given for part in (*pair.before, *pair.after, pair.weight)))
+    several = pairs if isinstance(pairs, tuple) else (pairs,)
+    only_in_doubles(*(part for pair in several for part in (*pair.before, *pair.after, pair.weight)))
     require(
-        len(given) >= 2,
+        len(several) >= 2,
         "one pair of directions does not determine a rotation: any turn about it may be added",
         code="undetermined",
         hint='give --pair "before=…, after=…" twice or more',
     )
-    require(fit == "least-squares" or len(given) == 2, "triad needs two pairs; there are {count}", count=len(given))
-    total = sum(pair.weight for pair in given)
-    before = [unit(pair.before) for pair in given]
-    after = [unit(pair.after) for pair in given]
-    shares = [pair.weight / total for pair in given]
-    k = _davenport(before, after, shares)
+    require(fit == "least-squares" or len(several) == 2, "triad needs two pairs; there are {count}", count=len(several))
+    total = sum(pair.weight for pair in several)
+    before = [unit(pair.before) for pair in several]
+    after = [unit(pair.after) for pair in several]
+    weights = [pair.weight / total for pair in several]
+    k = _davenport(before, after, weights)
     _, q, gap, residual = largest(k)
     _require_spread(before, gap)
     if fit == "triad":
         q = of_rotation(product(_triad(after), transposed(_triad(before))))
     q = upright(q)
     matrix = from_quaternion(q)
-    left = [_angle(rotated(matrix, b), a) for b, a in zip(before, after, strict=True)]
+    misfits = [_angle(rotated(matrix, b), a) for b, a in zip(before, after, strict=True)]
     axis, angle = axis_and_angle(q)
-    wanted = sequence_of(sequence)
+    order = sequence_of(sequence)
     error = 2.0 * (residual + 24.0 * UNIT_ROUNDOFF) / gap
     return Aligned(
         quaternion=q,
         rotation_angle=angle,
         rotation_axis=axis,
         rotation_matrix=matrix,
-        euler_angles=angles_of_quaternion(q, wanted).angles,
-        euler_order=wanted.text,
-        residual=sum(share * off * off for share, off in zip(shares, left, strict=True)) ** 0.5,
-        largest_residual=max(left),
+        euler_angles=angles_of_quaternion(q, order).angles,
+        euler_order=order.text,
+        residual=sum(weight * off * off for weight, off in zip(weights, misfits, strict=True)) ** 0.5,
+        largest_residual=max(misfits),
         sharpness=gap,
         pairs=tuple(
             Fit(pair.name or f"pair {nth}", off, pair.weight)
-            for nth, (pair, off) in enumerate(zip(given, left, strict=True), 1)
+            for nth, (pair, off) in enumerate(zip(several, misfits, strict=True), 1)
         ),
         advice=_advice(gap),
         numerics=Numerics(

@@ -121,8 +121,8 @@ def orientation(turn: Attitude) -> Orientation:
 def _of_matrix(turn: ByMatrix) -> Orientation:
     nearest = from_rows(turn.rotation_matrix)
     off = 0.0
-    for given, row in zip(turn.rotation_matrix, nearest, strict=True):
-        for element, other in zip(given, row, strict=True):
+    for written, row in zip(turn.rotation_matrix, nearest, strict=True):
+        for element, other in zip(written, row, strict=True):
             off = off + (element - other) * (element - other)
     return Orientation(quaternion=upright(of_rotation(nearest)), matrix=nearest, by_matrix=True, departure=sqrt(off))
 

@@ -92,7 +92,7 @@ def between(
     >>> round(between(first=one, second=two).rotation_angle, 9)
     2.094395102
     """
-    wanted = sequence_of(sequence)
+    order = sequence_of(sequence)
     require(count <= MOST_STEPS, "{count} orientations in between are more than {most}", count=count, most=MOST_STEPS)
     start, end = orientation(first.turn), orientation(second.turn)
     q = upright(multiply(conjugate(start.quaternion), end.quaternion))
@@ -105,9 +105,9 @@ def between(
         rest = axis_and_angle(upright(multiply(q, conjugate(twist))))[1]
     steps = []
     for nth in range(1, count + 1):
-        share = nth / (count + 1)
-        way = upright(multiply(start.quaternion, of_axis_angle(axis, share * angle)))
-        steps.append(Step(share, way, angles_of_quaternion(way, wanted).angles))
+        fraction = nth / (count + 1)
+        passed = upright(multiply(start.quaternion, of_axis_angle(axis, fraction * angle)))
+        steps.append(Step(fraction, passed, angles_of_quaternion(passed, order).angles))
     alone = single(*q)
     return Between(
         rotation_angle=angle,
@@ -124,8 +124,8 @@ def between(
 
 
 def _checks(start: "tuple[tuple[float, ...], ...]", q: Quaternion, end: object) -> tuple[Check, ...]:
-    bare = from_quaternion(tuple(map(plain, q)))  # type: ignore[arg-type]
-    off = distance_of(product(start, bare), end)  # type: ignore[arg-type]
+    doubles = from_quaternion(tuple(map(plain, q)))  # type: ignore[arg-type]
+    off = distance_of(product(start, doubles), end)  # type: ignore[arg-type]
     return (Check("the rotation takes the first to the second", off <= TOLERANCE, off, TOLERANCE),)
 
 

@@ -109,8 +109,8 @@ def compose(
         steps.append(step)
         frames.append(product(frames[-1], step) if about == "body" else product(step, frames[-1]))
         cosine, sine = turned(0.5 * turn.angle)
-        one = (cosine, *(sine if k == axis else 0.0 for k in range(3)))
-        composed = multiply(composed, one) if about == "body" else multiply(one, composed)  # type: ignore[arg-type]
+        axis_turn = (cosine, *(sine if k == axis else 0.0 for k in range(3)))
+        composed = multiply(composed, axis_turn) if about == "body" else multiply(axis_turn, composed)  # type: ignore[arg-type]
     composed = upright(composed)
     rotation_axis, angle = axis_and_angle(composed)
     names = [base, *(turn.name or letter(nth) for nth, turn in enumerate(chain, 1))]
@@ -139,8 +139,8 @@ def _table(frames: "list[Matrix]", steps: "list[Matrix]", names: "list[str]") ->
 
 
 def _checks(matrix: Matrix, q: Quaternion) -> tuple[Check, ...]:
-    bare = tuple(map(plain, q))
-    off = distance_of(matrix, matrix_of(bare))  # type: ignore[arg-type]
+    doubles = tuple(map(plain, q))
+    off = distance_of(matrix, matrix_of(doubles))  # type: ignore[arg-type]
     departure = distance_of(product(transposed(matrix), matrix), IDENTITY)
     return (
         Check("quaternions give the same total", off <= TOLERANCE, off, TOLERANCE),

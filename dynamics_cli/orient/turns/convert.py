@@ -120,10 +120,10 @@ def convert(
     >>> answer.quaternion
     (0.5, 0.5, 0.5, 0.5)
     """
-    wanted = sequence_of(sequence)
-    read = orientation(turn)
-    angles = read.angles(wanted, zero_third=zero == "third")
-    q = read.quaternion
+    order = sequence_of(sequence)
+    rotation = orientation(turn)
+    angles = rotation.angles(order, zero_third=zero == "third")
+    q = rotation.quaternion
     axis, angle = axis_and_angle(q)
     # words, tables and checks are about one case in doubles
     alone = single(*q) and not is_many(q[0])
@@ -136,18 +136,18 @@ def convert(
         euler_angles=angles.angles if near is None else nearest(angles, near),
         quaternion=q,
         rotation_vector=vector_of(q),
-        rotation_matrix=read.matrix,
+        rotation_matrix=rotation.matrix,
         alternative_angles=angles.alternative,
         lock_distance=angles.distance,
         rodrigues=parameters,
-        euler_order=wanted.text,
-        lock=_state(read, angles) if alone else "",
-        names=names_of(wanted),
+        euler_order=order.text,
+        lock=_state(rotation, angles) if alone else "",
+        names=names_of(order),
         convention="right-handed; the matrix takes body components to fixed ones; the quaternion is scalar first",
-        departure=read.departure,
-        sequences=_all_sequences(read) if alone else (),
-        checks=_checks(read, angles, wanted) if alone else (),
-        advice=_advice(turn, read, angles, zero) if alone else (),
+        departure=rotation.departure,
+        sequences=_all_sequences(rotation) if alone else (),
+        checks=_checks(rotation, angles, order) if alone else (),
+        advice=_advice(turn, rotation, angles, zero) if alone else (),
     )
 
 
@@ -170,10 +170,10 @@ def _bare(read: Orientation) -> Orientation:
 
 
 def _all_sequences(read: Orientation) -> tuple[SequenceAngles, ...]:
-    bare = _bare(read)
+    doubles = _bare(read)
     rows = []
     for order in ORDERS:
-        angles = bare.angles(sequence_of(order))
+        angles = doubles.angles(sequence_of(order))
         first, second, third = angles.angles
         rows.append(SequenceAngles(order, order[::-1].upper(), first, second, third, angles.distance))
     return tuple(rows)
@@ -187,14 +187,14 @@ def distance_of(a: "Matrix", b: "Matrix") -> float:
 def _checks(read: Orientation, angles: Angles, sequence: Sequence) -> tuple[Check, ...]:
     from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
-    bare = _bare(read)
+    doubles = _bare(read)
     triple = tuple(plain(angle) for angle in angles.angles)
-    again = orientation(Euler(euler_angles=triple, euler_order=sequence.text)).matrix
+    rebuilt = orientation(Euler(euler_angles=triple, euler_order=sequence.text)).matrix
     residuals = {
-        "angles give the rotation": distance_of(again, bare.matrix),
-        "quaternion gives the rotation": distance_of(matrix_of(normalized(bare.quaternion)), bare.matrix),
-        "RᵀR = 1": distance_of(product(transposed(bare.matrix), bare.matrix), IDENTITY),
-        "det R = 1": abs(determinant(bare.matrix) - 1.0),
+        "angles give the rotation": distance_of(rebuilt, doubles.matrix),
+        "quaternion gives the rotation": distance_of(matrix_of(normalized(doubles.quaternion)), doubles.matrix),
+        "RᵀR = 1": distance_of(product(transposed(doubles.matrix), doubles.matrix), IDENTITY),
+        "det R = 1": abs(determinant(doubles.matrix) - 1.0),
     }
     return tuple(Check(name, value <= TOLERANCE, value, TOLERANCE) for name, value in residuals.items())
 

@@ -63,12 +63,12 @@ def screw(
     >>> screw(turn=half, displacement=(2.0, 0.0, 0.5)).point
     (1.0, 0.0, 0.0)
     """
-    read = orientation(turn)
-    matrix = from_quaternion(read.quaternion)
+    rotation = orientation(turn)
+    matrix = from_quaternion(rotation.quaternion)
     d = subtract(add(of_point, displacement), rotated(matrix, of_point))
-    w, *rest = read.quaternion
+    w, *rest = rotation.quaternion
     half_sine = length((rest[0], rest[1], rest[2]))
-    axis, angle = axis_and_angle(read.quaternion)
+    axis, angle = axis_and_angle(rotation.quaternion)
     alone = single(half_sine, *d)
     if alone and half_sine == 0.0:
         return _translation(d, angle)
@@ -110,12 +110,12 @@ def _checks(
     d: "tuple[float, float, float]",
 ) -> tuple[Check, ...]:
     """The point of the axis moves along it by the travel."""
-    bare = tuple(tuple(map(plain, row)) for row in matrix)  # type: ignore[attr-defined]
+    doubles = tuple(tuple(map(plain, row)) for row in matrix)  # type: ignore[attr-defined]
     p, n, by = (tuple(map(plain, v)) for v in (point, axis, d))
-    moved = add(rotated(bare, p), by)  # type: ignore[arg-type]
-    wanted = add(p, scale(plain(travel), n))  # type: ignore[arg-type]
+    moved = add(rotated(doubles, p), by)  # type: ignore[arg-type]
+    expected = add(p, scale(plain(travel), n))  # type: ignore[arg-type]
     size = max(map(abs, (*p, *by))) + 1e-300
-    off = max(abs(x - y) for x, y in zip(moved, wanted, strict=True)) / size
+    off = max(abs(x - y) for x, y in zip(moved, expected, strict=True)) / size
     return (Check("the axis stays in place", off <= TOLERANCE, off, TOLERANCE),)
 
 

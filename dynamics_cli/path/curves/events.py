@@ -48,21 +48,21 @@ def events(motion: "MovingPoint", start: float, end: float) -> tuple[Event, ...]
         state = motion.state(at)
         slow = state.bend.speed <= ZERO * fastest
         events_met.append(_event("cusp or rest" if rising and slow else "slowest" if rising else "fastest", at, state))
-    still = [one.time for one in events_met if one.event == "cusp or rest"]
+    still = [item.time for item in events_met if item.event == "cusp or rest"]
     for at, rising in _turns(motion, times, states, _bending):
         if any(abs(at - time) <= 2.0 * (end - start) / SAMPLES for time in still):
             continue
         state = motion.state(at)
         flat = (state.bend.curvature or 0.0) <= ZERO * tightest
         events_met.append(_event("inflection" if rising and flat else "flattest" if rising else "tightest", at, state))
-    return tuple(sorted(events_met, key=lambda one: one.time)[:MOST_EVENTS])
+    return tuple(sorted(events_met, key=lambda item: item.time)[:MOST_EVENTS])
 
 
-def _event(what: str, at: float, state: "State") -> Event:
-    kept = what != "cusp or rest"
-    speed = state.bend.speed if kept else 0.0
-    curvature = (0.0 if what == "inflection" else state.bend.curvature) if kept else None
-    return Event(what, at, speed, curvature, state.position)
+def _event(name: str, time: float, state: "State") -> Event:
+    regular = name != "cusp or rest"
+    speed = state.bend.speed if regular else 0.0
+    curvature = (0.0 if name == "inflection" else state.bend.curvature) if regular else None
+    return Event(name, time, speed, curvature, state.position)
 
 
 def _speeding(state: "State") -> tuple[float, float]:
@@ -135,11 +135,11 @@ def _integral(
     """The integral, the piece with the largest error halved again and again, and the sum of the errors."""
     pieces = [_piece(function, low, high, _gauss(function, low, high))]
     for _ in range(halvings):
-        error, start, end, _undivided, left, right = pieces[0]
+        error, start, end, _undivided, first_half, right = pieces[0]
         middle = 0.5 * (start + end)
         if math.fsum(-piece[0] for piece in pieces) <= allowed or not start < middle < end or error == 0.0:
             break
-        heapreplace(pieces, _piece(function, start, middle, left))
+        heapreplace(pieces, _piece(function, start, middle, first_half))
         heappush(pieces, _piece(function, middle, end, right))
     return math.fsum(piece[3] for piece in pieces), math.fsum(-piece[0] for piece in pieces)
 
@@ -147,8 +147,8 @@ def _integral(
 def _piece(function: "Callable[[float], float]", low: float, high: float, undivided: float) -> tuple[float, ...]:
     """Minus the error of a piece, its ends, its integral, and those of its halves."""
     middle = 0.5 * (low + high)
-    left, right = _gauss(function, low, middle), _gauss(function, middle, high)
-    return -abs(left + right - undivided), low, high, left + right, left, right
+    first_half, second_half = _gauss(function, low, middle), _gauss(function, middle, high)
+    return -abs(first_half + second_half - undivided), low, high, first_half + second_half, first_half, second_half
 
 
 _RULE = legendre(NODES)

@@ -85,7 +85,7 @@ class MovingPoint:
 
     def plainly(self) -> "MovingPoint":
         """The same with doubles in place of tracked numbers."""
-        let = tuple(Let(one.name, plain(one.value), one.unit) for one in self.let)
+        let = tuple(Let(variable.name, plain(variable.value), variable.unit) for variable in self.let)
         shape = self.shape
         if shape is not None:
             values = {name: _in_doubles(getattr(shape, name)) for name in shape.fields}
@@ -104,7 +104,7 @@ class MovingPoint:
                 return tuple(map(exact, value))
             return value if value is None else ManyDigits.inputs([plain(value)])[0]
 
-        let = tuple(Let(one.name, exact(one.value), one.unit) for one in self.let)
+        let = tuple(Let(variable.name, exact(variable.value), variable.unit) for variable in self.let)
         shape = self.shape
         if shape is not None:
             shape = type(shape)(**{name: exact(getattr(shape, name)) for name in shape.fields})
@@ -122,7 +122,7 @@ class MovingPoint:
 
     def _inputs(self) -> "list[Any]":
         fields = [getattr(self.shape, name) for name in self.shape.fields] if self.shape is not None else []
-        numbers = [one.value for one in self.let]
+        numbers = [variable.value for variable in self.let]
         for field in fields:
             numbers.extend(field if isinstance(field, tuple) else (field,))
         return numbers
@@ -148,12 +148,12 @@ class MovingPoint:
         from dynamics_cli.numerics.expressions import parse
         from dynamics_cli.numerics.expressions.domain import first_fault
 
-        others = {one.name: float(plain(one.value)) for one in self.let}
+        values = {variable.name: float(plain(variable.value)) for variable in self.let}
         formulas = {**self.formulas, **({"the law": self.parameter} if self.parameter is not None else {})}
         for name, formula in formulas.items():
-            read = parse(formula.text)
-            named = {key: value for key, value in others.items() if key in read.names}
-            fault = first_fault(read, "t", start, end, **named) if end > start else None
+            expression = parse(formula.text)
+            named = {key: value for key, value in values.items() if key in expression.names}
+            fault = first_fault(expression, "t", start, end, **named) if end > start else None
             require(
                 fault is None,
                 "{name} = {text} has a pole, a corner or no value at {time:6}",
@@ -187,7 +187,7 @@ def _loose(number: Tracked) -> bool:
 def _sharper(number: "Any", exact: "Any") -> "Any":
     """A tracked number with the value that many digits give, and its rounding as the only error."""
     if isinstance(number, tuple) and isinstance(exact, tuple):
-        return tuple(_sharper(one, other) for one, other in zip(number, exact, strict=True))
+        return tuple(_sharper(variable, precise) for variable, precise in zip(number, exact, strict=True))
     if not is_tracked(number) or not is_many(exact):
         return exact if number is None and not is_many(exact) else number
     value = plain(exact)

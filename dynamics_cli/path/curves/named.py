@@ -261,8 +261,8 @@ class Clothoid:
 
     def slopes(self, u: Jet) -> "Slopes":
         """Derivatives by the parameter."""
-        share = u / self.clothoid_parameter
-        angle = share * share * 0.5
+        relative = u / self.clothoid_parameter
+        angle = relative * relative * 0.5
         return jets.cos(angle), jets.sin(angle), u * 0.0
 
 

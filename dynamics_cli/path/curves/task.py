@@ -170,15 +170,13 @@ def curve(
 
 
 def _parameter(shape: "Any", angle: Formula | None, along: Formula | None) -> Formula | None:
-    given = [name for name, law in (("angle", angle), ("length", along)) if law is not None]
-    require(len(given) < 2, "a curve has one parameter: angle law and length law are both given", code="exclusive")
-    if not given:
+    laws = [name for name, law in (("angle", angle), ("length", along)) if law is not None]
+    require(len(laws) < 2, "a curve has one parameter: angle law and length law are both given", code="exclusive")
+    if not laws:
         return None
+    require(shape is not None, "a law of the {law} needs a named curve", code="law", hint="--curve circle", law=laws[0])
     require(
-        shape is not None, "a law of the {law} needs a named curve", code="law", hint="--curve circle", law=given[0]
-    )
-    require(
-        shape.parameter in (given[0], "time"),
+        shape.parameter in (laws[0], "time"),
         "the parameter of this curve is its {wanted}",
         code="law",
         hint="give --{wanted}-law",
@@ -247,8 +245,8 @@ def _loose(lengths: "tuple[float | None, float]") -> tuple[Advice, ...]:
 
 def _quotient(motion: MovingPoint, now: float, first: float, last: float) -> tuple[Check, ...]:
     """The velocity beside a difference quotient of the positions."""
-    here = motion.state(now)
-    speed, rate, jerk = (math.hypot(*vector) for vector in (here.velocity, here.acceleration, here.jerk))
+    middle = motion.state(now)
+    speed, rate, jerk = (math.hypot(*vector) for vector in (middle.velocity, middle.acceleration, middle.jerk))
     scales = [speed / rate if rate else 0.0, math.sqrt(speed / jerk) if jerk else 0.0, last - first]
     step = 1e-4 * min((scale for scale in scales if scale), default=1.0)
     low, high = max(first, now - step), min(last, now + step)
@@ -256,16 +254,16 @@ def _quotient(motion: MovingPoint, now: float, first: float, last: float) -> tup
         low, high = (now, now + step) if now + step <= last else (now - step, now)
     try:
         before, after = (motion.state(Tracked(time, 0.0, ())) for time in (low, high))
-        here = motion.state(0.5 * (low + high))
+        middle = motion.state(0.5 * (low + high))
     except (ArithmeticError, ValueError):
         return ()
     apart = math.hypot(
         *(
             plain((b - a) / (high - low) - v)
-            for a, b, v in zip(before.position, after.position, here.velocity, strict=True)
+            for a, b, v in zip(before.position, after.position, middle.velocity, strict=True)
         )
     )
-    size = max(plain(state.bend.speed) for state in (before, here, after))
+    size = max(plain(state.bend.speed) for state in (before, middle, after))
     noise = sum(getattr(part, "error", 0.0) for state in (before, after) for part in state.position) / (high - low)
     allowed = QUOTIENT * size + 2.0 * noise
     return (Check("velocity is the difference of positions", apart <= allowed, apart, allowed),)

@@ -122,12 +122,12 @@ class Pair:
         self.measured = [motion for motion in self.motions if isinstance(motion, Measured)]
         self.start = max((motion.start for motion in self.measured), default=0.0)
 
-    def end(self, given: float | None) -> float:
+    def end(self, requested_end: float | None) -> float:
         """Until when there are both, and until when is asked for."""
         ends = [motion.end for motion in self.measured]
-        require(bool(ends) or given is not None, "the closest approach of formulas needs an end of its search",
+        require(bool(ends) or requested_end is not None, "the closest approach of formulas needs an end of its search",
                 code="missing", hint="--end '60 s'")  # fmt: skip
-        last = min(ends, default=given or 0.0)
+        last = min(ends, default=requested_end or 0.0)
         require(
             not ends or self.start < last,
             "the tracks have no time in common: one ends at {last}, the other begins {gap} later, at {start}",
@@ -137,7 +137,7 @@ class Pair:
             gap=(self.start - last, Time),
             start=(self.start, Time),
         )
-        return last if given is None else min(last, given)
+        return last if requested_end is None else min(last, requested_end)
 
     def check(self, last: float) -> None:
         """Refuse formulas with a pole, a corner or a gap in the range of times."""
@@ -161,12 +161,12 @@ class Pair:
         return tuple(sum(pair[order] ** 2 for pair in each) ** 0.5 for order in (0, 1))
 
 
-def noise_of_rates(seen: "State", noise: "tuple[float, float]") -> "tuple[float, float | None]":
+def noise_of_rates(state: "State", noise: "tuple[float, float]") -> "tuple[float, float | None]":
     """Standard deviations of the closing speed, and of the time at which r·v would vanish there.
 
     To first order: of −r·v/|r| by δv along r and δr across it; of t by (δr·v + δr·r)/(v² + r·a).
     """
-    r, v, a = seen
+    r, v, a = state
     apart, speed = hypot(*r), hypot(*v)
     along = dot(r, v) / apart if apart else 0.0
     across = max(speed * speed - along * along, 0.0) ** 0.5
@@ -177,9 +177,9 @@ def noise_of_rates(seen: "State", noise: "tuple[float, float]") -> "tuple[float,
 
 def require_one_sort(mover: Mover) -> None:
     """Refuse a motion that is given in two ways."""
-    given = (mover.position, mover.velocity, mover.acceleration) != (ZERO, ZERO, ZERO)
+    constant = (mover.position, mover.velocity, mover.acceleration) != (ZERO, ZERO, ZERO)
     require(
-        given + mover.curved + bool(mover.track) <= 1,
+        constant + mover.curved + bool(mover.track) <= 1,
         "a point moves by a track, by formulas, or from a position with velocity and acceleration: two of these are "
         "given",
         code="exclusive",

@@ -146,9 +146,9 @@ def relative(
     )
 
 
-def _shown(seen: "State") -> "tuple[dict[str, Any], tuple[Advice, ...]]":
+def _shown(state: "State") -> "tuple[dict[str, Any], tuple[Advice, ...]]":
     """Relative motion at the time asked for."""
-    r, v, a = seen
+    r, v, a = state
     apart = length(r)
     touching = plain(apart) == 0.0
     fields = {
@@ -182,17 +182,17 @@ def _searched(pair: Pair, time: "float | None", end: "float | None") -> Relative
     pair.check(last)
     span = last - start
     when = _nearest(pair, start, last)
-    r, v, _ = seen = pair.seen(when)
+    r, v, _ = state = pair.seen(when)
     places = [motion.at(when)[0] for motion in pair.motions]
     fields, advice = _shown(pair.seen(moment))
     if when in (start, last):
         edge = "start" if when == start else "end"
         advice += (Advice("edge", f"they are closest at the {edge} of the times that were searched", "note"),)
     gap, size = length(r), max(map(length, places))
-    around = [length(pair.seen(min(max(at, start), last))[0]) for at in (when - 1e-4 * span, when + 1e-4 * span)]
+    around = [length(pair.seen(min(max(t, start), last))[0]) for t in (when - 1e-4 * span, when + 1e-4 * span)]
     if pair.measured:
         fields |= _noise(pair, moment, when, gap, last)
-        fields |= {"closest_time_noise": None if when in (start, last) else noise_of_rates(seen, _at(pair, when))[1]}
+        fields |= {"closest_time_noise": None if when in (start, last) else noise_of_rates(state, _at(pair, when))[1]}
         for motion in pair.measured:
             advice += motion.advice
         if gap < WITHIN * fields["closest_distance_noise"]:
@@ -219,9 +219,9 @@ def _nearest(pair: Pair, start: float, last: float) -> float:
     """When they are closest: at an end, or at the best of the minima."""
     count = COARSE if pair.measured and drawing() else GRID
     grid = [start + (last - start) * k / count for k in range(count + 1)]
-    rates = [pair.rate(at) for at in grid]
+    rates = [pair.rate(moment) for moment in grid]
     near = [bisected(pair.rate, grid[k], grid[k + 1]) for k in range(count) if rates[k] < 0.0 <= rates[k + 1]]
-    return min([start, *near, last], key=lambda at: length(pair.seen(at)[0]))
+    return min([start, *near, last], key=lambda moment: length(pair.seen(moment)[0]))
 
 
 def _at(pair: Pair, time: float) -> "tuple[float, float]":
@@ -236,17 +236,17 @@ def _noise(pair: Pair, moment: float, when: float, gap: float, last: float) -> "
     times = [time for time in every if pair.start <= time <= last]
     rows = []
     for time, *noise in zip(times, *(pair.noise(times) if times else ((), ())), strict=True):
-        seen = pair.seen(time)
-        shown, _ = _shown(seen)
-        closing = noise_of_rates(seen, (float(noise[0]), float(noise[1])))[0]
+        state = pair.seen(time)
+        row, _ = _shown(state)
+        closing = noise_of_rates(state, (float(noise[0]), float(noise[1])))[0]
         rows.append(
-            RelativePoint(time, shown["distance"], float(noise[0]), shown["closing_speed"], closing, shown["position"])
+            RelativePoint(time, row["distance"], float(noise[0]), row["closing_speed"], closing, row["position"])
         )
-    here = _at(pair, moment)
+    noise_now = _at(pair, moment)
     return {
         "shown_time": moment,
         "closest_distance_noise": _at(pair, when)[0],
-        "distance_noise": here[0],
-        "closing_speed_noise": noise_of_rates(pair.seen(moment), here)[0],
+        "distance_noise": noise_now[0],
+        "closing_speed_noise": noise_of_rates(pair.seen(moment), noise_now)[0],
         "points": tuple(rows),
     }

@@ -45,23 +45,23 @@ def run(law: "Callable[..., Any]", phase: "Phase", *, halved: bool = False) -> R
     """
     speed = plain(phase.start_speed)
     time, distance = plain(phase.time), plain(phase.distance)
-    wanted = 0.0 if phase.end_speed is None else plain(phase.end_speed)
-    first = _first_step(law, speed, time, distance, wanted)
-    goes_on = wanted != 0.0 or time is not None or distance is not None
+    end_speed = 0.0 if phase.end_speed is None else plain(phase.end_speed)
+    first = _first_step(law, speed, time, distance, end_speed)
+    goes_on = end_speed != 0.0 or time is not None or distance is not None
     parts: list[Piece] = []
     stop: float | None = None
     try:
         for part in pieces(law, speed, first=first, most=math.inf if time is None else time, halved=halved):
             parts.append(part)
             stop = stop if stop is not None else _stop_in(part, speed)
-            end = _end_in(part, time, distance, wanted) if goes_on else stop
+            end = _end_in(part, time, distance, end_speed) if goes_on else stop
             if end is not None:
                 return Run(parts, end, stop if stop is not None and stop <= end else None)
             if distance is not None and abs(part.at(part.length)[0]) > FAR * abs(distance):
                 break
     except Pole as pole:
         _refuse_pole(pole)
-    return _not_reached(parts, stop, distance, wanted)
+    return _not_reached(parts, stop, distance, end_speed)
 
 
 def _first_step(
@@ -87,9 +87,9 @@ def _end_in(part: Piece, time: float | None, distance: float | None, wanted: flo
     if time is not None:
         return time if part.start + part.length >= time else None
     if distance is not None:
-        reached = crossing(part, lambda at: part.at(at)[0] - distance)
+        reached = crossing(part, lambda moment: part.at(moment)[0] - distance)
     else:
-        reached = crossing(part, lambda at: part.at(at)[1] - wanted)
+        reached = crossing(part, lambda moment: part.at(moment)[1] - wanted)
     return None if reached is None else part.start + reached
 
 
@@ -98,8 +98,8 @@ def _stop_in(part: Piece, speed: float) -> float | None:
     turn = crossing(part, lambda time: part.at(time)[2])
     if turn is not None and abs(part.at(turn)[1]) <= TOUCH * abs(speed):
         return part.start + turn
-    at = crossing(part, lambda time: part.at(time)[1])
-    return part.start + at if at is not None and (at or part.start) else None
+    moment = crossing(part, lambda time: part.at(time)[1])
+    return part.start + moment if moment is not None and (moment or part.start) else None
 
 
 def _refuse_pole(pole: Pole) -> None:
@@ -121,11 +121,11 @@ def _not_reached(parts: "list[Piece]", stop: float | None, distance: float | Non
     last = parts[-1]
     position, velocity, _ = last.at(last.length)
     stopped = Run(parts, last.start + last.length, stop)
-    what = "{wanted_distance}" if distance is not None else "{wanted_speed}"
+    goal_word = "{wanted_distance}" if distance is not None else "{wanted_speed}"
     require(
         False,
-        (f"it does not reach {what}: it turns back at {{turn:6}} after {{stop:6}}" if stop is not None else
-         f"it does not reach {what}: after {{time:6}} it is at {{position:6}} with {{velocity:6}}"),
+        (f"it does not reach {goal_word}: it turns back at {{turn:6}} after {{stop:6}}" if stop is not None else
+         f"it does not reach {goal_word}: after {{time:6}} it is at {{position:6}} with {{velocity:6}}"),
         code="not-reached",
         hint="give a time, or another end",
         wanted_distance=(distance or 0.0, Length),
@@ -139,6 +139,6 @@ def _not_reached(parts: "list[Piece]", stop: float | None, distance: float | Non
     return stopped
 
 
-def estimate(value: float, again: float) -> float:
+def estimate(value: float, coarser: float) -> float:
     """An estimate of the error from the same with half the steps, and a few roundings."""
-    return 4.0 * abs(value - again) + ROUNDING * max(abs(value), abs(again))
+    return 4.0 * abs(value - coarser) + ROUNDING * max(abs(value), abs(coarser))

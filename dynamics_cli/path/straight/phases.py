@@ -63,23 +63,23 @@ def solutions(phase: Phase) -> list[Solution]:
     >>> [round(one.time, 3) for one in solutions(Phase(start_speed=20.0, acceleration=-4.0, distance=48.0))]
     [4.0, 6.0]
     """
-    given = {name: getattr(phase, name) for name in NAMES if getattr(phase, name) is not None}
-    missing = ", ".join(WORDS[name] for name in NAMES if name not in given)
+    numbers = {name: getattr(phase, name) for name in NAMES if getattr(phase, name) is not None}
+    missing = ", ".join(WORDS[name] for name in NAMES if name not in numbers)
     require(
-        len(given) >= 3,
+        len(numbers) >= 3,
         "three of the five numbers are needed, {count} given",
         code="three-of-five",
         hint="give {more} more of: {missing}",
-        count=len(given),
-        more=3 - len(given),
+        count=len(numbers),
+        more=3 - len(numbers),
         missing=missing,
     )
-    first = tuple(given)[:3]
-    motions = [one for one in _SOLVERS[first](*(given[name] for name in first)) if one is not None]
-    later = [one for one in motions if plain(one.time) >= 0.0]
+    first = tuple(numbers)[:3]
+    motions = [solution for solution in _SOLVERS[first](*(numbers[name] for name in first)) if solution is not None]
+    later = [solution for solution in motions if plain(solution.time) >= 0.0]
     if not later:
         require(
-            all(plain(one.time) < 0.0 for one in motions),
+            all(plain(solution.time) < 0.0 for solution in motions),
             "the time of this motion leaves the range of a double",
             code="range",
             hint="check the sizes of speed, acceleration and distance",
@@ -91,41 +91,41 @@ def solutions(phase: Phase) -> list[Solution]:
             hint="check the signs of speed, acceleration and distance",
             time=(-plain(motions[0].time), Time),
         )
-    later = _agreeing(later, given, first)
-    return sorted(later, key=lambda one: plain(one.time))
+    later = _agreeing(later, numbers, first)
+    return sorted(later, key=lambda solution: plain(solution.time))
 
 
-def _agreeing(motions: list[Solution], given: "dict[str, Any]", used: tuple[str, ...]) -> list[Solution]:
+def _agreeing(motions: list[Solution], numbers: "dict[str, Any]", used: tuple[str, ...]) -> list[Solution]:
     """Those that have the fourth and fifth number too, where more than three were given."""
-    for name in given:
+    for name in numbers:
         if name in used:
             continue
         kind = {"time": Time, "distance": Length, "acceleration": Acceleration}.get(name, Speed)
-        wanted = plain(given[name])
-        near = [one for one in motions if _near(one, name, wanted)]
+        value = plain(numbers[name])
+        near = [solution for solution in motions if _near(solution, name, value)]
         require(
             bool(near),
             "the numbers contradict each other: from {names} the {name} is {value:6}, not {wanted:6}",
             code="inconsistent",
             hint="leave out one of them",
-            names=", ".join(WORDS[one] for one in used),
+            names=", ".join(WORDS[solution] for solution in used),
             name=WORDS[name],
             value=(plain(getattr(motions[0], name)), kind),
-            wanted=(wanted, kind),
+            wanted=(value, kind),
         )
         motions = near
     return motions
 
 
-def _near(one: Solution, name: str, wanted: float) -> bool:
+def _near(solution: Solution, name: str, wanted: float) -> bool:
     size = abs(wanted)
     if name.endswith("speed"):
-        size = max(size, abs(plain(one.start_speed)), abs(plain(one.end_speed)))
-    return abs(plain(getattr(one, name)) - wanted) <= AGREEMENT * size
+        size = max(size, abs(plain(solution.start_speed)), abs(plain(solution.end_speed)))
+    return abs(plain(getattr(solution, name)) - wanted) <= AGREEMENT * size
 
 
-def _open(what: str) -> None:
-    require(False, f"these numbers leave {what} open", code="undetermined", hint="give another of the five instead")
+def _open(names: str) -> None:
+    require(False, f"these numbers leave {names} open", code="undetermined", hint="give another of the five instead")
 
 
 def _speeds_acceleration(u: float, v: float, a: float) -> list[Solution]:

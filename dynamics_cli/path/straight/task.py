@@ -104,10 +104,10 @@ def rectilinear(
     _check_steps(steps)
     require(law is None, "a law needs the model for laws", code="model")
     several = phases if isinstance(phases, tuple) else (phases,)
-    ways = []
+    solutions_by_phase = []
     speed: float | None = None
     for index, phase in enumerate(several):
-        given = phase if speed is None or phase.start_speed is not None else _continued(phase, speed)
+        continued = phase if speed is None or phase.start_speed is not None else _continued(phase, speed)
         if speed is not None and phase.start_speed is not None:
             require(
                 abs(plain(phase.start_speed) - plain(speed)) <= TOLERANCE * abs(plain(speed)),
@@ -118,10 +118,10 @@ def rectilinear(
                 start=(phase.start_speed, Speed),
                 end=(speed, Speed),
             )
-        ways.append(solutions(given))
-        speed = ways[-1][0].end_speed
-    chosen = [way[0] for way in ways]
-    time, distance = summed([one.time for one in chosen]), summed([one.distance for one in chosen])
+        solutions_by_phase.append(solutions(continued))
+        speed = solutions_by_phase[-1][0].end_speed
+    chosen = [found_motions[0] for found_motions in solutions_by_phase]
+    time, distance = summed([motion.time for motion in chosen]), summed([motion.distance for motion in chosen])
     alone = chosen[0] if len(chosen) == 1 else None
     stop = _stop(alone) if alone is not None else None
     return Straight(
@@ -134,10 +134,10 @@ def rectilinear(
         stop_time=stop[0] if stop else None,
         stop_distance=stop[1] if stop else None,
         end_acceleration=None,
-        alternatives=tuple(ways[0][1:]) if len(ways[0]) > 1 and alone is not None else None,
+        alternatives=tuple(solutions_by_phase[0][1:]) if len(solutions_by_phase[0]) > 1 and alone is not None else None,
         motion=tuple(_table(chosen, steps)),
         checks=_energy(chosen),
-        advice=_several_advice(ways),
+        advice=_several_advice(solutions_by_phase),
     )
 
 
@@ -177,12 +177,12 @@ def rectilinear_law(
     41.754259672
     """
     _check_steps(steps)
-    one = phases[0] if isinstance(phases, tuple) else phases
+    phase = phases[0] if isinstance(phases, tuple) else phases
     require(not isinstance(phases, tuple) or len(phases) == 1, "a law takes one phase only", code="one-phase")
     require(law is not None, "no law is given", code="no-law", hint="--law '-0.004*v^2 m/s^2'")
-    require(one.start_speed is not None, "a law needs the start speed", code="missing", hint="--start-speed")
-    require(one.acceleration is None, "the law gives the acceleration: leave out the number", code="exclusive")
-    ends = [name for name in ("time", "distance", "end_speed") if getattr(one, name) is not None]
+    require(phase.start_speed is not None, "a law needs the start speed", code="missing", hint="--start-speed")
+    require(phase.acceleration is None, "the law gives the acceleration: leave out the number", code="exclusive")
+    ends = [name for name in ("time", "distance", "end_speed") if getattr(phase, name) is not None]
     require(
         len(ends) <= 1,
         "a law with a start speed needs one end, not {ends}",
@@ -190,11 +190,11 @@ def rectilinear_law(
         hint="give time, distance or end speed; without one the motion runs until rest",
         ends=" and ".join(name.replace("_", " ") for name in ends),
     )
-    numbers = (one.start_speed, one.time, one.distance, one.end_speed, *(each.value for each in let))
+    numbers = (phase.start_speed, phase.time, phase.distance, phase.end_speed, *(each.value for each in let))
     only_in_doubles(*numbers)
-    plainly = Phase(plain(one.start_speed), plain(one.end_speed), None, plain(one.distance), plain(one.time))
+    plainly = Phase(plain(phase.start_speed), plain(phase.end_speed), None, plain(phase.distance), plain(phase.time))
     function = law_of(law, tuple(type(each)(each.name, plain(each.value), each.unit) for each in let))  # type: ignore[arg-type]
-    motion, again = run(function, plainly), run(function, plainly, halved=True)
+    motion, rough = run(function, plainly), run(function, plainly, halved=True)
     distance, speed, rate = motion.at(motion.end)
     stop = motion.stop
     return Straight(
@@ -209,7 +209,7 @@ def rectilinear_law(
         end_acceleration=rate,
         alternatives=None,
         motion=tuple(_rows(motion, steps)),
-        numerics=_numerics(motion, again),
+        numerics=_numerics(motion, rough),
         checks=_work(motion, function),
     )
 
@@ -222,25 +222,25 @@ def _continued(phase: Phase, speed: float) -> Phase:
     return Phase(speed, phase.end_speed, phase.acceleration, phase.distance, phase.time)
 
 
-def _stop(one: Solution) -> "tuple[float, float] | None":
+def _stop(solution: Solution) -> "tuple[float, float] | None":
     """When and where it is first at rest, if it ever is from its start on."""
-    if plain(one.acceleration) == 0.0 or plain(one.start_speed) * plain(one.acceleration) >= 0.0:
+    if plain(solution.acceleration) == 0.0 or plain(solution.start_speed) * plain(solution.acceleration) >= 0.0:
         return None
-    time = -one.start_speed / one.acceleration
-    return time, time * (0.5 * one.start_speed)
+    time = -solution.start_speed / solution.acceleration
+    return time, time * (0.5 * solution.start_speed)
 
 
 def _table(chosen: "list[Solution]", steps: int) -> "list[Moment]":
     rows = []
     now: float = 0.0
-    way: float = 0.0
-    for number, one in enumerate(chosen, 1):
+    travelled: float = 0.0
+    for number, motion in enumerate(chosen, 1):
         for step in range(steps + 1):
-            time = one.time * step / steps
-            gone = time * (one.start_speed + 0.5 * (one.acceleration * time))
-            speed = one.end_speed if step == steps else one.start_speed + one.acceleration * time
-            rows.append(Moment(number, now + time, way + gone, speed, one.acceleration))
-        now, way = now + one.time, way + one.distance
+            time = motion.time * step / steps
+            gone = time * (motion.start_speed + 0.5 * (motion.acceleration * time))
+            speed = motion.end_speed if step == steps else motion.start_speed + motion.acceleration * time
+            rows.append(Moment(number, now + time, travelled + gone, speed, motion.acceleration))
+        now, travelled = now + motion.time, travelled + motion.distance
     return rows
 
 
@@ -252,15 +252,15 @@ def _rows(motion: Run, steps: int) -> "list[Moment]":
 def _energy(chosen: "list[Solution]") -> tuple[Check, ...]:
     """v² − u² = 2as for every phase."""
     worst = 0.0
-    for one in chosen:
-        u, v, a, s = (plain(x) for x in (one.start_speed, one.end_speed, one.acceleration, one.distance))
+    for motion in chosen:
+        u, v, a, s = (plain(x) for x in (motion.start_speed, motion.end_speed, motion.acceleration, motion.distance))
         size = max(u * u, v * v, abs(2.0 * a * s))
         worst = max(worst, abs((v - u) * (v + u) - 2.0 * a * s) / size if size else 0.0)
     return (Check("v² − u² = 2as", worst <= TOLERANCE, worst, TOLERANCE),)
 
 
 def _several_advice(ways: "list[list[Solution]]") -> tuple[Advice, ...]:
-    if all(len(way) == 1 for way in ways):
+    if all(len(motions) == 1 for motions in ways):
         return ()
     if len(ways) > 1:
         return (Advice("two-motions", "a phase has two motions with these numbers: the earlier one is taken", "note"),)
@@ -274,11 +274,11 @@ def _several_advice(ways: "list[list[Solution]]") -> tuple[Advice, ...]:
     return (Advice("two-motions", message, "note"),)
 
 
-def _numerics(motion: Run, again: Run) -> Numerics:
-    here, there = motion.at(motion.end), again.at(again.end)
-    bounds = [("time", motion.end, again.end), ("distance", here[0], there[0]), ("end_speed", here[1], there[1])]
-    if motion.stop is not None and again.stop is not None:
-        bounds.append(("stop_time", motion.stop, again.stop))
+def _numerics(motion: Run, rough: Run) -> Numerics:
+    fine, crude = motion.at(motion.end), rough.at(rough.end)
+    bounds = [("time", motion.end, rough.end), ("distance", fine[0], crude[0]), ("end_speed", fine[1], crude[1])]
+    if motion.stop is not None and rough.stop is not None:
+        bounds.append(("stop_time", motion.stop, rough.stop))
     return Numerics(
         "Taylor series of order 18; errors estimated with half the steps",
         tuple(ErrorBound(name, estimate(*values), relative=False) for name, *values in bounds),
@@ -289,9 +289,9 @@ def _work(motion: Run, law: "Any") -> tuple[Check, ...]:
     """The law at the end beside the slope of the series there."""
     distance, speed, rate = motion.at(motion.end)
     try:
-        wanted = float(law(t=motion.end, x=distance, v=speed))
+        expected = float(law(t=motion.end, x=distance, v=speed))
     except (ArithmeticError, ValueError):
         return ()
-    size = max(abs(wanted), abs(motion.at(0.0)[2]), abs(speed / motion.end))
-    apart = abs(rate - wanted) / size if size else 0.0
+    size = max(abs(expected), abs(motion.at(0.0)[2]), abs(speed / motion.end))
+    apart = abs(rate - expected) / size if size else 0.0
     return (Check("acceleration at the end is that of the law", apart <= TOLERANCE, apart, TOLERANCE),)

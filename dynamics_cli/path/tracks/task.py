@@ -166,9 +166,9 @@ class _Motion:
         self.speed = np.sqrt((self.velocity**2).sum(axis=1))
         # standing within its noise it has no direction
         self.moves = self.speed > 3.0 * self.speed_noise
-        way = self.velocity / np.where(self.moves, self.speed, 1.0)[:, None]
-        self.tangential = np.where(self.moves, (way * self.rate).sum(axis=1), np.sqrt((self.rate**2).sum(axis=1)))
-        across = self.rate - self.tangential[:, None] * way
+        direction = self.velocity / np.where(self.moves, self.speed, 1.0)[:, None]
+        self.tangential = np.where(self.moves, (direction * self.rate).sum(axis=1), np.sqrt((self.rate**2).sum(axis=1)))
+        across = self.rate - self.tangential[:, None] * direction
         self.normal = np.where(self.moves, np.sqrt((across**2).sum(axis=1)), 0.0)
 
     def extremes(self) -> "dict[str, Any]":

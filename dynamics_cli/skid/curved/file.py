@@ -26,7 +26,7 @@ def read_points(file: str) -> tuple[float, ...]:
 
 def _columns(header: "list[str]") -> "dict[str, tuple[int, tuple[int, int]]]":
     """Where x and y are, with their units."""
-    found: dict[str, tuple[int, tuple[int, int]]] = {}
+    columns: dict[str, tuple[int, tuple[int, int]]] = {}
     for place, cell in enumerate(header):
         name, _, unit = cell.strip().lower().partition("[")
         key, unit = NAMES.get(name.strip(), ""), unit.strip().rstrip("]").strip()
@@ -36,12 +36,12 @@ def _columns(header: "list[str]") -> "dict[str, tuple[int, tuple[int, int]]]":
             unit in UNITS, "the column {cell} has a unit that surveys are not read in", cell=repr(cell), code="unit",
             hint="use one of " + ", ".join(filter(None, UNITS)),
         )  # fmt: skip
-        found[key] = place, UNITS[unit]
+        columns[key] = place, UNITS[unit]
     require(
-        len(found) == 2, "the header {header} has no columns x and y", header=repr(",".join(header)[:60]),
+        len(columns) == 2, "the header {header} has no columns x and y", header=repr(",".join(header)[:60]),
         code="header", hint="name them x[m],y[m] or easting[ft],northing[ft]",
     )  # fmt: skip
-    return found
+    return columns
 
 
 def _number(row: "list[str]", place: int, unit: "tuple[int, int]", line: int) -> float:

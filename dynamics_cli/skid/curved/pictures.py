@@ -15,13 +15,13 @@ POINTS = 121
 ENLARGED = 20.0
 
 
-def surveyed(made: "Any", path: "Any") -> Picture:
+def surveyed(result: "Any", path: "Any") -> Picture:
     """The points, the circle through them, and their distances from it twenty times enlarged."""
     points = [float(plain(number)) for number in path.points]
     x, y = points[0::2], points[1::2]
     circle = circle_through([a - x[0] for a in x], [b - y[0] for b in y])
     assert circle is not None
-    cx, cy, radius = x[0] + circle.x, y[0] + circle.y, float(made.mark_radius)
+    cx, cy, radius = x[0] + circle.x, y[0] + circle.y, float(result.mark_radius)
     first = math.atan2(y[0] - cy, x[0] - cx)
     turn = math.remainder(math.atan2(y[-1] - cy, x[-1] - cx) - first, 2.0 * math.pi)
     angles = [first + turn * (1.1 * i / (POINTS - 1) - 0.05) for i in range(POINTS)]
@@ -43,17 +43,17 @@ def surveyed(made: "Any", path: "Any") -> Picture:
 
 
 def swerve(
-    made: "Any", *, speed: float, lateral_shift: float, reaction_time: "float | None" = None,
+    result: "Any", *, speed: float, lateral_shift: float, reaction_time: "float | None" = None,
     steering_lag: "float | None" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The two arcs in plan after reaction and lag, one arc beside them, and where braking would have stopped."""
-    start, radius = speed * ((reaction_time or 0.0) + (steering_lag or 0.0)), float(made.arc_radius)
-    half = 0.5 * float(made.distance)
+    start, radius = speed * ((reaction_time or 0.0) + (steering_lag or 0.0)), float(result.arc_radius)
+    half = 0.5 * float(result.distance)
     near = [half * i / (POINTS - 1) for i in range(POINTS)]
     low = [radius - math.sqrt(radius * radius - a * a) for a in near]
     x = [start + a for a in near] + [start + 2.0 * half - a for a in reversed(near)]
     y = low + [lateral_shift - b for b in reversed(low)]
-    single = [float(made.one_arc_distance) * i / (POINTS - 1) for i in range(POINTS)]
+    single = [float(result.one_arc_distance) * i / (POINTS - 1) for i in range(POINTS)]
     items: list[Any] = [
         Curve([0.0, start, *x], [0.0, 0.0, *y], "two arcs", role=0),
         Curve(
@@ -63,8 +63,8 @@ def swerve(
         Mark(start, 0.0, "steering acts", aside=(4.0, -14.0), role=0),
         Mark(start + 2.0 * half, lateral_shift, "straight again", aside=(4.0, -16.0), role=0),
     ]  # fmt: skip
-    if made.braking_distance is not None:
-        stop = start + float(made.braking_distance)
+    if result.braking_distance is not None:
+        stop = start + float(result.braking_distance)
         items += [Band(stop, stop, "braking instead stops here")]
     return Picture(
         (Panel(Axis("along the road", Length), Axis("aside", Length), tuple(items)),),

@@ -81,8 +81,8 @@ def surveyed(path: Points | SurveyFile) -> Survey:
     if circle is None:
         _refuse_line(count)
         raise AssertionError
-    given = None if path.point_deviation is None else plain(path.point_deviation)
-    sigma = max((part for part in (given, circle.residual) if part is not None), default=None)
+    stated = None if path.point_deviation is None else plain(path.point_deviation)
+    sigma = max((part for part in (stated, circle.residual) if part is not None), default=None)
     _judge(circle, sigma)
     radius = settled_radius(x, y, circle)
     halves = _halves([plain(a) for a in x], [plain(b) for b in y])
@@ -112,8 +112,8 @@ def _less_first(part: "tuple[Any, ...]") -> "list[Any]":
     top, bottom = ratios[0]
     exact = [(a * bottom - top * b) / (b * bottom) for a, b in ratios]
     return [
-        type(about)(number, ROUNDING * abs(number), about.slopes) if is_tracked(about) else number
-        for number, about in zip(exact, less, strict=True)
+        type(offset)(number, ROUNDING * abs(number), offset.slopes) if is_tracked(offset) else number
+        for number, offset in zip(exact, less, strict=True)
     ]
 
 

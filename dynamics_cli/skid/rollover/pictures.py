@@ -36,9 +36,9 @@ def rollover(made: "Any", *, track_width: float, cm_height: float, **_: "Any") -
         Label(half + 0.08, -0.14, "tips here", role=1, left=True),
     ]
     panels = [Panel(Axis("across", Length), Axis("up", Length), tuple(items), equal=True, bare=True)]
-    known = [(words, float(getattr(made, name))) for name, words in SPEEDS if getattr(made, name) is not None]
-    if known:
-        bars = Bars(tuple(words for words, _ in known), [0.0] * len(known), [number for _, number in known])
+    speeds = [(words, float(getattr(made, name))) for name, words in SPEEDS if getattr(made, name) is not None]
+    if speeds:
+        bars = Bars(tuple(words for words, _ in speeds), [0.0] * len(speeds), [number for _, number in speeds])
         panels.append(Panel(Axis("speed", RoadSpeed), Axis(""), (bars,)))
     return Picture(tuple(panels), "rollover", subtitle=f"stability factor {float(made.stability):.3g}")
 

@@ -33,8 +33,8 @@ def soil_trip(
         hint="a soft edge, a kerb or a furrow gives more than a plain road",
     )  # fmt: skip
     rise = half * (half / (hypot(height, half) + height))
-    way = gravity * rise / deceleration
-    turned = way / (height + sqrt(height * height + way * (2.0 * half - way)))
+    sliding = gravity * rise / deceleration
+    turned = sliding / (height + sqrt(height * height + sliding * (2.0 * half - sliding)))
     more = deceleration * half + gravity * height
     integral = first_kind_with_pair(excess + more * turned, excess, excess * turned)
     time = 2.0 * sqrt(turning * turned) * integral

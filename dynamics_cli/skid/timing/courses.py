@@ -65,10 +65,10 @@ class Course:
         )  # fmt: skip
         step, speed, rate = leg.duration / count, leg.start, leg.rate
         for _ in range(count):
-            terms, share = [distance, speed], 0.5 * rate
+            terms, coefficient = [distance, speed], 0.5 * rate
             for term in range(3, 3 + TERMS):
-                terms.append(share)
-                share = -share * leg.fade / term
+                terms.append(coefficient)
+                coefficient = -coefficient * leg.fade / term
             after = begin + step
             self.stretches.append(Stretch(leg.kind, plain(begin), plain(after), begin, terms))
             gained, more = faded(step, leg.fade)
@@ -82,9 +82,9 @@ class Course:
 
     def on(self, time: "Any") -> Stretch:
         """The piece that contains a time; at a corner the earlier one."""
-        at = plain(time)
-        require_kept(isfinite(at), "a speed or an acceleration, or the difference of two,")
-        return next(piece for piece in self.stretches if at <= piece.end)
+        moment = plain(time)
+        require_kept(isfinite(moment), "a speed or an acceleration, or the difference of two,")
+        return next(piece for piece in self.stretches if moment <= piece.end)
 
     def at(self, time: "Any") -> "tuple[Any, Any, str]":
         """Distance, speed and phase at a time."""
@@ -100,47 +100,47 @@ def changes(
 
     `combined` makes one polynomial of those of both courses, over the same time.
     """
-    ends = {piece.end for course in (first, second) for piece in course.stretches}
+    ends = {piece.end for path in (first, second) for piece in path.stretches}
     corners = sorted({begin, end, *(corner for corner in ends if begin < corner < end)})
     times: list[tuple[Any, bool]] = []
     for low, high in pairwise(corners):
         pieces = (first.on(0.5 * (low + high)), second.on(0.5 * (low + high)))
-        whole = combined(*(shifted(piece.coefficients, low - piece.origin) for piece in pieces))
+        poly = combined(*(shifted(piece.coefficients, low - piece.origin) for piece in pieces))
         require_kept(
-            all(isfinite(plain(part)) for part in whole), "a speed or an acceleration, or the difference of two,"
+            all(isfinite(plain(part)) for part in poly), "a speed or an acceleration, or the difference of two,"
         )
-        slope = derivative(whole)
-        for root in roots_between([plain(part) for part in whole], 0.0, high - low):
+        slope = derivative(poly)
+        for root in roots_between([plain(part) for part in poly], 0.0, high - low):
             steep = plain(value(slope, root))
             # a root at a corner belongs to both pieces
-            again = times and abs(plain(times[-1][0]) - (low + root)) <= 1e-12 * (1.0 + abs(low))
-            if steep != 0.0 and not again:
-                times.append((low + _settled(whole, root, steep), steep > 0.0))
+            repeated = times and abs(plain(times[-1][0]) - (low + root)) <= 1e-12 * (1.0 + abs(low))
+            if steep != 0.0 and not repeated:
+                times.append((low + _settled(poly, root, steep), steep > 0.0))
     return times
 
 
-def _settled(whole: "list[Any]", root: float, steep: float) -> "Any":
+def _settled(polynomial: "list[Any]", root: float, steep: float) -> "Any":
     """The root with the bounds and derivatives of the coefficients: one Newton step from the nearest double."""
-    left = value(whole, root)
-    only_in_doubles(left)
-    return root - left / steep
+    residual = value(polynomial, root)
+    only_in_doubles(residual)
+    return root - residual / steep
 
 
 def crossings(
     courses: "list[Course]", decisive: "Callable[..., list[list[Any]]]", begin: float, end: float
 ) -> "list[Any]":
     """The times within [begin, end], in order, at which one of several combinations of courses changes its sign."""
-    ends = {piece.end for course in courses for piece in course.stretches}
+    ends = {piece.end for path in courses for piece in path.stretches}
     corners = sorted({begin, end, *(corner for corner in ends if begin < corner < end)})
-    found: list[Any] = []
+    times: list[Any] = []
     for low, high in pairwise(corners):
-        pieces = [course.on(0.5 * (low + high)) for course in courses]
-        for whole in decisive(*(shifted(piece.coefficients, low - piece.origin) for piece in pieces)):
-            require_kept(all(isfinite(plain(part)) for part in whole), "a speed or an acceleration, or their product,")
-            slope = derivative(whole)
-            for root in roots_between([plain(part) for part in whole], 0.0, high - low):
+        pieces = [path.on(0.5 * (low + high)) for path in courses]
+        for poly in decisive(*(shifted(piece.coefficients, low - piece.origin) for piece in pieces)):
+            require_kept(all(isfinite(plain(part)) for part in poly), "a speed or an acceleration, or their product,")
+            slope = derivative(poly)
+            for root in roots_between([plain(part) for part in poly], 0.0, high - low):
                 steep = plain(value(slope, root))
                 if steep != 0.0:
-                    found.append(low + _settled(whole, root, steep))
-    found.sort(key=plain)
-    return found
+                    times.append(low + _settled(poly, root, steep))
+    times.sort(key=plain)
+    return times

@@ -91,11 +91,11 @@ def follow(
     require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {steps} rows", code="steps", steps=steps)
     require(gap > 0.0, "a gap of {gap} leaves no distance to close", code="no-gap", gap=(gap, Length))
     front, behind = (Course(motion_of(party, gravity), 0.0, 0.0) for party in (leader, follower))
-    last = max((course.stretches[-1].origin for course in (front, behind)), key=plain)
+    last = max((motion.stretches[-1].origin for motion in (front, behind)), key=plain)
 
-    def apart(one: "list[float]", other: "list[float]") -> "list[float]":
-        size = max(len(one), len(other))
-        first, second = ([*part, *([0.0] * (size - len(part)))] for part in (one, other))
+    def apart(first_poly: "list[float]", second_poly: "list[float]") -> "list[float]":
+        size = max(len(first_poly), len(second_poly))
+        first, second = ([*part, *([0.0] * (size - len(part)))] for part in (first_poly, second_poly))
         return [gap + first[0] - second[0], *(a - b for a, b in zip(first[1:], second[1:], strict=True))]
 
     contact = next((time for time, rises in changes(front, behind, apart, 0.0, plain(last)) if not rises), None)
@@ -106,45 +106,45 @@ def follow(
         table = _table(front, behind, gap, last, steps)
         return Following(False, None, None, None, None, None, *nearest, tuple(table))
     _, slow, _ = front.at(contact)
-    way, fast, _ = behind.at(contact)
+    distance_behind, fast, _ = behind.at(contact)
     return Following(
         contact=True,
         contact_time=contact,
         closing_speed=fast - slow,
         leader_speed=slow,
         follower_speed=fast,
-        follower_distance=way,
+        follower_distance=distance_behind,
         least_gap=None,
         least_gap_time=None,
         moments=(
             *_table(front, behind, gap, contact, steps)[:-1],
-            OneBehind(contact, 0.0, front.at(contact)[0], slow, way, fast),
+            OneBehind(contact, 0.0, front.at(contact)[0], slow, distance_behind, fast),
         ),
     )
 
 
 def _later(front: Course, behind: Course, gap: float, last: float) -> "float | None":
     """The contact of two that keep their speeds from `last` on."""
-    (one, slow, _), (other, fast, _) = front.at(last + 1e-9), behind.at(last + 1e-9)
+    (ahead, slow, _), (rear, fast, _) = front.at(last + 1e-9), behind.at(last + 1e-9)
     if plain(fast) <= plain(slow):
         return None
-    later: float = last + 1e-9 + (gap + one - other) / (fast - slow)
+    later: float = last + 1e-9 + (gap + ahead - rear) / (fast - slow)
     return later
 
 
 def _nearest(front: Course, behind: Course, gap: float, last: float) -> "tuple[float, float]":
     """The least gap and when: where the speeds are equal, at a corner, at the start or at the end."""
 
-    def faster(one: "list[float]", other: "list[float]") -> "list[float]":
-        first, second = derivative(one), derivative(other)
+    def faster(entry: "list[float]", second_course: "list[float]") -> "list[float]":
+        first, second = derivative(entry), derivative(second_course)
         size = max(len(first), len(second))
         first, second = ([*part, *([0.0] * (size - len(part)))] for part in (first, second))
         return [a - b for a, b in zip(first, second, strict=True)]
 
-    corners = [piece.origin for course in (front, behind) for piece in course.stretches[1:]]
+    corners = [piece.origin for motion in (front, behind) for piece in motion.stretches[1:]]
     times = [*corners, *(time for time, _ in changes(front, behind, faster, 0.0, plain(last)))]
     gaps = [(gap + front.at(time)[0] - behind.at(time)[0], time) for time in times]
-    return min(gaps, key=lambda one: (plain(one[0]), plain(one[1])))
+    return min(gaps, key=lambda entry: (plain(entry[0]), plain(entry[1])))
 
 
 def _table(front: Course, behind: Course, gap: float, end: float, steps: int) -> "list[OneBehind]":
@@ -152,6 +152,6 @@ def _table(front: Course, behind: Course, gap: float, end: float, steps: int) ->
     rows = []
     for step in range(steps + 1):
         time = end * step / steps
-        (one, slow, _), (other, fast, _) = front.at(time), behind.at(time)
-        rows.append(OneBehind(time, gap + one - other, one, slow, other, fast))
+        (ahead, slow, _), (rear, fast, _) = front.at(time), behind.at(time)
+        rows.append(OneBehind(time, gap + ahead - rear, ahead, slow, rear, fast))
     return rows

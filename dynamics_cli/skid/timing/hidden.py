@@ -87,15 +87,15 @@ def scaled(poly: "Poly", by: "Any") -> "Poly":
 def added(poly: "Poly", other: "Poly", by: "Any") -> "Poly":
     """Poly + by·other, coefficients from the constant up."""
     size = max(len(poly), len(other))
-    both = [[*part, *[0.0] * (size - len(part))] for part in (poly, other)]
-    return [a + by * b for a, b in zip(*both, strict=True)]
+    padded = [[*part, *[0.0] * (size - len(part))] for part in (poly, other)]
+    return [a + by * b for a, b in zip(*padded, strict=True)]
 
 
 def openings(
-    wall: Wall, one: Course, other: Course, mover: "Course | None", eye_behind: float, begin: float
+    wall: Wall, eye_course: Course, target_course: Course, mover: "Course | None", eye_behind: float, begin: float
 ) -> "list[tuple[Any, bool]]":
     """Times before the impact at which the sight opens or closes, and which it does."""
-    courses = [one, other] if mover is None else [one, other, mover]
+    courses = [eye_course, target_course] if mover is None else [eye_course, target_course, mover]
 
     def decisive(*places: "Poly") -> "list[Poly]":
         eye, target = added([eye_behind], places[0], -1.0), scaled(places[1], -1.0)
@@ -125,14 +125,14 @@ def past_corner(before: float, aside: float, eye_behind: float, crossing: float)
 
     def cleared(eye: "Poly", target: "Poly") -> "Poly":
         back = [eye_behind - eye[0], *(-part for part in eye[1:])]
-        left = [-part for part in target]
+        negated = [-part for part in target]
         beyond = [back[0] - before, *back[1:]]
-        hidden = product(beyond, left)
-        seen = [0.0] * len(hidden)
+        hidden = product(beyond, negated)
+        clear = [0.0] * len(hidden)
         for index, part in enumerate(back):
-            seen[index] = seen[index] + aside * part
-        for index, part in enumerate(left):
-            seen[index] = seen[index] - aside * along * part
-        return [a - across * b for a, b in zip(seen, hidden, strict=True)]
+            clear[index] = clear[index] + aside * part
+        for index, part in enumerate(negated):
+            clear[index] = clear[index] - aside * along * part
+        return [a - across * b for a, b in zip(clear, hidden, strict=True)]
 
     return cleared

@@ -180,11 +180,11 @@ def _beyond_tyres(needed: "float | None", gravity: float) -> "tuple[Advice, ...]
 
 def motion_of(party: "Party | Obstruction", gravity: float) -> "list[Leg]":
     """A party's phases with all their numbers."""
-    known = party.known
+    given_quantity = party.known
     return legs(
         party.phases if isinstance(party.phases, tuple) else (party.phases,), gravity,
-        start=known.start_speed if isinstance(known, StartSpeed) else None,
-        end=known.end_speed if isinstance(known, EndSpeed) else None,
+        start=given_quantity.start_speed if isinstance(given_quantity, StartSpeed) else None,
+        end=given_quantity.end_speed if isinstance(given_quantity, EndSpeed) else None,
     )  # fmt: skip
 
 
@@ -212,8 +212,8 @@ def _driver(motion: "list[Leg]") -> "tuple[float, float, float] | None":
 def _stopping_speed(distance: float, reaction: float, build_up: float, deceleration: float) -> float:
     """The highest speed that can be stopped within the distance."""
     mean = reaction + 0.5 * build_up
-    room = distance + deceleration * build_up * build_up / 24.0
-    speed = 2.0 * room / (mean + sqrt(mean * mean + 2.0 * room / deceleration))
+    available = distance + deceleration * build_up * build_up / 24.0
+    speed = 2.0 * available / (mean + sqrt(mean * mean + 2.0 * available / deceleration))
     if plain(speed) >= plain(0.5 * deceleration * build_up):
         return speed
     # it would stop within the build-up: s = v t_r + (2/3) v √(2 v t_b/a), by Newton's steps
@@ -225,9 +225,9 @@ def _short_stop(distance: float, reaction: float, build_up: float, deceleration:
     rise = 2.0 / 3.0 * sqrt(2.0 * build_up / deceleration)
     root = sqrt(distance / (reaction + rise * sqrt(plain(0.5 * deceleration * build_up))))
     for _ in range(60):
-        left = root * root * (reaction + rise * root) - distance
-        root = root - left / plain(root * (2.0 * reaction + 3.0 * rise * root))
-        if abs(plain(left)) <= 1e-16 * plain(distance):
+        residual = root * root * (reaction + rise * root) - distance
+        root = root - residual / plain(root * (2.0 * reaction + 3.0 * rise * root))
+        if abs(plain(residual)) <= 1e-16 * plain(distance):
             break
     return root * root
 
@@ -238,36 +238,36 @@ def _late_speed(distance: float, clear: float, reaction: float, build_up: float,
         return distance / clear
     since = clear - reaction
     if plain(since) < plain(build_up):
-        lost, way = 0.5 * since * since / build_up, since * since * since / (6.0 * build_up)
+        lost, travelled = 0.5 * since * since / build_up, since * since * since / (6.0 * build_up)
     else:
         full = since - 0.5 * build_up
-        lost, way = full, 0.5 * full * full + build_up * build_up / 24.0
-    speed = (distance + deceleration * way) / clear
+        lost, travelled = full, 0.5 * full * full + build_up * build_up / 24.0
+    speed = (distance + deceleration * travelled) / clear
     return speed if plain(speed - deceleration * lost) >= 0.0 else None
 
 
 def _needed(distance: float, speed: float, reaction: float, build_up: float) -> "float | None":
     """The deceleration that stops it short from its own speed, or None if its reaction takes the whole distance."""
-    left = distance - speed * (reaction + 0.5 * build_up)
-    if plain(left) <= 0.0:
+    reach = distance - speed * (reaction + 0.5 * build_up)
+    if plain(reach) <= 0.0:
         return None
-    return speed * speed / (left + sqrt(left * left + build_up * build_up * speed * speed / 12.0))
+    return speed * speed / (reach + sqrt(reach * reach + build_up * build_up * speed * speed / 12.0))
 
 
 def _earlier(distance: float, speed: float, reaction: float, build_up: float, deceleration: float) -> float:
     """How much earlier it would have had to react, at its speed then; negative for time to spare."""
     if plain(speed) >= plain(0.5 * deceleration * build_up):
-        way = speed * (reaction + 0.5 * build_up) + 0.5 * speed * speed / deceleration
-        return (way - deceleration * build_up * build_up / 24.0 - distance) / speed
+        stopping_distance = speed * (reaction + 0.5 * build_up) + 0.5 * speed * speed / deceleration
+        return (stopping_distance - deceleration * build_up * build_up / 24.0 - distance) / speed
     return reaction + 2.0 / 3.0 * sqrt(2.0 * speed * build_up / deceleration) - distance / speed
 
 
-def _table(courses: "list[Course]", whole: float, steps: int) -> "list[Both]":
+def _table(courses: "list[Course]", duration: float, steps: int) -> "list[Both]":
     """Both parties at equal steps of time, from the earlier start to the impact."""
     rows = []
     for step in range(steps):
-        time = whole * (steps - step) / steps
-        (one, fast, doing), (other, swift, walking) = (course.at(-time) for course in courses)
-        rows.append(Both(time, -one, fast, doing, -other, swift, walking))
-    (_, fast, doing), (_, swift, walking) = (course.at(0.0 * whole) for course in courses)
+        time = duration * (steps - step) / steps
+        (first_place, fast, doing), (second_place, swift, walking) = (motion.at(-time) for motion in courses)
+        rows.append(Both(time, -first_place, fast, doing, -second_place, swift, walking))
+    (_, fast, doing), (_, swift, walking) = (motion.at(0.0 * duration) for motion in courses)
     return [*rows, Both(0.0, 0.0, fast, doing, 0.0, swift, walking)]

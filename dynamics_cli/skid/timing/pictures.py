@@ -21,22 +21,22 @@ LEFT = Axis("distance to the end", Length)
 AWAY = Axis("distance to the impact", Length)
 
 
-def _before(longest: float, what: str = "the impact") -> Axis:
+def _before(longest: float, event: str = "the impact") -> Axis:
     """Time runs to the right, and is counted back from the impact."""
-    return Axis(f"time before {what}", Time, ends=(1.04 * longest, 0.0))
+    return Axis(f"time before {event}", Time, ends=(1.04 * longest, 0.0))
 
 
 def _curves(motion: "list[Leg]", role: int = -1) -> "tuple[list[Any], list[Any]]":
     """Distance and speed over the time left, one curve for each phase; and marks where phases begin."""
-    ways: list[Any] = []
+    places: list[Any] = []
     speeds: list[Any] = []
     for leg, row in zip(motion, summed(motion), strict=True):
         times = [leg.duration * i / (POINTS - 1) for i in range(POINTS)]
-        left = [row.begins - time for time in times]
+        times_left = [row.begins - time for time in times]
         states = [leg.at(time) for time in times]
-        ways.append(Curve(left, [row.from_distance - way for way, _ in states], leg.kind, role=role))
-        speeds.append(Curve(left, [speed for _, speed in states], leg.kind, role=role))
-    return ways, speeds
+        places.append(Curve(times_left, [row.from_distance - gone for gone, _ in states], leg.kind, role=role))
+        speeds.append(Curve(times_left, [speed for _, speed in states], leg.kind, role=role))
+    return places, speeds
 
 
 def timeline(result: "Any", *, phases: "Any", known: "Any", gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
@@ -46,12 +46,12 @@ def timeline(result: "Any", *, phases: "Any", known: "Any", gravity: float = STA
         start=known.start_speed if isinstance(known, StartSpeed) else None,
         end=known.end_speed if isinstance(known, EndSpeed) else None,
     )  # fmt: skip
-    ways, speeds = _curves(motion)
+    places, speeds = _curves(motion)
     for row in result.phases:
-        ways.append(Mark(row.begins, row.from_distance, ""))
+        places.append(Mark(row.begins, row.from_distance, ""))
     axis = _before(result.duration, "the end")
     return Picture(
-        (Panel(axis, LEFT, tuple(ways)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))), "time and distance"
+        (Panel(axis, LEFT, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))), "time and distance"
     )
 
 
@@ -68,26 +68,26 @@ def meet(result: "Any", *, first: Party, second: Party, gravity: float = STANDAR
     """Both parties' distances and speeds over the time before the impact, with the moment the hazard began."""
     longest = result.moments[0].time_left
     times = [longest * (1.0 - i / (4 * POINTS)) for i in range(4 * POINTS + 1)]
-    ways: list[Any] = []
+    places: list[Any] = []
     speeds: list[Any] = []
     for role, (party, name) in enumerate(((first, "first"), (second, "second"))):
         motion = motion_of(party, gravity)
-        course = course_to_impact(motion)
-        states = [course.at(-time) for time in times]
-        ways.append(Curve(times, [-way for way, _, _ in states], _named(party, name), role=role))
+        motion_course = course_to_impact(motion)
+        states = [motion_course.at(-time) for time in times]
+        places.append(Curve(times, [-gone for gone, _, _ in states], _named(party, name), role=role))
         speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
         if role == 0:
-            ways += [
+            places += [
                 Mark(row.begins, row.from_distance, "" if row.phase == "build-up" else _begun(row), role=role)
                 for row in summed(motion)
             ]
-    for items in (ways, speeds):
+    for items in (places, speeds):
         items.append(Band(result.hazard_time, result.hazard_time, "hazard begins"))
     if result.sufficient_speed is not None:
         speeds.append(Band(result.sufficient_speed, result.sufficient_speed, "speed that suffices", vertical=False))
     axis = _before(longest)
     return Picture(
-        (Panel(axis, AWAY, tuple(ways)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
+        (Panel(axis, AWAY, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
         "two parties before the impact",
     )
 
@@ -100,19 +100,20 @@ def follow(
 
     end = result.moments[-1].time
     times = [end * i / (4 * POINTS) for i in range(4 * POINTS + 1)]
-    ways: list[Any] = []
+    places: list[Any] = []
     speeds: list[Any] = []
     for role, (party, name, ahead) in enumerate(((leader, "leader", gap), (follower, "follower", 0.0))):
-        course = Course(motion_of(party, gravity), 0.0, ahead)
-        states = [course.at(time) for time in times]
-        ways.append(Curve(times, [way for way, _, _ in states], _named(party, name), role=role))
+        motion_course = Course(motion_of(party, gravity), 0.0, ahead)
+        states = [motion_course.at(time) for time in times]
+        places.append(Curve(times, [gone for gone, _, _ in states], _named(party, name), role=role))
         speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
     if result.contact:
-        ways.append(Mark(result.contact_time, result.follower_distance, "contact", aside=(-5.0, -12.0)))
+        places.append(Mark(result.contact_time, result.follower_distance, "contact", aside=(-5.0, -12.0)))
     axis = Axis("time", Time, ends=(0.0, 1.08 * end))
     place = Axis("place", Length)
     return Picture(
-        (Panel(axis, place, tuple(ways)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))), "one behind the other"
+        (Panel(axis, place, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
+        "one behind the other",
     )
 
 
@@ -130,8 +131,8 @@ def sight(
     corner, heading = (-corner_before, -corner_aside), 0.0
     if obstruction is not None:
         heading = obstruction.heading
-        left = -course_to_impact(motion_of(obstruction, gravity)).at(-result.time_left)[0]
-        corner = (corner[0] - left * math.cos(heading), corner[1] - left * math.sin(heading))
+        shift = -course_to_impact(motion_of(obstruction, gravity)).at(-result.time_left)[0]
+        corner = (corner[0] - shift * math.cos(heading), corner[1] - shift * math.sin(heading))
     if obstruction is None and obstruction_length is None:
         x, y = [back, corner[0], corner[0], back], [corner[1], corner[1], -depth, -depth]
     else:

@@ -150,7 +150,7 @@ def record_of(
     least, greatest = _limits(speeds, interval, greatest_acceleration, distance)
     last = maximum(-changes[-1], 0.0 * changes[-1])
     hardest = maximum(_largest([-change for change in changes]), 0.0 * changes[0])
-    left = maximum(speeds[-1] - last * oldest, 0.0 * last)
+    earlier_speed = maximum(speeds[-1] - last * oldest, 0.0 * last)
     earliest = latest = before = None
     if brake_on is not None:
         require(
@@ -168,7 +168,7 @@ def record_of(
         rounding_deviation=rounding,
         least_distance=least,
         greatest_distance=greatest,
-        least_event_speed=left / (1.0 - least_slip),
+        least_event_speed=earlier_speed / (1.0 - least_slip),
         greatest_event_speed=maximum(speeds[-1] - last * least_age, 0.0 * last) / (1.0 - greatest_slip),
         greatest_to_event=speeds[-1] * oldest / (1.0 - greatest_slip),
         greatest_deceleration=hardest,
@@ -194,14 +194,14 @@ def _rows(
 ) -> "tuple[list[Interval], float]":
     """The table from the last sample back, and the whole distance."""
     rows = [Interval(0.0 * interval, speeds[-1], 0.0 * speeds[-1], None, None)]
-    way = 0.0 * speeds[-1]
+    travelled = 0.0 * speeds[-1]
     for index in range(len(speeds) - 2, -1, -1):
-        way = way + 0.5 * interval * (speeds[index] + speeds[index + 1])
+        travelled = travelled + 0.5 * interval * (speeds[index] + speeds[index + 1])
         slower = single(changes[index]) and plain(changes[index]) < 0.0
         drag = -changes[index] / gravity if slower else None
-        rows.append(Interval((len(speeds) - 1 - index) * interval, speeds[index], way, changes[index], drag))
+        rows.append(Interval((len(speeds) - 1 - index) * interval, speeds[index], travelled, changes[index], drag))
     rows.reverse()
-    return rows, way
+    return rows, travelled
 
 
 def _limits(
@@ -213,17 +213,17 @@ def _limits(
     more = less = 0.0 * distance
     reach = most * interval
     for before, after in pairwise(speeds):
-        change, both = after - before, before + after
+        change, speed_sum = after - before, before + after
         require(
             absolute(change) <= reach, "from {before} to {after} the record needs {needed}, and {most} is the most",
             code="jump", hint="a wheel that locked or spun is not the vehicle's speed",
             before=(before, RoadSpeed), after=(after, RoadSpeed), needed=(absolute(change) / interval, Acceleration),
             most=(most, Acceleration),
         )  # fmt: skip
-        room = 0.25 * (reach * reach - change * change) / most
-        more = more + room
-        stands = single(both, reach) and plain(both) < plain(reach)
-        less = less + (0.5 * interval * both - 0.5 * (before * before + after * after) / most if stands else room)
+        extra = 0.25 * (reach * reach - change * change) / most
+        more = more + extra
+        stands = single(speed_sum, reach) and plain(speed_sum) < plain(reach)
+        less = less + (0.5 * interval * speed_sum - 0.5 * (before * before + after * after) / most if stands else extra)
     return distance - less, distance + more
 
 
@@ -233,11 +233,11 @@ def _advice(
     """Advice on causes of recorded speeds that differ from the vehicle's."""
     if not single(*speeds, *changes, gravity, slip):
         return ()
-    told: list[Advice] = []
+    advice: list[Advice] = []
     hardest = max(abs(plain(change)) for change in changes)
     braked = max(-plain(change) for change in changes)
     if hardest > MOST_OF_TYRES * plain(gravity):
-        told.append(
+        advice.append(
             Advice(
                 code="wheel-locked",
                 message=worded(
@@ -248,7 +248,7 @@ def _advice(
             )
         )  # fmt: skip
     elif braked > HARD_BRAKING * plain(gravity) and plain(slip) == 0.0:
-        told.append(
+        advice.append(
             Advice(
                 code="wheel-slip",
                 message="braked wheels turn slower than the vehicle travels: the record reads low",
@@ -256,7 +256,7 @@ def _advice(
             )
         )
     if max(plain(speed) for speed in speeds) >= END_OF_RANGE:
-        told.append(
+        advice.append(
             Advice(code="end-of-range", message="recorders need not show more than 200 km/h: it may have been faster")
         )
-    return tuple(told)
+    return tuple(advice)

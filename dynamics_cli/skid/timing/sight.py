@@ -121,33 +121,33 @@ def sight(
     across, along = sin(crossing), cos(crossing)
     mover = None if obstruction is None else course_to_impact(motion_of(obstruction, gravity))
     motions = [motion_of(party, gravity) for party in (first, second)]
-    one, other = (course_to_impact(motion) for motion in motions)
+    first_course, second_course = (course_to_impact(motion) for motion in motions)
 
     start = max((summed(motion)[0].begins for motion in motions), key=plain)
     if obstruction is None and obstruction_length is None:
         cleared = past_corner(corner_before, corner_aside, eye_behind, crossing)
-        all_times = changes(one, other, cleared, -plain(start), 0.0)
+        all_times = changes(first_course, second_course, cleared, -plain(start), 0.0)
     else:
         heading = 0.0 if obstruction is None else obstruction.heading
         wall = Wall(corner_before, corner_aside, heading, obstruction_length, crossing)
-        all_times = openings(wall, one, other, mover, eye_behind, -plain(start))
+        all_times = openings(wall, first_course, second_course, mover, eye_behind, -plain(start))
     # the meeting of eye and target at the impact is not an opening
     times = [entry for entry in all_times if plain(entry[0]) < -AT_IMPACT]
-    rows = tuple(_change(time, opens, one, other) for time, opens in times)
+    rows = tuple(_change(time, opens, first_course, second_course) for time, opens in times)
     opening = next((time for time, opens in reversed(times) if opens), None)
     advice: tuple[Advice, ...] = ()
     if opening is None:
         advice = _unhidden(rows)
         opening = -start
-    row = _change(opening, True, one, other)
-    eye, left = row.first_distance + eye_behind, row.second_distance
+    row = _change(opening, True, first_course, second_course)
+    eye, target_place = row.first_distance + eye_behind, row.second_distance
     return Sight(
         time_left=row.time_left,
         first_distance=row.first_distance,
         first_speed=row.first_speed,
         second_distance=row.second_distance,
         second_speed=row.second_speed,
-        sight_line=hypot(eye - along * left, across * left),
+        sight_line=hypot(eye - along * target_place, across * target_place),
         changes=rows,
         advice=advice,
     )
@@ -164,6 +164,6 @@ def _unhidden(rows: "tuple[SightChange, ...]") -> "tuple[Advice, ...]":
     return (Advice(code="always-in-sight", message=message, severity="note", remedy=remedy),)
 
 
-def _change(time: float, opens: bool, one: Course, other: Course) -> SightChange:
-    (way, fast, _), (left, swift, _) = one.at(time), other.at(time)
-    return SightChange("opens" if opens else "closes", -time, -way, fast, -left, swift)
+def _change(time: float, opens: bool, first_course: Course, second_course: Course) -> SightChange:
+    (first_place, fast, _), (second_place, swift, _) = first_course.at(time), second_course.at(time)
+    return SightChange("opens" if opens else "closes", -time, -first_place, fast, -second_place, swift)

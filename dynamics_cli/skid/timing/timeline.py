@@ -141,26 +141,28 @@ def timeline(
 def summed(motion: "list[Leg]") -> "list[PhaseTravelled]":
     """The phases with when and where they begin, counted back from the end."""
     rows: list[PhaseTravelled] = []
-    time, way = 0.0, 0.0
+    time, travelled = 0.0, 0.0
     for leg in reversed(motion):
-        time, way = time + leg.duration, way + leg.distance
-        rows.append(PhaseTravelled(leg.kind, time, way, leg.start, leg.end, leg.duration, leg.distance, leg.rate))
+        time, travelled = time + leg.duration, travelled + leg.distance
+        rows.append(PhaseTravelled(leg.kind, time, travelled, leg.start, leg.end, leg.duration, leg.distance, leg.rate))
     rows.reverse()
     return rows
 
 
 def _moments(motion: "list[Leg]", travelled: "list[PhaseTravelled]", steps: int) -> "list[Moment]":
     """Equal steps of time within each phase; the first row is the start, the last the end."""
-    time, way = 0.0, 0.0
-    rows = [Moment(motion[0].kind, time, travelled[0].begins, way, travelled[0].from_distance, motion[0].start)]
+    time, place = 0.0, 0.0
+    rows = [Moment(motion[0].kind, time, travelled[0].begins, place, travelled[0].from_distance, motion[0].start)]
     for index, leg in enumerate(motion):
         last = index == len(motion) - 1
-        left, ahead = (0.0, 0.0) if last else (travelled[index + 1].begins, travelled[index + 1].from_distance)
+        begins, ahead = (0.0, 0.0) if last else (travelled[index + 1].begins, travelled[index + 1].from_distance)
         for step in range(1, steps):
             since = leg.duration * step / steps
             gone, speed = leg.at(since)
             rest = leg.duration * (steps - step) / steps
-            rows.append(Moment(leg.kind, time + since, left + rest, way + gone, ahead + (leg.distance - gone), speed))
-        time, way = time + leg.duration, way + leg.distance
-        rows.append(Moment(leg.kind, time, left, way, ahead, leg.end))
+            rows.append(
+                Moment(leg.kind, time + since, begins + rest, place + gone, ahead + (leg.distance - gone), speed)
+            )
+        time, place = time + leg.duration, place + leg.distance
+        rows.append(Moment(leg.kind, time, begins, place, ahead, leg.end))
     return rows

@@ -13,18 +13,18 @@ def lines(results: "dict[str, Any]", digits: int, width: int) -> "list[str]":
     rows = results["values"]
     del digits
     width = min(max(width or WIDTH, 60), 120)
-    shown = [_range(row) for row in rows]
-    first = max(map(len, shown)) + 2
+    ranges = [_range(row) for row in rows]
+    first = max(map(len, ranges)) + 2
     out: list[str] = []
     topic = ""
-    for row, text in zip(rows, shown, strict=True):
+    for row, text in zip(rows, ranges, strict=True):
         if row["topic"] != topic:
             topic = row["topic"]
             out += ["", topic]
         words = ", ".join(part for part in (row["what"], row["surface"], row["condition"]) if part)
-        about = [words, row["source"]] if len(rows) <= FEW else [words]
+        details = [words, row["source"]] if len(rows) <= FEW else [words]
         head = f"  {text:<{first}}"
-        for entry in about:
+        for entry in details:
             for line in _folded(entry, width - len(head)):
                 out.append((head + line).rstrip())
                 head = " " * len(head)

@@ -60,27 +60,27 @@ def values(
     >>> [(row.least, row.greatest) for row in values("friction", surface="ice").values]
     [(0.1, 0.15)]
     """
-    wanted = surface.lower().strip() if surface is not None else None
+    surface_sought = surface.lower().strip() if surface is not None else None
     require(
-        wanted is None or any(wanted in name for name in SURFACES),
+        surface_sought is None or any(surface_sought in name for name in SURFACES),
         "no range is of the surface {surface}", surface=repr(surface), code="unknown-surface",
         hint="there is " + ", ".join(SURFACES),
     )  # fmt: skip
-    asked = " ".join(words).lower().replace("-", " ").split()
-    rows = [row for row in ROWS if _fits(row, asked, wanted)]
+    query = " ".join(words).lower().replace("-", " ").split()
+    rows = [row for row in ROWS if _fits(row, query, surface_sought)]
     require(
         bool(rows), "no range has {words}", code="unknown-value",
-        words=" and ".join([*map(repr, asked), *([f"the surface {surface!r}"] if surface else [])]),
+        words=" and ".join([*map(repr, query), *([f"the surface {surface!r}"] if surface else [])]),
         hint="topics: " + ", ".join(TOPICS),
     )  # fmt: skip
     return Values(tuple(Range(*row) for row in rows))
 
 
-def _fits(row: "tuple[object, ...]", asked: "list[str]", surface: "str | None") -> bool:
+def _fits(row: "tuple[object, ...]", query: "list[str]", surface: "str | None") -> bool:
     """Whether every word begins a word of the row, and its surface is the one asked for."""
     text = " ".join(str(part) for part in (*row[:4], row[7])).lower().replace("-", " ")
     begun = f" {text}"
-    return all(any(f" {form}" in begun for form in _forms(word)) for word in asked) and (
+    return all(any(f" {form}" in begun for form in _forms(word)) for word in query) and (
         surface is None or surface in str(row[3])
     )
 

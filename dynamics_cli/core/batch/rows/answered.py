@@ -82,9 +82,9 @@ def _one_by_one(shown: Shown) -> "Any":
 
 def _mapped(values: "Array", shown: Shown, good: "Mask") -> "Any":
     mapped = np.empty(len(values), dtype=object)
-    one = _one_by_one(shown)
+    convert = _one_by_one(shown)
     for row in np.flatnonzero(good).tolist():
-        mapped[row] = one(float(values[row]))
+        mapped[row] = convert(float(values[row]))
         if mapped[row] != mapped[row]:
             good[row] = False
     return mapped

@@ -54,15 +54,15 @@ def largest_bound(document: "dict[str, Any]", parts: "Sequence[Part]") -> float 
 
 def _places(parts: "Sequence[Part]") -> "Iterator[tuple[str, tuple[str | int, ...]]]":
     """Every result of a row by name, vectors as a whole and by component, with its path in a document."""
-    seen = set()
+    names = set()
     for part in parts:
-        whole = ".".join(part.keys)
-        if whole not in seen:
-            seen.add(whole)
-            yield whole, (*part.keys, "value")
+        full_name = ".".join(part.keys)
+        if full_name not in names:
+            names.add(full_name)
+            yield full_name, (*part.keys, "value")
         indices = tuple(step for step in part.steps if isinstance(step, int))
         if indices and part.how == "number":
-            yield whole + "".join(f"[{index}]" for index in indices), (*part.keys, "value", *indices)
+            yield full_name + "".join(f"[{index}]" for index in indices), (*part.keys, "value", *indices)
 
 
 def _within(node: "Any", step: "str | int") -> "Any":
@@ -86,6 +86,6 @@ def _numbers(value: "Any") -> "Iterator[float]":
         yield value
 
 
-def bound_of(task: "Task", bound: "Fields", asked: str, display: "Display", parts: "Sequence[Part]") -> float | None:
+def bound_of(task: "Task", bound: "Fields", model: str, display: "Display", parts: "Sequence[Part]") -> float | None:
     """The bound that a single call would state for the results of a row."""
-    return largest_bound(build(task, bound, answer(task, bound, asked), display, []), parts)
+    return largest_bound(build(task, bound, answer(task, bound, model), display, []), parts)

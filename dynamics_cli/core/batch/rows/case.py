@@ -64,7 +64,7 @@ class Case:
         try:
             self.bind({}, uncertain=True)
         except DynamicsError as error:
-            wrong = [one for one in error.all() if one.code != "missing"]
+            wrong = [item for item in error.all() if item.code != "missing"]
             if wrong:
                 raise (ManyErrors(wrong) if len(wrong) > 1 else wrong[0]) from None
 
@@ -92,8 +92,8 @@ class Case:
                 return
             try:  # noqa: SIM105  contextlib would have to be imported
                 self.bind(row, uncertain=True)
-            except Exception:
-                pass  # errors of this row are reported in its place
+            except DynamicsError:
+                pass  # reported with the row; the distributions read before the error count
             if self.reader.uncertain:
                 self.layout = self._layout(self.layout.display, spread=True)
 

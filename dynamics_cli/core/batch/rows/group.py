@@ -1,5 +1,7 @@
 """Rows that one array call can answer: what they have in common, and the plan that answers them."""
 
+from abc import ABC, abstractmethod
+
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.plan import Plan
 from dynamics_cli.core.batch.text.conversions import ExactPlan
@@ -46,16 +48,16 @@ def make_plan(
     return Plan(case, raw, addresses, units)
 
 
-class Groups:
+class Groups(ABC):
     """How the rows of one format are grouped."""
 
+    @abstractmethod
     def uniform(self, lines: "list[bytes]") -> "list[Group] | None":
         """All lines as one group like the last one, or None."""
-        raise NotImplementedError
 
+    @abstractmethod
     def sorted(self, lines: "list[bytes]") -> "list[Group]":
         """Groups of the lines that can be answered together."""
-        raise NotImplementedError
 
 
 def readable(data: bytes) -> bool:

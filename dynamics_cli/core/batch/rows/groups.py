@@ -39,14 +39,14 @@ class WordGroups(Groups):
         groups: dict[bytes, list[int]] = {}
         for place, part in enumerate(parts):
             groups.setdefault(part[2], []).append(place)
-        made = []
+        result = []
         for rest, places in groups.items():
             if len(places) < SMALLEST_GROUP // 4:
                 continue
             plan = self.pairs.plan(rest, parts[places[0]][0])
             if plan is not None:
-                made.append(Group(plan, [column.take(places)], places if rows is None else [rows[p] for p in places]))
-        return made
+                result.append(Group(plan, [column.take(places)], places if rows is None else [rows[p] for p in places]))
+        return result
 
 
 def _is_number(token: bytes) -> bool:

@@ -3,6 +3,7 @@
 A line that cannot be split as its header says is written out as one quoted cell, so that later columns stay aligned.
 """
 
+from abc import ABC, abstractmethod
 from itertools import pairwise
 
 from dynamics_cli.core.batch.rows.case import Case
@@ -28,10 +29,10 @@ class CarriedError(UsageError):
     """The row failed in an earlier step of the pipe; its error is passed on."""
 
     def __init__(self, error: "Any") -> None:
-        known = error if isinstance(error, dict) else {"message": str(error)}
-        message = str(known.get("message") or "an earlier step failed")
-        super().__init__(message, code=str(known.get("code") or "earlier"), hint=known.get("hint"))
-        self.parameter = known.get("parameter")
+        body = error if isinstance(error, dict) else {"message": str(error)}
+        message = str(body.get("message") or "an earlier step failed")
+        super().__init__(message, code=str(body.get("code") or "earlier"), hint=body.get("hint"))
+        self.parameter = body.get("parameter")
 
 
 def decode_line(line: bytes) -> str:
@@ -121,7 +122,7 @@ def _extend(node: "Any", step: "str | int", filler: "Any", path: "tuple[str | in
         node.extend(filler if filler == "" else {} for _ in range(step + 1 - len(node)))
 
 
-class Input:
+class Input(ABC):
     """Interface of every format of input rows."""
 
     format = ""
@@ -132,17 +133,17 @@ class Input:
         self.case = case
         self.heads = []
 
+    @abstractmethod
     def read(self, line: bytes) -> "Raw":
         """The parameters a line gives; raises UsageError."""
-        raise NotImplementedError
 
+    @abstractmethod
     def csv(self, line: bytes) -> bytes:
         """The row's own cells."""
-        raise NotImplementedError
 
+    @abstractmethod
     def json(self, line: bytes) -> bytes:
         """The row's object without its closing brace; a row that is not an object, as its text."""
-        raise NotImplementedError
 
     @staticmethod
     def unread(line: bytes) -> bytes:
@@ -168,12 +169,12 @@ class CsvInput(Input):
         self.line = first
         self.columns = [Column(head, case) for head in self.heads]
         self.errors = [index for index, column in enumerate(self.columns) if _is_error(column)]
-        taken: set[tuple[str | int, ...]] = set()
+        paths: set[tuple[str | int, ...]] = set()
         for column in self.columns:
-            if column.path in taken and not column.name.startswith("results."):
+            if column.path in paths and not column.name.startswith("results."):
                 raise UsageError(f"the column {column.name!r} is there twice", code="csv", parameter="rows")
             if column.path:
-                taken.add(column.path)
+                paths.add(column.path)
         # A result of an earlier step wins over the row's own parameter of that name, so it is put last.
         self._order = sorted(
             (index for index, column in enumerate(self.columns) if column.path),
@@ -300,12 +301,12 @@ class JsonInput(Input):
         if raw.keys() <= names:
             return raw
         results = raw.get("results")
-        known = {key: value for key, value in raw.items() if key in names}
+        parameters = {key: value for key, value in raw.items() if key in names}
         if len(self.passing) < 100:
             self.passing.update(dict.fromkeys(key for key in raw if key not in names))
         if isinstance(results, dict):
-            known.update((key, value) for key, value in results.items() if key in names)
-        return known
+            parameters.update((key, value) for key, value in results.items() if key in names)
+        return parameters
 
     def _flat(self, line: bytes) -> "list[tuple[str, Any, str]]":
         raw = self.object(line)
@@ -321,9 +322,9 @@ class JsonInput(Input):
             return self.unread_cells(line)
         cells = []
         for name, unit in self.units.items():
-            value, own = flat.get(name, (None, ""))
+            value, cell_unit = flat.get(name, (None, ""))
             text = "" if value is None else value if isinstance(value, str) else compact(value)
-            cells.append(csv_cell(f"{text} {own}" if own and own != unit else text))
+            cells.append(csv_cell(f"{text} {cell_unit}" if cell_unit and cell_unit != unit else text))
         return ",".join(cells).encode(errors="replace")
 
     def json(self, line: bytes) -> bytes:

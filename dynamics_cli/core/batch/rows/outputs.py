@@ -1,5 +1,7 @@
 """Output rows: the input row, its results, and an error if there was one."""
 
+from abc import ABC, abstractmethod
+
 from dynamics_cli.core.batch.rows.inputs import Input
 from dynamics_cli.core.output.csv_cells import csv_cell, free_name, header
 from dynamics_cli.core.output.failure import as_object
@@ -19,10 +21,10 @@ if TYPE_CHECKING:
 def error_line(error: DynamicsError) -> str:
     """An error in one line, every bad parameter in it."""
     texts = []
-    for one in error.all():
-        name = f"{one.parameter}: " if one.parameter and not one.message.startswith(one.parameter) else ""
-        left = getattr(one, "left", "")
-        texts.append(name + one.message + (f"; {left}" if left else ""))
+    for item in error.all():
+        name = f"{item.parameter}: " if item.parameter and not item.message.startswith(item.parameter) else ""
+        remedy = getattr(item, "left", "")
+        texts.append(name + item.message + (f"; {remedy}" if remedy else ""))
     text = "; ".join(texts)
     return "".join(character if character.isprintable() else repr(character)[1:-1] for character in text)
 
@@ -31,7 +33,7 @@ def error_object(error: DynamicsError) -> "dict[str, Any]":
     """An error as the contract's object."""
     body = as_object(error)
     if len(error.all()) > 1:
-        body["errors"] = [as_object(one) for one in error.all()]
+        body["errors"] = [as_object(item) for item in error.all()]
     return body
 
 
@@ -42,7 +44,7 @@ class Slot:
         return "\0"
 
 
-class Output:
+class Output(ABC):
     """Interface of every format of output rows."""
 
     format = ""
@@ -55,24 +57,24 @@ class Output:
         """The text before all rows."""
         return b""
 
+    @abstractmethod
     def echo(self, line: bytes) -> bytes:
         """The input row."""
-        raise NotImplementedError
 
+    @abstractmethod
     def good(self, line: bytes, values: "Sequence[Any]") -> bytes:
         """A row with its results."""
-        raise NotImplementedError
 
+    @abstractmethod
     def bad(self, line: bytes, error: DynamicsError) -> bytes:
         """A row with its error."""
-        raise NotImplementedError
 
+    @abstractmethod
     def pieces(self, echoes: "list[bytes]", results: "list[tuple[Part, str, Any]]") -> "list[Piece]":
         """Many rows with their results, for weaving.
 
         A result is (part, "each", list of cells) or (part, "all", the value that every row has).
         """
-        raise NotImplementedError
 
 
 class CsvOutput(Output):
@@ -82,23 +84,23 @@ class CsvOutput(Output):
 
     def __init__(self, source: Input, layout: Layout) -> None:
         super().__init__(source, layout)
-        taken = {head.rpartition("[")[0] if head.endswith("]") else head for head in source.heads} | set(source.heads)
-        self.columns = [header(free_name(name, taken), unit) for part in layout.parts for name, unit in part.names]
-        self.error_column = free_name("error", taken)
+        used = {head.rpartition("[")[0] if head.endswith("]") else head for head in source.heads} | set(source.heads)
+        self.columns = [header(free_name(name, used), unit) for part in layout.parts for name, unit in part.names]
+        self.error_column = free_name("error", used)
 
     def head(self) -> bytes:
         """The header: the row's own columns, the results', and `error`."""
-        own = getattr(self.source, "line", None) or ",".join(map(csv_cell, self.source.heads)).encode()
+        own_heads = getattr(self.source, "line", None) or ",".join(map(csv_cell, self.source.heads)).encode()
         tail = ",".join((*self.columns, self.error_column)).encode()
-        return (own + b"," if self.source.heads else b"") + tail + b"\n"
+        return (own_heads + b"," if self.source.heads else b"") + tail + b"\n"
 
     def echo(self, line: bytes) -> bytes:
         """The row's own cells."""
         return self.source.csv(line)
 
     def _row(self, line: bytes, cells: "list[str]", error: str) -> bytes:
-        own = self.echo(line) + b"," if self.source.heads else b""
-        return own + ",".join((*cells, csv_cell(error))).encode(errors="surrogateescape") + b"\n"
+        echoed = self.echo(line) + b"," if self.source.heads else b""
+        return echoed + ",".join((*cells, csv_cell(error))).encode(errors="surrogateescape") + b"\n"
 
     def good(self, line: bytes, values: "Sequence[Any]") -> bytes:
         """A row with its results, its error empty."""
@@ -140,9 +142,9 @@ class JsonOutput(Output):
         return self.source.json(line)
 
     def _member(self, line: bytes, name: str, value: "Any") -> bytes:
-        own = self.echo(line)
-        comma = b"" if own == b"{" else b","
-        return own + comma + f'"{name}":{compact(value)}}}\n'.encode(errors="replace")
+        echoed = self.echo(line)
+        comma = b"" if echoed == b"{" else b","
+        return echoed + comma + f'"{name}":{compact(value)}}}\n'.encode(errors="replace")
 
     def good(self, line: bytes, values: "Sequence[Any]") -> bytes:
         """An object with its results."""

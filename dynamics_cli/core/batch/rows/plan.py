@@ -96,11 +96,11 @@ class Plan:
         if isinstance(leaf, VectorValue) and unit is not None and unit != leaf.unit:
             raise Unsuited(f"{address} has components in several units")
         kind = leaf.kind
-        wanted = parse_unit(kind.unit)
-        read = parse_unit(leaf.unit, wanted)
-        if read.dimension != wanted.dimension:
+        base_unit = parse_unit(kind.unit)
+        given_unit = parse_unit(leaf.unit, base_unit)
+        if given_unit.dimension != base_unit.dimension:
             raise Unsuited(f"{address} needs a reader of its own")
-        return Slot(address, kind, read)
+        return Slot(address, kind, given_unit)
 
     def _model(self, values: "dict[str, Any]") -> Model:
         """The smallest model that suffices, with arrays in place of numbers."""
@@ -127,8 +127,8 @@ class Plan:
             arrays[slot.address], odd = slot.read(column)
             if odd is not None:
                 bad |= odd
-        for one, other in self._mirrored:
-            bad |= arrays.get(one, self._constants[one]) != arrays.get(other, self._constants[other])
+        for key, mirror in self._mirrored:
+            bad |= arrays.get(key, self._constants[key]) != arrays.get(mirror, self._constants[mirror])
         rows = np.flatnonzero(~bad) if bad.any() else np.arange(count)
         if bad.any():
             arrays = {name: array[rows] for name, array in arrays.items()}
@@ -140,8 +140,8 @@ class Plan:
     def _by_lanes(self, arrays: "dict[str, Array]", count: int) -> "list[Answered]":
         try:
             with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
-                taken = map(self._taken, parts(self._record, arrays, np.arange(count), _refused))
-                return [answered for answered in taken if answered is not None]
+                all_answered = map(self._taken, parts(self._record, arrays, np.arange(count), _refused))
+                return [answered for answered in all_answered if answered is not None]
         except Unsuited:
             self.lanes = False
             return self._one_by_one(arrays, count)

@@ -73,10 +73,10 @@ class Source:
                 if length > LONGEST_LINE:
                     rest, length, dropping = [], 0, True
                 continue
-            whole = b"".join((*rest, data[:end])) if rest else data[:end]
+            block = b"".join((*rest, data[:end])) if rest else data[:end]
             rest = [data[end + 1 :]]
             length = len(rest[0])
-            yield self._lines(whole)
+            yield self._lines(block)
         if dropping:
             yield [None]
         if last := b"".join(rest):
@@ -134,5 +134,5 @@ class Source:
 
     def _fit(self, length: int, count: int) -> None:
         """Choose how much to read next: about so many rows as a block should have."""
-        wanted = length * self._rows // (count + 1)
-        self._block = max(LEAST_BYTES, min(wanted, MOST_BYTES))
+        size = length * self._rows // (count + 1)
+        self._block = max(LEAST_BYTES, min(size, MOST_BYTES))

@@ -103,10 +103,10 @@ class CellGroups(Groups):
         ]
         cells = self._cells([lines[row] for row in rows]) if len(rows) >= SMALLEST_GROUP else None
         while cells is not None:
-            known = set(self.literal)
-            found = self._groups(lines, rows, cells)
-            if known == self.literal:
-                return found
+            literal = set(self.literal)
+            groups = self._groups(lines, rows, cells)
+            if literal == self.literal:
+                return groups
         return []
 
     def _groups(self, lines: "list[bytes]", rows: "list[int]", cells: "list[list[bytes]]") -> "list[Group]":
@@ -114,7 +114,7 @@ class CellGroups(Groups):
         groups: dict[tuple[tuple[bool, bytes], ...], list[int]] = {}
         for place, key in enumerate(keys):
             groups.setdefault(key, []).append(place)
-        made = []
+        listed = []
         for key, places in sorted(groups.items(), key=lambda item: -len(item[1])):
             if len(places) < SMALLEST_GROUP:
                 break
@@ -123,9 +123,9 @@ class CellGroups(Groups):
                 continue
             columns = self._columns(make, [[column[place] for place in places] for column in cells])
             if columns is not None:
-                made.append(Group(make.plan, columns, [rows[place] for place in places]))
-                self.recent = make if len(made) == 1 else self.recent
-        return made
+                listed.append(Group(make.plan, columns, [rows[place] for place in places]))
+                self.recent = make if len(listed) == 1 else self.recent
+        return listed
 
     def _keys(self, index: int, cells: "list[bytes]") -> "list[tuple[bool, bytes]]":
         if index in self.literal:

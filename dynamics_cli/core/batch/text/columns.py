@@ -77,15 +77,15 @@ def exact_scale(
     column: Column, factor: Factor, decimals: Decimals, exact: "Callable[[int, int], float]"
 ) -> "tuple[Array, Array, int, list[int]]":
     """Decimals times a factor: the results, the integers N and the power k of N·10^-k, and the rows done one by one."""
-    whole, power, missing = decimals.find(column.values)
+    integers, power, missing = decimals.find(column.values)
     singly = sorted({*column.long, *(np.flatnonzero(missing).tolist() if missing is not None else ())})
     ten = 10**power
     if singly:
-        whole[singly] = 0.0
-    result = scale(whole, factor.over_ten_to(power), lambda value: exact(int(value), ten), whole=True)
+        integers[singly] = 0.0
+    result = scale(integers, factor.over_ten_to(power), lambda value: exact(int(value), ten), whole=True)
     for row in singly:
         result[row] = exactly(column.tokens[row], exact)
-    return result, whole, power, singly
+    return result, integers, power, singly
 
 
 def exactly(token: bytes, exact: "Callable[[int, int], float]") -> float:

@@ -63,7 +63,7 @@ class Conversion:
     def run(self, column: Column, *, flag: bool) -> "tuple[Array, Mask | None, list[bool] | None]":
         """Converted numbers, which of them a single call would refuse (None: none), and which are exact."""
         odd = column.suspicious()
-        values, whole, power, singly = exact_scale(column, self.factor, self.decimals, self._exact)
+        values, integers, power, singly = exact_scale(column, self.factor, self.decimals, self._exact)
         lost = np.isnan(values)
         if lost.any():
             odd = lost if odd is None else odd | lost
@@ -73,10 +73,10 @@ class Conversion:
                 odd = below if odd is None else odd | below
         if odd is not None:
             values[odd] = 0.0
-        return values, odd, self._exactness(column, values, whole, power, singly) if flag else None
+        return values, odd, self._exactness(column, values, integers, power, singly) if flag else None
 
     def _exactness(
-        self, column: Column, values: "Array", whole: "Array", power: int, singly: "list[int]"
+        self, column: Column, values: "Array", integers: "Array", power: int, singly: "list[int]"
     ) -> "list[bool]":
         """Whether each number is the exact result: whether the remaining denominator divides N."""
         factor = self.factor
@@ -90,10 +90,10 @@ class Conversion:
             denominator = factor.denominator * ten
             odd = denominator // gcd(denominator, factor.numerator)
             odd //= odd & -odd
-            divides = np.fmod(whole, float(odd)) == 0.0 if odd < WHOLE_LIMIT else whole == 0.0
+            divides = np.fmod(integers, float(odd)) == 0.0 if odd < WHOLE_LIMIT else integers == 0.0
             exact = divides.tolist()
             # A quotient of more than 53 bits is not a double, even if exact.
-            if float(np.abs(whole).max(initial=0.0)) * abs(factor.numerator) >= WHOLE_LIMIT:
+            if float(np.abs(integers).max(initial=0.0)) * abs(factor.numerator) >= WHOLE_LIMIT:
                 singly = sorted({*singly, *np.flatnonzero(divides).tolist()})
         for row in singly:
             exact[row] = self._is_exact(column.tokens[row], float(values[row]))
@@ -116,15 +116,15 @@ class ExactPlan:
         self.failures = 0
         name, targets = case.measure
         self.addresses = list(addresses)
-        given = case.raw(raw)
-        if set(given) != {name, targets} or self.addresses != [name]:
+        parameters = case.raw(raw)
+        if set(parameters) != {name, targets} or self.addresses != [name]:
             raise Unsuited("more than a value and its unit is given", {name})
         bound = case.bind(raw)
-        value, wanted = bound.fields[name], bound.fields[targets]
+        value, target_units = bound.fields[name], bound.fields[targets]
         assert isinstance(value, Constant)
         assert isinstance(value.value, ExactQuantity)
-        assert isinstance(wanted, Several)
-        self.targets = [str(item.assemble()) for item in wanted.items]
+        assert isinstance(target_units, Several)
+        self.targets = [str(item.assemble()) for item in target_units.items]
         if not value.value.unit or not self.targets or any(";" in target for target in self.targets):
             raise Unsuited("only plain units can be converted as a column", {name})
         self.conversions = [Conversion(*parse_pair(value.value.unit, target)) for target in self.targets]

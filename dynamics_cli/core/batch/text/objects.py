@@ -45,8 +45,8 @@ class JsonGroups(Groups):
     ) -> "list[Group] | None":
         echoes = captured.pop(0) if shape.cut else [line[:-1] for line in lines]
         columns = list(map(column_of, captured))
-        whole = [column for column in columns if column is not None]
-        return [Group(shape.plan, whole, rows, echoes)] if len(whole) == len(columns) else None
+        complete = [column for column in columns if column is not None]
+        return [Group(shape.plan, complete, rows, echoes)] if len(complete) == len(columns) else None
 
     def sorted(self, lines: "list[bytes]") -> "list[Group]":
         """Groups by shape."""
@@ -61,18 +61,18 @@ class JsonGroups(Groups):
                 rows, chosen = groups.setdefault(index, ([], []))
                 rows.append(row)
                 chosen.append(match.groups())
-        made: list[Group] = []
+        listed: list[Group] = []
         for index, (rows, chosen) in sorted(groups.items(), key=lambda item: -len(item[1][0])):
             if len(rows) < SMALLEST_GROUP:
                 break
-            self.recent = self.recent if made else self.shapes[index]
-            made += (
+            self.recent = self.recent if listed else self.shapes[index]
+            listed += (
                 self._group(
                     self.shapes[index], [lines[row] for row in rows], list(map(list, zip(*chosen, strict=True))), rows
                 )
                 or []
             )
-        return made
+        return listed
 
     def _shape(self, line: bytes) -> "tuple[int, Any]":
         for index, shape in enumerate(self.shapes):

@@ -15,9 +15,9 @@ MOST_LINES = 1000
 def cleared(blocks: "Iterable[Lines]") -> "Iterator[Lines]":
     """Blocks without empty lines; blocks of only empty lines are left out."""
     for lines in blocks:
-        kept = [line for line in lines if line is None or line] if b"" in lines else lines
-        if kept:
-            yield kept
+        filled = [line for line in lines if line is None or line] if b"" in lines else lines
+        if filled:
+            yield filled
 
 
 def records(blocks: "Iterable[Lines]") -> "Iterator[Lines]":
@@ -60,25 +60,25 @@ class _Joiner:
         while waiting:
             line = waiting.popleft()
             self.held.append(line)
-            whole = _whole(self.held) if b'"' in line or len(self.held) == 1 else None
-            if whole is None and len(self.held) < MOST_LINES:
+            record = _whole(self.held) if b'"' in line or len(self.held) == 1 else None
+            if record is None and len(self.held) < MOST_LINES:
                 continue
-            first, *others = self.held
+            first, *following = self.held
             self.held = []
-            if whole:
-                records.append(b"\n".join((first, *others)))
+            if record:
+                records.append(b"\n".join((first, *following)))
             else:
                 records.append(first)
-                waiting.extendleft(reversed(others))
+                waiting.extendleft(reversed(following))
         return records
 
     def rest(self) -> "Lines":
         """Lines still waiting at the end: the first one as it is, the others as records."""
         records: Lines = []
         while self.held:
-            first, *others = self.held
+            first, *following = self.held
             self.held = []
-            records += [first, *self.joined(others)]
+            records += [first, *self.joined(following)]
         return records
 
 

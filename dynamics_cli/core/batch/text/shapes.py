@@ -92,11 +92,11 @@ def members(line: bytes) -> "dict[str, tuple[int, int]]":
 def without_members(line: bytes, names: "tuple[str, ...]") -> bytes:
     """The object without some members and without its closing brace; the text before the first of them unchanged."""
     spans = members(line)
-    kept = list(spans)
-    while kept and kept[-1] in names:
-        kept.pop()
-    head = line[: spans[kept[-1]][1]].rstrip() if kept else b"{"
-    if names and any(name in names for name in kept):
+    left = list(spans)
+    while left and left[-1] in names:
+        left.pop()
+    head = line[: spans[left[-1]][1]].rstrip() if left else b"{"
+    if names and any(name in names for name in left):
         parts = [line[start:end].rstrip() for name, (start, end) in spans.items() if name not in names]
         return b"{" + b",".join(parts)
     return head
@@ -117,16 +117,16 @@ class Shape:
         # Where the row ends and an earlier step's results begin, at the comma between them.
         self.cut = _comma_before(line, results) if results else 0
         pairs = _pairs(line)
-        pattern, at = b"", 0
+        pattern, position = b"", 0
         for token in tokens(line):
             in_results = results is not None and token.start > results[0]
             piece, address = _piece(token, names, pairs, numeric, in_results=in_results)
-            pattern += self._between(at, token.start) + piece
-            at = token.end
+            pattern += self._between(position, token.start) + piece
+            position = token.end
             if address:
                 self.addresses.append(address)
                 self.units.append(_unit_in(token.text))
-        pattern += re.escape(line[at:])
+        pattern += re.escape(line[position:])
         if self.cut:
             pattern = b"(" + pattern
         self.whole = re.compile(pattern)

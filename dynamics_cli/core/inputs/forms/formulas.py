@@ -33,21 +33,21 @@ def read_formula(text: str, kind: Kind) -> Formula:
     """A formula and its unit, whose factor to SI its numbers get."""
     body = begin(text)
     unit_text = text[body.end :].strip()
-    wanted = parse_unit(kind.unit) if kind.unit else NUMBER
+    base_unit = parse_unit(kind.unit) if kind.unit else NUMBER
     if not unit_text and kind.unit and body.text.strip() not in ("0", "0.0"):
         raise UsageError(
             f"{text!r} has no unit at its end", code="missing-unit", hint=f"write for example {kind.example}"
         )
     try:
-        unit = parse_unit(unit_text, wanted) if unit_text else wanted
+        unit = parse_unit(unit_text, base_unit) if unit_text else base_unit
     except UsageError as error:
         raise UsageError(
             f"{unit_text!r} is neither a unit nor a continuation of the formula {text[: body.end]!r}",
             code=error.code,
             hint=f"write products with *, and the unit last: {kind.example}",
         ) from None
-    if not conformable(unit, wanted):
-        message, _ = explain_mismatch(unit, wanted)
+    if not conformable(unit, base_unit):
+        message, _ = explain_mismatch(unit, base_unit)
         hint = f"write products with *, and the unit last: {kind.example}"
         raise UsageError(f"{text!r} is not {kind.about.partition(',')[0]}: {message}", code="kind", hint=hint)
     return Formula(text[: body.end].strip(), to_si(1, 1, unit), unit_text)
@@ -62,8 +62,8 @@ def read_let(text: str, address: str, context: "Context", number: "Callable[...,
         raise UsageError(f"{name!r} already has a meaning in formulas", code="syntax", hint="choose another name")
     unit = _unit_of(value)
     kind = Kind("variable", unit, example="3 m", about="a variable of the formulas")
-    own = f"{address.partition('[')[0]}.{name}"
-    return _Let(name, unit, number(kind, value, own, context, ""), text.strip())
+    let_address = f"{address.partition('[')[0]}.{name}"
+    return _Let(name, unit, number(kind, value, let_address, context, ""), text.strip())
 
 
 def _unit_of(text: str) -> str:

@@ -39,9 +39,9 @@ def read_tensor(kind: Kind, raw: "Any", default_unit: str) -> "tuple[Matrix, lis
 def _symmetric(rows: "list[list[Any]]") -> "tuple[Matrix, list[list[Any]], str]":
     """A full matrix; elements that differ by the rounding of a product of matrices are taken at their mean."""
     si, shown = [[cell.si for cell in row] for row in rows], [[cell.value for cell in row] for row in rows]
-    room = ROUNDING * max(abs(x) for row in si for x in row)
+    tolerance = ROUNDING * max(abs(x) for row in si for x in row)
     for i, j in ((0, 1), (0, 2), (1, 2)):
-        if abs(si[i][j] - si[j][i]) > room:
+        if abs(si[i][j] - si[j][i]) > tolerance:
             raise UsageError(
                 f"the tensor is not symmetric: element {i + 1},{j + 1} is {shown[i][j]} and "
                 f"{j + 1},{i + 1} is {shown[j][i]}"

@@ -28,9 +28,9 @@ def entry_of_file(name: str) -> "dict[str, Any]":
     from concurrent.futures import ThreadPoolExecutor
 
     with_one = ThreadPoolExecutor(1)
-    made = with_one.submit(_digest, name)
+    digest = with_one.submit(_digest, name)
     with_one.shutdown(wait=False)
-    return {"name": printable(name), "sha256": made}
+    return {"name": printable(name), "sha256": digest}
 
 
 def _digest(name: str) -> str:
@@ -47,5 +47,5 @@ def printable(name: str) -> str:
 
 def once(entries: "Iterable[dict[str, Any]]") -> "list[dict[str, str]]":
     """Each file once, in the order first read, its hash known."""
-    known = [{key: value if isinstance(value, str) else value.result() for key, value in e.items()} for e in entries]
-    return [dict(pairs) for pairs in dict.fromkeys(tuple(entry.items()) for entry in known)]
+    hashed = [{key: value if isinstance(value, str) else value.result() for key, value in e.items()} for e in entries]
+    return [dict(pairs) for pairs in dict.fromkeys(tuple(entry.items()) for entry in hashed)]

@@ -26,14 +26,14 @@ def _read(path: str) -> "dict[str, str]":
 
     try:
         with open(path, "rb") as file:
-            given = tomllib.load(file)
+            preferences = tomllib.load(file)
     except (OSError, ValueError) as error:
         raise UsageError(f"cannot read {path}: {error}", code="preferences") from None
-    unknown = sorted(given.keys() - VARIABLES.keys())
+    unknown = sorted(preferences.keys() - VARIABLES.keys())
     if unknown:
         raise UsageError(
             f"{path} sets {unknown[0]!r}, which is not a setting",
             code="preferences",
             hint=f"settings are {', '.join(VARIABLES)}",
         )
-    return {VARIABLES[name]: str(value) for name, value in given.items()}
+    return {VARIABLES[name]: str(value) for name, value in preferences.items()}

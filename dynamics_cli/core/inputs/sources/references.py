@@ -39,14 +39,14 @@ def _near_results(raw: "Any", address: str) -> "str | None":
     from dynamics_cli.core.documents import flatten
     from dynamics_cli.core.units.near_names import nearest_words
 
-    known = [name for name, _, unit in flatten(results) if unit] or list(results)
-    near = nearest_words(address, known)
-    return f"did you mean {' or '.join(near)}?" if near else f"there is {', '.join(known)}"
+    names = [name for name, _, unit in flatten(results) if unit] or list(results)
+    near = nearest_words(address, names)
+    return f"did you mean {' or '.join(near)}?" if near else f"there is {', '.join(names)}"
 
 
-def resolve(text: str, context: "Context", own: str) -> "Any":
-    """The raw value of a reference at the address `own`; the file is recorded for the document."""
-    if context.references is not None and not any(text in known for known in context.references):
+def resolve(text: str, context: "Context", target: str) -> "Any":
+    """The raw value of a reference at the address `target`; the file is recorded for the document."""
+    if context.references is not None and not any(text in allowed for allowed in context.references):
         message = f"read {text!r}: rows may not read from files"
         raise UsageError(message, code="reference", hint="add --references to allow it, for rows that you trust")
     name, colon, address = text[1:].rpartition(":")
@@ -67,5 +67,5 @@ def resolve(text: str, context: "Context", own: str) -> "Any":
         except (KeyError, IndexError, TypeError):
             hint = _near_results(raw, address)
             raise UsageError(f"{name!r} has no result {address!r}", code="no-value", hint=hint) from None
-    context.origins[own] = (path, address, raw.get("covariance"))
+    context.origins[target] = (path, address, raw.get("covariance"))
     return value

@@ -4,6 +4,7 @@ For z > 0 the upper tail is used, so both ends keep their digits. `mean` is an i
 """
 
 import math
+from abc import ABC, abstractmethod
 
 import numpy as np
 
@@ -26,7 +27,7 @@ LEAST_SHAPE, MOST_SHAPE = 0.2, 1e4
 _UPRIGHT = 0.5 * math.pi
 
 
-class Distribution:
+class Distribution(ABC):
     """An uncertain number: mean, standard deviation, support, and `at(z)`.
 
     `smooth`: `at` has all derivatives, and no bound is near enough to slow quadrature down.
@@ -39,13 +40,13 @@ class Distribution:
     low: float = -math.inf
     high: float = math.inf
 
+    @abstractmethod
     def at(self, z: "Array") -> "Array":
         """The quantiles at standard normal scores."""
-        raise NotImplementedError
 
+    @abstractmethod
     def parameters(self) -> "dict[str, Any]":
         """Its parameters by their JSON names, in the unit of the values."""
-        raise NotImplementedError
 
     def interval(self, coverage: float) -> tuple[float, float]:
         """The central interval."""
@@ -87,8 +88,8 @@ class Uniform(Distribution):
     def at(self, z: "Array") -> "Array":
         """Measured from the nearer bound."""
         width = self.high - self.low
-        share = width * arrays.tail(np.minimum(np.abs(z), 40.0))
-        return np.where(z < 0.0, self.low + share, self.high - share)
+        inset = width * arrays.tail(np.minimum(np.abs(z), 40.0))
+        return np.where(z < 0.0, self.low + inset, self.high - inset)
 
     def parameters(self) -> "dict[str, Any]":
         """The bounds."""
@@ -135,16 +136,16 @@ class Beta(Distribution):
             _check(LEAST_SHAPE <= shape <= MOST_SHAPE, f"a shape of {shape:g} is not from 0.2 to 10000")
         _check(low < high, f"the lower bound {low:g} is not below the upper one {high:g}")
         self.alpha, self.beta, self.low, self.high = alpha, beta, low, high
-        width, both = high - low, alpha + beta
-        self.mean = low + width * (alpha / both)
-        self.std = width * math.sqrt(alpha * beta / (both + 1.0)) / both
+        width, total = high - low, alpha + beta
+        self.mean = low + width * (alpha / total)
+        self.std = width * math.sqrt(alpha * beta / (total + 1.0)) / total
         self.smooth = min(alpha, beta) > 10.0
 
     def at(self, z: "Array") -> "Array":
         """Measured from the nearer bound."""
         odds = beta.log_odds(z, self.alpha, self.beta)
-        share = (self.high - self.low) / (1.0 + np.exp(np.minimum(np.abs(odds), 700.0)))
-        return np.where(odds < 0.0, self.low + share, self.high - share)
+        inset = (self.high - self.low) / (1.0 + np.exp(np.minimum(np.abs(odds), 700.0)))
+        return np.where(odds < 0.0, self.low + inset, self.high - inset)
 
     def parameters(self) -> "dict[str, Any]":
         """Shapes and bounds."""
@@ -196,9 +197,9 @@ class Truncated(Distribution):
         """The normal quantile of the share between the bounds' tails, from the smaller side."""
         z = -z if self._mirrored else z
         t = arrays.tail(np.minimum(np.abs(z), 40.0))
-        share = np.where(z < 0.0, 1.0 - t, t)  # P(Z > z)
+        tail = np.where(z < 0.0, 1.0 - t, t)  # P(Z > z)
         part = self._upper_a - self._upper_b
-        above = self._upper_b + part * share
+        above = self._upper_b + part * tail
         below = normal.lower(self._a) + part * (np.where(z < 0.0, t, 1.0 - t))
         score = np.where(above <= 0.5, -_quantile(np.minimum(above, 0.5)), _quantile(np.minimum(below, 0.5)))
         score = np.clip(score, self._a, self._b)

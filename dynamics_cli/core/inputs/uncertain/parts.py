@@ -14,5 +14,5 @@ def without_parts(raw: "dict[str, Any]") -> "dict[str, Any]":
     def text(value: "Any") -> "Any":
         return listed_text(value, unit) if isinstance(value, list) else value
 
-    given = {key: [text(end) for end in value] if key == "interval" else text(value) for key, value in raw.items()}
-    return {**given, "unit": ""}
+    texts = {key: [text(end) for end in value] if key == "interval" else text(value) for key, value in raw.items()}
+    return {**texts, "unit": ""}

@@ -61,8 +61,8 @@ class UncertainValue(Value):
         unit: str,
         nominal: "tuple[float, float] | None" = None,
     ) -> None:
-        si, shown = nominal or (distribution.mean, written.mean)
-        super().__init__(address, kind, si, shown, unit)
+        si, displayed = nominal or (distribution.mean, written.mean)
+        super().__init__(address, kind, si, displayed, unit)
         self.distribution = distribution
         self.written = written
 
@@ -104,17 +104,17 @@ class Scale:
         amount = read_amount(text)
         if self.default_unit and len(amount.parts) == 1 and not amount.parts[0][2]:
             amount = read_amount(f"{text} {self.default_unit}")
-        wanted = parse_unit(self.kind.unit) if self.kind.unit else NUMBER
-        numerator, denominator, unit = total(amount, wanted)
+        base_unit = parse_unit(self.kind.unit) if self.kind.unit else NUMBER
+        numerator, denominator, unit = total(amount, base_unit)
         if self.kind.unit and unit.text.strip() == "%":
-            share = nearest(numerator, denominator * 100)
-            return abs(centre) * share, abs(shown) * share
+            fraction = nearest(numerator, denominator * 100)
+            return abs(centre) * fraction, abs(shown) * fraction
         if self.angular:
-            wanted = parse_unit("rad")
+            base_unit = parse_unit("rad")
         if self.kind.form == "slope" and (unit.dimension == ANGLE) != bool(self.angular):
             raise _mixed(text)
-        if not conformable(unit, wanted):
-            message, hint = explain_mismatch(unit, wanted)
+        if not conformable(unit, base_unit):
+            message, hint = explain_mismatch(unit, base_unit)
             raise UsageError(message, code="kind", hint=hint)
         if not self.kind.unit and unit.text != (self.units[-1] if self.units else unit.text):
             raise _ambiguous(text)
@@ -151,22 +151,22 @@ def _bind(
     scale: Scale,
     nominal: "tuple[float, float] | None",
 ) -> UncertainValue:
-    made = d.KINDS[name]
+    build = d.KINDS[name]
     try:
-        si = made(*_column(parts, 0))
+        si = build(*_column(parts, 0))
     except OverflowError:  # of readings: squared, the differences leave the range
         raise _too_large(address) from None
     if abs(si.mean) > LARGEST or LARGEST < si.std < inf:
         raise _too_large(address)
     units = set(scale.units)
-    shown, unit = si, "rad" if scale.angular else kind.unit
+    displayed, unit = si, "rad" if scale.angular else kind.unit
     if len(units) == 1:
-        shown, unit = made(*_column(parts, 1)), units.pop()
+        displayed, unit = build(*_column(parts, 1)), units.pop()
     distribution = d.Tangent(si) if scale.angular else si
     if nominal is not None:
-        own = tan(nominal[0]) if scale.angular else nominal[0]
-        nominal = own, nominal[1] if shown is not si else own
-    return UncertainValue(address, kind, distribution, shown, unit, nominal)
+        central = tan(nominal[0]) if scale.angular else nominal[0]
+        nominal = central, nominal[1] if displayed is not si else central
+    return UncertainValue(address, kind, distribution, displayed, unit, nominal)
 
 
 def _too_large(address: str) -> UsageError:
@@ -209,7 +209,7 @@ def _listed(name: str, inside: str, scale: Scale) -> "tuple[str, list[Any], Scal
 
 def _arguments(name: str, inside: str, scale: Scale) -> "list[Any]":
     items = split_list(inside)
-    wanted = PARAMETERS[name]
+    names = PARAMETERS[name]
     sign = next((sign for sign in PLUS_MINUS if sign in items[0]), "")
     if sign:
         _, _, tail = items[0].partition(sign)
@@ -218,14 +218,14 @@ def _arguments(name: str, inside: str, scale: Scale) -> "list[Any]":
         rest = [scale.location(item if _unit_of(item) or not unit else f"{item} {unit}") for item in items[1:]]
         parts = [*_plus_minus(first, sign, scale), *rest]
     else:
-        pure = sum(key in PURE for key in wanted)
+        pure = sum(key in PURE for key in names)
         items = items[:pure] + _shared(items[pure:])
         parts = []
-        for key, item in zip(wanted, items, strict=False):
-            read = _pure(item) if key in PURE else None
-            parts.append(read or (scale.width(item, *parts[0]) if key in WIDTHS else scale.location(item)))
-    if len(items) + bool(sign) != len(wanted):
-        raise UsageError(f"{name}({inside}) does not have the form {', '.join(wanted)}", code="syntax")
+        for key, item in zip(names, items, strict=False):
+            number_read = _pure(item) if key in PURE else None
+            parts.append(number_read or (scale.width(item, *parts[0]) if key in WIDTHS else scale.location(item)))
+    if len(items) + bool(sign) != len(names):
+        raise UsageError(f"{name}({inside}) does not have the form {', '.join(names)}", code="syntax")
     return parts
 
 
@@ -275,28 +275,28 @@ def _from_object(kind: Kind, raw: "dict[str, Any]", default_unit: str) -> "tuple
     unit = str(raw.get("unit") or "")
     scale = Scale(kind, default_unit, unit)
     name = str(raw.get("distribution") or "")
-    given = dict(raw)
+    fields = dict(raw)
     if not name and raw.get("interval") is not None:
         name = "result"
         ends = raw["interval"]
         if not isinstance(ends, list) or len(ends) != 2:
             raise UsageError(f"read the interval {ends!r}, wanted its two ends", code="distribution")
-        given["low"], given["high"] = ends
+        fields["low"], fields["high"] = ends
     elif not name:
         name = "normal"
     if name not in d.KINDS:
         hint = f"there is {', '.join(d.KINDS)}"
         raise UsageError(f"there is no distribution {name!r}", code="distribution", hint=hint)
-    if name in ("normal", "lognormal") and given.get("mean") is None:
-        given["mean"] = given.get("value")
+    if name in ("normal", "lognormal") and fields.get("mean") is None:
+        fields["mean"] = fields.get("value")
     parts: list[Any] = []
     for key in PARAMETERS[name]:
-        value = given.get(key)
+        value = fields.get(key)
         if value is None:
             raise UsageError(f"the {name} distribution needs {key}", code="missing")
         if isinstance(value, list) != (key in LISTS):
-            wanted = "a list of numbers" if key in LISTS else "one number"
-            raise UsageError(f"read {key} {value!r}, wanted {wanted}", code="distribution")
+            expected = "a list of numbers" if key in LISTS else "one number"
+            raise UsageError(f"read {key} {value!r}, wanted {expected}", code="distribution")
         if isinstance(value, list):
             parts.append([scale.location(_number(item)) for item in value])
         elif key in PURE:
@@ -328,15 +328,15 @@ def read_correlations(texts: "list[str]", known: "list[str]") -> "dict[tuple[str
         if not equals or len(pair) != 2 or not all(pair):
             hint = "for example --correlate distance,friction=0.3"
             raise UsageError(f"read {text!r}, wanted A,B=RHO", parameter="correlate", hint=hint)
-        one, other = (_address(name, known) for name in pair)
-        if (one, other) in correlations or (other, one) in correlations:
-            raise UsageError(f"{one} and {other} are correlated twice", parameter="correlate")
+        first, second = (_address(name, known) for name in pair)
+        if (first, second) in correlations or (second, first) in correlations:
+            raise UsageError(f"{first} and {second} are correlated twice", parameter="correlate")
         try:
             reading = read_scalar(value.strip(), Kind("correlation", "", low=-1.0, high=1.0, example="0.3"))
         except UsageError as error:
             error.parameter = "correlate"
             raise
-        correlations[one, other] = reading.si
+        correlations[first, second] = reading.si
     return correlations
 
 

@@ -50,9 +50,9 @@ def component_items(raw: "dict[str, Any]", size: int) -> "list[Any]":
     if ends and len(ends) != 2:
         raise UsageError("an interval has two ends, each with all components", code="components")
     for place, item in enumerate(items):
-        own = stated.get("distributions", [None] * size)[place]
-        if own is not None:
-            items[place] = own
+        component = stated.get("distributions", [None] * size)[place]
+        if component is not None:
+            items[place] = component
             continue
         interval = [end[place] for end in ends]
         # A component that does not vary has an interval of zero width.

@@ -55,7 +55,7 @@ def check_asked(task: "Task", name: str, output: str) -> None:
 def files_of(
     task: "Task",
     record: "Any",
-    given: "tuple[list[Any], dict[str, Any]]",
+    call_arguments: "tuple[list[Any], dict[str, Any]]",
     name: str,
     units: str,
     spreads: "Spreads | None" = None,
@@ -66,7 +66,7 @@ def files_of(
         from dynamics_cli.core.output.plot import with_spreads
 
         writer = load(task.writers[form])
-        words, options = given if writer.__code__.co_argcount > 1 else ([], {})
+        words, options = call_arguments if writer.__code__.co_argcount > 1 else ([], {})
         text = writer(record, *words, **options, **with_spreads(writer, spreads))
         entry: dict[str, Any] = {"written": True}
         if isinstance(text, Plan):
@@ -99,10 +99,10 @@ def _gathered(task: "Task", record: "Any") -> Drawing:
     fields = drawing_fields(task)
     for field in fields:
         value = getattr(record, field.name)
-        for one in value if isinstance(value, tuple | list) else () if value is None else (value,):
-            outlines.extend(one.outlines if isinstance(one, Drawing) else (one,))
-            construction.extend(getattr(one, "construction", ()))
-            title = title or getattr(one, "title", "")
+        for outline in value if isinstance(value, tuple | list) else () if value is None else (value,):
+            outlines.extend(outline.outlines if isinstance(outline, Drawing) else (outline,))
+            construction.extend(getattr(outline, "construction", ()))
+            title = title or getattr(outline, "title", "")
     if not outlines:
         names = {field.key for field in fields}
         advice = [item.message for item in getattr(record, "advice", ()) if item.result in names]

@@ -42,9 +42,9 @@ def write_plan(plan: "Plan", form: str, system: str) -> "tuple[bytes, str]":
     """The file of a plan, and what it holds, in words."""
     if form == "dxf":
         unit = FOOT if system == "us" else METRE
-        drawn = _Dxf(plan, system, unit)
-        data = written(drawn.fill, [f"dynamics {__version__}: {plan.title}", f"unit: {unit.name}, scale 1 to 1"])
-        return data, f"layers {', '.join(drawn.layers)}; in {unit.name}"
+        dxf = _Dxf(plan, system, unit)
+        data = written(dxf.fill, [f"dynamics {__version__}: {plan.title}", f"unit: {unit.name}, scale 1 to 1"])
+        return data, f"layers {', '.join(dxf.layers)}; in {unit.name}"
     sheet, data = _paper(plan, form, system)
     return data, f"scale 1:{plan.scale:g} on {sheet}"
 
@@ -61,6 +61,7 @@ class _Dxf:
         self.layers: list[str] = []
 
     def fill(self, document: "Any") -> None:
+        """Write units, line types, the plan's items and their layers into a DXF document."""
         document.header["$INSUNITS"] = self.unit.insunits
         document.header["$MEASUREMENT"] = self.unit.measurement
         document.linetypes.add("DASHED", self._pattern(0.8, -0.4), description="Dashed __ __ __")
@@ -91,9 +92,9 @@ class _Dxf:
         closed = len(points) > 2 and points[0] == points[-1]
         style = {**_style(layer, role), **({"linetype": linetype} if linetype else {})}
         ends = points[:-1] if closed else points
-        made = self.space.add_lwpolyline([self._at(*point) for point in ends], close=closed, dxfattribs=style)
+        polyline = self.space.add_lwpolyline([self._at(*point) for point in ends], close=closed, dxfattribs=style)
         if width:
-            made.dxf.const_width = self._length(width)
+            polyline.dxf.const_width = self._length(width)
 
     def _item(self, item: "Any") -> None:
         if isinstance(item, Curve):

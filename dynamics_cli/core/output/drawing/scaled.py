@@ -56,12 +56,12 @@ def scaled(drawing: Drawing, unit: FileUnit) -> Drawing:
 
 
 def _scaled_outline(outline: Outline, unit: "Unit", name: str) -> Outline:
-    known: dict[float, float] = {}
+    converted: dict[float, float] = {}
 
     def number(si: float) -> float:
-        if si not in known:
-            known[si] = from_si(si, unit)
-        return known[si]
+        if si not in converted:
+            converted[si] = from_si(si, unit)
+        return converted[si]
 
     def pair(point: "Pair") -> "Pair":
         return number(point[0]), number(point[1])
@@ -69,29 +69,29 @@ def _scaled_outline(outline: Outline, unit: "Unit", name: str) -> Outline:
     pieces: list[Piece] = []
     stretch = 1.0
     for piece in outline.pieces:
-        made: Piece
+        scaled_piece: Piece
         if isinstance(piece, Points):
             points = [pair(point) for point in piece.points]
-            kept = [points[0], *(b for a, b in pairwise(points) if a != b)]
-            if len(kept) > 1:
-                pieces.append(Points(tuple(kept)))
+            distinct = [points[0], *(b for a, b in pairwise(points) if a != b)]
+            if len(distinct) > 1:
+                pieces.append(Points(tuple(distinct)))
             continue
         if isinstance(piece, Cubic):
-            made = Cubic(pair(piece.start), pair(piece.control1), pair(piece.control2), pair(piece.end))
-            vanished = made.start == made.control1 == made.control2 == made.end
+            scaled_piece = Cubic(pair(piece.start), pair(piece.control1), pair(piece.control2), pair(piece.end))
+            vanished = scaled_piece.start == scaled_piece.control1 == scaled_piece.control2 == scaled_piece.end
         elif isinstance(piece, Arc):
-            made = Arc(pair(piece.start), pair(piece.end), piece.bulge)
+            scaled_piece = Arc(pair(piece.start), pair(piece.end), piece.bulge)
             # an arc follows its ends: its points move by no more than this multiple of the ends' movement
             stretch = max(stretch, hypot(1.0, piece.bulge))
-            vanished = made.start == made.end
+            vanished = scaled_piece.start == scaled_piece.end
         else:
-            made = Line(pair(piece.start), pair(piece.end))
-            vanished = made.start == made.end
+            scaled_piece = Line(pair(piece.start), pair(piece.end))
+            vanished = scaled_piece.start == scaled_piece.end
         if not vanished:
-            pieces.append(made)
+            pieces.append(scaled_piece)
     if not pieces:
         raise InadmissibleError(f"{name} is a single point: there is nothing to draw", code="no-drawing")
-    rounding = 0.7072 * ulp(max(map(abs, known.values()))) if unit.numerator != unit.denominator else 0.0
+    rounding = 0.7072 * ulp(max(map(abs, converted.values()))) if unit.numerator != unit.denominator else 0.0
     exact = outline.deviation * (unit.denominator / unit.numerator)
     return Outline(tuple(pieces), outline.closed, round_bound(exact + stretch * rounding), name)
 

@@ -26,14 +26,14 @@ def write(drawing: "Drawing", unit: "FileUnit") -> bytes:
     page = "in" if unit.name == "in" else "mm"
     times = 1.0 if page == "in" else unit.millimetres
     title = f"<title>{_escaped(drawing.title)}</title>\n" if drawing.title else ""
-    about = [f"dynamics {__version__}; unit: {unit.name}; the y axis points down, as in every SVG"]
-    about += [stated(outline, unit) for outline in drawing.outlines]
+    description = [f"dynamics {__version__}; unit: {unit.name}; the y axis points down, as in every SVG"]
+    description += [stated(outline, unit) for outline in drawing.outlines]
     paths = "\n".join([*map(_path, drawing.outlines), *(_path(line, DASHES) for line in drawing.construction)])
     return (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_number(times * width)}{page}" '
         f'height="{_number(times * height)}{page}" viewBox="{view}">\n'
-        f"{title}<desc>{_escaped('. '.join(about))}.</desc>\n"
+        f"{title}<desc>{_escaped('. '.join(description))}.</desc>\n"
         f'<g fill="none" stroke="black" stroke-width="1" stroke-linejoin="round">\n{paths}\n</g>\n</svg>\n'
     ).encode()
 

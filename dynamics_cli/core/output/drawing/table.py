@@ -45,7 +45,7 @@ def _rows(piece: "Piece") -> "Iterator[tuple[str, float, tuple[float | None, ...
         yield "cubic", 0.0, (*piece.start, *piece.end, *piece.control1, *piece.control2, None, None, None)
     elif isinstance(piece, Arc):
         straight = abs(piece.bulge) < STRAIGHT
-        about = (None, None, None) if straight else (*piece.centre, piece.radius)
-        yield "arc", piece.bulge, (*piece.start, *piece.end, *nothing, *about)
+        circle = (None, None, None) if straight else (*piece.centre, piece.radius)
+        yield "arc", piece.bulge, (*piece.start, *piece.end, *nothing, *circle)
     else:
         yield "line", 0.0, (*piece.start, *piece.end, *nothing, None, None, None)

@@ -36,8 +36,8 @@ def check_asked(task: "Task", settings: "Settings") -> None:
             hint="for example: --plot picture.svg",
         )
     for other in ("output", "drawing"):
-        own = getattr(settings, other)
-        if own and os.path.realpath(own) == os.path.realpath(name):
+        other_file = getattr(settings, other)
+        if other_file and os.path.realpath(other_file) == os.path.realpath(name):
             raise UsageError(
                 f"--plot and --{other} name the same file", parameter="plot", code="exclusive", hint="give it two names"
             )

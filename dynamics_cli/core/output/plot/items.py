@@ -135,15 +135,15 @@ def _ranges(axes: "Any", item: Ranges, x: Scale, y: Scale, pens: Pens) -> None:
     low, high = x(item.low), x(item.high)
     axes.barh(places, [b - a for a, b in zip(low, high, strict=True)], left=low, height=0.16, color="#9ecae1")
     axes.plot(x(item.at), places, linestyle="none", marker="o", markersize=5.0, color=COLOURS[0])
-    across = x([at for at, _ in item.limits])
+    across = x([value for value, _ in item.limits])
     least, most = min([*low, *across]), max([*high, *across])
-    room = (0.18 if item.ends else 0.06) * (most - least)
-    axes.set_xlim(least - room, most + room)
+    margin = (0.18 if item.ends else 0.06) * (most - least)
+    axes.set_xlim(least - margin, most + margin)
     for place, start, end in zip(places, low, high, strict=True):
-        for at, edge in ((start, "right"), (end, "left")) if item.ends and start < end else ():
+        for value, edge in ((start, "right"), (end, "left")) if item.ends and start < end else ():
             text: dict[str, Any] = {"xytext": (-3 if edge == "right" else 3, 0), "textcoords": "offset points"}
             text |= {"ha": edge, "va": "center", "fontsize": 7.5, "bbox": _PLAIN, "zorder": 4.0}
-            axes.annotate(number(at, 3), (at, place), **text)
+            axes.annotate(number(value, 3), (value, place), **text)
     for place, name, start, end in zip(places, item.names, low, high, strict=True):
         right = 0.5 * (start + end) > 0.5 * (least + most)
         side: dict[str, Any] = {"ha": "right" if right else "left", "va": "bottom", "fontsize": 8.5}
@@ -171,48 +171,48 @@ def _label(axes: "Any", item: Label, x: Scale, y: Scale, pens: Pens) -> None:
 
 def _ruler(axes: "Any", item: Ruler, x: Scale, y: Scale, pens: Pens) -> None:
     length, text = rounded(item, x.system)
-    (x0, x1), (at,) = x((item.x, item.x + length)), y((item.y,))
+    (x0, x1), (height,) = x((item.x, item.x + length)), y((item.y,))
     if item.arrow:
-        axes.annotate("", (x1, at), (x0, at), arrowprops={"arrowstyle": "-|>", "color": "black", **_SHAFT})
+        axes.annotate("", (x1, height), (x0, height), arrowprops={"arrowstyle": "-|>", "color": "black", **_SHAFT})
     else:
-        axes.plot([x0, x1], [at, at], color="black", linewidth=1.0, marker="|", markersize=6.0)
-    axes.annotate(text, (x0, at), xytext=(0, 5), textcoords="offset points", fontsize=8.5, va="bottom")
+        axes.plot([x0, x1], [height, height], color="black", linewidth=1.0, marker="|", markersize=6.0)
+    axes.annotate(text, (x0, height), xytext=(0, 5), textcoords="offset points", fontsize=8.5, va="bottom")
 
 
 def _shares(axes: "Any", item: Shares, x: Scale, y: Scale, pens: Pens) -> None:
     """Each whole as a bar of its parts, with the words over it; the largest names have colours of their own."""
     sums: dict[str, float] = {}
     for parts in item.parts:
-        for name, share in parts:
-            sums[name] = sums.get(name, 0.0) + share
+        for name, amount in parts:
+            sums[name] = sums.get(name, 0.0) + amount
     sums.pop("", None)
     coloured = sorted(sums, key=lambda name: -sums[name])[:MOST_COLOURED]
     inches = 0.96 * axes.figure.get_figwidth()
     for nth, (head, parts) in enumerate(zip(item.heads, item.parts, strict=True)):
         axes.text(0.0, nth - 0.36, written(head, x.system), fontsize=8.5, va="center")
-        start, whole = 0.0, sum(share for _, share in parts)
+        start, total = 0.0, sum(amount for _, amount in parts)
         for name, part in parts:
-            share = part / whole
+            amount = part / total
             colour = COLOURS[coloured.index(name)] if name in coloured else OTHERS
             style = {"color": colour, "alpha": 0.38 if name in coloured else 1.0, "edgecolor": "white"}
-            axes.barh([nth + 0.08], [share], left=start, height=0.5, linewidth=1.0, **style)
-            text = _fitting(name or "others", f"{100.0 * share:.0f} %", share * inches)
+            axes.barh([nth + 0.08], [amount], left=start, height=0.5, linewidth=1.0, **style)
+            text = _fitting(name or "others", f"{100.0 * amount:.0f} %", amount * inches)
             if text:
                 axes.text(
-                    start + 0.5 * share, nth + 0.08, text, fontsize=7.5, ha="center", va="center", linespacing=1.0
+                    start + 0.5 * amount, nth + 0.08, text, fontsize=7.5, ha="center", va="center", linespacing=1.0
                 )
-            start += share
+            start += amount
     axes.set_xlim(0.0, 1.0)
     axes.set_ylim(len(item.heads) - 0.6, -0.6)
 
 
 def _fitting(name: str, share: str, inches: float) -> str:
     """As much of a part's name and share as its bar has room for, on two lines at most."""
-    both = f"{name} {share}"
+    words = f"{name} {share}"
     choices = [
-        both,
+        words,
         f"{name}\n{share}",
-        *(f"{both[:i]}\n{both[i + 1 :]}" for i, letter in enumerate(both) if letter == " "),
+        *(f"{words[:i]}\n{words[i + 1 :]}" for i, letter in enumerate(words) if letter == " "),
     ]
     fits = [text for text in choices if max(map(len, text.split("\n"))) * LETTER < inches]
     return next(iter(fits), share if len(share) * LETTER < inches else "")

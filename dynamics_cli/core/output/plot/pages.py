@@ -57,8 +57,8 @@ def draw(picture: "Picture", form: str, system: str) -> bytes:
         else:
             figure = _figure(picture, picture.panels, system)
             # the words of a scene stand where its arrows end, which may be beyond the page
-            bare = any(panel.bare for panel in picture.panels)
-            more = {"bbox_inches": "tight", "pad_inches": 0.05} if bare else {}
+            frameless = any(panel.bare for panel in picture.panels)
+            more = {"bbox_inches": "tight", "pad_inches": 0.05} if frameless else {}
             figure.savefig(file, format=form, dpi=RESOLUTION, metadata=ABOUT[form], **more)
     return file.getvalue()
 
@@ -74,12 +74,12 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
     wide = picture.width or WIDTHS[min(columns, len(WIDTHS)) - 1]
     tall = [max(_height(panel, columns if len(line) > 1 else 1, wide) for panel in line) for line in lines]
     # what the words of other panels take, all panels lose alike; a scene shall keep its size
-    bare = [len(lines) > 1 and len(line) == 1 and line[0].bare for line in lines]
-    tall = [height * (1.0 + KEPT * alone) for height, alone in zip(tall, bare, strict=True)]
+    frameless = [len(lines) > 1 and len(line) == 1 and line[0].bare for line in lines]
+    tall = [height * (1.0 + KEPT * alone) for height, alone in zip(tall, frameless, strict=True)]
     head = 0.5 if picture.subtitle else 0.3 if picture.title else 0.0
     # panels one below another over the same stretch of one axis name it once
     shared = [columns == 1 and _shares_axis(*pair) for pair in itertools.pairwise(panels)] + [False]
-    for index in [index for index, share in enumerate(shared) if share]:
+    for index in [index for index, is_shared in enumerate(shared) if is_shared]:
         height = min(SHARED_HEIGHT, SHARED_SHAPE * wide)
         tall[index : index + 2] = [height, height + ROOM_FOR_TICKS]
     figure = blank(wide, sum(tall) + head, layout="constrained")
@@ -87,10 +87,10 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
     for row, line in enumerate(lines):
         for column, panel in enumerate(line):
             # a panel that would be alone in the last line takes all of it
-            whole = panel.wide or (len(line) == 1 and row == len(lines) - 1)
-            place = grid[row, :] if whole else grid[row, column]
+            full_width = panel.wide or (len(line) == 1 and row == len(lines) - 1)
+            place = grid[row, :] if full_width else grid[row, column]
             axes = figure.add_subplot(place)
-            _panel(axes, panel, system, 1 if whole else columns)
+            _panel(axes, panel, system, 1 if full_width else columns)
             if columns == 1 and shared[row]:
                 axes.set_xlabel("")
                 axes.tick_params(labelbottom=False)
@@ -169,14 +169,14 @@ def _height(panel: "Panel", columns: int, wide: float) -> float:
         row = _in_one_row(panel, wide) if columns == 1 and wide < NARROW else 0
         legend += 0.2 * (-(-len(_legend(panel)) // row)) if row else 0.0
         highest = CAPPED * wide if wide < CAPPED_BELOW else EQUAL_HEIGHT
-        share = (0.97 if panel.bare else 0.85) * wide / columns
-        return legend + min(highest, max(LEAST_HEIGHT, (0.1 if panel.bare else 0.7) + share * _slenderness(panel)))
+        factor = (0.97 if panel.bare else 0.85) * wide / columns
+        return legend + min(highest, max(LEAST_HEIGHT, (0.1 if panel.bare else 0.7) + factor * _slenderness(panel)))
     tables = [len(item.rows) for item in panel.items if isinstance(item, Rows)]
     if tables:
         return 0.3 + 0.26 * max(tables)
-    shares = [len(item.heads) for item in panel.items if isinstance(item, Shares)]
-    if shares:
-        return 0.35 + SHARE_HEIGHT * max(shares)
+    bar_items = [len(item.heads) for item in panel.items if isinstance(item, Shares)]
+    if bar_items:
+        return 0.35 + SHARE_HEIGHT * max(bar_items)
     bars = [len(item.names) * (1 + isinstance(item, Ranges)) for item in panel.items if isinstance(item, Bars | Ranges)]
     return legend + (
         max(1.2, 0.6 + 0.28 * max(bars)) if bars else min(HEIGHT, (0.42 if wide < CAPPED_BELOW else 0.55) * wide)

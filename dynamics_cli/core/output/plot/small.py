@@ -29,12 +29,12 @@ def sketch(picture: "Picture", system: str, columns: int, lines: int) -> str:
     for panel in picture.panels:
         if any(isinstance(item, Rows | Ranges) for item in panel.items):
             continue  # a table of results: the answer is printed above
-        shares = [item for item in panel.items if isinstance(item, Shares)]
-        parts += [_told(item, panel.title, system, min(columns, MARGIN + MOST_WIDTH)) for item in shares]
+        share_items = [item for item in panel.items if isinstance(item, Shares)]
+        parts += [_told(item, panel.title, system, min(columns, MARGIN + MOST_WIDTH)) for item in share_items]
         bars = [item for item in panel.items if isinstance(item, Bars)]
         if bars:
             parts += [_bars(panel, item, system, min(columns, MARGIN + MOST_WIDTH)) for item in bars]
-        elif not shares:
+        elif not share_items:
             parts.append(_dots(panel, system, width, max(6, min(lines - 6, 14))))
     return "\n".join(line.rstrip() for part in parts for line in part.split("\n")) + "\n"
 
@@ -62,16 +62,16 @@ def _dots(panel: "Panel", system: str, width: int, height: int) -> str:
     body = [f"{text:>{MARGIN - 1}} {row}".rstrip() for text, row in zip(texts, rows, strict=True)]
     foot = f"{'':{MARGIN}}{ends[0]}{ends[1]:>{max(1, width - len(ends[0]))}}"
     head = wrap(f"{y.label}{': ' + panel.title if panel.title else ''}", MARGIN + width)
-    told = wrap("; ".join(names), MARGIN + width) if names else []
-    return "\n".join([*head, *told, *body, foot, f"{'':{MARGIN}}{x.label}"])
+    legend = wrap("; ".join(names), MARGIN + width) if names else []
+    return "\n".join([*head, *legend, *body, foot, f"{'':{MARGIN}}{x.label}"])
 
 
 def _named(panel: "Panel", canvas: "_Canvas", x: Scale, y: Scale, system: str) -> "list[str]":
     """The names of curves, each with the letter that stands on it when there are several; words at marks and arrows."""
     curves = [item for item in panel.items if isinstance(item, Curve) and item.label]
-    told = [item.label for item in curves]
+    names = [item.label for item in curves]
     if len(curves) > 1:
-        told = [f"{letter} {item.label}" for letter, item in zip(LETTERS, curves, strict=False)]
+        names = [f"{letter} {item.label}" for letter, item in zip(LETTERS, curves, strict=False)]
         for nth, curve in enumerate(curves[: len(LETTERS)]):
             points = [point for path in _paths(curve, x, y) for point in path]
             # Spread over the curves' lengths, so that curves side by side have their letters apart.
@@ -79,12 +79,12 @@ def _named(panel: "Panel", canvas: "_Canvas", x: Scale, y: Scale, system: str) -
     for item in panel.items:
         if isinstance(item, Mark | Arrow) and item.label:
             canvas.words(_paths(item, x, y)[0][-1], words(item.label, system))
-    return told
+    return names
 
 
 def _lines(panel: "Panel", canvas: "_Canvas", x: Scale, y: Scale) -> "list[str]":
     """Dotted lines across the panel, and labels for them and for shaded ranges."""
-    told = []
+    labels = []
     for item in panel.items:
         if not isinstance(item, Band):
             continue
@@ -94,8 +94,8 @@ def _lines(panel: "Panel", canvas: "_Canvas", x: Scale, y: Scale) -> "list[str]"
             canvas.line(low, vertical=item.vertical)
         ends = dict.fromkeys(_back(end, scale.logarithmic) for end in (low, high))
         if item.label:
-            told.append(f"{item.label} {' to '.join(ends)}")
-    return told
+            labels.append(f"{item.label} {' to '.join(ends)}")
+    return labels
 
 
 def _log(value: float) -> float:
@@ -154,13 +154,13 @@ class _Canvas:
             if not (a - a == 0.0 and b - b == 0.0):
                 before = None
                 continue
-            here = ((a - self.left) * self.per_x, (b - self.low) * self.per_y)
-            start = before or here
-            steps = max(1, math.ceil(max(abs(here[0] - start[0]), abs(here[1] - start[1]))))
+            cell = ((a - self.left) * self.per_x, (b - self.low) * self.per_y)
+            start = before or cell
+            steps = max(1, math.ceil(max(abs(cell[0] - start[0]), abs(cell[1] - start[1]))))
             for step in range(steps + 1):
                 t = step / steps
-                self._dot(round(start[0] + t * (here[0] - start[0])), round(start[1] + t * (here[1] - start[1])))
-            before = here
+                self._dot(round(start[0] + t * (cell[0] - start[0])), round(start[1] + t * (cell[1] - start[1])))
+            before = cell
 
     def _dot(self, column: int, row: int) -> None:
         if 0 <= column < self.wide and 0 <= row < self.high:
@@ -189,8 +189,8 @@ class _Canvas:
         row, column = place
         for start in (column + 1, column - len(text) - 1):
             cells = range(start - 1, start + len(text) + 1)
-            room = start >= 0 and start + len(text) <= len(self.cells[row])
-            if room and not any(cell in self.text[row] for cell in cells):
+            fits = start >= 0 and start + len(text) <= len(self.cells[row])
+            if fits and not any(cell in self.text[row] for cell in cells):
                 self.text[row].update({start + nth: letter for nth, letter in enumerate(text)})
                 return
 
@@ -212,11 +212,11 @@ def _told(item: Shares, title: str, system: str, columns: int) -> str:
     """The parts of every whole, in words."""
     lines = [title]
     for head, parts in zip(item.heads, item.parts, strict=True):
-        whole = sum(share for _, share in parts)
-        told = ", ".join(f"{name or 'others'} {100.0 * share / whole:.0f} %" for name, share in parts)
+        total = sum(amount for _, amount in parts)
+        shares_text = ", ".join(f"{name or 'others'} {100.0 * amount / total:.0f} %" for name, amount in parts)
         lines += [
             *wrap(words(head, system), columns),
-            *wrap(told, columns, initial_indent="  ", subsequent_indent="  "),
+            *wrap(shares_text, columns, initial_indent="  ", subsequent_indent="  "),
         ]
     return "\n".join(lines)
 
@@ -233,12 +233,12 @@ def _bars(panel: "Panel", item: Bars, system: str, columns: int) -> str:
     width = max(LEAST_WIDTH // 2, columns - margin)
     per = (width - 1) / ((most - least) or 1.0)
     lines = [f"{x.label}{': ' + panel.title if panel.title else ''}"]
-    told = [
+    labels = [
         f"{band.label} {' to '.join(dict.fromkeys(number(end, 4) for end in x((band.low, band.high))))}"
         for band in panel.items
         if isinstance(band, Band) and band.label
     ]
-    lines += wrap("; ".join(told), columns) if told else []
+    lines += wrap("; ".join(labels), columns) if labels else []
     for name, start, end in zip(names, low, high, strict=True):
         before = round((start - least) * per)
         lines.append(f"{name:>{margin - 1}} {' ' * before}{'█' * round((end - start) * per) or '▏'}")

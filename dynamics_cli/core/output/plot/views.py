@@ -46,13 +46,13 @@ def three_views(
     figure = blank(width, height)
     right, upper = LEFT + wide + RIGHT + LEFT, BELOW + tall + ABOVE + BELOW
     places = ((top, LEFT, upper, wide, deep), (front, LEFT, BELOW, wide, tall), (side, right, BELOW, deep, tall))
-    drawn = []
+    views = []
     for panel, x, y, across, up in places:
         axes = figure.add_axes((x / width, y / height, across / width, up / height))
         _view(axes, panel, (across, up), system, curve, pens(panel), colours)
-        drawn.append(axes)
+        views.append(axes)
     corner = figure.add_axes(((right - 0.4) / width, upper / height, (deep + 0.4) / width, deep / height))
-    _notes(corner, drawn, picture, system)
+    _notes(corner, views, picture, system)
     if picture.title:
         figure.suptitle(picture.title, fontsize=11.0, y=1.0 - 0.06 / height, va="top")
     return figure
@@ -94,7 +94,7 @@ def _words(panel: "Panel", size: "tuple[float, float]") -> "Iterator[tuple[Mark 
     """Marks and arrows with the places of their words, in inches from the corner of the view."""
     (left, right), (low, _) = panel.x.ends, panel.y.ends  # type: ignore[misc]
     inch = size[0] / (right - left)
-    taken: list[Box] = []
+    occupied: list[Box] = []
     ends: list[tuple[Mark | Arrow, float, float, float, float]] = []
     for item in panel.items:
         if not isinstance(item, Mark | Arrow):
@@ -103,8 +103,8 @@ def _words(panel: "Panel", size: "tuple[float, float]") -> "Iterator[tuple[Mark 
         dx, dy = (item.dx * inch, item.dy * inch) if isinstance(item, Arrow) else (0.0, 0.0)
         length = (dx * dx + dy * dy) ** 0.5
         for nth in range(int(length / STEP) + 1):
-            share = nth * STEP / length if length else 0.0
-            taken.append(_box(across + share * dx, up + share * dy, 0.03, 0.03))
+            fraction = nth * STEP / length if length else 0.0
+            occupied.append(_box(across + fraction * dx, up + fraction * dy, 0.03, 0.03))
         ends.append((item, across + dx, up + dy, dx / (length or 1.0), dy / (length or 1.0)))
     for item, across, up, dx, dy in ends:
         half = 0.5 * LETTER * len(item.label), 0.5 * LINE
@@ -112,8 +112,8 @@ def _words(panel: "Panel", size: "tuple[float, float]") -> "Iterator[tuple[Mark 
             place = across + sx * (half[0] + ASIDE), up + sy * (half[1] + ASIDE)
             box = _box(*place, *half)
             inside = box[0] >= 0.0 and box[1] >= 0.0 and box[2] <= size[0] and box[3] <= size[1]
-            if item.label and inside and not any(_overlap(box, other) for other in taken):
-                taken.append(box)
+            if item.label and inside and not any(_overlap(box, other) for other in occupied):
+                occupied.append(box)
                 yield item, place
                 break
 
@@ -128,14 +128,14 @@ def _box(x: float, y: float, half_width: float, half_height: float) -> "Box":
     return x - half_width, y - half_height, x + half_width, y + half_height
 
 
-def _overlap(one: "Box", other: "Box") -> bool:
-    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+def _overlap(first: "Box", second: "Box") -> bool:
+    return first[0] < second[2] and second[0] < first[2] and first[1] < second[3] and second[1] < first[3]
 
 
-def _notes(corner: "Any", drawn: "list[Any]", picture: "Picture", system: str) -> None:
+def _notes(corner: "Any", views: "list[Any]", picture: "Picture", system: str) -> None:
     """The legend of lines, and the picture's numbers."""
     corner.set_axis_off()
-    named = {label: handle for axes in drawn for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)}
+    named = {label: handle for axes in views for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)}
     legend = corner.legend(
         named.values(), named.keys(), loc="upper left", bbox_to_anchor=(0.0, 1.0), borderpad=0.0, borderaxespad=0.0
     )

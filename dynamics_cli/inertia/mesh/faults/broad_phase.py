@@ -58,8 +58,8 @@ class _Strips:
 
     def strip(self, points: "Array") -> "Array":
         """The number of the strip of each point."""
-        share = (points[:, self.across] - self.low[self.across]) / self.extent[self.across]
-        return np.clip((share * self.number).astype(int), 0, self.number - 1)  # type: ignore[no-any-return]
+        fraction = (points[:, self.across] - self.low[self.across]) / self.extent[self.across]
+        return np.clip((fraction * self.number).astype(int), 0, self.number - 1)  # type: ignore[no-any-return]
 
     def place(self, points: "Array") -> "Array":
         """How far along the sweep each point is, as a share of the way to the next strip's number."""
@@ -77,9 +77,9 @@ class _Strips:
 def _slender(low: "Array", high: "Array") -> "list[int]":
     """Axes by the mean size of boxes beside the whole, least first."""
     extent = np.ptp(np.concatenate((low, high)), axis=0)
-    share = (high - low).mean(axis=0) / np.where(extent > 0.0, extent, 1.0)
-    share = np.where(extent > 0.0, share, 1.0)
-    return sorted(range(low.shape[1]), key=lambda axis: float(share[axis]))
+    fraction = (high - low).mean(axis=0) / np.where(extent > 0.0, extent, 1.0)
+    fraction = np.where(extent > 0.0, fraction, 1.0)
+    return sorted(range(low.shape[1]), key=lambda axis: float(fraction[axis]))
 
 
 def _column(low: "Array", high: "Array", axis: int) -> "tuple[Array, Array]":
@@ -105,15 +105,15 @@ class MeetingBoxes:
 
     def __iter__(self) -> "Iterator[tuple[Array, Array]]":
         for entry, place in self.pairs.blocks():
-            one, other = self.owner[entry], self.owner[place]
+            first, second = self.owner[entry], self.owner[place]
             # a pair in several strips is counted in the first that both reach
-            once = self.strip[entry] == np.maximum(self.first[one], self.first[other])
-            one, other = one[once], other[once]
+            once = self.strip[entry] == np.maximum(self.first[first], self.first[second])
+            first, second = first[once], second[once]
             for low, high in self.ranges:
-                meet = low[one] <= high[other]
-                meet &= low[other] <= high[one]
-                one, other = one[meet], other[meet]
-            yield one, other
+                meet = low[first] <= high[second]
+                meet &= low[second] <= high[first]
+                first, second = first[meet], second[meet]
+            yield first, second
 
 
 class BoxesAround:
@@ -134,9 +134,9 @@ class BoxesAround:
     def __iter__(self) -> "Iterator[tuple[Array, Array]]":
         for entry, place in self.pairs.blocks():
             point, box = self.order[place], self.box[entry]
-            for at, low, high in self.ranges:
-                own = at[point]
-                inside = low[box] <= own
-                inside &= own <= high[box]
+            for coordinates, low, high in self.ranges:
+                values = coordinates[point]
+                inside = low[box] <= values
+                inside &= values <= high[box]
                 point, box = point[inside], box[inside]
             yield point, box

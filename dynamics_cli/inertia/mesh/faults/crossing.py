@@ -40,16 +40,16 @@ class Crossings:
         numbers = [np.empty(0, dtype=int)]
         planes = _Planes(self.corners)
         columns = [np.ascontiguousarray(self.faces[:, k]) for k in range(3)]
-        for one, other in self.boxes or ():
+        for first, second in self.boxes or ():
             for k in range(3):
                 for m in range(3):
-                    apart = columns[k][one] != columns[m][other]
-                    one, other = one[apart], other[apart]
-            near = planes.may_cross(one, other)
-            one, other = one[near], other[near]
-            near = planes.may_cross(other, one)
-            one, other = one[near], other[near]
-            for through, along in ((one, other), (other, one)):
+                    apart = columns[k][first] != columns[m][second]
+                    first, second = first[apart], second[apart]
+            near = planes.may_cross(first, second)
+            first, second = first[near], second[near]
+            near = planes.may_cross(second, first)
+            first, second = first[near], second[near]
+            for through, along in ((first, second), (second, first)):
                 for k in range(3):
                     p, q = self.corners[along, k], self.corners[along, k - 1]
                     numbers.append(through[_pierced(p, q, self.corners[through])])
@@ -85,17 +85,17 @@ class _Planes:
         """Which points in the planes of triangles are within them, or on their edges as far as rounding goes."""
         inside = np.arange(len(points))
         for k in range(3):
-            own = number[inside]
-            start = self.corners[own, k - 1]
-            edge, away, normal = self.corners[own, k] - start, points[inside] - start, self.normals[own]
+            triangles = number[inside]
+            start = self.corners[triangles, k - 1]
+            edge, away, normal = self.corners[triangles, k] - start, points[inside] - start, self.normals[triangles]
             height = np.einsum("ij,ij->i", normal, np.cross(edge, away))
             lengths = [np.sqrt(np.einsum("ij,ij->i", part, part)) for part in (normal, edge, away)]
             inside = inside[height >= -_APART * np.prod(lengths, axis=0)]
         return inside
 
-    def may_cross(self, one: "Array", other: "Array") -> "Array":
+    def may_cross(self, triangle: "Array", other: "Array") -> "Array":
         """Whether the others' corners are not all clearly on one side of the planes of the first."""
-        first, second, third = (self.clear_sides(one, self.corners[other, k]) for k in range(3))
+        first, second, third = (self.clear_sides(triangle, self.corners[other, k]) for k in range(3))
         return (first == 0.0) | (first != second) | (second != third)  # type: ignore[no-any-return]
 
 
@@ -148,9 +148,9 @@ class Windings:
                 turn = -side
                 for k in range(3):
                     # the ray leaves a triangle that is seen from inside
-                    own = _turn(self.corners[triangle, k - 1], self.corners[triangle, k], self.at[point], plane)
-                    kept = (own == turn) & (own != 0.0)
-                    point, triangle, turn = point[kept], triangle[kept], own[kept]
+                    turns = _turn(self.corners[triangle, k - 1], self.corners[triangle, k], self.at[point], plane)
+                    touching = (turns == turn) & (turns != 0.0)
+                    point, triangle, turn = point[touching], triangle[touching], turns[touching]
                 total += np.bincount(point, turn, len(total))
         return np.where(touched, np.nan, total)
 
@@ -195,8 +195,8 @@ class Placement:
     def triangles(self) -> "tuple[Array, Array]":
         """The numbers of triangles within, and of triangles against."""
         # the ray from a triangle begins on the side that the triangle shows it
-        about = np.nan_to_num(self.middles.numbers() - self.inwards)
+        winding = np.nan_to_num(self.middles.numbers() - self.inwards)
         if self.corners:
             beside = np.nan_to_num(self.corners.numbers() - self.hollow)
-            about = np.where(about == 0.0, beside, about)
-        return np.flatnonzero(about > 0.0), np.flatnonzero(about < 0.0)
+            winding = np.where(winding == 0.0, beside, winding)
+        return np.flatnonzero(winding > 0.0), np.flatnonzero(winding < 0.0)

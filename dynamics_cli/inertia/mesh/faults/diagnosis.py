@@ -70,10 +70,10 @@ def _corners(source: "Source") -> "tuple[Array, Array]":
     """Every corner as a row of three doubles, and which triangles have no area to the last bit."""
     parts, flat = [], []
     for block in source.blocks():
-        own = block.astype(np.float64)
-        a, b, c = own.reshape(3, 3, -1)
+        coordinates = block.astype(np.float64)
+        a, b, c = coordinates.reshape(3, 3, -1)
         flat.append(~np.cross(b - a, c - a, axis=0).any(axis=0))
-        parts.append(np.ascontiguousarray(own.T))
+        parts.append(np.ascontiguousarray(coordinates.T))
     return np.concatenate(parts).reshape(-1, 3), np.concatenate(flat)
 
 
@@ -120,16 +120,16 @@ def _turned(edges: _Edges, count: int) -> "tuple[list[int], Array]":
     Each piece is traversed from one triangle outward, front by front, with the orientation of each.
     """
     paired = edges.start[edges.count == 2]
-    left, right = edges.face[paired], edges.face[paired + 1]
+    first_face, second_face = edges.face[paired], edges.face[paired + 1]
     against = edges.way[paired] == edges.way[paired + 1]
-    ends = np.concatenate((left, right))
-    others = np.concatenate((right, left))
+    ends = np.concatenate((first_face, second_face))
+    neighbour = np.concatenate((second_face, first_face))
     clash = np.concatenate((against, against))
     order = np.argsort(ends, kind="stable")
-    others, clash = others[order], clash[order]
+    neighbour, clash = neighbour[order], clash[order]
     begin = np.searchsorted(ends[order], np.arange(count + 1))
     piece = np.full(count, -1)
-    way = np.zeros(count, dtype=bool)
+    flipped = np.zeros(count, dtype=bool)
     pieces = seed = 0
     while seed < count:
         piece[seed] = pieces
@@ -139,17 +139,17 @@ def _turned(edges: _Edges, count: int) -> "tuple[list[int], Array]":
             links = np.repeat(begin[front] - np.concatenate(([0], np.cumsum(sizes)[:-1])), sizes) + np.arange(
                 sizes.sum()
             )
-            neighbours, turned = others[links], np.repeat(way[front], sizes) ^ clash[links]
+            neighbours, turned = neighbour[links], np.repeat(flipped[front], sizes) ^ clash[links]
             fresh = piece[neighbours] < 0
             neighbours, first = np.unique(neighbours[fresh], return_index=True)
-            piece[neighbours], way[neighbours] = pieces, turned[fresh][first]
+            piece[neighbours], flipped[neighbours] = pieces, turned[fresh][first]
             front = neighbours
         pieces += 1
         rest = np.flatnonzero(piece[seed:] < 0)
         seed = seed + int(rest[0]) if rest.size else count
-    turned_count = np.bincount(piece, weights=way, minlength=pieces)
+    turned_count = np.bincount(piece, weights=flipped, minlength=pieces)
     total = np.bincount(piece, minlength=pieces)
-    minority = way ^ (2 * turned_count > total)[piece]
+    minority = flipped ^ (2 * turned_count > total)[piece]
     return np.flatnonzero(minority).tolist(), piece
 
 
@@ -161,15 +161,15 @@ def _joined_pieces(edges: _Edges, piece: "Array") -> "Array":
     place = first + np.arange(len(first)) - np.repeat(np.cumsum(sizes) - sizes, sizes)
     links = np.unique(np.stack((piece[edges.face[first]], piece[edges.face[place]])), axis=1)
     number = list(range(int(piece.max()) + 1))
-    for one, other in links.T.tolist():
+    for one, second in links.T.tolist():
         while number[one] != one:
             one = number[one]
-        while number[other] != other:
-            other = number[other]
-        number[max(one, other)] = min(one, other)
-    for at, to in enumerate(number):
+        while number[second] != second:
+            second = number[second]
+        number[max(one, second)] = min(one, second)
+    for index, to in enumerate(number):
         # a piece is joined to one of a lower number, which is already known
-        number[at] = number[to]
+        number[index] = number[to]
     joined: Array = np.array(number)[piece]
     return joined
 
