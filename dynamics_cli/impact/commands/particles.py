@@ -124,7 +124,10 @@ MOMENTUM = Task(
         "first.delta_v.pdof: first PDOF",
         "second.delta_v.pdof: second PDOF",
         "energy_lost: energy lost E",
-        "verdict: verdict",
+        "first.determined.verdict: first verdict",
+        "first.determined.per_degree: one degree changes v₁ by",
+        "second.determined.verdict: second verdict",
+        "second.determined.per_degree: one degree changes v₂ by",
     ),
 )
 

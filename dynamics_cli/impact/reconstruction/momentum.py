@@ -108,7 +108,7 @@ def momentum(
     answer = certified(answer, terms, check=solution.closure is None)
     if solution.condition is not None:
         judge_crossing(verdicts, solution.condition)
-    return MomentumResult(**{**answer.__dict__, "advice": verdict_advice(verdicts, solution.condition) + answer.advice})
+    return MomentumResult(**{**answer.__dict__, "advice": verdict_advice(unknown, verdicts, solution.condition) + answer.advice})
 
 
 def _require_energy_route(first: Vehicle, second: Vehicle, terms: list[Term]) -> None:
@@ -234,10 +234,11 @@ def _masses(first: Vehicle, second: Vehicle, gravity: float) -> Pair:
 def _terms(first: Vehicle, second: Vehicle, masses: Pair) -> list[Term]:
     terms = []
     for one, mass, name in zip((first, second), masses, ("the first", "the second"), strict=True):
-        terms.append(Term(1.0, mass, one.approach_speed, _heading(one.approach_speed, one.approach_heading), name))
+        heading = _heading(one.approach_speed, one.approach_heading)
+        terms.append(Term(1.0, mass, one.approach_speed, heading, name, one.name))
     for one, mass, name in zip((first, second), masses, ("the first", "the second"), strict=True):
         heading = _heading(one.exit_speed, one.exit_heading)
-        terms.append(Term(-1.0, mass, one.exit_speed, heading, name + " exit"))
+        terms.append(Term(-1.0, mass, one.exit_speed, heading, name + " exit", one.name))
     return terms
 
 

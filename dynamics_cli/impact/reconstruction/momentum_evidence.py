@@ -57,7 +57,7 @@ def with_energy_verdicts(
         effects += [(one.speed_name, slope * speed) for one, slope, speed in zip(terms[2:], steep, after, strict=True)]
         verdict = energy_verdict(term.speed, closing, effects)  # type: ignore[arg-type]
         most = max(abs(plain(effect)) for _, effect in effects) if single(closing) else 0.0
-        verdicts.append((term.name, most, verdict))
+        verdicts.append((term.called, most, verdict))
         sides[name] = Reconstructed(**{**getattr(answer, name).__dict__, "determined": verdict})
     (_, _, one), (_, _, two) = verdicts
     worst = where(one.tolerance <= two.tolerance, one.verdict, two.verdict)  # type: ignore[operator,arg-type]
