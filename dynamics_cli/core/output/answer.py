@@ -305,7 +305,8 @@ class _Answer:
             if nth and len(lines) + len(paragraph) + (2 if given[nth + 1 :] else 0) > space:
                 counts = [(sum(each["severity"] == name for each in given[nth:]), name) for name in SEVERITIES]
                 named = ", ".join(f"{count} {name}" for count, name in counts if count)
-                return [*lines, "", f"{len(given) - nth} more warnings ({named}): --all"]
+                more = len(given) - nth
+                return [*lines, "", f"{more} more warning{'s' * (more > 1)} ({named}): --all"]
             lines += paragraph
         return lines
 
