@@ -315,11 +315,7 @@ CHAIN = Task(
     tracked=False,
     plot=PICTURES + "chain",
     scene={"restitution": "0.3", "bodies[0].mass": "2 kg", "bodies[0].velocity": "3 m/s", "bodies[1].mass": "1 kg"},
-    headline=(
-        "momentum: momentum",
-        "laws",
-        "bodies",
-    ),
+    headline=("momentum: momentum", "laws", "bodies"),
 )
 
 YAW_INERTIA = Task(

@@ -108,7 +108,8 @@ def momentum(
     answer = certified(answer, terms, check=solution.closure is None)
     if solution.condition is not None:
         judge_crossing(verdicts, solution.condition)
-    return MomentumResult(**{**answer.__dict__, "advice": verdict_advice(unknown, verdicts, solution.condition) + answer.advice})
+    advice = verdict_advice(unknown, verdicts, solution.condition) + answer.advice
+    return MomentumResult(**{**answer.__dict__, "advice": advice})
 
 
 def _require_energy_route(first: Vehicle, second: Vehicle, terms: list[Term]) -> None:
