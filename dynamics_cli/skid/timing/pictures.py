@@ -71,7 +71,7 @@ def meet(result: "Any", *, first: Party, second: Party, gravity: float = STANDAR
     ways: list[Any] = []
     speeds: list[Any] = []
     for role, (party, name) in enumerate(((first, "first"), (second, "second"))):
-        motion = motion_of(party, gravity)
+        motion = motion_of(party, gravity, "")
         course = course_to_impact(motion)
         states = [course.at(-time) for time in times]
         ways.append(Curve(times, [-way for way, _, _ in states], _named(party, name), role=role))
@@ -103,7 +103,7 @@ def follow(
     ways: list[Any] = []
     speeds: list[Any] = []
     for role, (party, name, ahead) in enumerate(((leader, "leader", gap), (follower, "follower", 0.0))):
-        course = Course(motion_of(party, gravity), 0.0, ahead)
+        course = Course(motion_of(party, gravity, ""), 0.0, ahead)
         states = [course.at(time) for time in times]
         ways.append(Curve(times, [way for way, _, _ in states], _named(party, name), role=role))
         speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
@@ -130,7 +130,7 @@ def sight(
     corner, heading = (-corner_before, -corner_aside), 0.0
     if obstruction is not None:
         heading = obstruction.heading
-        left = -course_to_impact(motion_of(obstruction, gravity)).at(-result.time_left)[0]
+        left = -course_to_impact(motion_of(obstruction, gravity, "")).at(-result.time_left)[0]
         corner = (corner[0] - left * math.cos(heading), corner[1] - left * math.sin(heading))
     if obstruction is None and obstruction_length is None:
         x, y = [back, corner[0], corner[0], back], [corner[1], corner[1], -depth, -depth]

@@ -14,6 +14,7 @@ from dynamics_cli.quantities import (
     DragFactor,
     Fraction,
     Gravity,
+    Ratio,
     RoadSpeed,
     Time,
 )
@@ -131,7 +132,11 @@ def record_of(
     """
     count = len(speeds)
     require(
-        count >= 2, "a record of {count} speeds has no interval", code="too-few", count=count, hint="give all of them"
+        count >= 2,
+        "a record needs at least two speeds, and {count} is given",
+        code="too-few",
+        count=count,
+        hint="write them in the order of time: --speeds '78, 77, 66 km/h'",
     )
     require(interval > 0.0, "samples must be some time apart", code="no-time")
     oldest = interval if greatest_age is None else greatest_age
@@ -177,7 +182,8 @@ def record_of(
         brake_latest=latest,
         speed_before_braking=before,
         intervals=tuple(rows),
-        advice=_advice(speeds, changes, brake_on, greatest_slip, gravity),
+        advice=_stops_early(speeds[-1], interval, least_age, oldest)
+        + _advice(speeds, changes, brake_on, greatest_slip, gravity),
     )
 
 
@@ -227,6 +233,18 @@ def _limits(
     return distance - less, distance + more
 
 
+def _stops_early(speed: float, interval: float, least_age: float, oldest: float) -> "tuple[Advice, ...]":
+    """A caution when the samples next to the event are missing."""
+    if not single(speed, interval, least_age, oldest) or plain(least_age) < plain(interval):
+        return ()
+    message = worded(
+        "the record stops {least} to {greatest} before the event, at {speed}: up to {way:3} of the way are not in it, "
+        "and the last deceleration is taken to go on",
+        least=(least_age, Time), greatest=(oldest, Time), speed=(speed, RoadSpeed), way=(speed * oldest, Distance),
+    )  # fmt: skip
+    return (Advice(code="stops-early", message=message, remedy="look for the samples that are missing"),)
+
+
 def _advice(
     speeds: "tuple[float, ...]", changes: "list[float]", brake_on: "int | None", slip: float, gravity: float
 ) -> "tuple[Advice, ...]":
@@ -234,15 +252,16 @@ def _advice(
     if not single(*speeds, *changes, gravity, slip):
         return ()
     told: list[Advice] = []
-    hardest = max(abs(plain(change)) for change in changes)
+    hardest, at = max((abs(plain(change)), index) for index, change in enumerate(changes))
     braked = max(-plain(change) for change in changes)
     if hardest > MOST_OF_TYRES * plain(gravity):
         told.append(
             Advice(
                 code="wheel-locked",
                 message=worded(
-                    "a change of {hardest} is more than tyres give: a wheel locked or spun, so this is not the "
-                    "vehicle's speed", hardest=(hardest, Acceleration),
+                    "from {before} to {after} the record needs {drag:3} g, and tyres give about 1 g: a wheel locked "
+                    "or spun, so this is not the vehicle's speed", drag=(hardest / plain(gravity), Ratio),
+                    before=(speeds[at], RoadSpeed), after=(speeds[at + 1], RoadSpeed),
                 ),
                 severity="serious",
             )
