@@ -131,23 +131,8 @@ def record_of(
     (21.5, 0.0)
     """
     count = len(speeds)
-    require(
-        count >= 2,
-        "a record needs at least two speeds, and {count} is given",
-        code="too-few",
-        count=count,
-        hint="write them in the order of time: --speeds '78, 77, 66 km/h'",
-    )
-    require(interval > 0.0, "samples must be some time apart", code="no-time")
     oldest = interval if greatest_age is None else greatest_age
-    require(
-        oldest >= least_age, "the greatest age of {oldest} is less than the least of {least}", code="ages",
-        oldest=(oldest, Time), least=(least_age, Time),
-    )  # fmt: skip
-    require(
-        (greatest_slip >= least_slip) & (greatest_slip < 1.0), "slip cannot be from {least} to {greatest}",
-        code="slip", least=(least_slip, Fraction), greatest=(greatest_slip, Fraction),
-    )  # fmt: skip
+    _require_record(count, interval, (least_age, oldest), (least_slip, greatest_slip))
     changes = [(after - before) / interval for before, after in pairwise(speeds)]
     rows, distance = _rows(speeds, changes, interval, gravity)
     common = (count - 1) * interval * tolerance / sqrt(3.0 + 0.0 * tolerance)
@@ -185,6 +170,23 @@ def record_of(
         advice=_stops_early(speeds[-1], interval, least_age, oldest)
         + _advice(speeds, changes, brake_on, greatest_slip, gravity),
     )
+
+
+def _require_record(count: int, interval: float, ages: "tuple[float, float]", slips: "tuple[float, float]") -> None:
+    """Refuse a record without an interval, and limits in the wrong order."""
+    require(
+        count >= 2, "a record needs at least two speeds, and {count} is given", code="too-few", count=count,
+        hint="write them in the order of time: --speeds '78, 77, 66 km/h'",
+    )  # fmt: skip
+    require(interval > 0.0, "samples must be some time apart", code="no-time", hint="leave the interval out for 0.5 s")
+    require(
+        ages[1] >= ages[0], "the greatest age of {oldest} is less than the least of {least}", code="ages",
+        oldest=(ages[1], Time), least=(ages[0], Time),
+    )  # fmt: skip
+    require(
+        (slips[1] >= slips[0]) & (slips[1] < 1.0), "slip cannot be from {least} to {greatest}", code="slip",
+        least=(slips[0], Fraction), greatest=(slips[1], Fraction), hint="the least first, both below 100 %",
+    )  # fmt: skip
 
 
 def _largest(values: "list[float]") -> float:
