@@ -53,6 +53,13 @@ def planar(
     before, after = [body.velocity, two.velocity], [result.first.velocity, result.second.velocity]
     contact_detail = _bodies((body, two), at, towards, result.impulse, names)
     centres = [(at[0] - vehicle.lever[0], at[1] - vehicle.lever[1]) for vehicle in (body, two)]
+    heavy = body.mass is not None and body.mass >= LIGHTEST_VEHICLE
+    if two.mass is None and heavy and math.hypot(*body.lever) <= LENGTH:
+        north = (0.0, 1.0) if str(axes) == "compass" else None
+        scene = collision(
+            names[:1], (body.nose,), before[:1], after[:1], north, centres[:1], (7.2, 3.9), _wall(at, towards)
+        )
+        return Picture((scene, contact_detail, _routh(m, result, result.law)), PLANAR, columns=2, scene=True)
     road = all(vehicle.mass is not None and vehicle.mass >= LIGHTEST_VEHICLE for vehicle in (body, two))
     if road and math.dist(*centres) <= LENGTH:
         north = (0.0, 1.0) if str(axes) == "compass" else None
@@ -94,6 +101,24 @@ def _bodies(bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pa
     return Panel(
         Axis("x", Length), Axis("y", Length), tuple(items), "contact: levers, tangent and impulses", equal=True
     )
+
+
+def _wall(at: "Pair", towards: "Pair") -> "list[Curve]":
+    """A barrier along the tangent at the contact, hatched on its far side."""
+    along = -towards[1], towards[0]
+    reach = [(-1.0 + 0.1 * nth) * LENGTH for nth in range(21)]
+    items = [
+        Curve(
+            [at[0] + part * along[0] for part in (reach[0], reach[-1])],
+            [at[1] + part * along[1] for part in (reach[0], reach[-1])],
+            style="thick", role=6,
+        )
+    ]  # fmt: skip
+    for part in reach[1:]:
+        foot = at[0] + part * along[0], at[1] + part * along[1]
+        ends = [0.45 * (towards[axis] - along[axis]) for axis in (0, 1)]
+        items.append(Curve([foot[0], foot[0] + ends[0]], [foot[1], foot[1] + ends[1]], style="thin", role=6))
+    return items
 
 
 def _routh(m: "Any", result: "Any", law: str) -> Panel:

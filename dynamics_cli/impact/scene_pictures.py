@@ -100,13 +100,17 @@ def collision(
     before: "Sequence[Pair]",
     after: "Sequence[Pair]",
     north: "Pair | None",
-    centres: "tuple[Pair, Pair] | None" = None,
+    centres: "Sequence[Pair] | None" = None,
     inches: "Pair" = (3.4, 3.6),
+    barrier: "Sequence[Curve]" = (),
 ) -> Panel:
-    """Two vehicles at the impact with their velocities before (behind them, dashed) and after (from their centres)."""
+    """Vehicles at the impact with their velocities before (behind them, dashed) and after (from their centres).
+
+    One vehicle with the `barrier` that it struck stands on no lane.
+    """
     speeds = [math.hypot(*velocity) for velocity in (*before, *after)]
     scale = LONGEST_ARROW * LENGTH / (max(speeds) or 1.0)
-    items: list[Any] = []
+    items: list[Any] = list(barrier)
     words: list[Words] = []
     centres = centres or apart(noses[0], noses[1])
     for role, (name, centre, nose) in enumerate(zip(names, centres, noses, strict=True)):
@@ -114,7 +118,8 @@ def collision(
         u, v = before[role], after[role]
         if speeds[role] > 0.0:
             direction = u[0] / speeds[role], u[1] / speeds[role]
-            items.append(lane(centre, direction, (0.8 * LENGTH + scale * speeds[role], 1.2 * LENGTH)))
+            if not barrier:
+                items.append(lane(centre, direction, (0.8 * LENGTH + scale * speeds[role], 1.2 * LENGTH)))
             reach = 0.5 * LENGTH * abs(direction[0] * nose[0] + direction[1] * nose[1]) + 0.5 * WIDTH * abs(
                 direction[0] * nose[1] - direction[1] * nose[0]
             )
@@ -122,15 +127,18 @@ def collision(
             tail = end[0] - scale * u[0], end[1] - scale * u[1]
             items.append(Arrow(*tail, scale * u[0], scale * u[1], "", role, dashed=True))
             words.append(Words(tail, (-direction[0], -direction[1]), about(f"{name} before", speeds[role]), role))
-        if speeds[2 + role] > 0.0:
+        if speeds[len(names) + role] > 0.0:
             items.append(Arrow(*centre, scale * v[0], scale * v[1], "", role))
             tip = centre[0] + scale * v[0], centre[1] + scale * v[1]
-            words.append(Words(tip, v, about(f"{name} after", speeds[2 + role]), role))
+            words.append(Words(tip, v, about(f"{name} after", speeds[len(names) + role]), role))
     items.sort(key=lambda item: getattr(item, "style", "") != "ground")
-    note = (
-        worded("outlines {length:2} by {width:2}, not measured;", length=(LENGTH, Length), width=(WIDTH, Length)),
+    ending = "" if barrier else ";"
+    note = [
+        worded(
+            "outlines {length:2} by {width:2}, not measured" + ending, length=(LENGTH, Length), width=(WIDTH, Length)
+        ),
         worded("lanes {width:3} wide along the velocities before", width=(2.0 * LANE, Length)),
-    )
+    ][: 1 if barrier else 2]
     return finished(items, words, inches, (scale, max(speeds)), north, note)
 
 

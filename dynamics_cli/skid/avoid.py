@@ -19,7 +19,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance
+from dynamics_cli.skid.diagnostics import balance, reaction_advice
 
 
 @record
@@ -145,7 +145,9 @@ def avoid(
             deceleration,
             sufficient,
         ),
-        advice=drag_advice(friction, grade, braking) + _close(travelled, sight_distance),
+        advice=reaction_advice(reaction_time)
+        + drag_advice(friction, grade, braking)
+        + _close(travelled, sight_distance),
     )
 
 

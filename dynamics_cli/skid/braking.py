@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import maximum, multiply_add, sqrt, summed
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.road.drag import drag_advice, drag_along, require_drag, secant
+from dynamics_cli.numerics.road.drag import drag_advice, drag_along, require_drag, secant, speed_advice
 from dynamics_cli.numerics.road.slide import SurfaceCrossed, crossed_back, crossing_time
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -112,7 +112,7 @@ def speed(
         friction_work=None if mass is None else mass * (gravity * heat),
         surfaces=crossed,
         checks=_energy_check(crossed, gravity),
-        advice=advice,
+        advice=advice or speed_advice(crossed[0].entry_speed, "a speed", "check the distance and its unit"),
     )
 
 

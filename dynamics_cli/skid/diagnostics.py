@@ -1,14 +1,18 @@
 """Diagnostics of skid calculations: checks, and numbers beyond the range of doubles."""
 
+from dynamics_cli.errors import worded
 from dynamics_cli.numerics.elementary import multiply_add
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.records import Check
+from dynamics_cli.quantities import Time
+from dynamics_cli.records import Advice, Check
 
 # A failed residual check is an internal error, so the tolerance allows for long sums of roundings.
 TOLERANCE = 1e-12
 # Between these, products and quotients of a few numbers keep all their digits.
 SMALLEST, LARGEST = 1e-70, 1e70
 DEGREES = 57.29577951308232
+# Published times of reaction end at 2.5 s.
+LONGEST_REACTION = 4.0
 
 
 def balance(name: str, left: float, right: float, scale: float, *operands: float) -> tuple[Check, ...]:
@@ -35,3 +39,11 @@ def split_product(x: float, y: float) -> tuple[float, float]:
     """The product as a constant plus its rounding error, which alone carries derivatives: their sum is exact to u²."""
     head = plain(x * y)
     return head, multiply_add(x, y, -head)
+
+
+def reaction_advice(time: float) -> tuple[Advice, ...]:
+    """Advice when a reaction time is far beyond published ones."""
+    if not single(time) or not plain(time) > LONGEST_REACTION:
+        return ()
+    message = worded("a reaction of {time} is far beyond published ones, which end at 2.5 s", time=(time, Time))
+    return (Advice(code="long-reaction", message=message, remedy="see dynamics skid values reaction"),)

@@ -18,6 +18,9 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.skid.diagnostics import balance
 
+# Ice has 0.1 to 0.15, wet ice less.
+LOWEST_FRICTION = 0.03
+
 
 @record
 class TestSkid:
@@ -163,6 +166,11 @@ def _absurd(several_skids: tuple[TestSkid, ...], frictions: list[float]) -> tupl
         name = f"skids[{index}]: " if len(several_skids) > 1 else ""
         advice += grade_advice(skid.grade, name + "grade")
         advice += friction_advice(mu, name + "the friction found", "check speed, distance, grade and their units")
+        if single(mu) and 0.0 < plain(mu) < LOWEST_FRICTION:
+            message = worded(
+                "{name}the friction found of {friction:2} is below that of ice", name=name, friction=(mu, Friction)
+            )
+            advice += (Advice("low-friction", message, remedy="check speed, distance, grade and their units"),)
     return advice
 
 

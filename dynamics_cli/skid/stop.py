@@ -18,7 +18,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, Check, record
-from dynamics_cli.skid.diagnostics import balance
+from dynamics_cli.skid.diagnostics import balance, reaction_advice
 
 MOST_STEPS = 10000
 
@@ -154,7 +154,7 @@ def stop(
             deceleration,
             0.0 if build_up_time is None else build_up_time,
         ),
-        advice=drag_advice(friction, grade, braking),
+        advice=reaction_advice(reaction_time) + drag_advice(friction, grade, braking),
     )
 
 

@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, multiply_add, sqrt
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.road.drag import friction_advice, grade_advice, secant
+from dynamics_cli.numerics.road.drag import friction_advice, grade_advice, secant, speed_advice
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -163,7 +163,8 @@ def yaw(
         advice=friction_advice(friction)
         + grade_advice(superelevation, "superelevation")
         + (survey.advice if survey else _arc_advice(path))
-        + _bank_advice(lean),
+        + _bank_advice(lean)
+        or speed_advice(speed, "a critical speed", "check the path and its unit"),
     )
 
 

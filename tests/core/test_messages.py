@@ -68,6 +68,14 @@ def test_advice_quotes_what_was_written() -> None:
     assert "the middle ordinate of 1 in" in answer(*call)["warnings"][0]["message"]
 
 
+def test_advice_speaks_in_the_units_of_the_answer() -> None:
+    call = ["impact", "momentum", "--first-mass", "8000 kg", "--first-approach-heading", "0 deg", "--first-exit-speed",
+            "15 m/s", "--first-exit-heading", "2 deg", "--second-mass", "300 kg", "--second-approach-heading",
+            "90 deg", "--second-exit-speed", "14 m/s", "--second-exit-heading", "10 deg"]  # fmt: skip
+    for units, change in ((), "26 km/h"), (("--units", "us"), "16.1 mph"), (("--units", "base"), "7.22 m/s"):
+        assert f"changes it by {change}" in answer(*call, *units)["warnings"][0]["message"]
+
+
 def test_rows_quote_what_was_written() -> None:
     rows = "speed[mph],end_speed[mph],friction\n30,40,0.7\n"
     outcome = run("skid", "distance", "--rows", "-", "--format", "ndjson", stdin=rows)

@@ -62,6 +62,17 @@ def test_every_speed_has_its_own_tolerance(masses: Any, after: Any, before: Any,
         assert math.degrees(side.determined.heading_tolerance) == pytest.approx(tolerance, rel=3e-4)
         expected = "good" if tolerance >= 3.0 else "caution" if tolerance >= 1.0 else "undetermined"
         assert side.determined.verdict == expected
+        assert side.determined.per_degree == pytest.approx(0.1 * float(speed) / tolerance, rel=3e-4)
+
+
+def test_a_degree_of_the_worst_heading_and_the_name_of_its_vehicle() -> None:
+    light = [reconstructed(masses, after, before) for masses, after, before, _, _ in TOLERANCES[:2]]
+    found = [one.second.determined.per_degree for one in light]
+    assert found == pytest.approx([7.2176981073341529842, 18.023168781156382768], rel=1e-13)
+    named = run("impact", "momentum", *options((8000, 300), (15, 2, 14, 10), (0, 90)), "--second-name", "Scooter")
+    assert "Scooter verdict           undetermined" in named.out
+    assert "one degree changes v₂ by  7.2177 m/s" in named.out
+    assert "does not determine the speed of Scooter: one degree of the\n  approach heading of the first" in named.out
 
 
 def closing_speeds(unknown: str) -> Any:
@@ -103,7 +114,7 @@ def test_a_light_vehicle_at_right_angles_is_not_determined_and_the_heavy_one_is(
     assert [results[side]["determined"]["verdict"] for side in ("first", "second")] == ["undetermined", "good"]
     assert document["warnings"][0]["code"] == "undetermined-speed"
     assert document["warnings"][0]["severity"] == "serious"
-    assert "second.approach_heading changes it by 38.9 m/s" in document["warnings"][0]["message"]
+    assert "the approach heading of the second changes it by 38.9 m/s" in document["warnings"][0]["message"]
 
 
 def test_a_refusal_by_judgement_gives_the_interval_and_one_by_physics_does_not() -> None:

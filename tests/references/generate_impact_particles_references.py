@@ -848,12 +848,13 @@ def momentum(x: dict[str, Any]) -> dict[str, Any]:
     for side in ("first", "second"):
         blank = [f"{part}_speed" for part in ("approach", "exit") if f"{part}_speed" not in x[side]]
         if blank:
-            found[f"{side}.determined.heading_tolerance"] = min(tolerance(x, side, name, found) for name in blank)
+            worst, found[f"{side}.determined.per_degree"] = min(tolerance(x, side, name, found) for name in blank)
+            found[f"{side}.determined.heading_tolerance"] = worst
     return found
 
 
-def tolerance(x: dict[str, Any], side: str, name: str, found: dict[str, Any]) -> Any:
-    """The error of a heading that changes a speed by a tenth, from differences of whole solutions."""
+def tolerance(x: dict[str, Any], side: str, name: str, found: dict[str, Any]) -> tuple[Any, Any]:
+    """The error of a heading that changes a speed by a tenth, and the change by a degree, from whole solutions."""
     step, steepest = mpf(10) ** -60, mpf(0)
     for other in ("first", "second"):
         for turn in ("approach_heading", "exit_heading"):
@@ -863,7 +864,7 @@ def tolerance(x: dict[str, Any], side: str, name: str, found: dict[str, Any]) ->
                     for off in (step, -step)
                 ]
                 steepest = max(steepest, abs(ends[0] - ends[1]) / (2 * step))
-    return min(found[f"{side}.{name}"] / steepest / 10, pi) if steepest else +pi
+    return min(found[f"{side}.{name}"] / steepest / 10, pi) if steepest else +pi, steepest * pi / 180
 
 
 def solved(x: dict[str, Any]) -> dict[str, Any]:

@@ -225,7 +225,7 @@ REFUSED = {
     "too little": (("kind=braking, distance=5 m",), "needs two"),
     "stops before": (("kind=braking, duration=9 s, friction=0.7",), "at rest after 0.7284 s"),
     "even": (("kind=reaction, duration=1 s, friction=0.7",), "no meaning"),
-    "no time": (("kind=constant",), "one of duration and distance"),
+    "no time": (("kind=constant",), "either duration or distance"),
     "wrong way": (("kind=braking, distance=5 m, speed=90 km/h",), "cannot lead from"),
     "rising to what": (("kind=build-up, duration=0.2 s",), "not known"),
     "waits in motion": (("kind=waiting, duration=2 s",), "at rest"),

@@ -1,8 +1,9 @@
 """Messages of the physics, with their values in the units that the inputs were written in.
 
 A message of physics carries typed values in SI (`errors.Wording`). A value that is one of the inputs is shown as it was
-written; another one in the unit of an input of its kind; one of a kind that no input has, in the kind's default unit.
-Messages without values are left as they are.
+written; another one, beside an answer, in the unit that results of its kind are shown in; otherwise in the unit of an
+input of its kind; one of a kind that no input has, in the kind's default unit. Messages without values are left as they
+are.
 """
 
 from dynamics_cli.core.inputs.values import Bound, Fields, Several, Value, VectorValue
@@ -13,8 +14,9 @@ from dynamics_cli.errors import Wording, filled
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
+    from dynamics_cli.core.units.display import Shown
     from dynamics_cli.quantities import Kind
 
     # an input's SI value (None for vectors), its number as written, its unit
@@ -23,8 +25,8 @@ if TYPE_CHECKING:
 DEGREE = parse_unit("deg")
 
 
-def in_written_units(text: str, bound: Bound) -> str:
-    """A message with its values in the units of the inputs.
+def in_written_units(text: str, bound: Bound, results: "Iterable[Shown]" = ()) -> str:
+    """A message with its values in the units of the inputs, or of the results that it stands beside.
 
     >>> in_written_units("no segment is given", Fields(None, {}))
     'no segment is given'
@@ -33,6 +35,7 @@ def in_written_units(text: str, bound: Bound) -> str:
         return text
     inputs = list(_written(bound))
     shares = list(_shares(bound))
+    beside = {shown.kind.name: shown.bound_unit for shown in results if shown.kind.unit}
 
     def write(value: float, kind: "Kind", digits: int) -> str:
         unit = parse_unit(kind.unit)
@@ -42,7 +45,10 @@ def in_written_units(text: str, bound: Bound) -> str:
         for si, shown, shown_in in alike:
             if si == value and isinstance(shown, int | float):
                 return f"{shown:.9g} {pretty(shown_in.text)}".rstrip()
-        unit = alike[0][2] if alike else parse_unit(kind.si, unit)
+        if kind.name in beside:
+            unit = parse_unit(beside[kind.name], unit)
+        else:
+            unit = alike[0][2] if alike else parse_unit(kind.si, unit)
         return f"{value / factor(unit) + 0.0:.{digits}g} {pretty(unit.text)}".rstrip()
 
     return filled(text.template, text.values, write)

@@ -62,9 +62,8 @@ def example(field: "Field") -> str:
     """An example of a field's value as a user would type it: of its description, else of its kind."""
     node = field.node.item if isinstance(field.node, Many) else field.node
     assert isinstance(node, Leaf)
-    stated = description(field.text).partition(EXAMPLE)[2]
-    if stated:
-        return stated
+    if field.example:
+        return field.example
     usual = written_default(Option(field.key, (), node, default=field.default, required=field.required))
     if usual and node.kind.form in ("scalar", "slope", "whole") and node.choice is None:
         return usual
@@ -264,7 +263,7 @@ def _first_unnumbered(address: str) -> str:
 
 def _chosen(field: "Field") -> str:
     """The alternative that a description gives as an example."""
-    return description(field.text).partition(EXAMPLE)[2] if isinstance(field.node, OneOf | Tagged) else ""
+    return field.example if isinstance(field.node, OneOf | Tagged) else ""
 
 
 def _names(record: Record) -> str:

@@ -62,7 +62,10 @@ class Reader(Context):
         known_keys: set[str] = set()
         for field in fields:
             known_keys.update(_keys(field))
+            before = len(self.errors)
             member = self._field(field, raw, address)
+            for error in self.errors[before:]:
+                error.hint = _with_example(error.hint, field)
             if member is not None:
                 bound[field.name] = member
         for key in raw:
@@ -317,6 +320,18 @@ def _plain_names(node: object) -> "set[str]":
 
 def _join(address: str, key: str) -> str:
     return f"{address}.{key}" if address else key
+
+
+def _with_example(hint: str | None, field: Field) -> str | None:
+    """A hint that ends with the example of a kind, with that of the field itself in its place."""
+    node = field.node.item if isinstance(field.node, Many) else field.node
+    usual, said = (node.kind.example, field.example) if isinstance(node, Leaf) else ("", "")
+    if not (hint and usual and said):
+        return hint
+    for ending in (_quoted(usual), usual):
+        if hint.endswith(" " + ending):
+            return hint.removesuffix(ending) + (_quoted(said) if " --" in hint else said)
+    return hint
 
 
 def _quoted(text: str) -> str:

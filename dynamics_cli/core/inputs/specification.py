@@ -160,6 +160,13 @@ class Field:
         self._spread: tuple[str, ...] | None = None
 
     @property
+    def example(self) -> str:
+        """The example that its description gives; empty where it gives none."""
+        said = self.text.partition("e.g. ")[2].strip().rstrip(".")
+        at = said.rfind(" [")
+        return said[:at].rstrip(".") if said.endswith("]") and at > 0 and " " not in said[at + 2 :] else said
+
+    @property
     def required(self) -> bool:
         """Whether the parameter must be given."""
         return self.default is REQUIRED and self.place != "words"

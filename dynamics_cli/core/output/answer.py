@@ -315,7 +315,8 @@ class _Answer:
             if nth and len(lines) + len(paragraph) + (2 if in_order[nth + 1 :] else 0) > space:
                 counts = [(sum(each["severity"] == name for each in in_order[nth:]), name) for name in SEVERITIES]
                 named = ", ".join(f"{count} {name}" for count, name in counts if count)
-                return [*lines, "", f"{len(in_order) - nth} more warnings ({named}): --all"]
+                more = len(in_order) - nth
+                return [*lines, "", f"{more} more warning{'s' * (more > 1)} ({named}): --all"]
             lines += paragraph
         return lines
 

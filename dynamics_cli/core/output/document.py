@@ -15,6 +15,7 @@ from dynamics_cli.version import __version__
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Any
 
     from dynamics_cli.quantities import Kind
@@ -231,7 +232,7 @@ def build(task: Task, bound: Fields, answer: Answer, display: Display, notes: "l
         if entries:
             numerics[key] = entries
     # a reason that applies to two results is given once
-    warnings_read = [_advice(item, bound) for item in walk.advice]
+    warnings_read = [_advice(item, bound, walk.shown.values()) for item in walk.advice]
     warnings = [warning for index, warning in enumerate(warnings_read) if warning not in warnings_read[:index]]
     warnings += [{"code": "reading", "severity": "note", "message": note} for note in notes]
     return {
@@ -290,8 +291,9 @@ def _check(check: Check) -> "dict[str, Any]":
     return out
 
 
-def _advice(advice: Advice, bound: Fields) -> "dict[str, Any]":
+def _advice(advice: Advice, bound: Fields, results: "Iterable[Shown]") -> "dict[str, Any]":
     from dynamics_cli.core.answering.messages import in_written_units
 
-    out = {"code": advice.code, "severity": advice.severity, "message": in_written_units(advice.message, bound)}
-    return {**out, "remedy": in_written_units(advice.remedy, bound)} if advice.remedy else out
+    message = in_written_units(advice.message, bound, results)
+    out = {"code": advice.code, "severity": advice.severity, "message": message}
+    return {**out, "remedy": in_written_units(advice.remedy, bound, results)} if advice.remedy else out

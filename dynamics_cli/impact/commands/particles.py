@@ -124,7 +124,10 @@ MOMENTUM = Task(
         "first.delta_v.pdof: first PDOF",
         "second.delta_v.pdof: second PDOF",
         "energy_lost: energy lost E",
-        "verdict: verdict",
+        "first.determined.verdict: first verdict",
+        "first.determined.per_degree: one degree changes v₁ by",
+        "second.determined.verdict: second verdict",
+        "second.determined.per_degree: one degree changes v₂ by",
     ),
 )
 
@@ -312,11 +315,7 @@ CHAIN = Task(
     tracked=False,
     plot=PICTURES + "chain",
     scene={"restitution": "0.3", "bodies[0].mass": "2 kg", "bodies[0].velocity": "3 m/s", "bodies[1].mass": "1 kg"},
-    headline=(
-        "momentum: momentum",
-        "laws",
-        "bodies",
-    ),
+    headline=("momentum: momentum", "laws", "bodies"),
 )
 
 YAW_INERTIA = Task(

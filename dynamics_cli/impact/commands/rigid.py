@@ -25,6 +25,9 @@ PLANAR = Task(
         'dynamics impact planar --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-velocity "15, 0 m/s" '
         '--first-lever "2, -0.4 m" --second-mass "1200 kg" --second-inertia "1800 kg*m^2" --second-velocity '
         '"0, 10 m/s" --second-lever "-0.8, 0.5 m" --normal "10 deg" --friction 0.5 --restitution 0.1',
+        'dynamics impact planar --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-speed "60 km/h" '
+        '--first-heading "-15 deg" --first-contact-on-body "2.2, -0.8 m" --first-name Ford --second-fixed --normal '
+        '"-90 deg" --friction 0.4 --restitution 0.1',
         'dynamics impact planar --first-mass "1 kg" --first-radius-of-gyration "0.2 m" --first-velocity "3, -4 m/s" '
         '--first-lever "0.3, -0.4 m" --second-fixed --normal "-90 deg" --friction 0.3 --restitution 0.6 --law all',
         'dynamics impact planar --first-mass "0.5 kg" --first-inertia "2e-4 kg*m^2" --first-velocity "1, -2 m/s" '
@@ -40,6 +43,8 @@ PLANAR = Task(
         "second.delta_v.pdof: second PDOF",
         "first.spin: first spin after ω₁′",
         "second.spin: second spin after ω₂′",
+        "energy_lost: energy lost E",
+        "equivalent_barrier_speed: EBS",
     ),
 )
 

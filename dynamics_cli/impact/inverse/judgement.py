@@ -11,7 +11,7 @@ Pair = tuple[float, float]
 GOOD, CAUTION, UNDETERMINED = "good", "caution", "not determined"
 # Limits of a speed's relative standard deviation.
 GOOD_SHARE, CAUTION_SHARE = 0.05, 0.15
-UNLIKELY, CONTRADICTION = 0.05, 0.001
+UNLIKELY, CONTRADICTION, PRACTICALLY_NEVER = 0.05, 0.001, 1e-6
 # Sine of the angle between the levers.
 GOOD_SINE, SMALLEST_SINE = 0.5, 0.1
 # Cotangent of half the angle between the approach paths, as for momentum.
@@ -154,9 +154,10 @@ def agreement(probability: float | None, residuals: "list[tuple[str, float]]") -
     name, worst = residuals[0]
     judge(
         probability >= CONTRADICTION,
-        "the measurements contradict each other: correct ones would disagree as much with a probability of "
-        "{chance:2}; {name} is off by {worst:2} standard deviations",
-        chance=(probability, Fraction),
+        "the measurements contradict each other: correct ones would disagree as much with a probability "
+        "{below} {chance:2}; {name} is off by {worst:2} standard deviations",
+        below="of" if probability >= PRACTICALLY_NEVER else "below",
+        chance=(max(probability, PRACTICALLY_NEVER), Fraction),
         name=name,
         worst=(abs(worst), Ratio),
         code="contradiction",

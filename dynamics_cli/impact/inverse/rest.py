@@ -8,7 +8,7 @@ from dynamics_cli.impact.slide.motion import run
 from dynamics_cli.impact.slide.task import car_of, heading_angle
 from dynamics_cli.impact.slide.wheels import State
 from dynamics_cli.numerics.elementary import cos, hypot, sin, sqrt
-from dynamics_cli.quantities import Angle
+from dynamics_cli.quantities import Angle, Ratio
 from dynamics_cli.records import Advice
 
 TYPE_CHECKING = False
@@ -199,17 +199,21 @@ def solve_rest(problem: Problem) -> Fit:
     import numpy as np
 
     best: tuple[float, Any, float, Any] | None = None
+    unsettled: list[tuple[float, list[tuple[str, float]]]] = []
     for start in problem.starts():
-        tried = _settled(problem, start)
+        tried = _settled(problem, start, unsettled)
         if tried is not None and (best is None or tried[0] < best[0]):
             best = tried
         if best is not None and problem.smooth:
             break
-    require(
-        best is not None,
-        "no approach leads to these rest positions: after {steps} steps the fit still moves", steps=MOST_STEPS,
-        code="undetermined", hint="look for a rest position, heading or drag that is wrong",
-    )  # fmt: skip
+    if best is None:
+        name, off = max(min(unsettled)[1], key=lambda one: abs(one[1]))
+        require(
+            False,
+            "no approach leads to these rest positions: at best the {name} is off by {off:2} standard deviations",
+            name=name, off=(abs(off), Ratio), code="undetermined",
+            hint="check the signs of that rest position, the approach headings and the drags",
+        )  # fmt: skip
     assert best is not None
     _, unknowns, moved, (count, inverse) = best
     residuals = problem.residuals(unknowns)
@@ -224,7 +228,10 @@ def solve_rest(problem: Problem) -> Fit:
     return fit
 
 
-def _settled(problem: Problem, unknowns: "list[float]") -> "tuple[float, list[float], float, Any] | None":
+def _settled(
+    problem: Problem, unknowns: "list[float]", unsettled: "list[tuple[float, list[tuple[str, float]]]]"
+) -> "tuple[float, list[float], float, Any] | None":
+    """Where the fit settles; otherwise none, with its last residuals among `unsettled`."""
     import numpy as np
 
     def values(numbers: "list[float]") -> "list[float]":
@@ -249,6 +256,7 @@ def _settled(problem: Problem, unknowns: "list[float]") -> "tuple[float, list[fl
             # as near as the differences can tell
             return size, unknowns, SETTLED, (count, inverse)
         unknowns, now = tried, residuals_there
+    unsettled.append((float(now @ now), problem.residuals(unknowns)))
     return None
 
 

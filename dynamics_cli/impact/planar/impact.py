@@ -36,7 +36,7 @@ from dynamics_cli.impact.planar.certificate import (
 )
 from dynamics_cli.impact.planar.laws import LAW, LAWS, Law, Meeting, Outcome, critical_ratio, outcome
 from dynamics_cli.impact.planar.results import Alternative, Critical, PlanarImpact, after_impact
-from dynamics_cli.numerics.elementary import absolute, hypot, where
+from dynamics_cli.numerics.elementary import absolute, hypot, maximum, sqrt, where
 from dynamics_cli.numerics.number import single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -50,6 +50,8 @@ from dynamics_cli.quantities import (
     RoadSpeed,
 )
 from dynamics_cli.records import Advice
+
+TURNED = "the normal points from the first body to the second: turn it by 180 degrees, or check the velocities"
 
 
 def planar(
@@ -196,7 +198,7 @@ def meeting_of(
             code="no-impact",
             hint="give --closing-speed if they do meet",
         )
-    require_approach(-approach)
+    require_approach(-approach, TURNED)
     k, arms = mobility(a, b, inward)
     compliance: float = 0.0
     for body in (a, b):
@@ -275,6 +277,9 @@ def _answer(
         energy_lost_tangential=solved.tangential_lost,
         energy_lost_moment=solved.moment_lost,
         conventions=conventions(axes, zero),
+        equivalent_barrier_speed=None
+        if a.mass is None or b.mass is not None
+        else sqrt(2.0 * maximum(lost, 0.0) / a.mass),
     )
 
 

@@ -105,6 +105,10 @@ class PlanarImpact:
     energy_lost_tangential: Annotated[Energy, "The part friction took [J]."]
     energy_lost_moment: Annotated[Energy | None, "The part the moment impulse took [J]."]
     conventions: Annotated[Conventions, "Axes, headings and the zero of PDOF."]
+    equivalent_barrier_speed: Annotated[
+        RoadSpeed | None,
+        "Of a vehicle against a fixed body: speed of a straight impact without rebound that loses as much [m/s].",
+    ] = None
     duration: Annotated[Time | None, "Time in contact, where its stiffness is given [s]."] = None
     peak_force: Annotated[Force | None, "Greatest normal force, where the stiffness is given [N]."] = None
     stronge: Annotated[Alternative | None, "The impact by Stronge's law, where all laws were requested."] = None

@@ -108,7 +108,8 @@ def momentum(
     answer = certified(answer, terms, check=solution.closure is None)
     if solution.condition is not None:
         judge_crossing(verdicts, solution.condition)
-    return MomentumResult(**{**answer.__dict__, "advice": verdict_advice(verdicts, solution.condition) + answer.advice})
+    advice = verdict_advice(unknown, verdicts, solution.condition) + answer.advice
+    return MomentumResult(**{**answer.__dict__, "advice": advice})
 
 
 def _require_energy_route(first: Vehicle, second: Vehicle, terms: list[Term]) -> None:
@@ -234,10 +235,11 @@ def _masses(first: Vehicle, second: Vehicle, gravity: float) -> Pair:
 def _terms(first: Vehicle, second: Vehicle, masses: Pair) -> list[Term]:
     terms = []
     for car, mass, name in zip((first, second), masses, ("the first", "the second"), strict=True):
-        terms.append(Term(1.0, mass, car.approach_speed, _heading(car.approach_speed, car.approach_heading), name))
+        heading = _heading(car.approach_speed, car.approach_heading)
+        terms.append(Term(1.0, mass, car.approach_speed, heading, name, car.name))
     for car, mass, name in zip((first, second), masses, ("the first", "the second"), strict=True):
         heading = _heading(car.exit_speed, car.exit_heading)
-        terms.append(Term(-1.0, mass, car.exit_speed, heading, name + " exit"))
+        terms.append(Term(-1.0, mass, car.exit_speed, heading, name + " exit", car.name))
     return terms
 
 

@@ -16,6 +16,7 @@ from dynamics_cli.impact.reconstruction.momentum_verdict import (
 )
 from dynamics_cli.numerics.elementary import absolute, cos, sin, where
 from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.road.drag import speed_advice
 from dynamics_cli.quantities import Energy, Fraction, Ratio, RoadSpeed
 from dynamics_cli.records import Advice, Check
 
@@ -59,7 +60,7 @@ def with_energy_verdicts(
         ]
         verdict = energy_verdict(term.speed, closing, effects)  # type: ignore[arg-type]
         most = max(abs(plain(effect)) for _, effect in effects) if single(closing) else 0.0
-        verdicts.append((term.name, most, verdict))
+        verdicts.append((term.called, most, verdict))
         sides[name] = Reconstructed(**{**getattr(answer, name).__dict__, "determined": verdict})
     (_, _, first), (_, _, second) = verdicts
     worst = where(first.tolerance <= second.tolerance, first.verdict, second.verdict)  # type: ignore[operator,arg-type]
@@ -104,7 +105,19 @@ def certified(answer: MomentumResult, terms: list[Term], *, check: bool, along: 
             "energy", changes, -answer.energy_lost, work + kinetic[0] + kinetic[1] + kinetic[2] + kinetic[3]
         )
     checks += not_above("no energy is gained", -answer.energy_lost, 0.0, work) if check else ()
-    return MomentumResult(**{**answer.__dict__, "checks": checks, "advice": _advice(answer, size)})
+    return MomentumResult(
+        **{**answer.__dict__, "checks": checks, "advice": _beyond_roads(answer, terms) + _advice(answer, size)}
+    )
+
+
+def _beyond_roads(answer: MomentumResult, terms: list[Term]) -> tuple[Advice, ...]:
+    """A caution for a speed that no vehicle has on a road."""
+    cautions: tuple[Advice, ...] = ()
+    for body, term in zip((answer.first, answer.second), terms, strict=False):
+        cautions += speed_advice(
+            body.approach_speed, f"a speed of {term.called}", "check the masses, the speeds after and their units"
+        )
+    return cautions
 
 
 def _straight(terms: list[Term]) -> bool:

@@ -24,14 +24,23 @@ class Branch(Choice):
 
 
 class Term:
-    """One momentum: sign in the equation, mass, speed and heading (None: unknown), and its name."""
+    """One momentum: sign in the equation, mass, speed and heading (None: unknown), name; the vehicle's own, if any."""
 
-    def __init__(self, sign: float, mass: float, speed: float | None, heading: float | None, name: str) -> None:
+    def __init__(
+        self, sign: float, mass: float, speed: float | None, heading: float | None, name: str, own: str | None = None
+    ) -> None:
         self.sign = sign
         self.mass = mass
         self.speed = speed
         self.heading = heading
         self.name = name
+        self.after = name.endswith(" exit")
+        self.vehicle = own or name.removesuffix(" exit")
+
+    @property
+    def called(self) -> str:
+        """What it is called in a sentence."""
+        return f"{self.vehicle} after the impact" if self.after else self.vehicle
 
     @property
     def heading_name(self) -> str:
@@ -111,8 +120,8 @@ def _two_sizes(first: Term, second: Term, rest: "Sequence[Term]") -> Solution:
     require(
         absolute(sine) > 1e-9,
         "{one} and {other} lie on one line: momentum cannot tell their speeds apart",
-        one=first.name,
-        other=second.name,
+        one=first.called,
+        other=second.called,
         code="collinear",
         hint="give the crush energies or equivalent speeds of both vehicles: the energy decides",
     )
@@ -155,7 +164,7 @@ def require_forward(forward: bool, term: Term, speed: float | None, hint: str = 
     require(
         forward,
         "the speed of {name} would be {speed}: it would have moved backwards",
-        name=term.name,
+        name=term.called,
         speed=(speed, RoadSpeed),
         code="backwards",
         hint=hint,
@@ -182,7 +191,7 @@ def _require_direction(x: float, y: float, term: Term) -> None:
     require(
         hypot(x, y) > 0.0,
         "{name} would have no momentum, hence no heading",
-        name=term.name,
+        name=term.called,
         code="no-heading",
         hint="give its heading",
     )
@@ -205,7 +214,7 @@ def _size_and_heading(sized: Term, turned: Term, rest: "Sequence[Term]", branch:
     require(
         reach >= absolute(across),
         "the momentum of {name}, {reach:6}, is too small to close the equation: {needed:6} are needed",
-        name=turned.name,
+        name=turned.called,
         reach=(reach, Impulse),
         needed=(absolute(across), Impulse),
         code="no-solution",
@@ -216,7 +225,7 @@ def _size_and_heading(sized: Term, turned: Term, rest: "Sequence[Term]", branch:
     require(
         (lower < 0.0) | (lower == upper) | (branch is not None),
         "two speeds of {name} close the equation, {lower:6} and {upper:6}",
-        name=sized.name,
+        name=sized.called,
         lower=(lower, RoadSpeed),
         upper=(upper, RoadSpeed),
         code="ambiguous",
@@ -247,7 +256,7 @@ def _two_headings(first: Term, second: Term, rest: "Sequence[Term]", branch: Bra
         "two mirrored pairs of headings close the equation",
         code="ambiguous",
         hint="choose with --branch left or --branch right: {name} to that side of the known momentum",
-        name=first.name,
+        name=first.called,
     )
     turn = acos(cosine)
     base = atan2(-first.sign * y, -first.sign * x)

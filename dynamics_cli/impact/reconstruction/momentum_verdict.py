@@ -53,6 +53,7 @@ class SpeedVerdict:
         "of the closing speed, where that is more), at most all.",
     ] = None
     worst_quantity: Annotated[Text | None, "The quantity."] = None
+    per_degree: Annotated[RoadSpeed | None, "What one degree of the worst heading changes the speed by [m/s]."] = None
 
 
 class Unknowns:
@@ -66,6 +67,14 @@ class Unknowns:
     def verdicts(self) -> "list[tuple[Term, SpeedVerdict]]":
         """The verdict of every speed that was not given, from derivatives of the solved equation."""
         return [(term, _verdict(term, *self._slopes(term))) for term in self.sizes]
+
+    def heading_in_words(self, address: str) -> str:
+        """A heading, known by its parameter name, as people call it."""
+        for term in self.terms:
+            if term.heading_name == address:
+                word = "exit" if term.after else "approach"
+                return f"the {word} heading of {term.vehicle}"
+        return address
 
     def _slopes(self, term: Term) -> "tuple[float, list[tuple[str, float]]]":
         """Derivatives of a speed by every heading given, times a common factor; the factor."""
@@ -95,7 +104,9 @@ def _verdict(term: Term, factor: float, slopes: "list[tuple[str, float]]") -> Sp
     tolerance = where(moves, minimum(tenth / where(moves, steepest, 1.0), HALF_TURN), HALF_TURN)
     plainly = plain(tolerance)
     level = where(plainly >= GOOD, LEVELS[2], where(plainly >= CAUTION, LEVELS[1], LEVELS[0]))  # type: ignore[arg-type]
-    return SpeedVerdict(level, tolerance, worst)  # type: ignore[arg-type]
+    whole = absolute(factor)
+    per_degree = where(whole > 0.0, DEGREE * steepest / where(whole > 0.0, whole, 1.0), 0.0)
+    return SpeedVerdict(level, tolerance, worst, per_degree=per_degree)  # type: ignore[arg-type]
 
 
 def worse(least: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
@@ -106,6 +117,7 @@ def worse(least: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
             where(lower, least.verdict, other.verdict),  # type: ignore[arg-type]
             where(lower, least.heading_tolerance, other.heading_tolerance),  # type: ignore[arg-type]
             where(lower, least.worst_heading, other.worst_heading),  # type: ignore[arg-type]
+            per_degree=where(lower, least.per_degree, other.per_degree),  # type: ignore[arg-type]
         )
     return least
 
@@ -117,8 +129,8 @@ def judge_crossing(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: f
         (condition <= ON_ONE_LINE) | (first.heading_tolerance >= CAUTION) | (second.heading_tolerance >= CAUTION),  # type: ignore[operator]
         "the directions of {one} and {other} are too close to one line: their angle condition is {kappa}, above "
         "12, and heading errors of {first:3} and {second:3} change the speeds by a tenth",
-        one=first_term.name,
-        other=second_term.name,
+        one=first_term.called,
+        other=second_term.called,
         kappa=(condition, Ratio),
         first=(first.heading_tolerance, Angle),
         second=(second.heading_tolerance, Angle),
@@ -127,16 +139,16 @@ def judge_crossing(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: f
     )
 
 
-def verdict_advice(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: float | None) -> tuple[Advice, ...]:
+def verdict_advice(
+    unknown: Unknowns, verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: float | None
+) -> tuple[Advice, ...]:
     """A caution for every speed that a few degrees change by a tenth, with the cause."""
     cautions: list[Advice] = []
     for term, verdict in verdicts:
         tolerance = plain(verdict.heading_tolerance)
         if not single(tolerance) or tolerance >= GOOD:
             continue
-        speed = plain(term.speed)
         bounded = tolerance > 0.0
-        change = 0.1 * speed * DEGREE / tolerance if bounded else 0.0
         undetermined = verdict.verdict == LEVELS[0]
         near = condition is not None and plain(condition) > NEAR_ONE_LINE
         cautions.append(
@@ -147,9 +159,9 @@ def verdict_advice(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: f
                     + " {name}: one degree of {heading} changes it "
                     + ("by {change:3}" if bounded else "without bound")
                     + ("; the paths are close to one line (angle condition {condition:3})" if near else ""),
-                    name=term.name,
-                    heading=verdict.worst_heading,
-                    change=(change, RoadSpeed),
+                    name=term.called,
+                    heading=unknown.heading_in_words(str(verdict.worst_heading)),
+                    change=(plain(verdict.per_degree), RoadSpeed),
                     condition=(condition, Ratio),
                 ),
                 severity="serious" if undetermined else "caution",

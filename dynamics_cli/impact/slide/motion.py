@@ -5,9 +5,10 @@ singular in time, moves to λ = ∞, and places converge as e^(-2λ). A wheel th
 car then turns, is an event of its own: from there on the deceleration is constant.
 """
 
-from dynamics_cli.errors import FaultError
+from dynamics_cli.errors import require
 from dynamics_cli.impact.slide.wheels import Car, State
 from dynamics_cli.numerics.elementary import cos, exp, hypot, sin, sqrt
+from dynamics_cli.quantities import Angle, AngularSpeed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -136,8 +137,11 @@ def _slid(
         state = State(y[X], y[X + 1], y[NOSE], scale * y[0], scale * y[1], scale * y[2] / k)
         passed[:] = y[PATH:]
         clock = y[TIME]
-        if done.steps >= MOST_STEPS:
-            raise FaultError(f"a slide takes more than {MOST_STEPS} steps")
+        require(
+            done.steps < MOST_STEPS, "the car still turns at {spin:3} after {turned:3}", code="too-long",
+            spin=(abs(state.spin), AngularSpeed), turned=(abs(state.nose - at.nose), Angle),
+            hint="cars turn at most once or twice a second: check the spin and its unit",
+        )  # fmt: skip
         if solver.status != "running":
             return state, clock, True
         standing = car.standing(state, STANDS, None)

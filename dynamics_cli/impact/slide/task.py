@@ -8,6 +8,7 @@ from dynamics_cli.impact.slide.motion import TOLERANCE, Run, run
 from dynamics_cli.impact.slide.records import AtRest, Ground, Separation, SlideResult, SlideRoot
 from dynamics_cli.impact.slide.wheels import NAMES, Car, State, Verge, Wheel
 from dynamics_cli.numerics.elementary import atan2, hypot
+from dynamics_cli.numerics.road.drag import friction_advice, speed_advice
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -141,7 +142,12 @@ def car_of(
         front_axle > 0.0 and rear_axle > 0.0, "the mass centre is not between the axles: {front} to the front and "
         "{rear} to the rear", front=(front_axle, Distance), rear=(rear_axle, Distance), code="no-wheelbase",
     )  # fmt: skip
-    require(gyration > 0.0, "the radius of gyration is not above zero", code="no-inertia")
+    longest = max(wheelbase, track)
+    require(
+        0.0 < gyration <= longest, "the radius of gyration of {gyration} is not between zero and {longest}, the longer "
+        "of wheelbase and track", gyration=(gyration, Distance), longest=(longest, Distance), code="no-inertia",
+        hint="of cars it is about half the wheelbase: check its unit",
+    )  # fmt: skip
     require(
         friction > 0.0 and all(one.friction > 0.0 for one in grounds),
         "a friction is zero: the car does not come to rest", code="no-friction",
@@ -225,7 +231,7 @@ def _answer(
             "1e-6 of the path"
         ),
         checks=(Check("work of the tyres", abs(taken / kinetic - 1.0) <= ENERGY, abs(taken / kinetic - 1.0), ENERGY),),
-        advice=_advice(bend, found),
+        advice=_typed(car, speed) + _advice(bend, found),
     )  # fmt: skip
 
 
@@ -236,6 +242,12 @@ def _roots(ways: "list[Root]", axes: Axes) -> "tuple[SlideRoot, ...]":
         course = atan2(x, y) if axes == "compass" else atan2(y, x)
         listed.append(SlideRoot(hypot(x, y), course, one.spin))
     return tuple(listed)
+
+
+def _typed(car: Car, speed: float) -> "tuple[Advice, ...]":
+    """Advice on friction and a speed that are most often slips of the pen."""
+    beyond = speed_advice(speed, "a speed at the separation", "check the speed, or the rest position and its unit")
+    return friction_advice(car.friction) + beyond
 
 
 def _advice(bend: float | None, found: "tuple[SlideRoot, ...]") -> "tuple[Advice, ...]":

@@ -3,13 +3,14 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, multiply_add, sqrt
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.quantities import DragFactor, Friction, Slope
+from dynamics_cli.quantities import DragFactor, Friction, RoadSpeed, Slope
 from dynamics_cli.records import Advice
 
 # Above this the square of a grade leaves the range of doubles.
 STEEPEST = 1e150
 STEEPEST_ROAD = 0.3
 HIGHEST_FRICTION = 1.5
+FASTEST = 300.0 / 3.6
 
 
 def level(grade: float) -> bool:
@@ -105,3 +106,11 @@ def grade_advice(grade: float, name: str = "grade") -> tuple[Advice, ...]:
         return ()
     message = worded("{name} of {grade} is steeper than roads are", name=name, grade=(grade, Slope))
     return (Advice(code="steep-grade", message=message, remedy="write 3 % for three percent"),)
+
+
+def speed_advice(speed: float, name: str, remedy: str) -> tuple[Advice, ...]:
+    """Advice when a speed is beyond any vehicle's on a road: most often a slip of a unit."""
+    if not single(speed) or not plain(speed) > FASTEST:
+        return ()
+    message = worded("{name} of {speed:5} is beyond nearly all vehicles on roads", name=name, speed=(speed, RoadSpeed))
+    return (Advice(code="high-speed", message=message, remedy=remedy),)

@@ -68,7 +68,9 @@ class Phase:
     ] = None
 
 
-def legs(phases: "tuple[Phase, ...]", gravity: float, *, start: "float | None", end: "float | None") -> "list[Leg]":
+def legs(
+    phases: "tuple[Phase, ...]", gravity: float, *, start: "float | None", end: "float | None", whose: str = ""
+) -> "list[Leg]":
     """The phases with all quantities, from the speed known at the start or at the end of all."""
     require(len(phases) > 0, "no phase is given", code="no-phase")
     if start is not None:
@@ -78,16 +80,18 @@ def legs(phases: "tuple[Phase, ...]", gravity: float, *, start: "float | None", 
         speed, order = end, range(len(phases) - 1, -1, -1)
     chain: list[Any] = [None] * len(phases)
     for index in order:
-        leg = _leg(phases, index, speed, gravity, forward=start is not None)
+        leg = _leg(phases, index, speed, gravity, whose, forward=start is not None)
         speed = leg.end if start is not None else leg.start
         chain[index] = leg
     return chain
 
 
-def _leg(phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, *, forward: bool) -> Leg:
+def _leg(phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, whose: str, *, forward: bool) -> Leg:
     """One phase, from the speed at its known side."""
     phase = phases[index]
-    name = f"phases[{index}]: " if len(phases) > 1 else ""
+    name = f"phase {index + 1}: " if len(phases) > 1 else ""
+    if whose:
+        name = f"{whose}, {name}" if name else f"{whose}: "
     require(
         phase.fade is None or phase.kind == "start-up", "{name}fade has no meaning in a phase of {kind}",
         code="surplus", hint="kind=start-up is the phase whose acceleration falls with the speed",
@@ -205,8 +209,8 @@ def _require_count(phase: Phase, words: "tuple[str, ...]", count: int, name: str
         len(present) == count, "{name}a phase of {kind} needs {wanted}, and {given} given",
         code="incomplete" if len(present) < count else "twice",
         name=name, kind=str(phase.kind),
-        wanted=("its " if len(words) == 1 else "one of ") + " and ".join(words),
-        given="none is" if not present else " and ".join(present) + (" are" if len(present) > 1 else " is"),
+        wanted=f"its {words[0]}" if len(words) == 1 else f"either {' or '.join(words)}",
+        given="neither is" if not present else "both are" if len(present) > 1 else f"{present[0]} is",
     )  # fmt: skip
 
 
@@ -225,6 +229,9 @@ def _uniform(speed: float, phase: Phase, rate: "float | None", name: str) -> "tu
         "{name}a phase of {kind} needs two of its duration, distance, speed and acceleration (or friction), "
         "and {given} given",
         code="incomplete" if len(present) < needed else "twice",
+        hint=f"give {' or '.join(_lacking(phase, present, rate))}"
+        if len(present) < needed
+        else "leave one of them out",
         name=name, kind=str(phase.kind),
         given=_and([*present, *rate_word]),
     )  # fmt: skip
@@ -280,6 +287,15 @@ def _by_two(
         )  # fmt: skip
     require(time > 0.0, "{name}a change of speed needs a time above zero", code="no-time", name=name)
     return other, time, way, (other - speed) / time
+
+
+def _lacking(phase: Phase, known: "list[str]", rate: "float | None") -> "list[str]":
+    """The quantities of a phase that are not given yet, as they are written."""
+    named = (("distance", "14 m"), ("duration", "1.2 s"), ("speed", "0 m/s"))
+    lacking = [f"{word}={value}" for word, value in named if word not in known]
+    if rate is None:
+        lacking[:0] = ["friction=0.7"] if phase.kind == "braking" else ["acceleration=2 m/s^2"]
+    return lacking
 
 
 def _crossing(way: float, speed: float, other: float, name: str) -> float:

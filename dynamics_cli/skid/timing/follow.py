@@ -90,7 +90,10 @@ def follow(
     """
     require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {steps} rows", code="steps", steps=steps)
     require(gap > 0.0, "a gap of {gap} leaves no distance to close", code="no-gap", gap=(gap, Length))
-    front, behind = (Course(motion_of(party, gravity), 0.0, 0.0) for party in (leader, follower))
+    front, behind = (
+        Course(motion_of(one, gravity, whose), 0.0, 0.0)
+        for one, whose in ((leader, "the leader"), (follower, "the follower"))
+    )
     last = max((motion.stretches[-1].origin for motion in (front, behind)), key=plain)
 
     def apart(first_poly: "list[float]", second_poly: "list[float]") -> "list[float]":

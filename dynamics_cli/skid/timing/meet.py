@@ -127,7 +127,7 @@ def meet(
     3.2857
     """
     require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {steps} rows", code="steps", steps=steps)
-    motions = [motion_of(party, gravity) for party in (first, second)]
+    motions = [motion_of(one, gravity, whose) for one, whose in ((first, "the first"), (second, "the second"))]
     courses = [course_to_impact(motion) for motion in motions]
     hazard = _sets_out(motions[1])
     distance, speed, _ = courses[0].at(-hazard)
@@ -178,13 +178,14 @@ def _beyond_tyres(needed: "float | None", gravity: float) -> "tuple[Advice, ...]
     return (Advice(code="beyond-tyres", message=message, severity="note"),)
 
 
-def motion_of(party: "Party | Obstruction", gravity: float) -> "list[Leg]":
-    """A party's phases with all their numbers."""
+def motion_of(party: "Party | Obstruction", gravity: float, whose: str) -> "list[Leg]":
+    """A party's phases with all their numbers; `whose` they are in a refusal."""
     given_quantity = party.known
     return legs(
         party.phases if isinstance(party.phases, tuple) else (party.phases,), gravity,
         start=given_quantity.start_speed if isinstance(given_quantity, StartSpeed) else None,
         end=given_quantity.end_speed if isinstance(given_quantity, EndSpeed) else None,
+        whose=getattr(party, "name", None) or whose,
     )  # fmt: skip
 
 

@@ -71,7 +71,7 @@ def meet(result: "Any", *, first: Party, second: Party, gravity: float = STANDAR
     places: list[Any] = []
     speeds: list[Any] = []
     for role, (party, name) in enumerate(((first, "first"), (second, "second"))):
-        motion = motion_of(party, gravity)
+        motion = motion_of(party, gravity, "")
         motion_course = course_to_impact(motion)
         states = [motion_course.at(-time) for time in times]
         places.append(Curve(times, [-gone for gone, _, _ in states], _named(party, name), role=role))
@@ -103,7 +103,7 @@ def follow(
     places: list[Any] = []
     speeds: list[Any] = []
     for role, (party, name, ahead) in enumerate(((leader, "leader", gap), (follower, "follower", 0.0))):
-        motion_course = Course(motion_of(party, gravity), 0.0, ahead)
+        motion_course = Course(motion_of(party, gravity, ""), 0.0, ahead)
         states = [motion_course.at(time) for time in times]
         places.append(Curve(times, [gone for gone, _, _ in states], _named(party, name), role=role))
         speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
@@ -131,7 +131,7 @@ def sight(
     corner, heading = (-corner_before, -corner_aside), 0.0
     if obstruction is not None:
         heading = obstruction.heading
-        shift = -course_to_impact(motion_of(obstruction, gravity)).at(-result.time_left)[0]
+        shift = -course_to_impact(motion_of(obstruction, gravity, "")).at(-result.time_left)[0]
         corner = (corner[0] - shift * math.cos(heading), corner[1] - shift * math.sin(heading))
     if obstruction is None and obstruction_length is None:
         x, y = [back, corner[0], corner[0], back], [corner[1], corner[1], -depth, -depth]

@@ -14,6 +14,7 @@ from dynamics_cli.quantities import (
     DragFactor,
     Fraction,
     Gravity,
+    Ratio,
     RoadSpeed,
     Time,
 )
@@ -130,19 +131,8 @@ def record_of(
     (21.5, 0.0)
     """
     count = len(speeds)
-    require(
-        count >= 2, "a record of {count} speeds has no interval", code="too-few", count=count, hint="give all of them"
-    )
-    require(interval > 0.0, "samples must be some time apart", code="no-time")
     oldest = interval if greatest_age is None else greatest_age
-    require(
-        oldest >= least_age, "the greatest age of {oldest} is less than the least of {least}", code="ages",
-        oldest=(oldest, Time), least=(least_age, Time),
-    )  # fmt: skip
-    require(
-        (greatest_slip >= least_slip) & (greatest_slip < 1.0), "slip cannot be from {least} to {greatest}",
-        code="slip", least=(least_slip, Fraction), greatest=(greatest_slip, Fraction),
-    )  # fmt: skip
+    _require_record(count, interval, (least_age, oldest), (least_slip, greatest_slip))
     changes = [(after - before) / interval for before, after in pairwise(speeds)]
     rows, distance = _rows(speeds, changes, interval, gravity)
     common = (count - 1) * interval * tolerance / sqrt(3.0 + 0.0 * tolerance)
@@ -177,8 +167,26 @@ def record_of(
         brake_latest=latest,
         speed_before_braking=before,
         intervals=tuple(rows),
-        advice=_advice(speeds, changes, brake_on, greatest_slip, gravity),
+        advice=_stops_early(speeds[-1], interval, least_age, oldest)
+        + _advice(speeds, changes, brake_on, greatest_slip, gravity),
     )
+
+
+def _require_record(count: int, interval: float, ages: "tuple[float, float]", slips: "tuple[float, float]") -> None:
+    """Refuse a record without an interval, and limits in the wrong order."""
+    require(
+        count >= 2, "a record needs at least two speeds, and {count} is given", code="too-few", count=count,
+        hint="write them in the order of time: --speeds '78, 77, 66 km/h'",
+    )  # fmt: skip
+    require(interval > 0.0, "samples must be some time apart", code="no-time", hint="leave the interval out for 0.5 s")
+    require(
+        ages[1] >= ages[0], "the greatest age of {oldest} is less than the least of {least}", code="ages",
+        oldest=(ages[1], Time), least=(ages[0], Time),
+    )  # fmt: skip
+    require(
+        (slips[1] >= slips[0]) & (slips[1] < 1.0), "slip cannot be from {least} to {greatest}", code="slip",
+        least=(slips[0], Fraction), greatest=(slips[1], Fraction), hint="the least first, both below 100 %",
+    )  # fmt: skip
 
 
 def _largest(values: "list[float]") -> float:
@@ -194,14 +202,14 @@ def _rows(
 ) -> "tuple[list[Interval], float]":
     """The table from the last sample back, and the whole distance."""
     rows = [Interval(0.0 * interval, speeds[-1], 0.0 * speeds[-1], None, None)]
-    travelled = 0.0 * speeds[-1]
+    way = 0.0 * speeds[-1]
     for index in range(len(speeds) - 2, -1, -1):
-        travelled = travelled + 0.5 * interval * (speeds[index] + speeds[index + 1])
+        way = way + 0.5 * interval * (speeds[index] + speeds[index + 1])
         slower = single(changes[index]) and plain(changes[index]) < 0.0
         drag = -changes[index] / gravity if slower else None
-        rows.append(Interval((len(speeds) - 1 - index) * interval, speeds[index], travelled, changes[index], drag))
+        rows.append(Interval((len(speeds) - 1 - index) * interval, speeds[index], way, changes[index], drag))
     rows.reverse()
-    return rows, travelled
+    return rows, way
 
 
 def _limits(
@@ -213,18 +221,30 @@ def _limits(
     more = less = 0.0 * distance
     reach = most * interval
     for before, after in pairwise(speeds):
-        change, speed_sum = after - before, before + after
+        change, both = after - before, before + after
         require(
             absolute(change) <= reach, "from {before} to {after} the record needs {needed}, and {most} is the most",
             code="jump", hint="a wheel that locked or spun is not the vehicle's speed",
             before=(before, RoadSpeed), after=(after, RoadSpeed), needed=(absolute(change) / interval, Acceleration),
             most=(most, Acceleration),
         )  # fmt: skip
-        extra = 0.25 * (reach * reach - change * change) / most
-        more = more + extra
-        stands = single(speed_sum, reach) and plain(speed_sum) < plain(reach)
-        less = less + (0.5 * interval * speed_sum - 0.5 * (before * before + after * after) / most if stands else extra)
+        room = 0.25 * (reach * reach - change * change) / most
+        more = more + room
+        stands = single(both, reach) and plain(both) < plain(reach)
+        less = less + (0.5 * interval * both - 0.5 * (before * before + after * after) / most if stands else room)
     return distance - less, distance + more
+
+
+def _stops_early(speed: float, interval: float, least_age: float, oldest: float) -> "tuple[Advice, ...]":
+    """A caution when the samples next to the event are missing."""
+    if not single(speed, interval, least_age, oldest) or plain(least_age) < plain(interval):
+        return ()
+    message = worded(
+        "the record stops {least} to {greatest} before the event, at {speed}: up to {way:3} of the way are not in it, "
+        "and the last deceleration is taken to go on",
+        least=(least_age, Time), greatest=(oldest, Time), speed=(speed, RoadSpeed), way=(speed * oldest, Distance),
+    )  # fmt: skip
+    return (Advice(code="stops-early", message=message, remedy="look for the samples that are missing"),)
 
 
 def _advice(
@@ -234,15 +254,16 @@ def _advice(
     if not single(*speeds, *changes, gravity, slip):
         return ()
     advice: list[Advice] = []
-    hardest = max(abs(plain(change)) for change in changes)
+    hardest, at = max((abs(plain(change)), index) for index, change in enumerate(changes))
     braked = max(-plain(change) for change in changes)
     if hardest > MOST_OF_TYRES * plain(gravity):
         advice.append(
             Advice(
                 code="wheel-locked",
                 message=worded(
-                    "a change of {hardest} is more than tyres give: a wheel locked or spun, so this is not the "
-                    "vehicle's speed", hardest=(hardest, Acceleration),
+                    "from {before} to {after} the record needs {drag:3} g, and tyres give about 1 g: a wheel locked "
+                    "or spun, so this is not the vehicle's speed", drag=(hardest / plain(gravity), Ratio),
+                    before=(speeds[at], RoadSpeed), after=(speeds[at + 1], RoadSpeed),
                 ),
                 severity="serious",
             )

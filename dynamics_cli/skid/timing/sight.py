@@ -119,8 +119,8 @@ def sight(
         code="no-crossing", crossing=(crossing, Angle),
     )  # fmt: skip
     across, along = sin(crossing), cos(crossing)
-    mover = None if obstruction is None else course_to_impact(motion_of(obstruction, gravity))
-    motions = [motion_of(party, gravity) for party in (first, second)]
+    mover = None if obstruction is None else course_to_impact(motion_of(obstruction, gravity, "the obstruction"))
+    motions = [motion_of(one, gravity, whose) for one, whose in ((first, "the first"), (second, "the second"))]
     first_course, second_course = (course_to_impact(motion) for motion in motions)
 
     start = max((summed(motion)[0].begins for motion in motions), key=plain)
