@@ -106,6 +106,7 @@ FAMILIES: "dict[str, Entry]" = {
         "dynamics_cli.balance.commands",
         GROUPS[5],
         "Balancing of rotors and engines, balance grades, flywheels.",
+        references=("rotor_balance.json",),
     ),
     "vibration": Entry(
         "dynamics_cli.vibration.commands",
@@ -118,6 +119,7 @@ FAMILIES: "dict[str, Entry]" = {
         "dynamics_cli.force.commands",
         GROUPS[5],
         "Forces: resultants, moments, reactions, springs, friction.",
+        references=("force_systems.json",),
     ),
     "energy": Entry(
         "dynamics_cli.energy.commands",

@@ -66,7 +66,9 @@ def _questions(name: str) -> "list[Question | Comparison]":
         derived = own.get((question.file, question.cases)) if isinstance(question, Question) else None
         if derived is None or not isinstance(question, Question):
             others.append(question)
-        elif any(method.chosen for method in question.methods):
+            continue
+        derived.scale = question.scale
+        if any(method.chosen for method in question.methods):
             derived.methods = question.methods
         else:
             derived.methods = (*derived.methods, *question.methods)

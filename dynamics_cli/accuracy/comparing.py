@@ -1,7 +1,7 @@
 """A comparison that is asked for: its cases, and a row for every method over them."""
 
 from dynamics_cli.accuracy.cases import Case, load
-from dynamics_cli.accuracy.measure import Errors, Pace, seconds
+from dynamics_cli.accuracy.measure import Errors, Pace, count, seconds
 from dynamics_cli.accuracy.rows import Row, row
 from dynamics_cli.errors import DynamicsError
 
@@ -9,6 +9,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
     from typing import Any
+
+    from dynamics_cli.accuracy.measure import Scale
 
     # Counts a method's answer to a case, the nth, and gives the call to be timed; None where the case is not asked.
     Answer = Callable[[Errors, Any, Any, int], Callable[[], Any] | None]
@@ -68,6 +70,22 @@ class Comparing:
             rows.append(row(self.name, name, errors, time, base, array_time=many, own=first, **options))
             first = (first or errors) if shared else None
         return rows
+
+    def results(
+        self,
+        methods: "Iterable[tuple[str, Any]]",
+        cases: "Sequence[Case]",
+        scale: "Scale | None" = None,
+        most: int = 20,
+    ) -> "list[Row]":
+        """A row for every method that prepares a case's call, which gives a record or results by address."""
+
+        def answer(errors: Errors, case: Case, prepare: "Any", index: int) -> "Callable[[], Any]":
+            call: Callable[[], Any] = prepare(case)
+            count(errors, case, index, call(), scale)
+            return call
+
+        return self.rows(methods, cases, answer, most=20, shared=True)
 
     def time(self, calls: "Sequence[Callable[[], Any]]", repeats: int = 0) -> "float | None":
         """The mean time of calls; None where no times are wanted."""

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
     from dynamics_cli.records import ErrorBound
 
+    # What the error of a result is a share of, from its address and the sizes of all results.
+    Scale = Callable[[str, dict[str, Decimal]], Decimal]
+
 # Enough digits that the subtraction of a double from a 40-digit reference is exact enough.
 DIGITS = Context(prec=60)
 SMALLEST_NORMAL = Decimal(2.0**-1022)
@@ -44,32 +47,30 @@ class Errors:
         # pieces needed, where all methods keep a tolerance
         self.entities: int | None = None
         # relative errors by case and result, so that methods can be compared over the same ones
-        self.found: dict[str, float] = {}
+        self.by_result: dict[str, float] = {}
 
     def add(self, where: str, value: float, text: str, bound: "float | None", key: str = "") -> None:
         """Count one result of one case; `key` tells it from that of another case of the same name."""
         reference = Decimal(text)
-        error = DIGITS.subtract(Decimal(value), reference).copy_abs()
-        slack = DIGITS.multiply(reference.copy_abs(), REFERENCE)
-        true = max(DIGITS.subtract(error, slack), Decimal(0))
+        error = _error(value, reference)
         near = float(reference)
         # Below the normal doubles a last bit is a large share of the number, and nobody's fault.
-        share = DIGITS.divide(true, max(reference.copy_abs(), SMALLEST_NORMAL)) if near else true
+        share = DIGITS.divide(error, max(reference.copy_abs(), SMALLEST_NORMAL)) if near else error
         relative = float(min(share, MOST))
         self.relative.append(relative)
-        self.found[key or where] = max(relative, self.found.get(key or where, 0.0))
-        if near or not true:
+        self.by_result[key or where] = max(relative, self.by_result.get(key or where, 0.0))
+        if near or not error:
             # beside zero there is no last place: what is left there is held against the bound
-            ulps = float(min(DIGITS.divide(true, Decimal(math.ulp(near))), MOST))
+            ulps = float(min(DIGITS.divide(error, Decimal(math.ulp(near))), MOST))
             self.ulps.append(ulps)
             if ulps > self.worst[1]:
                 self.worst, self.worst_reference = (where, ulps), near
         if bound is not None:
             self.bounded += 1
-            self.broken += Decimal(bound) < true
+            self.broken += Decimal(bound) < error
             # An answer that happens to be exact would make any bound infinitely loose; and what is left beside zero is
             # chance, of a processor's sines as much as of the method.
-            least = max(true, DIGITS.multiply(HALF_ULP, reference.copy_abs()))
+            least = max(error, DIGITS.multiply(HALF_ULP, reference.copy_abs()))
             if bound and near:
                 self.looseness.append(float(min(DIGITS.divide(Decimal(bound), max(least, SMALLEST)), MOST)))
 
@@ -88,9 +89,15 @@ class Errors:
                 self.looseness.append(float(min(Decimal(estimate) / max(Decimal(error), HALF_ULP), MOST)))
 
 
+def _error(value: float, reference: Decimal) -> Decimal:
+    """How far a value is off, but for the rounding of the reference itself."""
+    off = DIGITS.subtract(Decimal(value), reference).copy_abs()
+    return max(DIGITS.subtract(off, DIGITS.multiply(reference.copy_abs(), REFERENCE)), Decimal(0))
+
+
 def errors_of(
     function: "Callable[..., Any]", cases: "Sequence[Case]", groups: "Mapping[str, type]", *,
-    tracked: bool, foreign: bool = False,
+    tracked: bool, foreign: bool = False, scale: "Scale | None" = None,
 ) -> Errors:  # fmt: skip
     """The errors of a method over its cases; a `foreign` one, of another library, may fail in any way it likes."""
     refusals = Exception if foreign else (DynamicsError, ArithmeticError, ValueError)
@@ -114,20 +121,36 @@ def errors_of(
             from dynamics_cli.core.answering.tightening import tighten
 
             tighten(answer, list(leaves(case.inputs)), call)
-        results, stated = results_of(answer), stated_by(answer)
-        shown = {
-            name: float(getattr(results[name], "value", results[name])) for name in case.results if name in results
-        }
-        if not all(map(math.isfinite, shown.values())):
+        try:
+            count(errors, case, index, answer, scale, tracked=tracked)
+        except ArithmeticError:
             errors.refused += 1
-            continue
-        errors.cases += 1
-        for name, value in shown.items():
-            bound = getattr(results[name], "error", 0.0 if tracked else None)
-            if name in stated:
-                bound = stated[name].bound * (abs(value) if stated[name].relative else 1.0)
-            errors.add(f"{case.name}: {name}", value, case.results[name], bound, f"{index} {name}")
+        else:
+            errors.cases += 1
     return errors
+
+
+def count(
+    errors: Errors, case: Case, index: int, answer: "Any", scale: "Scale | None" = None, *, tracked: bool = False
+) -> None:
+    """Count the results of a case that an answer gives, with its bounds; with a `scale` errors are shares of that."""
+    results, stated = results_of(answer), stated_by(answer)
+    values = {name: float(getattr(results[name], "value", results[name])) for name in case.results if name in results}
+    if not values or not all(map(math.isfinite, values.values())):
+        raise ArithmeticError
+    sizes = {name: Decimal(text).copy_abs() for name, text in case.results.items()} if scale else {}
+    for name, value in values.items():
+        bound = getattr(results[name], "error", 0.0 if tracked else None)
+        if name in stated:
+            bound = stated[name].bound * (abs(value) if stated[name].relative else 1.0)
+        where, key, text = f"{case.name}: {name}", f"{index} {name}", case.results[name]
+        if scale is None:
+            errors.add(where, value, text, bound, key)
+            continue
+        size = scale(name, sizes)
+        share = float(DIGITS.divide(_error(value, Decimal(text)), size))
+        errors.note(where, share, None if bound is None else float(DIGITS.divide(Decimal(bound), size)))
+        errors.by_result[key] = errors.relative[-1]
 
 
 def results_of(answer: "Any") -> "dict[str, Any]":

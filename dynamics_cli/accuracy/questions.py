@@ -61,15 +61,32 @@ class Method:
 
 
 class Question:
-    """What is calculated, by which methods, against which cases: those of `file` whose task is `cases`."""
+    """What is calculated, by which methods, against which cases: those of `file` whose task is `cases`.
 
-    def __init__(self, family: str, task: str, name: str, file: str, cases: str, *methods: Method) -> None:
+    Errors are shares of each result, or of what the function named by `scale` says.
+    """
+
+    def __init__(
+        self, family: str, task: str, name: str, file: str, cases: str, *methods: Method, scale: str = ""
+    ) -> None:
         self.family = family
         self.task = task
         self.name = name
         self.file = file
         self.cases = cases
         self.methods = methods
+        self.scale = scale
+
+
+def textbooks(family: str, file: str, module: str, *rows: "tuple[str, ...]", scale: str = "") -> "tuple[Question, ...]":
+    """Alternatives to the tasks of a file of references: their cases, words, function, and the library it needs.
+
+    The program's own method joins them, and gives the question its name.
+    """
+    return tuple(
+        Question(family, "", "", file, cases, Method(words, module + function, needs="".join(needs)), scale=scale)
+        for cases, words, function, *needs in rows
+    )
 
 
 class Comparison:

@@ -227,13 +227,14 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
         return []
     methods = [method for method in question.methods if wanted.takes(method)] + wanted.peers_of(question.name)
     groups = catalogue.groups(question.family)
-    found = [
-        errors_of(method.call(), cases, groups, tracked=method.tracked, foreign=bool(method.needs))
+    scale = imported(question.scale) if question.scale else None
+    each = [
+        errors_of(method.call(), cases, groups, tracked=method.tracked, foreign=bool(method.needs), scale=scale)
         for method in methods
     ]
-    common = [case for index, case in enumerate(cases) if all(index in _answers(errors) for errors in found)]
+    common = [case for index, case in enumerate(cases) if all(index in _answers(errors) for errors in each)]
     rows: list[Row] = []
-    for method, errors in zip(methods, found, strict=True):
+    for method, errors in zip(methods, each, strict=True):
         time = base = many = None
         if wanted.timed and errors.cases:
             # times are of the same cases; where no case is everybody's, of those that this method answers
@@ -242,13 +243,13 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
             base = _base(methods[0], some, question, wanted) if rows and not common else rows[0].time if rows else time
             many = array_time(method.call(), cases, groups, wanted.pace) if method.arrays else None
         name = f"{method.name}{CHOSEN}" if method.chosen else method.name
-        rows.append(row(question.name, name, errors, time, base, array_time=many, own=found[0] if rows else None))
+        rows.append(row(question.name, name, errors, time, base, array_time=many, own=each[0] if rows else None))
     return rows
 
 
 def _answers(errors: "Errors") -> "set[int]":
     """Which of the cases a method has answered."""
-    return {int(where.partition(" ")[0]) for where in errors.found}
+    return {int(where.partition(" ")[0]) for where in errors.by_result}
 
 
 def _base(method: "Method", cases: "list[Case]", question: "Question", wanted: Asked) -> "float | None":

@@ -100,7 +100,9 @@ def row(
         median(errors.relative) if errors.relative else 0.0,
         max(errors.ulps) if errors.ulps else None,
         median(errors.ulps) if errors.ulps else None,
-        max((own.found[where] for where in errors.found if where in own.found), default=None) if own else None,
+        max((own.by_result[where] for where in errors.by_result if where in own.by_result), default=None)
+        if own
+        else None,
         measure,
         stated,
         errors.bounded,
@@ -117,9 +119,9 @@ def row(
 
 def _share(errors: "Errors", own: "Errors") -> "float | None":
     """The part of the chosen method's results that another gives, in the cases that it answers."""
-    cases = {where.partition(" ")[0] for where in errors.found}
-    whole = sum(where.partition(" ")[0] in cases for where in own.found)
-    return min(len(errors.found) / whole, 1.0) if whole else None
+    cases = {where.partition(" ")[0] for where in errors.by_result}
+    whole = sum(where.partition(" ")[0] in cases for where in own.by_result)
+    return min(len(errors.by_result) / whole, 1.0) if whole else None
 
 
 def finished(rows: "Sequence[Row]", family: str, task: str) -> "list[Row]":

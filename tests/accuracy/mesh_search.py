@@ -26,7 +26,7 @@ import numpy as np
 from climbing import Answer, Compared, Question, Tree, bits, main_of
 from precise import FUNCTIONS, Exact, exact_pi, gmpy2
 
-from dynamics_cli.accuracy.alternatives.inertia.mesh import NAMES, PAIRS, named
+from dynamics_cli.accuracy.alternatives.inertia.bodies import NAMES, PAIRS, named
 from dynamics_cli.accuracy.alternatives.inertia.solids import SOLIDS, single, turned
 from dynamics_cli.accuracy.cases import DATA
 from dynamics_cli.inertia.bodies.mass_moments import tensor_of
@@ -142,7 +142,8 @@ def ask(_: random.Random, tree: Tree) -> Iterator[Answer]:
         return
     lift = Lift(found, LengthUnit(tree["unit"]["word"]), 0)
     tensor = tensor_of(lift.second(1.0))
-    made = named(lift.measure(), lift.centroid(), tensor, lift.spread(1.0).moments, shell=shell)
+    made = named(lift.centroid(), tensor, lift.spread(1.0).moments)
+    made["area" if shell else "volume"] = lift.measure()
     with bits(BITS):
         wanted = exact(tree)
         noise = noise_of(tree, wanted)

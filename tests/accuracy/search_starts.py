@@ -14,13 +14,14 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "inertia"))
 
+import inertia_answers
 from references import impact_particles_tasks, skid_tasks
 from references.comparison import DATA, build, leaves
 
 from dynamics_cli import cli
 from dynamics_cli.accuracy import catalogue
-from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
 from dynamics_cli.core.answering.gather import gather
 from dynamics_cli.core.answering.models import call_model, choose
 from dynamics_cli.core.answering.task import Task
@@ -38,7 +39,6 @@ from dynamics_cli.gear.pair import records
 from dynamics_cli.gear.pair.shift_split import Tips
 from dynamics_cli.gear.single import cylindrical, trochoid
 from dynamics_cli.impact.planar.impact import planar
-from dynamics_cli.inertia.tensors.torque import torque
 from dynamics_cli.quantities import Kind
 
 
@@ -160,7 +160,7 @@ def of_call(task: str, label: str, function: Callable[..., Any], arguments: dict
     """The start that a function's arguments give."""
     numbers = list(doubles_of(arguments))
     kinds: list[Kind | None] = [None] * len(numbers)
-    if function.__module__ != inertia_bodies.__name__ and "return" in function.__annotations__:
+    if function.__module__ != inertia_answers.__name__ and "return" in function.__annotations__:
         nodes = {field.name: field.node for field in specification(function).fields}
         kinds = [kind for name, part in arguments.items() for kind in kinds_of(nodes[name], part)]
     return Start(task, label, numbers, kinds, lambda own: function(**with_numbers(arguments, iter(own))))
@@ -188,13 +188,6 @@ GEAR = {
 
 
 IMPACT = impact_particles_tasks.TASKS | {"planar": planar}
-INERTIA = {
-    "shape": inertia_bodies.shape,
-    "body": inertia_bodies.body,
-    "compare": inertia_bodies.both,
-    "tensor": inertia_bodies.tensor,
-    "torque": torque,
-}
 
 
 def _gear_cases() -> Iterator[Start]:
@@ -239,7 +232,9 @@ def _impact_cases() -> Iterator[Start]:
 def _inertia_cases() -> Iterator[Start]:
     for case in hard("inertia_bodies.json"):
         task = case["task"]
-        yield of_call(f"inertia {task}", case["name"], INERTIA[task], _arguments("inertia", case["inputs"]))
+        yield of_call(
+            f"inertia {task}", case["name"], inertia_answers.FUNCTIONS[task], _arguments("inertia", case["inputs"])
+        )
 
 
 def _arguments(family: str, tree: Any) -> dict[str, Any]:

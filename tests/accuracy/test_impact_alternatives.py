@@ -1,6 +1,7 @@
 """Impacts in the accuracy report: alternatives that answer what they claim to, hard cases with reasons, a peer."""
 
 import json
+from functools import partial
 from typing import Any
 
 import pytest
@@ -8,14 +9,11 @@ from harness import answer, run
 from peers.impact import bodies as more_impact_bodies
 from peers.impact import paths as more_impact_paths
 from peers.impact import space as more_impact_space
-from peers.impact.march import scipy
+from peers.impact.march import own, scipy
 
 from dynamics_cli.accuracy import catalogue
-from dynamics_cli.accuracy.alternatives.impact import bodies as impact_bodies
 from dynamics_cli.accuracy.alternatives.impact import paths as impact_paths
-from dynamics_cli.accuracy.alternatives.impact import space as impact_space
-from dynamics_cli.accuracy.alternatives.march import own
-from dynamics_cli.accuracy.alternatives.shares import Way, share
+from dynamics_cli.accuracy.alternatives.impact import reconstruction
 from dynamics_cli.accuracy.cases import DATA, Case, build, leaves, load
 from dynamics_cli.accuracy.measure import errors_of, stated_by
 from dynamics_cli.accuracy.questions import Question
@@ -32,8 +30,9 @@ def rows() -> list[dict[str, Any]]:
     return answer("accuracy", "impact", "--untimed")["results"]["methods"]
 
 
-def error(way: Way, case: Case, names: tuple[str, ...]) -> float:
-    return share(case, way.prepare(case)(), names)
+def error(prepare: Any, case: Case) -> float:
+    names = impact_paths.PLANE if case.task == "path" else impact_paths.SPACE
+    return impact_paths.share(case, prepare(case)(), names)
 
 
 def named(case: str, cases: list[Case]) -> Case:
@@ -121,55 +120,54 @@ class TestReport:
 
 class TestPaths:
     def test_the_textbook_is_right_where_slip_lasts_or_sticks_at_once(self) -> None:
-        textbook = next(one for one in impact_paths.WAYS if one.name.startswith("slides or sticks"))
-        right = [case.name for case in PATHS if error(textbook, case, impact_paths.NAMES) < 1e-14]
+        right = [case.name for case in PATHS if error(impact_paths.two_cases, case) < 1e-14]
         assert len(right) >= 20
         assert "slip turns round, newton" not in right
 
     @pytest.mark.parametrize("case", ["rod 1, stronge", "rod 1, newton", "rod 1, poisson", "sticks, newton"])
     def test_steps_err_as_their_length(self, case: str) -> None:
-        ways = (Way("", more_impact_paths.steps(count)) for count in (100, 1000))
-        coarse, fine = (error(way, named(case, PATHS), impact_paths.NAMES) for way in ways)
+        ways = (more_impact_paths.steps(count) for count in (100, 1000))
+        coarse, fine = (error(way, named(case, PATHS)) for way in ways)
         assert 1e-7 < fine < 0.01
         assert fine < 0.3 * coarse
 
     def test_steps_of_order_five_are_right_to_their_tolerance(self) -> None:
-        march = next(one for one in impact_paths.WAYS if one.name.startswith("Dormand"))
+        march = more_impact_paths.by_dormand_prince
         for law in ("stronge", "newton", "poisson"):
             for name in ("rod 1", "slip turns round", "sticks"):
-                assert error(march, named(f"{name}, {law}", PATHS), impact_paths.NAMES) < 1e-11
+                assert error(march, named(f"{name}, {law}", PATHS)) < 1e-11
 
     def test_a_spring_is_stronges_law(self) -> None:
-        spring = Way("", more_impact_paths.by_spring)
-        assert error(spring, named("rod 0, stronge", PATHS), impact_paths.NAMES) < 0.01
+        spring = more_impact_paths.by_spring
+        assert error(spring, named("rod 0, stronge", PATHS)) < 0.01
         with pytest.raises(ArithmeticError):
-            spring.prepare(named("rod 0, newton", PATHS))
+            spring(named("rod 0, newton", PATHS))
 
     def test_integration_with_events_is_right_to_its_tolerance(self) -> None:
         pytest.importorskip("scipy", reason="scipy is not installed")
-        integrated = Way("", more_impact_paths.by_scipy)
+        integrated = more_impact_paths.by_scipy
         for law in ("stronge", "newton", "poisson"):
             for name in ("rod 1", "slip turns round", "sticks"):
-                assert error(integrated, named(f"{name}, {law}", PATHS), impact_paths.NAMES) < 1e-9
+                assert error(integrated, named(f"{name}, {law}", PATHS)) < 1e-9
 
 
 class TestSpace:
     @pytest.mark.parametrize("name", ["random 3, stronge", "random 7, newton", "random 5, poisson", "elastic, stronge"])
     def test_runge_kutta_errs_with_the_fourth_power_of_its_step_while_slip_lasts(self, name: str) -> None:
         case = named(name, SPACE)
-        few, many = (Way("", more_impact_space.steps(more_impact_space._rk4, count)) for count in (20, 80))
-        ratio = error(few, case, impact_space.NAMES) / error(many, case, impact_space.NAMES)
+        few, many = (more_impact_space.steps(more_impact_space._rk4, count) for count in (20, 80))
+        ratio = error(few, case) / error(many, case)
         assert ratio == pytest.approx(256.0, rel=0.15)
 
     def test_euler_errs_with_its_step(self) -> None:
         case = named("random 0, stronge", SPACE)
-        few, many = (Way("", more_impact_space.steps(more_impact_space._euler, count)) for count in (100, 1000))
-        ratio = error(few, case, impact_space.NAMES) / error(many, case, impact_space.NAMES)
+        few, many = (more_impact_space.steps(more_impact_space._euler, count) for count in (100, 1000))
+        ratio = error(few, case) / error(many, case)
         assert 5.0 < ratio < 20.0
 
     def test_lower_orders_of_the_march_err_more(self) -> None:
         found = [
-            max(error(Way("", impact_space.taylor(order, 0.1353)), case, impact_space.NAMES) for case in SPACE[:12])
+            max(error(partial(impact_paths.taylor, order=order, stride=0.1353), case) for case in SPACE[:12])
             for order in (6, 10, 14, 24)
         ]
         assert found[0] > 100.0 * found[1] > 1e4 * found[2] > 1e5 * found[3]
@@ -177,13 +175,11 @@ class TestSpace:
     def test_dop853_is_right_to_its_tolerance(self) -> None:
         pytest.importorskip("scipy", reason="scipy is not installed")
         for case in (SPACE[0], named("slip stops and sticks, poisson", SPACE)):
-            assert error(Way("", impact_space.integrated(scipy("DOP853", 1e-12))), case, impact_space.NAMES) < 1e-8
+            assert error(more_impact_space.integrated(scipy("DOP853", 1e-12)), case) < 1e-8
 
     def test_steps_of_order_five_err_with_their_tolerance(self) -> None:
         for case in (SPACE[0], named("slip stops and sticks, poisson", SPACE)):
-            coarse, fine = (
-                error(Way("", impact_space.integrated(own(limit))), case, impact_space.NAMES) for limit in (1e-6, 1e-10)
-            )
+            coarse, fine = (error(more_impact_space.integrated(own(limit)), case) for limit in (1e-6, 1e-10))
             assert fine < 1e-8
             assert fine < coarse < 1e-4
 
@@ -191,7 +187,7 @@ class TestSpace:
 class TestMomentum:
     def test_all_methods_agree_where_nothing_is_small(self) -> None:
         cases = [case for case in load("impact_particles.json") if case.task == "approach" and not case.hard]
-        for function in (more_impact_bodies.by_matrix, impact_bodies.by_cramer, more_impact_bodies.by_elimination):
+        for function in (reconstruction.cross_products, reconstruction.by_cramer):
             errors = errors_of(function, cases, GROUPS, tracked=False)
             assert errors.cases == len(cases)
             assert max(errors.relative) < 1e-13

@@ -7,20 +7,19 @@ from typing import Any
 
 import pytest
 from harness import answer
+from inertia_answers import section
 from peers.inertia import mesh as more_inertia_mesh
 
 from dynamics_cli.accuracy import catalogue
-from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
 from dynamics_cli.accuracy.alternatives.inertia import mesh as inertia_mesh
-from dynamics_cli.accuracy.alternatives.inertia import sections as inertia_sections
 from dynamics_cli.accuracy.cases import Case, load
 
 FILES = ("eigen.json", "inertia_bodies.json", "inertia_mesh.json", "inertia_sections.json")
 CHOICES = (
-    "thin walls", "inertia body", "principal moments", "mesh moments", "shell moments", "inertia section",
+    "inertia shape", "inertia body", "principal moments", "mesh moments", "shell moments", "inertia section",
     "principal axes, by relative gap",
 )  # fmt: skip
-MESH_WAYS = [*(way.prepare for way in inertia_mesh.METHODS), more_inertia_mesh.once, more_inertia_mesh.by_faces]
+MESH_WAYS = [*(prepare for _, prepare in inertia_mesh.METHODS), more_inertia_mesh.once, more_inertia_mesh.by_faces]
 # Errors below this are of rounding: which of two is the smaller depends on the processor and the order of sums.
 ROUNDING = 1e-13
 
@@ -69,7 +68,7 @@ def test_hard_cases_say_what_makes_them_hard() -> None:
 
 @pytest.mark.parametrize("case", load("inertia_sections.json"), ids=lambda case: case.name)
 def test_bounds_of_sections_hold_and_are_within_reason(case: Case) -> None:
-    found = inertia_sections.exact(**inertia_bodies.arguments(case))
+    found = section(case)
     for name, text in case.results.items():
         error = abs(Decimal(found[name].value) - Decimal(text))
         bound = Decimal(found[name].error)

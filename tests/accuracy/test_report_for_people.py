@@ -125,7 +125,7 @@ class TestTable:
         errors = Errors()
         errors.add("a: x", 1.5, "1", None, "0 x")
         errors.add("a: x", 1.0, "1", None, "1 x")
-        assert errors.found == {"0 x": 0.5, "1 x": 0.0}
+        assert errors.by_result == {"0 x": 0.5, "1 x": 0.0}
         assert (errors.worst[0], errors.worst_reference) == ("a: x", 1.0)
 
     def test_alternatives_are_compared_over_their_own_results(self) -> None:

@@ -1,11 +1,9 @@
-"""The alternatives' own solvers: Brent's root, Newton for two unknowns, Dormand and Prince's steps with events."""
+"""The alternatives' own solvers: Brent's root, Dormand and Prince's steps with events."""
 
 import math
 
 import pytest
-from peers.solvers import newton_of_two
-
-from dynamics_cli.accuracy.alternatives.solvers import ERRORS, PLACES, SLOPES, WEIGHTS, brent, dormand_prince
+from peers.solvers import ERRORS, PLACES, SLOPES, WEIGHTS, brent, dormand_prince
 
 
 class TestBrent:
@@ -38,16 +36,6 @@ class TestBrent:
     def test_ends_of_one_sign_are_refused(self) -> None:
         with pytest.raises(ArithmeticError):
             brent(lambda x: x * x + 1.0, -1.0, 1.0)
-
-
-class TestNewton:
-    def test_two_unknowns(self) -> None:
-        x, y = newton_of_two(lambda x, y: (x * x + y * y - 4.0, x - y), 1.0, 2.0, (1.0, 1.0))
-        assert (x, y) == pytest.approx((math.sqrt(2.0), math.sqrt(2.0)), rel=1e-15)
-
-    def test_no_root_is_no_answer(self) -> None:
-        with pytest.raises(ArithmeticError):
-            newton_of_two(lambda x, y: (x * x + 1.0, y), 0.5, 0.5, (1.0, 1.0))
 
 
 class TestDormandPrince:

@@ -20,12 +20,11 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "references"))
 
 import generate_inertia_mesh_references as meshes
 import generate_inertia_sections_references as sections
+import inertia_answers
 import numpy as np
 from mpmath import mp, mpf, nstr
 
-from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
-from dynamics_cli.accuracy.alternatives.inertia import mesh as inertia_mesh
-from dynamics_cli.accuracy.alternatives.inertia import sections as inertia_sections
+from dynamics_cli.accuracy.alternatives.inertia.bodies import named
 from dynamics_cli.accuracy.cases import Case
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.inertia.bodies.mass_moments import tensor_of
@@ -61,7 +60,8 @@ def mesh(rng: random.Random) -> Iterator[Result]:
         require_closed(found, allowed=False)
     lift = Lift(found, LengthUnit("m"), 0)
     tensor = tensor_of(lift.second(1.0))
-    made = inertia_mesh.named(lift.measure(), lift.centroid(), tensor, lift.spread(1.0).moments, shell=shell)
+    made = named(lift.centroid(), tensor, lift.spread(1.0).moments)
+    made["area" if shell else "volume"] = lift.measure()
     # results that come to nothing come to the noise of these digits in the reference
     reach, most = float(np.abs(corners).max()), max(abs(float(text)) for name, text in true.items() if "." in name)
     for name, text in true.items():
@@ -89,7 +89,7 @@ def section(rng: random.Random) -> Iterator[Result]:
     # coordinates made in multiple precision are rounded before they are exact
     inputs = {key: [_plain(item) for item in items] for key, items in inputs.items()}
     case = Case({"task": "section", "kind": "hard", "name": "", "inputs": sections.written(inputs), "results": {}})
-    made = inertia_sections.exact(**inertia_bodies.arguments(case))
+    made = inertia_answers.section(case)
     mp.dps = 90
     for name, value in sections.results(inputs).items():
         yield name, nstr(value, 40) if abs(value) > mpf(10) ** -60 else "0.0", made[name]

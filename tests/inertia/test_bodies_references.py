@@ -5,23 +5,16 @@ from decimal import Decimal
 from functools import cache
 from typing import Any
 
+import inertia_answers
 import pytest
+from inertia_answers import FUNCTIONS
 from mpmath import mp, mpf, nstr
 
-from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
-from dynamics_cli.accuracy.alternatives.inertia.table import scale
+from dynamics_cli.accuracy.alternatives.inertia.bodies import scale
 from dynamics_cli.accuracy.cases import flat, load
-from dynamics_cli.inertia.tensors.torque import torque
 from dynamics_cli.numerics.tracked import Tracked
 
 CASES = load("inertia_bodies.json")
-FUNCTIONS: dict[str, Any] = {
-    "shape": inertia_bodies.shape,
-    "body": inertia_bodies.body,
-    "compare": inertia_bodies.both,
-    "tensor": inertia_bodies.tensor,
-    "torque": torque,
-}
 UNIT_ROUNDOFF = mpf(2) ** -53
 
 
@@ -31,9 +24,9 @@ def measured(index: int) -> list[tuple[str, Any, Any, Any]]:
     mp.dps = 60
     case = CASES[index]
     function = FUNCTIONS[case.task]
-    bare, tracked = flat(function(**inertia_bodies.arguments(case))), flat(inertia_bodies.bounded(case, function))
+    bare, tracked = flat(function(**inertia_answers.arguments(case))), flat(inertia_answers.bounded(case, function))
     if case.task == "compare":
-        tracked = inertia_bodies.both_stated(case)
+        tracked = inertia_answers.both_stated(case)
     found = []
     for address, text in case.results.items():
         own, plain = tracked[address], bare[address]

@@ -1,32 +1,23 @@
 """The second pass in many digits gives the reference's own digits of every shipped body: no constant is rounded."""
 
 from decimal import Decimal, localcontext
-from typing import Any
 
 import pytest
+from inertia_answers import FUNCTIONS, arguments
 
-from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
-from dynamics_cli.accuracy.cases import build, flat, leaves, load
+from dynamics_cli.accuracy.cases import flat, leaves, load
 from dynamics_cli.inertia.assembly.assembly import Assembly, body
 from dynamics_cli.inertia.assembly.parts import Part
 from dynamics_cli.inertia.bodies.amount import OfMass
 from dynamics_cli.inertia.bodies.principal import principal, principal_of_many_digits
 from dynamics_cli.inertia.bodies.properties import Axes
 from dynamics_cli.inertia.shapes.unit import PI
-from dynamics_cli.inertia.tensors.torque import torque
 from dynamics_cli.numerics import arcs
 from dynamics_cli.numerics.eigen3.jacobi_digits import eigen_of_many_digits
 from dynamics_cli.numerics.exact.constants import Constant
 from dynamics_cli.numerics.exact.many_digits import CONTEXT, ManyDigits, run
 
 CASES = load("inertia_bodies.json")
-FUNCTIONS: dict[str, Any] = {
-    "shape": inertia_bodies.shape,
-    "body": inertia_bodies.body,
-    "compare": inertia_bodies.both,
-    "tensor": inertia_bodies.tensor,
-    "torque": torque,
-}
 
 
 def many(*values: float) -> list[ManyDigits]:
@@ -39,7 +30,7 @@ def test_every_result_is_the_reference_to_its_digits(task: str) -> None:
     count = 0
     for case in (case for case in CASES if case.task == task):
         numbers = ManyDigits.inputs(leaves(case.inputs))
-        given = build(case.inputs, iter(numbers), inertia_bodies._groups())
+        given = arguments(case, numbers)
         found = flat(run(lambda given=given: FUNCTIONS[task](**given)))
         with localcontext(CONTEXT):
             largest = max(abs(Decimal(text)) for text in case.results.values())

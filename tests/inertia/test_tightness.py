@@ -9,18 +9,15 @@ from decimal import Decimal
 from typing import Any
 
 import pytest
+from inertia_answers import FUNCTIONS, arguments, section
 from mpmath import mp, mpf
 
-from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
-from dynamics_cli.accuracy.alternatives.inertia import eigen as inertia_eigen
-from dynamics_cli.accuracy.alternatives.inertia import mesh as inertia_mesh
-from dynamics_cli.accuracy.alternatives.inertia import sections as inertia_sections
-from dynamics_cli.accuracy.alternatives.inertia import table as inertia_table
-from dynamics_cli.accuracy.cases import build, flat, leaves, load
+from dynamics_cli.accuracy.alternatives.inertia import eigen, mesh
+from dynamics_cli.accuracy.alternatives.inertia.bodies import scale
+from dynamics_cli.accuracy.cases import flat, leaves, load
 from dynamics_cli.accuracy.comparing import Comparing
 from dynamics_cli.accuracy.measure import Errors
 from dynamics_cli.core.answering.tightening import tighten
-from dynamics_cli.inertia.tensors.torque import torque
 from dynamics_cli.numerics.tracked import Tracked
 
 ROOM = 100.0
@@ -35,7 +32,7 @@ def of_bodies(task: str) -> Callable[..., Any]:
             numbers = list(leaves(case.inputs))
 
             def call(given: Any, case: Any = case) -> Any:
-                return FUNCTIONS[task](**build(case.inputs, iter(given), inertia_bodies._groups()))
+                return FUNCTIONS[task](**arguments(case, given))
 
             answer = call(Tracked.inputs(numbers))
             tighten(answer, numbers, call)
@@ -52,20 +49,32 @@ def note(case: Any, found: dict[str, Any]) -> None:
     true = {name: mpf(text) for name, text in case.results.items()}
     sizes = {name: abs(Decimal(text)) for name, text in case.results.items()}
     for name, reference in true.items():
-        own, size = found[name], mpf(str(inertia_table.scale(name, sizes)))
+        own, size = found[name], mpf(str(scale(name, sizes)))
         error = abs(mpf(getattr(own, "value", own)) - reference) - abs(reference) * mpf(10) ** -39
         bound = getattr(own, "error", None)
         shares = float(max(error, mpf(0)) / size), None if bound is None else float(mpf(bound) / size)
         Errors().note(f"{case.name}: {name}", *shares)
 
 
-FUNCTIONS: dict[str, Callable[..., Any]] = {
-    "shape": inertia_bodies.shape,
-    "body": inertia_bodies.body,
-    "compare": inertia_bodies.both,
-    "tensor": inertia_bodies.tensor,
-    "torque": torque,
-}
+def of_sections(*_: Any, **__: Any) -> None:
+    for case in load("inertia_sections.json"):
+        note(case, section(case))
+
+
+def of_matrices(*_: Any, **__: Any) -> None:
+    for case in load("eigen.json"):
+        values = eigen.jacobi(rows=tuple(tuple(map(float, row)) for row in case.inputs["rows"]))
+        for name, own in values.items():
+            Errors().add(f"{case.name}: {name}", own.value, case.results[name], own.error)
+
+
+def of_meshes(name: str) -> Callable[..., Any]:
+    def compare(*_: Any, **__: Any) -> None:
+        mesh.compare(Comparing(name, hard=False, full=False, timed=False))
+
+    return compare
+
+
 # A question, and how many results of it carry a bound at least.
 QUESTIONS: list[tuple[str, Callable[..., Any], int]] = [
     ("shape", of_bodies("shape"), 1800),
@@ -73,12 +82,12 @@ QUESTIONS: list[tuple[str, Callable[..., Any], int]] = [
     ("compare", of_bodies("compare"), 300),
     ("tensor", of_bodies("tensor"), 60),
     ("torque", of_bodies("torque"), 25),
-    ("mesh", inertia_mesh.compare, 700),
-    ("large mesh", inertia_mesh.compare_large, 20),
-    ("overlapping mesh", inertia_mesh.compare_overlapping, 10),
-    ("shell", inertia_mesh.compare_shells, 130),
-    ("section", inertia_sections.compare, 850),
-    ("eigen", inertia_eigen.compare, 100),
+    ("mesh", of_meshes("mesh moments"), 700),
+    ("large mesh", of_meshes("mesh moments, 32,768 triangles"), 20),
+    ("overlapping mesh", of_meshes("mesh moments, faces that overlap"), 10),
+    ("shell", of_meshes("shell moments"), 130),
+    ("section", of_sections, 850),
+    ("eigen", of_matrices, 100),
 ]
 
 
@@ -102,7 +111,7 @@ def stated(compare: Callable[..., Any], patch: pytest.MonkeyPatch) -> list[tuple
     # the report's rows are of errors that it has noted
     patch.setattr("dynamics_cli.accuracy.comparing.row", lambda *_, **__: None)
     mp.dps = 60
-    compare(Comparing("", hard=False, full=False, timed=False))
+    compare()
     return kept
 
 

@@ -100,6 +100,18 @@ FILES: dict[str, Origin] = {
         "speeds and compressions by roots of polynomials, works by integrals, energies by pairs of bodies",
         "90 digits", "", ".",
     ),
+    "rotor_balance": Origin(
+        "balance", _same("static", "planes", "trial", "split", "grade", "engine", "lanchester", "flywheel"),
+        "unbalances as complex exponentials, corrections by linear equations of forces and moments, orders of engines "
+        "by means of the pistons' exact acceleration over a turn",
+        "90 digits", "", ".",
+    ),
+    "force_systems": Origin(
+        "force",
+        _same("resultant", "moment", "equivalent", "equilibrium", "spring", "gravity", "friction", "first_moment"),
+        "moments about a far point brought back, axes and reactions by linear equations, tips by moments about edges",
+        "90 digits", "", ".",
+    ),
     "spin": Origin(
         "spin", _same("gyro", "free", "top", "shaft", "rod", "disk"),
         "torques by products of vectors, periods by Legendre's integral, precession by roots of polynomials",

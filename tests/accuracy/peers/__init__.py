@@ -20,56 +20,25 @@ MESH_LIBRARIES = (
 DIFFERENCES = (Method("central differences of the lift", "peers.cam.laws:differences"),)
 
 
-def _single(name: str, words: str = "the same in 32 bits") -> Method:
-    return Method(words, f"peers.single:{name}")
-
-
 METHODS: dict[str, tuple[Method, ...]] = {
-    "coords, cartesian to cylindrical": (_single("cylindrical"),),
-    "coords, cartesian to spherical": (
-        _single("spherical"),
-        Method("asin(r/rho)", "peers.coords:arc_sine_spherical"),
-    ),
-    "coords, cylindrical to cartesian": (_single("cartesian_from_cylindrical"),),
-    "coords, cylindrical to spherical": (_single("spherical_from_cylindrical"),),
-    "coords, spherical to cartesian": (_single("cartesian_from_spherical"),),
-    "coords, spherical to cylindrical": (_single("cylindrical_from_spherical"),),
-    **{f"skid {task}": (_single(task),) for task in ("speed", "distance", "friction", "stop", "yaw", "avoid")},
-    "skid drag-factor": (_single("drag_factor"),),
-    "skid throw, Searle's throw": (_single("pedestrian"),),
-    "skid vault, known take-off angle": (_single("vault"),),
+    "coords, cartesian to spherical": (Method("asin(r/rho)", "peers.coords:arc_sine_spherical"),),
     "skid vault, least speed over all angles": (
-        _single("least_vault"),
         Method("golden sections over the angle", "peers.skid.flights:least_vault_by_search"),
     ),
-    "skid spin": (_single("spin"), Method("mean sine by degrees", "peers.skid.roads:spin_by_degrees")),
-    "impact central": (Method("2×2 system, numpy.linalg.solve", "peers.impact.lines:central_by_matrix"),),
-    "impact oblique": (Method("4×4 system, numpy.linalg.solve", "peers.impact.oblique:by_matrix"),),
+    "skid spin": (Method("mean sine by degrees", "peers.skid.roads:spin_by_degrees"),),
     "impact drop": (Method("bounce by bounce until it rests", "peers.impact.lines:drop_by_bounces"),),
-    "impact pendulum": (Method("swing by Dormand–Prince steps, 2×2 system", "peers.impact.lines:pendulum_by_swing"),),
-    "impact seize": (Method("bodies and constraints as one system, LAPACK", "peers.impact.held:seize_by_matrix"),),
-    "impact step": (Method("3×3 system, Brent's method", "peers.impact.held:step_by_equations"),),
-    "impact chain": (Method("2×2 systems, 400 sweeps of Gauss–Seidel", "peers.impact.chain:by_sweeps"),),
-    "impact momentum, momentum in the plane": (Method("Newton on both components", "peers.impact.momentum:by_solver"),),
-    "impact momentum, collinear momentum and energy": (
-        Method("Newton on momentum and energy", "peers.impact.momentum:energy_by_solver"),
-    ),
-    "impact crush": (
-        Method("50 strips from station to station", "peers.impact.damage:crush_by_strips"),
-        Method("mean depth squared", "peers.impact.damage:crush_by_mean"),
-    ),
-    "impact yaw-inertia": (_single("yaw_inertia"),),
-    "momentum, speeds before": (
-        Method("2×2 system, numpy.linalg.solve", "peers.impact.bodies:by_matrix"),
-        Method("2×2 system, elimination by hand", "peers.impact.bodies:by_elimination"),
-    ),
+    "impact chain": (Method("all at once by 400 sweeps of Gauss–Seidel", "peers.impact.chain:by_sweeps"),),
+    "impact crush": (Method("mean depth squared", "peers.impact.damage:crush_by_mean"),),
     "impact planar": (
         Method("the same velocities, then differences", "peers.impact.bodies:planar"),
+        Method("Dormand–Prince along the impulse", "peers.impact.rigid:planar"),
         Method("pycrash, Kudlich–Slibar without spin before", "peers.impact.bodies:planar_by_pycrash", needs="pycrash"),
     ),
+    "impact spatial": (Method("Dormand–Prince along the impulse, 1e-10", "peers.impact.rigid:spatial"),),
     "planar path, by its impulse": (
         Method("100 steps of normal impulse", "peers.impact.paths:hundred_steps"),
         Method("1,000 steps of normal impulse", "peers.impact.paths:thousand_steps"),
+        Method("Dormand–Prince 5(4) to 1e-12, events by Brent", "peers.impact.paths:by_dormand_prince"),
         Method("spring and smoothed friction, RK4", "peers.impact.paths:by_spring"),
         Method("scipy solve_ivp with events", "peers.impact.paths:by_scipy", needs="scipy"),
     ),
@@ -77,13 +46,13 @@ METHODS: dict[str, tuple[Method, ...]] = {
         Method("Taylor of order 16", "peers.impact.space:order_16"),
         Method("Taylor of order 10", "peers.impact.space:order_10"),
         Method("Taylor of order 24, strides of half the radius", "peers.impact.space:long_strides"),
+        Method("Dormand–Prince 5(4), 1e-10", "peers.impact.space:fine_steps"),
         Method("Dormand–Prince 5(4), 1e-6", "peers.impact.space:coarse_steps"),
         Method("RK4, 40 steps", "peers.impact.space:rk4_40"),
         Method("RK4, 10 steps", "peers.impact.space:rk4_10"),
         Method("scipy DOP853, 1e-12", "peers.impact.space:by_scipy", needs="scipy"),
     ),
     "inertia shape": (Method("Gauss quadrature, 2 to 32 nodes each way", "peers.inertia.quadrature:shape"),),
-    "thin walls": (Method("the wall as a surface", "peers.inertia.walls:as_surface"),),
     "mesh moments": MESHES + MESH_LIBRARIES,
     "mesh moments, 32,768 triangles": MESHES + MESH_LIBRARIES,
     "mesh moments, faces that overlap": MESHES,
@@ -117,14 +86,8 @@ METHODS: dict[str, tuple[Method, ...]] = {
         Method(SIX, "peers.gear.book:pair_by_table"),
         Method("py_gearworks, distance only", "peers.gear.geometry:pair_by_py_gearworks", needs="py_gearworks"),
     ),
-    "gear bevel": (
-        Method("Brent on z₁·sin δ₂ = z₂·sin δ₁", "peers.gear.sizes:bevel_by_brent"),
-        _single("bevel", "the textbook's in 32 bits"),
-    ),
-    "gear worm": (
-        Method("tangents of angles added", "peers.gear.sizes:worm_by_angles"),
-        _single("worm", "the textbook's in 32 bits"),
-    ),
+    "gear bevel": (Method("Brent on z₁·sin δ₂ = z₂·sin δ₁", "peers.gear.sizes:bevel_by_brent"),),
+    "gear worm": (Method("tangents of angles added", "peers.gear.sizes:worm_by_angles"),),
     "gear crossed": (Method("the same by Brent", "peers.gear.sizes:crossed_by_brent"),),
     "gear measure": (Method("the same by Brent", "peers.gear.measure:by_brent"),),
     "gear mesh": (Method("distances between points, external only", "peers.gear.meshes:mesh_by_polygons"),),

@@ -1,6 +1,7 @@
-"""Impacts on a line as textbooks print them: central impact, bounces, the ballistic pendulum, a chain of bodies."""
+"""Central impacts, bounces, pendulums, bodies held and chains as textbooks print them: energies as differences."""
 
-from math import cos, sqrt
+from itertools import pairwise
+from math import acos, cos, sin, sqrt
 
 from dynamics_cli.accuracy.alternatives.impact.plane import mass_of
 
@@ -8,53 +9,38 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    # Velocities after, impulses between neighbours, collisions or rounds.
+    Answer = tuple[list[float], list[float], int]
 
-def _speeds(first: "Any", second: "Any", closing: "float | None") -> "tuple[float, float]":
-    """Velocities before; the one that is missing from the closing speed."""
-    v1, v2 = first.velocity, second.velocity
-    if closing is not None and v2 is None:
-        return v1 or 0.0, (v1 or 0.0) - closing
-    if closing is not None and v1 is None:
-        return v2 + closing, v2
-    return v1 or 0.0, v2 or 0.0
-
-
-def _central(
-    masses: "tuple[float, float | None]", before: "tuple[float, float]", after: "tuple[float, float]"
-) -> "dict[str, float]":
-    """ΔV, impulse and energies as differences of what was before and after."""
-    (m1, m2), (v1, v2), (w1, w2) = masses, before, after
-    gain = 0.5 * m1 * w1 * w1 - 0.5 * m1 * v1 * v1
-    results = {
-        "first.velocity": w1, "second.velocity": w2, "first.delta_v": w1 - v1, "second.delta_v": w2 - v2,
-        "first.energy_change": gain, "first.mass": m1, "impulse": m1 * v1 - m1 * w1,
-        "closing_speed": v1 - v2, "separation_speed": w2 - w1,
-    }  # fmt: skip
-    if m2 is None:
-        return results | {"reduced_mass": m1, "common_velocity": v2, "compression_impulse": m1 * (v1 - v2)}
-    common, reduced = (m1 * v1 + m2 * v2) / (m1 + m2), m1 * m2 / (m1 + m2)
-    more = 0.5 * m2 * w2 * w2 - 0.5 * m2 * v2 * v2
-    lost = -gain - more
-    return results | {
-        "second.energy_change": more, "second.mass": m2, "energy_lost": lost,
-        "share_lost": lost / (0.5 * reduced * (v1 - v2) * (v1 - v2)), "reduced_mass": reduced,
-        "common_velocity": common, "compression_impulse": m1 * v1 - m1 * common,
-    }  # fmt: skip
+# Closing speeds below this share of the greatest are rounding; a chain that needs more collisions is given up.
+NOTHING, MOST = 1e-12, 20_000
 
 
 def central(
-    *, first: "Any", second: "Any", contact: "Any", gravity: float, closing_speed: "float | None" = None,
-    force: "Any" = None,
-) -> "dict[str, float]":  # fmt: skip
+    *, first: "Any", second: "Any", contact: "Any", gravity: float, closing_speed: "float | None" = None, **_: "Any"
+) -> "dict[str, float]":
     """V₁' = (m₁v₁ + m₂v₂ − m₂e(v₁ − v₂))/(m₁ + m₂), likewise v₂'; ΔV, impulse and loss as differences."""
     m1, m2, e = mass_of(first.bulk, gravity), mass_of(second.bulk, gravity), contact.restitution
     assert m1 is not None
-    v1, v2 = _speeds(first, second, closing_speed)
-    if m2 is None:
-        return _central((m1, m2), (v1, v2), (v2 - e * (v1 - v2), v2))
-    w1 = (m1 * v1 + m2 * v2 - m2 * e * (v1 - v2)) / (m1 + m2)
-    w2 = (m1 * v1 + m2 * v2 + m1 * e * (v1 - v2)) / (m1 + m2)
-    return _central((m1, m2), (v1, v2), (w1, w2))
+    v1, v2 = first.velocity, second.velocity
+    if closing_speed is not None:
+        v1, v2 = (v2 + closing_speed, v2) if v1 is None and v2 is not None else (v1 or 0.0, (v1 or 0.0) - closing_speed)
+    v1, v2 = v1 or 0.0, v2 or 0.0
+    w1, w2 = v2 - e * (v1 - v2), v2
+    if m2 is not None:
+        w1 = (m1 * v1 + m2 * v2 - m2 * e * (v1 - v2)) / (m1 + m2)
+        w2 = (m1 * v1 + m2 * v2 + m1 * e * (v1 - v2)) / (m1 + m2)
+    gain = 0.5 * m1 * w1 * w1 - 0.5 * m1 * v1 * v1
+    results = {
+        "first.velocity": w1, "second.velocity": w2, "first.delta_v": w1 - v1, "second.delta_v": w2 - v2,
+        "first.energy_change": gain, "impulse": m1 * v1 - m1 * w1, "separation_speed": w2 - w1,
+    }  # fmt: skip
+    if m2 is not None:
+        more = 0.5 * m2 * w2 * w2 - 0.5 * m2 * v2 * v2
+        before = 0.5 * m1 * m2 / (m1 + m2) * (v1 - v2) ** 2
+        lost = -gain - more
+        results |= {"second.energy_change": more, "energy_lost": lost, "share_lost": lost / before}
+    return results
 
 
 def _restitution(evidence: "Any", height: "float | None", gravity: float) -> "tuple[float, float]":
@@ -77,60 +63,178 @@ def drop(
     """Hₙ = h·e²ⁿ, T = t₀·(1 + e)/(1 − e), S = h·(1 + e²)/(1 − e²) as printed: digits go as e comes near one."""
     e, h = _restitution(evidence, height, gravity)
     fall, speed = sqrt(2.0 * h / gravity), sqrt(2.0 * gravity * h)
-    results = {
-        "restitution": e, "drop_height": h, "impact_speed": speed, "fall_time": fall, "share_lost": 1.0 - e**2,
-    }  # fmt: skip
+    results = {"restitution": e, "drop_height": h, "impact_speed": speed, "fall_time": fall, "share_lost": 1.0 - e**2}
     if e < 1.0:
         results |= {"time_to_rest": fall * (1.0 + e) / (1.0 - e), "way_to_rest": h * (1.0 + e**2) / (1.0 - e**2)}
     if mass is not None:
         results["energy_lost"] = mass * gravity * h - mass * gravity * h * e**2
     for n in range(bounces):
-        results |= {
-            f"bounces[{n}].number": n + 1.0,
-            # t₀·(1 + 2e + … + 2eⁿ)
-            f"bounces[{n}].time": fall * (1.0 + 2.0 * sum(e**k for k in range(1, n + 1))),
-            f"bounces[{n}].impact_speed": speed * e**n,
-            f"bounces[{n}].rebound_speed": speed * e ** (n + 1),
-            f"bounces[{n}].height": h * e ** (2 * n + 2),
-            f"bounces[{n}].flight_time": 2.0 * speed * e ** (n + 1) / gravity,
-        }
+        # t₀·(1 + 2e + … + 2eⁿ)
+        results[f"bounces[{n}].time"] = fall * (1.0 + 2.0 * sum(e**k for k in range(1, n + 1)))
+        results[f"bounces[{n}].rebound_speed"] = speed * e ** (n + 1)
+        results[f"bounces[{n}].height"] = h * e ** (2 * n + 2)
     return results
-
-
-def _rise(swing: "Any") -> float:
-    """H = L·(1 − cos θ), or L − √(L² − x²): digits go as the swing becomes small."""
-    if hasattr(swing, "rise") and not hasattr(swing, "length"):
-        return float(swing.rise)
-    if hasattr(swing, "travel"):
-        return float(swing.length - sqrt(swing.length**2 - swing.travel**2))
-    return float(swing.length * (1.0 - cos(swing.swing)))
-
-
-def _shot(m: float, effective: float, v: float, w: float, u: float, rise: float) -> "dict[str, float]":
-    """Impulse and loss as differences of momenta and energies: v before, w of the shot after, u of what was struck."""
-    before = 0.5 * m * v * v
-    lost = before - 0.5 * m * w * w - 0.5 * effective * u * u
-    return {
-        "speed": v, "shot_speed_after": w, "pendulum_speed": u, "rise": rise, "effective_mass": effective,
-        "impulse": m * v - m * w, "energy_before": before, "energy_lost": lost, "share_lost": lost / before,
-    }  # fmt: skip
 
 
 def pendulum(*, shot_mass: float, block: "Any", swing: "Any", restitution: float, gravity: float) -> "dict[str, float]":
     """V = (m + M)/((1 + e)·m)·√(2·g·L·(1 − cos θ)); hinged: ½·I·ω² = (M·d + m·b)·g·(1 − cos θ)."""
     mass = mass_of(block.bulk, gravity)
     assert mass is not None
-    if not hasattr(swing, "inertia"):
-        rise = _rise(swing)
+    effective, results = mass, {}
+    if hasattr(swing, "inertia"):
+        arm, along = swing.impact_distance, shot_mass if restitution == 0.0 else 0.0
+        lift, inertia = mass * swing.centre_distance + along * arm, swing.inertia + along * arm**2
+        spin = sqrt(2.0 * lift * gravity * (1.0 - cos(swing.swing)) / inertia)
+        rise, u, effective = lift / (mass + along) * (1.0 - cos(swing.swing)), arm * spin, swing.inertia / arm**2
+        results["angular_velocity"] = spin
+    else:
+        # digits go as the swing becomes small
+        if hasattr(swing, "travel"):
+            rise = swing.length - sqrt(swing.length**2 - swing.travel**2)
+        else:
+            rise = swing.length * (1.0 - cos(swing.swing)) if hasattr(swing, "length") else swing.rise
         u = sqrt(2.0 * gravity * rise)
-        v = (shot_mass + mass) / ((1.0 + restitution) * shot_mass) * u
-        return _shot(shot_mass, mass, v, u - restitution * v, u, rise)
-    arm, along = swing.impact_distance, shot_mass if restitution == 0.0 else 0.0
-    lift, inertia = mass * swing.centre_distance + along * arm, swing.inertia + along * arm**2
-    spin = sqrt(2.0 * lift * gravity * (1.0 - cos(swing.swing)) / inertia)
-    effective, u = swing.inertia / arm**2, arm * spin
     v = (shot_mass + effective) / ((1.0 + restitution) * shot_mass) * u
-    rise = lift / (mass + along) * (1.0 - cos(swing.swing))
-    results = _shot(shot_mass, effective, v, u - restitution * v, u, rise)
-    hinge = results["impulse"] - mass * swing.centre_distance * spin
-    return results | {"angular_velocity": spin, "hinge_impulse": hinge}
+    w = u - restitution * v
+    before = 0.5 * shot_mass * v * v
+    lost = before - 0.5 * shot_mass * w * w - 0.5 * effective * u * u
+    return results | {
+        "speed": v, "shot_speed_after": w, "pendulum_speed": u, "rise": rise, "impulse": shot_mass * (v - w),
+        "energy_before": before, "energy_lost": lost, "share_lost": lost / before,
+    }  # fmt: skip
+
+
+def seize(*, body: "Any") -> "dict[str, float]":
+    """I_O = I_G + m·(r²·1 − r·rᵀ), H_O = I_G·ω − r × m·v; ω' = I_O⁻¹·H_O, of an axis a·(a·H_O)/(a·I_O·a)."""
+    import numpy as np
+
+    if hasattr(body, "plate_mass"):
+        # axes along the plate's edges
+        mass, half, edge = body.plate_mass, 0.5 * body.side, body.seized == "edge"
+        inertia = np.diag([1.0, 1.0, 2.0]) * mass * body.side**2 / 12.0
+        turning, velocity = np.array([body.spin, body.spin, 0.0]) / sqrt(2.0), np.zeros(3)
+        point, axis = np.array([0.0 if edge else half, -half, 0.0]), (1.0, 0.0, 0.0) if edge else None
+    else:
+        mass, inertia, axis = body.mass, np.array(body.inertia), body.axis
+        turning, velocity, point = (np.array(v) for v in (body.angular_velocity, body.velocity, body.point))
+    about = inertia + mass * (point @ point * np.eye(3) - np.outer(point, point))
+    momentum = inertia @ turning - np.cross(point, mass * velocity)
+    if axis is None:
+        spin = np.linalg.inv(about) @ momentum
+    else:
+        way = np.array(axis)
+        spin = way * (way @ momentum) / (way @ about @ way)
+    new = np.cross(spin, -point)
+    before, after = (float(0.5 * w @ inertia @ w + 0.5 * mass * v @ v) for w, v in ((turning, velocity), (spin, new)))
+    vectors = {"angular_velocity": spin, "centre_velocity": new, "impulse": mass * new - mass * velocity}
+    results = {
+        "angular_speed": float(np.linalg.norm(spin)), "impulse_size": float(np.linalg.norm(vectors["impulse"])),
+        "energy_before": before, "energy_after": after, "energy_lost": before - after, "energy_ratio": after / before,
+    }  # fmt: skip
+    if any(turning):
+        results["angular_ratio"] = results["angular_speed"] / float(np.linalg.norm(turning))
+    return results | {f"{name}[{k}]": float(x) for name, vector in vectors.items() for k, x in enumerate(vector)}
+
+
+def step(
+    *, radius: float, height: float, wheel: "Any", gravity: float, speed: "float | None" = None,
+    mass: "float | None" = None,
+) -> "dict[str, float]":  # fmt: skip
+    """Ω'/ω = (I + m·r·(r − h))/(I + m·r²), v = √(2·g·h·I_O/m)·r/(…); losses as differences of energies.
+
+    Impulses as differences of momenta, with the edge seen under cos φ = (r − h)/r.
+    """
+    inertia = wheel.inertia_factor * radius**2 if hasattr(wheel, "inertia_factor") else wheel.axle_inertia / mass
+    about = inertia + radius**2
+    kept = (inertia + radius * (radius - height)) / about
+    results = {
+        "angular_ratio": kept, "share_lost": 1.0 - kept**2,
+        "least_speed": sqrt(2.0 * gravity * height / about) * radius / kept,
+        "leaves_edge_speed": sqrt(gravity * (radius - height)) / kept,
+    }  # fmt: skip
+    if speed is None:
+        return results
+    spin, after = speed / radius, kept * speed / radius
+    energy = 0.5 * about * after**2
+    left = energy - gravity * height
+    results |= {
+        "angular_velocity_after": after, "centre_speed_after": after * radius,
+        "speed_on_step": radius * sqrt(2.0 * left / about) if left >= 0.0 else 0.0,
+        "greatest_rise": 0.0 if left >= 0.0 else energy / gravity,
+    }  # fmt: skip
+    if mass is not None:
+        angle = acos((radius - height) / radius)
+        results |= {
+            "energy_lost": mass * (0.5 * about * spin**2 - energy),
+            "impulse_forward": mass * kept * speed * cos(angle) - mass * speed,
+            "impulse_upward": mass * kept * speed * sin(angle),
+        }
+    return results
+
+
+def chain(*, bodies: "Any", restitution: float, law: str) -> "dict[str, float]":
+    """Pairs by the textbook's velocities; all contacts at once by an active set and `numpy.linalg.solve`."""
+    masses, before = [body.mass for body in bodies], [body.velocity for body in bodies]
+    ratios = [restitution if body.restitution is None else body.restitution for body in bodies[:-1]]
+    energy = sum(0.5 * m * v * v for m, v in zip(masses, before, strict=True))
+    results = {"momentum": sum(m * v for m, v in zip(masses, before, strict=True))}
+    laws = {"sequential": (_pair_by_pair,), "simultaneous": (_at_once,)}.get(law, (_pair_by_pair, _at_once))
+    for index, method in enumerate(laws):
+        after, impulses, rounds = method(masses, before, ratios)
+        left = sum(0.5 * m * v * v for m, v in zip(masses, after, strict=True))
+        results |= {f"laws[{index}].energy_lost": energy - left, f"laws[{index}].collisions": float(rounds)}
+        for number, (old, new) in enumerate(zip(before, after, strict=True)):
+            row = f"bodies[{index * len(bodies) + number}]"
+            results |= {f"{row}.velocity": new, f"{row}.delta_v": new - old}
+            if number < len(impulses):
+                results[f"{row}.impulse_to_next"] = impulses[number]
+    return results
+
+
+def _pair_by_pair(masses: "list[float]", before: "list[float]", ratios: "list[float]") -> "Answer":
+    """The pair that closes fastest first, w = (m₁v₁ + m₂v₂ ∓ …)/(m₁ + m₂)."""
+    speeds, impulses = list(before), [0.0] * len(ratios)
+    least = NOTHING * max(map(abs, before))
+    for count in range(MOST):
+        closing = [v - w for v, w in pairwise(speeds)]
+        if max(closing) <= least:
+            return speeds, impulses, count
+        k = closing.index(max(closing))
+        m, n, v, w, e = masses[k], masses[k + 1], speeds[k], speeds[k + 1], ratios[k]
+        speeds[k] = (m * v + n * w - n * e * (v - w)) / (m + n)
+        speeds[k + 1] = (m * v + n * w + m * e * (v - w)) / (m + n)
+        impulses[k] += n * (speeds[k + 1] - w)
+    raise ArithmeticError
+
+
+def _at_once(masses: "list[float]", before: "list[float]", ratios: "list[float]") -> "Answer":
+    """All contacts at one moment: impulses that stop the closing, e times as much again, until no pair closes."""
+    import numpy as np
+
+    weights, speeds, total = 1.0 / np.array(masses), np.array(before), np.zeros(len(ratios))
+    # by how much unit impulses open every contact
+    k = np.diag(weights[:-1] + weights[1:]) - np.diag(weights[1:-1], 1) - np.diag(weights[1:-1], -1)
+    least = NOTHING * np.abs(speeds).max()
+    for count in range(200):
+        closing = speeds[:-1] - speeds[1:]
+        if closing.max() <= least:
+            return speeds.tolist(), total.tolist(), count
+        impulse = (1.0 + np.array(ratios)) * _active(k, closing)
+        total += impulse
+        speeds += weights * (np.concatenate([[0.0], impulse]) - np.concatenate([impulse, [0.0]]))
+    raise ArithmeticError
+
+
+def _active(k: "Any", closing: "Any") -> "Any":
+    """K·c − u ≥ 0, c ≥ 0: contacts that would close are added to those that act."""
+    import numpy as np
+
+    acting = closing > 0.0
+    for _ in range(len(closing) + 1):
+        impulses = np.zeros(len(closing))
+        impulses[acting] = np.linalg.solve(k[np.ix_(acting, acting)], closing[acting])
+        more = ~acting & (k @ impulses < closing - 1e-14 * np.abs(closing).max())
+        if not more.any():
+            break
+        acting |= more
+    return impulses

@@ -1,166 +1,183 @@
-"""The path of a planar impact: closed form by cases, beside steps, an integrator, a spring and textbooks' two cases."""
+"""The path of an impact by its impulse: the program's own beside its sums for maps and the textbook's two cases.
 
-from math import copysign
+Errors are shares of the whole impulse.
+"""
 
-from dynamics_cli.accuracy.alternatives.march import own
-from dynamics_cli.accuracy.alternatives.shares import Way, compared
-from dynamics_cli.accuracy.cases import Case
+from decimal import Decimal
+from math import copysign, hypot, inf, isfinite
+
+from dynamics_cli.accuracy.measure import DIGITS, Errors, seconds
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
     from typing import Any
 
-    from dynamics_cli.accuracy.alternatives.march import March, State
+    from dynamics_cli.accuracy.cases import Case
     from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
 
-FILE = "impact_rigid.json"
-NAMES = ("normal", "tangential")
-# What the closed form promises, in shares of the impulse.
-PROMISE = 2e-15
+    Parts = tuple[float, ...]
+    Call = Callable[[], Parts]
+
+PLANE, SPACE = ("normal", "tangential"), ("impulse[0]", "impulse[1]", "impulse[2]")
+# What the closed form promises, in shares of the impulse, and half a last bit of the largest part.
+PROMISE, ROUNDED = 2e-15, 1.0001 * 2.0**-53
+# The order of the series in space, and its steps in shares of the radius of convergence.
+ORDER, STRIDE = 24, 0.1353352832366127
 
 
-class Contact:
-    """K, velocities, friction and restitution of a contact, and the law that ends it."""
-
-    def __init__(
-        self, k: "tuple[float, float, float]", u: "tuple[float, float]", mu: float, e: float, law: str
-    ) -> None:
-        self.kt, self.kx, self.kn = k
-        self.ut, self.un = u
-        self.mu, self.e, self.law = mu, e, law
-
-    @classmethod
-    def of(cls, case: Case) -> "Contact":
-        """That of a case."""
-        given = case.inputs
-        kt, kx, kn = (float(given[name]) for name in ("tangential", "coupling", "normal"))
-        u = float(given["slip"]), float(given["approach"])
-        return cls((kt, kx, kn), u, float(given["friction"]), float(given["restitution"]), given["law"]["word"])
-
-    def ratio(self, ut: float) -> float:
-        """Friction per normal impulse now, with stick where the slip is zero and friction holds."""
-        if ut == 0.0:
-            return -min(max(self.kx / self.kt, -self.mu), self.mu)
-        return -copysign(self.mu, ut)
+def contact_of(case: "Case") -> "tuple[float, ...]":
+    """K as tangential, coupling, normal; slip, approach, friction and restitution."""
+    names = ("tangential", "coupling", "normal", "slip", "approach", "friction", "restitution")
+    return tuple(float(case.inputs[name]) for name in names)
 
 
-def closed_form(case: Case) -> "Callable[[], tuple[float, float]]":
+def closed_form(case: "Case") -> "Call":
     """The program's own."""
     from dynamics_cli.impact.planar.path import Mobility, determinant, travel
 
-    c = Contact.of(case)
+    kt, kx, kn, ut, un, mu, e = contact_of(case)
 
-    def answer() -> "tuple[float, float]":
-        k = Mobility(c.kt, c.kx, c.kn, determinant(c.kt, c.kx, c.kn))
-        path = travel(k, c.ut, c.un, c.mu, c.e, c.law)
+    def answer() -> "Parts":
+        path = travel(Mobility(kt, kx, kn, determinant(kt, kx, kn)), ut, un, mu, e, case.inputs["law"]["word"])
         return path.normal, path.tangential
 
     return answer
 
 
-def plain_sums(case: Case) -> "Callable[[], tuple[float, float]]":
+def plain_sums(case: "Case") -> "Call":
     """The program's own for whole maps, in plain sums; here one at a time."""
     from dynamics_cli.impact.planar.path_arrays import planar_impacts
 
-    c = Contact.of(case)
-
-    def answer() -> "tuple[float, float]":
-        pn, pt = planar_impacts(c.kt, c.kx, c.kn, c.ut, c.un, c.mu, c.e, law=c.law)
-        return float(pn), float(pt)
-
-    return answer
+    numbers, law = contact_of(case), case.inputs["law"]["word"]
+    return lambda: tuple(map(float, planar_impacts(*numbers, law=law)))
 
 
-def plain_arrays(case: Case, rows: int) -> "Callable[[], Any]":
+def plain_arrays(case: "Case", rows: int) -> "Callable[[], Any]":
     """So many of one contact, each with a friction of its own."""
     import numpy as np
 
     from dynamics_cli.impact.planar.path_arrays import planar_impacts
 
-    c = Contact.of(case)
-    kt, kx, kn, ut, un = (np.full(rows, value) for value in (c.kt, c.kx, c.kn, c.ut, c.un))
-    friction = np.linspace(0.0, 1.0, rows)
-    return lambda: planar_impacts(kt, kx, kn, ut, un, friction, c.e, law=c.law)
+    *contact, _, e = contact_of(case)
+    kt, kx, kn, ut, un = (np.full(rows, number) for number in contact)
+    law = case.inputs["law"]["word"]
+    return lambda: planar_impacts(kt, kx, kn, ut, un, np.linspace(0.0, 1.0, rows), e, law=law)
 
 
-def two_cases(case: Case) -> "Callable[[], tuple[float, float]]":
+def two_cases(case: "Case") -> "Call":
     """The textbook: it slides to the end, or else it sticks at the end; slip that turns round is not thought of."""
-    c = Contact.of(case)
+    kt, kx, kn, ut, un, mu, e = contact_of(case)
 
-    def answer() -> "tuple[float, float]":
-        ratio, rise = c.ratio(c.ut), -(1.0 + c.e) * c.un
-        slope = c.kn + c.kx * ratio
-        if slope > 0.0:
-            pn = rise / slope
-            if c.ut * (c.ut + (c.kx + c.kt * ratio) * pn) >= 0.0:
-                return pn, ratio * pn
-        det = c.kt * c.kn - c.kx * c.kx
-        return (c.kt * rise + c.kx * c.ut) / det, (-c.kn * c.ut - c.kx * rise) / det
+    def answer() -> "Parts":
+        ratio = -copysign(mu, ut) if ut else -min(max(kx / kt, -mu), mu)
+        rise, slope = -(1.0 + e) * un, kn + kx * ratio
+        if slope > 0.0 and ut * (ut + (kx + kt * ratio) * rise / slope) >= 0.0:
+            return rise / slope, ratio * rise / slope
+        det = kt * kn - kx * kx
+        return (kt * rise + kx * ut) / det, (-kn * ut - kx * rise) / det
 
     return answer
 
 
-def integrated(march: "March") -> "Callable[[Case], Callable[[], tuple[float, float]]]":
-    """The path integrated in normal impulse."""
-
-    def prepare(case: Case) -> "Callable[[], tuple[float, float]]":
-        c = Contact.of(case)
-        return lambda: integral(c, march)
-
-    return prepare
+def in_space(case: "Case") -> "tuple[Any, ...]":
+    """K, velocity, friction, restitution and the law."""
+    given = case.inputs
+    k, u = tuple(tuple(map(float, row)) for row in given["mobility"]), tuple(map(float, given["velocity"]))
+    return k, u, float(given["friction"]), float(given["restitution"]), given["law"]["word"]
 
 
-def integral(c: Contact, march: "March") -> "tuple[float, float]":
-    """Normal and tangential impulse, the march stopping where slip stops, compression ends and the law ends it."""
-    # slip, approach, tangential impulse, work and normal impulse
-    y = [c.ut, c.un, 0.0, 0.0, 0.0]
-    compression = done = 0.0
-    longest = 1e3 * (-c.un + abs(c.ut)) / min(c.kn, c.kt)
-    for _ in range(8):
-        ratio = c.ratio(y[0])
-        rates = c.kx + c.kt * ratio if y[0] or abs(c.kx) > c.mu * c.kt else 0.0, c.kn + c.kx * ratio
+def taylor(case: "Case", order: int = ORDER, stride: float = STRIDE) -> "Call":
+    """The program's own series in doubles, of this order and with steps of this share of the radius of convergence."""
+    from dynamics_cli.impact.spatial.hodograph import travel
 
-        def slope(_: float, y: "State", rates: "Any" = rates, ratio: float = ratio) -> "State":
-            return [rates[0], rates[1], ratio, y[1], 1.0]
-
-        y, (stopped, ended) = march(slope, y, _events(c, y[0], compression, done), 1e-15 * -c.un, longest)
-        if stopped:
-            y[0] = 0.0
-        if ended:
-            if compression or c.e == 0.0:
-                return y[4], y[2]
-            compression, done = y[4], -y[3]
-    raise ArithmeticError
+    k, u, mu, e, law = in_space(case)
+    return lambda: travel(k, u, mu, e, law, order, stride).impulse
 
 
-def _events(c: Contact, side: float, compression: float, done: float) -> "list[Callable[[float, State], float]]":
-    """What rises to zero where slip stops, and where compression or, after it, the impact is over."""
+def decimals(case: "Case") -> "Call":
+    """The program's own, in the decimals that its answers are rounded from."""
+    from decimal import Context, localcontext
 
-    def stops(_: float, y: "State") -> float:
-        return -copysign(1.0, side) * y[0] if side else -1.0
+    from dynamics_cli.impact.spatial.arithmetic import widened
+    from dynamics_cli.impact.spatial.bounds import EFFORTS
+    from dynamics_cli.impact.spatial.impact import followed
 
-    def ends(_: float, y: "State") -> float:
-        if not compression:
-            return y[1]
-        if c.law == "newton":
-            return y[1] + c.e * c.un
-        if c.law == "poisson":
-            return y[4] - (1.0 + c.e) * compression
-        return y[3] + (1.0 - c.e * c.e) * done
+    k, u, mu, e, law = widened(in_space(case))
+    order, digits, most = EFFORTS[0]
 
-    return [stops, ends]
+    def answer() -> "Parts":
+        with localcontext(Context(prec=most)):
+            x, y, z = followed(k, u, mu, e, law, order=order, digits=digits).impulse
+            return float(x), float(y), float(z)
+
+    return answer
 
 
-WAYS = (
-    Way("closed form by cases (chosen)", closed_form, lambda _: PROMISE),
-    Way("the same in plain sums, for maps", plain_sums, many=plain_arrays),
-    Way("slides or sticks, as in textbooks", two_cases),
-    Way("Dormand–Prince 5(4) to 1e-12, events by Brent", integrated(own(1e-12))),
-)
+def as_it_starts(case: "Case") -> "Call":
+    """The textbook: friction against the slip as it was at the start, or no slip at the end."""
+    import numpy as np
+
+    k, u, mu, e, _ = in_space(case)
+
+    def answer() -> "Parts":
+        slip, rise = hypot(u[0], u[1]), -(1.0 + e) * u[2]
+        way = np.array([-mu * u[0] / slip, -mu * u[1] / slip, 1.0]) if slip else np.array([0.0, 0.0, 1.0])
+        parts = rise / (np.array(k[2]) @ way) * way
+        if not slip or (np.array(u) + np.array(k) @ parts)[:2] @ np.array(u[:2]) < 0.0:
+            parts = np.linalg.solve(np.array(k), np.array([-u[0], -u[1], rise]))
+        return tuple(parts.tolist())
+
+    return answer
+
+
+def share(case: "Case", parts: "Parts", names: "Sequence[str]") -> float:
+    """The largest error of the parts, over the size of the impulse."""
+    exact = [Decimal(case.results[name]) for name in names]
+    size = DIGITS.sqrt(sum((DIGITS.multiply(part, part) for part in exact), Decimal(0)))
+    if not all(map(isfinite, parts)):
+        return inf
+    worst = max(abs(DIGITS.subtract(Decimal(part), true)) for part, true in zip(parts, exact, strict=True))
+    return float(DIGITS.divide(worst, size))
+
+
+def _compared(
+    comparing: "Comparing", cases: "list[Case]", ways: "Sequence[tuple[str, Any]]", names: "Sequence[str]", bound: float
+) -> "list[Row]":
+    def answer(errors: "Errors", case: "Case", prepare: "Any", index: int) -> "Call":
+        call: Call = prepare(case)
+        error = share(case, call(), names)
+        if error == inf:
+            raise ArithmeticError
+        errors.note(case.name, error, bound if prepare is ways[0][1] else None)
+        errors.by_result[f"{index} impulse"] = error
+        return call
+
+    def arrays(prepare: "Any") -> "float | None":
+        if prepare is not plain_sums:
+            return None
+        pace = comparing.pace
+        return seconds(plain_arrays(cases[0], pace.rows), repeats=3, least=pace.least) / pace.rows
+
+    return comparing.rows(ways, cases, answer, most=4, repeats=3, shared=True, arrays=arrays)
 
 
 def compare(comparing: "Comparing") -> "list[Row]":
-    """Normal and tangential impulse by every method."""
-    return compared(comparing, comparing.cases(FILE, task="path"), WAYS, NAMES)
+    """Normal and tangential impulse in the plane."""
+    ways = (
+        ("closed form by cases (chosen)", closed_form),
+        ("slides or sticks, as in textbooks", two_cases),
+        ("the same in plain sums, for maps", plain_sums),
+    )
+    return _compared(comparing, comparing.cases("impact_rigid.json", task="path"), ways, PLANE, PROMISE)
+
+
+def compare_in_space(comparing: "Comparing") -> "list[Row]":
+    """Keller's equations of an impact in space."""
+    ways = (
+        ("Taylor in decimals, rounded once (chosen)", decimals),
+        ("slides or sticks, as in textbooks", as_it_starts),
+        ("Taylor of order 24, in doubles", taylor),
+    )
+    return _compared(comparing, comparing.cases("impact_spatial.json", task="keller"), ways, SPACE, ROUNDED)

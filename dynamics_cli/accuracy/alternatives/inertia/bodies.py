@@ -1,180 +1,164 @@
-"""Shapes, assemblies, tensors: the program's functions with their bounds, and parts summed as textbooks do."""
+"""Assemblies, pairs of bodies, tensors and torques as textbooks and LAPACK have them, and what errors are shares of.
 
-from functools import cache
-from math import inf
+A coordinate, a product of inertia or a difference may pass through zero; what its error costs is told by the largest
+coordinate, by the moments, or by what the difference is of.
+"""
 
-from dynamics_cli.accuracy.alternatives.inertia.mesh import named
-from dynamics_cli.accuracy.alternatives.inertia.table import Way, rows_of
-from dynamics_cli.accuracy.cases import build, flat, leaves
+from decimal import Decimal
+
+from dynamics_cli.accuracy.alternatives.inertia.eigen import textbook_axes, trigonometric
+from dynamics_cli.accuracy.measure import DIGITS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
     from typing import Any
 
     import numpy as np
 
-    from dynamics_cli.accuracy.cases import Case
-    from dynamics_cli.accuracy.comparing import Comparing
-    from dynamics_cli.accuracy.rows import Row
-
     Array = np.ndarray[Any, np.dtype[Any]]
 
-FILE = "inertia_bodies.json"
+NAMES = ("first", "second", "third")
+PAIRS = (("xy", 0, 1), ("yz", 1, 2), ("zx", 2, 0))
+UNIT_ROUNDOFF = Decimal(2.0**-53)
+MOMENTS = ("moments.", "principal_moments.")
+# Whose largest number an error is a share of, by the beginning of the address.
+KIN: "dict[str, tuple[str, ...]]" = {
+    "products": MOMENTS, "greatest_product": MOMENTS, "centroid": ("centroid",), "mass_difference": ("first_mass",),
+    "x": ("x", "y", "gyration.polar"), "y": ("x", "y", "gyration.polar"), "centroidal.ixy": ("centroidal.",),
+    "about_origin.ixy": ("about_origin.",), "inertia_torque": ("inertia_torque",),
+}  # fmt: skip
+# Numbers that are shares or angles, and differences of those: of one and more.
+SHARES = ("slack", "axes_angle", "tensor_distance", "principal.angle")
 
 
-@cache
-def _groups() -> "dict[str, type]":
-    from dynamics_cli.accuracy.catalogue import groups
-
-    return groups("inertia")
-
-
-def arguments(case: "Case", numbers: "Iterable[Any] | None" = None) -> "dict[str, Any]":
-    """What a case gives to its task, with other numbers in place of its floats."""
-    return build(case.inputs, iter(leaves(case.inputs) if numbers is None else numbers), _groups())  # type: ignore[no-any-return]
-
-
-def bounded(case: "Case", function: "Callable[..., Any]") -> "Any":
-    """The answer with the rounding bounds that a command states."""
-    from dynamics_cli.core.answering.tightening import tighten
-    from dynamics_cli.numerics.tracked import Tracked
-
-    def call(numbers: "Iterable[Any]") -> "Any":
-        return function(**arguments(case, numbers))
-
-    doubles = list(leaves(case.inputs))
-    answer = call(Tracked.inputs(doubles))
-    tighten(answer, doubles, call)
-    return answer
-
-
-def own(name: str, function: "Callable[..., Any]", stated: "Callable[[Case], Any] | None" = None) -> Way:
-    """The program's own function of a case's inputs."""
-
-    def prepare(case: "Case") -> "Callable[[], Any]":
-        given = arguments(case)
-        return lambda: function(**given)
-
-    return Way(f"{name} (chosen)", prepare, stated or (lambda case: bounded(case, function)))
+def scale(address: str, sizes: "dict[str, Decimal]") -> Decimal:
+    """What the error of a result is a share of."""
+    size = sizes[address]
+    if address in SHARES:
+        return size + 1
+    for start, kin in KIN.items():
+        if address.startswith(start):
+            size = max(other for name, other in sizes.items() if name.startswith(kin))
+    if address.startswith(("centroid[", "centroid_")):
+        # the radius of gyration about the principal axis of the greatest moment; unit density where no mass is told
+        mass = next(sizes[name] for name in ("mass", "volume", "area", "first_mass") if name in sizes)
+        moment = next(sizes[name] for name in ("principal_moments.third", "moments[8].first") if name in sizes)
+        size = max(size, DIGITS.sqrt(DIGITS.divide(moment, mass)))
+    if address.startswith(MOMENTS):
+        # below a rounding of the largest moment there is nothing but rounding
+        size = max(size, UNIT_ROUNDOFF * max(other for name, other in sizes.items() if name.startswith(MOMENTS)))
+    if address.startswith("moments["):
+        # a row of two bodies and their difference; products beside the moments
+        row, _, which = address.partition(".")
+        rows = (row,) if int(row[8:-1]) > 5 else tuple(f"moments[{k}]" for k in range(6))
+        both = [max(sizes[f"{one}.{body}"] for one in rows) for body in ("first", "second")]
+        size = sum(both, Decimal(0)) if which == "difference" else max(both)
+    return size or Decimal(1)
 
 
-def shape(*, shape: "Any", amount: "Any") -> "Any":
-    """One shape."""
-    from dynamics_cli.inertia.shapes.task import shape as one
-
-    return one(shape, amount=amount)
-
-
-def body(*, scene: "Any") -> "Any":
-    """An assembly."""
-    from dynamics_cli.inertia.assembly.assembly import body as one
-
-    return one(scene)
+def named(centre: "Any", tensor: "Any", moments: "Any") -> "dict[str, Any]":
+    """Results by address."""
+    results = {f"centroid[{k}]": centre[k] for k in range(3)}
+    results |= {f"moments.{name}": tensor[k][k] for k, name in enumerate(("xx", "yy", "zz"))}
+    results |= {f"products.{name}": tensor[i][j] for name, i, j in PAIRS}
+    return results | {f"principal_moments.{name}": moments[k] for k, name in enumerate(NAMES)}
 
 
-def both(*, scene: "Any") -> "Any":
-    """Two assemblies compared."""
-    from dynamics_cli.inertia.assembly.compare import compare as one
-
-    return one(scene)
-
-
-def both_stated(case: "Case") -> "dict[str, Any]":
-    """Two assemblies compared, with the bound of the angle between their axes, which carries none itself."""
-    from dynamics_cli.numerics.tracked import Tracked
-
-    answer = bounded(case, both)
-    results = flat(answer)
-    bounds = {bound.result: bound.bound for bound in answer.numerics.bounds}
-    return results | {
-        name: Tracked(results[name], bounds.get(name, inf), ()) for name in ("axes_angle",) if name in results
-    }
-
-
-def tensor(**given: "Any") -> "Any":
-    """A given tensor."""
-    from dynamics_cli.inertia.tensors.tensor import tensor as one
-
-    return one(**given)
-
-
-def groups(case: "Any") -> "dict[str, Any]":
-    """What a case gives, or what has been made of it already."""
-    return {"scene": case.scene} if hasattr(case, "scene") else arguments(case)
-
-
-def placed(case: "Any") -> "list[tuple[float, Array, Array]]":
-    """Mass, mass centre and tensor about it of every part, in the axes of the assembly."""
+def _composed(scene: "Any", *, about_centre: bool) -> "tuple[float, Array, Array]":
+    """Mass, mass centre and tensor about it, by parallel axes to the mass centre or from the origin."""
     import numpy as np
 
     from dynamics_cli.inertia.assembly.parts import Walk
     from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
-    walk = Walk()
-    walk.into(groups(case)["scene"].parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
-    found = []
+    walk, parts = Walk(), []
+    walk.into(scene.parts, "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
     for leaf in walk.leaves:
         turn, second = np.array(leaf.rotation), np.array(leaf.lump.second)
         inner = np.trace(second) * np.eye(3) - second
-        centre = np.array(leaf.origin) + turn @ np.array(leaf.lump.centroid)
-        found.append((leaf.sign * leaf.lump.mass, centre, leaf.sign * (turn @ inner @ turn.T)))
-    return found
-
-
-def transport(mass: float, d: "Array") -> "Array":
-    """What the parallel axis theorem adds: m (d²·1 − d dᵀ)."""
-    import numpy as np
-
-    return mass * (d @ d * np.eye(3) - np.outer(d, d))  # type: ignore[no-any-return]
-
-
-def _middle(parts: "list[tuple[float, Array, Array]]") -> "tuple[float, Array]":
-    """Mass and mass centre."""
-    import numpy as np
-
+        place = np.array(leaf.origin) + turn @ np.array(leaf.lump.centroid)
+        parts.append((leaf.sign * leaf.lump.mass, place, leaf.sign * (turn @ inner @ turn.T)))
     mass = sum(part[0] for part in parts)
-    return mass, np.sum([m * c for m, c, _ in parts], axis=0) / mass
+    centre = np.sum([m * place for m, place, _ in parts], axis=0) / mass
+    origin = centre if about_centre else np.zeros(3)
+
+    def moved(m: float, d: "Array") -> "Array":
+        return m * (d @ d * np.eye(3) - np.outer(d, d))  # type: ignore[no-any-return]
+
+    tensor = np.sum([inner + moved(m, place - origin) for m, place, inner in parts], axis=0)
+    return mass, centre, tensor - moved(mass, centre - origin)
 
 
-def from_origin(case: "Any") -> "Callable[[], dict[str, Any]]":
+def _assembly(scene: "Any", *, about_centre: bool) -> "dict[str, Any]":
+    import numpy as np
+
+    mass, centre, tensor = _composed(scene, about_centre=about_centre)
+    return {"mass": mass, **named(centre.tolist(), tensor.tolist(), np.linalg.eigvalsh(tensor).tolist())}
+
+
+def body_from_origin(scene: "Any") -> "dict[str, Any]":
     """The textbook: tensors summed about the origin, I = I₀ − m (c²·1 − c cᵀ) at the end, LAPACK."""
-    import numpy as np
-
-    def answer() -> "dict[str, Any]":
-        parts = placed(case)
-        mass, centre = _middle(parts)
-        whole = np.sum([inner + transport(m, c) for m, c, inner in parts], axis=0) - transport(mass, centre)
-        return {"mass": mass} | _results(centre, whole, np.linalg.eigvalsh(whole))
-
-    return answer
+    return _assembly(scene, about_centre=False)
 
 
-def from_centre(case: "Any") -> "Callable[[], dict[str, Any]]":
+def body_from_centre(scene: "Any") -> "dict[str, Any]":
     """The mass centre first, each tensor moved to it, LAPACK."""
+    return _assembly(scene, about_centre=True)
+
+
+def pair_from_origin(scene: "Any") -> "dict[str, float]":
+    """Two bodies, each from the origin, and their numbers subtracted; the turn between their axes by an arc cosine."""
     import numpy as np
 
-    def answer() -> "dict[str, Any]":
-        parts = placed(case)
-        mass, centre = _middle(parts)
-        whole = np.sum([inner + transport(m, c - centre) for m, c, inner in parts], axis=0)
-        return {"mass": mass} | _results(centre, whole, np.linalg.eigvalsh(whole))
+    (m, c, a), (n, d, b) = (_composed(side, about_centre=False) for side in (scene.first, scene.second))
+    shift = d - c
+    results = {
+        "first_mass": m, "second_mass": n, "mass_difference": n - m, "mass_ratio": n / m,
+        "centroid_distance": float(np.linalg.norm(shift)),
+        "tensor_distance": float(np.linalg.norm(b - a) / np.linalg.norm(a)),
+    }  # fmt: skip
+    results |= {f"centroid_shift[{k}]": float(x) for k, x in enumerate(shift)}
+    places = ((0, 0), (1, 1), (2, 2), *((i, j) for _, i, j in PAIRS))
+    rows = [(float(a[place]), float(b[place])) for place in places]
+    rows += zip(np.linalg.eigvalsh(a).tolist(), np.linalg.eigvalsh(b).tolist(), strict=True)
+    for k, (old, new) in enumerate(rows):
+        results |= {f"moments[{k}].first": old, f"moments[{k}].second": new, f"moments[{k}].difference": new - old}
+    # of the four senses that leave right-handed axes right-handed the smallest turn: cos φ = (tr R − 1)/2
+    old_axes, new_axes = (np.array(textbook_axes(tuple(map(tuple, tensor.tolist())))) for tensor in (a, b))
+    shares = np.diag(old_axes @ new_axes.T) * np.sign(np.linalg.det(old_axes) * np.linalg.det(new_axes))
+    traces = [float(np.array(signs) @ shares) for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))]
+    return results | {"axes_angle": float(np.arccos(np.clip(0.5 * (max(traces) - 1.0), -1.0, 1.0)))}
 
-    return answer
+
+def _tensor(moments: "list[float]") -> "dict[str, float]":
+    """What follows from principal moments, by differences: the greatest product, and how far I₁ + I₂ is above I₃."""
+    one, two, three = moments
+    results = {f"principal_moments.{name}": moment for name, moment in zip(NAMES, moments, strict=True)}
+    return results | {"greatest_product": 0.5 * (three - one), "slack": (one + two - three) / three}
 
 
-def _results(centre: "Array", whole: "Array", moments: "Array") -> "dict[str, Any]":
-    results = named(0.0, centre.tolist(), whole.tolist(), moments.tolist(), shell=False)
-    return {name: value for name, value in results.items() if name != "volume"}
+def tensor_by_lapack(*, inertia: "Any") -> "dict[str, float]":
+    """Eigenvalues by `numpy.linalg.eigvalsh`."""
+    import numpy as np
+
+    return _tensor(np.linalg.eigvalsh(np.array(inertia.matrix())).tolist())
 
 
-ASSEMBLY = (
-    own("second moments from a part on, again in the principal axes, Jacobi", body),
-    Way("tensors about the mass centre, LAPACK", from_centre),
-    Way("tensors about the origin, parallel axes at the end, LAPACK", from_origin),
-)
+def tensor_by_cardano(*, inertia: "Any") -> "dict[str, float]":
+    """The roots of det(I − λ·1) = 0 by an arc cosine, as taught."""
+    return _tensor(trigonometric(inertia.matrix())[::-1])
 
 
-def compare_assemblies(comparing: "Comparing") -> "list[Row]":
-    """Assemblies of parts and holes."""
-    return rows_of(comparing, comparing.cases(FILE, task="body"), ASSEMBLY)
+def torque_by_cross(*, tensor: "Any", angular_velocity: "Any", angular_acceleration: "Any") -> "dict[str, float]":
+    """T* = −I·α − ω × (I·ω), the cross product as it stands: equal moments no longer cancel to nothing."""
+    import numpy as np
+
+    inertia, spin = np.array(tensor), np.array(angular_velocity)
+    momentum = inertia @ spin
+    parts = {
+        "acceleration_part": -(inertia @ np.array(angular_acceleration)), "gyroscopic_part": -np.cross(spin, momentum),
+        "angular_momentum": momentum,
+    }  # fmt: skip
+    parts["inertia_torque"] = parts["acceleration_part"] + parts["gyroscopic_part"]
+    results = {"magnitude": float(np.linalg.norm(parts["inertia_torque"])), "rotational_energy": 0.5 * spin @ momentum}
+    return results | {f"{name}[{k}]": float(x) for name, vector in parts.items() for k, x in enumerate(vector)}

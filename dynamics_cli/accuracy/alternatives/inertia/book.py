@@ -1,77 +1,82 @@
-"""Shapes by the integrals that handbooks print about an edge, a base or a centre; walls as outer less inner."""
+"""Shapes by the integrals that handbooks print about an edge, a base or a centre; walls as outer less inner.
+
+I = ∫ (r²·1 − r·rᵀ) dm − m·(c²·1 − c·cᵀ): digits go as the mass centre lies far off or a wall becomes thin.
+"""
 
 from math import cos, hypot, pi, sin
 
-from dynamics_cli.accuracy.alternatives.inertia.origin import Piece, results
+from dynamics_cli.accuracy.alternatives.inertia.bodies import named
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    # How large a piece is (negative: cut out), its centroid, and its mean xx, yy, zz, xy, yz, zx about the origin.
+    Piece = tuple[float, tuple[float, float, float], tuple[float, float, float, float, float, float]]
     Pieces = list[Piece]
 
 FLAT = 0.0, 0.0, 0.0
 
 
-def _round(size: float, z: float, across: float, along: float) -> Piece:
+def _round(size: float, z: float, across: float, along: float) -> "Piece":
     """A piece alike about z: ∫x² = ∫y² = across, ∫z² = along, of size one."""
     return size, (0.0, 0.0, z), (across, across, along, *FLAT)
 
 
-def _symmetric(size: float, xx: float, yy: float, zz: float, z: float = 0.0) -> Piece:
+def _symmetric(size: float, xx: float, yy: float, zz: float, z: float = 0.0) -> "Piece":
     return size, (0.0, 0.0, z), (xx, yy, zz, *FLAT)
 
 
-def _arc(size: float, mean: float, square: float, half: float, along: float = 0.0) -> Piece:
+def _arc(size: float, mean: float, square: float, half: float, along: float = 0.0) -> "Piece":
     """An arc or a sector of half angle α about x: x̄ = r̄·sin α/α, ∫x² = r̄²/2·(1 + sin 2α/2α)."""
     swing = sin(2.0 * half) / (2.0 * half)
     x = mean * sin(half) / half
     return size, (x, 0.0, 0.0), (0.5 * square * (1.0 + swing), 0.5 * square * (1.0 - swing), along, *FLAT)
 
 
-def _quarter(size: float, mean: float, square: float, along: float = 0.0) -> Piece:
+def _quarter(size: float, mean: float, square: float, along: float = 0.0) -> "Piece":
     """A quarter between x and y: x̄ = ȳ = 2r̄/π, ∫xy = r̄²/π."""
     x = 2.0 * mean / pi
     return size, (x, x, 0.0), (0.5 * square, 0.5 * square, along, square / pi, 0.0, 0.0)
 
 
-def _disk(r: float, z: float = 0.0) -> Piece:
+def _disk(r: float, z: float = 0.0) -> "Piece":
     return _round(pi * r**2, z, r**2 / 4.0, z**2)
 
 
-def _cylinder(r: float, length: float) -> Piece:
+def _cylinder(r: float, length: float) -> "Piece":
     return _round(pi * r**2 * length, 0.0, r**2 / 4.0, length**2 / 12.0)
 
 
-def _block(a: float, b: float, c: float) -> Piece:
+def _block(a: float, b: float, c: float) -> "Piece":
     return _symmetric(a * b * c, a**2 / 12.0, b**2 / 12.0, c**2 / 12.0)
 
 
-def _ball(r: float) -> Piece:
+def _ball(r: float) -> "Piece":
     return _round(4.0 / 3.0 * pi * r**3, 0.0, r**2 / 5.0, r**2 / 5.0)
 
 
-def _half_ball(r: float) -> Piece:
+def _half_ball(r: float) -> "Piece":
     return _round(2.0 / 3.0 * pi * r**3, 3.0 / 8.0 * r, r**2 / 5.0, r**2 / 5.0)
 
 
-def _frustum(a: float, b: float, h: float) -> Piece:
+def _frustum(a: float, b: float, h: float) -> "Piece":
     square = a**2 + a * b + b**2
     across = 3.0 * (a**4 + a**3 * b + a**2 * b**2 + a * b**3 + b**4) / (20.0 * square)
     along = h**2 * (a**2 + 3.0 * a * b + 6.0 * b**2) / (10.0 * square)
     return _round(pi * h * square / 3.0, h * (a**2 + 2.0 * a * b + 3.0 * b**2) / (4.0 * square), across, along)
 
 
-def _torus(ring: float, r: float) -> Piece:
+def _torus(ring: float, r: float) -> "Piece":
     return _round(2.0 * pi**2 * ring * r**2, 0.0, ring**2 / 2.0 + 3.0 * r**2 / 8.0, r**2 / 4.0)
 
 
-def _less(outer: Piece, inner: Piece) -> "Pieces":
+def _less(outer: "Piece", inner: "Piece") -> "Pieces":
     return [outer, (-inner[0], *inner[1:])]
 
 
-def _cone_shell(a: float, b: float, h: float) -> Piece:
+def _cone_shell(a: float, b: float, h: float) -> "Piece":
     """A conical sheet from a at the base to b at the top: weights by the circumference."""
     total = a + b
     across = (a**3 + a**2 * b + a * b**2 + b**3) / (4.0 * total)
@@ -250,6 +255,20 @@ SHAPES: "dict[str, Callable[[Any], Pieces]]" = {
 }  # fmt: skip
 
 
-def shape(*, shape: "Any", amount: "Any") -> "dict[str, float]":
+def properties(shape: "Any", pieces: "Pieces", mass: float) -> "dict[str, Any]":
+    """Measure, mass centre, tensor and principal moments (LAPACK) of pieces of one density."""
+    import numpy as np
+
+    sizes = np.array([piece[0] for piece in pieces])
+    whole = float(sizes.sum())
+    centre = sizes @ np.array([piece[1] for piece in pieces]) / whole
+    xx, yy, zz, xy, yz, zx = (sizes @ np.array([piece[2] for piece in pieces]) / whole).tolist()
+    second = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]) - np.outer(centre, centre)
+    tensor = mass * (np.trace(second) * np.eye(3) - second)
+    size = {("length", "area", "volume")[shape.dimension - 1]: whole, "mass": mass}
+    return size | named(centre.tolist(), tensor.tolist(), np.linalg.eigvalsh(tensor).tolist())
+
+
+def shape(shape: "Any", *, amount: "Any") -> "dict[str, Any]":
     """Integrals as handbooks print them about the origin of the shape, and parallel axes."""
-    return results(shape, amount, SHAPES)
+    return properties(shape, SHAPES[type(shape).__name__](shape), amount.mass)

@@ -2,8 +2,8 @@
 
 from functools import cache
 
+from dynamics_cli.accuracy.alternatives.inertia.bodies import named, scale
 from dynamics_cli.accuracy.alternatives.inertia.solids import triangles
-from dynamics_cli.accuracy.alternatives.inertia.table import Way, rows_of
 from dynamics_cli.accuracy.cases import load
 
 TYPE_CHECKING = False
@@ -18,28 +18,33 @@ if TYPE_CHECKING:
     from dynamics_cli.accuracy.rows import Row
 
     Array = np.ndarray[Any, np.dtype[Any]]
+    Call = Callable[[], dict[str, Any]]
 
 FILE = "inertia_mesh.json"
-PAIRS = (("xy", 0, 1), ("yz", 1, 2), ("zx", 2, 0))
-NAMES = ("first", "second", "third")
+# The cases of each question, and whether they are shells.
+ASKED = {
+    "mesh moments": ("mesh", False),
+    "mesh moments, 32,768 triangles": ("large mesh", False),
+    "mesh moments, faces that overlap": ("overlapping mesh", False),
+    "shell moments": ("mesh", True),
+}
 
 
 @cache
-def _corners(file: str, name: str) -> "Array":
-    """The corners of a case's triangles: triangles by corners by coordinates."""
+def _corners(name: str) -> "Array":
     import numpy as np
 
-    inputs = next(case.inputs for case in load(file) if case.name == name)
+    inputs = next(case.inputs for case in load(FILE) if case.name == name)
     numbers = {key: [float(x) for x in inputs[key]] for key in ("stretch", "quaternion", "offset")}
     return np.array(triangles({**inputs, **numbers}))
 
 
 def corners(case: "Case") -> "Array":
-    """The corners of a case's triangles."""
-    return _corners(FILE, case.name)
+    """The corners of a case's triangles: triangles by corners by coordinates."""
+    return _corners(case.name)
 
 
-def twice(case: "Case") -> "Callable[[], dict[str, Any]]":
+def twice(case: "Case") -> "Call":
     """The program's own: edges and centroids of triangles, a second pass in the principal axes, Jacobi, its bounds."""
     from dynamics_cli.inertia.bodies.mass_moments import tensor_of
     from dynamics_cli.inertia.mesh.measurement import Measured
@@ -54,68 +59,52 @@ def twice(case: "Case") -> "Callable[[], dict[str, Any]]":
 
         source = Corners("", "", triangles.reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3))
         lift = Lift(Measured(source, shell=shell), LengthUnit("m"), 0)
-        tensor = tensor_of(lift.second(1.0))
-        return named(lift.measure(), lift.centroid(), tensor, lift.spread(1.0).moments, shell=shell)
+        size = {"area" if shell else "volume": lift.measure()}
+        return size | named(lift.centroid(), tensor_of(lift.second(1.0)), lift.spread(1.0).moments)
 
     return answer
 
 
-def about_origin(case: "Case") -> "Callable[[], dict[str, Any]]":
+def _summed(case: "Case", point: "Callable[[Array], Array]") -> "Call":
+    """Sums about a point of the corners, parallel axes, LAPACK."""
+    triangles = corners(case)
+    return lambda: moved(case, *sums(triangles, point(triangles), shell=case.inputs["shell"]), point(triangles))
+
+
+def about_origin(case: "Case") -> "Call":
     """The textbook: signed tetrahedra on the origin of the file, parallel axes at the end."""
     import numpy as np
 
-    triangles = corners(case)
-    sums = areas if case.inputs["shell"] else tetrahedra
-    return lambda: moved(*sums(triangles, np.zeros(3)), np.zeros(3), shell=case.inputs["shell"])
+    return _summed(case, lambda _: np.zeros(3))
 
 
-def about_middle(case: "Case") -> "Callable[[], dict[str, Any]]":
+def about_middle(case: "Case") -> "Call":
     """The same on the middle of the box about the corners."""
-    triangles = corners(case)
-    sums = areas if case.inputs["shell"] else tetrahedra
-
-    def answer() -> "dict[str, Any]":
-        middle = 0.5 * (triangles.min(axis=(0, 1)) + triangles.max(axis=(0, 1)))
-        return moved(*sums(triangles, middle), middle, shell=case.inputs["shell"])
-
-    return answer
+    return _summed(case, lambda triangles: 0.5 * (triangles.min(axis=(0, 1)) + triangles.max(axis=(0, 1))))
 
 
-def _seen(triangles: "Array", point: "Array") -> "tuple[Array, Array, Array]":
-    """The three corners from a point, coordinates by triangles."""
+def sums(triangles: "Array", point: "Array", *, shell: bool) -> "tuple[float, Array, Array]":
+    """Measure, first and second moments about a point: of a tetrahedron Σ d·(s sᵀ + a aᵀ + b bᵀ + c cᵀ)/120."""
     import numpy as np
 
     a, b, c = np.ascontiguousarray(triangles.transpose(1, 2, 0)) - point[:, None]
-    return a, b, c
+    if shell:
+        d, parts = np.linalg.norm(cross(b - a, c - a), axis=0), (2.0, 6.0, 24.0)
+    else:
+        d, parts = (a * cross(b, c)).sum(axis=0), (6.0, 24.0, 120.0)
+    s = a + b + c
+    second = sum((d * v) @ v.T for v in (s, a, b, c))
+    return float(d.sum()) / parts[0], s @ d / parts[1], second / parts[2]
 
 
-def _cross(a: "Array", b: "Array") -> "Array":
+def cross(a: "Array", b: "Array") -> "Array":
+    """The vector product of columns."""
     import numpy as np
 
     return np.stack([a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2] for k in range(3)])
 
 
-def tetrahedra(triangles: "Array", point: "Array") -> "tuple[float, Array, Array]":
-    """Volume, first and second moments about a point: of a tetrahedron Σ d·(s sᵀ + a aᵀ + b bᵀ + c cᵀ)/120."""
-    a, b, c = _seen(triangles, point)
-    d = (a * _cross(b, c)).sum(axis=0)
-    s = a + b + c
-    second = sum((d * v) @ v.T for v in (s, a, b, c))
-    return float(d.sum()) / 6.0, s @ d / 24.0, second / 120.0
-
-
-def areas(triangles: "Array", point: "Array") -> "tuple[float, Array, Array]":
-    """Area, first and second moments of the triangles about a point."""
-    import numpy as np
-
-    a, b, c = _seen(triangles, point)
-    d = np.linalg.norm(_cross(b - a, c - a), axis=0)
-    s = a + b + c
-    second = sum((d * v) @ v.T for v in (s, a, b, c))
-    return float(d.sum()) / 2.0, s @ d / 6.0, second / 24.0
-
-
-def moved(measure: float, first: "Array", second: "Array", point: "Array", *, shell: bool) -> "dict[str, Any]":
+def moved(case: "Case", measure: float, first: "Array", second: "Array", point: "Array") -> "dict[str, Any]":
     """Results from sums about a point: the parallel axis theorem, and LAPACK on the tensor."""
     import numpy as np
 
@@ -124,44 +113,19 @@ def moved(measure: float, first: "Array", second: "Array", point: "Array", *, sh
     centre = first / measure
     central = second - measure * np.outer(centre, centre)
     tensor = np.trace(central) * np.eye(3) - central
-    return named(measure, centre + point, tensor, np.linalg.eigvalsh(tensor), shell=shell)
-
-
-def named(measure: "Any", centre: "Any", tensor: "Any", moments: "Any", *, shell: bool) -> "dict[str, Any]":
-    """Results by address, for unit density."""
-    results = {"area" if shell else "volume": measure}
-    results |= {f"centroid[{k}]": centre[k] for k in range(3)}
-    results |= {f"moments.{name}": tensor[k][k] for k, name in enumerate(("xx", "yy", "zz"))}
-    results |= {f"products.{name}": tensor[i][j] for name, i, j in PAIRS}
-    return results | {f"principal_moments.{name}": moments[k] for k, name in enumerate(NAMES)}
+    size = {"area" if case.inputs["shell"] else "volume": measure}
+    return size | named(centre + point, tensor, np.linalg.eigvalsh(tensor))
 
 
 METHODS = (
-    Way("two passes by edges (chosen)", twice),
-    Way("about the middle of the box, LAPACK", about_middle),
-    Way("about the origin of the file, LAPACK", about_origin),
+    ("two passes by edges (chosen)", twice),
+    ("about the origin of the file, LAPACK", about_origin),
+    ("about the middle of the box, LAPACK", about_middle),
 )
 
 
-def _cases(comparing: "Comparing", task: str, *, shell: bool = False) -> "list[Case]":
-    return [case for case in comparing.cases(FILE, task=task) if case.inputs["shell"] == shell]
-
-
 def compare(comparing: "Comparing") -> "list[Row]":
-    """Solids of up to some hundred triangles."""
-    return rows_of(comparing, _cases(comparing, "mesh"), METHODS)
-
-
-def compare_large(comparing: "Comparing") -> "list[Row]":
-    """Solids of many triangles, where time is that of the sums."""
-    return rows_of(comparing, _cases(comparing, "large mesh"), METHODS)
-
-
-def compare_overlapping(comparing: "Comparing") -> "list[Row]":
-    """Solids that single precision has left with faces through one another, and little between them."""
-    return rows_of(comparing, _cases(comparing, "overlapping mesh"), METHODS)
-
-
-def compare_shells(comparing: "Comparing") -> "list[Row]":
-    """Thin shells along the triangles."""
-    return rows_of(comparing, _cases(comparing, "mesh", shell=True), METHODS)
+    """Solids of few triangles and of many, with faces that overlap, and thin shells."""
+    task, shell = ASKED[comparing.name]
+    cases = [case for case in comparing.cases(FILE, task=task) if case.inputs["shell"] == shell]
+    return comparing.results(METHODS, cases, scale)

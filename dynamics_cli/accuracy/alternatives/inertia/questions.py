@@ -1,29 +1,37 @@
-"""Mass properties: the questions asked of them."""
+"""Mass properties: the questions asked of them, and the textbook's method for each."""
 
-from dynamics_cli.accuracy.questions import Comparison, Method, Question
+from dynamics_cli.accuracy.alternatives.inertia.mesh import ASKED
+from dynamics_cli.accuracy.questions import Comparison, Method, Question, textbooks
 
 HERE = "dynamics_cli.accuracy.alternatives.inertia."
-BODIES, MESH, WALLS, EIGEN = (HERE + name for name in ("bodies:", "mesh:", "walls:", "eigen:"))
-
+SCALE = HERE + "bodies:scale"
+MOMENTS = (
+    Method("Jacobi, an exact quotient each", HERE + "eigen:jacobi", chosen=True),
+    Method("trigonometric", HERE + "eigen:by_arc_cosine"),
+    Method("LAPACK eigvalsh", HERE + "eigen:lapack"),
+)
+SECTIONS = (
+    Method("whole numbers, rounded once", "dynamics_cli.inertia.section.task:section", chosen=True),
+    Method("doubles from the origin, parallel axes at the end", HERE + "sections:about_origin"),
+    Method("doubles from a corner, parallel axes at the end", HERE + "sections:about_corner"),
+)
 QUESTIONS = (
-    Question(
-        "inertia", "shape", "inertia shape", "inertia_bodies.json", "shape",
-        Method("textbook: about the origin, parallel axes", HERE + "book:shape"),
+    *textbooks(
+        "inertia", "inertia_bodies.json", HERE,
+        ("shape", "textbook: about the origin, parallel axes", "book:shape"),
+        ("torque", "textbook: ω × (I·ω) as it stands", "bodies:torque_by_cross"),
     ),
-    Comparison("inertia", "shape", "thin walls", WALLS + "compare"),
-    Comparison("inertia", "body", "inertia body", BODIES + "compare_assemblies"),
-    Comparison("inertia", "compare", "inertia compare", HERE + "vectors:compare_pairs"),
-    Comparison("inertia", "tensor", "inertia tensor", HERE + "vectors:compare_tensors"),
-    Comparison("inertia", "tensor", "principal moments", EIGEN + "compare"),
-    Comparison("inertia", "tensor", "principal axes, by relative gap", EIGEN + "compare_axes"),
-    Question(
-        "inertia", "torque", "inertia torque", "inertia_bodies.json", "torque",
-        Method("textbook: ω × (I·ω) as it stands", HERE + "vectors:torque_by_cross"),
-        Method("Euler's equations in principal axes, LAPACK", HERE + "vectors:torque_along_axes"),
+    *textbooks(
+        "inertia", "inertia_bodies.json", HERE,
+        ("body", "tensors about the origin, parallel axes at the end, LAPACK", "bodies:body_from_origin"),
+        ("body", "tensors about the mass centre, LAPACK", "bodies:body_from_centre"),
+        ("compare", "textbook: about the origin, arc cosines", "bodies:pair_from_origin"),
+        ("tensor", "textbook: roots by an arc cosine", "bodies:tensor_by_cardano"),
+        ("tensor", "LAPACK eigvalsh", "bodies:tensor_by_lapack"),
+        scale=SCALE,
     ),
-    Comparison("inertia", "mesh", "mesh moments", MESH + "compare"),
-    Comparison("inertia", "mesh", "mesh moments, 32,768 triangles", MESH + "compare_large"),
-    Comparison("inertia", "mesh", "mesh moments, faces that overlap", MESH + "compare_overlapping"),
-    Comparison("inertia", "mesh", "shell moments", MESH + "compare_shells"),
-    Comparison("inertia", "section", "inertia section", HERE + "sections:compare"),
+    Question("inertia", "section", "inertia section", "inertia_sections.json", "section", *SECTIONS, scale=SCALE),
+    Question("inertia", "tensor", "principal moments", "eigen.json", "eigen", *MOMENTS),
+    Comparison("inertia", "tensor", "principal axes, by relative gap", HERE + "eigen:compare_axes"),
+    *(Comparison("inertia", "mesh", name, HERE + "mesh:compare") for name in ASKED),
 )  # fmt: skip

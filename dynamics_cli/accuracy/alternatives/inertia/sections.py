@@ -1,36 +1,14 @@
-"""Plane sections: whole numbers rounded once, beside sums in doubles about the origin and about a corner."""
+"""Plane sections by sums in doubles about the origin and about a corner, as textbooks have them."""
 
 from math import atan2, cos, hypot, pi, sin, sqrt
 
-from dynamics_cli.accuracy.alternatives.inertia.bodies import arguments
-from dynamics_cli.accuracy.alternatives.inertia.table import Way, rows_of
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from typing import Any
 
-    from dynamics_cli.accuracy.cases import Case
-    from dynamics_cli.accuracy.comparing import Comparing
-    from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.inertia.section.contours import Hole, Piece
 
     Contour = tuple[int, list[tuple[float, float]], float]
-
-
-def exact(**given: "Any") -> "dict[str, Any]":
-    """The program's own, each result with the bound that it states."""
-    from dynamics_cli.accuracy.cases import flat
-    from dynamics_cli.inertia.section.task import section
-    from dynamics_cli.numerics.tracked import Tracked
-
-    answer = section(**given)
-    results: dict[str, Any] = flat(answer)
-    assert answer.numerics is not None
-    for stated in answer.numerics.bounds:
-        value = results[stated.result]
-        results[stated.result] = Tracked(value, stated.bound * abs(value), ())
-    return results
 
 
 def _contours(polygon: "tuple[float, ...]", pieces: "tuple[Piece, ...]", holes: "tuple[Hole, ...]") -> "list[Contour]":
@@ -137,23 +115,3 @@ def about_corner(
     """The same seen from a corner of the section."""
     shapes = _contours(polygon, pieces, holes)
     return _answer(shapes, shapes[0][1][0])
-
-
-def _way(name: str, function: "Callable[..., Any]") -> Way:
-    def prepare(case: "Case") -> "Callable[[], Any]":
-        given = arguments(case)
-        return lambda: function(**given)
-
-    return Way(name, prepare)
-
-
-METHODS = (
-    _way("whole numbers, rounded once (chosen)", exact),
-    _way("doubles from a corner, parallel axes at the end", about_corner),
-    _way("doubles from the origin, parallel axes at the end", about_origin),
-)
-
-
-def compare(comparing: "Comparing") -> "list[Row]":
-    """Sections of polygons, circles and rectangles, with holes."""
-    return rows_of(comparing, comparing.cases("inertia_sections.json"), METHODS)

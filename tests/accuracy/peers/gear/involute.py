@@ -3,7 +3,7 @@
 from math import copysign, inf, pi, tan
 
 from dynamics_cli.accuracy.alternatives.gear.involute import MOST_STEPS, TINY
-from dynamics_cli.accuracy.alternatives.solvers import brent
+from peers.solvers import brent
 
 TYPE_CHECKING = False
 

@@ -3,8 +3,8 @@
 import math
 
 from dynamics_cli.accuracy.alternatives.gear.sizes import _bevel, _crossed, _worm
-from dynamics_cli.accuracy.alternatives.solvers import brent
 from peers.gear.involute import brent_inverse
+from peers.solvers import brent
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

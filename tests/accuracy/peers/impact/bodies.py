@@ -1,14 +1,13 @@
-"""Further ways beside those of `alternatives/impact/bodies`."""
+"""Whole planar impacts by pycrash, and what is lost where all but velocities is taken as differences."""
 
 from math import hypot
-
-from dynamics_cli.accuracy.alternatives.impact.bodies import FOOT, MILE_PER_HOUR, POUND_FORCE, _named, _system
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 
+FOOT, POUND_FORCE, MILE_PER_HOUR = 0.3048, 4.4482216152605, 0.44704
 # The acceleration of gravity that pycrash divides weights by [ft/s²].
 GRAVITY = 32.2
 
@@ -44,21 +43,6 @@ def planar(**given: "Any") -> "dict[str, float]":
     if any(hasattr(given[name].bulk, "fixed") for name in ("first", "second")):
         del made["energy_lost"]
     return made
-
-
-def by_matrix(*, first: "Any", second: "Any", gravity: float) -> "dict[str, float]":
-    """The 2×2 system by LU with pivots, `numpy.linalg.solve`."""
-    import numpy as np
-
-    one, two = np.linalg.solve(*_system(first, second))
-    return _named(float(one), float(two))
-
-
-def by_elimination(*, first: "Any", second: "Any", gravity: float) -> "dict[str, float]":
-    """As by hand: the second speed from the sum with the first eliminated, and the first from that along x."""
-    ((a, b), (c, d)), (x, y) = _system(first, second)
-    two = (y - c / a * x) / (d - c / a * b)
-    return _named((x - b * two) / a, two)
 
 
 def planar_by_pycrash(

@@ -1,19 +1,128 @@
-"""Further ways beside those of `alternatives/impact/space`."""
+"""Keller's equations of an impact in space by integrators, and the program's series of other orders and strides.
 
-from dynamics_cli.accuracy.alternatives.impact.space import CHOSEN, Contact, integrated, taylor
-from dynamics_cli.accuracy.alternatives.march import own
+By normal impulse the slip's direction is singular where the slip stops, so it is stopped below a share of the
+start and goes on straight, as the program does.
+"""
+
+from functools import partial
+from math import hypot
+
+from dynamics_cli.accuracy.alternatives.impact.paths import taylor
 from dynamics_cli.accuracy.cases import Case
-from peers.impact.march import scipy
+from peers.impact.march import own, scipy
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
+
+    from peers.impact.march import March
 
     Vector = tuple[float, float, float]
     State = list[float]
 
 
 MOST_STEPS = 100_000
+
+
+# Slip below this share of the speeds at the start has stopped, for those that march by impulse.
+STOPPED = 1e-9
+# Where the slip's direction turns ever faster an integrator's steps shrink; this many slopes are a second's work.
+MOST_SLOPES = 30_000
+
+
+class Contact:
+    """K, velocity, friction and restitution of a contact, and the law that ends it."""
+
+    def __init__(self, k: "Any", u: "Vector", mu: float, e: float, law: str) -> None:
+        self.k = k
+        self.u = u
+        self.mu, self.e, self.law = mu, e, law
+        self.least = STOPPED * max(hypot(u[0], u[1]), -u[2])
+
+    @classmethod
+    def of(cls, case: Case) -> "Contact":
+        """That of a case."""
+        given = case.inputs
+        rows = tuple(tuple(map(float, row)) for row in given["mobility"])
+        u: Vector = tuple(map(float, given["velocity"]))  # type: ignore[assignment]
+        return cls(rows, u, float(given["friction"]), float(given["restitution"]), given["law"]["word"])
+
+    def held(self, slip: float) -> bool:
+        """Whether the slip has stopped."""
+        return slip <= self.least
+
+    def ratio(self, x: float, y: float) -> "tuple[float, float]":
+        """Friction per normal impulse: against the slip, and once it has stopped what holds it or the one way out."""
+        from dynamics_cli.impact.spatial.straight_slip import stick_ratio, way_out
+
+        slip = hypot(x, y)
+        if not self.held(slip):
+            return -self.mu * x / slip, -self.mu * y / slip
+        hold = stick_ratio(self.k)
+        if hypot(*hold) <= self.mu:
+            return hold
+        out = way_out(self.k, self.mu)
+        return -self.mu * out[0], -self.mu * out[1]
+
+    def rates(self, y: "State") -> "State":
+        """d/dp_n of u_1, u_2, u_n, p_1, p_2, p_n, normal work."""
+        a, b = self.ratio(y[0], y[1])
+        u = [row[0] * a + row[1] * b + row[2] for row in self.k]
+        return [*u, a, b, 1.0, y[2]]
+
+    def aim(self, state: "State", compression: float, done: float) -> float:
+        """What is negative until compression is over, and then until the law's end."""
+        if not compression:
+            return state[2]
+        if self.law == "newton":
+            return state[2] + self.e * self.u[2]
+        if self.law == "poisson":
+            return state[5] - (1.0 + self.e) * compression
+        return state[6] + (1.0 - self.e * self.e) * done
+
+
+def integrated(march: "March") -> "Callable[[Case], Callable[[], Vector]]":
+    """Keller's equations integrated by normal impulse."""
+
+    def prepare(case: Case) -> "Callable[[], Vector]":
+        c = Contact.of(case)
+        return lambda: integral(c, march)
+
+    return prepare
+
+
+def integral(c: Contact, march: "March") -> "Vector":
+    """The impulse, the march stopping where slip has stopped, compression ends and the law ends it."""
+    y: State = [*c.u, 0.0, 0.0, 0.0, 0.0]
+    compression = done = 0.0
+    slopes = 0
+    longest = 1e3 * (-c.u[2] + hypot(c.u[0], c.u[1])) / min(c.k[0][0], c.k[1][1], c.k[2][2])
+    for _ in range(4):
+        straight = c.held(hypot(y[0], y[1]))
+        fixed = c.rates([0.0, 0.0, *y[2:]]) if straight else None
+
+        def slope(_: float, y: "State", fixed: "Any" = fixed) -> "State":
+            nonlocal slopes
+            slopes += 1
+            if slopes > MOST_SLOPES:
+                raise ArithmeticError
+            return c.rates(y) if fixed is None else [*fixed[:6], y[2]]
+
+        def stops(_: float, y: "State", straight: bool = straight) -> float:
+            return -1.0 if straight else c.least - hypot(y[0], y[1])
+
+        def ends(_: float, y: "State", compression: float = compression, done: float = done) -> float:
+            return c.aim(y, compression, done)
+
+        y, (stopped, ended) = march(slope, y, [stops, ends], 1e-15 * -c.u[2], longest)
+        if stopped:
+            y[0] = y[1] = 0.0
+        if ended:
+            if compression or c.e == 0.0:
+                return y[3], y[4], y[5]
+            compression, done = y[5], -y[6]
+    raise ArithmeticError
 
 
 def _euler(c: Contact, y: "State", step: float) -> "State":
@@ -75,8 +184,8 @@ def _within(
     return new
 
 
-order_16, order_10 = taylor(16, CHOSEN[1]), taylor(10, CHOSEN[1])
-long_strides = taylor(24, 0.5)
-coarse_steps = integrated(own(1e-6))
+order_16, order_10 = partial(taylor, order=16), partial(taylor, order=10)
+long_strides = partial(taylor, stride=0.5)
+coarse_steps, fine_steps = integrated(own(1e-6)), integrated(own(1e-10))
 rk4_40, rk4_10, by_euler = steps(_rk4, 40), steps(_rk4, 10), steps(_euler, 1000)
 by_scipy = integrated(scipy("DOP853", 1e-12))

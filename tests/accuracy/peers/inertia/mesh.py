@@ -1,6 +1,7 @@
 """Further ways beside those of `alternatives/inertia/mesh`."""
 
-from dynamics_cli.accuracy.alternatives.inertia.mesh import _cross, _seen, corners, moved, named
+from dynamics_cli.accuracy.alternatives.inertia.bodies import named
+from dynamics_cli.accuracy.alternatives.inertia.mesh import corners, cross, moved
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,7 +31,8 @@ def once(case: "Case") -> "Callable[[], dict[str, Any]]":
         second = moments.second
         made = principal(tuple(map(tuple, second.tolist())))  # type: ignore[arg-type]
         tensor = np.trace(second) * np.eye(3) - second
-        return named(moments.measure, moments.centroid, tensor, made.moments, shell=shell)
+        size = {"area" if shell else "volume": moments.measure}
+        return size | named(moments.centroid, tensor, made.moments)
 
     return answer
 
@@ -41,7 +43,7 @@ def by_faces(case: "Case") -> "Callable[[], dict[str, Any]]":
 
     def answer() -> "dict[str, Any]":
         mean = found.mean(axis=(0, 1))
-        return moved(*faces(found, mean), mean, shell=False)
+        return moved(case, *faces(found, mean), mean)
 
     return answer
 
@@ -50,8 +52,8 @@ def faces(found: "Array", point: "Array") -> "tuple[float, Array, Array]":
     """Volume, first and second moments: ∮ x nₓ, ∮ x² nₓ/2, ∮ x³ nₓ/3 and ∮ x² y nₓ/2 over the surface."""
     import numpy as np
 
-    x = _seen(found, point)
-    n, s = _cross(x[1] - x[0], x[2] - x[0]), x[0] + x[1] + x[2]
+    x = np.ascontiguousarray(found.transpose(1, 2, 0)) - point[:, None]
+    n, s = cross(x[1] - x[0], x[2] - x[0]), x[0] + x[1] + x[2]
     squares = [[sum(v[i] * v[j] for v in x) for j in range(3)] for i in range(3)]
     first = np.array([n[i] @ (s[i] * s[i] + squares[i][i]) for i in range(3)]) / 48.0
     second = np.empty((3, 3))
@@ -76,7 +78,7 @@ def by_trimesh(case: "Case") -> "Callable[[], dict[str, Any]]":
         faces = np.arange(3 * len(found)).reshape(-1, 3)
         made = trimesh.Trimesh(found.reshape(-1, 3), faces, process=False).mass_properties
         tensor = np.asarray(made["inertia"])
-        return named(made["volume"], made["center_mass"], tensor, np.linalg.eigvalsh(tensor), shell=False)
+        return {"volume": made["volume"], **named(made["center_mass"], tensor, np.linalg.eigvalsh(tensor))}
 
     return answer
 
@@ -99,8 +101,7 @@ def by_mujoco(case: "Case") -> "Callable[[], dict[str, Any]]":
         mujoco.mju_quat2Mat(turn, model.body_iquat[1])
         axes = turn.reshape(3, 3)
         moments = model.body_inertia[1]
-        return named(
-            model.body_mass[1], model.body_ipos[1], axes @ np.diag(moments) @ axes.T, sorted(moments), shell=False
-        )
+        tensor = axes @ np.diag(moments) @ axes.T
+        return {"volume": model.body_mass[1], **named(model.body_ipos[1], tensor, sorted(moments))}
 
     return answer

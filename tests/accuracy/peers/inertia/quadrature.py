@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import pi
 
-from dynamics_cli.accuracy.alternatives.inertia.origin import Piece, results
+from dynamics_cli.accuracy.alternatives.inertia.book import properties
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     Array = np.ndarray[Any, np.dtype[Any]]
-    Pieces = list[Piece]
+    from dynamics_cli.accuracy.alternatives.inertia.book import Piece, Pieces
 
 TURN = 0.0, 2.0 * pi
 RIGHT, QUARTER = (-0.5 * pi, 0.5 * pi), (0.0, 0.5 * pi)
@@ -33,7 +33,7 @@ def _gauss(*counts: int) -> "tuple[list[Array], Array]":
     return [node.ravel() for node in nodes], weights.ravel()
 
 
-def _piece(x: "Array", y: "Array", z: "Array", weights: "Array", sign: float = 1.0) -> Piece:
+def _piece(x: "Array", y: "Array", z: "Array", weights: "Array", sign: float = 1.0) -> "Piece":
     """Sums over the nodes, in the mean."""
     total = float(weights.sum())
     share = weights / total
@@ -49,7 +49,7 @@ def _piece(x: "Array", y: "Array", z: "Array", weights: "Array", sign: float = 1
 def _solid(
     profile: "Callable[[Array], tuple[Array, Array, Array, Array]]", span: "tuple[float, float]" = TURN,
     scale: "tuple[float, float]" = (1.0, 1.0), sign: float = 1.0,
-) -> Piece:  # fmt: skip
+) -> "Piece":  # fmt: skip
     """What turns about z between two radii: the profile gives z, dz/ds and both radii at s from 0 to 1."""
     import numpy as np
 
@@ -63,7 +63,7 @@ def _solid(
 def _plate(
     outer: float, span: "tuple[float, float]" = TURN, inner: float = 0.0, z: float = 0.0,
     scale: "tuple[float, float]" = (1.0, 1.0),
-) -> Piece:  # fmt: skip
+) -> "Piece":  # fmt: skip
     """A sector of a ring."""
     import numpy as np
 
@@ -73,7 +73,7 @@ def _plate(
     return _piece(scale[0] * radius * np.cos(angle), scale[1] * radius * np.sin(angle), z + 0.0 * radius, weights)
 
 
-def _sheet(profile: "Callable[[Array], tuple[Array, Array, Array]]", span: "tuple[float, float]" = TURN) -> Piece:
+def _sheet(profile: "Callable[[Array], tuple[Array, Array, Array]]", span: "tuple[float, float]" = TURN) -> "Piece":
     """A sheet that turns about z: the profile gives its radius, height and length per s."""
     import numpy as np
 
@@ -84,7 +84,7 @@ def _sheet(profile: "Callable[[Array], tuple[Array, Array, Array]]", span: "tupl
     return _piece(radius * np.cos(angle), radius * np.sin(angle), z, weights)
 
 
-def _arc(radius: float, span: "tuple[float, float]") -> Piece:
+def _arc(radius: float, span: "tuple[float, float]") -> "Piece":
     import numpy as np
 
     (around,), weights = _gauss(AROUND)
@@ -112,7 +112,7 @@ def _bowl(
     return profile
 
 
-def _bar(width: float, depth: float = 0.0, height: float = 0.0) -> Piece:
+def _bar(width: float, depth: float = 0.0, height: float = 0.0) -> "Piece":
     """A rod, a rectangle or a block about the origin."""
     (x, y, z), weights = _gauss(2, 2, 2)
     size = width * (depth or 1.0) * (height or 1.0)
@@ -198,7 +198,7 @@ def _regular(s: "Any") -> "Pieces":
     return _fan([(s.radius * cos(angle), s.radius * sin(angle)) for angle in angles], s.height)
 
 
-def _cylinder(s: "Any", span: "tuple[float, float]" = TURN) -> Piece:
+def _cylinder(s: "Any", span: "tuple[float, float]" = TURN) -> "Piece":
     return _solid(_straight(s.radius, s.radius, -0.5 * s.length, 0.5 * s.length), span)
 
 
@@ -262,14 +262,14 @@ SHAPES: "dict[str, Callable[[Any], Pieces]]" = {
 }  # fmt: skip
 
 
-def _scaled(piece: Piece, up: float) -> Piece:
+def _scaled(piece: "Piece", up: float) -> "Piece":
     """Stretched along z."""
     size, (x, y, z), (xx, yy, zz, xy, yz, zx) = piece
     return size * up, (x, y, z * up), (xx, yy, zz * up * up, xy, yz * up, zx * up)
 
 
 def shape(*, shape: "Any", amount: "Any") -> "dict[str, float]":
-    """Two to thirty-two Gauss nodes along each direction; walls are asked for in a question of their own."""
+    """Two to thirty-two Gauss nodes along each direction; of thin walls it has none."""
     if type(shape).__name__ not in SHAPES:
         raise ArithmeticError
-    return results(shape, amount, SHAPES)
+    return properties(shape, SHAPES[type(shape).__name__](shape), amount.mass)
