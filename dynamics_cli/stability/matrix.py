@@ -3,7 +3,7 @@
 from dynamics_cli.errors import UsageError, require, require_given
 from dynamics_cli.numerics.exact.rational import lowest, reduce_rows, total, written
 from dynamics_cli.numerics.exact.whole_polynomials import common_divisor, mirrored, primitive, square_free, times
-from dynamics_cli.quantities import Annotated, Count, GrowthRate, Matrix, Text
+from dynamics_cli.quantities import Annotated, Count, GrowthRate, InputFile, Matrix, Text
 from dynamics_cli.records import Advice, Numerics, record
 from dynamics_cli.stability.counting import MARGINAL, REPEATED, Counts, count, verdict
 from dynamics_cli.stability.roots import METHOD, Root, roots
@@ -11,7 +11,7 @@ from dynamics_cli.stability.roots import METHOD, Root, roots
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
-    from typing import TypeAlias
+    from typing import Any, TypeAlias
 
     Pair: TypeAlias = tuple[int, int]
     Rows: TypeAlias = Sequence[Sequence[Pair]]
@@ -48,8 +48,11 @@ def matrix(
     damping: Annotated[Matrix | None, "C, forces in proportion to velocities, e.g. 0.1, 0; 0, 0.2."] = None,
     gyroscopic: Annotated[Matrix | None, "G, skew-symmetric, e.g. 0, -3; 3, 0."] = None,
     stiffness: Annotated[Matrix | None, "K, symmetric or not, e.g. 4, -1; -1, 2."] = None,
+    file: Annotated[
+        InputFile, "JSON of vibration modes or motion modes, or text with M, C, G, K or A above their rows."
+    ] = "",
 ) -> MatrixStability:
-    """Stability of a linear system from its matrices, up to six by six, exactly.
+    """Stability of a linear system from its matrices, exactly: up to six by six, from a file up to twelve by twelve.
 
     Equation
     --------
@@ -63,9 +66,9 @@ def matrix(
     Raises
     ------
     UsageError
-        When neither A nor M and K are given, or both.
+        When neither A nor M and K are given, or both, or one of them both typed and in the file.
     InadmissibleError
-        When sizes do not fit, the mass matrix is singular, or G is not skew-symmetric.
+        When sizes do not fit, the mass matrix is singular, G is not skew-symmetric, or the file has no matrices.
 
     Notes
     -----
@@ -82,16 +85,19 @@ def matrix(
     >>> matrix((((0, 1), (1, 1)), ((-4, 1), (-1, 5)))).verdict
     'asymptotically stable'
     """
+    given = {"matrix": matrix, "mass": mass, "damping": damping, "gyroscopic": gyroscopic, "stiffness": stiffness}
+    if file:
+        given = _with_file(given, file)
+    matrix, mass, damping, gyroscopic, stiffness = given.values()
     if matrix is not None:
-        others = {"mass": mass, "damping": damping, "gyroscopic": gyroscopic, "stiffness": stiffness}
-        extra = [name for name, rows in others.items() if rows is not None]
+        extra = [name for name, rows in given.items() if rows is not None and name != "matrix"]
         if extra:
             raise UsageError(f"A is given and {extra[0]} too", code="ambiguous", hint="give A alone, or M, C, G and K")
         _require_square(matrix, "A", len(matrix))
         system = [list(row) for row in matrix]
     else:
         require_given(mass is not None and stiffness is not None, "neither A nor M and K are given",
-                      ("matrix",), ("mass", "stiffness"))  # fmt: skip
+                      ("matrix",), ("mass", "stiffness"), ("file",))  # fmt: skip
         system = _first_order(mass, damping, gyroscopic, stiffness)
     counts, judged, p, denominator = _judged(system)
     roots_proved = roots(p)
@@ -111,6 +117,18 @@ def matrix(
         numerics=Numerics(METHOD),
         advice=_advice(judged, plain, damping),
     )
+
+
+def _with_file(given: "dict[str, Any]", file: str) -> "dict[str, Any]":
+    """The matrices of the file beside those that were typed."""
+    from dynamics_cli.stability.matrix_file import read_system
+
+    system = read_system(file, alone=not any(given.values()))
+    twice = [name for name in system if given[name] is not None]
+    if twice:
+        raise UsageError(f"{twice[0]} is typed, and the file has it too", code="ambiguous",
+                         hint="leave out one of them")  # fmt: skip
+    return {**given, **system}
 
 
 def _growth(roots_proved: "Sequence[Root]") -> "str | None":

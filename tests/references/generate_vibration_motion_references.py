@@ -238,11 +238,49 @@ def histories() -> list[dict[str, Any]]:
     return made
 
 
+def moved_bases() -> list[dict[str, Any]]:
+    """Where the base is moved by y(t): absolute coordinates, M·ẍ = −K·(x − y) − C·(ẋ − ẏ), by one exponential.
+
+    All is at rest before; y is A·sin ωt, or B·e^{−at}·cos ωt, which jumps at the start.
+    """
+    made = []
+    for name in ("one ratio", "coupled", "overdamped", "proportional", "free ends"):
+        mass, damping, stiffness = system(name)
+        n, end, one = mass.rows, mpf("0.8"), matrix([1] * mass.rows)
+        inverse = mass**-1
+        for kind, law, start in (
+            ("sine", [[0, WAVE], [-WAVE, 0]], (0, 1)), ("jump", [[-FALL, WAVE], [-WAVE, -FALL]], (1, 0)),
+        ):  # fmt: skip
+            whole = zeros(2 * n + 2, 2 * n + 2)
+            for i in range(n):
+                whole[i, n + i] = 1
+            whole[n : 2 * n, :n], whole[n : 2 * n, n : 2 * n] = -inverse * stiffness, -inverse * damping
+            # forces of springs and dampers to the base: K·1·y + C·1·ẏ, ẏ = law · (y, its partner)
+            for part, column in ((stiffness * one, (1, 0)), (damping * one, law[0])):
+                for j in (0, 1):
+                    whole[n : 2 * n, 2 * n + j] += inverse * part * column[j]
+            whole[2 * n :, 2 * n :] = matrix(law)
+            state = zeros(2 * n + 2, 1)
+            state[2 * n], state[2 * n + 1] = start
+            rate = expm(whole * end) * state
+            speed = whole * rate
+            # the damper's force of the jump itself is an impulse: it adds C·1·y(0) to the momenta
+            kick = zeros(2 * n + 2, 1)
+            kick[n : 2 * n, 0] = inverse * damping * one * start[0]
+            after = expm(whole * end) * kick
+            rate, speed = rate + after, speed + whole * after
+            made.append({
+                "system": name, "load": kind, "absolute": text(rate[n - 1]), "absolute_velocity": text(speed[n - 1]),
+                "acceleration": text(speed[2 * n - 1]), "base": text(rate[2 * n]),
+            })  # fmt: skip
+    return made
+
+
 def main(target: Path) -> None:
     made = {
         "about": "Written by generate_vibration_motion_references.py: other formulas than the program's, 32 digits.",
         "shocks": shocks(), "undamped": undamped(), "complex_modes": complex_modes(), "jumps": jumps(),
-        "systems": SYSTEMS, "histories": histories(),
+        "systems": SYSTEMS, "histories": histories(), "moved_bases": moved_bases(),
         "van_der_pol": {mu: van_der_pol(mpf(mu)) for mu in ("1",)}, **periods(),
     }  # fmt: skip
     target.write_text(json.dumps(made, indent=1) + "\n", encoding="utf-8")

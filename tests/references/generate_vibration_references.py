@@ -316,7 +316,8 @@ def beam(ends: dict[str, str], length: float, section: Any, elastic_modulus: flo
 
 
 def whirl(mass: float, shaft: Any, eccentricity: float, speed: float, damping_ratio: float = 0.0,
-          polar_inertia: float | None = None, diametral_inertia: float | None = None) -> dict[str, Any]:  # fmt: skip
+          polar_inertia: float | None = None, diametral_inertia: float | None = None,
+          orders: list[float] | None = None) -> dict[str, Any]:  # fmt: skip
     m, w, e, zeta = mpf(mass), mpf(speed), mpf(eccentricity), mpf(damping_ratio)
     if "stiffness" in shaft:
         k = mpf(shaft["stiffness"])
@@ -339,6 +340,34 @@ def whirl(mass: float, shaft: Any, eccentricity: float, speed: float, damping_ra
             whole = (flex[0, 0] * flex[1, 1] - flex[0, 1] ** 2) * m * moment / bending**2
             found = [root.real for root in polyroots([whole, -trace, 1], maxsteps=500, extraprec=400)]
             out[name] = sqrt(min(root for root in found if root > 0))
+        out |= free_whirls(m, w, [part / bending for part in (flex[0, 0], flex[1, 1], flex[0, 1])], polar_inertia,
+                           diametral_inertia, orders or [1.0])  # fmt: skip
+    return out
+
+
+def free_whirls(m: Any, w: Any, flex: list[Any], polar: Any, diametral: Any, orders: list[float]) -> dict[str, Any]:
+    """det(1 − flex·diag(mλ², I_dλ² − I_pΩλ)) = 0 for λ at the speed, and for Ω where λ = ±hΩ."""
+    p, d, whole = mpf(polar), mpf(diametral), flex[0] * flex[1] - flex[2] ** 2
+    quartic = [whole * m * d, -whole * m * p * w, -flex[0] * m - flex[1] * d, flex[1] * p * w, 1]
+    rates = [root.real for root in polyroots(quartic, maxsteps=500, extraprec=400)]
+    ahead, back = sorted(x for x in rates if x > 0), sorted(-x for x in rates if x < 0)
+    out = {}
+    for nth, rate in enumerate((back[0], ahead[0], back[1], ahead[1])):
+        out |= {f"whirls[{nth}].frequency": rate / (2 * pi), f"whirls[{nth}].order": rate / w}
+    row = 0
+    for h in map(mpf, orders):
+        met = []
+        for sign in (1, -1):
+            moment = d * h * h - sign * p * h
+            squares = polyroots([whole * m * h * h * moment, -flex[0] * m * h * h - flex[1] * moment, 1],
+                                maxsteps=500, extraprec=400)  # fmt: skip
+            met.append(sorted(sqrt(x.real) for x in squares if x.real > 0))
+        for mode in (0, 1):
+            for speeds in (met[1], met[0]):
+                if mode < len(speeds):
+                    out |= {f"criticals[{row}].speed": speeds[mode],
+                            f"criticals[{row}].frequency": speeds[mode] * h / (2 * pi)}  # fmt: skip
+                    row += 1
     return out
 
 
@@ -575,6 +604,15 @@ def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
             "diametral_inertia": 0.25,
         },
     )
+    thick = {"mass": 30.0, "shaft": of("Bar", diameter=0.04, length=0.9, position=0.7), "eccentricity": 2e-5,
+             "speed": 1500.0, "polar_inertia": 0.5, "diametral_inertia": 0.75, "orders": [0.5, 1.0, 2.0]}  # fmt: skip
+    yield "whirl", "a thick disk and three orders", "", thick
+    middle = thick | {"shaft": of("Bar", diameter=0.04, length=0.9, position=0.45)}
+    yield "whirl", "a thick disk in the middle, where tilt and shift part", "", middle
+    beside = of("Bar", diameter=0.04, length=0.9, position=0.001)
+    yield "whirl", "a disk beside a bearing", "k₁₁·k₂₂ − k₁₂² all but cancels", thick | {"shaft": beside}
+    fast = thick | {"speed": 1e6}
+    yield "whirl", "so fast that the gyroscopic moment rules", "frequencies six orders apart", fast
     yield (
         "whirl",
         "just beside the critical speed",

@@ -79,3 +79,41 @@ def test_superscripts_and_signs_of_print() -> None:
     one = answer("stability", "routh", "s³ + 2·s² − 5s + 1")
     other = answer("stability", "routh", "1, 2, -5, 1")
     assert one["results"]["right"] == other["results"]["right"]
+
+
+def test_matrices_from_files(tmp_path: Path) -> None:
+    """Documents of modes, matrices of a document by address, text with names above the rows."""
+    system = ("--masses", "1, 2 kg", "--stiffnesses", "100, 50 N/m", "--damping-ratio", "0.02")
+    modes = tmp_path / "modes.json"
+    modes.write_text(run("vibration", "modes", *system, "--json").out)
+    made = answer("stability", "matrix", "--file", str(modes))["results"]
+    assert made["verdict"] == "asymptotically stable"
+    assert [row["damping"]["value"] for row in made["roots"]] == pytest.approx([0.02, 0.02], rel=1e-12)
+    parts = {"mass": "mass_matrix", "damping": "damping_matrix", "stiffness": "stiffness_matrix"}
+    typed = [word for name, key in parts.items() for word in (f"--{name}", f"@{modes}:{key}")]
+    by_parts = answer("stability", "matrix", *typed)["results"]
+    assert by_parts["rightmost"]["value"] == pytest.approx(made["rightmost"]["value"], rel=1e-12)
+    spinning = answer("stability", "matrix", "--file", str(modes), "--gyroscopic", "0, 3; -3, 0")["results"]
+    assert spinning["without_gyroscopic"] == "asymptotically stable"
+
+    modes.write_text(run("vibration", "modes", "--masses", "1, 1 kg", "--stiffnesses", "0.1 N/m", "--json").out)
+    free = answer("stability", "matrix", "--file", str(modes))["results"]
+    assert (free["verdict"], free["axis"]["value"]) == ("unstable: repeated roots on the axis", 4)
+    modes.write_text(run("motion", "modes", "--lengths", "0.5, 0.5 m", "--masses", "1 kg", "--json").out)
+    assert answer("stability", "matrix", "--file", str(modes))["results"]["axis"]["value"] == 4
+
+    text = tmp_path / "matrices.txt"
+    text.write_text("M\n1, 0\n0, 1\nK:\n-1 0\n0 -2  # pushes away\nG\n0 -3\n3 0\n")
+    held = answer("stability", "matrix", "--file", str(text))["results"]
+    assert (held["verdict"], held["without_gyroscopic"]) == (
+        "marginally stable: simple roots on the axis", "unstable",
+    )  # fmt: skip
+    for content, more, code in (
+        ("0, 1\n-4, -1/5\n", (), None), ("0, 1\n-4, x\n", (), "number"), ("M\n1\nM\n1\n", (), "matrix"),
+        ("0, 1\n-4, -1/5\n", ("1",), "ambiguous"), ("", (), "matrix"), ("1, 2\n3\n", (), "matrix"),
+        ("{}", (), "matrix"),
+        ('{"modes": [{"number": 1}]}', (), "matrix"),
+    ):  # fmt: skip
+        text.write_text(content)
+        out = run("stability", "matrix", *more, "--file", str(text), "--json")
+        assert (out.error["code"] if code else out.status) == (code or 0), content

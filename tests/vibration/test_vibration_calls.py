@@ -61,6 +61,9 @@ REFUSED = {
     "absorber without damping": ("absorber --mass-ratio 0.1 --frequency-ratio 0.9 --damping-ratio 0", "undamped"),
     "one peak left": ("absorber --mass-ratio 0.01 --frequency-ratio 0.9 --damping-ratio 3", "one-peak"),
     "beam of nothing": ('beam --ends free-free --length "1 m" --width "0 mm" --height "1 mm"', "section"),
+    "a diagram without tilting": (
+        'whirl --mass "1 kg" --stiffness "1 N/m" --eccentricity "1 um" --speed "2 rad/s" --highest-speed "9 rad/s"',
+        "missing"),
     "whirl in resonance": (
         'whirl --mass "1 kg" --stiffness "1 N/m" --eccentricity "1 um" --speed "1 rad/s"', "resonance"),
     "one inertia": (

@@ -16,7 +16,7 @@ from dynamics_cli.vibration.shocks.transient import Push, transient
 from dynamics_cli.vibration.single.oscillator import DampingShare, Spring
 from dynamics_cli.vibration.systems.history import history
 from dynamics_cli.vibration.systems.inputs import Line, Matrices, System
-from dynamics_cli.vibration.systems.loads import BaseLaw, ForceLaw, Recorded, SineBase, SineForce
+from dynamics_cli.vibration.systems.loads import BaseLaw, ForceLaw, MotionLaw, Recorded, SineBase, SineForce, SineMotion
 from dynamics_cli.vibration.systems.modal import Modal
 
 REFERENCES: dict[str, Any] = json.loads((Path(__file__).parent / "motion.json").read_text(encoding="utf-8"))
@@ -56,6 +56,45 @@ def test_the_state_at_the_end(case: dict[str, Any], tmp_path: Path) -> None:
     assert table["displacement"][-1] == pytest.approx(float(case["displacement"]), abs=room * largest)
     assert table["velocity"][-1] == pytest.approx(float(case["velocity"]), abs=1e3 * room * largest)
     assert all(check.passed for check in made.checks)
+
+
+@pytest.mark.parametrize("case", REFERENCES["moved_bases"], ids=lambda case: f"{case['system']} {case['load']}")
+def test_on_a_base_that_is_moved(case: dict[str, Any]) -> None:
+    """Absolute motion against one exponential in absolute coordinates, the force of a jump on the dampers included."""
+    system, ratio = given(case["system"])
+    wave = SineMotion(1.0, WAVE) if case["load"] == "sine" else MotionLaw(Formula("exp(-3*t)*cos(9*t)", 1.0, "m"))
+    made = history(system=system, damping_ratio=ratio, load=wave, read_at=str(len(system.masses)), duration=0.8)
+    table, room = made.history.arrays, ROOM["sine" if case["load"] == "sine" else "formula"]
+    assert table["base_displacement"][-1] == pytest.approx(float(case["base"]), abs=1e-13)
+    for name, size in (("absolute", "absolute_displacement"), ("absolute_velocity",) * 2, ("acceleration",) * 2):
+        scale = max(abs(table[size]).max(), abs(made.peak))
+        assert table[size][-1] == pytest.approx(float(case[name]), abs=1e3 * room * scale), name
+    assert table["absolute_displacement"] == pytest.approx(table["displacement"] + table["base_displacement"])
+    assert all(check.passed for check in made.checks)
+
+
+def test_a_recorded_displacement_is_that_of_its_formula(tmp_path: Path) -> None:
+    """A spline through close samples, in mm from any zero; a coarse one is reported."""
+    line = Line((2.0, 1.0), (200.0, 90.0), (1.0, 0.3))
+    file = tmp_path / "base.csv"
+    samples = [(0.01 * i, 7.0 + 20.0 * (1.0 - math.cos(0.06 * i))) for i in range(201)]
+    file.write_text("t[s],x[mm]\n" + "".join(f"{t},{x}\n" for t, x in samples))
+    made = history(system=line, load=Recorded(str(file)))
+    typed = history(system=line, load=MotionLaw(Formula("20*(1 - cos(6*t))", 1e-3, "mm")), duration=2.0)
+    assert made.peak == pytest.approx(typed.peak, rel=1e-6)
+    assert [row.absolute for row in made.peaks] == pytest.approx([row.absolute for row in typed.peaks], rel=1e-6)
+    assert made.advice == ()
+    file.write_text("t[s],x[mm]\n0,0\n0.1,0\n0.2,20\n0.4,20\n1,20\n")
+    assert [one.code for one in history(system=line, load=Recorded(str(file))).advice] == ["coarse"]
+
+
+def test_an_acceleration_of_the_base_and_its_displacement_are_one() -> None:
+    line = Line((2.0, 1.0), (200.0, 90.0), (1.0, 0.3))
+    pulled = history(system=line, load=SineBase(2.0, WAVE), duration=2.0)
+    # the displacement that it has from rest
+    moved = history(system=line, load=MotionLaw(Formula("2/81*(1 - cos(9*t))", 1.0, "m")), duration=2.0)
+    for name in ("displacement", "acceleration", "absolute_displacement", "base_displacement"):
+        assert pulled.history.arrays[name][-1] == pytest.approx(moved.history.arrays[name][-1], rel=1e-7)
 
 
 def test_one_mass_is_that_of_transient(tmp_path: Path) -> None:
@@ -104,6 +143,8 @@ def test_receptances_of_coupled_modes_by_both_ways() -> None:
 
 
 def test_what_is_refused_or_said(tmp_path: Path) -> None:
+    short = tmp_path / "base.csv"
+    short.write_text("t[s],x[mm]\n0,0\n1,3\n2,0\n")
     two = ("--masses", "1, 1 kg", "--stiffnesses", "10, 10 N/m")
     for more, code in (
         (("--force", "1 N", "--frequency", "1 Hz", "--force-at", "1"), "no-duration"),
@@ -111,6 +152,9 @@ def test_what_is_refused_or_said(tmp_path: Path) -> None:
         (("--force", "1 N", "--frequency", "0 Hz", "--force-at", "1", "--duration", "1 s"), "at-rest"),
         (("--force-law", "sin(t)/t N", "--force-at", "1", "--duration", "1 s"), "no-value"),
         (("--force-law", "0*t N", "--force-at", "1", "--duration", "1 s"), "no-load"),
+        (("--base-motion", "0*t mm", "--duration", "1 s"), "no-load"),
+        (("--base-motion", "abs(t - 0) mm", "--duration", "1 s"), "no-value"),
+        (("--file", str(short), "--duration", "9 s"), "length"),
     ):
         outcome = run("vibration", "history", *two, *more, "--json")
         assert outcome.status == 3, outcome.out

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from dynamics_cli.vibration.shafts.campbell import TiltingDisk
 from dynamics_cli.vibration.shafts.line import BySpeeds, Gear, Rate, Rotor, Shaft
 from dynamics_cli.vibration.shafts.shaft import shaft
 from dynamics_cli.vibration.shocks.pulses import Oscillators, Piece
@@ -134,3 +135,31 @@ def test_a_piece_of_load_may_be_cut_anywhere(zeta: float, omega: float, a: float
     joined = of.after(*half, Piece(0.0, t, a=a + 0.4 * b * t, b=b, c=turned, p=2.0), 0.6 * t)
     assert np.allclose(whole[0], joined[0], rtol=1e-10, atol=1e-12)
     assert np.allclose(whole[1], joined[1], rtol=1e-10, atol=1e-12)
+
+
+@few
+@given(sizes, sizes, sizes, st.floats(-0.95, 0.95), sizes, sizes, st.floats(0.01, 30.0))
+def test_whirls_are_the_eigenvalues_of_the_gyroscopic_system(
+    m: float, direct: float, tilting: float, coupling: float, polar: float, diametral: float, speed: float
+) -> None:
+    cross = coupling * math.sqrt(direct * tilting)
+    disk = TiltingDisk(m, (direct, tilting, direct * tilting - cross * cross), polar, diametral)
+    mass, stiffness = np.diag([m, diametral]), np.array([[direct, cross], [cross, tilting]])
+    gyroscopic = np.diag([0.0, -1j * polar * speed])
+    below = -np.linalg.solve(mass, np.hstack([stiffness, gyroscopic]))
+    rates = np.linalg.eigvals(np.vstack([np.eye(2, 4, 2), below])).imag
+    ahead, back = sorted(rates[rates > 0.0]), sorted(-rates[rates < 0.0])
+    assert disk.whirls(speed) == pytest.approx((back[0], ahead[0], back[1], ahead[1]), rel=1e-9)
+
+
+@few
+@given(sizes, sizes, sizes, st.floats(-0.95, 0.95), sizes, sizes, st.floats(0.3, 4.0))
+def test_a_critical_speed_is_where_the_order_meets_the_whirl(
+    m: float, direct: float, tilting: float, coupling: float, polar: float, diametral: float, order: float
+) -> None:
+    disk = TiltingDisk(m, (direct, tilting, (1.0 - coupling * coupling) * direct * tilting), polar, diametral)
+    rates = {("backward", 1): 0, ("forward", 1): 1, ("backward", 2): 2, ("forward", 2): 3}
+    crossings = disk.criticals(order)
+    assert len(crossings) == 3 + (diametral * order > polar)
+    for speed, whirl, mode in crossings:
+        assert disk.whirls(speed)[rates[whirl, mode]] == pytest.approx(order * speed, rel=1e-9)

@@ -15,6 +15,7 @@ TIMES = {"": 1.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0}
 MOST = 200_000
 # Units of a load.
 FORCES = {"N": 1.0, "kN": 1e3, "lbf": 4.4482216152605}
+LENGTHS = {"mm": 1e-3, "m": 1.0, "um": 1e-6, "cm": 1e-2, "in": 0.0254, "ft": 0.3048}
 ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "g": STANDARD_GRAVITY, "mm/s^2": 1e-3, "ft/s^2": 0.3048}
 
 

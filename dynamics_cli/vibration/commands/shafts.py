@@ -87,24 +87,27 @@ BEAM = Task(
 
 WHIRL = Task(
     "whirl",
-    "A disk on a flexible shaft: critical speed, whirl, bearing force; a disk that tilts.",
+    "A disk on a flexible shaft: critical speeds, whirl; Campbell diagram of a disk that tilts.",
     Model(
         "Jeffcott rotor",
         "dynamics_cli.vibration.shafts.whirl:whirl",
         source="Jeffcott, Phil. Mag. 37 (1919) 304; " + BOOK + "section 13.6",
         formula="{critical_speed|Ω_c} = √({stiffness|k}/{mass|m}), {amplitude|w} = {eccentricity|e}·r²/√((1 − r²)² + "
         "(2·{damping_ratio|ζ}·r)²)",
-        assumptions=("a massless shaft in rigid, short bearings", "external damping; none inside the shaft"),
+        assumptions=("a massless shaft in rigid, short bearings", "external damping; none inside the shaft",
+                     "the amplitude is of a disk that does not tilt"),
     ),
     headline=(
         "critical_speed", "amplitude: whirl of the shaft", "phase: lag", "ratio: speed over critical",
         "bearing_force: force on both bearings", "peak_amplitude: whirl at the critical speed", "static_deflection",
-        "forward_speed: forward, disk tilting", "backward_speed: backward, disk tilting",
+        "criticals: critical speeds | speed, order, whirl, mode, frequency",
+        "campbell: over speed | speed, first_backward=1 backward, first_forward=1 forward, "
+        "second_backward=2 backward, second_forward=2 forward",
     ),
     examples=(
         'dynamics vibration whirl --mass "30 kg" --diameter "40 mm" --length "900 mm" --position "300 mm" '
         '--eccentricity "20 um" --speed "3600 rpm" --damping-ratio 0.02 --polar-inertia "0.5 kg*m^2" '
-        '--diametral-inertia "0.25 kg*m^2"',
+        '--diametral-inertia "0.25 kg*m^2" --orders 1,2',
         'dynamics vibration whirl --mass "30 kg" --stiffness "4000 N/mm" --eccentricity "20 um" --speed "1500 rpm"',
     ),
     plot=f"{ROTORS}:whirl",

@@ -68,20 +68,20 @@ RESPONSE = Task(
 
 HISTORY = Task(
     "history",
-    "Motion of several masses over time under a force or on a shaking base: sine, formula, record.",
+    "Motion of several masses over time under a force, or on a base that moves: sine, formula, record.",
     Model(
         "motion of a linear system",
         "dynamics_cli.vibration.systems.history:history",
         source=BOOK + "sections 13.6 to 13.8",
         formula="q̈ + C·q̇ + Ω²·q = φᵀ·F(t), x = φ·q; on a base −φᵀ·M·1·a(t)",
         assumptions=(SMALL, "at rest before", "a base moves all coordinates alike",
-                     "a recorded load runs straight from sample to sample"),
+                     "a recorded load runs straight from sample to sample, a recorded displacement smoothly"),
         method="each mode in closed form, or the exponential of the state matrix where dampers couple modes",
     ),
     headline=(
         "peak: largest displacement", "peak_time: at", "read: of", "work: work of the load", "lost: taken by dampers",
         "stored: left at the end",
-        "peaks: largest of each | name=coordinate, displacement, time=at, velocity, acceleration",
+        "peaks: largest of each | name=coordinate, displacement, time=at, absolute=in space, velocity, acceleration",
     ),
     examples=(
         'dynamics vibration history --masses "1, 1, 1 kg" --stiffnesses "10, 10, 10 N/mm" --damping-ratio 0.02 '

@@ -8,6 +8,8 @@ from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Frequency, ShaftSpeed, Size
 from dynamics_cli.vibration.shafts.absorber import amplitude
 from dynamics_cli.vibration.shafts.beam import shape
+from dynamics_cli.vibration.shafts.campbell import TiltingDisk, diagram
+from dynamics_cli.vibration.shafts.whirl import stiffness_of
 from dynamics_cli.vibration.single.forced import magnification
 
 TYPE_CHECKING = False
@@ -20,26 +22,63 @@ HIGHEST = 1e3
 GREY = 6
 
 
-def whirl(made: "Any", *, damping_ratio: float = 0.0, **_: "Any") -> Picture:
-    """Amplitude of the whirl over speed."""
+def whirl(
+    made: "Any", *, mass: float, shaft: "Any", damping_ratio: float = 0.0, polar_inertia: "float | None" = None,
+    diametral_inertia: "float | None" = None, orders: "tuple[float, ...]" = (), highest_speed: "float | None" = None,
+    **_: "Any",
+) -> Picture:  # fmt: skip
+    """The Campbell diagram of a disk that tilts, and the amplitude of the whirl over speed."""
     critical, at = plain(made.critical_speed), plain(made.ratio)
-    off = plain(made.amplitude) / plain(made.response)
-    top = max(2.5, 1.3 * at)
+    top = max(2.5 * critical, 1.3 * at * critical) if highest_speed is None else plain(highest_speed)
+    panels = [_whirl_amplitude(made, critical, at, plain(damping_ratio), top)]
+    if polar_inertia is not None:
+        _, springs = stiffness_of(shaft)
+        numbers = (plain(part) for part in (*springs, polar_inertia, diametral_inertia))  # type: ignore[misc]
+        *parts, polar, diametral = numbers
+        disk = TiltingDisk(plain(mass), tuple(parts), polar, diametral)  # type: ignore[arg-type]
+        panels.insert(0, _campbell(disk, made.criticals, orders or (1.0,), (at * critical, top)))
+    return Picture(tuple(panels), "whirl of a disk on a shaft", columns=1)
+
+
+def _campbell(disk: TiltingDisk, criticals: "Any", orders: "tuple[float, ...]", ends: "tuple[float, float]") -> Panel:
+    """Whirl frequencies over speed, the lines of the orders, and where they meet."""
+    at, top = ends
+    rows = diagram(disk, top, POINTS // 4)
+    speeds = [row.speed for row in rows]
+    ceiling = 1.08 * min(rows[-1].second_forward, 3.0 * rows[0].second_forward)
+    items: list[Any] = [Band(at, at, "running here")]
+    for nth, mode in enumerate(("first", "second")):
+        for whirl, style in (("forward", "solid"), ("backward", "dashed")):
+            heights = [getattr(row, f"{mode}_{whirl}") for row in rows]
+            items.append(Curve(speeds, heights, f"{nth + 1} {whirl}", style, role=nth))  # type: ignore[arg-type]
+    for order in orders:
+        end = min(top, ceiling * 2.0 * math.pi / plain(order))
+        height = plain(order) * end / (2.0 * math.pi)
+        items += [
+            Curve([0.0, end], [0.0, height], "", "thin", role=GREY),
+            Mark(0.88 * end, 0.88 * height, f"order {plain(order):g}", dot=False),
+        ]
+    items += [Mark(plain(row.speed), plain(row.frequency), "") for row in criticals if plain(row.speed) <= top]
+    axes = Axis("speed", ShaftSpeed, ends=(0.0, top)), Axis("frequency", Frequency, ends=(0.0, ceiling))
+    return Panel(*axes, tuple(items), "Campbell diagram")
+
+
+def _whirl_amplitude(made: "Any", critical: float, at: float, damping_ratio: float, end: float) -> Panel:
+    """Amplitude of the whirl over speed, the disk not tilting."""
+    off, top = plain(made.amplitude) / plain(made.response), end / critical
     ratios = sorted({top * i / POINTS for i in range(1, POINTS + 1)} | {1.0 + i / 4000.0 for i in range(-80, 81)})
     sizes = []
     for r in ratios:
         gap = (1.0 - r) * (1.0 + r)
-        size = r * r * magnification(gap, r, plain(damping_ratio))[0] if gap or damping_ratio else HIGHEST
+        size = r * r * magnification(gap, r, damping_ratio)[0] if gap or damping_ratio else HIGHEST
         sizes.append(off * size if size < HIGHEST else math.nan)
     items: list[Any] = [Curve([r * critical for r in ratios], sizes, role=0), Band(critical, critical, "critical")]
-    items += [Band(off, off, "eccentricity", vertical=False)]
-    items += [Mark(at * critical, plain(made.amplitude), "running here")]
-    for speed, name in ((made.forward_speed, "forward"), (made.backward_speed, "backward")):
-        if speed is not None:
-            ends = [min(y for y in sizes if y == y), max(y for y in sizes if y == y)]
-            items.append(Curve([plain(speed)] * 2, ends, f"{name}, disk tilting", "dashed"))
-    axes = Axis("speed", ShaftSpeed, ends=(0.0, top * critical)), Axis("whirl", Size, logarithmic=True)
-    return Picture((Panel(*axes, tuple(items)),), "whirl of a disk on a shaft")
+    items += [
+        Band(off, off, "eccentricity", vertical=False),
+        Mark(at * critical, plain(made.amplitude), "running here"),
+    ]
+    axes = Axis("speed", ShaftSpeed, ends=(0.0, end)), Axis("whirl", Size, logarithmic=True)
+    return Panel(*axes, tuple(items), "amplitude, the disk not tilting" if made.forward_speed is not None else "")
 
 
 def absorber(made: "Any", *, size: "Any", **_: "Any") -> Picture:

@@ -1,4 +1,4 @@
-"""A disk on a flexible shaft: critical speed, whirl, bearing force; gyroscopic splitting of a disk that tilts."""
+"""A disk on a flexible shaft: critical speeds, whirl, bearing force; the Campbell diagram of a disk that tilts."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, pi_beside, sqrt
@@ -12,6 +12,7 @@ from dynamics_cli.quantities import (
     Force,
     Inertia,
     Mass,
+    Positive,
     Pressure,
     Ratio,
     ShaftSpeed,
@@ -19,6 +20,15 @@ from dynamics_cli.quantities import (
     SpringRate,
 )
 from dynamics_cli.records import Advice, Choice, record
+from dynamics_cli.vibration.shafts.campbell import (
+    FreeWhirl,
+    TiltingDisk,
+    WhirlCritical,
+    WhirlsAtSpeed,
+    diagram,
+    meetings,
+    whirls_at,
+)
 from dynamics_cli.vibration.single.forced import NO_PEAK, magnification
 from dynamics_cli.vibration.single.oscillator import require_damping
 
@@ -72,6 +82,9 @@ class Whirl:
     stiffness: Annotated[SpringRate, "Stiffness of the shaft at the disk [N/m]."]
     forward_speed: Annotated[ShaftSpeed | None, "Critical speed of forward whirl, the disk tilting [rad/s]."]
     backward_speed: Annotated[ShaftSpeed | None, "Critical speed of backward whirl, the disk tilting [rad/s]."]
+    whirls: Annotated[tuple[FreeWhirl, ...] | None, "Free whirls at the speed given, the disk tilting."]
+    criticals: Annotated[tuple[WhirlCritical, ...] | None, "Critical speeds of every order asked for."]
+    campbell: Annotated[tuple[WhirlsAtSpeed, ...] | None, "Whirl frequencies over speed, up to the highest speed."]
     advice: tuple[Advice, ...] = ()
 
 
@@ -84,18 +97,24 @@ def whirl(
     damping_ratio: Annotated[DampingRatio, "External damping over critical damping, e.g. 0.02."] = 0.0,
     polar_inertia: Annotated[Inertia | None, "Of the disk about its axis, if it tilts, e.g. 0.5 kg*m^2."] = None,
     diametral_inertia: Annotated[Inertia | None, "Of the disk about a diameter, e.g. 0.25 kg*m^2."] = None,
+    orders: Annotated[
+        tuple[Positive, ...], "Excitations per turn that meet a whirl; of a disk that tilts 1 unless given, e.g. 1, 2."
+    ] = (),
+    highest_speed: Annotated[ShaftSpeed | None, "End of the Campbell diagram and its table, e.g. 6000 rpm."] = None,
 ) -> Whirl:
     """Critical speed and whirl of one disk on a flexible shaft with an eccentric mass.
 
     Equation
     --------
     Ω_c = √(k/m), amplitude e·r²/√((1 − r²)² + (2ζr)²); k = 3EIL/(a²b²) between bearings, 3EI/L³ overhung. A disk that
-    tilts: det[[k₁₁ − mΩ², k₁₂], [k₁₂, k₂₂ − (I_d ∓ I_p)Ω²]] = 0 for forward and backward whirl at the speed itself.
+    tilts: det[[k₁₁ − mλ², k₁₂], [k₁₂, k₂₂ + I_pΩλ − I_dλ²]] = 0 for whirl at λ, backward where λ < 0; order h meets it
+    at λ = ±hΩ.
 
     Returns
     -------
     Whirl
-        Critical speed, amplitude, phase, bearing force, deflection; forward and backward critical speeds.
+        Critical speed, amplitude, phase, bearing force, deflection; forward and backward whirl at the speed, critical
+        speeds by order, the Campbell diagram.
 
     Raises
     ------
@@ -114,7 +133,7 @@ def whirl(
     """
     require(mass > 0.0, "the mass of the disk is zero", code="no-mass")
     require_damping(damping_ratio, DampingRatio)
-    stiffness, across, tilting = _stiffness(shaft)
+    stiffness, springs = stiffness_of(shaft)
     require(stiffness > 0.0, "the shaft has no stiffness", code="no-stiffness")
     critical = sqrt(stiffness / mass)
     turning = absolute(speed)
@@ -130,7 +149,17 @@ def whirl(
     )
     size, lag = magnification(gap, ratio, damping_ratio)
     response = ratio * ratio * size
-    forward, backward = _tilting(mass, stiffness, across, tilting, polar_inertia, diametral_inertia)
+    disk = _disk(mass, springs, polar_inertia, diametral_inertia)
+    forward = backward = None
+    if disk is not None:
+        firsts = {way: place for place, way, mode in disk.criticals(1.0) if mode == 1}
+        forward, backward = firsts["forward"], firsts["backward"]
+    require(
+        highest_speed is None or disk is not None,
+        "without tilting the whirl is the same at every speed",
+        code="missing",
+        hint="give --polar-inertia and --diametral-inertia, or leave out --highest-speed",
+    )
     peaks = damping_ratio > 0.0 and damping_ratio < NO_PEAK
     square = damping_ratio * damping_ratio
     return Whirl(
@@ -145,62 +174,53 @@ def whirl(
         stiffness=stiffness,
         forward_speed=forward,
         backward_speed=backward,
-        advice=_advice(ratio),
+        whirls=None if disk is None else whirls_at(disk, turning),
+        criticals=meetings(disk, critical, orders or (() if disk is None else (1.0,))) or None,
+        campbell=None if disk is None or highest_speed is None else diagram(disk, highest_speed),
+        advice=_advice(ratio if forward is None else turning / forward),
     )
 
 
-def _stiffness(shaft: "Known | Bar") -> "tuple[Any, Any, Any]":
-    """Stiffness at the disk against displacement, the coupling with tilt, and against tilt; None where not known."""
+def stiffness_of(shaft: "Known | Bar") -> "tuple[Any, tuple[Any, Any, Any] | None]":
+    """Stiffness at a disk that does not tilt; stiffness against shift and tilt, and their determinant, where known."""
     if isinstance(shaft, Known):
-        return shaft.stiffness, None, None
+        return shaft.stiffness, None
     require(shaft.diameter > 0.0, "the diameter of the shaft is zero", code="section")
     require(shaft.length > 0.0, "the length of the shaft is zero", code="no-length")
     square = shaft.diameter * shaft.diameter
     bending = shaft.elastic_modulus * pi_beside(shaft.diameter) / 64.0 * square * square
     length = shaft.length
     if shaft.support == "overhung":
-        cube = length * length * length
-        return 3.0 * bending / cube, 6.0 * bending / (length * length), 4.0 * bending / length
-    a = 0.5 * length if shaft.position is None else shaft.position
-    b = length - a
-    require(b > 0.0, "the disk at {a} lies beyond the second bearing at {l}", a=(a, Size), l=(length, Size),
-            code="position", hint="--support overhung is a disk beyond a bearing")  # fmt: skip
-    require(a > 0.0, "the disk lies at the bearing", code="position")
-    cubes = 3.0 * bending * (1.0 / (a * a * a) + 1.0 / (b * b * b))
-    return (
-        3.0 * bending * length / (a * a * b * b),
-        (cubes, 3.0 * bending * (1.0 / (a * a) - 1.0 / (b * b))),
-        3.0 * bending * (1.0 / a + 1.0 / b),
-    )
+        area = length * length
+        direct, tilting = 12.0 * bending / (area * length), 4.0 * bending / length
+        determinant = 12.0 * bending * bending / (area * area)
+    else:
+        a = 0.5 * length if shaft.position is None else shaft.position
+        b = length - a
+        require(b > 0.0, "the disk at {a} lies beyond the second bearing at {l}", a=(a, Size), l=(length, Size),
+                code="position", hint="--support overhung is a disk beyond a bearing")  # fmt: skip
+        require(a > 0.0, "the disk lies at the bearing", code="position")
+        direct = 3.0 * bending * (1.0 / (a * a * a) + 1.0 / (b * b * b))
+        tilting = 3.0 * bending * length / (a * b)
+        determinant = 9.0 * bending * bending * length * length / (a * a * a * b * b * b)
+    return determinant / tilting, (direct, tilting, determinant)
 
 
-def _tilting(
-    mass: "Any", stiffness: "Any", across: "Any", tilting: "Any", polar: "Any", diametral: "Any"
-) -> "tuple[Any, Any]":
-    """Critical speeds of synchronous forward and backward whirl of a disk that tilts."""
+def _disk(mass: "Any", springs: "tuple[Any, Any, Any] | None", polar: "Any", diametral: "Any") -> "TiltingDisk | None":
+    """The disk with its tilting, where its inertias are given."""
     if polar is None and diametral is None:
-        return None, None
+        return None
     require(
         polar is not None and diametral is not None,
         "a disk that tilts needs both its inertias",
         code="missing",
         hint="give --polar-inertia and --diametral-inertia; a thin disk has half the polar one",
     )
-    require(tilting is not None, "tilting needs the shaft's size", code="missing",
+    require(springs is not None, "tilting needs the shaft's size", code="missing",
             hint="give --diameter and --length instead of --stiffness")  # fmt: skip
-    if isinstance(across, tuple):
-        direct, cross = across
-    else:
-        direct, cross = 4.0 * stiffness, across
-    made = []
-    for sign in (-1.0, 1.0):
-        moment = diametral + sign * polar
-        # m·M·x² − (k₁₁·M + k₂₂·m)·x + k₁₁·k₂₂ − k₁₂² = 0, x = Ω²
-        left = direct * tilting - cross * cross
-        middle = direct * moment + tilting * mass
-        root = sqrt(middle * middle - 4.0 * mass * moment * left)
-        made.append(sqrt(2.0 * left / (middle + root)))
-    return made[0], made[1]
+    require(diametral > 0.0, "the diametral inertia is zero", code="no-inertia",
+            hint="leave out both inertias for a disk that does not tilt")  # fmt: skip
+    return TiltingDisk(mass, springs, polar, diametral)  # type: ignore[arg-type]
 
 
 def _advice(ratio: "Any") -> "tuple[Advice, ...]":

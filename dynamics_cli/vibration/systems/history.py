@@ -1,4 +1,4 @@
-"""Motion of several masses over time, from rest, under a force or on a base that shakes: sine, formula or record."""
+"""Motion of several masses over time, from rest, under a force or on a moving base: sine, formula, record."""
 
 from dynamics_cli.errors import worded
 from dynamics_cli.quantities import (
@@ -15,15 +15,26 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, Columns, Numerics, record
 from dynamics_cli.vibration.systems.inputs import Bodies, Line, Matrices, MatrixFiles, System
-from dynamics_cli.vibration.systems.loads import BaseLaw, ForceLaw, Reach, Recorded, SineBase, SineForce
+from dynamics_cli.vibration.systems.loads import (
+    BaseLaw,
+    ForceLaw,
+    MotionLaw,
+    Reach,
+    Recorded,
+    SineBase,
+    SineForce,
+    SineMotion,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.vibration.systems.runs import Run
 
-# Two step sizes of a formula that differ by more are told.
+# Two step sizes of a formula that differ by more are reported.
 AGREE = 1e-6
 BALANCE = 1e-4
+# A spline that runs past the samples of a displacement by more, as a share of their range, is reported.
+COARSE = 0.02
 # Steps that the table holds at most.
 ROWS = 2000
 
@@ -36,6 +47,9 @@ class Moment:
     displacement: Annotated[Coordinate, "Displacement, against the base where that shakes [m]."]
     velocity: Annotated[VibrationSpeed, "Velocity, likewise [m/s]."]
     acceleration: Annotated[Acceleration, "Absolute acceleration [m/s^2]."]
+    absolute_displacement: Annotated[Coordinate, "Displacement in space [m]."]
+    absolute_velocity: Annotated[VibrationSpeed, "Velocity in space [m/s]."]
+    base_displacement: Annotated[Coordinate, "Displacement of the base in space; 0 under a force [m]."]
 
 
 @record
@@ -59,7 +73,7 @@ def history(
     *,
     system: Annotated[Line | Bodies | Matrices | MatrixFiles, "The system."],
     damping_ratio: Annotated[DampingRatio | None, "Damping ratio of every mode, instead of dampers, e.g. 0.02."] = None,
-    load: Annotated[SineForce | ForceLaw | SineBase | BaseLaw | Recorded, "What moves it."],
+    load: Annotated[SineForce | ForceLaw | SineBase | BaseLaw | SineMotion | MotionLaw | Recorded, "What moves it."],
     force_at: Annotated[Text, "The coordinate that a force acts on: a name, or a number from 1."] = "",
     read_at: Annotated[Text, "The coordinate of the history; the one that moves most unless given."] = "",
     duration: Annotated[Time | None, "How long it is followed, e.g. 2 s; a record to its end."] = None,
@@ -69,7 +83,8 @@ def history(
     Equation
     --------
     q̈ + C·q̇ + Ω²·q = φᵀ·F(t) (or −φᵀ·M·1·a of the base): each mode in closed form, or, where dampers couple modes, the
-    exponential of the state matrix; x = φ·q.
+    exponential of the state matrix; x = φ·q. A base that is moved by y(t) counts with a = ÿ; the masses are at
+    rest until its first jump or velocity.
 
     Returns
     -------
@@ -112,6 +127,9 @@ def history(
         history=Columns(
             Moment, time=done.times[pick], displacement=done.places[place, pick], velocity=done.speeds[place, pick],
             acceleration=done.absolute[place, pick],
+            absolute_displacement=done.places[place, pick] + done.base_place[pick],
+            absolute_velocity=done.speeds[place, pick] + done.base_speed[pick],
+            base_displacement=done.base_place[pick],
         ),
         numerics=Numerics(done.method),
         checks=checks,
@@ -124,6 +142,10 @@ def _advice(done: "Run") -> "tuple[Advice, ...]":
     if not done.followed:
         text = "modes above {f:3} move faster than the steps: their peaks may be missed, and the energy is not checked"
         notes.append(Advice("steps", worded(text, f=(done.followed_to, Frequency)), remedy="give a shorter --duration"))
+    if done.overshoot > COARSE:
+        text = "the record is coarse: the smooth curve through its samples runs past them by {share:2} of their range"
+        remedy = "give closer samples, or a formula (--base-motion)"
+        notes.append(Advice("coarse", worded(text, share=(done.overshoot, Ratio)), remedy=remedy))
     if done.rough > AGREE:
         text = "two step sizes of the formula differ by {rough:2} of the largest displacement"
         notes.append(Advice("tolerance", worded(text, rough=(done.rough, Ratio))))

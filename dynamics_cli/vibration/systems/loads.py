@@ -1,4 +1,4 @@
-"""Loads over time on several masses, and how far those move."""
+"""Loads over time on several masses, motions of their base, and how far the masses move."""
 
 from dynamics_cli.quantities import (
     Acceleration,
@@ -9,6 +9,8 @@ from dynamics_cli.quantities import (
     ForceFormula,
     Frequency,
     InputFile,
+    LengthFormula,
+    Size,
     Text,
     Time,
     VibrationSpeed,
@@ -47,10 +49,30 @@ class BaseLaw:
 
 
 @record
+class SineMotion:
+    """A base that begins to move by a sine at time 0."""
+
+    base_amplitude: Annotated[Size, "Amplitude of the displacement of the base A·sin ωt, e.g. 2 mm."]
+    frequency: Annotated[Frequency, "Frequency of the sine, e.g. 12 Hz."]
+
+
+@record
+class MotionLaw:
+    """The displacement of the base as a formula."""
+
+    base_motion: Annotated[
+        LengthFormula, "Displacement of the base as a formula of t [s], from 0 before, e.g. 5*(1 - cos(40*t)) mm."
+    ]
+
+
+@record
 class Recorded:
     """A recorded load."""
 
-    file: Annotated[InputFile, "CSV with t[s] and F[N] (or kN, lbf), or a[g] (or m/s^2) of the base, e.g. load.csv."]
+    file: Annotated[
+        InputFile,
+        "CSV with t[s] and F[N] (or kN, lbf), or of the base a[g] (or m/s^2) or x[mm] (or m, in), e.g. load.csv.",
+    ]
 
 
 @record
@@ -58,7 +80,8 @@ class Reach:
     """How far a coordinate moves."""
 
     name: Annotated[Text, "The coordinate."]
-    displacement: Annotated[Coordinate, "Displacement that is largest in size [m]."]
+    displacement: Annotated[Coordinate, "Displacement, against a base that moves, that is largest in size [m]."]
     time: Annotated[Time, "When [s]."]
-    velocity: Annotated[VibrationSpeed, "Velocity that is largest in size [m/s]."]
+    velocity: Annotated[VibrationSpeed, "Velocity, likewise, that is largest in size [m/s]."]
     acceleration: Annotated[Acceleration, "Absolute acceleration that is largest in size [m/s^2]."]
+    absolute: Annotated[Coordinate | None, "On a base that moves: displacement in space that is largest in size [m]."]

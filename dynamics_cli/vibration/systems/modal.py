@@ -86,25 +86,35 @@ class Modal:
                 return (parts / (1j * rates[:, None] - values)).sum(axis=1)
         return self._solved(rates, weights) @ self.shapes[:, read]
 
-    def under_sine(self, weights: "Any", size: float, rate: float, times: "Any") -> "tuple[Any, Any]":
-        """Modes and their velocities over even times from rest, under `size`·cos(`rate`·t); a mode in each row."""
-        if self.full is None:
-            column = Oscillators(self.omega[:, None], self.zeta[:, None])
-            still = np.zeros((len(self.omega), 1))
-            unit = column.after(still, still, Piece(0.0, math.inf, c=size, p=rate), times)
-            return weights[:, None] * unit[0], weights[:, None] * unit[1]
-        turning = np.array([[0.0, -rate], [rate, 0.0]])
-        return self._stepped(weights, turning, times, np.array([[size, 0.0]]))
+    def under_sine(self, weights: "Any", load: complex, rate: float, times: "Any", start: "Any") -> "tuple[Any, Any]":
+        """Modes and their velocities over even times from `start`, under Re(`load`·e^{iωt}); a mode in each row."""
+        if self.full is not None:
+            turning = np.array([[0.0, -rate], [rate, 0.0]])
+            return self._stepped(weights, turning, times, np.array([[load.real, load.imag]]), start)
+        still = np.zeros((len(self.omega), 1))
+        unit = self._column().after(still, still, Piece(0.0, math.inf, c=load, p=rate), times)
+        return self._with_start(weights, unit, times, start)
 
-    def under_lines(self, weights: "Any", times: "Any", loads: "Any") -> "tuple[Any, Any]":
+    def under_lines(self, weights: "Any", times: "Any", loads: "Any", start: "Any") -> "tuple[Any, Any]":
         """The same under a load that runs straight from sample to sample."""
-        if self.full is None:
-            q, v = states_of_record(Oscillators(self.omega, self.zeta), times, loads)
-            return weights[:, None] * q, weights[:, None] * v
-        pairs = np.column_stack([loads[:-1], np.diff(loads) / np.diff(times)])
-        return self._stepped(weights, np.array([[0.0, 1.0], [0.0, 0.0]]), times, pairs)
+        if self.full is not None:
+            pairs = np.column_stack([loads[:-1], np.diff(loads) / np.diff(times)])
+            return self._stepped(weights, np.array([[0.0, 1.0], [0.0, 0.0]]), times, pairs, start)
+        unit = states_of_record(Oscillators(self.omega, self.zeta), times, loads)
+        return self._with_start(weights, unit, times, start)
 
-    def _stepped(self, weights: "Any", law: "Any", times: "Any", loads: "Any") -> "tuple[Any, Any]":
+    def _column(self) -> Oscillators:
+        return Oscillators(self.omega[:, None], self.zeta[:, None])
+
+    def _with_start(self, weights: "Any", unit: "tuple[Any, Any]", times: "Any", start: "Any") -> "tuple[Any, Any]":
+        """Responses to a load that acts on each mode by its weight, and the free motion from `start`."""
+        q, v = (weights[:, None] * part for part in unit)
+        if not np.any(start):
+            return q, v
+        free = self._column().after(start[0][:, None], start[1][:, None], Piece(0.0, math.inf), times)
+        return q + free[0], v + free[1]
+
+    def _stepped(self, weights: "Any", law: "Any", times: "Any", loads: "Any", start: "Any") -> "tuple[Any, Any]":
         """Exact steps by the exponential of state and load together; the load obeys `law`, `loads` are its states."""
         from scipy.linalg import expm
 
@@ -113,7 +123,7 @@ class Modal:
         whole[: 2 * n, : 2 * n], whole[: 2 * n, 2 * n], pace = self._state(weights)
         whole[2 * n :, 2 * n :] = law
         made = np.zeros((len(times), 2 * n + 2))
-        made[0, 2 * n :] = loads[0]
+        made[0, :n], made[0, n : 2 * n], made[0, 2 * n :] = start[0], start[1] / pace, loads[0]
         last_step = -1.0
         factor = whole
         for i, step in enumerate(np.diff(times).tolist()):
@@ -124,11 +134,16 @@ class Modal:
             made[i + 1] = factor @ made[i]
         return made[:, :n].T, pace * made[:, n : 2 * n].T
 
+    def damped(self, v: "Any") -> "Any":
+        """C·v of velocities of the modes, in one row each or at one time."""
+        if self.full is not None:
+            return self.full @ v
+        return (self.rates if v.ndim == 1 else self.rates[:, None]) * v
+
     def accelerations(self, weights: "Any", q: "Any", v: "Any", loads: "Any") -> "Any":
         """q̈ of modes in rows; of rates q̇ and q̈ and those of the load it gives the next derivative."""
-        damped = self.rates[:, None] * v if self.full is None else self.full @ v
-        return weights[:, None] * loads - damped - self.omega[:, None] ** 2 * q
+        return weights[:, None] * loads - self.damped(v) - self.omega[:, None] ** 2 * q
 
     def losses(self, v: "Any", w: "Any") -> "Any":
         """Σ C·v·w at each time: the power of the dampers for w = v."""
-        return (w * (self.rates[:, None] * v if self.full is None else self.full @ v)).sum(axis=0)
+        return (w * self.damped(v)).sum(axis=0)

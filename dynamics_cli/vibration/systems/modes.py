@@ -11,6 +11,7 @@ from dynamics_cli.quantities import (
     Fraction,
     Frequency,
     Mass,
+    MatrixOfNumbers,
     Ratio,
     Text,
 )
@@ -30,6 +31,8 @@ LOST = 0.01
 ORTHOGONAL = 1e-9
 # Parts of a shape below this are of rounding; a first part below the other is no scale.
 NOISE, ABSENT = 1e-15, 1e-12
+# Matrices of more coordinates are not listed.
+MOST_LISTED = 12
 # What turning radians into hertz adds to a bound.
 ROUNDED = 4.5e-16
 
@@ -68,6 +71,9 @@ class Modes:
     kind: Annotated[Text, "undamped, proportionally damped, or complex."]
     total_mass: Annotated[Mass | None, "All masses [kg]."]
     modes: Annotated[tuple[Mode, ...], "The modes from the lowest."]
+    mass_matrix: Annotated[MatrixOfNumbers | None, "Mass matrix, of twelve coordinates at most, in kg."]
+    damping_matrix: Annotated[MatrixOfNumbers | None, "Damping matrix, in N·s/m."]
+    stiffness_matrix: Annotated[MatrixOfNumbers | None, "Stiffness matrix, in N/m."]
     numerics: Numerics | None = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -123,6 +129,9 @@ def modes(
     zetas = None if damping_ratio is None else [damping_ratio] * len(omega)
     if damping is not None:
         zetas = (((shapes @ damping) * shapes).sum(axis=1) / (2.0 * (omega + (omega == 0.0)))).tolist()
+    elif damping_ratio is not None:
+        momenta = shapes @ mass
+        damping = momenta.T * (2.0 * damping_ratio * omega) @ momenta
     whole = None if those.elements is None else math.fsum(those.elements.masses)
     rows = _rows(those, (omega, shapes, errors), zetas, scale, whole)
     return Modes(
@@ -131,10 +140,19 @@ def modes(
         kind="undamped" if zetas is None else "proportionally damped",
         total_mass=whole,
         modes=rows,
+        **_matrices(mass, damping, stiffness),
         numerics=numerics,
         checks=_checks(those, mass, omega, shapes, rows),
         advice=(*those.advice, *_advice(omega.tolist(), errors.tolist())),
     )
+
+
+def _matrices(mass: "Any", damping: "Any", stiffness: "Any") -> "dict[str, Any]":
+    """The matrices as rows of numbers, where they are small enough to be read."""
+    matrices = {"mass_matrix": mass, "damping_matrix": damping, "stiffness_matrix": stiffness}
+    listed = len(mass) <= MOST_LISTED
+    return {name: tuple(map(tuple, rows.tolist())) if listed and rows is not None else None
+            for name, rows in matrices.items()}  # fmt: skip
 
 
 def undamped(those: System) -> "tuple[Any, Any, Any, Numerics]":
@@ -243,6 +261,7 @@ def _complex(those: System, mass: "Any", damping: "Any", stiffness: "Any", scale
     return Modes(
         coordinates=", ".join(those.names), rigid_modes=rigid, kind="complex",
         total_mass=None if those.elements is None else math.fsum(those.elements.masses), modes=tuple(rows),
+        **_matrices(mass, damping, stiffness),
         numerics=Numerics("eigenvalues of the state matrix; the residual of each mode is checked"),
         checks=(Check("residual of each mode", off <= ORTHOGONAL, off, ORTHOGONAL),), advice=tuple(notes),
     )  # fmt: skip

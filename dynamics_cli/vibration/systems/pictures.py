@@ -86,12 +86,21 @@ def history(
     pick = done.picked(POINTS)
     times = done.times[pick]
     time = Axis("time", Time, ends=(0.0, float(done.times[-1])))
-    acts = Axis("acceleration of the base", Acceleration) if done.based else Axis(f"force on {force_at}", Force)
-    panels = [Panel(time, acts, (Curve(times, done.loads[pick], role=6),))]
     names = [those.names[kept] for kept in those.kept]
     shown = range(len(names)) if len(names) <= MOST_SHAPES else [names.index(made.read)]
-    lines: list[Any] = [Curve(times, done.places[i, pick], names[i], role=n) for n, i in enumerate(shown)]
-    lines.append(Mark(made.peak_time, made.peak, made.read))
-    moves = Axis("displacement against the base" if done.based else "displacement", Coordinate)
-    panels.append(Panel(time, moves, tuple(lines)))
+
+    def moves(title: str, over: "Any") -> Panel:
+        lines: list[Any] = [Curve(times, (done.places[i] + over)[pick], names[i], role=n) for n, i in enumerate(shown)]
+        if done.moved and title.endswith("space"):
+            lines.insert(0, Curve(times, done.base_place[pick], "base", "thin", role=GREY))
+        else:
+            lines.append(Mark(made.peak_time, made.peak, made.read))
+        return Panel(time, Axis(title, Coordinate), tuple(lines))
+
+    acts = Axis("acceleration of the base", Acceleration) if done.based else Axis(f"force on {force_at}", Force)
+    panels = [moves("against the base" if done.based else "displacement", 0.0)]
+    if done.moved:
+        panels.insert(0, moves("displacement in space", done.base_place))
+    else:
+        panels.insert(0, Panel(time, acts, (Curve(times, done.loads[pick], role=GREY),)))
     return Picture(tuple(panels), "motion from rest")

@@ -5,10 +5,22 @@ import math
 import numpy as np
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.expressions.jets import Jet
 from dynamics_cli.numerics.expressions.laws import law_of
-from dynamics_cli.numerics.fitting.records_file import read_load
+from dynamics_cli.numerics.fitting.records_file import ACCELERATIONS, FORCES, LENGTHS, read_record
 from dynamics_cli.quantities import Time
-from dynamics_cli.vibration.systems.loads import BaseLaw, ForceLaw, Reach, Recorded, SineBase, SineForce
+from dynamics_cli.vibration.shocks.extremes import states_of_record
+from dynamics_cli.vibration.shocks.pulses import Oscillators
+from dynamics_cli.vibration.systems.loads import (
+    BaseLaw,
+    ForceLaw,
+    MotionLaw,
+    Reach,
+    Recorded,
+    SineBase,
+    SineForce,
+    SineMotion,
+)
 from dynamics_cli.vibration.systems.modal import Modal
 
 TYPE_CHECKING = False
@@ -19,23 +31,33 @@ if TYPE_CHECKING:
 
 # Steps in a period of the fastest motion, the fewest, the most, and the most numbers of all coordinates.
 FINE, FEWEST, MOST, ROOM = 40, 400, 60_000, 30_000_000
-# A formula is sampled more and more closely until two step sizes agree to this.
-CLOSE = 1e-7
+# A formula is sampled more and more closely until the limits of two pairs of step sizes agree to this.
+CLOSE = 1e-8
 NEWTON = 4
 
 
 class Run:
-    """Modes, velocities and accelerations at every step, and those of the coordinates."""
+    """Modes, velocities and accelerations at every step, and those of the coordinates; against the base, and in space.
+
+    `begin` is the displacement and velocity to which the base jumps at time 0, while the masses are still at rest.
+    """
 
     def __init__(self, of: Modal, weights: "Any", based: bool) -> None:
         self.of, self.weights, self.based = of, weights, based
-        self.rough = 0.0
+        self.moved = False
+        self.begin = (0.0, 0.0)
+        self.rough = self.overshoot = 0.0
         self.method = "each mode in closed form from step to step"
         if of.full is not None:
             self.method = "exponential of the state matrix of all modes together"
 
-    def follow(self, times: "Any", steps: "tuple[Any, Any, Any, Any]", fastest: float) -> None:
-        """Take the modes, their velocities, the loads and the two slopes of the load in each step."""
+    def start(self) -> "tuple[Any, Any]":
+        """Modes and their velocities against the base after its jump, whose dampers hit the masses."""
+        place = self.weights * self.begin[0]
+        return place, self.weights * self.begin[1] - self.of.damped(place)
+
+    def follow(self, times: "Any", steps: "tuple[Any, Any, Any, Any]", base: "tuple[Any, Any]", fastest: float) -> None:
+        """Take the modes, their velocities, the loads, the slopes of the load in each step, the motion of the base."""
         of = self.of
         self.times, (self.q, self.v, self.loads, self.slopes) = times, steps
         step = float(np.diff(times).max())
@@ -44,14 +66,19 @@ class Run:
         self.a = of.accelerations(self.weights, self.q, self.v, self.loads)
         self.places, self.speeds = of.shapes.T @ self.q, of.shapes.T @ self.v
         self.relative = of.shapes.T @ self.a
-        self.absolute = self.relative + (self.loads if self.based else 0.0)
+        self.base_place, self.base_speed = base
+        self.base_pull = self.loads if self.based else np.zeros(len(times))
+        self.absolute = self.relative + self.base_pull
 
     def picked(self, count: int) -> "Any":
         """Places of about so many steps, the first and the last among them."""
         return np.unique(np.linspace(0, len(self.times) - 1, count).round().astype(int))
 
     def energies(self) -> "tuple[float, float, float]":
-        """Work of the load, losses, and what is stored at the end, by the trapezoidal rule with its end correction."""
+        """Work of the load, losses, and what is stored at the end, by the trapezoidal rule with its end correction.
+
+        What a jump of the base puts in at time 0 counts as work.
+        """
         of, h = self.of, np.diff(self.times)
         powers = (self.weights @ self.v) * self.loads
         rates = (self.weights @ self.a) * self.loads
@@ -64,40 +91,80 @@ class Run:
         )
         held = 0.5 * (self.v**2 + (of.omega[:, None] * self.q) ** 2).sum(axis=0)
         self.largest_energy = max(abs(work), abs(lost), float(held.max()))
-        return work, lost, float(held[-1])
+        return work + float(held[0]), lost, float(held[-1])
 
 
 def run(those: "System", damping_ratio: "float | None", load: "Any", force_at: str, duration: "float | None") -> Run:
     """The motion from rest under a load."""
     of = Modal(those, damping_ratio)
-    based = isinstance(load, SineBase | BaseLaw)
+    based = isinstance(load, SineBase | BaseLaw | SineMotion | MotionLaw)
     record: Any = None
+    moved = isinstance(load, SineMotion | MotionLaw)
     if isinstance(load, Recorded):
-        *record, based = read_load(load.file)
+        times, values, unit = read_record(load.file, FORCES | ACCELERATIONS | LENGTHS)
+        record, moved, based = (np.array(times) - times[0], np.array(values)), unit in LENGTHS, unit not in FORCES
         duration = float(record[0][-1]) if duration is None else duration
     require(duration is not None and duration > 0.0, "how long is the motion followed?", code="no-duration",
             hint="give --duration, for example 2 s")  # fmt: skip
     require(based or bool(force_at), "where does the force act?", code="no-place", hint="give --force-at")
     made = Run(of, of.base if based else of.shapes[:, those.moving(force_at)], based)
+    made.moved = moved or (based and record is None)
     end, fastest = float(duration), float(of.omega.max())  # type: ignore[arg-type]
     room = min(MOST, ROOM // len(of.omega))
-    if isinstance(load, SineForce | SineBase):
-        require(load.frequency > 0.0, "the frequency is zero: nothing vibrates", code="at-rest",
-                hint='a constant force is a formula: --force-law "50 N"')  # fmt: skip
-        rate = 2.0 * math.pi * load.frequency
-        fastest = max(fastest, rate)
-        size = load.force if isinstance(load, SineForce) else load.base_acceleration
-        times = np.linspace(0.0, end, _count(fastest, end, room) + 1)
-        loads, slopes = size * np.cos(rate * times), -size * rate * np.sin(rate * times)
-        steps = (*of.under_sine(made.weights, size, rate, times), loads, (slopes[:-1], slopes[1:]))
-        made.follow(times, steps, fastest)
+    if isinstance(load, SineForce | SineBase | SineMotion):
+        _under_sine(made, load, end, fastest, room)
     elif record is not None:
-        times, loads = _refined(record[0], record[1], end, fastest, room)
-        made.follow(times, _lines(made, times, loads), fastest)
+        pulls = _smooth(made, record[0], record[1], end) if moved else record[1]
+        times, loads = _refined(record[0], pulls, end, fastest, room)
+        made.follow(times, _lines(made, times, loads), _base(made, times, loads), fastest)
     else:
         _sampled(made, load, end, fastest, room)
-    require(bool(abs(made.loads).max() > 0.0), "the load is zero: nothing moves", code="no-load")
+    require(bool(abs(made.loads).max() > 0.0) or any(made.begin), "the load is zero: nothing moves", code="no-load")
     return made
+
+
+def _under_sine(made: Run, load: "Any", end: float, fastest: float, room: int) -> None:
+    """A force or an acceleration of the base by a cosine, or a displacement of the base by a sine."""
+    require(load.frequency > 0.0, "the frequency is zero: nothing vibrates", code="at-rest",
+            hint='a constant force is a formula: --force-law "50 N"')  # fmt: skip
+    rate = 2.0 * math.pi * load.frequency
+    fastest = max(fastest, rate)
+    times = np.linspace(0.0, end, _count(fastest, end, room) + 1)
+    turn = np.exp(1j * rate * times)
+    if isinstance(load, SineMotion):
+        size = 1j * load.base_amplitude * rate * rate
+        made.begin = (0.0, load.base_amplitude * rate)
+        base = (load.base_amplitude * turn.imag, load.base_amplitude * rate * turn.real)
+    else:
+        size = complex(load.force if isinstance(load, SineForce) else load.base_acceleration)
+        # 1 − cos ωt
+        base = (2.0 * size.real * np.sin(0.5 * rate * times) ** 2 / rate**2, size.real * turn.imag / rate)
+    loads, slopes = (size * turn).real, (1j * rate * size * turn).real
+    steps = (*made.of.under_sine(made.weights, size, rate, times, made.start()), loads, (slopes[:-1], slopes[1:]))
+    made.follow(times, steps, base, fastest)
+
+
+def _smooth(made: Run, times: "Any", values: "Any", end: float) -> "Any":
+    """The accelerations of a recorded displacement of the base, a cubic spline: they run straight between samples."""
+    from scipy.interpolate import CubicSpline
+
+    require(end <= times[-1] * (1.0 + 1e-12), "the record of the base's displacement ends at {end:6}",
+            end=(float(times[-1]), Time), code="length", hint="give a shorter --duration")  # fmt: skip
+    spline = CubicSpline(times, values - values[0])
+    made.begin = (0.0, float(spline(0.0, 1)))
+    between = spline(0.5 * (times[1:] + times[:-1]))
+    low, high = spline.c[3].min(), spline.c[3].max()
+    low, high = min(low, values[-1] - values[0]), max(high, values[-1] - values[0])
+    made.overshoot = float(max(between.max() - high, low - between.min(), 0.0) / max(high - low, 1e-300))
+    return spline(times, 2)
+
+
+def _base(made: Run, times: "Any", pulls: "Any") -> "tuple[Any, Any]":
+    """Displacement and velocity of the base, whose acceleration runs straight from sample to sample."""
+    if not made.based:
+        return np.zeros(len(times)), np.zeros(len(times))
+    (place,), (speed,) = states_of_record(Oscillators(np.zeros(1), 0.0), times, pulls)
+    return made.begin[0] + made.begin[1] * times + place, made.begin[1] + speed
 
 
 def _count(fastest: float, end: float, room: int) -> int:
@@ -106,7 +173,7 @@ def _count(fastest: float, end: float, room: int) -> int:
 
 def _lines(made: Run, times: "Any", loads: "Any") -> "tuple[Any, Any, Any, Any]":
     slopes = np.diff(loads) / np.diff(times)
-    return (*made.of.under_lines(made.weights, times, loads), loads, (slopes, slopes))
+    return (*made.of.under_lines(made.weights, times, loads, made.start()), loads, (slopes, slopes))
 
 
 def _refined(times: "Any", loads: "Any", end: float, fastest: float, room: int) -> "tuple[Any, Any]":
@@ -124,50 +191,67 @@ def _refined(times: "Any", loads: "Any", end: float, fastest: float, room: int) 
 
 def _sampled(made: Run, load: "Any", end: float, fastest: float, room: int) -> None:
     """Under a formula: straight lines between more and more samples, and the limit of two step sizes."""
-    law = law_of(load.force_law if isinstance(load, ForceLaw) else load.base_law, (), ("t",))
-    count, before = _count(fastest, end, room // 2), None
+    moving = isinstance(load, MotionLaw)
+    formula = load.base_motion if moving else load.force_law if isinstance(load, ForceLaw) else load.base_law
+    law = law_of(formula, (), ("t",))
+    count, before, limit = _count(fastest, end, room // 2), None, None
     while True:
         times = np.linspace(0.0, end, count + 1)
-        loads = _values(law, times.tolist())
-        steps = _lines(made, times, loads)
+        values = _values(law, times.tolist(), 2 if moving else 0)
+        loads = values[-1]
+        if moving:
+            made.begin = (float(values[0, 0]), float(values[1, 0]))
+        steps = (*_lines(made, times, loads)[:2], *(() if moving else _base(made, times, loads)))
         if before is not None:
-            finer = [steps[0][:, ::2], steps[1][:, ::2]]
-            off = float(abs(finer[0] - before[0]).max() / max(abs(finer[0]).max(), 1e-300))
+            # errors fall with the square of the step
+            finer = [part[..., ::2] for part in steps]
+            better = [fine + (fine - coarse) / 3.0 for fine, coarse in zip(finer, before, strict=True)]
+            other = finer[0] - better[0] if limit is None else better[0][:, ::2] - limit[0]
+            off = float(abs(other).max() / max(abs(better[0]).max(), 1e-300))
             if off <= CLOSE or 2 * count > room:
-                # errors fall with the square of the step
-                q, v = (fine + (fine - coarse) / 3.0 for fine, coarse in zip(finer, before, strict=True))
-                made.rough = off
-                made.method += f"; a formula by straight lines, two step sizes differ by {off:.1e}"
-                slopes = np.gradient(loads, times, edge_order=2)[::2]
-                made.follow(times[::2], (q, v, loads[::2], (slopes[:-1], slopes[1:])), fastest)
-                return
-        before, count = steps[:2], 2 * count
+                break
+            limit = better
+        before, count = steps, 2 * count
+    made.rough = off
+    made.method += f"; a formula by straight lines, the limits of two step sizes differ by {off:.1e}"
+    slopes = np.gradient(loads, times, edge_order=2)[::2]
+    base = tuple(values[:2, ::2]) if moving else tuple(better[2:])
+    steps = (better[0], better[1], loads[::2], (slopes[:-1], slopes[1:]))
+    made.follow(times[::2], steps, base, fastest)
 
 
-def _values(law: "Any", times: "list[float]") -> "Any":
-    """The formula at each time."""
-    made = []
-    for t in times:
+def _values(law: "Any", times: "list[float]", order: int) -> "Any":
+    """The formula and its derivatives up to an order, one in each row, at each time."""
+    made = np.zeros((order + 1, len(times)))
+    for nth, t in enumerate(times):
         try:
-            made.append(float(law(t=t)))
+            value = law(t=Jet.variable(t, order)) if order else law(t=t)
+            parts = [value.derivative(k) for k in range(order + 1)] if isinstance(value, Jet) else [value]
+            made[: len(parts), nth] = parts
         except (ArithmeticError, ValueError):
-            made.append(math.nan)
-        require(math.isfinite(made[-1]), "the formula has no value at {t:4}", t=(t, Time), code="no-value",
+            made[0, nth] = math.nan
+        require(bool(np.isfinite(made[:, nth]).all()), "the formula has no value{or_slope} at {t:4}", t=(t, Time),
+                or_slope=", or no acceleration," if order else "", code="no-value",
                 hint="for example sin(9*t)/(t + 1e-9)")  # fmt: skip
-    return np.array(made)
+    return made
 
 
 def reaches(those: "System", done: Run) -> "tuple[Reach, ...]":
     """How far each coordinate moves, by cubics between the steps."""
-    of = done.of
+    of, times = done.of, done.times
     jerks = [of.shapes.T @ of.accelerations(done.weights, done.v[:, cut], done.a[:, cut], slope)
              for cut, slope in ((slice(-1), done.slopes[0]), (slice(1, None), done.slopes[1]))]  # fmt: skip
     if done.based:
-        jerks = [one + slope for one, slope in zip(jerks, done.slopes, strict=True)]
-    place, when = _largest(done.times, done.places, done.speeds[:, :-1], done.speeds[:, 1:])
-    speed, _ = _largest(done.times, done.speeds, done.relative[:, :-1], done.relative[:, 1:])
-    push, _ = _largest(done.times, done.absolute, *jerks)
-    rows = zip(*(one.tolist() for one in (place, when, speed, push)), strict=True)
+        jerks = [jerk + slope for jerk, slope in zip(jerks, done.slopes, strict=True)]
+    place, when = _largest(times, done.places, done.speeds[:, :-1], done.speeds[:, 1:])
+    speed, _ = _largest(times, done.speeds, done.relative[:, :-1], done.relative[:, 1:])
+    push, _ = _largest(times, done.absolute, *jerks)
+    columns = [part.tolist() for part in (place, when, speed, push)]
+    in_space: list[Any] = [None] * len(place)
+    if done.moved:
+        speeds = done.speeds + done.base_speed
+        in_space = _largest(times, done.places + done.base_place, speeds[:, :-1], speeds[:, 1:])[0].tolist()
+    rows = zip(*columns, in_space, strict=True)
     return tuple(Reach(those.names[kept], *row) for kept, row in zip(those.kept, rows, strict=True))
 
 
