@@ -252,6 +252,10 @@ class Reader(Context):
             return None
         try:
             items = _named_tables(node, value) or split_items(node, self._resolved(node, value, own))
+            if isinstance(node.item, Record) and any(isinstance(item, str) and item[:1] == "@" for item in items):
+                from dynamics_cli.core.inputs.sources.item_tables import with_tables
+
+                items = with_tables(items, node.item, self, own)
         except DynamicsError as error:
             error.parameter = error.parameter or own
             self.errors.append(error)
