@@ -52,6 +52,34 @@ GRADE = Task(
     ),
 )  # fmt: skip
 
+FOUR_RUNS = Task(
+    "four-runs",
+    "Correction in one plane from amplitudes alone: four runs without phase.",
+    Model(
+        "three circles",
+        "dynamics_cli.balance.four_runs:four_runs",
+        source="law of cosines",
+        formula="t² = ⅓·Σ T² − {initial|O}², z = ⅓·Σ T²·e^(iφ), {mass|m} = {trial_mass|W}·|z|/t², opposite z",
+        assumptions=(
+            "readings are proportional to the unbalance, at the same speed in every run",
+            "the correction is mass added at the radius of the trial weight, which is taken off",
+        ),
+    ),
+    headline=(
+        "mass: add", "angle: at", "consistency: consistency, 1 is best", "miss: circles miss one point by",
+        "effect: effect of the trial weight",
+    ),
+    examples=(
+        'dynamics balance four-runs --initial "6 mm/s" --first "4 mm/s" --second "9 mm/s" --third "7.5 mm/s" '
+        '--trial-mass "10 g"',
+        'dynamics balance four-runs --initial "4.2 mil" --first "5.9 mil" --second "2.1 mil" --third "5.6 mil" '
+        '--trial-mass "0.5 oz" --second-angle "110 deg" --third-angle "250 deg" --units us',
+    ),
+    plot=f"{PICTURES}:four_runs",
+    arrays=False,
+    also=("four-run",),
+)  # fmt: skip
+
 SPLIT = Task(
     "split",
     "A correction split onto two angles, or onto the holes beside it.",
@@ -249,6 +277,6 @@ FAMILIES = {
     "balance": Family(
         "balance",
         "Balancing of rotors and engines, balance grades, flywheels.",
-        STATIC, PLANES, TRIAL, SPLIT, GRADE, ENGINE, LANCHESTER, FLYWHEEL,
+        STATIC, PLANES, TRIAL, FOUR_RUNS, SPLIT, GRADE, ENGINE, LANCHESTER, FLYWHEEL,
     )
 }  # fmt: skip

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     Plane = tuple[float, float]
 
 ROUND = 121
+THIRD = 2.0 * math.pi / 3.0
 SPOKES = 12
 INITIAL = "initial"
 # Sizes stand beside the rings, between two spokes.
@@ -65,7 +66,7 @@ def trial(result: "Any", *, sensors: "Any", **_: "Any") -> Picture:
     """For each sensor the readings of all runs, and the corrections."""
     rows = sensors if isinstance(sensors, tuple) else (sensors,)
     first = rows[0].initial.kind
-    kind = Kind(first.name, first.unit, si=first.si, us=first.us)
+    kind = Kind(first.name, first.unit, si=first.si, us=first.si)
     panels = []
     for nth, row in enumerate(rows, 1):
         start = row.initial.value
@@ -81,6 +82,37 @@ def trial(result: "Any", *, sensors: "Any", **_: "Any") -> Picture:
         masses.append(((0.0, 0.0), _at(result.second_mass, result.second_angle), "2nd plane", 2))
     panels.append(_polar(masses, BalanceMass, "masses to add"))
     return Picture(tuple(panels), "balance run", columns=2)
+
+
+def four_runs(
+    result: "Any", *, initial: "Any", first: "Any", second: "Any", third: "Any", trial_mass: float,
+    first_angle: float = 0.0, second_angle: float = THIRD, third_angle: float = 2.0 * THIRD, **_: "Any",
+) -> Picture:  # fmt: skip
+    """The circles of the three runs about their places on that of the first, and where they meet."""
+    still = initial.value[0]
+    kind = Kind(initial.kind.name, initial.kind.unit, si=initial.kind.si, us=initial.kind.si)
+    items: list[Any] = [_circle((0.0, 0.0), still, "dashed", GREY)]
+    for nth, (run, angle) in enumerate(((first, first_angle), (second, second_angle), (third, third_angle)), 1):
+        centre, size = _at(still, angle), run.value[0]
+        words = worded("run {nth}: {size}", nth=str(nth), size=(size, kind))
+        aside = (math.copysign(5.0, centre[0]), 5.0)
+        items += [_circle(centre, size, "solid", nth), Mark(*centre, words, aside, role=nth)]
+    circles = [item for item in items if isinstance(item, Curve)]
+    ways = ([v for one in circles for v in one.x], [v for one in circles for v in one.y])
+    x, y = (Axis("", kind, ends=(min(way) - 0.15 * still, max(way) + 0.15 * still)) for way in ways)
+    items.append(Arrow(0.0, 0.0, *_at(result.consistency * result.effect.value, result.angle), "", role=0))
+    subtitle = worded(
+        "dashed: the initial reading; arrow: where to add {mass}, at {angle}",
+        mass=(result.mass, BalanceMass),
+        angle=(result.angle, Angle),
+    )
+    return Picture((Panel(x, y, tuple(items), "", equal=True),), "four runs and their circles", subtitle=subtitle)
+
+
+def _circle(centre: "Plane", radius: float, style: "Any", role: int) -> Curve:
+    turns = [2.0 * math.pi * i / (ROUND - 1) for i in range(ROUND)]
+    x, y = centre
+    return Curve([x + radius * math.cos(t) for t in turns], [y + radius * math.sin(t) for t in turns], "", style, role)
 
 
 def planes(result: "Any", *, unbalances: "Any", **_: "Any") -> Picture:

@@ -223,7 +223,7 @@ def _kind(rows: "Sequence[Sensor]") -> "Any":
                 isinstance(value, tuple | list) and len(value) == 2,
                 "reading {name} of sensor {nth} has no phase",
                 code="no-phase",
-                hint="write 170 um @ 112 deg",
+                hint="write 170 um @ 112 deg; of amplitudes alone: dynamics balance four-runs",
                 name=name,
                 nth=str(nth),
             )
@@ -241,7 +241,8 @@ def _kind(rows: "Sequence[Sensor]") -> "Any":
 
 
 def _number(kind: "Any") -> Kind:
-    return Kind(kind.name, kind.unit, si=kind.si, us=kind.us)
+    # in the unit that was written, whichever system is asked for
+    return Kind(kind.name, kind.unit, si=kind.si, us=kind.si)
 
 
 def _influence(

@@ -10,7 +10,15 @@ ONE = '--first-trial-mass "1 g" --first-trial-angle "0 deg"'
 TWO = ONE + ' --second-trial-mass "1 g" --second-trial-angle "0 deg"'
 CRANK = '--reciprocating-mass "0.5 kg" --crank-radius "43 mm" --rod-length "150 mm" --speed "3000 rpm"'
 
+FOUR = 'four-runs --initial "6 mm/s" --third "7.5 mm/s" --trial-mass "10 g" '
+
 REFUSED = {
+    "circles too small": (FOUR + '--first "1 mm/s" --second "2 mm/s"', "no-circles"),
+    "circles apart": (FOUR + '--first "4 mm/s" --second "3 mm/s"', "no-circles"),
+    "circles within": (FOUR + '--first "1 mm/s" --second "19 mm/s"', "no-circles"),
+    "phase": (FOUR + '--first "4 mm/s @ 3 deg" --second "9 mm/s"', "phase"),
+    "four kinds": (FOUR + '--first "4 um" --second "9 mm/s"', "mixed-kinds"),
+    "same angle": (FOUR + '--first "4 mm/s" --second "9 mm/s" --second-angle "0 deg"', "same-angle"),
     "no phase": ('trial --sensor "initial=170 um, first=235 um @ 94 deg" ' + ONE, "no-phase"),
     "kinds": ('trial --sensor "initial=170 um @ 3 deg, first=2 mm/s @ 94 deg" ' + ONE, "mixed-kinds"),
     "no response": ('trial --sensor "initial=170 um @ 3 deg, first=170 um @ 3 deg" ' + ONE, "no-response"),

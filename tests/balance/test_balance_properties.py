@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from dynamics_cli.balance.engines.engine import Cylinder, engine
 from dynamics_cli.balance.flywheel import Point, flywheel
+from dynamics_cli.balance.four_runs import four_runs
 from dynamics_cli.balance.grade import grade
 from dynamics_cli.balance.planes import Unbalance, planes
 from dynamics_cli.balance.split import Holes, split
@@ -64,6 +65,31 @@ def test_trial_runs_of_a_known_rotor_give_its_unbalance(z: list[complex], one: f
             assert made.second_angle is not None
             assert abs(cmath.rect(made.first_mass, made.first_angle or 0.0) + unbalance[0]) < 1e-11
             assert abs(cmath.rect(made.second_mass, made.second_angle) + unbalance[1]) < 1e-11
+
+
+@few
+@given(
+    st.complex_numbers(min_magnitude=0.5, max_magnitude=2.0), st.complex_numbers(min_magnitude=0.5, max_magnitude=2.0),
+    st.floats(0.3, 2.0), angles,
+)  # fmt: skip
+def test_amplitudes_of_four_runs_give_what_phases_give(
+    alpha: complex, unbalance: complex, mass: float, at: float
+) -> None:
+    """The same synthetic runs with phases and without lead to the same correction, whose circles meet in a point."""
+    start = alpha * unbalance
+    places = [at, at + 2.0, at - 1.5]
+    runs = [start + alpha * cmath.rect(mass, place) for place in places]
+    made = four_runs(
+        initial=abs(start), first=abs(runs[0]), second=abs(runs[1]), third=abs(runs[2]), trial_mass=mass,
+        first_angle=places[0], second_angle=places[1], third_angle=places[2],
+    )  # fmt: skip
+    vectors = trial(sensors=Sensor(pair(start), pair(runs[0])), first_trial=TrialWeight(mass, at))
+    assert cmath.rect(made.mass, made.angle) == pytest.approx(
+        cmath.rect(vectors.first_mass, vectors.first_angle or 0.0), abs=1e-10
+    )
+    assert made.consistency == pytest.approx(1.0, rel=1e-10)
+    assert abs(made.miss.value) < 1e-10
+    assert made.effect.value == pytest.approx(abs(alpha) * mass, rel=1e-10)
 
 
 @few

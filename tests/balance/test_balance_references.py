@@ -12,6 +12,7 @@ from dynamics_cli.balance.engines.engine import engine
 from dynamics_cli.balance.engines.lanchester import lanchester
 from dynamics_cli.balance.engines.layouts import Preset
 from dynamics_cli.balance.flywheel import Point, flywheel
+from dynamics_cli.balance.four_runs import four_runs
 from dynamics_cli.balance.grade import grade
 from dynamics_cli.balance.planes import Unbalance, planes
 from dynamics_cli.balance.split import Angles, split
@@ -73,6 +74,23 @@ def test_trial_weights_in_two_planes(case: str, sensors: tuple[Sensor, ...]) -> 
         near(math.degrees(getattr(made, f"{name}_angle")), angle, READ)
     for row, residual in zip(made.predicted, wanted["residuals"], strict=True):
         assert row.residual.value / MICRO == pytest.approx(float(residual), rel=READ)
+
+
+@pytest.mark.parametrize("case", REFERENCES["four_runs"])
+def test_four_runs_without_phase(case: dict[str, Any]) -> None:
+    readings = [float(size) for _, size in case["runs"]]
+    angles = [math.radians(angle) for angle, _ in case["runs"]]
+    made = four_runs(
+        initial=float(case["still"]), first=readings[0], second=readings[1], third=readings[2],
+        trial_mass=float(case["trial"]), first_angle=angles[0], second_angle=angles[1], third_angle=angles[2],
+    )  # fmt: skip
+    size, angle = case["mass"]
+    near(made.mass, size, READ)
+    near(math.degrees(made.angle), angle, READ)
+    near(made.consistency, case["consistency"], READ)
+    near(made.effect.value, case["effect"], READ)
+    near(made.miss.value, case["miss"], READ)
+    assert [one.code for one in made.advice] == (["inconsistent"] if case["still"] == "6" else [])
 
 
 def test_condition_is_of_columns_of_length_one() -> None:

@@ -74,6 +74,27 @@ def trial(sensors, weights):
     }
 
 
+def four_runs(still, runs, mass):
+    """The plane through the squares of the readings, from linear equations in t² and both parts of z."""
+    rows, right = matrix(3, 3), matrix(3, 1)
+    for k, (angle, size) in enumerate(runs):
+        turn = mpf(angle) * DEGREE
+        rows[k, 0], rows[k, 1], rows[k, 2] = 1, 2 * cos(turn), 2 * sin(turn)
+        right[k] = mpf(size) ** 2 - mpf(still) ** 2
+    square, x, y = lu_solve(rows, right)
+    length, effect = sqrt(x * x + y * y), sqrt(square)
+    where = (-x / mpf(still), -y / mpf(still))
+    misses = []
+    for angle, size in runs:
+        turn = mpf(angle) * DEGREE
+        away = sqrt((where[0] - mpf(still) * cos(turn)) ** 2 + (where[1] - mpf(still) * sin(turn)) ** 2)
+        misses.append(abs(away - mpf(size)))
+    return {
+        "still": still, "runs": runs, "trial": mass, "mass": polar(-x * mpf(mass) / square, -y * mpf(mass) / square),
+        "consistency": text(length / (mpf(still) * effect)), "effect": text(effect), "miss": text(max(misses)),
+    }  # fmt: skip
+
+
 def acceleration(ratio, angle):
     """Of the piston towards the crankshaft over r·ω²."""
     root = sqrt(1 - (ratio * sin(angle)) ** 2)
@@ -171,6 +192,10 @@ def main():
         "one_plane": trial([[("6", 40), ("8", 110)]], [("5", 0)]),
         "two_planes": trial(two, weights),
         "least_squares": trial(three, weights),
+        "four_runs": [
+            four_runs("6", [(0, "4"), (120, "9"), (240, "7.5")], "10"),
+            four_runs("4.2", [(0, "5.9"), (110, "2.1"), (250, "5.6")], "14"),
+        ],
         "orders": {ratio: orders(mpf(ratio)) for ratio in ("0.25", "0.3", "0.5", "0.85")},
         "engines": {name: engine(cylinders) for name, cylinders in ENGINES.items()},
         "flywheel": flywheel(),

@@ -257,6 +257,10 @@ class Reader(Context):
 
         try:
             items = _named_tables(node, value) or split_items(node, self._resolved(node, value, field_address))
+            if isinstance(node.item, Record) and any(isinstance(item, str) and item[:1] == "@" for item in items):
+                from dynamics_cli.core.inputs.sources.item_tables import with_tables
+
+                items = with_tables(items, node.item, self, field_address)
         except DynamicsError as error:
             error.parameter = error.parameter or field_address
             self.errors.append(error)
