@@ -402,3 +402,33 @@ def test_tables_drive_and_load(tmp_path: Path) -> None:
     (tmp_path / "push.toml").write_text("horizontal = true\n" + body + '[[loads]]\npoint = "P"\ntable = "push.csv"\n')
     out = run("motion", "scene", str(tmp_path / "push.toml"), "--duration", "2 s", "--json")
     assert out.document["results"]["links"][0]["velocity"]["value"][0] == pytest.approx(1.0, abs=1e-9)
+
+
+def test_masses_come_from_documents_of_inertia(tmp_path: Path) -> None:
+    block = ("inertia", "shape", "block", "--mass", "25 kg", "--width", "900 mm", "--depth", "60 mm")
+    assert run(*block, "--height", "40 mm", "--about", "centroid", "--output", str(tmp_path / "b.json")).status == 0
+    scene = """
+        [[links]]
+        name = "ground"
+        points = [{name = "H", at = "0, 0 mm"}]
+        [[links]]
+        name = "gate"
+        mass = "@b.json:mass"
+        moment = "@b.json:MOMENT"
+        angle = "10 deg"
+        centroid = ["@b.json:centroid[0]", "-450 mm"]
+        points = [{name = "H", at = "0, 0 mm"}]
+    """
+    typed = scene.replace("@b.json:mass", "25 kg").replace("@b.json:centroid[0]", "0 mm")
+
+    def answered(text: str) -> Any:
+        (tmp_path / "gate.toml").write_text(text, encoding="utf-8")
+        return run("motion", "scene", str(tmp_path / "gate.toml"), "--duration", "1 s", "--only", "links")
+
+    wanted = answered(typed.replace("@b.json:MOMENT", "1.695 kg*m^2"))
+    assert wanted.status == 0, wanted.err
+    for moment in ("moments.zz", "tensor[2][2]"):
+        assert answered(scene.replace("MOMENT", moment)).out == wanted.out
+    refused = answered(scene.replace("MOMENT", "tensor[2][3]"))
+    assert refused.status == 2
+    assert "'b.json' has no result 'tensor[2][3]'" in refused.err
