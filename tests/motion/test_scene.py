@@ -10,9 +10,11 @@ from harness import run
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.motion.bodies.records import Driver, Link, Load, Point, Scene, Slide, Spring, Torsion, Weld
+from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.motion.bodies.records import Driver, Link, Load, Scene, Slide, Spring, Torsion, Weld
 from dynamics_cli.motion.scenes.equilibrium import equilibrium
 from dynamics_cli.motion.scenes.scene import scene as motion
+from dynamics_cli.numerics.linkages.records import Near, Pin, Side, Way
 from dynamics_cli.records import Formula
 
 HERE = Path(__file__).parent
@@ -20,15 +22,15 @@ KNOWN: dict[str, Any] = json.loads((HERE / "scenes.json").read_text(encoding="ut
 CHAINS: dict[str, Any] = json.loads((HERE / "chains.json").read_text(encoding="utf-8"))
 
 
-def point(name: str, x: float = 0.0, y: float = 0.0) -> Point:
-    return Point(name, (x, y))
+def point(name: str, x: float = 0.0, y: float = 0.0) -> Pin:
+    return Pin(name, (x, y))
 
 
 def rod(name: str, first: str, second: str, length: float, mass: float, **rest: Any) -> Link:
     return Link(name, (point(first), point(second, length)), mass=mass, rod=True, **rest)
 
 
-def ground(*points: Point) -> Link:
+def ground(*points: Pin) -> Link:
     return Link("ground", points)
 
 
@@ -432,3 +434,44 @@ def test_masses_come_from_documents_of_inertia(tmp_path: Path) -> None:
     refused = answered(scene.replace("MOMENT", "tensor[2][3]"))
     assert refused.status == 2
     assert "'b.json' has no result 'tensor[2][3]'" in refused.err
+
+
+SIX_BAR = (Path(__file__).parents[2] / "examples/six_bar.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("driven", [True, False])
+@pytest.mark.parametrize(("b", "q"), [("left", "left"), ("left", "right"), ("right", "left"), ("right", "right")])
+def test_a_linkage_file_with_masses_starts_in_the_assembly_of_its_sides(
+    tmp_path: Path, b: str, q: str, driven: bool
+) -> None:
+    text = SIX_BAR.replace('pin = "B"\nside = "left"', f'pin = "B"\nside = "{b}"')
+    text = text.replace('pin = "Q"\nside = "left"', f'pin = "Q"\nside = "{q}"')
+    linkage, scene = tmp_path / "linkage.toml", tmp_path / "scene.toml"
+    linkage.write_text(text, encoding="utf-8")
+    crank = 'name = "crank"\nmass = "1 kg"\nrod = true' + ("" if driven else '\nangle = "40 deg"\nspeed = "10 rad/s"')
+    text = text.replace('name = "crank"', crank, 1)
+    if not driven:
+        text = text[: text.index("[[drivers]]")] + text[text.index("# Which of") :]
+    scene.write_text(text, encoding="utf-8")
+    wanted = json.loads(run("linkage", "solve", str(linkage), "--json").out)["results"]["pins"]
+    made = run("motion", "scene", str(scene), "--duration", "0.02 s", "--at", "0 s", "--json")
+    assert made.status == 0, made.err
+    for pin, point_there in zip(wanted, json.loads(made.out)["results"]["points"], strict=True):
+        for part in ("position", "velocity"):
+            assert point_there[part]["value"] == pytest.approx(pin[part]["value"], abs=1e-9), pin["name"]
+
+
+def test_near_says_on_which_side_a_pin_begins() -> None:
+    sides = []
+    for y in (0.6, -0.6):
+        made = motion(four_bar(near=(Near("C", (0.6, y)),), drivers=()), duration=0.01, at=0.0, gravity=9.81)
+        assert not [one for one in made.advice if one.code == "which-assembly"]
+        sides.append(next(one.position[1] for one in made.points or () if one.name == "C") > 0.0)
+    assert sides == [True, False]
+
+
+def test_sides_that_fit_no_assembly_are_refused_with_the_list() -> None:
+    with pytest.raises(InadmissibleError, match="no assembly has those sides"):
+        motion(four_bar(sides=(Side("C", Way("ahead")),)), duration=0.1)
+    with pytest.raises(InadmissibleError, match="near names the point 'X'"):
+        motion(four_bar(near=(Near("X", (0.6, 0.0)),)), duration=0.1)

@@ -3,7 +3,8 @@
 import math
 
 from dynamics_cli.motion.bodies.joints import NONE
-from dynamics_cli.motion.bodies.records import GROUND, Scene
+from dynamics_cli.motion.bodies.records import Scene
+from dynamics_cli.numerics.linkages.records import GROUND
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Coordinate, Force, Time, Torque, TurnRate
 
