@@ -1,7 +1,11 @@
 """`motion scene` and `motion equilibrium`: closed forms and other formulations, invariants, refusals."""
 
+import contextlib
 import json
 import math
+import os
+import sys
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -475,3 +479,36 @@ def test_sides_that_fit_no_assembly_are_refused_with_the_list() -> None:
         motion(four_bar(sides=(Side("C", Way("ahead")),)), duration=0.1)
     with pytest.raises(InadmissibleError, match="near names the point 'X'"):
         motion(four_bar(near=(Near("X", (0.6, 0.0)),)), duration=0.1)
+
+
+def in_a_terminal(*call: str) -> str:
+    """What a call writes when standard error is a terminal."""
+    import pty
+
+    child, terminal = pty.fork()
+    if child == 0:
+        os.environ |= {"TERM": "xterm", "COLUMNS": "80"}
+        os.execv(sys.executable, [sys.executable, "-m", "dynamics_cli", *call])
+    seen = b""
+    with contextlib.suppress(OSError):
+        while part := os.read(terminal, 65536):
+            seen += part
+    os.close(terminal)
+    assert os.waitpid(child, 0)[1] == 0, seen[-500:]
+    return seen.decode()
+
+
+def test_a_long_run_shows_how_far_it_is_in_a_terminal_only(tmp_path: Path) -> None:
+    links = ['[[links]]\nname = "ground"\npoints = [{name = "A", at = "0, 0 m"}]']
+    for first, second in pairwise("ABCDE"):
+        links.append(f'[[links]]\nname = "{first}{second}"\nmass = "1 kg"\nrod = true\nangle = "-60 deg"\n'
+                     f'points = [{{name = "{first}", at = "0, 0 m"}}, {{name = "{second}", at = "0.3, 0 m"}}]')  # fmt: skip
+    (tmp_path / "rods.toml").write_text("\n".join(links), encoding="utf-8")
+    call = ("motion", "scene", str(tmp_path / "rods.toml"), "--duration", "14 s")
+    shown = in_a_terminal(*call)
+    assert "seconds of motion" in shown
+    # the bar is gone and the cursor back before the answer
+    assert shown.index("\x1b[?25h") < shown.index("answer  ")
+    piped = run(*call)
+    assert piped.err == ""
+    assert piped.out.startswith("answer ")
