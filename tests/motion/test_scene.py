@@ -4,6 +4,7 @@ import contextlib
 import json
 import math
 import os
+import re
 import sys
 from itertools import pairwise
 from pathlib import Path
@@ -501,8 +502,9 @@ def in_a_terminal(*call: str) -> str:
 def test_a_long_run_shows_how_far_it_is_in_a_terminal_only(tmp_path: Path) -> None:
     links = ['[[links]]\nname = "ground"\npoints = [{name = "A", at = "0, 0 m"}]']
     for first, second in pairwise("ABCDE"):
-        links.append(f'[[links]]\nname = "{first}{second}"\nmass = "1 kg"\nrod = true\nangle = "-60 deg"\n'
-                     f'points = [{{name = "{first}", at = "0, 0 m"}}, {{name = "{second}", at = "0.3, 0 m"}}]')  # fmt: skip
+        points = f'{{name = "{first}", at = "0, 0 m"}}, {{name = "{second}", at = "0.3, 0 m"}}'
+        rest = 'mass = "1 kg"\nrod = true\nangle = "-60 deg"'
+        links.append(f'[[links]]\nname = "{first}{second}"\n{rest}\npoints = [{points}]')
     (tmp_path / "rods.toml").write_text("\n".join(links), encoding="utf-8")
     call = ("motion", "scene", str(tmp_path / "rods.toml"), "--duration", "14 s")
     shown = in_a_terminal(*call)
@@ -512,3 +514,17 @@ def test_a_long_run_shows_how_far_it_is_in_a_terminal_only(tmp_path: Path) -> No
     piped = run(*call)
     assert piped.err == ""
     assert piped.out.startswith("answer ")
+
+
+def test_the_animated_drawing_runs_in_real_time_and_stands_at_its_end(tmp_path: Path) -> None:
+    file = tmp_path / "gate.svg"
+    call = ("motion", "scene", "examples/tailgate/tailgate.toml", "--duration", "4 s", "--drawing", str(file), "-q")
+    assert run(*call).status == 0
+    text = file.read_text(encoding="utf-8")
+    assert 'dur="5s"' in text
+    poses = re.findall(r'attributeName="d" values="([^"]*)"', text)[0].split(";")
+    # 25 frames a second, a second at the end, and the start again
+    assert len(poses) == 4 * 25 + 1 + 25 + 1
+    assert poses[-1] == poses[0] != poses[100] == poses[125]
+    # a link of three points is a closed, shaded outline; a spring is not
+    assert [text.count('fill-opacity="0.15"'), text.count('fill-opacity="0"')] == [1, 1]
