@@ -85,7 +85,7 @@ class MovingPoint:
 
     def plainly(self) -> "MovingPoint":
         """The same with doubles in place of tracked numbers."""
-        let = tuple(Let(one.name, plain(one.value), one.unit) for one in self.let)
+        let = tuple(Let(one.name, plain(one.value), one.unit, one.dimension) for one in self.let)
         shape = self.shape
         if shape is not None:
             values = {name: _in_doubles(getattr(shape, name)) for name in shape.fields}
@@ -104,7 +104,7 @@ class MovingPoint:
                 return tuple(map(exact, value))
             return value if value is None else ManyDigits.inputs([plain(value)])[0]
 
-        let = tuple(Let(one.name, exact(one.value), one.unit) for one in self.let)
+        let = tuple(Let(one.name, exact(one.value), one.unit, one.dimension) for one in self.let)
         shape = self.shape
         if shape is not None:
             shape = type(shape)(**{name: exact(getattr(shape, name)) for name in shape.fields})
@@ -145,13 +145,13 @@ class MovingPoint:
 
     def check(self, start: float, end: float) -> None:
         """Refuse a pole, a corner or a gap between two times."""
-        from dynamics_cli.numerics.expressions import parse
         from dynamics_cli.numerics.expressions.domain import first_fault
+        from dynamics_cli.numerics.expressions.laws import parsed
 
         others = {one.name: float(plain(one.value)) for one in self.let}
         formulas = {**self.formulas, **({"the law": self.parameter} if self.parameter is not None else {})}
         for name, formula in formulas.items():
-            read = parse(formula.text)
+            read = parsed(formula, {"t", *others})
             named = {key: value for key, value in others.items() if key in read.names}
             fault = first_fault(read, "t", start, end, **named) if end > start else None
             require(

@@ -193,7 +193,7 @@ def rectilinear_law(
     numbers = (one.start_speed, one.time, one.distance, one.end_speed, *(each.value for each in let))
     only_in_doubles(*numbers)
     plainly = Phase(plain(one.start_speed), plain(one.end_speed), None, plain(one.distance), plain(one.time))
-    function = law_of(law, tuple(type(each)(each.name, plain(each.value), each.unit) for each in let))  # type: ignore[arg-type]
+    function = law_of(law, tuple(type(each)(each.name, plain(each.value), each.unit, each.dimension) for each in let))  # type: ignore[arg-type]
     motion, again = run(function, plainly), run(function, plainly, halved=True)
     distance, speed, rate = motion.at(motion.end)
     stop = motion.stop
