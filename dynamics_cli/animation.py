@@ -14,7 +14,7 @@ MARGIN = 0.08
 
 def animated(
     title: str, frames: "Sequence[Sequence[Line]]", traces: "Sequence[Line]", pivots: "Sequence[complex]",
-    pins: "Sequence[Sequence[complex]]" = (),
+    pins: "Sequence[Sequence[complex]]" = (), seconds: float = SECONDS,
 ) -> str:  # fmt: skip
     """Links as lines that move through their frames and back to the first, with curves and fixed pivots.
 
@@ -30,6 +30,8 @@ def animated(
         Fixed pivots.
     pins : sequence
         For each frame the moving pins.
+    seconds : float
+        How long the frames take.
 
     Returns
     -------
@@ -44,14 +46,15 @@ def animated(
     edge = MARGIN * size
     width, height = (MILLIMETRES * (span + 2.0 * edge) for span in (right - left, high - low))
     stroke = 0.012 * size * MILLIMETRES
-    loop = f'dur="{SECONDS}s" repeatCount="indefinite"'
+    loop = f'dur="{seconds:g}s" repeatCount="indefinite"'
     parts = [
         f'<path d="M {_points(line)}" fill="none" stroke="#555555" stroke-width="{0.35 * stroke:.4f}"/>'
         for line in traces
     ]
     for index in range(len(frames[0])):
         shapes = [f"M {_points(frame[index])}" for frame in (*frames, frames[0])]
-        closed = "0.15" if len(frames[0][index]) > 2 else "0"
+        line = frames[0][index]
+        closed = "0.15" if len(line) > 2 and line[0] == line[-1] else "0"
         parts.append(
             f'<path d="{shapes[0]}" fill="{COLOURS[index % len(COLOURS)]}" fill-opacity="{closed}" '
             f'stroke="{COLOURS[index % len(COLOURS)]}" stroke-width="{stroke:.4f}" stroke-linecap="round" '

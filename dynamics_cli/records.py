@@ -209,20 +209,26 @@ class ExactQuantity:
 
 @record
 class Formula:
-    """A formula as written, without the unit at its end, and how many of the SI unit one of that unit is."""
+    """A formula as written, without the unit at its end, and how many of the SI unit one of that unit is.
+
+    Where its numbers have units, these with their sizes and dimensions, and the dimension that is wanted in `unit`.
+    """
 
     text: str
     factor: float
     unit: str
+    units: "tuple[tuple[str, float, tuple[int, ...]], ...]" = ()
+    wanted: "tuple[int, ...]" = ()
 
 
 @record
 class Let:
-    """A variable of formulas: its name, its value in SI, and the unit it was written in."""
+    """A variable of formulas: its name, its value in SI, the unit it was written in, and the dimension of that."""
 
     name: str
     value: float
     unit: str
+    dimension: "tuple[int, ...] | None" = None
 
 
 def docstring(thing: "type | Callable[..., Any]") -> str:

@@ -4,9 +4,8 @@ import itertools
 import math
 
 from dynamics_cli.errors import UsageError, require, require_given
-from dynamics_cli.numerics.expressions import parse
 from dynamics_cli.numerics.expressions.jets import Jet
-from dynamics_cli.numerics.expressions.laws import law_of
+from dynamics_cli.numerics.expressions.laws import law_of, parsed
 from dynamics_cli.quantities import (
     Angle,
     Annotated,
@@ -105,7 +104,7 @@ def equilibrium(
     >>> equilibrium(potential=Formula("4*x^4 - 2*x^2", 1.0, "J"), lowest=-2.0, highest=2.0).stable
     2
     """
-    names = parse(potential.text).names
+    names = parsed(potential, {*ANGLES, POSITION, *(one.name for one in let)}).names
     angular = [name for name in ANGLES if name in names]
     coordinates = [*angular, *([POSITION] if POSITION in names else [])]
     if len(coordinates) != 1:

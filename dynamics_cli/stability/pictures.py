@@ -186,11 +186,16 @@ def equilibrium(
     **_: "Any",
 ) -> Picture:  # fmt: skip
     """The potential with its equilibria."""
-    from dynamics_cli.numerics.expressions import parse
-    from dynamics_cli.numerics.expressions.laws import law_of
+    from dynamics_cli.numerics.expressions.laws import law_of, parsed
 
     angular = result.places[0].angle is not None
-    name = "x" if not angular else next(name for name in ("theta", "θ") if name in parse(potential.text).names)
+    name = (
+        "x"
+        if not angular
+        else next(
+            name for name in ("theta", "θ") if name in parsed(potential, (name, *(one.name for one in let))).names
+        )
+    )
     law = law_of(potential, let, (name,))
     low, high = (-math.pi, math.pi) if angular else (lowest, highest)
     assert low is not None

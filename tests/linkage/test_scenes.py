@@ -13,9 +13,9 @@ from dynamics_cli.linkage.fourbar.four_bar import four_bar
 from dynamics_cli.linkage.scenes.centres import centres
 from dynamics_cli.linkage.scenes.mobility import mobility
 from dynamics_cli.linkage.scenes.pictures import motion, moving_scene, scene_picture
-from dynamics_cli.linkage.scenes.records import Driver, Link, Near, Pin, Scene, Side, Slide, Way
 from dynamics_cli.linkage.scenes.solve import Solution, solve
 from dynamics_cli.linkage.sliders.double_slider import oldham, scotch_yoke
+from dynamics_cli.numerics.linkages.records import Driver, Link, Near, Pin, Scene, Side, Slide, Way
 
 SIX = "examples/six_bar.toml"
 

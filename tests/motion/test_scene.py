@@ -1,7 +1,12 @@
 """`motion scene` and `motion equilibrium`: closed forms and other formulations, invariants, refusals."""
 
+import contextlib
 import json
 import math
+import os
+import re
+import sys
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -10,9 +15,11 @@ from harness import run
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.motion.bodies.records import Driver, Link, Load, Point, Scene, Slide, Spring, Torsion, Weld
+from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.motion.bodies.records import Driver, Link, Load, Scene, Slide, Spring, Torsion, Weld
 from dynamics_cli.motion.scenes.equilibrium import equilibrium
 from dynamics_cli.motion.scenes.scene import scene as motion
+from dynamics_cli.numerics.linkages.records import Near, Pin, Side, Way
 from dynamics_cli.records import Formula
 
 HERE = Path(__file__).parent
@@ -20,15 +27,15 @@ KNOWN: dict[str, Any] = json.loads((HERE / "scenes.json").read_text(encoding="ut
 CHAINS: dict[str, Any] = json.loads((HERE / "chains.json").read_text(encoding="utf-8"))
 
 
-def point(name: str, x: float = 0.0, y: float = 0.0) -> Point:
-    return Point(name, (x, y))
+def point(name: str, x: float = 0.0, y: float = 0.0) -> Pin:
+    return Pin(name, (x, y))
 
 
 def rod(name: str, first: str, second: str, length: float, mass: float, **rest: Any) -> Link:
     return Link(name, (point(first), point(second, length)), mass=mass, rod=True, **rest)
 
 
-def ground(*points: Point) -> Link:
+def ground(*points: Pin) -> Link:
     return Link("ground", points)
 
 
@@ -402,3 +409,122 @@ def test_tables_drive_and_load(tmp_path: Path) -> None:
     (tmp_path / "push.toml").write_text("horizontal = true\n" + body + '[[loads]]\npoint = "P"\ntable = "push.csv"\n')
     out = run("motion", "scene", str(tmp_path / "push.toml"), "--duration", "2 s", "--json")
     assert out.document["results"]["links"][0]["velocity"]["value"][0] == pytest.approx(1.0, abs=1e-9)
+
+
+def test_masses_come_from_documents_of_inertia(tmp_path: Path) -> None:
+    block = ("inertia", "shape", "block", "--mass", "25 kg", "--width", "900 mm", "--depth", "60 mm")
+    assert run(*block, "--height", "40 mm", "--about", "centroid", "--output", str(tmp_path / "b.json")).status == 0
+    scene = """
+        [[links]]
+        name = "ground"
+        points = [{name = "H", at = "0, 0 mm"}]
+        [[links]]
+        name = "gate"
+        mass = "@b.json:mass"
+        moment = "@b.json:MOMENT"
+        angle = "10 deg"
+        centroid = ["@b.json:centroid[0]", "-450 mm"]
+        points = [{name = "H", at = "0, 0 mm"}]
+    """
+    typed = scene.replace("@b.json:mass", "25 kg").replace("@b.json:centroid[0]", "0 mm")
+
+    def answered(text: str) -> Any:
+        (tmp_path / "gate.toml").write_text(text, encoding="utf-8")
+        return run("motion", "scene", str(tmp_path / "gate.toml"), "--duration", "1 s", "--only", "links")
+
+    wanted = answered(typed.replace("@b.json:MOMENT", "1.695 kg*m^2"))
+    assert wanted.status == 0, wanted.err
+    for moment in ("moments.zz", "tensor[2][2]"):
+        assert answered(scene.replace("MOMENT", moment)).out == wanted.out
+    refused = answered(scene.replace("MOMENT", "tensor[2][3]"))
+    assert refused.status == 2
+    assert "'b.json' has no result 'tensor[2][3]'" in refused.err
+
+
+SIX_BAR = (Path(__file__).parents[2] / "examples/six_bar.toml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("driven", [True, False])
+@pytest.mark.parametrize(("b", "q"), [("left", "left"), ("left", "right"), ("right", "left"), ("right", "right")])
+def test_a_linkage_file_with_masses_starts_in_the_assembly_of_its_sides(
+    tmp_path: Path, b: str, q: str, driven: bool
+) -> None:
+    text = SIX_BAR.replace('pin = "B"\nside = "left"', f'pin = "B"\nside = "{b}"')
+    text = text.replace('pin = "Q"\nside = "left"', f'pin = "Q"\nside = "{q}"')
+    linkage, scene = tmp_path / "linkage.toml", tmp_path / "scene.toml"
+    linkage.write_text(text, encoding="utf-8")
+    crank = 'name = "crank"\nmass = "1 kg"\nrod = true' + ("" if driven else '\nangle = "40 deg"\nspeed = "10 rad/s"')
+    text = text.replace('name = "crank"', crank, 1)
+    if not driven:
+        text = text[: text.index("[[drivers]]")] + text[text.index("# Which of") :]
+    scene.write_text(text, encoding="utf-8")
+    wanted = json.loads(run("linkage", "solve", str(linkage), "--json").out)["results"]["pins"]
+    made = run("motion", "scene", str(scene), "--duration", "0.02 s", "--at", "0 s", "--json")
+    assert made.status == 0, made.err
+    for pin, point_there in zip(wanted, json.loads(made.out)["results"]["points"], strict=True):
+        for part in ("position", "velocity"):
+            assert point_there[part]["value"] == pytest.approx(pin[part]["value"], abs=1e-9), pin["name"]
+
+
+def test_near_says_on_which_side_a_pin_begins() -> None:
+    sides = []
+    for y in (0.6, -0.6):
+        made = motion(four_bar(near=(Near("C", (0.6, y)),), drivers=()), duration=0.01, at=0.0, gravity=9.81)
+        assert not [one for one in made.advice if one.code == "which-assembly"]
+        sides.append(next(one.position[1] for one in made.points or () if one.name == "C") > 0.0)
+    assert sides == [True, False]
+
+
+def test_sides_that_fit_no_assembly_are_refused_with_the_list() -> None:
+    with pytest.raises(InadmissibleError, match="no assembly has those sides"):
+        motion(four_bar(sides=(Side("C", Way("ahead")),)), duration=0.1)
+    with pytest.raises(InadmissibleError, match="near names the point 'X'"):
+        motion(four_bar(near=(Near("X", (0.6, 0.0)),)), duration=0.1)
+
+
+def in_a_terminal(*call: str) -> str:
+    """What a call writes when standard error is a terminal."""
+    import pty
+
+    child, terminal = pty.fork()
+    if child == 0:
+        os.environ |= {"TERM": "xterm", "COLUMNS": "80"}
+        os.execv(sys.executable, [sys.executable, "-m", "dynamics_cli", *call])
+    seen = b""
+    with contextlib.suppress(OSError):
+        while part := os.read(terminal, 65536):
+            seen += part
+    os.close(terminal)
+    assert os.waitpid(child, 0)[1] == 0, seen[-500:]
+    return seen.decode()
+
+
+def test_a_long_run_shows_how_far_it_is_in_a_terminal_only(tmp_path: Path) -> None:
+    links = ['[[links]]\nname = "ground"\npoints = [{name = "A", at = "0, 0 m"}]']
+    for first, second in pairwise("ABCDE"):
+        points = f'{{name = "{first}", at = "0, 0 m"}}, {{name = "{second}", at = "0.3, 0 m"}}'
+        rest = 'mass = "1 kg"\nrod = true\nangle = "-60 deg"'
+        links.append(f'[[links]]\nname = "{first}{second}"\n{rest}\npoints = [{points}]')
+    (tmp_path / "rods.toml").write_text("\n".join(links), encoding="utf-8")
+    call = ("motion", "scene", str(tmp_path / "rods.toml"), "--duration", "14 s")
+    shown = in_a_terminal(*call)
+    assert "seconds of motion" in shown
+    # the bar is gone and the cursor back before the answer
+    assert shown.index("\x1b[?25h") < shown.index("answer  ")
+    piped = run(*call)
+    assert piped.err == ""
+    assert piped.out.startswith("answer ")
+
+
+def test_the_animated_drawing_runs_in_real_time_and_stands_at_its_end(tmp_path: Path) -> None:
+    file = tmp_path / "gate.svg"
+    call = ("motion", "scene", "examples/tailgate/tailgate.toml", "--duration", "4 s", "--drawing", str(file), "-q")
+    assert run(*call).status == 0
+    text = file.read_text(encoding="utf-8")
+    assert 'dur="5s"' in text
+    poses = re.findall(r'attributeName="d" values="([^"]*)"', text)[0].split(";")
+    # 25 frames a second, a second at the end, and the start again
+    assert len(poses) == 4 * 25 + 1 + 25 + 1
+    assert poses[-1] == poses[0] != poses[100] == poses[125]
+    # a link of three points is a closed, shaded outline; a spring is not
+    assert [text.count('fill-opacity="0.15"'), text.count('fill-opacity="0"')] == [1, 1]

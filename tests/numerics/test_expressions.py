@@ -1,6 +1,7 @@
 """Formulas as typed: what they read as, their derivatives by jets, where they have poles, and what is refused."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -8,13 +9,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mp
 
+from dynamics_cli.core.inputs.forms.formulas import read_formula
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.exact.many_digits import ManyDigits, run
 from dynamics_cli.numerics.expressions import FUNCTIONS, begin, parse
 from dynamics_cli.numerics.expressions.domain import first_fault
 from dynamics_cli.numerics.expressions.jets import Jet
+from dynamics_cli.numerics.expressions.laws import law_of
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.tracked import Tracked
+from dynamics_cli.quantities import AngleFormula, EnergyFormula, ForceFormula, LengthFormula, TorqueFormula
+from dynamics_cli.records import Let
 
 # Taylor coefficients of order 4 of functions of order one lose a few last bits.
 SAME = 1e-13
@@ -161,3 +166,71 @@ def test_every_function_is_known_on_cells() -> None:
 def test_a_corner_has_no_derivative(name: str) -> None:
     with pytest.raises(ZeroDivisionError):
         parse(f"{name}(t)")(t=Jet.variable(0.0, 2))
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "variables", "value"),
+    [
+        ("20 N*sin(3 rad/s*t)", ForceFormula, {"t": 0.4}, 20.0 * math.sin(1.2)),
+        ("(20 + 5*sin(90 deg/s*t)) kN", ForceFormula, {"t": 1.0 / 3.0}, 22500.0),
+        ("-5 N*s/m*vx - 2 N/mm*x", ForceFormula, {"vx": 3.0, "x": 0.01}, -35.0),
+        ("0.5 kg/m^3*0.7 m^2*vx^2", ForceFormula, {"vx": 2.0}, 1.4),
+        ("3 N*m - 2 N·m·s*speed", TorqueFormula, {"speed": 0.5}, 2.0),
+        ("6 m/s*t/2 + 1 ft", LengthFormula, {"t": 3.0}, 9.3048),
+        ("sqrt(4 m^2 + (3 m/s*t)^2)", LengthFormula, {"t": 0.5}, 2.5),
+        ("2 m*2^(t/3 s)", LengthFormula, {"t": 3.0}, 4.0),
+        ("3 m*t²/1 s²", LengthFormula, {"t": 2.0}, 12.0),
+        ("300 rpm*t", AngleFormula, {"t": 2.0}, 20.0 * math.pi),
+        ("200 N/m*x^2/2 - 3 kg*9.81 m/s^2*x", EnergyFormula, {"x": 0.1}, 1.0 - 2.943),
+        ("2 m*cos(2*pi*5 Hz*t)", LengthFormula, {"t": 0.1}, -2.0),
+    ],
+)  # fmt: skip
+def test_numbers_with_units(text: str, kind: Any, variables: dict[str, float], value: float) -> None:
+    if "t²" in text:
+        text = text.replace("t²", "t^2")
+    law = law_of(read_formula(text, kind), (), tuple(variables))
+    assert law(**variables) == pytest.approx(value, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "words"),
+    [
+        ("20 N*sin(3*t)", ForceFormula, "has sin(…) of something in s"),
+        ("20 N*sin(3 rad/s*t)*x", ForceFormula, "gives N*m, wanted N"),
+        ("20 N + 3 m", ForceFormula, "adds N and m"),
+        ("20 N - 3", ForceFormula, "subtracts N and a plain number"),
+        ("3 rad/s*t^2", AngleFormula, "gives s, wanted rad"),
+        ("20 N*2 m^t", ForceFormula, "has a power of something in s"),
+        ("20 N*(2 m)^x*2 m", ForceFormula, "has a power of something in m"),
+        ("3 kg*9.81 m/s^2*x^2", EnergyFormula, "gives kg*m^3/s^2, wanted J"),
+        ("2 N*sin(5 Hz*t)", ForceFormula, "Hz, which counts turns"),
+        ("20 N*q", ForceFormula, "'q' has no value"),
+        ("20 degC + 3 N", ForceFormula, "neither a unit"),
+    ],
+)
+def test_dimensions_that_do_not_fit(text: str, kind: Any, words: str) -> None:
+    with pytest.raises(UsageError) as refusal:
+        law_of(read_formula(text, kind), (), ("t", "x"))
+    assert words in str(refusal.value)
+
+
+def test_variables_of_let_have_dimensions_and_go_before_units() -> None:
+    # L is the litre too, and m the metre
+    let = (Let("L", 0.8, "m", (1, 0, 0, 0, 0, 0, 0)), Let("m", 2.0, "kg", (0, 1, 0, 0, 0, 0, 0)))
+    assert law_of(read_formula("9.81 m/s^2*m*L", EnergyFormula), let[:1], ("x", "m"))(x=0.0, m=2.0) == pytest.approx(
+        15.696
+    )
+    with pytest.raises(UsageError, match="gives kg"):
+        law_of(read_formula("m*L m", LengthFormula), let, ("t",))
+    assert law_of(read_formula("L*sin(3*t) + 2*L m", LengthFormula), let, ("t",))(t=0.0) == pytest.approx(1.6)
+
+
+@given(st.floats(0.1, 9.0), st.floats(0.1, 9.0), st.floats(0.0, 3.0))
+@settings(max_examples=30)
+def test_units_of_numbers_only_scale_them(a: float, w: float, t: float) -> None:
+    plain_law = law_of(read_formula(f"{a!r}*sin({w!r}*t) - {a!r}*t m", LengthFormula), (), ("t",))
+    for unit, size in (("mm", 1e-3), ("ft", 0.3048), ("km", 1e3)):
+        text = f"{a!r} {unit}*sin({w!r} rad/s*t) - {a!r} {unit}/s*t"
+        assert law_of(read_formula(text, LengthFormula), (), ("t",))(t=t) == pytest.approx(
+            size * plain_law(t=t), rel=1e-12, abs=1e-12
+        )

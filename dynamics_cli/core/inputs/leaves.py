@@ -29,14 +29,20 @@ FLAGS = {"true": True, "yes": True, "1": True, "false": False, "no": False, "0":
 
 def read_leaf(leaf: "Leaf", raw: "Any", address: str, context: "Context") -> Bound:
     """Parse one leaf; raises UsageError, whose parameter the caller fills in."""
-    if isinstance(raw, str) and raw.startswith("@") and leaf.kind.form not in ("text", "file"):
-        from dynamics_cli.core.inputs.sources.references import resolve
-
-        raw = resolve(raw, context, address)
+    if leaf.kind.form not in ("text", "file"):
+        raw = _resolved(raw, address, context)
     if leaf.choice is not None:
         return _choice(leaf, raw)
     reader = _FORMS.get(leaf.kind.form, _scalar)
     return reader(leaf.kind, raw, address, context)
+
+
+def _resolved(raw: "Any", address: str, context: "Context") -> "Any":
+    if not isinstance(raw, str) or not raw.startswith("@"):
+        return raw
+    from dynamics_cli.core.inputs.sources.references import resolve
+
+    return resolve(raw, context, address)
 
 
 def _text_of(kind: Kind, raw: "Any") -> str:
@@ -236,7 +242,7 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
 
 def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
     """A vector by its components."""
-    items = components_of(kind, raw)
+    items = [_resolved(item, f"{address}[{i}]", context) for i, item in enumerate(components_of(kind, raw))]
     if kind.flat and len(items) == 2:
         from dynamics_cli.core.inputs.forms.lists import share_unit
 

@@ -2,7 +2,7 @@
 
 from itertools import combinations
 
-from dynamics_cli.linkage.scenes.records import GROUND, Scene
+from dynamics_cli.numerics.linkages.records import GROUND, Scene
 from dynamics_cli.quantities import Angle, Annotated, Count, PartPoint, Ratio, Text
 from dynamics_cli.records import Check, record
 
@@ -98,7 +98,7 @@ def centres(
 
 def _moving(scene: Scene) -> Scene:
     """The scene with its first driver moving if none does: centres do not depend on the speed."""
-    from dynamics_cli.linkage.scenes.records import Driver
+    from dynamics_cli.numerics.linkages.records import Driver
 
     if any(driver.speed or driver.velocity for driver in scene.drivers):
         return scene

@@ -4,10 +4,10 @@ from math import inf, sin, sqrt
 
 import numpy as np
 
-from dynamics_cli.linkage.scenes.dyads import SAME, refined
 from dynamics_cli.linkage.scenes.pose import is_free
-from dynamics_cli.linkage.scenes.records import GROUND
-from dynamics_cli.linkage.scenes.system import Certificate, System
+from dynamics_cli.numerics.linkages.dyads import SAME, refined
+from dynamics_cli.numerics.linkages.records import GROUND
+from dynamics_cli.numerics.linkages.system import Certificate, System
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

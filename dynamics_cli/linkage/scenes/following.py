@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.linkage.scenes.continuation import Continuation
-    from dynamics_cli.linkage.scenes.system import System
+    from dynamics_cli.numerics.linkages.system import System
 
 MANY = 2_000
 TURN = 2.0 * pi

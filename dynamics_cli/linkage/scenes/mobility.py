@@ -1,6 +1,6 @@
 """Degrees of freedom of a linkage: counted (Grübler), and true at a pose, with redundant conditions."""
 
-from dynamics_cli.linkage.scenes.records import Scene
+from dynamics_cli.numerics.linkages.records import Scene
 from dynamics_cli.quantities import Annotated, Count, Text
 from dynamics_cli.records import Advice, Check, record
 
@@ -56,8 +56,8 @@ def mobility(
     """
     import numpy as np
 
-    from dynamics_cli.linkage.scenes.solve import assembled, chosen
-    from dynamics_cli.linkage.scenes.system import System
+    from dynamics_cli.numerics.linkages.assemblies import assembled, chosen
+    from dynamics_cli.numerics.linkages.system import System
 
     system = System(scene)
     possible, _ = assembled(system)

@@ -3,7 +3,7 @@
 from math import pi
 
 from dynamics_cli.animation import animated
-from dynamics_cli.linkage.scenes.records import GROUND, Scene
+from dynamics_cli.numerics.linkages.records import GROUND, Scene
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Angle, Coordinate, TurnRate
 
@@ -26,7 +26,7 @@ ASIDE = ((5.0, 5.0), (5.0, -12.0), (-36.0, 5.0), (-36.0, -12.0), (5.0, 17.0))
 def motion(scene: Scene, start: "Pins", count: int) -> "list[Pins]":
     """Poses over a turn of the first driver, or as far as it goes either way and back."""
     from dynamics_cli.linkage.scenes.continuation import Continuation
-    from dynamics_cli.linkage.scenes.system import System
+    from dynamics_cli.numerics.linkages.system import System
 
     system = System(scene)
     first = scene.drivers[0]

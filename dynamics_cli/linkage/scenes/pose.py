@@ -1,6 +1,6 @@
 """One pose of a linkage from a scene: angles of its links, places of its pins, and their rates."""
 
-from dynamics_cli.linkage.scenes.records import GROUND
+from dynamics_cli.numerics.linkages.records import GROUND
 from dynamics_cli.quantities import (
     Angle,
     AngularAcceleration,
@@ -17,7 +17,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from dynamics_cli.linkage.scenes.system import System
+    from dynamics_cli.numerics.linkages.system import System
 
 # Below this the smallest singular value over the largest means a pose that can move without its drivers.
 SINGULAR = 1e-9

@@ -1,18 +1,16 @@
 """A linkage from a scene: every assembly, and position, velocity and acceleration of the chosen one, with proof."""
 
-from dynamics_cli.errors import require
 from dynamics_cli.linkage.scenes.following import Followed, followed
 from dynamics_cli.linkage.scenes.pose import LinkMotion, PinMotion, is_free, pair, posed
-from dynamics_cli.linkage.scenes.records import Scene
+from dynamics_cli.numerics.linkages.records import Scene
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, PartPoint, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.linkage.scenes.dyads import Assembly
-    from dynamics_cli.linkage.scenes.system import System
+    from dynamics_cli.numerics.linkages.dyads import Assembly
+    from dynamics_cli.numerics.linkages.system import System
 
-LISTED = 8
 CLOSES = 1e-12
 
 
@@ -93,93 +91,14 @@ def solve(
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 5.2 and 5.6; Ortega & Rheinboldt,
     Iterative Solution of Nonlinear Equations in Several Variables, 1970, section 12.6.
     """
-    from dynamics_cli.linkage.scenes.system import System
+    from dynamics_cli.numerics.linkages.assemblies import assembled, chosen, require_driven
+    from dynamics_cli.numerics.linkages.system import System
 
     system = System(scene)
     require_driven(system)
     possible, newton = assembled(system)
     choice = chosen(system, possible, assemblies)
     return solution(system, choice, possible, newton, assemblies, (follow, steps, turn, travel))
-
-
-def require_driven(system: "System") -> None:
-    """Refuse scenes with too few drivers for their pins."""
-    missing = system.size - len(system.rows)
-    require(
-        missing <= 0,
-        "the linkage still has {count} degrees of freedom with its drivers held: give {count} more drivers",
-        count=missing,
-        code="under-driven",
-        hint="add [[drivers]], or links and pins that are missing",
-    )
-
-
-def assembled(system: "System") -> "tuple[list[Assembly], bool]":
-    """All assemblies, and whether Newton's method was needed; a refusal with the gap where there is none."""
-    from dynamics_cli.linkage.scenes.dyads import Assembler
-
-    walk = Assembler(system)
-    possible = walk.all()
-    surplus = len(system.rows) - system.size
-    gap, decision = walk.gap
-    require(
-        bool(possible) or gap != float("inf"),
-        "the linkage cannot be placed: its links depend on each other in a way that leaves no solution",
-        code="no-assembly",
-    )
-    require(
-        bool(possible),
-        "the linkage cannot be closed at this position of its drivers: {what} miss by {gap}"
-        + (", with {surplus} more conditions than it can keep" if surplus > 0 else ""),
-        what=decision,
-        gap=(gap * system.scale, Size),
-        surplus=surplus,
-        code="cannot-be-closed",
-        hint="change a length by that much there, or move the driver",
-    )
-    return possible, walk.newton
-
-
-def chosen(system: "System", possible: "list[Assembly]", listed: bool) -> "Assembly":
-    """The assembly chosen by the scene; a refusal with the list if it does not choose."""
-    sides = {side.pin: str(side.side) for side in system.scene.sides}
-    decided = {pin for a in possible for pin, _ in a.words}
-    for pin in sides:
-        require(
-            pin in decided or pin in system.place or pin in system.shapes,
-            "sides name {pin}, which the scene does not have",
-            pin=repr(pin),
-            code="side",
-        )
-        require(
-            pin in decided or not any(a.solution for a in possible),
-            "the side of {pin} selects none of these assemblies, which Newton's method found: see --assemblies",
-            pin=repr(pin),
-            code="side",
-            hint="select one by [[near]] with a pin and its approximate position",
-        )
-    fits = [a for a in possible if all(sides.get(pin, word) == word for pin, word in a.words)]
-    require(
-        bool(fits),
-        "no assembly has those sides; there is: {list}",
-        list="; ".join(a.text for a in possible[:LISTED]),
-        code="no-assembly",
-    )
-    near = {a.pin: complex(*a.at) / system.scale for a in system.scene.near}
-    if near and len(fits) > 1:
-        fits = [min(fits, key=lambda a: sum(abs(a.at[pin] - spot) for pin, spot in near.items() if pin in a.at))]
-    named = all(a.words for a in fits) and len({a.words for a in fits}) == len(fits)
-    require(
-        len(fits) == 1 or listed,
-        "{count} assemblies are possible and the scene does not say which: {list}",
-        count=len(fits),
-        list="; ".join(a.text for a in fits[:LISTED]) if named else "see --assemblies",
-        code="which-assembly",
-        hint="add [[sides]] with pin and side to the scene, or [[near]] with a pin and roughly where it is"
-        if named
-        else "add [[near]] to the scene, with a pin and roughly where it is",
-    )
-    return fits[0]
 
 
 def solution(
@@ -193,8 +112,8 @@ def solution(
     """The record of one assembly, followed over its driver's range where a name is wanted."""
     import numpy as np
 
-    from dynamics_cli.linkage.scenes.dyads import refined
-    from dynamics_cli.linkage.scenes.system import Certificate
+    from dynamics_cli.numerics.linkages.dyads import refined
+    from dynamics_cli.numerics.linkages.system import Certificate
 
     q = refined(system, system.vector(choice.at))[0]
     jacobian = system.jacobian(q)

@@ -6,8 +6,9 @@ from dynamics_cli.errors import require
 from dynamics_cli.motion.bodies.forces import PointLoad, SpringForce, TorqueLoad, TorsionForce
 from dynamics_cli.motion.bodies.joints import NONE, Along, Joint, Pin, Turn
 from dynamics_cli.motion.bodies.laws import LOADED, linear, loading, prescribed
-from dynamics_cli.motion.bodies.records import GROUND, Link, Scene
+from dynamics_cli.motion.bodies.records import Link, Scene
 from dynamics_cli.numerics.fitting.records_file import read_columns
+from dynamics_cli.numerics.linkages.records import GROUND
 from dynamics_cli.quantities import Inertia, Mass
 
 TYPE_CHECKING = False
@@ -249,6 +250,8 @@ def _require_others(scene: Scene, known: "Any", links: "set[str]", points: "dict
     for torsion in scene.torsions:
         known(torsion.link, links, "link", "a torsion spring")
         known(torsion.against, links - {torsion.link}, "link", "a torsion spring")
+    for near in scene.near:
+        known(near.pin, points, "point", "near")
     sliding = {slide.point for slide in scene.slides}
     for driver in scene.drivers:
         if driver.point:

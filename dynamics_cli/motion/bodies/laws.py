@@ -4,7 +4,7 @@ import math
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.expressions.jets import Jet
-from dynamics_cli.numerics.expressions.laws import law_of
+from dynamics_cli.numerics.expressions.laws import law_of, parsed
 from dynamics_cli.numerics.fitting.records_file import read_columns
 
 TYPE_CHECKING = False
@@ -110,14 +110,9 @@ def loading(formula: "Formula | None", names: "tuple[str, ...]") -> "Callable[[d
     if formula is None:
         return None
     law = law_of(formula, (), names)
-    needed = [name for name in names if name in _names(formula)]
+    used = parsed(formula, names).names
+    needed = [name for name in names if name in used]
     if not needed:
         value = float(law())
         return lambda given: value
     return lambda given: float(law(**{name: given[name] for name in needed}))
-
-
-def _names(formula: "Formula") -> "frozenset[str]":
-    from dynamics_cli.numerics.expressions import parse
-
-    return parse(formula.text).names

@@ -3,6 +3,7 @@
 Words are those of `dynamics linkage solve`: points of one name are one pin, the fixed link is called ground.
 """
 
+from dynamics_cli.numerics.linkages.records import GROUND, Near, Pin, Side
 from dynamics_cli.quantities import (
     Acceleration,
     Angle,
@@ -30,23 +31,13 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import record
 
-GROUND = "ground"
-
-
-@record
-class Point:
-    """A point of a link; points of one name are one pin."""
-
-    name: Annotated[Text, "Its name; links that share it are pinned together there."]
-    at: Annotated[PartPoint, "Where it is in the link's own axes, e.g. 40, 0 mm."]
-
 
 @record
 class Link:
     """A rigid body."""
 
     name: Annotated[Text, "Its name; the fixed link is called ground."]
-    points: Annotated[tuple[Point, ...], "Its points."] = ()
+    points: Annotated[tuple[Pin, ...], "Its points."] = ()
     mass: Annotated[Mass, "Its mass; without one it is massless, e.g. 2 kg."] = 0.0
     centroid: Annotated[PartPoint, "Its mass centre in its own axes, e.g. 150, 0 mm."] = (0.0, 0.0)
     moment: Annotated[Inertia, "Moment of inertia about its mass centre; zero for a point mass."] = 0.0
@@ -144,4 +135,6 @@ class Scene:
     torsions: Annotated[tuple[Torsion, ...], "Torsion springs and dampers between links."] = ()
     drivers: Annotated[tuple[Driver, ...], "Prescribed motions."] = ()
     loads: Annotated[tuple[Load, ...], "Forces and torques."] = ()
+    sides: Annotated[tuple[Side, ...], "How it is put together at the start, pin by pin."] = ()
+    near: Annotated[tuple[Near, ...], "Roughly where pins are at the start."] = ()
     horizontal: Annotated[bool, "True for a horizontal plane: nothing has weight."] = False

@@ -6,9 +6,10 @@ from itertools import product
 import numpy as np
 
 from dynamics_cli.errors import require, worded
+from dynamics_cli.motion.bodies.assembly import places_of
 from dynamics_cli.motion.bodies.joints import NONE
-from dynamics_cli.motion.bodies.records import GROUND
 from dynamics_cli.motion.bodies.system import System
+from dynamics_cli.numerics.linkages.records import GROUND
 from dynamics_cli.quantities import Size
 from dynamics_cli.records import Advice
 
@@ -39,6 +40,7 @@ class Start:
         self.repeated: tuple[str, ...] = ()
         self.moved = 0.0
         self.ambiguous: tuple[str, ...] = ()
+        self.near = places_of(scene, system.size) if scene.sides or scene.near else {}
         self.loose = self._loose()
         guess, self.firm = self._guess({})
         system.connect(guess)
@@ -79,16 +81,20 @@ class Start:
             if angle is not None or link.position is not None or link.name in sliders:
                 firm[3 * k + 2] = True
             there = [name for name in body.points if name in placed]
-            if angle is None and len(there) > 1 and k not in tried:
-                one, two = there[0], there[-1]
-                angle = float(np.angle((placed[two] - placed[one]) / ((body.points[two] - body.points[one]) or 1.0)))
+            ends = there if len(there) > 1 else there + [name for name in body.points if name in self.near]
+            if angle is None and len(ends) > 1 and k not in tried:
+                seen = {**self.near, **placed}
+                one, two = ends[0], ends[-1]
+                angle = float(np.angle((seen[two] - seen[one]) / ((body.points[two] - body.points[one]) or 1.0)))
             angle = tried.get(k, 0.0) if angle is None else angle
             turn = complex(math.cos(angle), math.sin(angle))
             if link.position is not None:
                 centre = complex(*link.position) / system.size + turn * body.centre
                 firm[3 * k] = firm[3 * k + 1] = True
+            elif ends:
+                centre = (placed if there else self.near)[ends[0]] - turn * body.points[ends[0]]
             else:
-                centre = placed[there[0]] - turn * body.points[there[0]] if there else turn * body.centre
+                centre = turn * body.centre
             q[3 * k : 3 * k + 3] = centre.real, centre.imag, angle
             angles[link.name] = angle
             for name, at in body.points.items():
@@ -132,6 +138,8 @@ class Start:
 
     def _held_twice(self, k: int) -> bool:
         name = self.system.bodies[k].name
+        if set(self.system.bodies[k].points) & set(self.near):
+            return False
         others = [joint for joint in self.system.joints if name in (joint.link, joint.by) and joint.kind != "driver"]
         return len(others) > 1
 

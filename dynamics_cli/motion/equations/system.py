@@ -5,9 +5,10 @@ import math
 from dynamics_cli.errors import require
 from dynamics_cli.motion.equations.records import ORIGIN, Turning
 from dynamics_cli.numerics.elementary import cos, sin
-from dynamics_cli.numerics.expressions import FUNCTIONS, parse
+from dynamics_cli.numerics.expressions import FUNCTIONS
+from dynamics_cli.numerics.expressions.dimensions import LENGTH, NONE, RATE, SPEED, TIME
 from dynamics_cli.numerics.expressions.jets import Jet
-from dynamics_cli.numerics.expressions.laws import law_of
+from dynamics_cli.numerics.expressions.laws import law_of, parsed
 from dynamics_cli.numerics.number import plain
 
 TYPE_CHECKING = False
@@ -35,6 +36,9 @@ class System:
         self.up = {"x": 0, "y": 1, "z": 2}.get(upward)
         self.names = [one.name for one in scene.coordinates]
         self.angular = [isinstance(one, Turning) for one in scene.coordinates]
+        self.dimensions: dict[str, tuple[int, ...]] = {"t": TIME}
+        for name, turns in zip(self.names, self.angular, strict=True):
+            self.dimensions |= {name: NONE, f"{name}_dot": RATE} if turns else {name: LENGTH, f"{name}_dot": SPEED}
         self.timed = False
         self._check_names()
         self.bodies = {body.name: body for body in scene.bodies}
@@ -118,7 +122,7 @@ class System:
         return None if formula is None else self._read(formula, speeds, angular=field == "angle")
 
     def _read(self, formula: "Formula", speeds: "tuple[str, ...]", *, angular: bool) -> "Law":
-        used = parse(formula.text).names
+        used = parsed(formula, {*self.dimensions, *(one.name for one in self.let)}).names
         # a coordinate is in metres or radians, which another unit at the end would count once more
         mixed = [
             name for name, turns in zip(self.names, self.angular, strict=True)
@@ -130,7 +134,8 @@ class System:
                 hint="coordinates are in m and rad: end the formula in m, rad, N or N*m")  # fmt: skip
         if not speeds:
             self.timed |= "t" in used
-        return law_of(formula, self.let, (*self.names, *speeds, "t"))
+        known = {name: self.dimensions[name] for name in (*self.names, *speeds, "t")}
+        return law_of(formula, self.let, known)
 
     def _check_names(self) -> None:
         scene = self.scene

@@ -3,7 +3,8 @@
 import math
 
 from dynamics_cli.motion.bodies.joints import NONE
-from dynamics_cli.motion.bodies.records import GROUND, Scene
+from dynamics_cli.motion.bodies.records import Scene
+from dynamics_cli.numerics.linkages.records import GROUND
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Coordinate, Force, Time, Torque, TurnRate
 
@@ -13,7 +14,9 @@ if TYPE_CHECKING:
 
     from dynamics_cli.motion.bodies.system import System
 
-GREY, GHOSTS, SAMPLES, FRAMES = 6, 8, 400, 90
+GREY, GHOSTS, SAMPLES = 6, 8, 400
+# Of the animation: frames a second, seconds at least and at most, and how long its end stands.
+FRAMES, SHORTEST, LONGEST, HELD = 25, 3.0, 20.0, 1.0
 MOST_CURVES = 5
 # A link that turns less than this has no curve of its angle.
 TURNS = 1e-6
@@ -189,20 +192,25 @@ def _followed(rows: "Any", ends: Axis) -> "list[Panel]":
 def moving_scene(
     made: "Any", scene: Scene, *, duration: float, gravity: float = STANDARD_GRAVITY, **_: "Any"
 ) -> str:  # fmt: skip
-    """The scene over time, there and back, as an animated SVG."""
+    """The scene over time as an animated SVG, in real time where that is neither very short nor very long."""
     from dynamics_cli.animation import animated
     from dynamics_cli.motion.scenes.runs import runs_of
 
     runs = runs_of(scene, gravity, duration)
-    states = [runs.fine.at(runs.end * k / FRAMES) for k in range(FRAMES + 1)]
+    seconds = min(max(runs.end, SHORTEST), LONGEST)
+    count = round(FRAMES * seconds)
+    states = [runs.fine.at(runs.end * k / count) for k in range(count + 1)]
     shapes = Shapes(runs.system)
-    frames = [[line if len(line) > 1 else line * 2 for line in [*shapes.of(y).values(), *shapes.coils(y)]]
-              for y in states]  # fmt: skip
     f, size = runs.system.frame_of(states[0]), runs.system.size
     pivots = [complex(f.x[spot], f.y[spot]) * size for spot in shapes.fixed]
     moved = shapes.paths(states)
+    # the end stands still for a while before all begins again
+    shown = [*range(count + 1), *[count] * round(FRAMES * HELD)]
+    lines = [[line if len(line) > 1 else line * 2 for line in [*shapes.of(y).values(), *shapes.coils(y)]]
+             for y in states]  # fmt: skip
     pins = [[path[k] for path in moved] for k in range(len(states))]
-    return animated("Bodies in motion", [*frames, *frames[-2:0:-1]], moved, pivots, [*pins, *pins[-2:0:-1]])
+    return animated("Bodies in motion", [lines[k] for k in shown], moved, pivots, [pins[k] for k in shown],
+                    seconds + HELD)  # fmt: skip
 
 
 def equilibrium_picture(

@@ -14,11 +14,17 @@ from dynamics_cli.numerics.number import is_array, plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-    from typing import Any, TypeAlias
+    from collections.abc import Collection, Iterator, Mapping
+    from typing import Any, Protocol, TypeAlias
 
-    # an operation and its operands: numbers, names, trees
+    # an operation and its operands: numbers (those with a unit have a dimension too), names, trees
     Tree: TypeAlias = tuple[Any, ...]
+
+    class Units(Protocol):
+        """What units there are."""
+
+        def get(self, name: str, /) -> tuple[float, tuple[int, ...]] | None:
+            """The size of a unit in SI, and its dimension."""
 
 
 FUNCTIONS = tuple(jets.FUNCTIONS)
@@ -45,13 +51,20 @@ class Expression:
         return _value(self.tree, variables, pi_beside(*beside))
 
 
-def parse(text: str, variables: "frozenset[str] | set[str] | tuple[str, ...] | None" = None) -> Expression:
+def parse(
+    text: str,
+    variables: "frozenset[str] | set[str] | tuple[str, ...] | None" = None,
+    units: "Units | None" = None,
+    taken: "Collection[str]" = (),
+) -> Expression:
     """Read a whole formula; refuse what is left over, and names that are not variables.
+
+    Numbers may have these units; in `3 m/s*m` the last m is a variable if that name is taken.
 
     >>> parse("3*t^2 - sin(t)")(t=2.0)
     11.090702573174319
     """
-    formula = begin(text)
+    formula = begin(text, units, taken)
     if formula.end < len(text.rstrip()):
         rest = text[formula.end :]
         start = formula.end + len(rest) - len(rest.lstrip())
@@ -69,11 +82,11 @@ def check_names(formula: Expression, variables: "frozenset[str] | set[str] | tup
         _refuse(formula.text, start, f"{name!r} has no value", hint=f"variables here: {names}; functions: sin, sqrt, …")
 
 
-def begin(text: str) -> Expression:
+def begin(text: str, units: "Units | None" = None, taken: "Collection[str]" = ()) -> Expression:
     """Read the formula that a text begins with; what follows it, such as a unit, begins at `end`."""
     if len(text) > LONGEST:
         raise UsageError(f"the formula has more than {LONGEST} characters", code="expression")
-    reader = _Reader("".join(SIGNS.get(letter, letter) for letter in text))
+    reader = _Reader("".join(SIGNS.get(letter, letter) for letter in text), units, taken)
     tree = reader.sum(0)
     return Expression(text, tree, reader.at)
 
@@ -81,15 +94,14 @@ def begin(text: str) -> Expression:
 class _Reader:
     """Reads a formula from left to right, by precedence."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, units: "Units | None", taken: "Collection[str]") -> None:
         self.text = text
+        self.units, self.taken = units, taken
         self.at = 0
 
     def peek(self) -> str:
         """The next character that is not a space, without taking it; empty at the end."""
-        start = self.at
-        while start < len(self.text) and self.text[start].isspace():
-            start += 1
+        start = self._blank(self.at)
         return self.text[start : start + 1]
 
     def take(self) -> str:
@@ -145,14 +157,57 @@ class _Reader:
             _refuse(self.text, len(self.text), "the formula ends where a number, a variable or a bracket is expected")
         if letter == "(":
             self.take()
-            return self.closed(depth)
+            return self.measured(self.closed(depth))
         if letter.isdigit() or letter == ".":
-            return ("number", self.number())
+            return self.measured(("number", self.number()))
         if letter.isalpha() or letter == "_":
             return self.name(depth)
         self.take()
         _refuse(self.text, self.at - 1, f"{letter!r} is not expected here")
         raise AssertionError
+
+    def measured(self, tree: "Tree") -> "Tree":
+        """The number or bracket times the unit after it, which goes on as long as units follow: 5 N*s/m*v."""
+        dimension: tuple[int, ...] = (0,) * 7
+        size, way, end = 1.0, 1, -1
+        while self.units and (unit := self.unit(() if end < 0 else self.taken)) is not None:
+            factor, powers, power = unit
+            size *= factor ** (way * power)
+            dimension = tuple(a + way * power * b for a, b in zip(dimension, powers, strict=True))
+            end = self.at
+            if self.peek() not in PRODUCTS:
+                break
+            way = 1 if self.take() == "*" else -1
+        if end < 0:
+            return tree
+        self.at = end
+        return ("*", tree, ("number", size, dimension))
+
+    def unit(self, taken: "Collection[str]") -> "tuple[float, tuple[int, ...], int] | None":
+        """A unit here, with its power; None, and nothing read, where there is none."""
+        start = self._blank(self.at)
+        at = start
+        while at < len(self.text) and (self.text[at].isalnum() or self.text[at] in "_°%"):
+            at += 1
+        word = self.text[start:at]
+        known = self.units.get(word) if self.units and word and not word[0].isdigit() and word not in taken else None
+        if known is None or self.text[self._blank(at) :].startswith("("):
+            return None
+        self.at = at
+        at = self._blank(at)
+        for sign in ("**", "^"):
+            if self.text.startswith(sign, at):
+                at += len(sign)
+                end = at + self.text.startswith("-", at) + 1
+                if self.text[end - 1 : end].isdigit():
+                    self.at = end
+                    return *known, int(self.text[at:end])
+        return *known, 1
+
+    def _blank(self, at: int) -> int:
+        while at < len(self.text) and self.text[at].isspace():
+            at += 1
+        return at
 
     def closed(self, depth: int) -> "Tree":
         """Bracket: sum ")", the opening bracket just taken."""

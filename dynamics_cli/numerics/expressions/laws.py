@@ -1,29 +1,37 @@
-"""A formula with its unit as a function of numbers in SI."""
+"""A formula with its unit, or units at its numbers, as a function of numbers in SI."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.expressions import check_names, parse
+from dynamics_cli.numerics.expressions import Expression, check_names, parse
 from dynamics_cli.records import Formula, Let
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable, Mapping
     from typing import Any
 
 
+def parsed(formula: Formula, taken: "Iterable[str]" = ()) -> Expression:
+    """The formula read; in `3 m/s*m` the last m is a variable if that name is taken."""
+    units = {name: (size, powers) for name, size, powers in formula.units}
+    return parse(formula.text, None, units, set(taken))
+
+
 def law_of(
-    formula: Formula, let: "tuple[Let, ...]" = (), variables: "tuple[str, ...]" = ("t", "x", "v")
+    formula: Formula,
+    let: "tuple[Let, ...]" = (),
+    variables: "tuple[str, ...] | Mapping[str, tuple[int, ...]]" = ("t", "x", "v"),
 ) -> "Callable[..., Any]":
     """The function of a formula in SI, with the variables of `let` filled in.
 
     Raises
     ------
     UsageError
-        When a name has no value.
+        When a name has no value, or numbers have units and the formula's dimension does not fit.
     InadmissibleError
         When the formula has variables with units, and its own unit is not the coherent one of SI.
     """
-    expression = parse(formula.text)
     values = {item.name: item.value for item in let}
+    expression = parsed(formula, {*variables, *values})
     check_names(expression, {*variables, *values})
     used = [item.name for item in let if item.unit and item.name in expression.names]
     require(
@@ -35,6 +43,13 @@ def law_of(
         unit=formula.unit,
         names=", ".join(used),
     )
+    if formula.wanted and (formula.units or used):
+        from dynamics_cli.numerics.expressions.dimensions import VARIABLES, check_dimension
+
+        table = variables if isinstance(variables, dict) else VARIABLES
+        # where plain numbers may stand for anything, so may t and x
+        known = {name: table.get(name) for name in variables} if formula.units else {}
+        check_dimension(formula, expression.tree, known | {item.name: item.dimension for item in let})
 
     def value(**variables_now: "Any") -> "Any":
         out = expression(**values, **variables_now)

@@ -85,7 +85,9 @@ class MovingPoint:
 
     def plainly(self) -> "MovingPoint":
         """The same with doubles in place of tracked numbers."""
-        let = tuple(Let(variable.name, plain(variable.value), variable.unit) for variable in self.let)
+        let = tuple(
+            Let(variable.name, plain(variable.value), variable.unit, variable.dimension) for variable in self.let
+        )
         shape = self.shape
         if shape is not None:
             values = {name: _in_doubles(getattr(shape, name)) for name in shape.fields}
@@ -104,7 +106,9 @@ class MovingPoint:
                 return tuple(map(exact, value))
             return value if value is None else ManyDigits.inputs([plain(value)])[0]
 
-        let = tuple(Let(variable.name, exact(variable.value), variable.unit) for variable in self.let)
+        let = tuple(
+            Let(variable.name, exact(variable.value), variable.unit, variable.dimension) for variable in self.let
+        )
         shape = self.shape
         if shape is not None:
             shape = type(shape)(**{name: exact(getattr(shape, name)) for name in shape.fields})
@@ -145,13 +149,13 @@ class MovingPoint:
 
     def check(self, start: float, end: float) -> None:
         """Refuse a pole, a corner or a gap between two times."""
-        from dynamics_cli.numerics.expressions import parse
         from dynamics_cli.numerics.expressions.domain import first_fault
+        from dynamics_cli.numerics.expressions.laws import parsed
 
         values = {variable.name: float(plain(variable.value)) for variable in self.let}
         formulas = {**self.formulas, **({"the law": self.parameter} if self.parameter is not None else {})}
         for name, formula in formulas.items():
-            expression = parse(formula.text)
+            expression = parsed(formula, {"t", *values})
             named = {key: value for key, value in values.items() if key in expression.names}
             fault = first_fault(expression, "t", start, end, **named) if end > start else None
             require(

@@ -193,7 +193,7 @@ def rectilinear_law(
     numbers = (phase.start_speed, phase.time, phase.distance, phase.end_speed, *(each.value for each in let))
     only_in_doubles(*numbers)
     plainly = Phase(plain(phase.start_speed), plain(phase.end_speed), None, plain(phase.distance), plain(phase.time))
-    function = law_of(law, tuple(type(each)(each.name, plain(each.value), each.unit) for each in let))  # type: ignore[arg-type]
+    function = law_of(law, tuple(type(each)(each.name, plain(each.value), each.unit, each.dimension) for each in let))  # type: ignore[arg-type]
     motion, rough = run(function, plainly), run(function, plainly, halved=True)
     distance, speed, rate = motion.at(motion.end)
     stop = motion.stop

@@ -7,7 +7,8 @@ from dynamics_cli.core.units.lookup import parse_unit
 from dynamics_cli.core.units.names import explain_mismatch
 from dynamics_cli.core.units.unit import NUMBER, conformable
 from dynamics_cli.errors import UsageError
-from dynamics_cli.numerics.expressions import FUNCTIONS, begin
+from dynamics_cli.numerics.expressions import FUNCTIONS, begin, parse
+from dynamics_cli.numerics.expressions.dimensions import VARIABLES
 from dynamics_cli.quantities import Kind
 from dynamics_cli.records import Formula, Let
 
@@ -30,6 +31,46 @@ def read(text: str, kind: Kind, address: str, context: "Context", number: "Calla
 
 
 def read_formula(text: str, kind: Kind) -> Formula:
+    """A formula of plain numbers with a unit at its end, or one whose numbers have their units."""
+    try:
+        return _with_a_unit(text, kind)
+    except UsageError as error:
+        known = _Units()
+        try:
+            parse(text, units=known)
+        except UsageError:
+            raise error from None
+        if not known.units:
+            raise
+        hertz = [name for name in known.units if name.endswith("Hz")]
+        if hertz and "pi" not in text:
+            message = f"{text!r} has {hertz[0]}, which counts turns, but no 2*pi"
+            raise UsageError(message, code="hertz", hint="write 2*pi*5 Hz*t, or 5 rad/s*t") from None
+        units = tuple((name, *unit) for name, unit in known.units.items())
+        return Formula(text.strip(), 1.0, kind.unit, units, _dimension(kind.unit))
+
+
+class _Units:
+    """Units by name, with their sizes in SI and their dimensions; `units` are those that were asked for."""
+
+    def __init__(self) -> None:
+        self.units: dict[str, tuple[float, tuple[int, ...]]] = {}
+
+    def get(self, name: str) -> "tuple[float, tuple[int, ...]] | None":
+        """The unit of that name, unless it is what tasks call a variable."""
+        if name in VARIABLES or name in TAKEN:
+            return None
+        try:
+            unit = parse_unit(name)
+        except UsageError:
+            return None
+        if unit.offset[0]:
+            return None
+        self.units[name] = to_si(1, 1, unit), unit.dimension[:7]
+        return self.units[name]
+
+
+def _with_a_unit(text: str, kind: Kind) -> Formula:
     """A formula and its unit, whose factor to SI its numbers get."""
     body = begin(text)
     unit_text = text[body.end :].strip()
@@ -50,7 +91,11 @@ def read_formula(text: str, kind: Kind) -> Formula:
         message, _ = explain_mismatch(unit, base_unit)
         hint = f"write products with *, and the unit last: {kind.example}"
         raise UsageError(f"{text!r} is not {kind.about.partition(',')[0]}: {message}", code="kind", hint=hint)
-    return Formula(text[: body.end].strip(), to_si(1, 1, unit), unit_text)
+    return Formula(text[: body.end].strip(), to_si(1, 1, unit), unit_text, (), base_unit.dimension[:7])
+
+
+def _dimension(unit: str) -> "tuple[int, ...]":
+    return (parse_unit(unit) if unit else NUMBER).dimension[:7]
 
 
 def read_let(text: str, address: str, context: "Context", number: "Callable[..., Value]") -> Bound:
@@ -79,7 +124,10 @@ class _Let(Fields):
 
     def __init__(self, name: str, unit: str, value: Value, text: str) -> None:
         self.text = text
-        super().__init__(Let, {"name": Constant(name, name), "value": value, "unit": Constant(unit, unit)})
+        super().__init__(Let, {
+            "name": Constant(name, name), "value": value, "unit": Constant(unit, unit),
+            "dimension": Constant(_dimension(unit), None),
+        })  # fmt: skip
 
     def echo(self) -> "Any":
         """Name and value as written."""

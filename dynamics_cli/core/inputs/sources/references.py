@@ -63,7 +63,11 @@ def resolve(text: str, context: "Context", target: str) -> "Any":
     value = raw.get("results") if isinstance(raw, dict) else None
     for step in split_address(address):
         try:
-            value = value[step]  # type: ignore[index]
+            if isinstance(step, int) and isinstance(value, dict):
+                # a component has the unit of its vector
+                value = {**value, "value": value["value"][step]}
+            else:
+                value = value[step]  # type: ignore[index]
         except (KeyError, IndexError, TypeError):
             hint = _near_results(raw, address)
             raise UsageError(f"{name!r} has no result {address!r}", code="no-value", hint=hint) from None

@@ -4,8 +4,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from dynamics_cli.linkage.scenes.records import GROUND, Scene, Slide
-from dynamics_cli.linkage.scenes.system import Shape, System
+from dynamics_cli.numerics.linkages.records import GROUND, Scene, Slide
+from dynamics_cli.numerics.linkages.system import Shape, System
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from copy import copy
 import numpy as np
 
 from dynamics_cli.errors import require
-from dynamics_cli.linkage.scenes.records import GROUND, Driver, Link, Scene
+from dynamics_cli.numerics.linkages.records import GROUND, Driver, Link, Scene
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
