@@ -306,3 +306,10 @@ def test_a_reading_of_a_thick_tooth_is_taken_up_to_where_its_tips_are_pointed() 
         size = nominal.span + 6e-3 * shift * math.sin(math.radians(20.0))
         read = measure(teeth=24, pitch=NormalModule(3e-3), over=4, measured_span=size)
         assert read.from_span.profile_shift == pytest.approx(shift, abs=1e-12)
+
+
+def test_teeth_thinned_for_backlash_do_not_turn_a_metric_gear_into_an_inch_gear() -> None:
+    # W₃ is 19.291 mm without backlash
+    found = identify(teeth=24, spans=(SpanRead(3, 0.0192),), tip_diameter=0.065)
+    assert found.candidates[0].size == "module 2.5"
+    assert math.degrees(found.candidates[0].pressure_angle) == pytest.approx(20.0)

@@ -117,7 +117,10 @@ def candidate(
     if tip is not None:
         addendum = Exact(tip) / (2 * m) - teeth / (2 * cos(Exact(beta))) - shift
         known = 3 * Exact(reading) / (2 * m * sin(alpha)) + fraction("0.02")
-        off += min(((addendum - 1) / known) ** 2, ((addendum - fraction("0.8")) / known) ** 2 + Exact(0.25))
+        # a tooth thinned for backlash, by up to 0.06 of a shift, has this much addendum too many
+        beyond = [addendum - nominal for nominal in (Exact(1), fraction("0.8"))]
+        full, stub = ((excess if excess < 0 else max(excess - fraction("0.06"), Exact(0))) for excess in beyond)
+        off += min((full / known) ** 2, (stub / known) ** 2 + Exact(0.25))
         out["addendum_factor"] = addendum
     rare = {"20": "0", "14.5": "0.05", "25": "0.05"}.get(degrees, "0.2")
     out["disagreement"] = sqrt(off + fraction(rare))

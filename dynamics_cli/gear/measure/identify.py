@@ -21,6 +21,8 @@ DIAMETRAL_PITCHES = (
     32, 36, 40, 44, 48, 56, 64, 72, 80, 96, 120,
 )  # fmt: skip
 COMMON_SHIFT = 1.0
+# Teeth are cut thinner for backlash by up to so much of a profile shift: the tip diameter does not follow.
+THINNED = 0.06
 
 
 @record
@@ -86,7 +88,7 @@ def identify(
     -----
     A span grows by one base pitch a tooth, whatever the shift; only m cos α is known from it. Module and pressure angle
     are told apart by the tip diameter and by what is usual: a shift beyond ±1 and an addendum other than 1 or 0.8
-    count against a candidate.
+    count against a candidate. Teeth may be thinner than the tip diameter tells, for backlash, by 0.06 of a shift.
 
     References
     ----------
@@ -249,10 +251,15 @@ def _disagreement(
         addendum = 0.5 * read.tip_diameter / module - 0.5 * read.teeth / cos(read.helix_angle) - shift
         uncertainty = 3.0 * read.reading / module / (2.0 * sin(angle)) + 0.02
         # full depth, or 4/5 for stub teeth
-        full, stub = (addendum - 1.0) / uncertainty, (addendum - like(4.0, shift) / 5.0) / uncertainty
+        full, stub = (_off(addendum - depth) / uncertainty for depth in (1.0, like(4.0, shift) / 5.0))
         off = off + minimum(full * full, stub * stub + 0.25)
     # unusual values get a small penalty
     return off + (0.0 if degrees == 20.0 else 0.05 if degrees in (14.5, 25.0) else 0.2), addendum
+
+
+def _off(addendum: float) -> float:
+    """How far an addendum is from what it should be, where teeth may have been cut thinner for backlash."""
+    return maximum(addendum - THINNED, 0.0) + minimum(addendum, 0.0)
 
 
 def _checks(read: _Readings, best: Candidate) -> tuple[Check, ...]:
