@@ -183,6 +183,9 @@ if TYPE_CHECKING:
     AngularRate = float
     AngularAcceleration = float
     GrowthRate = float
+    SlowTurnRate = float
+    LongTime = float
+    LongDistance = float
     TurnRate = float
     # angles and pure numbers
     Angle = float
@@ -345,6 +348,8 @@ else:
     )
     # time and motion
     Time = Kind("time", "s", si="s", us="s", low=0.0, example="1.5 s", about="a duration")
+    LongTime = Kind("time", "s", si="h", us="h", low=0.0, example="24 h", about="a time of hours")
+    LongDistance = Kind("length", "m", si="km", us="mi", low=0.0, example="100 km", about="a distance on the earth")
     EvaluationTime = Kind("time", "s", si="us", us="us", low=0.0, example="3 us", about="the time of a calculation")
     Speed = Kind("speed", "m/s", si="m/s", us="ft/s", example="12 m/s", about="a speed or velocity component")
     RoadVelocity = Kind(
@@ -401,6 +406,14 @@ else:
     )
     AngularRate = Kind("angular velocity", "rad/s", example="2 rad/s", about="an angular velocity")
     ShaftSpeed = Kind("angular velocity", "rad/s", si="rpm", us="rpm", example="1500 rpm", about="the speed of a shaft")
+    SlowTurnRate = Kind(
+        "angular velocity",
+        "rad/s",
+        si="deg/h",
+        us="deg/h",
+        example="15 deg/h",
+        about="a rate of turning with the earth",
+    )
     GrowthRate = Kind("growth rate", "1/s", example="-2 1/s", about="a rate of growth, negative for decay")
     AngularAcceleration = Kind(
         "angular acceleration",

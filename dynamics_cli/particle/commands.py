@@ -170,8 +170,41 @@ CIRCLE = Task(
     arrays=False,
 )  # fmt: skip
 
+ROTATING_FRAME = Task(
+    "rotating-frame",
+    "What acts on a particle in a turning frame: Coriolis, centrifugal; the earth.",
+    Model(
+        "apparent accelerations",
+        "dynamics_cli.particle.rotating_frame:rotating_frame",
+        source=BOOK + "section 4.10",
+        formula="a = −2·ω×v − ω×(ω×r) − α×r",
+        assumptions=("the frame's origin is at rest, or its acceleration counts as gravity",
+                     "on the ground the centrifugal part belongs to gravity"),
+    ),
+    headline=(
+        "coriolis: Coriolis −2ω×v", "coriolis_size: its magnitude", "centrifugal: centrifugal −ω×(ω×r)",
+        "euler: Euler −α×r", "apparent: together", "force_size: apparent force", "true_velocity: true velocity",
+        "inertial_radius: level motion circles at", "inertial_time: once in",
+        "foucault_rate: Foucault's pendulum turns", "foucault_time: once round in",
+    ),
+    examples=(
+        'dynamics particle rotating-frame --angular-velocity "0, 0, 2 rad/s" --position "1.5, 0, 0 m" '
+        '--velocity "0, 1, 0 m/s" --mass "70 kg"',
+        'dynamics particle rotating-frame --latitude "52 deg" --velocity "0, 250, 0 m/s"',
+    ),
+    arrays=False,
+)  # fmt: skip
+
 FAMILIES = {
     "particle": Family(
-        "particle", "A particle: flights, falls, tubes, inclines, bends.", PROJECTILE, FALL, TUBE, HOOP, INCLINE, CIRCLE
+        "particle",
+        "A particle: flights, falls, tubes, inclines, bends.",
+        PROJECTILE,
+        FALL,
+        TUBE,
+        HOOP,
+        ROTATING_FRAME,
+        INCLINE,
+        CIRCLE,
     )
 }

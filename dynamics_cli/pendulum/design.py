@@ -1,6 +1,6 @@
 """The task `design`: the length, or the amplitude, for a wanted period."""
 
-from dynamics_cli.errors import MissingError, UsageError, require, worded
+from dynamics_cli.errors import UsageError, require, worded
 from dynamics_cli.numerics.elementary import atan2, cos, pi_beside, sqrt
 from dynamics_cli.numerics.elliptic import mean
 from dynamics_cli.numerics.number import plain
@@ -27,7 +27,7 @@ class Design:
 def design(
     *,
     period: Annotated[Time, "Time of a full swing, there and back, e.g. 2 s."],
-    amplitude: Annotated[Angle | None, "Amplitude, where the length is wanted, e.g. 3 deg."] = None,
+    amplitude: Annotated[Angle | None, "Amplitude, where the length is wanted; small unless given, e.g. 3 deg."] = None,
     length: Annotated[Length | None, "Length, where the amplitude is wanted, e.g. 0.99 m."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Design:
@@ -63,10 +63,9 @@ def design(
     if length is not None and amplitude is not None:
         raise UsageError("length and amplitude are both given: the period follows from them", code="ambiguous",
                          hint="give one of them, or ask `dynamics pendulum simple`")  # fmt: skip
-    if length is None and amplitude is None:
-        raise MissingError("neither the amplitude nor the length is given", (("amplitude",), ("length",)))
     pi = pi_beside(period, gravity)
-    if amplitude is not None:
+    if length is None:
+        amplitude = 0.0 * period if amplitude is None else amplitude
         require(abs(amplitude) < PI, "at an amplitude of {amplitude} it is no swing", amplitude=(amplitude, Angle),
                 code="at-top", hint="give an amplitude below 180 deg")  # fmt: skip
         complement = cos(0.5 * amplitude)
@@ -75,7 +74,6 @@ def design(
         length = gravity * root * root
         angle = abs(amplitude)
     else:
-        assert length is not None
         require(length > 0.0, "the length of {length} is not above zero", length=(length, Length))
         ratio = 2.0 * pi * sqrt(length / gravity) / period
         require(

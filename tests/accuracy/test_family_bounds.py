@@ -11,7 +11,7 @@ from dynamics_cli.accuracy.catalogue import groups
 from dynamics_cli.core.answering.tightening import tighten
 from dynamics_cli.energy import body, drop, impulse, power, roll, speed, work
 from dynamics_cli.numerics.tracked import Tracked
-from dynamics_cli.particle import fall, incline, projectile, tube
+from dynamics_cli.particle import fall, incline, projectile, rotating_frame, tube
 from dynamics_cli.pendulum import compound, conical, simple
 from dynamics_cli.spin import disk, free, gyro, rod, shaft, top
 
@@ -20,7 +20,10 @@ TASKS: dict[str, tuple[Callable[..., Any], ...]] = {
         work.work, body.body, speed.speed, drop.drop, roll.roll, power.power, power.drive, impulse.impulse,
         impulse.draw_in,
     ),
-    "particle": (projectile.projectile, fall.fall, tube.tube, tube.hoop, incline.incline, incline.circle),
+    "particle": (
+        projectile.projectile, fall.fall, tube.tube, tube.hoop, incline.incline, incline.circle,
+        rotating_frame.rotating_frame,
+    ),
     "pendulum": (simple.simple, compound.compound, compound.rod, conical.conical),
     "spin": (gyro.gyro, free.free, top.top, shaft.shaft, rod.rod, disk.disk),
 }  # fmt: skip

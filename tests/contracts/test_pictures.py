@@ -20,7 +20,7 @@ WITHOUT = {
     "convert", "coords", "units list", "units show", "units search", "units table", "gear glossary", "gear data-block",
     "inertia shapes", "inertia materials", "cam laws", "cam size", "cam check", "cam export",
     "force equivalent", "force spring", "force gravity", "force friction", "force first-moment",
-    "particle fall", "particle hoop", "particle incline", "particle circle",
+    "particle fall", "particle hoop", "particle incline", "particle circle", "particle rotating-frame",
     "energy body", "energy speed", "energy drop", "energy roll", "energy power", "energy draw-in",
     "pendulum compound", "pendulum rod", "pendulum conical", "pendulum design",
     "spin gyro", "spin top", "spin shaft", "spin disk", "spin rod",

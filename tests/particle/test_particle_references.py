@@ -11,6 +11,7 @@ from dynamics_cli.particle.fall import fall
 from dynamics_cli.particle.flights import Linear, Quadratic, Upright
 from dynamics_cli.particle.incline import circle, incline
 from dynamics_cli.particle.projectile import DragBody, Elevation, Target, Terminal, projectile, with_drag
+from dynamics_cli.particle.rotating_frame import OnEarth, Turning, rotating_frame
 from dynamics_cli.particle.tube import Plane, Spring, hoop, tube
 
 REFERENCES: dict[str, Any] = json.loads((Path(__file__).parent / "particle.json").read_text(encoding="utf-8"))
@@ -169,3 +170,28 @@ def test_bends_at_their_limits() -> None:
         free = circle(radius=60.0, friction=0.2, bank=bank, speed=made.free_speed)
         assert free.needed_friction == pytest.approx(0.0, abs=1e-15)
     assert circle(radius=60.0, friction=1.5, bank=0.7).greatest_speed is None
+
+
+def test_a_body_at_rest_in_space_circles_backwards_on_a_turntable() -> None:
+    """Seen from the table it moves at −ω×r and needs ω²r inwards, which the apparent accelerations give."""
+    made = rotating_frame(frame=Turning((0.0, 0.0, 2.0), (1.5, 0.0, 0.0)), velocity=(0.0, -3.0, 0.0))
+    assert made.true_velocity == (0.0, 0.0, 0.0)
+    assert made.apparent == (-6.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("latitude", [-1.2, -0.3, 0.3, 1.5707963267948966])
+def test_a_level_motion_circles_at_the_coriolis_acceleration(latitude: float) -> None:
+    made = rotating_frame(frame=OnEarth(latitude), velocity=(30.0, 40.0, 0.0))
+    level = math.hypot(made.coriolis[0], made.coriolis[1])
+    assert made.inertial_radius == pytest.approx(2500.0 / level, rel=1e-14)
+    assert made.foucault_time == pytest.approx(2.0 * made.inertial_time, rel=1e-15)  # type: ignore[operator]
+    # to the right in the north
+    right = made.coriolis[0] * 40.0 - made.coriolis[1] * 30.0
+    assert right * latitude > 0.0
+
+
+def test_on_the_equator_nothing_turns() -> None:
+    made = rotating_frame(frame=OnEarth(0.0), velocity=(30.0, 0.0, 0.0))
+    assert made.inertial_radius is made.foucault_time is None
+    # eastwards one is lighter (Eötvös)
+    assert made.coriolis[2] == pytest.approx(2.0 * 7.292115e-5 * 30.0, rel=1e-15)

@@ -1,5 +1,6 @@
 """Calls of `dynamics pendulum`: refusals, advice, uncertainty, rows, pictures."""
 
+import math
 import shlex
 from pathlib import Path
 
@@ -25,7 +26,6 @@ REFUSED = {
     "overdamped": ('damped --length "1 m" --amplitude "9 deg" --damping 1.5', "no-swing"),
     "slow": ('design --period "2 s" --length "1 m"', "too-long"),
     "both": ('design --period "2 s" --length "1 m" --amplitude "3 deg"', "ambiguous"),
-    "neither": ('design --period "2 s"', "missing"),
 }
 
 
@@ -69,3 +69,9 @@ def test_pictures(call: str, tmp_path: Path) -> None:
     target = tmp_path / "picture.svg"
     assert run(*shlex.split("pendulum " + call), "--plot", str(target)).status == 0
     assert target.stat().st_size > 5000
+
+
+def test_a_period_alone_gives_the_length_for_small_swings() -> None:
+    made = answer("pendulum", "design", "--period", "2 s")["results"]
+    assert made["length"]["value"] == pytest.approx(9.80665 / math.pi**2, rel=1e-15)
+    assert made["amplitude"]["value"] == 0.0

@@ -179,8 +179,75 @@ def slopes() -> Iterator[Case]:
         yield "circle", "ordinary", f"bend {nth}", "", inputs, results
 
 
+def skew(vector: list[Any]) -> Any:
+    """The matrix that multiplies as a vector product from the left."""
+    x, y, z = vector
+    return matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+def size(vector: Any) -> Any:
+    return sqrt(sum(part * part for part in vector))
+
+
+def listed(name: str, vector: Any) -> dict[str, Any]:
+    return {f"{name}[{place}]": part for place, part in enumerate(vector)}
+
+
+def frames() -> Iterator[Case]:
+    hard = [
+        (
+            ["3.0", "-7.0", "11.0"],
+            ["1.5000001", "-3.5", "5.5"],
+            ["0.3", "0.1", "-0.2"],
+            ["0.0", "0.0", "0.0"],
+            "the velocity is all but along the axis: the products cancel to seven digits",
+        )
+    ]
+    ordinary = [tuple([drawn(-9, 9) for _ in range(3)] for _ in range(4)) + ("",) for _ in range(5)]
+    for nth, (turn, velocity, place, gain, why) in enumerate([*hard, *ordinary]):
+        inputs = {
+            "frame": {"record": "Turning", "angular_velocity": turn, "position": place, "angular_acceleration": gain},
+            "velocity": velocity,
+            "mass": "2.5",
+        }
+        spin, bend = (skew([exact(text) for text in texts]) for texts in (turn, gain))
+        here, v = (matrix([exact(text) for text in texts]) for texts in (place, velocity))
+        # the turn's matrix begins 1 + [ω]t + ([α] + [ω]²)·t²/2
+        coriolis, centrifugal, euler = -2 * spin * v, -(spin * spin) * here, -bend * here
+        apparent = coriolis + centrifugal + euler
+        results = {
+            **listed("coriolis", coriolis),
+            "coriolis_size": size(coriolis),
+            **listed("centrifugal", centrifugal),
+            **listed("euler", euler),
+            **listed("apparent", apparent),
+            **listed("true_velocity", v + spin * here),
+            "force_size": mpf("2.5") * size(apparent),
+        }
+        results = {name: value for name, value in results.items() if value}
+        yield "rotating_frame", "hard" if why else "ordinary", f"turning {nth}", why, inputs, results
+    for nth in range(4):
+        latitude, velocity = drawn(-1.5, 1.5), [drawn(-300, 300) for _ in range(3)]
+        angle, v = exact(latitude), matrix([exact(text) for text in velocity])
+        rate = exact("7.292115e-05")
+        # of the axis, the parts along east, north and up
+        spin = skew([mpf(0), rate * cos(angle), rate * sin(angle)])
+        coriolis = -2 * spin * v
+        level = sqrt(v[0] ** 2 + v[1] ** 2)
+        yield (
+            "rotating_frame", "ordinary", f"ground {nth}", "",
+            {"frame": {"record": "OnEarth", "latitude": latitude}, "velocity": velocity},
+            {
+                **listed("coriolis", coriolis), "coriolis_size": size(coriolis),
+                "inertial_radius": level / (2 * rate * abs(sin(angle))),
+                "inertial_time": mp.pi / (rate * abs(sin(angle))), "foucault_rate": rate * sin(angle),
+                "foucault_time": 2 * mp.pi / (rate * abs(sin(angle))),
+            },
+        )  # fmt: skip
+
+
 def every() -> Iterator[Case]:
-    for part in (flights, falls, tubes, hoops, slopes):
+    for part in (flights, falls, tubes, hoops, slopes, frames):
         yield from part()
 
 

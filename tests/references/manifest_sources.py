@@ -90,8 +90,10 @@ FILES: dict[str, Origin] = {
         "90 digits", "", "swing|by speed|rod|body",
     ),
     "particle": Origin(
-        "particle", _same("projectile", "fall", "tube", "hoop", "incline", "circle"),
-        "flights and targets by roots of polynomials, tubes by the exponential of their matrix, slopes by polygons",
+        "particle",
+        _same("projectile", "fall", "tube", "hoop", "incline", "circle") | {"rotating_frame": "rotating-frame"},
+        "flights and targets by roots of polynomials, tubes by the exponential of their matrix, slopes by polygons, "
+        "turning frames by matrices",
         "90 digits", "", ".",
     ),
     "energy": Origin(
