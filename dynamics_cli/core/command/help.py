@@ -38,7 +38,7 @@ def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:
 
 
 def written_default(option: Option) -> str:
-    """The default of an option as a user would write it; empty where there is none."""
+    """The default of an option as a user would write it; empty without one."""
     if option.required or option.default is REQUIRED or option.default is None or option.default is False:
         return ""
     leaf = option.leaf

@@ -162,7 +162,7 @@ def _cut(line: str, width: int) -> str:
 
 
 def option_text(option: "Option", texts: "Mapping[tuple[str, ...], str]") -> str:
-    """What an option is: its description without the SI unit inside, its choices, its default, an example."""
+    """Help text of an option: its description without the SI unit, its choices, its default, an example."""
     leaf = option.leaf
     assert leaf is not None
     text = description(texts.get(option.path) or leaf.kind.about)

@@ -106,7 +106,7 @@ class _Group(TyperGroup):
         self.terminal = terminal
 
     def parse_args(self, ctx: "Any", args: "list[str]") -> "list[str]":
-        """Write the help if there are no arguments."""
+        """Write the help if no arguments are given."""
         if not args and not ctx.resilient_parsing:
             self.terminal.write(ctx.get_help() + "\n")
             ctx.exit()
