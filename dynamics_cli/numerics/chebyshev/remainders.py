@@ -53,13 +53,13 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
     finite at a node.
 
     Where the disc of radius λh about the middle of a piece of half width h bounds |f − f(middle)| by M, f is analytic
-    there, and its interpolant on n nodes is off by 4Mρ¹⁻ⁿ/(ρ − 1) at most, ρ = λ + √(λ² − 1): the coefficients are
-    below 2Mρ⁻ᵏ, each one left out counts once for itself and once for its alias. Also by (1 + Λ)M, Λ ≤ 3 the Lebesgue
-    constant. To this come Λ times the rounding of the values and what the rounding of the nodes makes of |f′|, and that
-    of the transform, 2u(n + 12)Σ|f − f(middle)| over the nodes. Where nothing is known the error is infinite.
+    there, and the error of its interpolant on n nodes is at most 4Mρ¹⁻ⁿ/(ρ − 1), ρ = λ + √(λ² − 1): the coefficients
+    are below 2Mρ⁻ᵏ, each omitted one counts twice, for itself and for its alias. Also by (1 + Λ)M, Λ ≤ 3 the
+    Lebesgue constant. Added are Λ times the rounding of the values, the effect of the rounding of the nodes by |f′|,
+    and the rounding of the transform, 2u(n + 12)Σ|f − f(middle)| over the nodes. Without a bound the error is infinite.
     The derivative of what is left out is (n + 2)² times as large at most: Markov's n² for all that is a polynomial on
-    the nodes, and Σ k²ρ⁻ᵏ ≤ (n² + 2n/(ρ − 1) + (ρ + 1)/(ρ − 1)²) Σ ρ⁻ᵏ for the rest, ρ ≥ 2.8.
-    Trefethen, Approximation Theory and Approximation Practice, chapters 4, 8 and 15.
+    the nodes, and Σ k²ρ⁻ᵏ ≤ (n² + 2n/(ρ − 1) + (ρ + 1)/(ρ − 1)²) Σ ρ⁻ᵏ for the rest, ρ ≥ 2.8. Trefethen, Approximation
+    Theory and Approximation Practice, chapters 4, 8 and 15.
 
     References
     ----------
@@ -67,8 +67,8 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
 
     Examples
     --------
-    >>> made = proved_proxies(lambda x, piece: np.exp(x)[None], np.array([0.0]), np.array([1.0]))
-    >>> round(float(made.coefficients[0, 0, 0]), 10), bool(made.error[0, 0] < 1e-12)
+    >>> result = proved_proxies(lambda x, piece: np.exp(x)[None], np.array([0.0]), np.array([1.0]))
+    >>> round(float(result.coefficients[0, 0, 0]), 10), bool(result.error[0, 0] < 1e-12)
     (1.7533876544, True)
     """
     nodes, matrix = _transform(COUNT)
@@ -125,7 +125,7 @@ def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rou
         finished.append((low[good], high[good], origin[good], *(item[:, good] for item in parted)))
         if good.all():
             break
-        # as many parts as would suffice if the discs of the parts were no worse than that of the whole piece
+        # enough parts if the discs of the parts are as good as the disc of the piece
         with np.errstate(over="ignore"):
             enough = np.array([((wide * row).min(axis=2) <= allowed).all(axis=0) for row in REMAINDERS[1:]])
         parts = np.where(enough.any(axis=0), 2 ** (1 + enough.argmax(axis=0)), 16)[~good]

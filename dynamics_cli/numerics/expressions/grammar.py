@@ -40,13 +40,13 @@ class Expression:
         self.names = frozenset(_names(tree))
 
     def __call__(self, **variables: "Any") -> "Any":
-        """The value for these variables: numbers of any sort, or jets."""
+        """The value for these variables: numbers of any type, or jets."""
         beside = [x.parts[0] if isinstance(x, jets.Jet) else x for x in variables.values()]
         return _value(self.tree, variables, pi_beside(*beside))
 
 
 def parse(text: str, variables: "frozenset[str] | set[str] | tuple[str, ...] | None" = None) -> Expression:
-    """Read a whole formula; refuse what is left over, and names that are not variables.
+    """Read a whole formula; refuse trailing text and names that are not variables.
 
     >>> parse("3*t^2 - sin(t)")(t=2.0)
     11.090702573174319
@@ -70,7 +70,7 @@ def check_names(formula: Expression, variables: "frozenset[str] | set[str] | tup
 
 
 def begin(text: str) -> Expression:
-    """Read the formula that a text begins with; what follows it, such as a unit, begins at `end`."""
+    """Read the formula at the beginning of a text; the text after it, such as a unit, begins at `end`."""
     if len(text) > LONGEST:
         raise UsageError(f"the formula has more than {LONGEST} characters", code="expression")
     reader = _Reader("".join(SIGNS.get(letter, letter) for letter in text))

@@ -34,16 +34,16 @@ def angle_between(ax: "Any", ay: "Any", bx: "Any", by: "Any") -> "Any":
 
 
 def form_of(path: "Path", piece: int, form: str) -> str:
-    """What a piece is made of: lines where the curve comes to a point, whose curvature has no limit."""
+    """The form of a piece: lines at a cusp of the curve, where the curvature is unbounded."""
     return "lines" if piece in path.straight else form
 
 
 def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]]":
     """Places of the pieces' ends on every smooth piece of the curve, and the shape between them.
 
-    `path`: the curve; `form`: "arcs", "cubics" or "lines"; `tolerance`: what a piece may err, as sampled; the proof is
-    made afterwards [m]. Returns for each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles (n,
-    2). Raises InadmissibleError when it would take more than 20,000 pieces.
+    `path`: the curve; `form`: "arcs", "cubics" or "lines"; `tolerance`: allowed deviation of a piece, as sampled; it is
+    proved afterwards [m]. Returns for each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles
+    (n, 2). Raises InadmissibleError when it would take more than 20,000 pieces.
     """
     fits = []
     for index, (start, end) in enumerate(zip(path.starts, path.ends, strict=True)):

@@ -43,7 +43,7 @@ def conjugate(q: Quaternion) -> Quaternion:
 
 
 def normalized(q: Quaternion, message: str = "the quaternion has no length") -> Quaternion:
-    """The unit quaternion along one of any length, however large or small.
+    """The unit quaternion along one of any length, without overflow or underflow.
 
     Raises
     ------
@@ -88,8 +88,8 @@ def of_vector(v: Vector) -> Quaternion:
 def of_rotation(m: Matrix) -> Quaternion:
     """The quaternion of a rotation matrix.
 
-    The matrix 4·q qᵀ follows from that of the rotation; its row with the largest diagonal, at least one, is along q and
-    has no cancellation in its length.
+    The matrix 4·q qᵀ follows from that of the rotation; its row with the largest diagonal element (at least one) is
+    along q, without cancellation in its length.
 
     References
     ----------
@@ -109,7 +109,7 @@ def of_rotation(m: Matrix) -> Quaternion:
 
 
 def axis_and_angle(q: Quaternion) -> tuple[Vector, float]:
-    """Axis and angle of a unit quaternion with w ≥ 0: the angle from 0 to 180°, the axis upward where there is none."""
+    """Axis and angle of a unit quaternion with w ≥ 0: the angle from 0 to 180°; for no turn the axis is z."""
     w, x, y, z = q
     size = length((x, y, z))
     still = size == 0.0
