@@ -142,7 +142,7 @@ def _picture(
 def _items(
     arrays: "dict[str, list[float]]", geometry: Geometry, drawing: Figure, rotation: complex, cutter: "float | None"
 ) -> "list[Any]":
-    """What the first panel shows, in the cam's frame at its first angle."""
+    """Contents of the first panel, in the cam's frame at its first angle."""
     items: list[Any] = [Curve(_closed(arrays["x"]), _closed(arrays["y"]), _flank(geometry), role=0)]
     if geometry.roller:
         items.append(Curve(_closed(arrays["pitch_x"]), _closed(arrays["pitch_y"]), "pitch curve", "dashed", 5))
@@ -166,7 +166,7 @@ def _items(
 def _curvature(
     cam: CamProfile, arrays: "dict[str, list[float]]", way: Axis, angle: "list[float]", least_radius: float | None
 ) -> Panel:
-    """The radius of curvature, broken where the curve is all but straight."""
+    """The radius of curvature, broken where the curve is nearly straight."""
     reach = FAR * cam.largest_radius
     radii = [radius if abs(radius) <= reach else float("nan") for radius in _closed(arrays["radius_of_curvature"])]
     convex, hollow = cam.least_convex_radius, cam.least_concave_radius

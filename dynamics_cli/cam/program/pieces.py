@@ -1,4 +1,4 @@
-"""Pieces of a motion on which it is smooth, and proved extremes over them, each piece in a coordinate of its own."""
+"""Smooth pieces of a motion, each in its own coordinate, and proved extremes over them."""
 
 from itertools import pairwise
 from math import ceil, pi
