@@ -109,5 +109,5 @@ def _rows(links: Frame, theta: "Any", side: float, toggles: "Any") -> "list[Step
 
 
 def _known(column: "Any") -> "list[float | None]":
-    """The number, or None where there is none."""
+    """The number, or None if it is not finite."""
     return [value if np.isfinite(value) else None for value in column.tolist()]

@@ -115,7 +115,7 @@ def require_driven(system: "System") -> None:
 
 
 def assembled(system: "System") -> "tuple[list[Assembly], bool]":
-    """All assemblies, and whether Newton's method was needed; a refusal with the gap where there is none."""
+    """All assemblies, and whether Newton's method was needed; without an assembly a refusal with the gap."""
     from dynamics_cli.linkage.scenes.dyads import Assembler
 
     walk = Assembler(system)

@@ -64,7 +64,7 @@ def curve(points: "Sequence[Sequence[float]]", style: str, role: int = GREY, vie
 
 
 def words(at: "Sequence[float]", text: str, role: int = 6, view: "Any" = seen) -> Label:
-    """Words beside the tip of a vector."""
+    """Label beside the tip of a vector."""
     x, y = view(at)
     return Label(x, y, text, role)
 
