@@ -255,11 +255,6 @@ def best_unit(top: "Any", values: "Any", row: int) -> float:
     return float(top.units[places[values[places].argmax()]]) if places.size else -1.0
 
 
-def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> Proxies:
-    """Proxies, their remainders proved, of functions (q, m, n) of lift and derivatives, on shares of every piece."""
-    return Cover(motion, function, derivatives).proxies
-
-
 def _estimated(motion: "Motion", function: "Callable[..., Any]", derivatives: int) -> Proxies:
     """Proxies by arrays, their remainders estimated from the last coefficients."""
     count = len(motion.zones)

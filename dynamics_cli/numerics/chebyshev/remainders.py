@@ -28,6 +28,8 @@ UNIT = 2
 SMALLEST = 1e-280
 # pieces per round: further ones stay as they are, with the remainder so far
 MOST = 4096
+# how often a piece may be cut, each time into 2 to 16
+ROUNDS = 16
 
 
 def _remainders() -> "Any":
@@ -40,17 +42,16 @@ def _remainders() -> "Any":
 REMAINDERS = _remainders()
 
 
-def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", *, rounds: int = 16) -> Proxies:
+def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any") -> Proxies:
     """Interpolate analytic functions on pieces fine enough for the proved remainder.
 
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
     `function`: takes places (m, k) and the index of the given piece each of the m rows lies in, gives values (q, m, k).
     Places come as a `Disc`, complex discs about real numbers: a formula of arithmetic, roots, sines and the like on
-    arrays does for them; `starts`, `ends`: the pieces, each in a coordinate of its own if need be; the functions are
-    analytic inside each, and the same formula continues them beyond its ends; `rounds`: how often pieces may be cut,
-    each time into 2 to 16. Returns the coefficients, on pieces in order. Raises ValueError when a function is not
-    finite at a node.
+    arrays does for them; `starts`, `ends`: the pieces, each in its own coordinate if necessary; the functions are
+    analytic inside each, and the same formula continues them beyond its ends. Returns the coefficients, on pieces in
+    order. Raises ValueError when a function is not finite at a node.
 
     Where the disc of radius λh about the middle of a piece of half width h bounds |f − f(middle)| by M, f is analytic
     there, and the error of its interpolant on n nodes is at most 4Mρ¹⁻ⁿ/(ρ − 1), ρ = λ + √(λ² − 1): the coefficients
@@ -72,7 +73,7 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
     (1.7533876544, True)
     """
     nodes, matrix = _transform(COUNT)
-    low, high, origin, middle, left_out, steep, wide, spectral = _cut(function, starts, ends, rounds)
+    low, high, origin, middle, left_out, steep, wide, spectral = _cut(function, starts, ends)
     half = 0.5 * (high - low)
     places = 0.5 * (low + high)[:, None] + half[:, None] * nodes
     with np.errstate(all="ignore"):
@@ -96,13 +97,13 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
     return Proxies(origin, low, high, coefficients, error, True, steep)
 
 
-def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rounds: int) -> "tuple[Any, ...]":
+def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any") -> "tuple[Any, ...]":
     """Pieces in order, values at their middles, remainders, bounds of h|f′| (by Cauchy) and of |f − f(middle)|."""
     low, high = np.array(starts, dtype=float), np.array(ends, dtype=float)
     origin = np.arange(low.size)
     scale: Any = 0.0
     finished: list[tuple[Any, ...]] = []
-    for level in range(rounds + 1):
+    for level in range(ROUNDS + 1):
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         with np.errstate(all="ignore"):
             enclosures = function(Disc(middle[:, None], half[:, None] * MULTIPLES), origin)
@@ -117,7 +118,7 @@ def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rou
         with np.errstate(over="ignore"):
             remainder = (wide * REMAINDERS[0]).min(axis=2)
         left_out = np.minimum(remainder, (1.0 + LEBESGUE) * wide[:, :, UNIT])
-        good = (left_out <= allowed).all(axis=0) | (level == rounds) | (middle <= low) | (middle >= high)
+        good = (left_out <= allowed).all(axis=0) | (level == ROUNDS) | (middle <= low) | (middle >= high)
         good |= low.size > MOST
         with np.errstate(over="ignore"):
             steep = (wide[:, :, UNIT + 1 :] / (MULTIPLES[UNIT + 1 :] - 1.0)).min(axis=2)

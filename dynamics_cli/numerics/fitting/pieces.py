@@ -192,13 +192,12 @@ def bezier(x0: "Any", x1: "Any", x2: "Any", x3: "Any", t: "Any") -> "tuple[Any, 
     return value, 3.0 * (d0 * u * u + 2.0 * d1 * u * t + d2 * t * t), 6.0 * ((d1 - d0) * u + (d2 - d1) * t)
 
 
-def controls(path: "OnPiece", places: "Any", handles: "Any", chosen: "Any" = slice(None)) -> "tuple[Any, Any]":
-    """Control points of the chosen cubics, (n, 4) for each coordinate."""
+def controls(path: "OnPiece", places: "Any", handles: "Any") -> "tuple[Any, Any]":
+    """Control points of the cubics, (n, 4) for each coordinate."""
     x, y, tx, ty, _ = path.at(places)
-    a, b = handles[chosen, 0], handles[chosen, 1]
+    a, b = handles[:, 0], handles[:, 1]
     points = []
     for start, end, early, late in ((x[:-1], x[1:], tx[:-1], tx[1:]), (y[:-1], y[1:], ty[:-1], ty[1:])):
-        start, end, early, late = start[chosen], end[chosen], early[chosen], late[chosen]
         points.append(np.stack((start, start + a * early, end - b * late, end), axis=1))
     return points[0], points[1]
 

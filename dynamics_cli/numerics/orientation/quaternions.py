@@ -42,7 +42,7 @@ def conjugate(q: Quaternion) -> Quaternion:
     return q[0], opposite(q[1]), opposite(q[2]), opposite(q[3])
 
 
-def normalized(q: Quaternion, message: str = "the quaternion has no length") -> Quaternion:
+def normalized(q: Quaternion) -> Quaternion:
     """The unit quaternion along one of any length, without overflow or underflow.
 
     Raises
@@ -51,7 +51,8 @@ def normalized(q: Quaternion, message: str = "the quaternion has no length") -> 
         When all four components are zero.
     """
     largest = maximum(maximum(abs(q[0]), abs(q[1])), maximum(abs(q[2]), abs(q[3])))
-    require(largest > 0.0, message, code="rotation", hint="1, 0, 0, 0 leaves the axes as they are")
+    hint = "1, 0, 0, 0 leaves the axes as they are"
+    require(largest > 0.0, "the quaternion has no length", code="rotation", hint=hint)
     w, x, y, z = q[0] / largest, q[1] / largest, q[2] / largest, q[3] / largest
     size = sqrt(w * w + x * x + y * y + z * z)
     return w / size, x / size, y / size, z / size
