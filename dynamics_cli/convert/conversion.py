@@ -156,7 +156,7 @@ class _Part:
         self.factor = factor
         self.condition = condition
         self.notes: tuple[str, ...] = ()
-        # How the unit of what is converted was read.
+        # How the unit of the input was read.
         self.reading: tuple[str, ...] = ()
         self.offset: str | None = None
         self.size = measured.value if isinstance(measured.value, float) else 1.0
@@ -244,7 +244,7 @@ def _reciprocal(numerator: int, denominator: int, source: Unit, wanted: Unit, ta
 
 
 def _in_si(text: str) -> str:
-    """The SI unit of what a unit measures; refused where the unit alone may mean different kinds."""
+    """The SI unit of a unit's kind; refused for a unit that may be of different kinds."""
     if text.strip() in ("C", "F"):
         hint = f"write {text.strip()} with the unit to convert to, or deg{text.strip()}"
         raise UsageError(f"{text} may be electrical or a temperature", code="ambiguous-unit", hint=hint)

@@ -91,7 +91,7 @@ def coords(
     lengths = _units(components)
     numbers = [_read(name, component, lengths) for name, component in components]
     tracked = Tracked.inputs(numbers)
-    # the double of 90 deg is no right angle; what was typed is
+    # the double of 90 deg in radians is not exactly a right angle; the typed value is
     turn = {"turn": turned} if from_ != "cartesian" and into != "spherical" and _in_turns(components) else {}
     converted = getattr(physics, f"{from_}_to_{into}")(*tracked, **turn)
     angle_unit = next((parse_unit(component.unit, RADIAN) for name, component in components if name in ANGLES), DEGREE)

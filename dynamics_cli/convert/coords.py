@@ -115,8 +115,8 @@ def cylindrical_to_cartesian(r: float, theta: Angle, z: float, turn: "Turn" = co
     """Cartesian coordinates of a cylindrical point.
 
     `r`: distance from the Z-axis, not negative; `theta`: angle θ in the X–Y plane, from X towards Y [rad]; `z`: along
-    the Z-axis; `turn`: cosine and sine of an angle, of its double or of what was typed. Returns x, y and z. Raises
-    InadmissibleError when r is negative.
+    the Z-axis; `turn`: gives cosine and sine of an angle, from its double or from the typed value. Returns x, y and z.
+    Raises InadmissibleError when r is negative.
 
     Equation
     --------

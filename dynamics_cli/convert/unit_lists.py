@@ -96,7 +96,7 @@ def list_units(
 
 
 def show_unit(name: Annotated[Text, "A unit or an expression of units: slug, lbf*ft, ft/sec2."], /) -> UnitShown:
-    """Show what a unit means, exactly, and what it converts to.
+    """Show the exact definition of a unit, and the units it converts to.
 
     Raises
     ------
@@ -133,7 +133,7 @@ def search_units(text: Annotated[Text, "Text to look for."], /) -> UnitList:
 
 
 def book_table(name: Annotated[Table, "The table: josephs-huston, the book's table 1.7.1."], /) -> BookTable:
-    """Print a published table of conversion factors beside the exact ones, its misprints marked.
+    """Print a published table of conversion factors with the exact ones, and mark its misprints.
 
     Notes
     -----

@@ -1,4 +1,4 @@
-"""`--time-limit "30 s"`: an alarm ends a calculation wherever it is; the answer holds the results obtained by then."""
+"""`--time-limit "30 s"`: an alarm ends a calculation at any point; the answer holds the results obtained by then."""
 
 from dynamics_cli.errors import InadmissibleError, UsageError
 
@@ -61,7 +61,7 @@ def _ring(number: int, frame: object) -> None:
 
 
 def stop() -> None:
-    """Cancel the limit: what follows is short and must not be interrupted."""
+    """Cancel the limit: the remaining work is short and must not be interrupted."""
     import signal
 
     signal.setitimer(signal.ITIMER_REAL, 0.0)

@@ -18,7 +18,7 @@ def encoded(text: str) -> bytes:
 
 
 class Terminal:
-    """Where a command reads and writes; bytes throughout, so that no locale can change a document."""
+    """Input and output streams of a command; bytes throughout, so that no locale can change a document."""
 
     def __init__(
         self,
@@ -66,13 +66,13 @@ class Terminal:
             pass
 
     def flush(self) -> None:
-        """Send on what has been written, by us and by libraries that print text."""
+        """Flush the output of the program and of libraries that print text."""
         if self._stdout is None and sys.stdout is not None:
             sys.stdout.flush()
         self.stdout.flush()
 
     def own_stdout(self) -> "AbstractContextManager[object]":
-        """Send what a library prints to this terminal's standard output."""
+        """Redirect the output of a library to this terminal's standard output."""
         import contextlib
         import io
 
@@ -88,7 +88,7 @@ class Terminal:
 
     @property
     def columns(self) -> int:
-        """The width of the terminal that standard output is; 0 where it is none."""
+        """Width of standard output if it is a terminal, else 0."""
         try:
             return os.get_terminal_size(self.stdout.fileno()).columns
         except (OSError, ValueError):
@@ -96,7 +96,7 @@ class Terminal:
 
     @property
     def error_columns(self) -> int:
-        """The width of the terminal that standard error is; 0 where it is none."""
+        """Width of standard error if it is a terminal, else 0."""
         try:
             return os.get_terminal_size(self.stderr.fileno()).columns
         except (AttributeError, OSError, ValueError):

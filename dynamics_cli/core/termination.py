@@ -17,7 +17,7 @@ ENDING: "tuple[int, ...]" = tuple(getattr(_signal, name) for name in _NAMES.spli
 
 
 def leave(*_: object) -> None:
-    """End the process at once: no traceback, and no library that turns KeyboardInterrupt into an error of its own."""
+    """End the process at once, without a traceback; no library can catch the KeyboardInterrupt."""
     os._exit(INTERRUPTED)
 
 
@@ -29,7 +29,7 @@ def leave_quietly() -> None:
 
 
 class Tidy:
-    """Calls `tidy` if a signal ends the process inside; then the signal does what it did before.
+    """Calls `tidy` if a signal ends the process inside; then the signal has its previous effect.
 
     Signals that are ignored, or that the calling program handles itself, stay as they are.
     """

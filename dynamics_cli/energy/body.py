@@ -76,8 +76,8 @@ def body(
 
     Examples
     --------
-    >>> found = body(bodies=(Body(2.0, (3.0, 0.0, 0.0), (0.0, 1.0, 0.0), 0.1, 20.0),))
-    >>> found.energy, found.angular_momentum
+    >>> result = body(bodies=(Body(2.0, (3.0, 0.0, 0.0), (0.0, 1.0, 0.0), 0.1, 20.0),))
+    >>> result.energy, result.angular_momentum
     (29.0, (0.0, 0.0, -4.0))
     """
     require(len(bodies) > 0, "there is no body", code="none", hint='give --body "mass=2 kg, velocity=3, 0 m/s"')

@@ -172,8 +172,8 @@ def drive(
     Examples
     --------
     >>> car = {"mass": 1500.0, "slope": 0.05, "rolling_resistance": 0.012, "drag_area": 0.7, "density": 1.2}
-    >>> found = drive(at=AtSpeed(25.0), **car)
-    >>> round(found.power, 6)
+    >>> result = drive(at=AtSpeed(25.0), **car)
+    >>> round(result.power, 6)
     29334.514001
     """
     require(mass > 0.0, "the mass of {mass} is not above zero", mass=(mass, Mass))

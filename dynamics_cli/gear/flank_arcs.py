@@ -1,8 +1,8 @@
 """A flank of a gear as tangent arcs, as few as the tolerance allows, with proved distance from the exact curve.
 
-Between two close points of a curve that turns one way, curve and chord differ by no more than the height of the
-triangle of chord and end tangents; arc and chord by the arc's rise. So the distance of the points from their arc plus
-both bounds that of the curve.
+Between two close points of a curve that turns one way, curve and chord differ at most by the height of the triangle of
+chord and end tangents, and arc and chord by the arc's rise. The distance of the points from their arc plus these two
+bounds the distance of the curve.
 """
 
 from abc import ABC, abstractmethod
@@ -85,7 +85,7 @@ class _Trochoid(_Curve):
 
 
 def flank_arcs(form: ToothForm, tolerance: float) -> "Chain | None":
-    """Give a flank as arcs within the tolerance; None if there are none.
+    """Give a flank as arcs within the tolerance; None if arcs cannot reach it.
 
     The ends of the flank, and its joint of root curve and involute, are the radii that the form states.
     """
@@ -140,6 +140,6 @@ def _deviations(curve: _Curve, places: "Any", bulge: "Any") -> "Any":
     turned = np.abs(turns)
     bounded = one_way & (turned < 1.0).all(axis=1)
     triangle = np.where(bounded, (0.5 * step * np.tan(0.5 * turned)).max(axis=1), np.inf)
-    # the rise of an arc of chord c and curvature κ: no more than κc²/7 where it is short of a quarter turn
+    # the rise of an arc of chord c and curvature κ: at most κc²/7 below a quarter turn
     curvature = 4.0 * np.abs(bulge) / (chord * (1.0 + bulge * bulge))
     return away + triangle + step.max(axis=1) ** 2 * curvature / 7.0

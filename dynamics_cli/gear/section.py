@@ -42,7 +42,7 @@ def gear_items(form: "ToothForm", at: "Place", tooth: float, role: int, pitch_ra
 def meshing(forms: "list[ToothForm]", distance: float, radii: "Place") -> "list[Curve]":
     """Two gears of true shape, flank on flank at the pitch point; the first about the origin, the second on the x-axis.
 
-    The first gear's tooth below the line of centres touches that of the second above it.
+    The first gear's tooth below the line of centres touches the second gear's tooth above it.
     """
     first, second = forms
     halves = [form.half_base - roll_less_arc(form.roll(radius)) for form, radius in zip(forms, radii, strict=True)]

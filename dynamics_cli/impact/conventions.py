@@ -103,7 +103,7 @@ class ByWeight:
 
 @record
 class Fixed:
-    """A body that does not give way: a wall, a floor, a barrier."""
+    """A fixed, rigid body: a wall, a floor, a barrier."""
 
     fixed: Annotated[bool, "True for a body that keeps its velocity whatever strikes it."]
 

@@ -16,7 +16,7 @@ TOLERANCE = 1e-12
 def balance(name: str, left: float, right: float, scale: float, least: float = TOLERANCE) -> tuple[Check, ...]:
     """Check that two sides agree relative to `scale`, or within the rounding bounds that they carry.
 
-    No check for arrays, nor for sides so small or large that digits may be lost.
+    No check for arrays, or for sides so small or large that digits may be lost.
     """
     if not single(left, right, scale):
         return ()

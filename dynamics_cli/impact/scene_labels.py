@@ -20,7 +20,7 @@ LETTER, LINE, ROOM, STEP = 0.068, 0.15, 0.03, 0.06
 DISTANCES = (0.06, 0.16, 0.3, 0.5, 0.8, 1.2)
 FAR = 0.25
 WAYS = 16
-# What a covered point, an inch away, a turn to the other side and words over words cost.
+# Costs of a covered point, an inch of distance, the other side, and overlapping labels.
 COVERED, AWAY, TURNED, CLASH = 2.0, 1.5, 0.8, 1000.0
 # Pale areas beneath all else.
 GROUND = ("ground", "fill", "dots")
@@ -59,7 +59,7 @@ def _choices(words: Words, metres: float) -> "Iterator[tuple[Box, float]]":
     for inches in DISTANCES:
         for nth in range(WAYS):
             x, y = math.cos(math.tau * nth / WAYS), math.sin(math.tau * nth / WAYS)
-            # as far as the box reaches against this way, less where a corner leads
+            # extent of the box against this direction, less at a corner
             reach = min(
                 half[0] / abs(x) if abs(x) > 1e-9 else math.inf, half[1] / abs(y) if abs(y) > 1e-9 else math.inf
             )
@@ -75,7 +75,7 @@ def _half(text: str, metres: float) -> "Pair":
 
 
 def bounds(items: "Sequence[Any]", metres: float) -> "Box":
-    """What items take with their words: left, low, right, high."""
+    """Bounding box of items with their labels: left, low, right, high."""
     points = [point for item in items for point in ends(item)]
     for item in items:
         if isinstance(item, Label):
@@ -91,7 +91,7 @@ def bounds(items: "Sequence[Any]", metres: float) -> "Box":
 def _cost(
     words: Words, box: "Box", far: float, metres: float, covered: "Sequence[Pair]", boxes: "Sequence[Box]"
 ) -> float:
-    """What a place covers, and how far it is from the one asked for."""
+    """Cost of a place: items covered, and distance from the preferred place."""
     margin = ROOM * metres
     x0, y0, x1, y1 = box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin
     hidden = sum(x0 < x < x1 and y0 < y < y1 for x, y in covered)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 # A neutral outline, where nothing is known of a vehicle's size.
 LENGTH, WIDTH = 4.5, 1.8
-# What the fastest arrow of a scene takes of its page, in lengths of a neutral outline.
+# Length of the fastest arrow of a scene, in lengths of a neutral outline.
 LONGEST_ARROW = 1.5
 # A scene wider than this stands alone on its line.
 WHOLE = 5.0
@@ -231,7 +231,7 @@ def _metres(box: "Box", inches: "Pair") -> float:
 
 
 def _foot(corner: "Pair", metres: float, inches: float, speeds: "Pair", note: "Sequence[str]") -> "list[Any]":
-    """The scales of velocity and distance, and what was not measured."""
+    """The scales of velocity and distance, and a note on data not measured."""
     min_x, low = corner
     scale, fastest = speeds
     foot, start = low - 0.42 * metres, min_x

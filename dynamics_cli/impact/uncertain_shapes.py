@@ -1,4 +1,4 @@
-"""Uncertain places and headings of a scene: ellipses and fans that hold as much as the intervals of the answer."""
+"""Uncertain places and headings of a scene: ellipses and fans with the coverage of the answer's intervals."""
 
 import math
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     Pair = tuple[float, float]
 
 POINTS = 72
-# A fan wider than half a turn is no direction.
+# A fan wider than half a turn shows no direction.
 WIDEST = math.pi
 
 

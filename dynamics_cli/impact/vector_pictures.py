@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 INCHES, ROOM, FOOT = (3.2, 2.3), 0.1, 0.3
 # Letters of a name on one line.
 NAME = 14
-# The colour of changes of velocity, beside those of the vehicles.
+# The colour of changes of velocity, distinct from those of the vehicles.
 CHANGE = 2
 
 

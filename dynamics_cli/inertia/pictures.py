@@ -47,7 +47,7 @@ def body_picture(answer: "MassProperties", scene: "Assembly", **_: object) -> Pi
 
 
 def drawn_picture(answer: "MassProperties", groups: "list[tuple[list[Wire], bool]]", title: str) -> Picture:
-    """A body by lines of its own, each group of them of material or of a hole."""
+    """A body by given lines, in groups of material or of a hole."""
     return _picture(bare(answer), groups, title)
 
 
@@ -117,7 +117,7 @@ def _arrows(answer: "MassProperties", i: int, j: int) -> "list[Arrow]":
 
 
 def _marks(answer: "MassProperties", i: int, j: int) -> "list[Mark]":
-    """The mass centre and those of the parts, each place marked and named once."""
+    """Mass centres of the body and of its parts, each place marked and named once."""
     along, across = (fraction * max(answer.equivalent_ellipsoid) for fraction in CROWDED)
     places = [(answer.centroid, "C"), *((part.centroid, part.part) for part in answer.parts or ())]
     marks: list[Mark] = []
@@ -134,7 +134,7 @@ def _seen(answer: "MassProperties", p: int, q: int) -> float:
 
 
 def _ellipse(answer: "MassProperties", i: int, j: int, label: str) -> Curve:
-    """The outline of the ellipsoid Q = Σ aₖ² vₖ vₖᵀ seen along an axis: that of the block of Q in the plane."""
+    """The outline of the ellipsoid Q = Σ aₖ² vₖ vₖᵀ seen along an axis: the ellipse of the block of Q in the plane."""
     xx, yy, xy = (_seen(answer, p, q) for p, q in ((i, i), (j, j), (i, j)))
     first = sqrt(xx)
     across = xy / first if first else 0.0

@@ -1,15 +1,15 @@
 """Arithmetic of discs: all values an expression takes when its arguments lie in discs about real numbers, on arrays.
 
-A `Disc` is a real centre and a radius; it stands for the complex numbers no further than that from the centre, and so
-for the real interval too. Every operation gives a disc that contains the exact result for all numbers of its arguments,
-with its own rounding inside the radius: with radii zero it bounds the rounding of a computation, on real cells it is
-interval arithmetic in midpoint-radius form, and on discs of the complex plane it bounds an analytic function around a
-piece, from which the remainder of its Chebyshev interpolant follows.
+A `Disc` is a real centre and a radius; it represents the complex numbers within the radius of the centre, and hence a
+real interval. Every operation gives a disc that contains the exact result for all numbers of its arguments, with its
+own rounding inside the radius: with radii zero it bounds the rounding of a computation, on real cells it is interval
+arithmetic in midpoint-radius form, and on discs of the complex plane it bounds an analytic function around a piece,
+from which the remainder of its Chebyshev interpolant follows.
 
 Centres are rounded to nearest, u = 2⁻⁵³; a radius is computed in at most a dozen such operations on numbers that are
 not negative, and multiplied by 1 + 2⁻⁴⁸. Sines, cosines, arc tangents, exponentials and hyperbolic functions of NumPy
-are taken to be within four units in the last place; few sines, cosines and arc tangents are those of the C library,
-which are within one.
+are taken to be within four units in the last place; short arrays of sines, cosines and arc tangents use the C library,
+which is within one.
 """
 
 import math
@@ -176,7 +176,7 @@ class Disc:
         return Disc(centre, (np.where(self.radius == 0.0, 0.0, wide) + LIBRARY * np.abs(centre)) * UP)
 
     def arc_sine(self) -> "Disc":
-        """The arc sines, whose derivative is that of the arc cosines."""
+        """The arc sines, bounded like the arc cosines."""
         centre = np.arcsin(np.clip(self.centre, -1.0, 1.0))
         return Disc(centre, (self.arc_cosine().radius + LIBRARY * np.abs(centre)) * UP)
 
@@ -188,7 +188,7 @@ class Disc:
 
 
 def arc_tangent(y: "Any", x: "Any") -> Disc:
-    """The angles arctan2(y, x), analytic where neither x + iy nor x − iy vanishes; nothing is known across the cut.
+    """The angles arctan2(y, x), analytic where neither x + iy nor x − iy vanishes; unbounded across the cut.
 
     2i·arctan2(y, x) = log(x + iy) − log(x − iy), and a logarithm moves by −log(1 − d/ρ) at most when its argument, of
     magnitude ρ, moves by d: by d/ρ, and (d/ρ)²/(2(1 − d/ρ)) at most beyond the first order, which is

@@ -241,7 +241,7 @@ def multiply_add(a: float, b: float, c: float) -> float:
 
 
 def total(numbers: "Iterable[float]") -> float:
-    """The sum from first to last, of any sort of number; Python's `sum` rounds differently since 3.12."""
+    """The sum from first to last, for any number type; Python's `sum` rounds differently since 3.12."""
     added: float = 0.0
     for number in numbers:
         added = added + number
@@ -249,7 +249,7 @@ def total(numbers: "Iterable[float]") -> float:
 
 
 def summed(parts: "Sequence[float]") -> float:
-    """The sum of one number or more, of any sort, without a leading zero."""
+    """The sum of one or more numbers of any type, without a leading zero."""
     result = parts[0]
     for part in parts[1:]:
         result = result + part

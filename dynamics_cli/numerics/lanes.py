@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
 # Fewer lanes than this are cheaper one by one.
 FEWEST = 12
-# Parts of one call: beyond this its cases hardly have steps in common.
+# Parts of one call: beyond this its cases share few steps.
 MOST_PARTS = 400
 
 
 class Diverged(BaseException):
-    """The lanes take different branches; `mask` is what each of them would answer.
+    """The lanes take different branches; `mask` is the condition in each of them.
 
-    No formula may take this for a failure of its own, so it is no `Exception`.
+    Not an `Exception`, so that no formula handles it as its own failure.
     """
 
     def __init__(self, mask: "Array") -> None:
@@ -119,7 +119,7 @@ def parts(
     """The results of `call` for all cases, part by part; refused cases are left out.
 
     `refused` is called with the error raised: the mask of cases that the formula refuses, True for all of them,
-    or None when it cannot be told which, so that they are halved until those are few. What it raises ends the search.
+    or None if the cases are unknown: they are then halved until few remain. An error raised by it ends the search.
     """
     waiting = [rows]
     tries = 0

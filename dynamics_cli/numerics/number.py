@@ -30,7 +30,7 @@ def is_array(x: object) -> bool:
 
 
 def single(*values: object) -> bool:
-    """Whether these are single numbers: advice and checks are about one case, never about an array of them."""
+    """Whether these are single numbers: advice and checks concern one case, not arrays."""
     return not any(getattr(value, "ndim", 0) for value in values)
 
 

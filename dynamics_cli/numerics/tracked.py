@@ -44,7 +44,7 @@ class Tracked:
 
     @classmethod
     def inputs(cls, values: "Sequence[float]") -> "list[Tracked]":
-        """Exact inputs, each with slope one by itself."""
+        """Exact inputs, each with slope one with respect to itself."""
         count = len(values)
         return [cls(value, 0.0, tuple(1.0 if i == j else 0.0 for j in range(count))) for i, value in enumerate(values)]
 

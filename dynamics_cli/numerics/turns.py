@@ -86,7 +86,7 @@ def _nearest(count: "Any") -> "Any":
 
 
 def _exact(angle: float, value: float, multiple: int) -> float:
-    """The sine of a multiple of 30 degrees; of a tracked angle with its slope and what the double is off."""
+    """The sine of a multiple of 30 degrees; of a tracked angle with its slope and the error of the double."""
     sine = _size(multiple)
     if type(angle) is float:
         return sine

@@ -1,7 +1,7 @@
 """Properties of a path from velocity, acceleration and jerk: speed, tangential and normal parts, curvature, torsion.
 
-Products are compensated, so that nearly parallel velocity and acceleration keep their digits. What does not exist (the
-direction of a point at rest, the normal of a straight path) is None, with the reason.
+Products are compensated, so that nearly parallel velocity and acceleration keep their digits. Undefined results (the
+direction of a point at rest, the normal of a straight path) are None, with the reason.
 """
 
 from dynamics_cli.numerics.elementary import hypot
@@ -13,7 +13,7 @@ from dynamics_cli.records import Advice, record
 
 @record
 class Bend:
-    """Speed and turning of a path at one point; None for what does not exist there."""
+    """Speed and curvature of a path at one point; None where undefined."""
 
     speed: float
     magnitude: float
@@ -74,7 +74,7 @@ STRAIGHT = "velocity and acceleration are parallel: the curvature is zero and th
 
 
 def advice_of(motion: Bend, *names: str) -> tuple[Advice, ...]:
-    """Why results do not exist, for each of the names that is None."""
+    """Reasons for results that are None."""
     if not motion.reason:
         return ()
     message = REST if motion.reason == "rest" else STRAIGHT
@@ -90,7 +90,7 @@ def centre_of(position: Vector, motion: Bend) -> "Vector | None":
 
 
 def balanced(motion: Bend) -> "tuple[float, float] | None":
-    """How far a_t and a_n are from making up the acceleration, and what rounding allows."""
+    """Residual of a_t and a_n against the acceleration, and its rounding limit."""
     if motion.tangential is None or motion.normal is None:
         return None
     apart = abs(plain(hypot(motion.tangential, motion.normal)) - plain(motion.magnitude))

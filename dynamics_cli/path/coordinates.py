@@ -1,4 +1,4 @@
-"""Velocity and acceleration in polar, cylindrical and spherical coordinates, with what each term contributes."""
+"""Velocity and acceleration in polar, cylindrical and spherical coordinates, term by term."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import cos, sin

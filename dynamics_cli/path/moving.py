@@ -136,7 +136,7 @@ def _coriolis_check(omega: Vector, relative: Vector, coriolis: Vector) -> tuple[
         return ()
     size = plain(length(coriolis)) * max(plain(length(omega)), plain(length(relative)))
     apart = max(abs(plain(dot(coriolis, omega))), abs(plain(dot(coriolis, relative))))
-    # lengths of different kinds: each product is a share of its own size
+    # the axes have lengths of different kinds: each product is relative to its own size
     allowed = 1e-12 * max(
         size, plain(length(coriolis)) * plain(length(omega)), plain(length(coriolis)) * plain(length(relative))
     )

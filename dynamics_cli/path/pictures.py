@@ -1,4 +1,4 @@
-"""What there is to look at in a motion: curves over time, the path with velocity, acceleration and its circle."""
+"""Pictures of a motion: curves over time, the path with velocity, acceleration and its circle of curvature."""
 
 import math
 from itertools import pairwise

@@ -18,7 +18,7 @@ MOST_UNCUT = 14
 
 @record
 class Title:
-    """The title block: what the report is called, and its case, author, date and program."""
+    """The title block: title, case, author, date and program."""
 
     text: str
     facts: "Sequence[str]"
@@ -85,9 +85,9 @@ class Formula:
 
 @record
 class Image:
-    """An SVG picture, the words that stand under it, and what it shows, in words for who cannot see it.
+    """An SVG picture, its caption, and its description for readers who cannot see it.
 
-    Pictures are numbered as they come; `width` is its part of the text's width.
+    Pictures are numbered in their order; `width` is a fraction of the text width.
     """
 
     svg: bytes
@@ -106,7 +106,7 @@ class Beside:
 
 @record
 class Break:
-    """What follows begins a page."""
+    """A page break."""
 
 
 Block = Title | Heading | Paragraph | Items | Table | Code | Formula | Image | Beside | Break
@@ -118,7 +118,7 @@ _UNPRINTABLE = {**dict.fromkeys(range(0x20)), 0x09: " ", 0x0A: "\n", **dict.from
 
 
 def clean(text: str) -> str:
-    """Text without what cannot be printed."""
+    """Text without unprintable characters."""
     return text.translate(_UNPRINTABLE).encode("utf-8", "backslashreplace").decode()
 
 

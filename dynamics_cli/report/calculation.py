@@ -1,4 +1,4 @@
-"""One calculation of a report: its document as made here, what its results are called, and what its inputs are."""
+"""One calculation of a report: its recalculated document, the labels of its results, and its inputs."""
 
 import re
 
@@ -83,11 +83,11 @@ class Calculation:
 
     @property
     def past(self) -> bool:
-        """Whether it reconstructs what has happened."""
+        """Whether it is a reconstruction of a past event."""
         return self.source.document["command"].partition(" ")[0] in ("skid", "impact")
 
     def labels(self) -> "dict[str, str]":
-        """The headline results that are there, with what they are called; limited ones are among them."""
+        """The headline results present, with their labels, and results with limits."""
         if self.document is None or self.task is None:
             return {}
         flat = {name: (value, unit) for name, value, unit in flatten(self.results)}
@@ -106,7 +106,7 @@ class Calculation:
         return label
 
     def value(self, address: str) -> Value:
-        """A result as the report shows it; what repeats an input is shown like the input."""
+        """A result as the report shows it; one that repeats an input is shown like the input."""
         node = node_at(self.results, address)
         for _, input_node in leaves(self.document["inputs"]) if self.document and is_quantity(node) else ():
             if _repeats(node, input_node):
@@ -116,7 +116,7 @@ class Calculation:
         return shown(node_at(self.results, address), self.digits)
 
     def limits(self, address: str) -> "list[Document]":
-        """What is said of a result's limits."""
+        """The statement about a result's limits."""
         return [entry for entry in (self.document or {}).get("limits", ()) if entry["result"] == address]
 
     def drivers(self, address: str) -> str:
@@ -131,7 +131,7 @@ class Calculation:
         return ", ".join(f"{self.named(words(name))} {percent(share)}" for name, share in main)
 
     def given(self) -> "list[tuple[str, str]]":
-        """Every input that is not in a table: what it is called and its value, as found by an earlier section."""
+        """Label and value of every input outside tables; a value from an earlier section refers to it."""
         entries = []
         for address, node in leaves(self.document["inputs"] if self.document else {}):
             if address.partition(".")[0] == SWEEP or address.endswith(".name") or is_table(node):
@@ -247,7 +247,7 @@ def _outside(value: float, interval: "Sequence[float]", mean: str, unit: str) ->
 
 
 def limit_words(entry: "Document") -> str:
-    """What a limit says, as the end of a sentence."""
+    """A limit as the end of a sentence."""
     limit = quantity(entry["limit"]["value"], entry["limit"].get("unit", ""), 6)
     if "probability" in entry:
         chance = entry["probability"]

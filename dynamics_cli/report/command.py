@@ -143,7 +143,7 @@ def _again(source: Source, task: "Task | None", terminal: "Terminal") -> Again:
 def _drawn(cases: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, list[Image]]":
     """The pictures of each section, and of the first page (0) one of them and the intervals of the findings.
 
-    There are none where they cannot be drawn.
+    Without the drawing library there are none.
     """
     pictured = [(case, picture) for case in cases if (picture := own_picture(case)) is not None]
     chosen = next((pair for pair in pictured if pair[1].scene), pictured[-1] if pictured else None)
@@ -156,7 +156,7 @@ def _drawn(cases: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, l
             first, rest = picture.panels, picture.panels
             if front:
                 first, rest = (first[:1], rest[1:]) if picture.scene else (first, ())
-                # a wide scene, small beside the findings, would have words over words
+                # in a wide scene drawn small beside the findings, labels would overlap
                 wide = picture.scene and first[0].wide
                 front_picture = Picture(first, "", picture.columns, width=picture.width if wide else FRONT)
                 images[ACROSS if wide else 0] = [_image(case, picture, front_picture, 1.0)]

@@ -1,6 +1,6 @@
 """Formulas as text read into a tree, and the tree as MathML and as typst's mathematics.
 
-The text is that of `Model.formula` with its addresses filled in: `v = √(vₑ² + 2·g·d)`; a number with a unit is enclosed
+The text is `Model.formula` with its addresses filled in: `v = √(vₑ² + 2·g·d)`; a number with a unit is enclosed
 by `quantity`, so that a unit's slash and powers stay what they are.
 """
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    # A node: what it is, and its text or its parts.
+    # A node: its kind, and its text or its parts.
     Node = tuple[str, Any]
 
 _OPEN, _CLOSE = "\ue000", "\ue001"
@@ -63,7 +63,7 @@ def plain(formula: str) -> str:
 
 
 class _Parser:
-    """Reads a formula from left to right; what it does not know stands as it is."""
+    """Reads a formula from left to right; unknown text is kept unchanged."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -151,7 +151,7 @@ class _Parser:
 
 
 def _bare(node: "Node") -> "list[Node]":
-    """What stands within brackets that the layout makes superfluous."""
+    """Content of brackets that the layout makes superfluous."""
     return list(node[1][1]) if node[0] == "brackets" and node[1][0] == "(" else [node]
 
 
@@ -262,7 +262,7 @@ _TYPST = _Language(
 
 
 def mathml(formula: str) -> str:
-    """The formula as a MathML element that stands by itself."""
+    """The formula as a MathML element in a block of its own."""
     label = escape(plain(formula), quote=True)
     return f'<math display="block" aria-label="{label}"><mrow>{_MATHML.row(parse(formula))}</mrow></math>'
 

@@ -1,4 +1,4 @@
-"""The first page: title block, picture, findings in sentences, what decides them, whether everything holds."""
+"""The first page: title block, picture, findings in sentences, their drivers, and the verdict of the checks."""
 
 from dynamics_cli.pictures import Axis, Panel, Picture, Ranges
 from dynamics_cli.report.blocks import Beside, Heading, Image, Items, Paragraph, Title
@@ -34,7 +34,7 @@ def front(
 
 
 def finding(case: Calculation) -> "Text":
-    """What a calculation found, as sentences; numbers are bold."""
+    """The findings of a calculation as sentences, with bold numbers."""
     if case.document is None:
         return f"{case.name}: {case.again.words}."
     verb = "was" if case.past else "is"
@@ -48,7 +48,7 @@ def finding(case: Calculation) -> "Text":
         start = ", the "
     if not pieces:
         return f"{case.name}: see section {case.section}."
-    # Text and numbers alternate: what ends one number begins the next.
+    # Text and numbers alternate.
     merged = [pieces[0]]
     for nth, piece in enumerate(pieces[1:], 1):
         if nth % 3 == 0:
@@ -90,7 +90,7 @@ def _owned(address: str, label: str) -> str:
 
 
 def _decided(calculations: "Sequence[Calculation]") -> "list[str]":
-    """What decides the findings with limits, or those of the last calculation."""
+    """The drivers of the findings with limits, or else of the last calculation."""
     for case in reversed(calculations):
         for address, label in sorted(_found(case), key=lambda item: not case.limits(item[0])):
             drivers = case.drivers(address)
@@ -162,7 +162,7 @@ def own_picture(case: Calculation) -> "Picture | None":
 
 
 def description(picture: Picture) -> str:
-    """What a picture shows, for who cannot see it."""
+    """Description of a picture for readers who cannot see it."""
     parts = [picture.title] if picture.title else []
     for panel in picture.panels:
         axes = [axis.title for axis in (panel.y, panel.x) if axis.title]

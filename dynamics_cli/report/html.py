@@ -155,7 +155,7 @@ def _escape(text: str) -> str:
 
 
 def _inline(svg: bytes, prefix: str, description: str) -> str:
-    """The picture's element with names of its own, as several pictures stand in one page, and its description."""
+    """The picture's element with its description; its identifiers are made unique within the page."""
     text = svg.decode()
     text = text[text.index("<svg") :].rstrip()
     text = (

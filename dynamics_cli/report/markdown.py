@@ -85,7 +85,7 @@ def _words(text: "Text") -> str:
 
 
 def _piece(text: str, bold: bool) -> str:
-    """A piece with the spaces around it, which stand outside of what is bold."""
+    """A piece with its surrounding spaces outside the bold marks."""
     words = text.strip()
     before, after = text[: len(text) - len(text.lstrip())], text[len(text.rstrip()) :]
     return f"{before}**{_plain(words)}**{after}" if bold else f"{before}{_plain(words)}{after}"

@@ -26,22 +26,22 @@ if TYPE_CHECKING:
     Leaves = dict[str, Any]
 
 
-# So many differences are told in full; the rest is counted.
+# So many differences are listed; the rest is counted.
 MOST_TOLD = 12
 # An uncertain figure is known no worse than this, in standard deviations, or it does not count as the same.
 ROUGHEST = 0.1
-# Units that tell of US customary ones.
+# Units that indicate US customary input.
 US = {"in", "ft", "mi", "mph", "lb", "lbf", "slug", "psi", "hp"}
-# What a call says of itself, and what is compared apart or is the calculation's own input.
+# Entries about the call itself, entries compared separately, and the inputs of the recalculation.
 NOT_COMPARED = ("schema", "command", "version", "inputs", "results", "timing", "files")
-# How much work it was depends on what else was asked for.
+# The amount of work depends on the other options of the call.
 WORK = "numerics.uncertainty.evaluations"
 
 
 class Again:
-    """What came of it: the new document and its picture, or why there is none, and whether the old one says the same.
+    """Outcome of a recalculation: new document and picture, or the reason for a failure, and whether both agree.
 
-    What a file says is a claim; only the document made here is shown as calculated.
+    The results in a file are claims; only the recalculated document is shown as calculated.
     """
 
     def __init__(
@@ -86,7 +86,7 @@ def calculate(task: "Task", document: "Document", folder: str, terminal: "Termin
 
 
 def _sheet(task: "Task", document: "Document", folder: str, terminal: "Terminal") -> "Sheet | None":
-    """The data sheet of a task that has one; an uncertain case and a sweep are no single thing to be drawn."""
+    """The data sheet of a task that has one; not for an uncertain case or a sweep, which have no single drawing."""
     if not task.sheet or "sweep" in document["inputs"]:
         return None
     gathered = _gathered(document, folder, terminal)
@@ -143,7 +143,7 @@ def _sweep(task: "Task", document: "Document", gathered: Gathered) -> "tuple[Doc
 
 
 def _part(node: "Any", *keys: str) -> "Document":
-    """What stands in an object under these keys, one within the other; nothing where there is no such object."""
+    """The value in nested objects under these keys; empty where one is missing."""
     for key in keys:
         node = node.get(key) if isinstance(node, dict) else None
     return node if isinstance(node, dict) else {}
@@ -207,7 +207,7 @@ def _written(node: "Document") -> str:
 
 
 def _compared(before: "Document", after: "Document") -> "tuple[str, str]":
-    """In words: what came out otherwise than the file says; and in short."""
+    """The differences from the file, as sentences and in short."""
     old, new = dict(_leaves(before["results"])), dict(_leaves(after["results"]))
     apart = _apart(old, new)
     sampled = [name for name in apart if _within(name, before, after, old, new)]
@@ -234,7 +234,7 @@ def _compared(before: "Document", after: "Document") -> "tuple[str, str]":
 
 
 def _claims(document: "Document") -> "Leaves":
-    """What a document says beside its results."""
+    """The entries of a document other than its results."""
     statements = {key: node for key, node in document.items() if key not in NOT_COMPARED}
     return {name: node for name, node in _leaves(statements) if name != WORK}
 
@@ -250,7 +250,7 @@ def read_files(document: "Document", *, written: bool = False) -> "list[tuple[st
 
 
 def _apart(old: "Leaves", new: "Leaves") -> "list[str]":
-    """The names of what differs, or stands in one alone."""
+    """The names of entries that differ or are in one document only."""
     missing = object()
     return [name for name in {**old, **new} if old.get(name, missing) != new.get(name, missing)]
 
@@ -262,7 +262,7 @@ def _told(names: "list[str]", old: "Leaves", new: "Leaves") -> str:
 
 
 def _within(name: str, before: "Document", after: "Document", old: "Leaves", new: "Leaves") -> bool:
-    """Whether a figure of a distribution moved by no more than the methods, of then and now, say they are good for."""
+    """Whether a figure of a distribution changed by at most the stated errors of the old and the new method."""
     result, _, _ = name.rpartition(", ")
     scale = new.get(f"{result}, std")
     estimates = [
@@ -277,7 +277,7 @@ def _within(name: str, before: "Document", after: "Document", old: "Leaves", new
 
 
 def _leaves(node: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":
-    """Every number and word below a node, with the address it is told by."""
+    """Every number and word below a node, with its address."""
     if isinstance(node, dict):
         for key, item in node.items():
             inner = f"{address}, {key}" if "value" in node else f"{address}.{key}" if address else key

@@ -1,4 +1,4 @@
-"""One calculation as a section: given, formula with numbers, results, what drives them, assumptions, warnings."""
+"""One calculation as a section: inputs, formula with numbers, results, their drivers, assumptions, warnings."""
 
 from dynamics_cli.core.documents import columns, is_table, number
 from dynamics_cli.core.output.render import to_pretty_json
@@ -27,7 +27,7 @@ MOST_IN_A_SENTENCE = 6
 def section(one: "Calculation", drawn: "Sequence[Image]" = ()) -> "list[Block]":
     """The section of a calculation.
 
-    Where nothing could be calculated, what the file claims stands as the data that it is.
+    Where the recalculation failed, the file's content is shown as plain data.
     """
     blocks: list[Block] = [Heading(2, f"{one.section}. {one.title}")]
     if one.document is None:
@@ -93,13 +93,13 @@ def _formula(steps: "list[str]") -> "list[Block]":
 
 
 def _where(case: "Calculation") -> "list[Block]":
-    """What the symbols are."""
+    """The meaning of the symbols."""
     symbols = (case.document or {}).get("explanation", {}).get("symbols", ())
     return [Paragraph(f"where {'; '.join(symbols)}.", small=True)] if symbols else []
 
 
 def _results(case: "Calculation") -> "list[Block]":
-    """The headline results with interval, limit and what drives them; then why a value lies outside its interval."""
+    """The headline results with interval, limit and drivers; then the reason why a value lies outside its interval."""
     labels = case.labels()
     rows = [(label, case.value(address), address) for address, label in labels.items()]
     coverage = next((value.coverage for _, value, _ in rows if value.coverage), "")

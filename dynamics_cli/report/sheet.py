@@ -1,4 +1,4 @@
-"""A data sheet: one result on one page, as its task lays it out, with what vouches for it at the foot."""
+"""A data sheet: one result on one page in its task's layout, with model, source and checks at the foot."""
 
 import os
 from math import floor, isfinite, log10
@@ -44,7 +44,7 @@ def sheets(cases: "Sequence[Calculation]", title: str, facts: "Sequence[str]") -
 
 
 def file_title(cases: "Sequence[Calculation]") -> str:
-    """What a file of data sheets is called unless a title is given."""
+    """The title of a file of data sheets without a given title."""
     sheet = cases[0].again.sheet
     assert sheet is not None
     return words(sheet.title, system_of(cases[0].source.document))
@@ -65,7 +65,7 @@ def _parts(parts: "Sequence[Picture | Listing]", system: str) -> "list[Block]":
 
 
 def _inches(svg: bytes) -> float:
-    """How wide a picture is; one without axes is cut to what it shows."""
+    """Width of a picture; one without axes is cropped to its content."""
     return float(svg.partition(b' width="')[2].partition(b"pt")[0]) / 72.0
 
 

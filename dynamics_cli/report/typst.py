@@ -173,7 +173,7 @@ def _words(text: "Text") -> str:
 
 
 def _escape(text: str) -> str:
-    """Text that is no markup: every ASCII sign is escaped, and long runs may be broken after a separator."""
+    """Text without markup: every ASCII symbol is escaped, and long words may be broken after a separator."""
     cleaned = clean(text).replace("\n", " ").replace(" %", "\u00a0%")
     return "".join(
         f"\\{letter}" if letter.isascii() and not letter.isalnum() and letter != " " else letter for letter in cleaned

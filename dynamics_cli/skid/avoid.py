@@ -1,4 +1,4 @@
-"""Avoidability: whether the driver could have stopped, and what speed would have sufficed."""
+"""Avoidability: whether the driver could have stopped, and from which speed."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import hypot, maximum, minimum, multiply_add, sqrt, where

@@ -16,9 +16,9 @@ LONGEST_REACTION = 4.0
 
 
 def balance(name: str, left: float, right: float, scale: float, *operands: float) -> tuple[Check, ...]:
-    """Check that two sides agree relative to `scale`, within what rounding can have done to them where that is known.
+    """Check that two sides agree relative to `scale`, within their rounding error where it is known.
 
-    Nothing for arrays, nor where a number that went into the sides is so small or large that digits may be lost.
+    No check for arrays, or where an operand is so small or large that digits may be lost.
     """
     if not single(left, right, scale, *operands):
         return ()

@@ -82,7 +82,7 @@ def friction(
 
     Notes
     -----
-    Each skid is that of a point mass slowed uniformly to rest. Equal skids scatter by exactly
+    Each test vehicle is a point mass slowed uniformly to rest. Equal skids scatter by exactly
     zero. The scatter describes the test skids, not the error of the instruments.
 
     References

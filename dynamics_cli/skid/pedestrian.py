@@ -98,7 +98,7 @@ def pedestrian(
         raise UsageError("this model is of level roads", parameter="grade", hint="leave the model to be chosen")
     beyond = vehicle_share(efficiency, body_mass, vehicle_mass)
     over = multiply_add(-friction, launch_height, throw_distance)
-    # Within μH the landing stops every throw. There the terms of the slide are those of any distance, and not used.
+    # Within μH the landing stops every throw; the terms of the slide are then not used.
     lands = over <= 0.0
     reach = where(lands, throw_distance, over)
     sliding = sqrt(2.0 * gravity * (friction * reach))
@@ -183,7 +183,7 @@ def _flown(distance: float, height: float, angle: float, gravity: float, lands: 
 
 
 def _slid(friction: float, height: float, angle: float, gravity: float, reach: float, lands: bool) -> Stages:
-    """A throw with a slide after the landing; where there is none, the numbers of a level throw from the ground."""
+    """A throw with a slide after the landing; without a slide, the numbers of a level throw from the ground."""
     height = where(lands, 0.0, height)
     angle = where(lands, 0.0, angle)
     sliding = sqrt(2.0 * gravity * (friction * reach))

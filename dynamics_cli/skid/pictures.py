@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 POINTS = 121
-# Roads are no steeper than this.
+# Steepest grade of the road in the picture.
 STEEPEST = 0.15
 DISTANCE = Axis("distance", Length)
 SPEED = Axis("speed", RoadSpeed)
@@ -63,7 +63,7 @@ def stop(result: "Any", **_: "Any") -> Picture:
 
 
 def _along(rows: "list[Any]", key: str) -> "tuple[list[float], list[float]]":
-    """A phase's speeds; over distance, uniform deceleration is no straight line from row to row."""
+    """A phase's speeds; over distance, uniform deceleration is a curve from row to row."""
     if key == "time" or rows[-1].phase != "braking":
         return [getattr(row, key) for row in rows], [row.speed for row in rows]
     x: list[float] = []
@@ -90,7 +90,7 @@ def avoid(
 def vault(result: "Any", *, distance: float, rise: float = 0.0, **_: "Any") -> Picture:
     """The flight."""
     slope = math.tan(result.launch_angle)
-    # Through take-off and landing: what gravity takes is all that the line of departure is above the landing.
+    # Through take-off and landing: the fall equals the height of the line of departure above the landing.
     drop = distance * slope - rise
     fractions = [i / (POINTS - 1) for i in range(POINTS)]
     x = [fraction * distance for fraction in fractions]
@@ -160,7 +160,7 @@ def throw(
 def drag_factor(result: "Any", *, measurement: "Any", **_: "Any") -> Picture:
     """Drag factor over the grade of the road, everything else as it is; the load of each axle where axles are known."""
     grades = [STEEPEST * (2.0 * i / (POINTS - 1) - 1.0) for i in range(POINTS)]
-    # Work along the road: f = (m + G)/√(1 + G²), m being what the tyres do on a level road.
+    # Work along the road: f = (m + G)/√(1 + G²), m the drag factor of the tyres on a level road.
     friction = float(result.effective_friction)
     factors = [(friction + grade) / math.sqrt(1.0 + grade * grade) for grade in grades]
     items: list[Any] = [

@@ -1,4 +1,4 @@
-"""Throw on a grade, and the speed of the vehicle that threw: what Searle's formula becomes beside its level road."""
+"""Throw on a grade, and the speed of the striking vehicle: Searle's formula extended from the level road."""
 
 from dynamics_cli.errors import require, require_given
 from dynamics_cli.numerics.elementary import absolute, cos, hypot, maximum, multiply_add, sin, sqrt, where
@@ -166,7 +166,7 @@ def on_grade(
         hint="uphill grades are positive; check the sign of grade, and friction",
     )  # fmt: skip
     height = launch_height / road
-    # from the foot of the normal, which lies up the road of that of the vertical
+    # from the foot of the normal, which is uphill of the foot of the vertical
     along = throw_distance * road - slope * height
     over = multiply_add(-friction, height, along)
     require(

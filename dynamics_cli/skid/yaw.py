@@ -187,7 +187,7 @@ def _share(friction: float, bank: float, lean: float) -> float:
 
 
 def _left_for_the_curve(friction: float, braking: float) -> float:
-    """What braking leaves of the friction circle."""
+    """The lateral friction that braking leaves on the friction circle."""
     require(
         braking < friction, "braking with {braking} leaves nothing of a friction of {friction} for the curve",
         braking=(braking, DragFactor), friction=(friction, Friction), code="no-side-friction",

@@ -12,7 +12,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.numerics.exact.typed_products import Vector
 
-# What the rounding of inputs to doubles may leave of a product that is zero, as a share of the magnitudes' product.
+# Possible value of a zero product due to the rounding of inputs, relative to the product of the magnitudes.
 ROUNDING = 4.0 * 2.0**-53
 LAGRANGE = 1e-13
 # Products beyond these are of no double, or of one that has lost digits.

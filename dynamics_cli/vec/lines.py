@@ -45,7 +45,7 @@ class Lines:
 
 
 class _Read:
-    """An item as read: what it is, a point of it, and its direction or normal."""
+    """An item as read: its shape, a point of it, and its direction or normal."""
 
     __slots__ = ("kind", "point", "shape", "way")
 

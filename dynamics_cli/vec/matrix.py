@@ -17,7 +17,7 @@ ILL_CONDITIONED = 1e6
 
 @record
 class MatrixAnswer:
-    """What is asked of one or two matrices, as decimals and exactly."""
+    """Results for one or two matrices, as decimals and as exact ratios."""
 
     rank: Annotated[Count, "Number of independent rows."]
     determinant: Annotated[Ratio | None, "Determinant of a square matrix [-]."]
@@ -112,7 +112,7 @@ def _identity(size: int) -> "Rows":
 
 
 def _eliminated(left: "Rows", right: "Rows") -> "tuple[Pair, Rows, int]":
-    """Determinant (of a square matrix), what the right side becomes, and the rank, by exact elimination."""
+    """Determinant (of a square matrix), the reduced right side, and the rank, by exact elimination."""
     rows = [[lowest(*cell) for cell in (*a, *b)] for a, b in zip(left, right, strict=True)]
     width = len(left[0])
     determinant: Pair = (1, 1)

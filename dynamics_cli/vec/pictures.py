@@ -72,7 +72,7 @@ def _panel(
     title: str = "",
     more: "Sequence[Any]" = (),
 ) -> Panel:
-    """Arrows with their words beside them, where most room is."""
+    """Arrows with their labels beside them, where there is most space."""
     points = [point for (x, y), (dx, dy), _, _ in arrows for point in ((x, y), (x + dx, y + dy))]
     left, right = min(x for x, _ in points), max(x for x, _ in points)
     low, high = min(y for _, y in points), max(y for _, y in points)
@@ -173,7 +173,7 @@ def resolve(result: "Any", vector: "Any", **_: "Any") -> Picture:
 
 
 def polygon(result: "Any", *known: "Any", sum_: "Any" = None, **_: "Any") -> Picture:
-    """Every solution: the known vectors, then the two that were looked for, and what all add up to."""
+    """Every solution: the known vectors, the two solved for, and their sum."""
     kind = kinds.scalar(result.missing.kind)
     panels = []
     for nth, solution in enumerate(result.solutions, 1):

@@ -45,7 +45,7 @@ class Basis:
 
 @record
 class Oblique:
-    """What a vector has along one direction of a basis."""
+    """Component of a vector along one direction of a basis."""
 
     direction: Annotated[FreeVector, "The direction as given."]
     coefficient: Annotated[FreeNumber, "Multiple of the direction as given."]

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.quantities import Kind
 
-# Beyond this the digits of the sum are what the addends' last digits leave.
+# Beyond this the sum is known only to the last digits of its addends.
 MOST_CANCELLED = 1e6
 SQUARES = 1e-12
 
@@ -66,7 +66,7 @@ def resultant(
     between: Annotated[Angle | None, "The angle between two vectors given by magnitude only, e.g. 60 deg."]
     = None,
 ) -> Resultant:  # fmt: skip
-    """Sum of vectors of one kind, planar or in space, and what it cancels.
+    """Sum of vectors of one kind, planar or in space, and how much of them cancels.
 
     Equation
     --------

@@ -64,9 +64,9 @@ def export(
     Examples
     --------
     >>> from dynamics_cli.cam.geometry.followers import Roller
-    >>> made = export(Program(), program="rise 10 mm in 180 deg cycloidal; return in 180 deg cycloidal",
+    >>> result = export(Program(), program="rise 10 mm in 180 deg cycloidal; return in 180 deg cycloidal",
     ...     follower=Roller(0.025, 0.006))
-    >>> made.deviation <= 1e-6
+    >>> result.deviation <= 1e-6
     True
     """
     from dynamics_cli.cam.export.drawing import drawn, tables

@@ -125,7 +125,7 @@ def _drawn(
     start_angle: float,
     inputs: "dict[str, Any]",
 ) -> "list[Row]":
-    """How far the drawing is from the exact curve: the one asked for, or that of `cam export` as it stands."""
+    """Deviation of the drawing from the exact curve: of the drawing requested, or of `cam export` with its defaults."""
     form, curve = str(inputs.get("form", "arcs")), str(inputs.get("curve", "cam"))
     if isinstance(result, CamProfile):
         try:

@@ -36,9 +36,9 @@ def advice_of(
 ) -> "tuple[Advice, ...]":
     """Advice when the follower leaves its cam or nearly does, cannot jump at all, or its spring surges.
 
-    `load`: inertia, spring and load; `train`: the record that they came from; `low`: least force, or an arm's torque;
-    `leaves`: the speed of the jump; None where there is none; `order`: the harmonic of the cam at which the spring
-    surges; None without its mass. Returns the advice.
+    `load`: inertia, spring and load; `train`: the record they were read from; `low`: minimum force, or torque of an
+    arm; `leaves`: the speed at which it jumps, or None; `order`: the harmonic of the cam at which the spring
+    surges, or None if the spring's mass is not given.
     """
     advice = []
     force: Any = Torque if load.arm else Force

@@ -139,9 +139,9 @@ def check(
     Examples
     --------
     >>> from dynamics_cli.cam.geometry.followers import Roller
-    >>> found = check(Program(), program="rise 10 mm in 180 deg 3-4-5; return in 180 deg 3-4-5",
+    >>> result = check(Program(), program="rise 10 mm in 180 deg 3-4-5; return in 180 deg 3-4-5",
     ...     follower=Roller(0.025, 0.006))
-    >>> found.fits, found.undercut
+    >>> result.fits, result.undercut
     (True, False)
     """
     from dynamics_cli.cam.forces.jump import asked_jump

@@ -92,8 +92,8 @@ def force(
     --------
     >>> from dynamics_cli.cam.forces.records import Slide
     >>> line = "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell"
-    >>> found = force(Program(), program=line, shaft_speed=50.0, train=Slide(0.5, 5000.0, 60.0))
-    >>> round(found.jump_speed, 3)
+    >>> result = force(Program(), program=line, shaft_speed=50.0, train=Slide(0.5, 5000.0, 60.0))
+    >>> round(result.jump_speed, 3)
     76.742
     """
     from dynamics_cli.cam.forces.advice import advice_of, impacts

@@ -50,8 +50,8 @@ def asked_jump(
     """Give the jump speed of a follower with known mass (or inertia), spring rate and preload, for a verdict.
 
     `slide`: mass, spring rate and preload of a slide; `arm`: moment of inertia, torsion rate and preload torque of an
-    arm; `asked`: whether a verdict is requested, which needs all three. Returns speed, place and the bound of
-    the speed's error, None and None if nothing makes it jump; None alone if nothing was requested. Raises
+    arm; `asked`: whether a verdict is requested, which needs all three. Returns speed, place and error bound of the
+    speed; speed and place are None if it cannot jump, and the result is None if no verdict is requested. Raises
     InadmissibleError when one of the three is missing, those of the other kind of follower are given, or the spring is
     slack.
     """

@@ -64,8 +64,8 @@ def load_of(train: Train, motion: "Motion", omega: float = 0.0) -> Load:
     """Give the load of a train on a motion of the same kind.
 
     `train`: what moves, and what presses it. Raises UsageError when the program slides and the train is an arm's, or
-    the other way round. Raises InadmissibleError when nothing moves, a preload pulls, or a spring acts at the pivot
-    itself.
+    vice versa. Raises InadmissibleError when the mass or inertia is zero, a preload pulls, or a spring acts at the
+    pivot itself.
     """
     if motion.swing and isinstance(train, Slide):
         raise UsageError(

@@ -27,8 +27,7 @@ UNIT = 2.0**-53
 class Touching:
     """A follower's load along the common normal, and the conformity of the contact; also for complex numbers.
 
-    `load`: what the cam has to give: a force, or an arm's torque; `slip`: what the start of the follower may be off,
-    where discs are asked for.
+    `load`: the force, or an arm's torque, that the cam must supply; `slip`: error of the follower's start, for discs.
     """
 
     def __init__(self, geometry: Geometry, load: "Load", slip: float = 0.0) -> None:

@@ -121,7 +121,7 @@ def _halves(curve: Envelope, arc: Arc) -> "tuple[Arc, Arc]":
     middle = 0.5 * (arc.low + arc.high)
     share = np.array([0.5 * (arc.low + middle), middle, 0.5 * (middle + arc.high)])
     points, _ = curve.at(arc.part, share)
-    # the tangent turns by at least what the chords do, and by about twice that on a short arc
+    # the tangent turns at least as far as the chords, and about twice as far on a short arc
     corners = [arc.first, *(complex(point) for point in points), arc.last]
     chords = [b - a for a, b in pairwise(corners)]
     angles = [abs(phase(b / a)) if a and b else arc.bend for a, b in pairwise(chords)]

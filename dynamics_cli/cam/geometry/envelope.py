@@ -7,7 +7,7 @@ of the roller or a length of the flat face. A place of the curve is a part and a
 import numpy as np
 
 from dynamics_cli.cam.geometry.contact import Geometry
-from dynamics_cli.cam.program.pieces import over_pieces, within
+from dynamics_cli.cam.program.pieces import Cover, within
 from dynamics_cli.numerics.chebyshev.proxies import extremes
 from dynamics_cli.quantities import Annotated
 from dynamics_cli.records import record
@@ -144,7 +144,7 @@ class Envelope:
         return _joined(sorted((float(low), float(high)) for low, high in stretches if high > low))
 
     def _speed(self) -> "Any":
-        return over_pieces(self.motion, lambda s, s1, s2: self.geometry.touch(s, s1, s2).run[None])
+        return Cover(self.motion, lambda s, s1, s2: self.geometry.touch(s, s1, s2).run[None], 2).proxies
 
     def _backward(self, part: int, zone: int, places: "Any", values: "Any") -> "list[tuple[float, float]]":
         """Backward stretches of one zone, the speed being monotone from each of the places to the next."""

@@ -11,12 +11,11 @@ from dynamics_cli.cam.geometry.profile import CamProfile, profile
 from dynamics_cli.cam.program.pictures import ABOVE, BELOW, extreme_mark, named_program
 from dynamics_cli.cam.program.reading import Program, motion_of
 from dynamics_cli.errors import worded
-from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Angle, Coordinate, Size
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
     from typing import Any
 
 TURN = 2.0 * pi
@@ -142,18 +141,18 @@ def _picture(
 def _items(
     arrays: "dict[str, list[float]]", geometry: Geometry, drawing: Figure, rotation: complex, cutter: "float | None"
 ) -> "list[Any]":
-    """What the first panel shows, in the cam's frame at its first angle."""
+    """Contents of the first panel, in the cam's frame at its first angle."""
     items: list[Any] = [Curve(_closed(arrays["x"]), _closed(arrays["y"]), _flank(geometry), role=0)]
     if geometry.roller:
         items.append(Curve(_closed(arrays["pitch_x"]), _closed(arrays["pitch_y"]), "pitch curve", "dashed", 5))
     if cutter:
         items.append(Curve(_closed(arrays["cutter_x"]), _closed(arrays["cutter_y"]), "cutter path", "dotted", 3))
     if drawing.base:
-        items.append(_line((drawing.base * step for step in CIRCLE), "base circle", "thin", 6))
+        items.append(complex_curve((drawing.base * step for step in CIRCLE), "base circle", "thin", 6))
     items += [
-        _line((rotation * point for point in drawing.shape), drawing.name, "solid", 1),
-        _line((rotation * point for point in drawing.holder), "", "thin", 1),
-        _line(turning_arrow(geometry.turn, 0.3 * (drawing.base or _size(arrays))), "", "thin", 6),
+        complex_curve((rotation * point for point in drawing.shape), drawing.name, "solid", 1),
+        complex_curve((rotation * point for point in drawing.holder), "", "thin", 1),
+        complex_curve(turning_arrow(geometry.turn, 0.3 * (drawing.base or _size(arrays))), "", "thin", 6),
         Mark(0.0, 0.0, ""),
         Mark(arrays["x"][0], arrays["y"][0], ""),
     ]
@@ -166,7 +165,7 @@ def _items(
 def _curvature(
     cam: CamProfile, arrays: "dict[str, list[float]]", way: Axis, angle: "list[float]", least_radius: float | None
 ) -> Panel:
-    """The radius of curvature, broken where the curve is all but straight."""
+    """The radius of curvature, broken where the curve is nearly straight."""
     reach = FAR * cam.largest_radius
     radii = [radius if abs(radius) <= reach else float("nan") for radius in _closed(arrays["radius_of_curvature"])]
     convex, hollow = cam.least_convex_radius, cam.least_concave_radius
@@ -188,11 +187,6 @@ def _curvature(
 
 def _flank(geometry: Geometry) -> str:
     return "cam" if geometry.side > 0.0 else "outer flank"
-
-
-def _line(points: "Iterable[complex]", label: str, style: "Any", role: int) -> Curve:
-    points = list(points)
-    return Curve([point.real for point in points], [point.imag for point in points], label, style, role)
 
 
 def _size(arrays: "dict[str, list[float]]") -> float:

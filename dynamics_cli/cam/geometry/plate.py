@@ -127,7 +127,7 @@ def _plate(geometry: Geometry, sums: "Any", left: "Any") -> Plate:
         off / abs(integral) + QUADRATURE if integral else 0.0
         for off, integral in zip(left.tolist(), sums.tolist(), strict=True)
     ]
-    # an arm's contact is a difference of lengths measured from its pivot, however small the cam
+    # the contact of an arm is a difference of lengths from its pivot, which may be far larger than the cam
     reach = 2.0**-51 * getattr(geometry.follower, "pivot_distance", 0.0)
     if area and perimeter:
         across, along = reach * perimeter / abs(area), reach * 2.0 * pi / perimeter
@@ -192,7 +192,7 @@ def _bridged(curve: Envelope, stretches: "list[tuple[int, float, float]]", start
 
 
 def _blurred(curve: Envelope, corners: "tuple[Corner, ...]") -> "Any":
-    """Error of the integrals due to that of the corners, where both arcs end."""
+    """Error of the integrals due to the error of the corners, where both arcs end."""
     total = np.zeros(5)
     for corner in corners:
         ends, directions = [], []
@@ -239,7 +239,7 @@ def weighed(
 
     `motion`: the program; `start_angle`: angle by which the cam's frame is turned on; `loss`: the effect of an
     undercut; `thickness`: thickness of the plate [m]; `density`: its density [kg/m³]. Returns the plate; without
-    results, but with the reason, if nothing is left about the axis.
+    results, but with the reason, if no material remains around the axis.
     """
     weight = None if thickness is None or density is None else thickness * density
     if loss is not None and not loss.corners:

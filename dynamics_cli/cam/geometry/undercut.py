@@ -92,7 +92,7 @@ def seat(geometry: Geometry, theta: "Any", x: "Any", y: "Any") -> "Any":
             far = np.hypot(px - f.pivot_distance, py)  # type: ignore[union-attr]
             level = np.arctan2(py, f.pivot_distance - px)  # type: ignore[union-attr]
             arm = f.arm  # type: ignore[union-attr]
-            # half the angle by its tangent: nothing cancels where the roller is small beside the arm
+            # half the angle by its tangent: no cancellation where the roller is much smaller than the arm
             inner, outer = (roller - (arm - far)) * (roller + (arm - far)), (arm + far - roller) * (arm + far + roller)
             opening = 2.0 * np.arctan2(np.sqrt(inner), np.sqrt(outer))
         lift = level + opening - start if drives > 0.0 else start - (level - opening)

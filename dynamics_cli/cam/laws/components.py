@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-# (−1)^n 6/(2n + 3)!: what u − sin u is of u³/6, in powers of u²; the last first.
+# (−1)^n 6/(2n + 3)!: coefficients of (u − sin u)/(u³/6) in powers of u²; the last first.
 _SERIES = tuple((-1.0) ** n * 6.0 / math.factorial(2 * n + 3) for n in range(8, -1, -1))
 _SERIES_BELOW = 1.0
 
@@ -146,7 +146,7 @@ class Beta:
 
     @property
     def parts(self) -> "tuple[Any, ...]":
-        """The coefficients, whole numbers all of them."""
+        """The coefficients, all whole numbers."""
         return (0.0,) * (self.n + 1) + self.row, (), 0.0, False
 
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":

@@ -27,7 +27,7 @@ ONE_WAVE, SEVERAL, ROUNDED = (1.4, 0.4), (3.4, 1.4), (1.0, 1.0)
 
 
 class Piece:
-    """A law from `low` to `high`; `far` pieces give 1 − f of 1 − x. `ends` are those of the shape's own coordinate."""
+    """A law from `low` to `high`; `far` pieces give 1 − f of 1 − x. `ends`: ends in the shape's own coordinate."""
 
     __slots__ = ("ends", "far", "high", "low", "shape")
 
@@ -130,7 +130,7 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
 
     `b`, `c`, `d`: shares of the sine, the constant and the cosine; their sum is 1; `constant`: share of the rise at
     constant velocity; `name`: name of the law. Raises InadmissibleError when a share is negative, the shares do not sum
-    to 1, or nothing is left for the acceleration.
+    to 1, or they leave no share for the acceleration.
 
     (0, 1, 0) is parabolic, (¼, ½, ¼) the modified trapezoid, (0, 0, 1) simple harmonic, (¼, 0, ¾) the modified sine,
     (½, 0, ½) cycloidal. b = 0 or d = 0 makes the acceleration jump.
@@ -179,7 +179,7 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     r, k, g = b * q, c * q, d * q
     still = 0.5 * constant
     top, speed, first, reached, gained, last, rates = constants_of(b, c, d, constant)
-    # doubles that should sum to 1 do so within rounding: which of them is off is unknown
+    # doubles that should sum to 1 do so within rounding; which of them is in error is unknown
     off = abs(fsum((b, c, d, -1.0)))
     shapes: list[tuple[float, Any]] = []
     if r:
@@ -207,7 +207,7 @@ def _two_ended(name: str, start: "Any", end: "Any", rests: tuple[bool, bool] = (
 
 
 def _half(name: str, slow: Mixed, fast: Mixed) -> Law:
-    """One end rests, the other goes on at full speed."""
+    """One end is at rest, the other moves at full speed."""
     if name.endswith("start"):
         return _two_ended(name, slow, fast, (True, False))
     return _two_ended(name, fast, slow, (False, True))

@@ -91,7 +91,7 @@ def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "
 
 
 def _one_sign(shape: "Any", order: int, start: float, end: float, room: float) -> bool:
-    """Whether a derivative keeps its sign between two places: it is off its chord by `room` at most."""
+    """Whether a derivative keeps its sign between two places: it differs from its chord by `room` at most."""
     p, q = derivative(shape, order, start), derivative(shape, order, end)
     return p * q > 0.0 and min(abs(p), abs(q)) > room
 

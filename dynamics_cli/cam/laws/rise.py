@@ -130,8 +130,8 @@ def rise(
 
     Examples
     --------
-    >>> found = rise(law=LawName("cycloidal"), lift=0.02, span=1.5, at=(0.75,)).points[0]
-    >>> found.lift, round(found.velocity, 12)
+    >>> result = rise(law=LawName("cycloidal"), lift=0.02, span=1.5, at=(0.75,)).points[0]
+    >>> result.lift, round(result.velocity, 12)
     (0.01, 0.026666666667)
     """
     _require_rise(lift, span, count, at=bool(at), both=falling and mirrored)
@@ -271,7 +271,7 @@ def _point(
     if way == "mirrored":
         x, rest, side = rest, x, -side
     f, *slopes, last = _measured(law, x, rest, side, down=way == "falling")
-    # an angle is a double: what is less than its change over the angle's rounding is zero
+    # angles are doubles: a value smaller than its change over the rounding of the angle is zero
     slopes = [
         slope if abs(slope) > ROUNDING * (angle / span) * abs(change) else 0.0
         for slope, change in zip(slopes, (*slopes[1:], last), strict=True)

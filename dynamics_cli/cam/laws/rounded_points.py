@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 # Fewer points than this were chosen, not read from a table.
 FEWEST = 4
 MOST_DECIMALS = 9
-# Below this share of the peak acceleration there is no advice; from the second one on it is a caution.
+# No advice below the first share of the peak acceleration, a caution from the second on.
 SMALL, LARGE = 1e-4, 1e-2
 # Units that lifts and angles may be written in, besides SI.
 LENGTHS = (1.0, 0.0254)
@@ -25,7 +25,7 @@ ANGLES = (1.0, pi / 180.0)
 
 
 def decimal_step(values: "Sequence[float]", units: "Sequence[float]" = (1.0,)) -> float:
-    """The largest decimal step, in one of the units, that all values are multiples of; zero where there is none.
+    """The largest decimal step, in one of the units, of which all values are multiples; zero if there is no such step.
 
     `units`: units they may have been written in. Returns the step.
 
@@ -51,12 +51,12 @@ def effects(law: "Law", place_step: float, lift_step: float) -> "tuple[float, fl
     rounded to. Returns bounds to first order of the changes at the joints, in units of the rise.
 
     A spline is linear in its lifts: each counts half a step. A place error δ counts as a lift error f′δ.
-    Slopes and second derivatives solve systems whose diagonals dominate: with all other signs at their worst,
-    they give bounds of both. Errors that alternate up and down reach the bounds for equally spaced points.
+    Slopes and second derivatives solve systems whose diagonals dominate: with the least favourable signs they give
+    bounds of both. Errors that alternate up and down reach the bounds for equally spaced points.
     """
     places = [0.0, *law.breaks, 1.0]
     wide = [b - a for a, b in pairwise(places)]
-    # both ends are those of the rise
+    # both ends are the ends of the rise
     off = [0.0, *(0.5 * (lift_step + place_step * abs(law.at(x, 1)[1])) for x in law.breaks), 0.0]
     chords = [(a + b) / h for a, b, h in zip(off[:-1], off[1:], wide, strict=True)]
     inner = range(1, len(wide))
@@ -87,7 +87,7 @@ def _dominated(left: "list[float]", middle: "list[float]", right: "list[float]",
 def rounding_advice(law: "Law", where: str = "") -> "tuple[Advice, ...]":
     """Advice on a law through points of a table; none for any other.
 
-    `where`: what to name it by. Returns the largest changes that rounding can have made, as shares of the peaks.
+    `where`: its name in the message. The advice gives the largest possible changes by rounding, relative to the peaks.
     """
     if law.steps is None or len(law.breaks) < FEWEST or not law.steps[1]:
         return ()

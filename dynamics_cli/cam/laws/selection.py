@@ -104,7 +104,7 @@ def _area_checks(law: Law) -> "tuple[Check, ...]":
                 travel += weight * half * abs(orders[1])
                 size += weight * half * abs(orders[2])
     gain = law.at(1.0, 1, -1)[1] - law.at(0.0, 1)[1]
-    # a law that returns to its start has zero lift: the total distance covered is its size
+    # a law that returns to its start has zero lift: its size is the total distance covered
     scale = max(abs(law.total) if law.monotone else max(abs(law.total), travel), 1e-300)
     worst = max(abs(area[0] - law.total) / scale, abs(area[1] - gain) / max(size, 1e-300) if size else 0.0)
     return (Check(f"areas under {law.name}", worst <= 1e-12, worst, 1e-12),)

@@ -15,10 +15,10 @@ def constants_of(b: float, c: float, d: float, constant: float) -> "tuple[Any, .
 
     `b`, `c`, `d`: shares of the sine, the constant and the cosine; `constant`: share of the rise at constant velocity.
     Returns C_a; the constant velocity; of the sine its amplitude, and lift and velocity at its end; lift and velocity
-    at the end of the constant; the amplitude of the cosine; the rates of sine and cosine, zero where there is none.
-    Raises ZeroDivisionError when nothing is left for the acceleration.
+    at the end of the constant; the amplitude of the cosine; the rates of sine and cosine, zero for an absent part.
+    Raises ZeroDivisionError when no share remains for the acceleration.
 
-    In whole numbers of 2⁻²⁵⁶: each is rounded once, whatever cancels on the way.
+    Calculated in integers of 2⁻²⁵⁶, so that each is rounded once despite cancellation.
 
     References
     ----------

@@ -19,7 +19,7 @@ from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
 
 @record
 class Peaks:
-    """Peak factors of one law: what lift/span, lift/span² and lift/span³ are multiplied by."""
+    """Peak factors of one law: factors of lift/span, lift/span² and lift/span³."""
 
     law: Annotated[Text, "Its name."]
     velocity: Annotated[Ratio | None, "C_v, peak velocity; absent where it is infinite."]

@@ -23,14 +23,14 @@ def fitted(
     laws: "Sequence[Law | None]",
     width: float,
 ) -> "tuple[Law, float]":
-    """Give the law of a polynomial or spline segment, and the lift its unit stands for.
+    """Give the law of a polynomial or spline segment, and the lift that corresponds to its unit.
 
     `index`: which segment; `steps`: all segments; `levels`: lift at every joint; `spans`: spans of all segments [rad];
     `laws`: laws of the segments that do not depend on their neighbours; `width`: span of this one [rad]. Returns the
     law and its scale. Raises InadmissibleError when the degree is not 3, 5, 7 or 9, or a spline's points are outside
     its segment.
 
-    Where neither a value is given nor the neighbour has an independent law, the derivative is zero.
+    A derivative that is neither given nor set by an independent neighbour is zero.
     """
     segment = steps[index].segment
     scale = levels[index + 1] - levels[index]

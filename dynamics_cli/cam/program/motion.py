@@ -124,7 +124,7 @@ class Motion:
         `theta`: cam angles, of any turn [rad]; `derivatives`: how many derivatives, 0 to 4; `side`: which value where
         one jumps. Returns s, ds/dθ, …, each a float or an array of the shape of `theta`.
 
-        Errors within 10⁻¹⁵ of the peak for s and ds/dθ besides the effect of the rounding of `theta`.
+        Errors are within 10⁻¹⁵ of the peak for s and ds/dθ, apart from the effect of the rounding of `theta`.
         """
         if isinstance(theta, (int, float)):
             theta = self.wrapped(float(theta), side)

@@ -1,4 +1,4 @@
-"""Pieces of a motion on which it is smooth, and proved extremes over them, each piece in a coordinate of its own."""
+"""Smooth pieces of a motion, each in its own coordinate, and proved extremes over them."""
 
 from itertools import pairwise
 from math import ceil, pi
@@ -253,11 +253,6 @@ def best_unit(top: "Any", values: "Any", row: int) -> float:
     """The best place of a piece; its start if none is known."""
     places = np.flatnonzero(top.rows == row)
     return float(top.units[places[values[places].argmax()]]) if places.size else -1.0
-
-
-def over_pieces(motion: "Motion", function: "Callable[..., Any]", derivatives: int = 2) -> Proxies:
-    """Proxies, their remainders proved, of functions (q, m, n) of lift and derivatives, on shares of every piece."""
-    return Cover(motion, function, derivatives).proxies
 
 
 def _estimated(motion: "Motion", function: "Callable[..., Any]", derivatives: int) -> Proxies:

@@ -1,7 +1,7 @@
 """Programs of cam motion, from records in a file or from one line of text, converted to a `Motion`.
 
 Conventions: a task's first parameter is `scene: Program, /`, and `program: Text = ""` is one of its options;
-`motion_of(scene, program)` gives the motion of the one that was given.
+`motion_of(scene, program)` reads whichever of the two is given.
 """
 
 from math import fsum, pi
@@ -33,7 +33,7 @@ def motion_of(scene: Program, program: str = "") -> Motion:
     `scene`: records, without segments if a line is given; `program`: segments separated by semicolons: `rise 20 mm in
     90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell`. Returns the motion, closed over one turn. Raises
     InadmissibleError when no program or two are given, its words are not understood, its spans do not make one turn, it
-    does not come back to where it began, or a law lacks what it needs.
+    does not return to its start, or a law lacks an input.
 
     Spans are kept as exact numbers of degrees: those of records are converted back from radians to the shortest decimal
     that gives the same double.
@@ -241,7 +241,7 @@ def _next_level(now: float, step: Step, amount: float | None, number: int, swing
     rising = step.segment.move == "rise"
     if amount is not None:
         then = now + amount if rising else now - amount
-        # 20 mm up, 5 mm and 15 mm down must end at the start, whatever the sum of the doubles.
+        # 20 mm up, 5 mm and 15 mm down must end at the start although the doubles do not sum to zero.
         return 0.0 if abs(then) <= 1e-12 * max(now, amount) else then
     then = 0.0 if step.level is None else step.level
     require(

@@ -82,8 +82,8 @@ def motion(
 
     Examples
     --------
-    >>> found = motion(Program(), program="rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg; dwell")
-    >>> found.continuity, found.lift.greatest
+    >>> result = motion(Program(), program="rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg; dwell")
+    >>> result.continuity, result.lift.greatest
     ('C2', 0.02)
     """
     require(

@@ -22,7 +22,7 @@ SMALLEST, LARGEST = 1e-60, 1e60
 
 
 class Move(Choice):
-    """What the follower does."""
+    """Motion of the follower in a segment."""
 
     names = ("rise", "return", "dwell")
     aliases = {"fall": "return", "rest": "dwell", "lift": "rise"}  # noqa: RUF012

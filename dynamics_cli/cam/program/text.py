@@ -76,7 +76,7 @@ def _step(words: "_Words") -> Step:
     if words.at_number():
         amount, is_angle = words.amount()
         if absolute:
-            # A level needs the program's dimension too; its kind is that of the lift.
+            # A level has the dimension of the program, as the lift has.
             fields["swing" if is_angle else "lift"] = None
             level = amount
             fields.update({"swing": abs(amount)} if is_angle else {})

@@ -129,7 +129,7 @@ class Survey:
 
         middles = top.of(Disc(*self.cover.values(tops.rows, tops.units))).centre
         units = np.array([best_unit(tops, middles, row) for row in loose.tolist()])
-        # what vanishes at its summit has no size to be resolved beside: it is lifted by a share of its parts
+        # a quantity that vanishes at its maximum gives no scale for its error: it is raised by a fraction of its terms
         size = 0.0625 * float(np.abs(middles).max())
 
         def left(rows: Disc) -> Disc:
@@ -192,9 +192,9 @@ def _quotients(above: Disc, below: Disc) -> "Any":
 def _off(
     summits_: Summits, above: Disc, below: Disc, quotients: "Any", quotient: float, most: float = inf
 ) -> "tuple[float, Any]":
-    """What the greatest quotient may be off, from the greatest value of above − quotient·below, and what pieces say so.
+    """Error bound of the maximum quotient, from the maximum of above − quotient·below, and the pieces that decide it.
 
-    These are the pieces about whose places nothing is known; what that is on them is `most` or less, where known.
+    These are the pieces without a proof about their places; on them the value is at most `most`, where known.
     """
     counts = quotients > 0.0
     excess = above.centre - quotient * below.centre

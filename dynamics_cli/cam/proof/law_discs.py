@@ -1,6 +1,6 @@
 """Proved discs that hold lift and derivatives of many parts of laws at many places, roundings included.
 
-The bounds are those of `cam.proof.law_enclosures` around a place, and of `cam.proof.law_rounding` at it.
+Bounds around a place come from `cam.proof.law_enclosures`, those at the place from `cam.proof.law_rounding`.
 """
 
 from dynamics_cli.cam.proof.law_enclosures import UP, U, spreads
@@ -21,7 +21,7 @@ SCALARS = 6
 
 
 class Parts:
-    """Parts of a motion as arrays: what discs of them are made from.
+    """Parts of a motion as arrays, from which their discs are calculated.
 
     `parts`: parts of a motion, as `Motion.parts_of` gives them.
     """
@@ -41,7 +41,7 @@ class Parts:
         shapes: dict[int, list[int]] = {}
         for index, law in enumerate(laws):
             shapes.setdefault(id(None if law is None else law.shape), []).append(index)
-        # the shape of a dwell is none
+        # a dwell has no shape
         self.members = []
         for members_of_shape in shapes.values():
             among = np.zeros(len(laws), dtype=bool)
@@ -59,10 +59,9 @@ def discs(
     `parts`: parts of a motion; `which`: the part of each row; `t`: places in the parts' own coordinates, within their
     ends; `radius`: how far about the places, as cam angles [rad]; k may differ from n where one of them is 1;
     `derivatives`: how many derivatives, 0 to 4; `shares`: whether places come from shares of a zone, whose ends are
-    exact, and not from cam angles; `exact`: whether places are what they are, and only ends of parts among them
-    rounded; `singly`: so many places (m,) are computed one by one where they are what they are, by the more exact
-    functions of the C library; others where it is more than usual. Returns s, ds/dθ, …: centres as computed, radii with
-    all roundings in them.
+    exact, and not from cam angles; `exact`: whether places are exact, except the rounded ends of parts; `singly`: so
+    many places (m,) are computed one by one where they are what they are, by the more exact functions of the C library;
+    others where it is more than usual. Returns s, ds/dθ, …: centres as computed, radii with all roundings in them.
 
     A part is one analytic function, so that discs may reach over its ends.
 
@@ -71,8 +70,8 @@ def discs(
     >>> import numpy as np
     >>> from dynamics_cli.cam.program.reading import Program, motion_of
     >>> motion = motion_of(Program(), "rise 20 mm in 90 deg cycloidal; return in 270 deg cycloidal")
-    >>> one = np.zeros(1, dtype=int)
-    >>> lift = discs(Parts(motion.parts_of(0)), one, np.array([0.5]), np.array([0.1]), 0)[0]
+    >>> first = np.zeros(1, dtype=int)
+    >>> lift = discs(Parts(motion.parts_of(0)), first, np.array([0.5]), np.array([0.1]), 0)[0]
     >>> float(lift.centre[0]), bool(0.002 < lift.radius[0] < 0.003)
     (0.01, True)
     """
@@ -111,7 +110,7 @@ def discs(
                 zip(_running(shape, places, off, derivatives, single=single), values, strict=True)
             )
         ]
-        # what the ends of a segment are off its lift is too
+        # an error of a segment's ends is an error of its lift
         scale_size = np.abs(scales[:, 0].reshape(column))
         base_error = off_base / np.where(scale_size > 0.0, scale_size, 1.0)
         for order in range(derivatives + 1):

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 U = 2.0**-53
-# what magnitudes computed on the way may be too small by
+# relative error by which intermediate magnitudes may be too small
 LESS = 2.0**-44
 UP = 1.0 + 2.0**-40
 
@@ -35,8 +35,8 @@ UP = 1.0 + 2.0**-40
 def bound(shape: "Any", order: int, reach: float) -> float:
     """Bound of a derivative of a shape where its own coordinate τ is within ±reach.
 
-    `shape`: what a law's piece is made of; `order`: which derivative, from 0; `reach`: largest |τ|, τ = t less the
-    shape's origin. Returns no magnitude is larger.
+    `shape`: shape of a law's piece; `order`: which derivative, from 0; `reach`: largest |τ|, τ = t less the shape's
+    origin. Returns an upper bound of the magnitude.
 
     The triangle inequality; sharp where the terms do not cancel.
 
@@ -58,7 +58,7 @@ def bound(shape: "Any", order: int, reach: float) -> float:
 
 
 def rounding(shape: "Any", order: int, reach: float) -> float:
-    """Bound of what rounding does to a derivative of a shape at an exact place within ±reach, its scale included."""
+    """Rounding error bound of a derivative of a shape at an exact place within ±reach, its scale included."""
     coefficients, waves, _, _ = shape.parts
     if isinstance(shape, Beta):
         size = 24.0 * shape.size(order) if 0 < order < 5 else 20.0 * _polynomial_size(coefficients, order, reach)
@@ -100,9 +100,9 @@ def _polynomial_size(coefficients: "Any", order: int, reach: float) -> float:
 
 
 def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "Any":
-    """How far f and its derivatives may be, within complex discs about t, from what they are at t (arrays).
+    """Largest change of f and its derivatives within complex discs about t (arrays).
 
-    `shape`: what a law's piece is made of; `t`, `radius`: places, and radii that go together with them; `derivatives`:
+    `shape`: shape of a law's piece; `t`, `radius`: places and the radii about them, broadcast; `derivatives`:
     how many derivatives. Returns a bound for f and for each derivative, in rows.
 
     Taylor's series with the magnitudes of its coefficients, each taken a little too large.
@@ -124,7 +124,7 @@ def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "Any":
     column = (-1, *([1] * tau.ndim))
     for amplitude, w, start in waves:
         u, v = w * tau, w * radius
-        # what the slopes are made of: that of u − sin u, and sines and cosines
+        # terms of the slopes: that of u − sin u, and sines and cosines
         trio = np.empty((3, *u.shape))
         trio[1], trio[2] = np.sin(u), np.cos(u)
         trio[0] = 1.0 - trio[2]
@@ -146,7 +146,7 @@ def spreads(shape: "Any", t: "Any", radius: "Any", derivatives: int) -> "Any":
 
 
 def _polynomial_spreads(coefficients: "Any", tau: "Any", radius: "Any", derivatives: int) -> "tuple[Any, ...]":
-    """Slopes of a polynomial and its derivatives, what is added to their magnitudes, and the terms beyond the first."""
+    """Slopes of a polynomial and its derivatives, the addition to their magnitudes, and the higher terms."""
     import numpy as np
 
     degree, nothing = len(coefficients) - 1, 0.0 * tau

@@ -1,8 +1,8 @@
-"""Running bounds of what rounding does to a law and its derivatives, at the very places they are computed at.
+"""Running rounding error bounds of a law and its derivatives, at the places where they are computed.
 
-Every formula of `cam.laws.components` is followed operation by operation, u = 2⁻⁵³ for each, with the magnitudes met on
-the way: near an end of a rise, where all of them are small, so are the bounds. Sines and cosines of NumPy are taken to
-be within four units in the last place, 8 u, those of the C library, which floats go through, within one, 2 u. Constants
+Every formula of `cam.laws.components` is followed operation by operation, u = 2⁻⁵³ for each, with the magnitudes that
+occur: near an end of a rise all of them are small, and so are the bounds. Sines and cosines of NumPy are taken to be
+within four units in the last place, 8 u, those of the C library, which floats go through, within one, 2 u. Constants
 are those of the formulas, each within `CONSTANT` roundings, amplitudes and frequencies within what the shape says
 (`near`).
 
@@ -33,16 +33,16 @@ HALVES = 17.0
 HALVES_OF_FLOATS = 5.0
 SERIES = 8.0
 CONSTANT = 3.0
-# what constants of shares that do not quite sum to 1 differ by, of that
+# change of the constants, per deviation of the sum of the shares from 1
 OFF = 8.0
 
 
 def slips(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float = HALVES) -> "list[Any]":
-    """Bounds of what roundings do to f and its derivatives at places, known to within `off`.
+    """Rounding error bounds of f and its derivatives at places known to within `off`.
 
-    `shape`: what a law's piece is made of; `t`: places, in the shape's own coordinate; `off`: what the places may be
-    off by; `derivatives`: how many derivatives, 0 to 4; `halves`: `HALVES`, or `HALVES_OF_FLOATS` where the shape was
-    called with floats. Returns a bound for f and for each derivative, as `shape(t, derivatives)` computes them.
+    `shape`: shape of a law's piece; `t`: places, in the shape's own coordinate; `off`: error of the places;
+    `derivatives`: how many derivatives, 0 to 4; `halves`: `HALVES`, or `HALVES_OF_FLOATS` where the shape was called
+    with floats. Returns a bound for f and for each derivative, as `shape(t, derivatives)` computes them.
 
     See the module: proved from the order of operations, not from samples.
 
@@ -72,13 +72,13 @@ def slips(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float = 
         sums.append([U * (rounded + (CONSTANT + order) * size) + moved, abs(value)])
     for wave in waves:
         _add_wave(sums, wave, shape.near, tau, off, halves)
-    # what is left are the additions of the parts
+    # what remains are the additions of the parts
     spread = U * (len(waves) - (0.0 if coefficients else 1.0)) + OFF * shape.off
     return [(error + spread * size) * UP for error, size in sums]
 
 
 def of_law(law: "Any", x: float) -> "list[float]":
-    """What `law.at(x)`, x a float, may be off: f and three derivatives.
+    """Error bounds of `law.at(x)` for a float x: f and three derivatives.
 
     `x`: the place. Returns bounds; at a joint of pieces the more of both.
 
@@ -100,7 +100,7 @@ def of_law(law: "Any", x: float) -> "list[float]":
 
 
 def of_part(part: "Any", t: "Any", halves: float = HALVES) -> "list[Any]":
-    """What lift and three derivatives by cam angle may be off at places of a part of a motion, from cam angles.
+    """Error bounds of lift and three derivatives by cam angle at places of a part of a motion, from cam angles.
 
     `part`: as `Motion.parts_of` gives them; `t`: places in the part's own coordinate: five roundings off; `halves`: as
     of `slips`. Returns bounds. A factor and its product count two roundings, each division by the span two more.
@@ -118,7 +118,7 @@ def of_part(part: "Any", t: "Any", halves: float = HALVES) -> "list[Any]":
     shape = part.law_piece.shape
     errors = slips(shape, t, 5.0 * U * abs(t), 3, halves)
     values = shape(t, 3)
-    # what the ends are off the factor is too
+    # an error of the ends is an error of the factor
     base_error = part.off / abs(part.scales[0]) if part.scales[0] else 0.0
     bounds = [
         abs(scale) * (error + ((2.0 + 2.0 * order) * U + base_error) * abs(value)) * UP
@@ -162,7 +162,7 @@ def _add_wave(
     sums: "list[list[Any]]", wave: "tuple[float, float, int]", near: "tuple[float, float]", tau: "Any", off: "Any",
     halves: float,
 ) -> None:  # fmt: skip
-    """Add the roundings and the size of A W(wτ) and its derivatives to those of the rest."""
+    """Add roundings and sizes of A W(wτ) and its derivatives to the sums so far."""
     amplitude, w, start = wave
     u = w * tau
     moved = (near[1] + 1.0) * U * u + w * off * UP
@@ -195,7 +195,7 @@ def _beta(shape: Beta, t: "Any", off: "Any", derivatives: int) -> "list[Any]":
     value, rounded = _horner(shape.row, t)
     lead = abs(t) ** (n + 1)
     sizes = [abs(value) * lead, c * p**n, c * n * p ** (n - 1) * slope_factor]
-    # off the place, p is larger by what it may be off by at most, and so are its powers
+    # away from the place, p and its powers are larger by their error at most
     q = p + off
     grown = [
         c * q**n,
@@ -235,9 +235,9 @@ def _fifth(n: int, c: float, p: "Any") -> "Any":
 
 
 def _double_harmonic(shape: "Any", t: "Any", off: "Any", derivatives: int, halves: float) -> "list[Any]":
-    """Of the fourth power of a sine and what completes it: products of versed sines, sines and cosines."""
+    """Of the fourth power of a sine with its complement: products of versed sines, sines and cosines."""
     u = pi * abs(t)
-    # the angle is off by two roundings: as if the place were
+    # the angle has an error of two roundings: counted as an error of the place
     off = off + 4.0 * U * abs(t)
     half, sine = abs(sin(0.5 * u)) + U, abs(sin(u)) + U
     versed, twice = 2.0 * half * half, 2.0 * sine * sine
@@ -262,7 +262,7 @@ def _double_harmonic(shape: "Any", t: "Any", off: "Any", derivatives: int, halve
         0.5 * pi**3 * sine * (4.0 * (halves * versed + 1.0) + 5.0 + (halves + 7.0) * third),
         0.5 * pi**4 * (4.0 * (halves * twice + 1.0) + halves * versed + 30.0),
     ]
-    # a derivative is that at the place, and grows by no more than the greatest next one over what the place is off
+    # a derivative changes at most by the maximum of the next one times the error of the place
     slopes = [*values[1:], 4.5 * pi**5]
     most = [pi**2, 2.5 * pi**3, 2.5 * pi**4, 4.5 * pi**5, 0.0]
     return [

@@ -99,7 +99,7 @@ def _pressed(
 
 
 def require_reach(allowed: Reach, start: float) -> None:
-    """Refuse an arm that would have to start beyond what the other limit allows."""
+    """Refuse an arm whose required start is beyond the other limit."""
     require(
         start <= allowed.most,
         "no base circle keeps both limits: the {binding} needs the arm at {start:6} or more, the other limit at "
@@ -153,7 +153,7 @@ def distance(arm: float, pivot: float, angle: float) -> float:
 
 
 def moved(arm: float, pivot: float, angle: float, error: float) -> float:
-    """Error of that distance from that of the angle, including its own rounding."""
+    """Error of that distance due to the error of the angle, with its own rounding."""
     radius = distance(arm, pivot, angle)
     lever = arm * pivot * (abs(sin(angle)) + error) / radius if radius else arm + pivot
     return min(lever, arm + pivot) * error + 8.0 * UNIT * radius
@@ -182,7 +182,7 @@ def round_start(
     `motion`: the program; `arm`, `pivot`: length of the arm and distance of its pivot [m]; `start`: the least angle
     [rad]; `wanted`: least radius of curvature of the pitch curve, where it is hollow on an outer flank [m]; `turn`,
     `side`: -1 for a clockwise cam; -1 for an outer flank. Returns the angle, and the bound of its error [rad]. Raises
-    InadmissibleError when there is none.
+    InadmissibleError if no angle is possible.
 
     Bisection on certified extremes, after steps that double. The curvature is certainly too large one error below
     the angle, and certainly not one error above it.
@@ -215,7 +215,7 @@ def round_start(
 
 
 def _halved(short: "Callable[[float], bool]", low: float, high: float) -> float:
-    """Where it is no longer too small, by bisection."""
+    """The smallest angle at which it is large enough, by bisection."""
     while True:
         middle = 0.5 * (low + high)
         if not low < middle < high:

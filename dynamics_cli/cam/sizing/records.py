@@ -54,7 +54,7 @@ class OscillatingFlat:
 @tagged("follower")
 @record
 class ConjugateRoller:
-    """Two rollers on one slide, on either side of the cam's axis, each on a cam of its own."""
+    """Two rollers on one slide, on either side of the cam's axis, each with its own cam."""
 
     roller_radius: Annotated[Size, "Radius of both rollers, e.g. 6 mm [m]."]
     roller_distance: Annotated[
@@ -67,7 +67,7 @@ class ConjugateRoller:
 @tagged("follower")
 @record
 class ConjugateOscillatingRoller:
-    """Two rollers on one rocker, on either side of the cam's axis, each on a cam of its own."""
+    """Two rollers on one rocker, on either side of the cam's axis, each with its own cam."""
 
     roller_radius: Annotated[Size, "Radius of both rollers, e.g. 6 mm [m]."]
     arm: Annotated[Size, "Length of both arms, e.g. 80 mm [m]."]

@@ -89,7 +89,7 @@ class Round:
         return self.bend(e, d) * self.wanted <= 1.0
 
     def _roots(self, e: float) -> "Any":
-        """Largest roots at the nodes, less the lift; minus infinity where there is none."""
+        """Largest roots at the nodes, less the lift; minus infinity where no root exists."""
         s, s1, s2 = (part.ravel() for part in self.nodes)
         y = s1 - e
         # D = X² − s″X + q; (w²)³ = ρ²D² is of degree 6 in X, its largest coefficient one
@@ -234,7 +234,7 @@ def best_offset(
 
 
 def _met(cost: "Callable[[float], float]", place: float, step: float) -> tuple[float, float, float]:
-    """The least cost about a place, the place, and how far the cost there is from what its sides predict.
+    """The minimum cost near a place, the place, and how far the cost there is from its extrapolation.
 
     Of two smooth sides each is a line over a billionth of the reach, to the square of that.
     """

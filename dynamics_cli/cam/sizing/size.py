@@ -85,8 +85,8 @@ def size(
     --------
     >>> from dynamics_cli.cam.program.reading import program_of
     >>> from dynamics_cli.cam.sizing.records import Roller
-    >>> found = size(program_of("rise 10 mm in 180 deg 3-4-5; return in 180 deg 3-4-5"), follower=Roller(0.005))
-    >>> found.offset
+    >>> result = size(program_of("rise 10 mm in 180 deg 3-4-5; return in 180 deg 3-4-5"), follower=Roller(0.005))
+    >>> result.offset
     0.0
     """
     require_limits(rise_limit, return_limit)

@@ -223,7 +223,7 @@ def kept(name: str, excess: float, scale: float) -> Check:
 
 
 def stated(error: float, base: float) -> ErrorBound:
-    """The bound of a base radius: relative, or absolute where there is no base circle."""
+    """Error bound of a base radius: relative, or absolute where the base radius is zero."""
     if base > 0.0 and error <= base:
         return ErrorBound("base_radius", error / base)
     return ErrorBound("base_radius", error, relative=False)

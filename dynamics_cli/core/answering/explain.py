@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answering.task import Task
     from dynamics_cli.quantities import Kind
 
-# A sensitivity this small beside a result's largest, or beside one, is rounding: that input does not matter.
+# A sensitivity this small relative to a result's largest, or beside one, is rounding: the input has no effect.
 ROUNDING = 1e-12
 
 
@@ -152,7 +152,7 @@ def formulas_with_numbers(
         if sign and result in numbers:
             needed = _addresses(right_side)
             if needed and needed <= numbers.keys():
-                # lone numbers stand for a table of one row: there is no sum
+                # single numbers are a table of one row: no sum to form
                 steps.append(filled(right_side.replace("Σ {", "{"), numbers))
             steps.append(numbers[result])
         lines.append(list(dict.fromkeys(steps)))

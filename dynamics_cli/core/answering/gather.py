@@ -88,7 +88,7 @@ def merge(task: Task, below: "dict[str, Any]", above: "dict[str, Any]") -> "dict
 
 
 def _excluded(field: Field, below: "dict[str, Any]", above: "dict[str, Any]") -> "set[str]":
-    """The file's keys that cannot stand beside what the command line gives for the same parameter."""
+    """Keys of the file that conflict with the command line's value of the same parameter."""
     keys = keys_of(field)
     given_keys = keys.intersection(above)
     if not given_keys:
@@ -156,7 +156,7 @@ def read_words(fields: "tuple[Field, ...]", words: "list[str]", *, rows: bool) -
 
 
 def _at_connective(words: "list[str]") -> "list[str]":
-    """The words of `60 mph to m/s`, however it is quoted, as the quantity and the units."""
+    """The words of `60 mph to m/s`, in any quoting, as the quantity and the units."""
     for place, word in enumerate(words[:MOST_WORDS]):
         if place and word in CONNECTIVES:
             return [" ".join(words[:place]), *words[place + 1 :]]

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.quantities import Kind
 
-# With more inputs than this there are no condition numbers, only bounds.
+# With more inputs than this only bounds are calculated, no condition numbers.
 MOST_SLOPES = 400
 
 

@@ -1,4 +1,4 @@
-"""Tasks and families: what a family's commands.py declares, from which everything a user touches is derived."""
+"""Tasks and families: the declarations of a family's commands.py, from which its whole user interface is derived."""
 
 from dynamics_cli.core.inputs.options import Option, options
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
@@ -26,7 +26,7 @@ class Model:
 
     A formula writes results and inputs as `{address|symbol}`, so that it can be shown with symbols or with numbers; of
     several (one for each alternative of the inputs) the one whose numbers are available is shown.
-    `suffices` names a function of the same parameters that says, in words, why this model is enough, or None.
+    `suffices` names a function of the same parameters that returns the reason why this model is sufficient, or None.
     """
 
     def __init__(

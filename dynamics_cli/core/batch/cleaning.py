@@ -1,7 +1,8 @@
 """`convert --rows FILE --column "speed=m/s"`: a table whose cells hold units, with its columns in one unit each.
 
 Units go from cells into the header, `speed[m/s]`; other columns stay as they are. A cell that cannot be read is left
-empty and reported in the row's `error` column and, with its row number, on standard error; the rows after it go on.
+empty and reported in the row's `error` column and, with its row number, on standard error; the following rows are
+processed.
 """
 
 import csv

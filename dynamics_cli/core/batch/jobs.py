@@ -1,8 +1,8 @@
 """`--jobs`: pieces of work spread over processes, their results in the order of the pieces.
 
-The processes are forked, so that they share what the parent has read; where a system cannot fork, one process does all
-the work. Each has its own pipe and at most one piece, and the parent has no threads: if a process is killed in the
-middle of a result, nothing waits for the rest of it.
+The processes are forked and share the parent's data; on a system without fork, one process does all the work. Each has
+its own pipe and at most one piece, and the parent has no threads: if a process is killed in the middle of a result,
+nothing waits for the rest of it.
 """
 
 import itertools
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from types import TracebackType
     from typing import Any, Self
 
-# Pieces read but not yet returned, for each process: enough to keep it busy, few enough for constant memory.
+# Pieces read ahead for each process: enough to keep it busy, few enough for constant memory.
 AHEAD = 3
 # Seconds between a process's checks that its parent is still alive.
 PARENT_SEEN = 1.0
@@ -142,7 +142,7 @@ class _Member:
             raise _ended() from None
 
     def kill(self) -> None:
-        """Kill it, whatever it is doing."""
+        """Kill the process."""
         self._process.kill()
         self.pipe.close()
 

@@ -1,7 +1,7 @@
 """`--rows`: a stream of cases, one row out for each row in, in order and in constant memory.
 
 Each row is answered as one command would answer it (`rows.case`). Blocks of many rows go by arrays (`rows.plan`) or by
-exact factors (`rows.exact`), which give the same bits; the rest is left to the single call.
+exact factors (`rows.exact`), which give the same bits; other rows are left to the single call.
 """
 
 import itertools
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 # Below this numpy's import costs more than it saves; once it is there, far fewer rows are worth an array.
 FIRST_ARRAY_ROWS = 300
 ARRAY_ROWS = 64
-# Rows in which bare numbers and uncertain values are looked for.
+# Number of rows searched for bare numbers and uncertain values.
 LOOKED_AT = 50
 # Marks of an uncertain value: ±, +/-, .., a distribution's bracket, a list, an object, an earlier result.
 UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
@@ -111,7 +111,7 @@ def _pieces(blocks: "Iterator[list[bytes | None]]", jobs: int, *, singly: bool) 
         yield from blocks
         return
     while several := list(itertools.islice(blocks, BLOCKS_A_PIECE)):
-        # A line too long to read makes a block by itself.
+        # A line too long to read is a block of its own.
         if all(None not in block for block in several):
             yield [line for block in several for line in block]
         else:
@@ -183,7 +183,7 @@ def _readable(source: Input, lines: "list[bytes | None]") -> "Iterator[dict[str,
 
 
 def _is_header(case: Case, line: bytes) -> bool:
-    """Whether some cell is the name of a parameter or of an earlier step's result; words never are."""
+    """Whether some cell is the name of a parameter or of an earlier step's result; words are not names."""
     try:
         names = [split_header(cell)[0].removeprefix("results.") for cell in split_csv(decode_line(line))]
     except UsageError:

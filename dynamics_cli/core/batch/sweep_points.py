@@ -100,7 +100,7 @@ def _path(task: Task, name: str) -> "tuple[str | int, ...]":
 
 
 def _ends(first: str, last: str) -> "tuple[tuple[int, int], tuple[int, int], str]":
-    """Both ends as exact numbers of one unit: the one written first; a unit at one end is that of both."""
+    """Both ends as exact numbers in the unit written first; a unit at one end holds for both."""
     up, down, unit = _read(first)
     end_up, end_down, end_unit = _read(last)
     if not unit.text or not end_unit.text or unit.text == end_unit.text:

@@ -193,7 +193,7 @@ def _with_files(
         files, entries = files_of(task, record, arguments(task, bound), settings.drawing, settings.units, spread[1])
         document["files"] = [*document.get("files", ()), *entries]
     picture = _own_picture(task, record, bound, spread[1]) if settings.plot else None
-    # a picture of its own that shows what is uncertain needs no second one
+    # a task's picture that shows the uncertainty needs no second one
     shown = picture is not None and picture.spread
     return document, *_with_picture(document, files, picture if shown else _joined(picture, spread[0]), settings, task)
 
@@ -277,7 +277,7 @@ def _with_picture(
 
 
 def _shows_bounds(settings: Settings, uncertain: "Mapping[str, Any]") -> bool:
-    """Whether more is made of bounds than to see which digits are left."""
+    """Whether bounds are shown, and not only used to decide the digits."""
     short = settings.format == "table" and not settings.output
     more = settings.all or settings.bounds or settings.explain or settings.limit or settings.only or uncertain
     return not short or bool(more)

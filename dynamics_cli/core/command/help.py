@@ -19,6 +19,12 @@ def placeholder(option: Option) -> str:
     return option.leaf.kind.name.upper().replace(" ", "-")
 
 
+def word_name(field: Field) -> str:
+    """Name of a positional argument in help."""
+    name = str(field.node.key if isinstance(field.node, Tagged) else field.key).upper()
+    return f"{name}..." if field.place == "words" else name
+
+
 def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:
     """One option's line: its description (from `texts`), its default, an example."""
     if option.leaf is None:
@@ -38,7 +44,7 @@ def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:
 
 
 def written_default(option: Option) -> str:
-    """The default of an option as a user would write it; empty where there is none."""
+    """The default of an option as a user would write it; empty without one."""
     if option.required or option.default is REQUIRED or option.default is None or option.default is False:
         return ""
     leaf = option.leaf

@@ -1,4 +1,4 @@
-"""The command reference as Markdown or as a manual page, from the same data as the help, so that it cannot go stale."""
+"""The command reference as Markdown or as a manual page, generated from the data of the help."""
 
 from dynamics_cli.core.answering.explain import filled
 from dynamics_cli.core.command.help import describe_options, option_help, placeholder

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def call_of(task: Task, values: "dict[str, Any]") -> Call:
-    """The call that typer's values stand for."""
+    """The call with the values that typer parsed."""
     call = Call()
     call.words = list(values.pop("words__", None) or ())
     for word in call.words:

@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from typing import Any
 
-# Command-line options that a function returning a dictionary cannot honour, and what to do instead.
+# Command-line options without meaning for a function that returns a dictionary, with their replacements.
 REFUSED = {
     **dict.fromkeys(
         ("json", "format", "output"), "the call returns the document as a dictionary: write it with json.dump"

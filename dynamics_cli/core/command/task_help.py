@@ -1,7 +1,7 @@
 """A task's help: two examples first, its parameters, its results, and where the options of every task are listed."""
 
 from dynamics_cli.core.answering.task import EXAMPLES_FOLDER
-from dynamics_cli.core.command.help import describe_options, describe_record, placeholder, written_default
+from dynamics_cli.core.command.help import describe_options, describe_record, placeholder, word_name, written_default
 from dynamics_cli.core.command.template import MOST_ALTERNATIVES, description
 from dynamics_cli.core.inputs.options import group_name, kebab, options
 from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged, members_of
@@ -30,7 +30,7 @@ def task_help(task: "Task", width: int, word: str = "") -> str:
     `word` may name one of a positional parameter's alternatives, whose parameters are then shown.
     """
     chosen = next((node.members.get(word) for node in _tagged(task)), None)
-    words = f" {word}" if chosen else "".join(f" {_word(field)}" for field in task.specification.words)
+    words = f" {word}" if chosen else "".join(f" {word_name(field)}" for field in task.specification.words)
     required, optional = _parameters(task, width, chosen)
     full = [line for row in optional for line in _row(row[1], row[2], width)]
     lines = _assembled(task, width, words, required, full, brief=False)
@@ -91,11 +91,6 @@ def _fitting(optional: "list[tuple[str, str, str]]", room: int, width: int) -> "
     return full_rows
 
 
-def _word(field: Field) -> str:
-    name = str(field.node.key if isinstance(field.node, Tagged) else field.key).upper()
-    return f"{name}..." if field.place == "words" else name
-
-
 def example_lines(command: str, width: int) -> "Iterator[str]":
     """A long command in several lines, broken before options with shell continuations so that it can be copied."""
     line = "  "
@@ -140,9 +135,9 @@ def _words(task: "Task", *, scene: bool) -> "Iterator[tuple[str, str]]":
         if isinstance(field.node, Tagged):
             text += f"; what one takes: dynamics {task.path} {next(iter(field.node.members))} --help; one of:"
         if scene and isinstance(field.node, Record):
-            yield _word(field), f"{text}; a TOML or JSON file: --template writes one"
+            yield word_name(field), f"{text}; a TOML or JSON file: --template writes one"
         elif not scene and not isinstance(field.node, Record) and text:
-            yield _word(field), text
+            yield word_name(field), text
 
 
 def _joined(names: "list[str]") -> str:
@@ -162,7 +157,7 @@ def _cut(line: str, width: int) -> str:
 
 
 def option_text(option: "Option", texts: "Mapping[tuple[str, ...], str]") -> str:
-    """What an option is: its description without the SI unit inside, its choices, its default, an example."""
+    """Help text of an option: its description without the SI unit, its choices, its default, an example."""
     leaf = option.leaf
     assert leaf is not None
     text = description(texts.get(option.path) or leaf.kind.about)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.inputs.specification import Field, Node
 
 WIDTH = 80
-# Column where descriptions begin, beside their values.
+# Column where descriptions begin.
 COLUMN = 36
 # Of more alternatives than this only one is written out.
 MOST_ALTERNATIVES = 8
@@ -108,7 +108,7 @@ class _Scene:
         """The fields of one table, then its tables."""
         inner: list[Callable[[], None]] = []
         active_fields = {field.name for field in fields if field.required or _chosen(field)}
-        # where nothing is required, one value shows what a scene looks like
+        # without required values, one value shows the form of a scene
         active_fields = active_fields or {fields[0].name}
         if self.values:
             active_fields = {field.name for field in fields if self._shown(f"{path}{field.key}")}

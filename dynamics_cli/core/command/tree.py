@@ -13,14 +13,13 @@ from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
 from dynamics_cli.core.answering.task import Family, Task
 from dynamics_cli.core.command.completion import POWERSHELL, completer_of, result_completer, words_that_fit
-from dynamics_cli.core.command.help import describe_options, option_help, placeholder
+from dynamics_cli.core.command.help import describe_options, option_help, placeholder, word_name
 from dynamics_cli.core.command.parsed import call_of, single, variable
 from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
 from dynamics_cli.core.command.template import takes_scene
 from dynamics_cli.core.command.unknown import extra_words, unknown_option
 from dynamics_cli.core.inputs.options import Option
 from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS
-from dynamics_cli.core.inputs.specification import Tagged
 from dynamics_cli.errors import UsageError
 from dynamics_cli.version import __version__
 
@@ -106,7 +105,7 @@ class _Group(TyperGroup):
         self.terminal = terminal
 
     def parse_args(self, ctx: "Any", args: "list[str]") -> "list[str]":
-        """Write the help if there are no arguments."""
+        """Write the help if no arguments are given."""
         if not args and not ctx.resilient_parsing:
             self.terminal.write(ctx.get_help() + "\n")
             ctx.exit()
@@ -211,7 +210,7 @@ def _arguments(task: Task) -> "list[TyperArgument]":
     words = task.specification.words
     if not words:
         return []
-    metavar = " ".join(_word_metavar(field) for field in words)
+    metavar = " ".join(word_name(field) for field in words)
 
     def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
         return words_that_fit(task, incomplete)
@@ -221,11 +220,6 @@ def _arguments(task: Task) -> "list[TyperArgument]":
             param_decls=["words__"], nargs=-1, type=str, metavar=metavar, required=False, autocompletion=complete
         )
     ]
-
-
-def _word_metavar(field: "Any") -> str:
-    name = str(field.node.key if isinstance(field.node, Tagged) else field.key).upper()
-    return f"{name}..." if field.place == "words" else name
 
 
 def _option(option: Option, texts: "Mapping[tuple[str, ...], str]", names: "str | None") -> TyperOption:

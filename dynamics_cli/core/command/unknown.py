@@ -1,4 +1,4 @@
-"""Errors for options and words that a task does not have: all at once, each with the likely meaning."""
+"""Errors for unknown options and words of a task: all at once, each with the likely meaning."""
 
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.command.help import describe_options

@@ -1,4 +1,4 @@
-"""Context for reading one leaf, and what reading leaves behind: notes, files, distributions."""
+"""Context for reading one leaf, and by-products of reading: notes, files, distributions."""
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class Token(str):
-    """A bare number as it stood in JSON or TOML: its text, so that it is read exactly and once."""
+    """Text of a bare number in JSON or TOML, so that it is read exactly and once."""
 
     __slots__ = ()
 

@@ -1,7 +1,7 @@
 """The text of quantities: `60 mph`, `-40degC`, `5 ft 6 in`, `-3 %`, `365.2422/27.3217`, read exactly.
 
 A number here is a plain decimal and nothing else: `float` would take `nan`, `1_000` and `٣`, and make 1e400 infinite.
-A refusal states what was read, what was wanted and the remedy; the caller adds the parameter.
+A refusal states what was read, what was expected and the remedy; the caller adds the parameter.
 """
 
 from dynamics_cli.core.units.conversion import lowest, nearest, to_si
@@ -139,7 +139,7 @@ def _amount(body: str, text: str) -> Amount:
 def total(amount: Amount, wanted: Unit | None = None) -> tuple[int, int, Unit]:
     """Give an amount as one exact number in the last part's unit, the parts added up.
 
-    Whether the unit fits `wanted` is left to the caller; `wanted` only chooses among a unit's readings.
+    The caller checks that the unit fits `wanted`, which only selects among a unit's readings.
     """
     if len(amount.parts) == 1:
         numerator, denominator, text = amount.parts[0]

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     Raw = Mapping[str, Any]
 
 
-# Kinds that only few tasks take, read by a module of their own.
+# Kinds of few tasks, each read by its own module.
 FREE = ("free vector", "matrix")
 
 

@@ -101,7 +101,7 @@ class Record:
 
 
 class OneOf:
-    """Alternatives told apart by which names are given: radius, or chord and middle ordinate."""
+    """Alternatives distinguished by the names given: radius, or chord and middle ordinate."""
 
     __slots__ = ("members",)
 
@@ -116,7 +116,7 @@ class OneOf:
 
 
 class Tagged:
-    """Alternatives told apart by a key: shape = "cylinder"."""
+    """Alternatives distinguished by a key: shape = "cylinder"."""
 
     __slots__ = ("_names", "key", "members")
 
@@ -210,7 +210,7 @@ def _unwrapped(annotation: object, namespace: "dict[str, Any]") -> "tuple[object
 
 
 def interpret(annotation: object, namespace: "dict[str, Any]") -> "Node":
-    """The node an annotation stands for."""
+    """The node of an annotation."""
     if isinstance(annotation, str):
         annotation = eval(annotation, namespace)
     if isinstance(annotation, Kind):
@@ -261,7 +261,7 @@ def members_of(node: "Node") -> "tuple[Record, ...]":
 
 
 class Specification:
-    """The parameters of a function, and what it returns."""
+    """The parameters of a function, and its result."""
 
     __slots__ = ("fields", "result")
 

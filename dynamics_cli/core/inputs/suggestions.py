@@ -1,4 +1,4 @@
-"""What an unknown name probably means: a name that it abbreviates, a synonym of the trade, or the nearest spelling."""
+"""Probable meaning of an unknown name: a name that it abbreviates, a synonym, or the nearest spelling."""
 
 from dynamics_cli.core.units.near_names import nearest_words
 
@@ -125,7 +125,7 @@ BODIES = {"first-": "1", "second-": "2"}
 
 
 def _meant(word: str) -> "list[str]":
-    """The synonyms of a word; of a body's parameter, `first-exit-angle` or `speed1`, those of the parameter."""
+    """The synonyms of a word; of a body's parameter, `first-exit-angle` or `speed1`, the synonyms of the parameter."""
     synonyms = SYNONYMS.get(word, "").split()
     for body, digit in BODIES.items():
         if word.startswith(body) or word.endswith(digit):

@@ -1,7 +1,7 @@
 """Inputs as read: a tree that offers its numbers by address, accepts other numbers in their place, and can be shown.
 
-The tree mirrors the signature. `assemble` turns it into what the physics function takes; with `values` it puts floats,
-arrays or tracked numbers at chosen addresses, which is all that sweeps, rows, sensitivities and uncertainty need.
+The tree mirrors the signature. `assemble` converts it into the arguments of the physics function; with `values` it puts
+floats, arrays or tracked numbers at chosen addresses, for sweeps, rows, sensitivities and uncertainty.
 """
 
 from dynamics_cli.quantities import Kind
@@ -131,7 +131,7 @@ class TypedPolar(VectorValue):
         self._written = {"magnitude": magnitude.echo(), "direction": direction.echo()}
 
     def echo(self) -> "Any":
-        """The JSON form, which reads back: components, and what was written."""
+        """The JSON form, which reads back: components, and the text as written."""
         return {**super().echo(), **self._written}
 
 
@@ -183,7 +183,7 @@ class Fields(Bound):
             yield from bound.leaves()
 
     def echo(self) -> "Any":
-        """A dictionary by key; spread fields stand beside the others."""
+        """A dictionary by key, in which spread fields are not nested."""
         out: dict[str, Any] = {} if self.tag is None else {self.tag[0]: self.tag[1]}
         for name, bound in self.fields.items():
             if bound.spread:

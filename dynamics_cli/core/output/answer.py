@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 LINES = 24
 # Minimum number of lines of a table.
 LEAST_TABLE = 7
-# Number of lines about what drives the results.
+# Number of lines about the drivers of the results.
 MOST_DRIVEN = 3
 # How many inputs such a line names.
 MOST_DRIVERS = 5
@@ -211,7 +211,7 @@ class _Answer:
         return ["", *lines] if lines else []
 
     def provenance(self) -> "list[str]":
-        """The inputs of the answer, its method, and what else is available."""
+        """The inputs of the answer, its method, and further results available."""
         blocks = [("for", self._inputs()), ("by", self._method()), ("more", self._more())]
         lines = [""]
         for word, text in blocks:

@@ -31,7 +31,7 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
     shown_names = {name for name, _, _ in chosen[:columns_shown]}
     omitted = [in_words(name) for name, _, _ in every if name not in shown_names]
     rows = body[heads:]
-    # besides the rows: a blank line, the title, the line of the gap and that of the columns left out
+    # besides the rows: a blank line, the title, the line of the gap and the line of omitted columns
     row_limit = max(space - heads - 3 - bool(omitted), 2)
     gap = len(rows) - row_limit if len(rows) > row_limit + 1 else 0
     if gap:

@@ -17,7 +17,7 @@ MOST_DIGITS = 15
 
 
 AXES = "xyz"
-# What addresses of inputs are written in; one of the marks tells them from other words.
+# Characters of input addresses; one of the marks distinguishes them from other words.
 ADDRESS = frozenset("abcdefghijklmnopqrstuvwxyz0123456789_.[]")
 ADDRESS_MARKS = frozenset("_.[")
 # A number of so many digits was calculated, not typed.

@@ -188,7 +188,7 @@ class _Cells:
         self.cells: list[tuple[float, float]] = []
 
     def stated(self) -> "dict[str, Any] | None":
-        """A relative bound where every number allows one, else an absolute one; None where there is none."""
+        """A relative bound if every number allows one, else an absolute one; None without a bound."""
         if not all(math.isfinite(spread) for _, spread in self.cells):
             return None
         relative = not self.vector and all(

@@ -29,9 +29,9 @@ def as_object(error: DynamicsError) -> "dict[str, Any]":
 
 
 def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = (), columns: int = 0) -> str:
-    """What goes to standard error; a parameter is named as it was typed, --roller-radius.
+    """The text for standard error; a parameter is named as typed, --roller-radius.
 
-    On a terminal of so many columns lines are no longer than that; elsewhere a message is one line.
+    Lines are wrapped to the columns of a terminal; elsewhere a message is one line.
     """
     if json:
         body = as_object(error)

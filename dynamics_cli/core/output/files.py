@@ -35,7 +35,7 @@ class WholeFile:
         self._kept = ""
 
     def open(self) -> None:
-        """Begin; refuses what cannot be written."""
+        """Open the file; refuses one that cannot be written."""
         self._do(self._open)
 
     def _open(self) -> None:
@@ -77,7 +77,7 @@ class WholeFile:
         self._do(self._file.close)
 
     def rename(self, *, keep: bool) -> None:
-        """Give it its name; `keep` what was there, so that it can be put back."""
+        """Rename it to its final name; `keep` keeps a previous file, so that it can be restored."""
         if not self._part:
             return
         if keep and self._existed:
@@ -160,7 +160,7 @@ class Files:
 
     def __exit__(self, kind: "type[BaseException] | None", error: object, trace: "TracebackType | None") -> None:
         try:
-            # A reader that has seen enough closes the pipe: the files are written all the same.
+            # A reader such as `head` may close the pipe: the files are still written.
             if kind is None or issubclass(kind, BrokenPipeError):
                 for file in self._files:
                     file.finish()

@@ -77,8 +77,8 @@ def to_full_table(
 ) -> str:
     """The whole document for people: inputs, results with their error bounds, tables, checks, warnings, source.
 
-    Tables are no wider than the `screen`. `layout` writes the results, where a task has a way of its own; what stands
-    beneath is then as wide as `width`.
+    Tables are no wider than the `screen`. `layout` writes the results of a task that has its own; the lines below are
+    then as wide as `width`.
     """
     lines = [document["command"]]
     inputs = flatten(document["inputs"])
@@ -303,7 +303,7 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
 
 
 def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) -> str:
-    """Some columns of a sweep with their spread, beside the swept parameters and the errors."""
+    """Some columns of a sweep with their spread, the swept parameters and the errors."""
     columns_of = document["results"]["sweep"]
     swept = [entry["parameter"] for entry in document["inputs"]["sweep"]]
     names_known = [name for name in columns_of if name not in (*swept, "error")]

@@ -154,7 +154,7 @@ class SpreadPart(Part):
         return self.shown.width(si) if self.which == "std" else self.shown.value(si)
 
     def add_to(self, entry: "dict[str, Any]", value: "Any") -> None:
-        """Put it beside the result's value, as in a document: for a vector, in lists like its value."""
+        """Add it to the result's entry, as in a document: for a vector, in lists like its value."""
         indices = [step for step in self.steps if isinstance(step, int)]
         if not indices and self.which in ("low", "high"):
             entry.setdefault("interval", []).append(value)
@@ -277,7 +277,7 @@ class Layout:
                 yield part
 
     def values(self, record: "Any") -> "list[Any]":
-        """What a row shows of a record; refuses numbers that are not finite, as a single call does."""
+        """Values of a row from a record; refuses numbers that are not finite, as a single call does."""
         self.check(record)
         return [part.value(record) for part in self.parts]
 
@@ -302,7 +302,7 @@ class Layout:
 
 
 def _names_of(part: Part) -> "set[str]":
-    """The names that a result goes by: its own, that of a vector for each component, those of the records it is in."""
+    """The names that select a result: its own, that of its vector, and those of the records that contain it."""
     return {".".join(part.keys[:end]) for end in range(1, len(part.keys) + 1)}
 
 

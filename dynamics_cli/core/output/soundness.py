@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 INFINITY = float("inf")
 
-# What to check below a record, by its specification: each field's name, key and kind of check.
+# Checks below a record, by its specification: each field's name, key and kind of check.
 _CHECKED: "dict[int, tuple[Record, list[tuple[str, str, str, Any]]]]" = {}
 
 

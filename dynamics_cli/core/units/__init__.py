@@ -1,1 +1,1 @@
-"""Units: what a name means in SI, exactly; quantities converted and shown."""
+"""Units: exact definitions of names in SI; conversion and display of quantities."""

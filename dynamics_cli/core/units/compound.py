@@ -132,7 +132,7 @@ def from_exact_compound(numerator: int, denominator: int, source: Unit, units: t
 
 
 def in_last_unit(parts: "Sequence[float]", text: str) -> float:
-    """What the parts of `ft;in` make in inches.
+    """The parts of `ft;in` as a number of inches.
 
     >>> in_last_unit([5, 6.5], "ft;in")
     66.5

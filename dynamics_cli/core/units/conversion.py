@@ -18,7 +18,7 @@ SMALLEST = "too close to zero for a double (less than about 5e-324)"
 
 
 def nearest(numerator: int, denominator: int, pi: int = 0) -> float:
-    """Give the double nearest to numerator/denominator · π^pi; refuse what no double can hold."""
+    """Give the double nearest to numerator/denominator · π^pi; refuse a value beyond the range of doubles."""
     if not numerator:
         return 0.0
     value = _nearest_with_pi(numerator, denominator, pi) if pi else _ratio(numerator, denominator)
@@ -105,7 +105,7 @@ def _nearest_with_pi(numerator: int, denominator: int, pi: int) -> float:
         else:
             low_ratio = _ratio(numerator * scale, denominator * low**power)
             high_ratio = _ratio(numerator * scale, denominator * (low + 1) ** power)
-        # π is transcendental, so the exact value is neither a double nor a tie: enough digits always decide.
+        # π is transcendental, so the exact value is neither a double nor a tie: the loop ends.
         if low_ratio == high_ratio:
             return low_ratio
         digits *= 2

@@ -84,7 +84,7 @@ class Shown:
         return self.value(si) if self.compound else self.width(si)
 
     def spread(self, si: float, error: float) -> float:
-        """Bound of the shown value's error: that of the SI value and of the conversion."""
+        """Error bound of the value shown: of the SI value and of the conversion."""
         if self.unit is None and not self.compound:
             return error
         size = si
@@ -128,7 +128,7 @@ class Display:
         return Shown(kind, kind.shown_in(self.system))
 
     def of_measured(self, address: str, measured: Measured) -> Measured:
-        """A result with a unit of its own, in the caller's unit if one is asked for it."""
+        """A result with its own unit, in the caller's unit if one is requested."""
         text = self.to.get(address)
         if text is not None:
             self.used.add(address)

@@ -1,7 +1,7 @@
 """The grammar of unit expressions: `kg*m^2`, `lb/in.2`, `N·m`, `miles per hour`, `1/in`, `m s⁻¹`.
 
 Products are written `*`, `·`, a space, or a hyphen or dot between names; powers `^2`, `**2`, `²` or the bare digit of
-`ft2`; quotients `/` or `per`. What could be read in two ways is refused: a product after a quotient (`kg/m s`) needs
+`ft2`; quotients `/` or `per`. Ambiguous expressions are refused: a product after a quotient (`kg/m s`) needs
 parentheses. A number cannot be part of a unit, except the 1 of `1/in`, which may be left out (`/in`, `per inch`).
 """
 
@@ -45,7 +45,7 @@ def joined_name(words: "list[str]") -> str:
 
 
 def show(text: str, longest: int = 60) -> str:
-    """Quote what was read, control characters escaped, cut where it becomes too long to help."""
+    """Quote the input, with control characters escaped, cut if it is long."""
     return repr(text if len(text) <= longest else text[:longest] + "…")
 
 
@@ -164,7 +164,7 @@ class _Reader:
         return [(name, self.checked(each * power)) for name, each in inner]
 
     def words(self) -> str:
-        """A unit's name of several words at this place, such as `nautical mile`; empty if there is none."""
+        """A unit's name of several words at this place, such as `nautical mile`; else empty."""
         end = self.at
         while self.peek(end - self.at).isalpha() or self.peek(end - self.at) == " ":
             end += 1

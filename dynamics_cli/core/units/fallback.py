@@ -1,7 +1,7 @@
 """Units beyond the table, asked of pint in rational arithmetic; the only module that imports pint.
 
-pint is asked for single names only: expressions, kinds and ambiguous names are handled here. Neither errors nor
-types of pint leave this module.
+pint is asked for single names only: expressions, kinds and ambiguous names are handled here. Errors and types of pint
+stay within this module.
 """
 
 import functools

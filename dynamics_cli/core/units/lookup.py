@@ -1,4 +1,4 @@
-"""What a unit means, by name or expression: from a generated table that costs no import, else asked of pint once."""
+"""Definition of a unit by name or expression: from a generated table without imports, else once from pint."""
 
 from dynamics_cli.core.units.conversion import lowest
 from dynamics_cli.core.units.table import NAMES, SYMBOL_PREFIXES, UNITS, WORD_PREFIXES
@@ -25,8 +25,8 @@ def parse_unit(text: str, wanted: "Unit | None" = None, tag: str = "") -> Unit:
     """Read a unit; where it has several readings, take the one that `wanted` (or the tag alone) allows.
 
     `lb` and `oz` are masses unless a force fits and a mass does not, `g` is the gram unless an acceleration fits.
-    The unit's `notes` say so for `lb` and `oz` in either reading, for `g` only when it is gravity: a gram is
-    never mistaken for anything else. A unit that does not fit is returned all the same, for the caller to explain.
+    The unit's `notes` say so for `lb` and `oz` in either reading, for `g` only when it is gravity, since a gram is
+    clear. A unit that does not fit is returned as well, for the caller to explain.
     """
     readings = candidates(text)
     if len(readings) > 1 or wanted is not None or tag:

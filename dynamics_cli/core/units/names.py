@@ -1,4 +1,4 @@
-"""Units in words: the kind of a unit, why two do not fit, what a misspelt name may mean, and the complete list.
+"""Units in words: the kind of a unit, why two do not fit, suggestions for a misspelt name, and the complete list.
 
 Nothing here is needed to answer a correct call.
 """
@@ -68,7 +68,7 @@ KINDS = {
 NAMED_SI = ("N", "W", "Pa", "V", "ohm", "S", "F", "H", "Wb", "T", "C")
 ENERGY = (2, 1, -2, 0, 0, 0, 0, 0)
 SYMBOLS = ("m", "kg", "s", "K", "A", "mol", "cd", "rad")
-# Spellings to offer beside the table's own names.
+# Spellings to offer in addition to the names in the table.
 OFTEN = (
     "mm km kg ms kN kJ kW kPa MPa mrad m/s km/h ft/s m/s^2 ft/s^2 rad/s deg/s rad/s^2 m^2 ft^2 in^2 m^3 in^3 "
     "kg*m^2 slug*ft^2 lb*ft^2 kg/m^3 lb/ft^3 slug/ft^3 N*m lbf*ft ft*lbf N*s lbf*s N/m lbf/in N*s/m 1/m 1/in "
@@ -107,7 +107,7 @@ def si_name(unit: Unit) -> str:
 def explain_mismatch(a: Unit, b: Unit) -> tuple[str, str]:
     """Explain a mismatch of two units: a message and a hint.
 
-    `a` is what was read, `b` what was wanted.
+    `a`: the unit read; `b`: the unit expected.
     """
     first, second = _kinds(a), _kinds(b)
     message = f"{_named(a)} is {_article(first)}, {_named(b)} is {_article(second)}"

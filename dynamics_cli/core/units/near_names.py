@@ -53,7 +53,7 @@ def _spellings() -> "Iterator[tuple[str, bool]]":
 
 
 def _edits(a: str, b: str, limit: int) -> int:
-    """Edits between two words, exchanged neighbours counting as one; anything above `limit` may come out larger."""
+    """Edits between two words, exchanged neighbours counting as one; a result above `limit` may be too large."""
     before: list[int] = []
     row = list(range(len(b) + 1))
     for i, character in enumerate(a, 1):

@@ -1,6 +1,6 @@
 """A unit as written, with its exact meaning in SI, and which units are interchangeable.
 
-Kinds are more than dimensions here. An angle has a dimension of its own, so rpm is not a frequency; a joule is not a
+A kind is more than a dimension: an angle has its own dimension, so rpm is not a frequency; a joule is not a
 newton-metre; `lb` is a mass or a force as the context requires.
 """
 

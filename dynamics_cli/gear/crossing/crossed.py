@@ -1,4 +1,4 @@
-"""Crossed helical (screw) gears: shafts that neither meet nor are parallel, by the virtual gears of handbooks."""
+"""Crossed helical (screw) gears on skew shafts, by the virtual gears of handbooks."""
 
 from math import pi
 
@@ -113,7 +113,7 @@ def crossed(
     Raises
     ------
     InadmissibleError
-        When the helices leave the shafts parallel, inv α_wn would be negative, or one of them cannot exist.
+        When the helices make the shafts parallel, inv α_wn would be negative, or one gear is impossible.
 
     Notes
     -----

@@ -75,8 +75,8 @@ def hypoid(
 
     Notes
     -----
-    The free choice of a hypoid, its wheel pitch angle, is left to the user; a suitable cutter has the limit
-    curvature. Tooth proportions (ISO 23509) and strength are outside this task. Without offset the pair is bevel.
+    The wheel pitch angle is the designer's choice and an input; a suitable cutter has the limit curvature. Tooth
+    proportions (ISO 23509) and strength are outside this task. Without offset the pair is bevel.
 
     References
     ----------

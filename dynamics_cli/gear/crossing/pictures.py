@@ -27,7 +27,7 @@ def line(points: "list[Point]", label: str = "", style: "Any" = "solid", role: i
 
 
 def sizes(listed: "tuple[tuple[str, str, Any, Any], ...]") -> Panel:
-    """A table of names, symbols and values; None is left out, and text is unchanged."""
+    """A table of names, symbols and values; values of None are left out, and text is unchanged."""
     rows = [
         (name, symbol, value if kind is None else worded("{value:6}", value=(float(value), kind)))
         for name, symbol, value, kind in listed

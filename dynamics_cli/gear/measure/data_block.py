@@ -151,7 +151,7 @@ def data_block(
 
 
 def rack_name(profile: str, *factors: float | None) -> str:
-    """The basic rack as a drawing names it, with the factors that are not its own."""
+    """The basic rack as a drawing names it, with the factors that differ from the standard."""
     name = f"ISO 53 {profile.upper()}" if profile in ("a", "b", "c", "d") else str(profile)
     differing = [
         f"{symbol} {factor:g}"
@@ -220,7 +220,7 @@ class _Lines:
         self._decimal(item, symbol, _DEGREES * value, "", "deg")
 
     def _decimal(self, item: str, symbol: str, value: "Any", sign: str, unit: str) -> None:
-        """A number to so many decimals; its bound: what they leave out, what it was off, and changes of unit."""
+        """A number to so many decimals, with its bound: truncation, its own error, and unit conversion."""
         number = bare(value)
         text = f"{number:{sign}.{self.decimals}f}"
         off = abs(float(text) - number) + error_of(value) + 4.0 * UNIT_ROUNDOFF * abs(number)

@@ -1,4 +1,4 @@
-"""An unknown gear from what can be measured of it: module or pitch, pressure angle and profile shift."""
+"""An unknown gear from measurements: module or pitch, pressure angle and profile shift."""
 
 from math import pi
 
@@ -35,7 +35,7 @@ class SpanRead:
 
 @record
 class Candidate:
-    """A gear that what was measured may belong to."""
+    """A gear that agrees with the measurements."""
 
     size: Annotated[Text, "Its module or diametral pitch, as it is ordered."]
     module: Annotated[Module, "Normal module [m]."]
@@ -82,13 +82,13 @@ def identify(
     Raises
     ------
     InadmissibleError
-        When spans contradict one another, or there are too few of them to tell.
+        When spans contradict one another, or are too few to identify the gear.
 
     Notes
     -----
-    A span grows by one base pitch a tooth, whatever the shift; only m cos α is known from it. Module and pressure angle
-    are told apart by the tip diameter and by what is usual: a shift beyond ±1 and an addendum other than 1 or 0.8
-    count against a candidate. Teeth may be thinner than the tip diameter tells, for backlash, by 0.06 of a shift.
+    A span grows by one base pitch a tooth for any shift, so that it gives only m cos α. The tip diameter and common
+    practice separate module and pressure angle: a shift beyond ±1 and an addendum other than 1 or 0.8 count against a
+    candidate. Teeth may be thinner than the tip diameter tells, for backlash, by 0.06 of a shift.
 
     References
     ----------
@@ -140,7 +140,7 @@ def identify(
 
 
 def _base_pitch(spans: tuple[SpanRead, ...], reading: float) -> tuple[float | None, float]:
-    """The base pitch by the spans farthest apart, and what it is good for; refuses spans that contradict it."""
+    """The base pitch from the spans farthest apart, and its uncertainty; refuses spans that contradict it."""
     if len(spans) == 1:
         return None, 0.0
     ordered = sorted(spans, key=lambda item: item.over)
@@ -175,7 +175,7 @@ def _sizes() -> "Iterator[tuple[str, int, int]]":
 
 
 class _Readings:
-    """What was read of the gear, and what it is good for."""
+    """Readings of the gear and their uncertainty."""
 
     def __init__(
         self, teeth: int, spans: tuple[SpanRead, ...], tip_diameter: float | None, helix_angle: float, reading: float
@@ -263,7 +263,7 @@ def _off(addendum: float) -> float:
 
 
 def _checks(read: _Readings, best: Candidate) -> tuple[Check, ...]:
-    """The spans of the best candidate against what was read."""
+    """The spans of the best candidate against the readings."""
     from dynamics_cli.gear.measure.sizes import span_length
 
     gear = Toothing(

@@ -205,7 +205,7 @@ def _require_allowances(upper: float | None, lower: float | None, gear: "Toothin
 
 
 def _if_possible(name: str, make: "Callable[[], Sized]", requested: bool, advice: list[Advice]) -> "Sized | None":
-    """A size, or the reason why there is none; refused if it was requested."""
+    """A size, or advice why it does not exist; refused if it was requested."""
     if requested:
         return make()
     try:

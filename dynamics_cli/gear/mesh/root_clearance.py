@@ -132,7 +132,7 @@ class TipPath:
         sine, cosine = sin(back), cos(back)
         px, py = x * cosine + y * sine, y * cosine - x * sine
         vx, vy = -sense * across, sense * along
-        # motion of its own gear, less that of the space
+        # motion of its gear relative to the space
         return (px, py), (vx * cosine + vy * sine + self.ratio * py, vy * cosine - vx * sine - self.ratio * px)
 
     def reach(self) -> float:

@@ -10,7 +10,7 @@ from dynamics_cli.quantities import Size
 
 
 def thinned_for(mesh: Engagement, first: Mate, second: Mate, backlash: float) -> tuple[Mate, Mate]:
-    """Both gears with the allowance that gives a backlash, half of it each, beyond what the centre distance gives."""
+    """Both gears thinned equally for the backlash beyond that of the centre distance."""
     require(
         plain(first.thinning) == 0.0 and plain(second.thinning) == 0.0,
         "backlash and thinning are both given",

@@ -95,7 +95,7 @@ def pair(
     ------
     InadmissibleError
         When inv α_w would be negative, the centre distance is below that of the base circles or jams the teeth, a
-        ring has too few teeth, the gears never touch, or one of them is impossible by itself.
+        ring has too few teeth, the gears never touch, or one gear is impossible on its own.
 
     Notes
     -----

@@ -79,14 +79,14 @@ def pair_panels(
 
 
 def module_in(pitch: "Any", helix: float) -> float:
-    """The normal module of a pitch given in whatever way."""
+    """The normal module from a module or diametral pitch, normal or transverse."""
     return float(pitch.normal(cos(helix)))
 
 
 def _forms(
     result: "PairData", first: "Mate", second: "Mate", internal: bool, pitch: "Any", inputs: "dict[str, Any]"
 ) -> "list[ToothForm | None]":
-    """The exact forms of both gears as they are cut; None where there are none to draw."""
+    """The exact forms of both gears as cut; None for a gear that cannot be drawn."""
     from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
     from dynamics_cli.gear.single.gear import Gear
     from dynamics_cli.gear.single.profile import tooth_form
@@ -248,7 +248,7 @@ def _sliding(result: "PairData", internal: bool, brief: bool) -> Panel:
     zeta2 = [_bounded(-s * (1.0 + u), other - s) for s in steps]
     finite = [value for value in zeta1 + zeta2 if isfinite(value)]
     low, high = min(finite), max(finite)
-    # Lines without names: in the legend they would all look alike, so the points are named beside them.
+    # Lines without names: they would look the same in the legend, so the points are labelled instead.
     marks = [Band(point.path, point.path) for point in result.points]
     margin = 0.16 * (high - low)
     across = 0.008 * (end.path - start.path)
@@ -280,7 +280,7 @@ def _bounded(above: float, below: float) -> float:
 
 
 def involute_curve(result: "Any", *, base_diameter: "float | None" = None, **_: "Any") -> Picture:
-    """The involute from its base circle to the point asked for, or the involute function when there is no circle."""
+    """The involute from its base circle to the given point, or the involute function if no base circle is given."""
     if base_diameter is None:
         angles = [result.pressure_angle * k / (POINTS - 1) for k in range(POINTS)]
         from dynamics_cli.quantities import Angle

@@ -109,7 +109,7 @@ def rack(
 
     Notes
     -----
-    The pressure angle of the mesh is that of the rack whatever the distance. Strength is not rated.
+    The working pressure angle is the rack's at any distance. Strength is not rated.
 
     References
     ----------

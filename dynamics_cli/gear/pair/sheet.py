@@ -1,4 +1,4 @@
-"""A pair of gears as a data sheet: what the drawings of both gears need, how they mesh, and both to scale."""
+"""A pair of gears as a data sheet: drawing data of both gears, their mesh, and both to scale."""
 
 from math import cos, pi, tan
 
@@ -94,7 +94,7 @@ def _gears(
     helix: float,
     inputs: "dict[str, Any]",
 ) -> "list[Row]":
-    """What each gear is, and how it is measured."""
+    """Data of each gear, with its inspection sizes."""
     teeth = mates[0].teeth, -mates[1].teeth if internal else mates[1].teeth
     sizes = [_measured(result, nth, mates[nth].teeth, internal, angle, module, inputs) for nth in (0, 1)]
     factors = inputs.get("addendum_factor"), inputs.get("dedendum_factor"), inputs.get("root_radius_factor")
@@ -140,7 +140,7 @@ def _pitch(pitch: "Any", module: float, helical: bool) -> "list[Row]":
 
 
 def _inspection(sizes: "list[Measurements | None]", thinning: "list[float]", result: "PairData") -> "list[Row]":
-    """Span, pins and chord of both gears; of thinned teeth what is to be measured as well."""
+    """Span, pins and chord of both gears, nominal and, for thinned teeth, as to be measured."""
     thin = any(thinning)
     over = [_part(size, "span.over") for size in sizes]
     rows: list[Row] = [_both("thinning of the teeth", "A_sn", thinning, Size, 4)] if thin else []
@@ -165,7 +165,7 @@ def _inspection(sizes: "list[Measurements | None]", thinning: "list[float]", res
 def _measured(
     result: "PairData", nth: int, teeth: int, internal: bool, angle: float, module: float, inputs: "dict[str, Any]"
 ) -> "Measurements | None":
-    """What shows the thickness of a gear's teeth; None where there is no such size."""
+    """Sizes that measure a gear's tooth thickness; None where they do not exist."""
     from dynamics_cli.gear.pitch import NormalModule
 
     side = ("first", "second")[nth]
@@ -191,7 +191,7 @@ def _measured(
 
 
 def _thinning(result: "PairData", nth: int, module: float, angle: float) -> float:
-    """A_sn = 2 (x − x_E) m_n tan α_n: what a gear's teeth lack of their nominal thickness."""
+    """A_sn = 2 (x − x_E) m_n tan α_n: thickness allowance of a gear's teeth."""
     side = ("first", "second")[nth]
     cut = getattr(result, f"{side}_generating_shift")
     if cut is None:

@@ -174,7 +174,7 @@ class Chain:
 def flank(shape: ToothForm, tolerance: float) -> Chain:
     """Sample one flank so that no chord leaves the exact curve by more than `tolerance`, with the bound proved.
 
-    Involute: |P''| in u² is r_b/(4u), so a chord is off by at most (u₁² − u₀²)²·r_b/(32 u₀); near the base circle by
+    Involute: |P''| in u² is r_b/(4u), so a chord deviates by at most (u₁² − u₀²)²·r_b/(32 u₀); near the base circle by
     (u₁ − u₀)²·r_b √(1 + u₁²)/8, or the height of the triangle of chord and end tangents. Trochoid: it turns one way
     only, so it lies in that triangle.
     """
@@ -221,7 +221,7 @@ def _involute_rolls(base: float, low: float, high: float, tolerance: float) -> "
         near = step * step * np.sqrt(1.0 + rolls[1:] * rolls[1:])
         rise = step * (rolls[1:] + rolls[:-1])
         far = 0.25 * rise * rise / np.maximum(rolls[:-1], 1e-300)
-        # the triangle of chord and end tangents: the chord is no longer than its arc r_b (t₁² − t₀²)/2
+        # the triangle of chord and end tangents: the chord is at most as long as its arc r_b (t₁² − t₀²)/2
         corner = 2.0 * rise * np.tan(0.5 * np.minimum(step, 1.0)) + (step > 1.0) * 1e300
         off = 0.125 * base * float(np.max(np.minimum(np.minimum(near, far), corner)))
         if off <= tolerance:

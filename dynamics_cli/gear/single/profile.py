@@ -110,7 +110,7 @@ def profile(
     Equation
     --------
     Involute: R = r_b √(1 + t²), half angle ψ = ψ_b − (t − atan t). Trochoid: the rack's corner cuts where its normal
-    passes through the pitch point. A chord of the involute is off by at most (t₁² − t₀²)² r_b/(32 t₀); a chord of the
+    passes through the pitch point. A chord of the involute deviates by at most (t₁² − t₀²)² r_b/(32 t₀); a chord of the
     trochoid lies with its arc in the triangle of its end tangents.
 
     Returns
@@ -121,7 +121,7 @@ def profile(
     Raises
     ------
     InadmissibleError
-        When the teeth are pointed below their tips, no flank is left, or the corner does not fit.
+        When the teeth are pointed below their tips, no flank remains, or the corner does not fit.
 
     Notes
     -----

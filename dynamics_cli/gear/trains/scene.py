@@ -1,4 +1,4 @@
-"""The elements of a gear train, however it is written: shafts, meshes and givens of the shafts."""
+"""The elements of a gear train in any notation: shafts, meshes and given speeds and torques."""
 
 from itertools import pairwise
 from math import gcd
@@ -13,7 +13,7 @@ _GROUND_NAMES = ("", "frame", "ground", "housing")
 
 @record
 class Mesh:
-    """Two gears in mesh, each on a shaft of its own, their axes held by the frame or by a carrier."""
+    """Two gears in mesh, each on its own shaft, their axes held by the frame or by a carrier."""
 
     first: Annotated[Text, "The shaft of the first gear."]
     first_teeth: Annotated[Count, "Its number of teeth (threads of a worm), e.g. 24."]

@@ -77,7 +77,7 @@ class Forces:
         return total(product(term, torque) for term, torque in zip(terms, self.given.values(), strict=True))
 
     def torque(self, name: str) -> "Pair | None":
-        """Torque from outside; zero on a shaft that is neither driven nor held."""
+        """External torque; zero on a shaft that is neither driven nor held."""
         return None if self._values is None else self._values.get(name, (0, 1))
 
     def power(self, name: str) -> "Pair | None":

@@ -1,4 +1,4 @@
-"""Rolling wheels and belts: speeds, the belt's length and wrap, and what friction can carry."""
+"""Rolling wheels and belts: speeds, length and wrap of the belt, and the force that friction transmits."""
 
 from math import pi
 

@@ -114,8 +114,8 @@ def seize(
     Notes
     -----
     The support does not move and allows neither slip nor rebound. The energy lost is that of the lost
-    velocities (Carnot's theorem), not a difference of energies. A thin rod held on its own line has no answer for the
-    spin about itself.
+    velocities (Carnot's theorem), not a difference of energies. For a thin rod held at a point of its axis the spin
+    about this axis is undetermined.
 
     References
     ----------

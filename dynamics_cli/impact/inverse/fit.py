@@ -46,7 +46,7 @@ class Side:
 
     @property
     def bends(self) -> bool:
-        """Whether the approach heading is a measurement beside the others."""
+        """Whether the approach heading is one of the measurements."""
         return self.way is not None and self.heading_sigma > 0.0
 
 
@@ -112,7 +112,7 @@ def solve(sides: "tuple[Side, Side]") -> Fit:
 
 
 def _starts(sides: "tuple[Side, Side]") -> "tuple[int, int, int]":
-    """The first column of each vehicle, and that of the impulse."""
+    """First columns of each vehicle and of the impulse."""
     widths = [1 if side.way is not None and not side.bends else 2 for side in sides]
     return 0, widths[0], widths[0] + widths[1]
 

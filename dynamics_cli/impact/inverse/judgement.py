@@ -124,7 +124,7 @@ def chance(chi_squared: float, freedom: int) -> float | None:
 
 
 def least_certain(fit: Fit, names: "tuple[str, str]") -> "tuple[str, float] | None":
-    """The direction of both speeds that is known least, in words, and its standard deviation."""
+    """The least certain combination of both speeds, in words, and its standard deviation."""
     import numpy as np
 
     directions = []

@@ -103,7 +103,7 @@ class Departing:
 
 @record
 class KnownContact:
-    """What is known of the contact, where the impact is driven forward."""
+    """Known data of the contact, for a forward simulation of the impact."""
 
     restitution: Annotated[Restitution | None, "Restitution at the contact, e.g. 0.1."] = None
     impulse_ratio: Annotated[

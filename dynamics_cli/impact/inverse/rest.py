@@ -22,13 +22,13 @@ MOST_STEPS = 60
 # Differences for derivatives, of unknowns that are speeds of metres a second and ratios of order one.
 SMOOTH_STEP, ROUGH_STEP = 1e-6, 1e-3
 FINE = 1e-8
-# Twenty degrees: from here on the tyres of a straight slide are not those of the turning one.
+# Twenty degrees: beyond this turn the tyre forces of a straight slide no longer apply.
 FAR = 0.3490658503988659
 STARTS = (1.0, 0.6, 1.6)
 
 
 class Contact:
-    """What is known of the contact: the normal from the second to the first, restitution and ratio of impulses."""
+    """Known data of the contact: normal from the second to the first, restitution and ratio of impulses."""
 
     def __init__(self, inward: "Pair", restitution: "Pair", ratio: "Pair") -> None:
         self.inward = inward
@@ -100,7 +100,7 @@ class Ended:
 
 
 class Problem:
-    """Unknown: both speeds, headings that are uncertain, then whatever of contact and drags has a deviation."""
+    """Unknowns: both speeds, uncertain headings, then data of contact and drags with a deviation."""
 
     def __init__(self, sides: "tuple[Side, Side]", ends: "tuple[Ended, Ended]", contact: Contact) -> None:
         self.sides, self.ends, self.contact = sides, ends, contact
@@ -174,7 +174,7 @@ class Problem:
         return listed
 
     def starts(self) -> "list[list[float]]":
-        """Speeds to start from: momentum of straight slides as far as the rest positions."""
+        """Start values of the speeds: from the momentum of straight slides to the rest positions."""
         exits = []
         for end in self.ends:
             motion = end.motion
@@ -253,7 +253,7 @@ def _settled(
                 break
             scale *= 0.5
         else:
-            # as near as the differences can tell
+            # within the accuracy of the differences
             return size, unknowns, SETTLED, (count, inverse)
         unknowns, now = tried, residuals_there
     unsettled.append((float(now @ now), problem.residuals(unknowns)))
@@ -274,7 +274,7 @@ def _differences(function: "Callable[[list[float]], list[float]]", at: "list[flo
 
 
 def contact_of(normal: float | None, axes: Axes, known: KnownContact) -> Contact:
-    """What the rest positions need of the contact; refuses what is missing."""
+    """Data of the contact for the rest positions; refuses missing ones."""
     restitution, ratio = known.restitution, known.impulse_ratio
     listed = (("normal", normal), ("restitution", restitution), ("ratio of impulses", ratio))
     missing = [word for word, value in listed if value is None]

@@ -48,7 +48,7 @@ def ended(vehicle: Departing) -> bool:
 
 
 def turns(vehicle: Departing) -> bool:
-    """Whether its change of spin and what that needs are given; from rest positions the spin after follows."""
+    """Whether its change of spin and the data for it are given; from rest positions the spin after follows."""
     needed = [vehicle.turning, vehicle.arm]
     if not ended(vehicle):
         needed += [vehicle.exit_spin, vehicle.approach_spin]  # type: ignore[list-item]
@@ -56,7 +56,7 @@ def turns(vehicle: Departing) -> bool:
 
 
 def _called(vehicle: Departing, index: int) -> str:
-    """What a vehicle is called in a sentence."""
+    """Name of a vehicle in a sentence."""
     return vehicle.name or NAMES[index]
 
 

@@ -47,9 +47,9 @@ def by_momentum(
     --------
     >>> from dynamics_cli.impact.conventions import ByMass
     >>> from dynamics_cli.impact.inverse.records import ExitVelocity
-    >>> one = Departing(ByMass(1500.0), ExitVelocity((11.2, 0.2)), approach_heading=0.0)
-    >>> two = Departing(ByMass(1200.0), ExitVelocity((4.9, 9.9)), approach_heading=1.5707963267948966)
-    >>> result = by_momentum(first=one, second=two)
+    >>> car = Departing(ByMass(1500.0), ExitVelocity((11.2, 0.2)), approach_heading=0.0)
+    >>> other = Departing(ByMass(1200.0), ExitVelocity((4.9, 9.9)), approach_heading=1.5707963267948966)
+    >>> result = by_momentum(first=car, second=other)
     >>> round(result.first.approach_speed, 9), round(result.second.approach_speed, 9)
     (15.12, 10.15)
     """
@@ -106,9 +106,9 @@ def by_spins(
     >>> from dynamics_cli.impact.inverse.records import ExitVelocity
     >>> from dynamics_cli.impact.planar.bodies import ByInertia, Lever
     >>> turn = {"approach_spin": 0.0}
-    >>> one = Departing(ByMass(1500.0), ExitVelocity((11.2, 0.2)), ByInertia(2500.0), Lever((1.8, -0.3)), -0.5, **turn)
-    >>> two = Departing(ByMass(1200.0), ExitVelocity((4.9, 9.9)), ByInertia(1800.0), Lever((-0.7, 0.9)), -2.7, **turn)
-    >>> [round(part, 3) for part in by_spins(first=one, second=two).impulse]
+    >>> car = Departing(ByMass(1500.0), ExitVelocity((11.2, 0.2)), ByInertia(2500.0), Lever((1.8, -0.3)), -0.5, **turn)
+    >>> other = Departing(ByMass(1200.0), ExitVelocity((4.9, 9.9)), ByInertia(1800.0), Lever((-0.7, 0.9)), -2.7, **turn)
+    >>> [round(part, 3) for part in by_spins(first=car, second=other).impulse]
     [-5583.688, 236.17]
     """
     scene = Scene((first, second), contact_point, normal, axes, pdof_zero, gravity, headings=False)
@@ -165,11 +165,11 @@ def least_squares(
     >>> from dynamics_cli.impact.inverse.records import ExitVelocity
     >>> from dynamics_cli.impact.planar.bodies import ByInertia, Lever
     >>> more = {"approach_spin": 0.0, "velocity_sigma": 0.5}
-    >>> one = Departing(ByMass(1500.0), ExitVelocity((11.2, 0.2)), ByInertia(2500.0), Lever((1.8, -0.3)), -0.5, 0.0,
+    >>> car = Departing(ByMass(1500.0), ExitVelocity((11.2, 0.2)), ByInertia(2500.0), Lever((1.8, -0.3)), -0.5, 0.0,
     ...              spin_sigma=0.3, **more)
-    >>> two = Departing(ByMass(1200.0), ExitVelocity((4.9, 9.9)), ByInertia(1800.0), Lever((-0.7, 0.9)), -2.7,
+    >>> other = Departing(ByMass(1200.0), ExitVelocity((4.9, 9.9)), ByInertia(1800.0), Lever((-0.7, 0.9)), -2.7,
     ...              1.5707963267948966, spin_sigma=0.4, **more)
-    >>> result = least_squares(first=one, second=two)
+    >>> result = least_squares(first=car, second=other)
     >>> round(result.first.approach_speed, 9), round(result.first.speed_sigma, 9)
     (15.066562212, 0.602272637)
     """
@@ -224,12 +224,12 @@ def by_rest(
     >>> from dynamics_cli.impact.conventions import ByMass
     >>> from dynamics_cli.impact.inverse.records import RestAfter
     >>> from dynamics_cli.impact.planar.bodies import ByInertia, Lever
-    >>> one = Departing(ByMass(1500.0), RestAfter((12.9, 0.8), 0.5), ByInertia(2500.0), Lever((1.8, -0.3)),
+    >>> car = Departing(ByMass(1500.0), RestAfter((12.9, 0.8), 0.5), ByInertia(2500.0), Lever((1.8, -0.3)),
     ...                 approach_heading=0.0, rest_sigma=0.5)
-    >>> two = Departing(ByMass(1200.0), RestAfter((5.9, 12.1), 0.45), ByInertia(1800.0), Lever((-0.7, 0.9)),
+    >>> other = Departing(ByMass(1200.0), RestAfter((5.9, 12.1), 0.45), ByInertia(1800.0), Lever((-0.7, 0.9)),
     ...                 approach_heading=1.5707963267948966, rest_sigma=0.5)
-    >>> found = by_rest(first=one, second=two, normal=0.3490658503988659, contact=KnownContact(0.1, -0.45))
-    >>> round(found.first.approach_speed, 6), round(found.second.approach_speed, 6)
+    >>> result = by_rest(first=car, second=other, normal=0.3490658503988659, contact=KnownContact(0.1, -0.45))
+    >>> round(result.first.approach_speed, 6), round(result.second.approach_speed, 6)
     (15.272087, 10.078129)
     """
     require(

@@ -62,8 +62,8 @@ def chain(
     Notes
     -----
     Rigid-body theory does not decide between the laws: equal elastic balls give (0, 0, 1) by pairs and (−⅓, ⅔, ⅔) at
-    one moment. Gaps, however small, and waves in real bodies favour pairs. Results are rounded once, from decimals with
-    enough digits that two runs agree: the stated bound is that of rounding, including conversion to another unit.
+    one moment. Even very small gaps, and waves in real bodies, favour pairs. Results are rounded once, from decimals
+    with enough digits that two runs agree: the stated bound is that of rounding, including conversion to another unit.
 
     References
     ----------
@@ -73,7 +73,7 @@ def chain(
     Examples
     --------
     >>> row = (Body(1.0, 1.0), Body(1.0), Body(1.0))
-    >>> [one.velocity for one in chain(bodies=row, restitution=1.0, law=ChainLaw("sequential")).bodies]
+    >>> [ball.velocity for ball in chain(bodies=row, restitution=1.0, law=ChainLaw("sequential")).bodies]
     [0.0, 0.0, 1.0]
     """
     require_sizes(bodies=bodies, restitution=restitution)

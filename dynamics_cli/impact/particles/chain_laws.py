@@ -26,10 +26,10 @@ ZERO = Decimal(0)
 
 
 class Motion:
-    """What a law makes of a chain: changes of velocity, impulses between neighbours, energy lost, collisions.
+    """Result of a law for a chain: changes of velocity, impulses between neighbours, energy lost, collisions.
 
-    `why` says why there is no answer; `left` bounds the change of each velocity by collisions left out, in the measure
-    √(Σ m v²).
+    `why`: the reason for no answer; `left`: bound of the change of each velocity by omitted collisions, in the norm √(Σ
+    m v²).
     """
 
     __slots__ = ("changes", "collisions", "impulses", "left", "lost", "why")
@@ -54,7 +54,8 @@ class Chain:
         self.fastest = Decimal(max(closing))
         self.heavy = max(self.masses).adjusted() - min(self.masses).adjusted()
         moving = [velocity.adjusted() for velocity in self.velocities if velocity]
-        # enough digits for a light body's share in a heavy one's motion, and the slowest closing beside the fastest
+        # enough digits for the effect of a light body on a heavy one, and for the slowest closing relative to the
+        # fastest
         # body
         self.digits = DIGITS + 2 * self.heavy + max(moving) - min(self.fastest.adjusted(), *moving)
 
@@ -71,7 +72,7 @@ class Chain:
         """How far, in √(Σ m v²), velocities may still change when no pair closes faster than this.
 
         A collision never increases the distance from any set of ordered velocities, so they end within twice the
-        distance from the nearest such set: here each body is moved beside the heaviest.
+        distance from the nearest such set: here each body is moved next to the heaviest.
         """
         heaviest = self.masses.index(max(self.masses))
         spread = sum((mass * (index - heaviest) ** 2 for index, mass in enumerate(self.masses)), ZERO)
@@ -210,7 +211,7 @@ class Bounded:
 
 
 class Answer:
-    """Answer of one law: velocities after and before, impulses, energy lost, collisions; or why there is no answer."""
+    """Answer of one law: velocities after and before, impulses, energy lost, collisions; or the reason for none."""
 
     __slots__ = ("changes", "collisions", "impulses", "lost", "velocities", "why")
 

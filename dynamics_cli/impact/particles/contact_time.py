@@ -24,7 +24,7 @@ def push(
     """Duration and forces of a spring, F = kδ, or of Hertz's law, F = ⁴⁄₃ E*√R δ^1.5, that unloads to e² of the work.
 
     Unloading falls from the peak by the same power of a deflection e² as large, which takes e times as long. Hunt and
-    Crossley's loss acts all the while: F = k δ^1.5 (1 + c δ̇), c such that the restitution comes out.
+    Crossley's loss acts throughout: F = k δ^1.5 (1 + c δ̇), with c chosen to give the restitution.
     """
     if force is None:
         return None

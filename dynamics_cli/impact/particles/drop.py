@@ -115,8 +115,8 @@ def drop(
 
     Examples
     --------
-    >>> found = drop(evidence=ReboundHeight(0.64), height=1.0)
-    >>> round(found.restitution, 12), round(found.bounces[1].height, 12)
+    >>> result = drop(evidence=ReboundHeight(0.64), height=1.0)
+    >>> round(result.restitution, 12), round(result.bounces[1].height, 12)
     (0.8, 0.4096)
     """
     require_sizes(evidence=evidence, height=height, mass=mass, gravity=gravity)

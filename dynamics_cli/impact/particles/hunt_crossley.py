@@ -83,7 +83,7 @@ DEGREE = 40
 
 
 def _sampled(restitution: "Any") -> "Any":
-    """The shapes of a sample, by polynomials: each one by itself would take a millisecond."""
+    """The shapes of a sample by polynomials: a single exact one takes a millisecond."""
     import numpy as np
     from numpy.polynomial import chebyshev
 

@@ -95,8 +95,8 @@ def oblique(
     Examples
     --------
     >>> from dynamics_cli.impact.conventions import ByMass, ByVelocity, Restituted
-    >>> one, two = Moving(ByMass(1.0), ByVelocity((0.1414, 0.1414))), Met(ByMass(1.0), ByVelocity((-0.1299, 0.075)))
-    >>> hit = oblique(first=one, second=two, line=Normal(0.0), contact=Restituted(0.95))
+    >>> car, other = Moving(ByMass(1.0), ByVelocity((0.1414, 0.1414))), Met(ByMass(1.0), ByVelocity((-0.1299, 0.075)))
+    >>> hit = oblique(first=car, second=other, line=Normal(0.0), contact=Restituted(0.95))
     >>> round(hit.first.normal_velocity, 7), round(hit.second.normal_velocity, 7)
     (-0.1231175, 0.1346175)
     """

@@ -121,8 +121,8 @@ def envelope(
     >>> from dynamics_cli.impact.planar.bodies import ByGyration, Lever
     >>> from dynamics_cli.impact.conventions import ByMass, ByVelocity, Fixed
     >>> ball = RigidBody(ByMass(1.0), ByGyration(0.5), Lever((0.0, -1.0)), ByVelocity((1.0, -2.0)))
-    >>> found = envelope(first=ball, second=RigidTarget(Fixed(True)), normal=-1.5707963267948966)
-    >>> round(found.first_delta_v.least, 12), found.points
+    >>> result = envelope(first=ball, second=RigidTarget(Fixed(True)), normal=-1.5707963267948966)
+    >>> round(result.first_delta_v.least, 12), result.points
     (2.0, 1000000)
     """
     import numpy as np
@@ -238,7 +238,7 @@ def _spin_range(extremes: "tuple[Extreme, Extreme] | None", way: float) -> SpinR
 
 
 def _bounds(extremes: "dict[str, tuple[Extreme, Extreme]]", bodies: dict[str, Solid]) -> tuple[ErrorBound, ...]:
-    """Those of the extremes; ΔV is divided by the mass, which may be rounded, and rounded once more."""
+    """Bounds of the extremes; ΔV is divided by the mass, which may be rounded, and rounded once more."""
     low, high = extremes["lost"]
     rows = [("least_energy_lost", low.value, low.error), ("greatest_energy_lost", high.value, high.error)]
     for name, body in bodies.items():

@@ -53,7 +53,7 @@ class Region:
         return pn, pt, lost
 
     def quantities(self, pn: "Array", pt: "Array", lost: "Array") -> "dict[str, Array]":
-        """The quantities whose extremes are sought; the square of the impulse for its size."""
+        """The quantities whose extremes are sought; the squared impulse in place of its magnitude."""
         quantities = {"size": pn * pn + pt * pt, "lost": lost}
         for name, turn in zip(("first", "second"), self.turns, strict=True):
             if turn is not None:

@@ -284,7 +284,7 @@ def _answer(
 
 
 def _critical(m: Meeting) -> Critical:
-    """Critical impulse ratio; with no normal impulse it would be infinite and is left out."""
+    """Critical impulse ratio; without a normal impulse it would be infinite and is omitted."""
     along, across = critical_ratio(m)
     exists = across != 0.0
     if single(exists) and not exists:
@@ -299,7 +299,7 @@ def _critical(m: Meeting) -> Critical:
 def _all_laws(
     m: Meeting, a: Solid, b: Solid, inward: Pair, energetic: bool
 ) -> tuple[dict[str, Alternative | None], tuple[Advice, ...]]:
-    """Every law's answer by name; of one case, a law without an answer is None and says why."""
+    """Every law's answer by name; for a single case, a law without an answer is None with the reason."""
     answers: dict[str, Alternative | None] = {}
     missing: tuple[Advice, ...] = ()
     for law in LAWS:

@@ -13,7 +13,7 @@ from dynamics_cli.records import Choice, record
 
 LAWS = ("stronge", "newton", "poisson", "brach", "kudlich-slibar")
 ON_THE_PATH = ("stronge", "newton", "poisson")
-# Energy gained beyond what rounding leaves, relative to the work of compression.
+# Limit of an energy gain by rounding, relative to the work of compression.
 GAIN = 1e-12
 
 

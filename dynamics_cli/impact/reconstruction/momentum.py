@@ -85,10 +85,10 @@ def momentum(
     Examples
     --------
     >>> from dynamics_cli.impact.conventions import ByMass
-    >>> one = Vehicle(ByMass(1500.0), None, 0.0, 8.0, 0.6)
-    >>> two = Vehicle(ByMass(1200.0), None, 1.5707963267948966, 9.0, 0.8)
-    >>> found = momentum(first=one, second=two)
-    >>> round(found.first.approach_speed, 6), round(found.second.approach_speed, 6)
+    >>> car = Vehicle(ByMass(1500.0), None, 0.0, 8.0, 0.6)
+    >>> other = Vehicle(ByMass(1200.0), None, 1.5707963267948966, 9.0, 0.8)
+    >>> result = momentum(first=car, second=other)
+    >>> round(result.first.approach_speed, 6), round(result.second.approach_speed, 6)
     (11.618973, 12.10263)
     """
     require(
@@ -162,8 +162,8 @@ def momentum_and_energy(
 
     Notes
     -----
-    All energy lost is that of deformation: e needs no guess, since the speeds after are known. Components across the
-    line stay as they are after the impact.
+    All energy lost is deformation energy: e need not be assumed, since the speeds after are known. Components across
+    the line stay as they are after the impact.
 
     References
     ----------
@@ -172,10 +172,10 @@ def momentum_and_energy(
     Examples
     --------
     >>> from dynamics_cli.impact.conventions import ByMass
-    >>> one = Vehicle(ByMass(1000.0), None, 0.0, 5.0, 0.0)
-    >>> two = Vehicle(ByMass(1000.0), None, 0.0, 5.0, 0.0)
-    >>> found = momentum_and_energy(first=one, second=two, damage=CrushEnergies(20000.0, 5000.0))
-    >>> found.first.approach_speed, found.second.approach_speed
+    >>> car = Vehicle(ByMass(1000.0), None, 0.0, 5.0, 0.0)
+    >>> other = Vehicle(ByMass(1000.0), None, 0.0, 5.0, 0.0)
+    >>> result = momentum_and_energy(first=car, second=other, damage=CrushEnergies(20000.0, 5000.0))
+    >>> result.first.approach_speed, result.second.approach_speed
     (10.0, 0.0)
     """
     require(damage is not None, "no energies of deformation are given", code="no-energy")

@@ -37,7 +37,7 @@ class Exchange:
         self.first_smaller = amounts[0] + amounts[2] <= amounts[1] + amounts[3]
 
     def _turned(self, index: int, heading: float | None) -> Pair:
-        """Velocity of one vehicle along a heading (None: that of the scene's axes) and across it."""
+        """Velocity of one vehicle along a heading (None: along the x-axis) and across it."""
         term = self.terms[index]
         if heading is None:
             return self.plane[index]

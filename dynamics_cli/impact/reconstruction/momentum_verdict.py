@@ -123,7 +123,7 @@ def worse(least: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
 
 
 def judge_crossing(verdicts: "Sequence[tuple[Term, SpeedVerdict]]", condition: float) -> None:
-    """Refuse two speeds along paths next to one line, unless momentum determines one of them all the same."""
+    """Refuse two speeds along nearly collinear paths, unless momentum still determines one of them."""
     (first_term, first), (second_term, second) = verdicts
     judge(
         (condition <= ON_ONE_LINE) | (first.heading_tolerance >= CAUTION) | (second.heading_tolerance >= CAUTION),  # type: ignore[operator]
@@ -174,7 +174,7 @@ def verdict_advice(
 def energy_verdict(speed: float, closing: float, effects: "Sequence[tuple[str, float]]") -> SpeedVerdict:
     """The verdict of a speed, from the effect of relative errors of the quantities behind it.
 
-    Of a vehicle that hardly moved a quarter of the closing speed is what a tenth is taken of.
+    For a vehicle that hardly moved, the tenth refers to a quarter of the closing speed.
     """
     worst, steepest = effects[0][0], absolute(effects[0][1])
     for name, effect in effects[1:]:

@@ -23,7 +23,7 @@ BY_EYE = 0.1
 
 @record
 class Turned:
-    """What the turn of the heavy vehicle says of the light one."""
+    """Speed of the light vehicle from the rotation of the heavy one."""
 
     speed: Annotated[RoadVelocity, "Speed of the light vehicle before the impact, along the impulse [m/s]."]
     impulse: Annotated[Impulse, "Impulse between the two [N·s]."]
@@ -55,7 +55,7 @@ def rotation(
     Returns
     -------
     Turned
-        The speed, the impulse, and what both vehicles' speeds changed by.
+        The speed, the impulse, and the velocity changes of both vehicles.
 
     Raises
     ------
@@ -64,9 +64,9 @@ def rotation(
 
     Notes
     -----
-    Momentum of headings hardly tells a light vehicle's speed; the spin of the heavy one sees what its course does not.
-    The impulse is taken along the light vehicle's approach; tyres that hold the heavy one against the turn make the
-    speed too low.
+    Momentum from headings hardly determines a light vehicle's speed; the spin of the heavy one is more sensitive than
+    its heading. The impulse is taken along the light vehicle's approach; tyres that hold the heavy one against the turn
+    make the speed too low.
 
     References
     ----------
@@ -99,7 +99,7 @@ def rotation(
 
 
 def _lever_advice(lever: float, change: float, speed: float) -> tuple[Advice, ...]:
-    """What a place of contact judged by eye does to the speed."""
+    """Effect on the speed of a contact point estimated by eye."""
     if not single(lever, change, speed) or plain(lever) <= BY_EYE or plain(speed) == 0.0:
         return ()
     ratio = float(plain(change)) * BY_EYE / (float(plain(lever)) - BY_EYE) / abs(float(plain(absolute(speed))))

@@ -72,7 +72,7 @@ def _changes(result: "Any", names: "list[str]") -> Panel:
     size = max(abs(part) for change in changes for part in change)
     for role, (name, (x, y)) in enumerate(zip(names, changes, strict=True)):
         items += [Arrow(0.0, 0.0, x, y, "", role), Mark(0.5 * x, 0.5 * y, f"{name} ΔV", (0.1, 6.0), False, role)]
-    # room beside the arrows, which may lie on one line
+    # margin beside the arrows, which may be collinear
     reach = [max(1.15 * max(abs(change[axis]) for change in changes), 0.6 * size) for axis in (0, 1)]
     x_axis = Axis("along x", RoadSpeed, ends=(-reach[0], reach[0]))
     y_axis = Axis("along y", RoadSpeed, ends=(-reach[1], reach[1]))

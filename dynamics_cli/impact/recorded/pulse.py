@@ -41,7 +41,7 @@ class PulseRow:
 
 @record
 class Pulse:
-    """What a pulse says."""
+    """Results of a crash pulse."""
 
     delta_v: Annotated[RoadSpeed, "Greatest change of velocity [m/s]."]
     delta_v_low: Annotated[RoadSpeed, "The same at the lower limit of the tolerance [m/s]."]
@@ -111,8 +111,8 @@ def pulse(
 
     Examples
     --------
-    >>> found = pulse(longitudinal=(0.0, -0.5, -2.0, -4.5, -6.0, -6.2, -6.2, -6.2))
-    >>> round(found.delta_v, 6), round(found.time, 6), round(found.greatest_acceleration, 6)
+    >>> result = pulse(longitudinal=(0.0, -0.5, -2.0, -4.5, -6.0, -6.2, -6.2, -6.2))
+    >>> round(result.delta_v, 6), round(result.time, 6), round(result.greatest_acceleration, 6)
     (6.2, 0.05, 250.0)
     """
     count = len(longitudinal)
@@ -131,7 +131,7 @@ def pulse(
     noses = [0.0]
     for before, after in pairwise(yaw_rate or (0.0,) * count):
         noses.append(noses[-1] + 0.5 * interval * (before + after))
-    # what the sensor had at time zero it had before the impact
+    # the reading of the sensor at time zero is from before the impact
     x, y = longitudinal[0], across[0]
     for index in range(top):
         middle = 0.5 * (noses[index] + noses[index + 1])

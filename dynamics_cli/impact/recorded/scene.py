@@ -79,7 +79,7 @@ class Crash:
 
 
 def float_like(number: float | None) -> float:
-    """A number that is known to be given."""
+    """A number that is known not to be None."""
     assert number is not None
     return number
 

@@ -68,8 +68,8 @@ def head_on(
     Examples
     --------
     >>> from dynamics_cli.impact.conventions import ByMass
-    >>> one, two = Recorder(ByMass(1500.0), -7.5), Partner(ByMass(1200.0))
-    >>> round(head_on(first=one, second=two, least_restitution=0.0, greatest_restitution=0.2).closing_speed, 6)
+    >>> car, other = Recorder(ByMass(1500.0), -7.5), Partner(ByMass(1200.0))
+    >>> round(head_on(first=car, second=other, least_restitution=0.0, greatest_restitution=0.2).closing_speed, 6)
     15.340909
     """
     crash = Crash(first, second, contact_point, axes, gravity)
@@ -131,9 +131,9 @@ def by_restitution(
     Examples
     --------
     >>> from dynamics_cli.impact.conventions import ByMass
-    >>> one = Recorder(ByMass(1500.0), -8.0, approach_speed=14.0)
-    >>> two = Partner(ByMass(1200.0), approach_heading=3.141592653589793)
-    >>> result = by_restitution(first=one, second=two, least_restitution=0.0, greatest_restitution=0.2, normal=0.0)
+    >>> car = Recorder(ByMass(1500.0), -8.0, approach_speed=14.0)
+    >>> other = Partner(ByMass(1200.0), approach_heading=3.141592653589793)
+    >>> result = by_restitution(first=car, second=other, least_restitution=0.0, greatest_restitution=0.2, normal=0.0)
     >>> round(result.second.approach_speed, 6)
     2.363636
     """
@@ -214,9 +214,9 @@ def by_headings(
     Examples
     --------
     >>> from dynamics_cli.impact.conventions import ByMass
-    >>> one = Recorder(ByMass(1500.0), -8.0, approach_speed=14.0)
-    >>> two = Partner(ByMass(1200.0), approach_heading=1.5707963267948966, exit_heading=0.7853981633974483)
-    >>> round(by_headings(first=one, second=two).second.approach_speed, 6)
+    >>> car = Recorder(ByMass(1500.0), -8.0, approach_speed=14.0)
+    >>> other = Partner(ByMass(1200.0), approach_heading=1.5707963267948966, exit_heading=0.7853981633974483)
+    >>> round(by_headings(first=car, second=other).second.approach_speed, 6)
     10.0
     """
     crash = Crash(first, second, contact_point, axes, gravity)

@@ -66,7 +66,7 @@ def residual(row: Vector, vector: Vector, target: float) -> float:
 
 
 def exact_products(pairs: "Iterable[tuple[float, float]]") -> list[float]:
-    """Products and their rounding errors: the sum of all is that of the exact products."""
+    """Products and their rounding errors: together they sum to the exact products."""
     products = []
     for a, b in pairs:
         product = a * b

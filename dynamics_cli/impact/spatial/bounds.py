@@ -102,7 +102,7 @@ def numbers(tree: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":
 
 
 def beside(answer: SpatialImpact, full: SpatialImpact) -> SpatialImpact:
-    """The answer of a smaller model, with bounds that include what it neglects of the full one."""
+    """The answer of a smaller model, with bounds that include its neglected terms."""
     assert answer.numerics is not None
     assert full.numerics is not None
     more = {bound.result: bound for bound in full.numerics.bounds}
@@ -131,7 +131,7 @@ def _left(before: "dict[str, Any]", after: "dict[str, Any]", digits: int) -> dic
     sizes = _sizes(after)
     for name, value in after.items():
         vector, apart = name.partition("[")[0], Decimal(0)
-        # what is zero in both is zero
+        # zero in both is exactly zero
         if value or before[name]:
             apart = LEFT[digits] * abs(Decimal(value) - Decimal(before[name]))
             apart += sizes[_kind(name)].scaleb(-digits)

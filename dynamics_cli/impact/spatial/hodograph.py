@@ -47,7 +47,7 @@ def series(k: "Matrix", friction: float, start: "list[float]", order: int) -> "S
     square = x[0] * x[0] + y[0] * y[0]
     s = [root(square)]
     double = 1 / (2 * s[0])
-    # τ in units of its own, so that no coefficient leaves the range
+    # τ is scaled so that no coefficient overflows or underflows
     unit = 1 / ((1 + friction) * max(k11, k22, k33))
     rub, unity = friction * unit, type(unit)(1)
     a11, a12, a22, a13, a23 = rub * k11, rub * k12, rub * k22, rub * k13, rub * k23
@@ -197,7 +197,7 @@ def _care(share: float, order: int) -> float:
 
 
 def _aim(slip: Slip, approach: float, restitution: float, law: str) -> "tuple[int, float]":
-    """The quantity and its target: the end of compression, then that of the law."""
+    """The quantity and its target: the end of compression, then the end by the law."""
     if not slip.restoring:
         return V, type(approach)(0)
     if law == "newton":
@@ -221,7 +221,7 @@ def travel(
 
     Takes doubles, or decimals of a few more than `digits` digits.
     """
-    # without friction the slip does not matter
+    # without friction the slip has no effect
     at_rest = friction == 0 or (start[0] == 0 and start[1] == 0)
     if at_rest:
         zero = type(start[2])(0)

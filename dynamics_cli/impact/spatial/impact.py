@@ -181,7 +181,7 @@ def solved_in_space(
     **effort: int,
 ) -> Solved:
     """Keller's equations for two bodies and a normal that points at the first."""
-    # along the slip: what moves in one plane then slips along one axis
+    # along the slip: a motion in one plane then slips along one axis
     frame = frame_about(inward, relative_velocity(*bodies))
     before = approach(bodies, frame)
     k = cleaned(mobility(bodies, frame))

@@ -1,7 +1,7 @@
 """A scene of two bodies and one contact, answered by the simplest model that fits it.
 
-All models use the same matrix K in the frame of the contact; each neglects what a scene does not have:
-`spatial` nothing, `planar` the turning of the slip, `oblique` friction and spin, `central` all motion across the line.
+All models use the same matrix K in the frame of the contact; each neglects effects that a scene does not have:
+`spatial` none, `planar` the turning of the slip, `oblique` friction and spin, `central` all motion across the line.
 """
 
 from dynamics_cli.errors import require
@@ -59,7 +59,7 @@ def solve_central(
     *,
     gravity: Annotated[Gravity, "Acceleration of gravity, for bodies given by weight [m/s^2]."] = STANDARD_GRAVITY,
 ) -> SpatialImpact:
-    """Central impact of a scene: what happens on the line of impact.
+    """Central impact of a scene: motion along the line of impact.
 
     Equation
     --------
@@ -242,7 +242,7 @@ def _in_space(scene: Scene, gravity: float, **effort: int) -> Solved:
 
 
 def _neglects(*aspects: tuple[str, bool]) -> tuple[Advice, ...]:
-    """Advice on what a requested model neglects of this scene."""
+    """Advice on effects in this scene that a requested model neglects."""
     names = [name for name, present in aspects if present]
     if not names:
         return ()

@@ -1,4 +1,4 @@
-"""A scene in the frame of its contact: bodies, matrix K, velocities, and what smaller models would neglect."""
+"""A scene in the frame of its contact: bodies, matrix K, velocities, and the terms that smaller models neglect."""
 
 from dynamics_cli.errors import require, require_given
 from dynamics_cli.impact.conventions import BySpeed, Fixed, mass_of, side_of
@@ -54,7 +54,7 @@ class SeenScene:
         self.slips = self.before[0] != 0
         scale = max(self.k[0][0], self.k[1][1], self.k[2][2])
         coupled = ABSENT * max(abs(self.k[0][2]), abs(self.k[1][2])) > scale
-        # without friction the slip does not matter: it is kept, however small
+        # without friction the slip has no effect: even the smallest is kept
         if contact.friction > 0 and ABSENT * abs(self.before[0]) <= abs(self.before[2]):
             self.before = *nothing(self.before[2])[:2], self.before[2]
             if coupled:

@@ -101,7 +101,7 @@ def compose_scene(scene: Assembly) -> "Composed":
     """Compose an assembly; tracked numbers carry their rounding, and their derivatives if these are few."""
     number = _first_number(scene.parts)
     if _has_mesh(scene.parts):
-        # a mesh is integrated in doubles, whatever the numbers beside it
+        # a mesh is integrated in doubles, also beside numbers of other types
         only_in_doubles(number)
     slopes = getattr(number, "slopes", None)
     slope_count = None if slopes is None else len(slopes)

@@ -91,7 +91,7 @@ def compare(scene: Annotated[Pair, "The bodies, `first` and `second`, each with 
     Raises
     ------
     InadmissibleError
-        When one of them has no mass.
+        When the mass of one is zero.
 
     Notes
     -----
@@ -149,7 +149,7 @@ def _row(name: str, first: float, second: float) -> MomentRow:
 
 
 def _distance(rows: "tuple[MomentRow, ...]") -> float:
-    """The Frobenius norm of the difference over that of the first."""
+    """Frobenius norm of the difference, relative to that of the first."""
     weights = (1.0, 1.0, 1.0, 2.0, 2.0, 2.0)
     away = total(w * row.difference * row.difference for w, row in zip(weights, rows, strict=False))
     size = total(w * row.first * row.first for w, row in zip(weights, rows, strict=False))

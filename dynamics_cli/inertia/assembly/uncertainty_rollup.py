@@ -106,7 +106,7 @@ def _per_mass(leaf: "Leaf", rotation: "Matrix") -> "list[float]":
 
 
 def _tensor_variance(leaf: "Leaf", r: "Matrix", i: int, j: int) -> float:
-    """Variance of an element of R I Rᵀ from those of the six elements of I."""
+    """Variance of an element of R I Rᵀ from the variances of the six elements of I."""
     if leaf.part.tensor_std is None:
         return 0.0
     total = 0.0

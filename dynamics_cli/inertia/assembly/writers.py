@@ -117,7 +117,7 @@ NAMES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
 
 
 def _tensor(body: "MassProperties") -> "Matrix":
-    """The tensor about the mass centre in the given axes, whatever axes the answer is shown in."""
+    """The tensor about the mass centre in the input axes, which may differ from the axes of the answer."""
     if body.axes == "given":
         return tensor_of(body.second_moments)
     moments = (body.principal_moments.first, body.principal_moments.second, body.principal_moments.third)

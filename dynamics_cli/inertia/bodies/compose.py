@@ -112,7 +112,7 @@ def _pieces(group: "Group", base: "Vector", frame: "Matrix") -> "list[Lump | _Su
 
 
 def _gathered(group: "Group", frame: "Matrix") -> _Sums:
-    """An assembly about a point of its own frame near its mass centre, its moments along the rows of `frame`."""
+    """An assembly about a point near its mass centre, with moments along the rows of `frame`."""
     points, masses = [], []
     for piece in _pieces(group, (0.0, 0.0, 0.0), IDENTITY):
         points.append(each(plain, piece.centroid))
@@ -223,7 +223,7 @@ def _second_pass(group: "Group", base: "Vector", first: Spread) -> Spread:
     if not any(is_tracked(x) for row in total.second for x in row):
         return Spread(seconds, product(axes.axes, frame), first.degeneracy)
     seconds = bounded(total.second, seconds, axes.vectors)
-    # axes that are not exactly orthonormal change every eigenvalue by no more than this factor (Ostrowski)
+    # axes that are not exactly orthonormal change an eigenvalue at most by this factor (Ostrowski)
     stretch = 3.0 * departure(frame) + 4.0 * 2.0**-53
     seconds = tuple(type(x)(x.value, x.error + stretch * abs(x.value), x.slopes) for x in seconds)  # type: ignore[attr-defined, call-arg, assignment]
     axes = principal(matrix, each(error_of, seconds))  # type: ignore[arg-type]

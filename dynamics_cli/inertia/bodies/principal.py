@@ -41,15 +41,15 @@ class Principal:
 def principal(second_moments: "Matrix", errors: "Vector" = (0.0, 0.0, 0.0), frame: "Matrix | None" = None) -> Principal:
     """Principal second moments and axes of a body.
 
-    `second_moments`: symmetric matrix S = ∫ r rᵀ dm about the mass centre [kg*m^2]; `errors`: how far each principal
-    second moment may be off, the greatest first [kg*m^2]; `frame`: the axes of the second moments, seen in the input
-    axes, when they are others [-]. Returns second moments, moments, axes and a sentence about axes that are not
-    determined. Raises OverflowError when a number of the matrix is not finite.
+    `second_moments`: symmetric matrix S = ∫ r rᵀ dm about the mass centre [kg*m^2]; `errors`: error of each principal
+    second moment, the greatest first [kg*m^2]; `frame`: the axes of the second moments, seen in the input axes, when
+    they are others [-]. Returns second moments, moments, axes and a sentence about axes that are not determined. Raises
+    OverflowError when a number of the matrix is not finite.
 
-    The sums of second moments lose no digits, where differences of moments do: the smallest moment of a needle keeps
-    all of its own. A second moment below zero by no more than rounding is zero. Moments closer than 8·2⁻⁵² of the
-    greatest, or than both their errors, determine no axes between them; the axes then given are those closest to the
-    input axes. Axes are right-handed; the first two have their largest component positive.
+    Sums of second moments lose no digits, unlike differences of moments: the smallest moment of a needle is accurate. A
+    second moment below zero by rounding only is set to zero. Moments closer than 8·2⁻⁵² of the greatest, or than both
+    their errors, determine no axes between them; the axes then given are those closest to the input axes. Axes are
+    right-handed; the first two have their largest component positive.
 
     Equation
     --------
@@ -76,7 +76,7 @@ def principal(second_moments: "Matrix", errors: "Vector" = (0.0, 0.0, 0.0), fram
 
 
 def principal_of_many_digits(second_moments: "Matrix") -> Principal:
-    """The same of second moments in many digits; axes are determined or not as those of the nearest doubles are."""
+    """The same from second moments in many digits; whether axes are determined is decided by the nearest doubles."""
     from dynamics_cli.numerics.eigen3.jacobi_digits import eigen_of_many_digits
 
     near = principal(tuple(tuple(getattr(x, "value", x) for x in row) for row in second_moments))  # type: ignore[arg-type]

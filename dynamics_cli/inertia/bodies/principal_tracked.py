@@ -12,12 +12,12 @@ if TYPE_CHECKING:
 
 # A stated bound covers the unit a number is shown in: the rounding of the unit's ratio, and of the product with it.
 SHOWN = (1.0 + 2.0**-40) * 2.0**-52
-# For an axis that may be off by more than this many radians no bound is stated.
+# No bound is stated for an axis with a possible error above this angle [rad].
 LARGEST_TILT = 0.5
 
 
 class Spread:
-    """Second moments along the principal axes, moments about them (smallest first), axes, what is undetermined."""
+    """Second moments along the principal axes, moments about them (smallest first), axes, undetermined directions."""
 
     __slots__ = ("axes", "degeneracy", "moments", "seconds", "tilts")
 
@@ -67,8 +67,8 @@ def ellipsoid(moments: "tuple[float, ...]") -> "Vector":
 def spread_of(second: "Matrix") -> Spread:
     """The principal axes of second moments.
 
-    A tracked matrix gives tracked moments: their slopes are those of vᵀ S v along the fixed axis v (Hellmann and
-    Feynman), their bound is that of the same sum and of the eigenvalues' own.
+    A tracked matrix gives tracked moments: their slopes are the slopes of vᵀ S v for the fixed axis v (Hellmann and
+    Feynman), their bound combines that of this sum and that of the eigenvalues.
     """
     if in_many_digits(second):
         precise = principal_of_many_digits(second)

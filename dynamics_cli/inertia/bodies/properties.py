@@ -103,7 +103,7 @@ class MassProperties:
 class View:
     """How a body is looked at: about which point, in which axes, with which sign of products, and about which shaft.
 
-    `rotation` is that of the axes looked along, its columns, from the given ones; None keeps these.
+    `rotation`: the axes of the view as columns, in the given axes; None keeps the given axes.
     """
 
     def __init__(
@@ -190,7 +190,7 @@ def properties(
 ) -> MassProperties:
     """Report a body in a `view`; `spread` if principal second moments are known better than from `lump`.
 
-    Raises InadmissibleError when there is no mass.
+    Raises InadmissibleError when the mass is zero.
     """
     require(lump.mass > 0.0, "a mass of {mass:6} has no mass centre", code="no-mass", mass=(lump.mass, Mass))
     principal = spread or spread_of(lump.second)

@@ -78,7 +78,7 @@ class Cancellation:
 
 @record
 class Deviation:
-    """Standard uncertainties from those of the measured parts, to first order, the parts independent."""
+    """Standard uncertainties from those of the measured parts, to first order, with independent parts."""
 
     mass: Annotated[Mass, "Of the mass [kg]."]
     centroid: Annotated[PartPosition, "Of the mass centre's coordinates [m]."]

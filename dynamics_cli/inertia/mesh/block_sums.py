@@ -1,4 +1,4 @@
-"""What one block of triangles adds to the integrals, in room that is used again for the next block.
+"""Contribution of one block of triangles to the integrals, in arrays that the next block reuses.
 
 Everything of a block fits the cache of one core: corners make room for the weighted vectors, vectors for the words of
 the proof that edges meet.
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     Array = np.ndarray[Any, np.dtype[Any]]
 
-# What is added up: second moments xx yy zz xy yz zx, first moments, closure vector, Σ nₖ², Σ w, Σ |n|,
+# Terms of the sums: second moments xx yy zz xy yz zx, first moments, closure vector, Σ nₖ², Σ w, Σ |n|,
 # Σ |eᵢ fⱼ| + |eⱼ fᵢ|, Σ eₖ², Σ fₖ².
 SECOND, FIRST, CLOSURE, SQUARES, TOTAL, AREA, PRODUCTS, EDGES = (
     slice(0, 6), slice(6, 9), slice(9, 12), slice(12, 15), 15, 16, slice(17, 20), slice(20, 26),
@@ -22,7 +22,7 @@ _PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 
 
 class BlockSum:
-    """What one block adds up to, its box and reach, and the sum over its directed edges."""
+    """Sums over one block, its box and reach, and the sum over its directed edges."""
 
     __slots__ = ("boundary", "count", "extent", "high", "low", "spread", "terms")
 

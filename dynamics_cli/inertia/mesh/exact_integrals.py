@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 ROOT_BITS = 120
 # Bits of a double and of a number of single precision.
 _DOUBLE, _SINGLE = 53, 24
-# What gradual underflow can take from a result.
+# Error of a result by gradual underflow.
 TINY = 5e-324
 # A double from a ratio of integers is within half of its last bit; slightly more covers the bound's own rounding.
 _ONCE = UNIT_ROUNDOFF * (1.0 + 2.0**-30)

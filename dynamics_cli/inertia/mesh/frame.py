@@ -4,7 +4,7 @@ Rotation by plain products leaves errors of a rounding of the longest side in ev
 a plate. Here the axes and the corners are split on grids so coarse that the leading product is exact whatever
 its order of operations (Ozaki, Ogita, Oishi & Rump, Error-free transformations of matrix multiplication, Numer.
 Algorithms 59 (2012) 95); the rest is 2⁻²⁶ of it and may be rounded. The axes need be orthogonal only to rounding:
-second moments R S Rᵀ have the eigenvalues of S but for the factor by which R stretches (Ostrowski).
+second moments R S Rᵀ have the eigenvalues of S, except for the factor by which R stretches (Ostrowski).
 """
 
 from math import frexp, ldexp
@@ -24,7 +24,7 @@ _BITS = 25
 class Frame:
     """Axes as rows and a point to look from; `size` bounds the coordinates seen.
 
-    A coordinate's error is a rounding of itself and of `grain`, what the grid leaves of the longest ones.
+    The error of a coordinate is a rounding of itself and of `grain`, the remainder of the longest ones on the grid.
     """
 
     def __init__(self, rows: "Array", point: "Array", size: float, room: int) -> None:
@@ -76,7 +76,7 @@ def departure(rows: "Array") -> "Array":
 
 
 def _difference(a: "Array", b: "Array", x: "Array", lost: "Array") -> None:
-    """A − b, and what rounding lost of it."""
+    """A − b and its rounding error."""
     np.subtract(a, b, out=x)
     virtual = x - a
     np.subtract(a - (x - virtual), b + virtual, out=lost)

@@ -37,7 +37,7 @@ UNIT_ROUNDOFF = 2.0**-53
 # Roundings of one term of the sums, found by search over bodies of few triangles, whose errors do not average out; the
 # sums themselves are compensated from block to block.
 ROUNDINGS, ROUNDINGS_SECOND = 5.0, 2.5
-# What gradual underflow can take from a product.
+# Error of a product by gradual underflow.
 TINY = 5e-324
 
 
@@ -46,8 +46,8 @@ class Moments:
 
     `measure` is the volume (or the area of a shell), `second` the second moments about `centroid`, both in the axes of
     the file when `frame` is None, else `second` in the axes that are the rows of `frame`. The errors are rounding
-    bounds: of the measure, of each coordinate, and of each second moment; `terms` is that of the weights of all
-    triangles, `box` how far they reach, or what they are off by reaches, from the reference along the axes of the file.
+    bounds: of the measure, of each coordinate, and of each second moment; `terms` is the error of the weights of all
+    triangles, `box` their extent, or that of their error, from the reference along the axes of the file.
     """
 
     def __init__(
@@ -99,14 +99,14 @@ class Moments:
 
     @property
     def centroid_error(self) -> "Array":
-        """How far each coordinate of the mass centre may be off, with the rounding of the sum that it is."""
+        """Error bound of each coordinate of the mass centre, with the rounding of its sum."""
         error = self.centre_error
         if self.frame is not None and self.known:
             error = abs(self.frame.T) @ (error + 4.0 * UNIT_ROUNDOFF * abs(self.centre))
         return error + UNIT_ROUNDOFF * abs(self.centroid)
 
     def in_file(self) -> "tuple[Array, Array]":
-        """Second moments in the axes of the file, and how far they may be off."""
+        """Second moments in the axes of the file, and their error bounds."""
         matrix, error = self.second, self.second_error
         if self.frame is None:
             return matrix, error
@@ -151,9 +151,9 @@ class Sums:
     area = property(lambda self: 0.5 * float(self._sum[AREA]))
 
     def products(self) -> "Array":
-        """Σ |eᵢ fⱼ| + |eⱼ fᵢ|, by whose rounding n = e × f is off: a sliver's normal is a small difference.
+        """Σ |eᵢ fⱼ| + |eⱼ fᵢ|, whose rounding is the error of n = e × f: the normal of a sliver is a small difference.
 
-        Turned edges are off by a rounding of themselves and of the grain, or of their length where that is less.
+        The error of rotated edges is a rounding of themselves and of the grain, or of their length where that is less.
         """
         exact = self._sum[PRODUCTS]
         if not self.grain:
@@ -166,7 +166,7 @@ class Sums:
         return exact + np.array(turned)  # type: ignore[no-any-return]
 
     def add(self, block: "BlockSum") -> None:
-        """Add what a block adds up to, keeping what rounding loses."""
+        """Add the sums of a block with their rounding errors (compensated)."""
         before, part = self._sum, block.terms
         after = before + part
         virtual = after - before

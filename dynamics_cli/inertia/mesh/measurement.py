@@ -155,7 +155,7 @@ def require_closed(mesh: Measured, *, allowed: bool, flip: bool = False, part: s
 
 
 def require_extent(mesh: Measured, *, shell: bool, part: str = "") -> None:
-    """Refuse triangles without area, and surfaces that enclose no more than rounding their corners may have made."""
+    """Refuse triangles without area, and surfaces whose volume is within the rounding of their corners."""
     of_part = f" of {part}" if part else ""
     require(
         mesh.moments.measure != 0.0 and (shell or mesh.known),

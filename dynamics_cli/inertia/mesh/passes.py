@@ -1,6 +1,6 @@
 """The two passes over a surface, its blocks on every core where there are many; the same to the bit on one core.
 
-What a block adds up to depends on nothing but its triangles, and blocks are added up in the order of the file.
+The sums of a block depend only on its triangles, and blocks are added in the order of the file.
 """
 
 import os
@@ -36,7 +36,7 @@ _MOST_THREADS = 8
 def first_pass(source: "Source", *, shell: bool, prove: bool) -> "tuple[Sums, Moments]":
     """Integrate over a source in the axes of its file, its boundary summed on the way when `prove` says so.
 
-    Raises InadmissibleError when a coordinate is not finite or out of range, or there are no triangles.
+    Raises InadmissibleError when a coordinate is not finite or out of range, or the file has no triangles.
     """
     reference = np.zeros((3, 1))
     for corners in source.blocks():
@@ -67,7 +67,7 @@ def first_pass(source: "Source", *, shell: bool, prove: bool) -> "tuple[Sums, Mo
 def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array") -> Moments:
     """Integrate again, seen from the mass centre in the axes that are the rows of `rows`.
 
-    Coordinates in these axes are exact to a rounding of themselves, so what is thin in them keeps all its digits.
+    Coordinates in these axes are exact to a rounding of themselves, so that thin bodies lose no digits.
     """
     reference = moments.centroid
     size = float(max(before.high - before.low))
@@ -94,7 +94,7 @@ def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array")
 
 
 def _in_order(source: "Source", prepare: "Callable[[], Work]") -> "Iterator[BlockSum]":
-    """What the blocks of a source add up to, in their order; `prepare` gives each thread its working arrays."""
+    """Sums of the blocks of a source, in their order; `prepare` gives each thread its working arrays."""
     spans = source.spans()
     threads = min(_cores(), len(spans), _MOST_THREADS)
     if threads < 2:
@@ -116,7 +116,7 @@ def _in_order(source: "Source", prepare: "Callable[[], Work]") -> "Iterator[Bloc
 
 
 def _added(source: "Source", work: "Work", room: Room) -> "Iterator[BlockSum]":
-    """What each block of a source adds up to."""
+    """Sums of each block of a source."""
     before = source.first
     for corners in source.blocks(room.weighted):
         size = corners.shape[1]
@@ -142,7 +142,7 @@ def _reference(corners: "Array") -> "Array":
 
 
 def _box(corners: "Array", before: int) -> "tuple[Array, Array]":
-    """Least and greatest of each coordinate of the corners; refuses what no integral can be taken of."""
+    """Minimum and maximum of each coordinate of the corners; refuses coordinates out of range."""
     low, high = np.minimum.reduce(corners, axis=1), np.maximum.reduce(corners, axis=1)
     if np.dot(low, low) + np.dot(high, high) < LARGEST:
         return low, high

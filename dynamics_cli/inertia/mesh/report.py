@@ -88,7 +88,7 @@ def advice_of(mesh: "Measured", *, shell: bool, wall: float = 0.0) -> tuple[Advi
 
 
 def _coarse_advice(mesh: "Measured") -> "list[Advice]":
-    """A warning where single precision is coarse beside the mean edge."""
+    """A warning where the resolution of single precision is coarse relative to the mean edge."""
     edge = (mesh.sums.area / mesh.sums.count * 2.3094) ** 0.5
     coarse = float(max(quanta(mesh.sums))) / edge if mesh.single and edge > 0.0 else 0.0
     if coarse <= COARSE:

@@ -59,7 +59,7 @@ class Source(ABC):
 
 
 class BinaryStl(Source):
-    """A binary STL file whose size is what its header claims."""
+    """A binary STL file whose size agrees with its header."""
 
     form = "binary STL"
     single = True
@@ -190,9 +190,9 @@ class Corners(Source):
 
 
 def open_stl(name: str) -> Source:
-    """An STL file, binary if its size is what its header claims, whatever text the header begins with.
+    """An STL file; binary if its size agrees with its header, even if the header begins with `solid`.
 
-    Raises InadmissibleError when it is empty, is neither form of STL, or its size is not what its header claims.
+    Raises InadmissibleError when it is empty, is not STL, or its size disagrees with its header.
     """
     size = os.path.getsize(name)
     require(size > 0, "the file is empty", code="empty")

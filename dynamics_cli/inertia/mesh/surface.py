@@ -1,4 +1,4 @@
-"""The report of a mesh's surface, besides the mass properties of the body."""
+"""The report of a mesh's surface, in addition to the mass properties of the body."""
 
 from dynamics_cli.quantities import Annotated, Area, Count, PartPosition, Ratio, Text, Volume
 from dynamics_cli.records import Choice, record

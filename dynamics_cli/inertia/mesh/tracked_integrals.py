@@ -74,7 +74,7 @@ class Lift:
         return tuple(tuple(cell[max(i, j), min(i, j)] for j in range(3)) for i in range(3))
 
     def spread(self, density: float) -> Spread:
-        """Principal second moments; their bounds are those of the axes they were integrated in."""
+        """Principal second moments, with the bounds of the axes in which they were integrated."""
         moments = self.moments
         sign = 1.0 if moments.measure > 0.0 else -1.0
         matrix = rows(sign * moments.second)

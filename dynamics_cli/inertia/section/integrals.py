@@ -10,7 +10,7 @@ PI, PI_SCALE = (
     31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679,
     10**100,
 )
-# Common denominator of all integrals, beside the powers of the unit: 24 of polygons, 64 of circles.
+# Common denominator of all integrals, apart from powers of the unit: 24 for polygons, 64 for circles.
 _D = 24 * 64 * PI_SCALE
 _ROOT_BITS = 160
 # Enough for the distance of a fibre that is nearly on an axis.

@@ -58,7 +58,7 @@ def _mohr(answer: "SectionProperties") -> Panel:
     centre, radius = 0.5 * (main.i1 + main.i2), 0.5 * (main.i1 - main.i2)
     axes = Axis("second moment", SecondMoment), Axis("product", SecondMoment)
     if radius <= SHRUNK * centre:
-        # A point: from zero, for around it alone there is no scale.
+        # A single point has no extent to set the scale: the axis starts at zero.
         alike = Curve([0.0, centre], [0.0, 0.0], style="thin"), Mark(centre, 0.0, "every direction")
         return Panel(*axes, alike, "Mohr's circle", equal=True)
     items: tuple[Curve | Mark, ...] = (

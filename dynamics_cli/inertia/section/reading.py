@@ -1,4 +1,4 @@
-"""What the rounding of typed coordinates to doubles does to a section, before the exact arithmetic begins."""
+"""Effect on a section of the rounding of typed coordinates to doubles, before the exact arithmetic."""
 
 from math import fsum
 
@@ -22,8 +22,8 @@ def conditions(
 ) -> "tuple[Condition, ...]":
     """Relative changes of results per relative change of the coordinates, in the worst case.
 
-    A side whose ends move by p and q sweeps no more than (|p × e| + |q × e|)/2 of area; a moment changes by that times
-    its greatest weight along the side, and a shift of the centroid changes central moments in second order only.
+    A side whose ends move by p and q sweeps at most an area of (|p × e| + |q × e|)/2; a moment changes by this area
+    times its maximum weight along the side, and a shift of the centroid changes central moments in second order only.
     """
     rows = []
     for contour in shapes:

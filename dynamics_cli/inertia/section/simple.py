@@ -1,4 +1,4 @@
-"""Whether contours bound what they seem to: no sides that cross, holes within material. All predicates are exact."""
+"""Validity of contours: no crossing sides, holes within material. All predicates are exact."""
 
 from dynamics_cli.errors import require
 

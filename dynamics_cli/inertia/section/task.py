@@ -1,4 +1,4 @@
-"""Area properties of a plane section: what beams and plates in bending need of it."""
+"""Area properties of a plane section for beams and plates in bending."""
 
 from math import atan2, fsum, hypot, pi
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.section.contours import Contour
 
 UNIT_ROUNDOFF = 2.0**-53
-# Moments closer than this share of the greatest are equal as far as the doubles given can tell.
+# Moments closer than this fraction of the greatest are equal within the rounding of the inputs.
 EQUAL = 8.0 * 2.0**-52
 # Second moments of anything smaller would leave the range of a double.
 SMALLEST = 1e-140
@@ -53,15 +53,14 @@ def section(
 
     `polygon`: corners x1, y1, x2, y2, … of the outline in order, either way round [m]; `pieces`: material, as further
     polygons, circles and rectangles; `holes`: holes, as polygons, circles and rectangles within the material. Returns
-    everything about the area. Raises InadmissibleError when contours cross themselves or one another, a hole is outside
-    its material, pieces overlap, or there is no area.
+    the area properties. Raises InadmissibleError when contours cross themselves or one another, a hole is outside its
+    material, pieces overlap, or the area is zero.
 
-    Coordinates are the decimals that were typed, in their unit; doubles are the ratios that they are, and what their
-    rounding may have done is stated beside the bounds and warned of far from the origin. All integrals over polygons
-    are formed in exact ratios and rounded once (π is cut after 100 decimals), so that a section far from the origin, or
-    thinner than a hair, loses nothing.
-    The polar second moment is the torsion constant of round sections only; of open thin sections it is larger by
-    orders of magnitude.
+    Coordinates are the typed decimals in their unit; doubles are taken as exact ratios, and the effect of their
+    rounding is stated with the bounds and warned of far from the origin. All integrals over polygons are formed in
+    exact ratios and rounded once (π is cut after 100 decimals), so that a section far from the origin, or very thin,
+    loses no digits. The polar second moment is the torsion constant of round sections only; of open thin sections it is
+    larger by orders of magnitude.
 
     Equation
     --------
@@ -206,7 +205,7 @@ def _over(moment: "tuple[int, int]", area: "tuple[int, int]") -> float:
 
 
 def _bounds() -> "list[ErrorBound]":
-    """One rounding of an exact ratio, and what showing it adds; a few where an angle, or many lengths, come in."""
+    """One rounding of an exact ratio and one of its display unit; a few more for an angle or a sum of lengths."""
     once = UNIT_ROUNDOFF * (1.0 + 2.0**-40) + SHOWN
     names = ["area", "x", "y", "principal.i1", "principal.i2"]
     names += [f"{group}.{part}" for group in ("centroidal", "about_origin") for part in PlaneMoments.fields]  # type: ignore[attr-defined]

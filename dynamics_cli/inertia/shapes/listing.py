@@ -39,7 +39,7 @@ def shapes(
     Raises
     ------
     InadmissibleError
-        When there is neither a kind nor a shape of that name.
+        When no kind and no shape has that name.
 
     Examples
     --------

@@ -44,7 +44,7 @@ def shape(
     Raises
     ------
     InadmissibleError
-        When sizes contradict each other, a density is of the wrong dimension, or there is no mass.
+        When sizes contradict each other, a density has the wrong dimension, or the mass is zero.
 
     Notes
     -----

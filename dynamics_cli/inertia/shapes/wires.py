@@ -58,7 +58,7 @@ def ring(radius: float, z: float, other: float | None = None, first: float = 0.0
 
 
 def _round(shape: "Any") -> "list[Wire]":
-    """What turns about z, whole, half or a quarter: by its radii and heights."""
+    """Wires of a body of revolution about z, whole, half or quarter, from its radii and heights."""
     low, high = _heights(shape)
     base = getattr(shape, "base_radius", getattr(shape, "radius", 0.0))
     name = type(shape).__name__

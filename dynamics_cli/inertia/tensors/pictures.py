@@ -34,7 +34,7 @@ def mohr(result: "Any", **_: "Any") -> Picture:
 
 
 def torque(result: "Any", **_: "Any") -> Picture:
-    """The inertia torque by components, and what angular acceleration and rotation add to each."""
+    """The inertia torque by components, each split into angular acceleration and gyroscopic parts."""
     answer = bare(result)
     names, values = [], []
     for title, vector in (

@@ -114,8 +114,8 @@ def body(
 
     Examples
     --------
-    >>> made = body(point=(0.0, 0.0), velocity=(2.0, 0.0), rest=Turning(angular_velocity=4.0))
-    >>> made.instant_centre
+    >>> result = body(point=(0.0, 0.0), velocity=(2.0, 0.0), rest=Turning(angular_velocity=4.0))
+    >>> result.instant_centre
     (0.0, 0.5)
     """
     parting = None
@@ -217,7 +217,7 @@ def _checks(point: "Pair", velocity: "Pair", omega: float, centre: "Pair | None"
         return ()
     x, y, w = plain(centre[0]) - plain(point[0]), plain(centre[1]) - plain(point[1]), plain(omega)
     vx, vy = plain(velocity[0]), plain(velocity[1])
-    # the coordinates of the centre are rounded beside those of the point
+    # the coordinates of the centre are rounded relative to those of the point
     size = abs(vx) + abs(vy) + abs(w) * (abs(plain(point[0])) + abs(plain(point[1])))
     residual = hypot(vx - w * y, vy + w * x) / size if size else 0.0
     return (Check("the instant centre has no velocity", residual <= ROUNDING, residual, ROUNDING),)

@@ -17,7 +17,7 @@ from dynamics_cli.records import Choice, record
 
 
 class Angles(Choice):
-    """What the angles are measured from."""
+    """Reference of the angles."""
 
     names = ("absolute", "relative")
     aliases = {"fixed": "absolute", "joint": "relative"}  # noqa: RUF012
@@ -81,7 +81,7 @@ def chain(
     Raises
     ------
     InadmissibleError
-        When there are no links, or one has a length that is not above zero.
+        When no link is given, or a length is not above zero.
 
     References
     ----------

@@ -105,7 +105,7 @@ def discriminants(links: Frame, half: "tuple[float, float]") -> "tuple[float, fl
 
 
 def _either(condition: bool, yes: "Callable[[], float]", no: "Callable[[], float]") -> float:
-    """One of the two, and only one calculated where one condition holds for all."""
+    """One of the two; only one is calculated if the condition is the same for all."""
     if single(condition):
         return yes() if condition else no()
     return where(condition, yes(), no())
@@ -167,7 +167,7 @@ def _response(
     links: Frame, turn: "tuple[float, float]", half: "tuple[float, float]", roots: "tuple[Any, Any]",
     smooth: "tuple[Any, Any]",
 ) -> "tuple[float, float]":  # fmt: skip
-    """K and its derivative; a root of zero that is no change point is taken as one, and refused by the caller."""
+    """K and its derivative; a zero root is taken as one, and refused by the caller unless it is a change point."""
     (r1, r2), moment = roots, links.product * turn[1]
     root = sqrt(links.product)
 

@@ -105,8 +105,8 @@ def coupler(
 
     Examples
     --------
-    >>> made = coupler(crank=0.04, coupler=0.12, rocker=0.08, ground=0.1, point=(0.06, 0.04))
-    >>> round(made.length, 12)
+    >>> result = coupler(crank=0.04, coupler=0.12, rocker=0.08, ground=0.1, point=(0.06, 0.04))
+    >>> round(result.length, 12)
     0.247031601825
     """
     from dynamics_cli.linkage.fourbar.circuit import Circuit

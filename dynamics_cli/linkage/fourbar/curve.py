@@ -161,7 +161,7 @@ def columns(circuit: Circuit, point: complex, count: int) -> "Columns[CurvePoint
 
 
 def drawn(circuit: Circuit, point: complex, form: str, tolerance: float, sharp: "list[float]") -> "Outline":
-    """The curve as an outline whose deviation is proved; beside cusps it is made of lines."""
+    """The curve as an outline with a proved deviation; next to cusps it consists of lines."""
     path = CouplerPath(circuit, point, sharp, tolerance)
     start = np.stack(path.at(path.starts)[:2], axis=1)
     return outlined(path, form, tolerance, start, "coupler curve")

@@ -202,7 +202,7 @@ def _size(x: float) -> float:
 
 
 def _angle(y: float, x: float) -> float:
-    """An angle in (−180°, 180°]: a negative zero is none."""
+    """An angle in (−180°, 180°], without negative zero."""
     return atan2(where(y == 0.0, y * y + y, y), x)
 
 

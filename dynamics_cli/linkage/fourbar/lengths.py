@@ -82,7 +82,7 @@ def margin(signs: "Sequence[int]", lengths: "Sequence[float]") -> float:
     exact = _signed_sum(signs, lengths)
     if not is_tracked(total):
         return exact
-    # the bound is that of the doubles and covers their difference from the decimals
+    # the bound of the doubles, which covers their difference from the decimals
     tracked: Any = total
     error = (tracked.error + abs(exact - tracked.value) + UNIT * abs(exact)) * SLACK
     return type(tracked)(exact, error, tracked.slopes)  # type: ignore[no-any-return]

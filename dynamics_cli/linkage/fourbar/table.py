@@ -121,5 +121,5 @@ def _speeds(ratio: "Any", change: "Any", speed: float | None, gain: float) -> "t
 
 
 def _known(column: "Any") -> "list[float | None]":
-    """The number, or None where there is none."""
+    """The number, or None if it is not finite."""
     return [value if np.isfinite(value) else None for value in column.tolist()]

@@ -50,7 +50,7 @@ def centres(
     Returns
     -------
     Centres
-        The centres, with the speed ratios that they stand for.
+        The centres, with the speed ratios that they give.
 
     Raises
     ------

@@ -18,7 +18,7 @@ FIRST, LARGEST, SMALLEST = 0.1, 0.5, 1e-9
 GROWTH = 1.8
 # Ways over a change point, tried from the smallest on.
 LEAPS = (1e-5, 1e-4, 1e-3, 1e-2)
-# A prediction over a smooth piece is off by less than this share of the way; what it misses by more has jumped.
+# A prediction over a smooth piece misses by less than this fraction of the distance; a larger miss is a jump.
 SMOOTH = 0.2
 MOST_STEPS = 4000
 
@@ -33,7 +33,7 @@ class Continuation:
         self.system, self.q = system, q
         self.step = FIRST
         self.steps = 0
-        # what repeated conditions leave to be proved is nothing: such linkages are followed by prediction alone
+        # repeated conditions allow no proof: such linkages are followed by prediction alone
         self.proves = len(system.rows) == system.size
         self.crossed: list[float] = []
         self.before: list[tuple[float, Any]] = []

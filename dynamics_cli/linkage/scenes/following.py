@@ -1,4 +1,4 @@
-"""What one link or pin does while the first driver goes through its range."""
+"""Motion of one link or pin over the range of the first driver."""
 
 from math import pi
 
@@ -106,7 +106,7 @@ def _row(walk: "Continuation", name: str) -> Followed:
 
 
 def _unwrapped(rows: "list[Followed]") -> "list[Followed]":
-    """Angles that go on past half a turn, as the link does."""
+    """Angles that continue beyond half a turn, as the link does."""
     out, last = [], None
     for row in rows:
         if row.angle is not None and last is not None:

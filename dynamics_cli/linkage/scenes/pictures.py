@@ -24,7 +24,7 @@ ASIDE = ((5.0, 5.0), (5.0, -12.0), (-36.0, 5.0), (-36.0, -12.0), (5.0, 17.0))
 
 
 def motion(scene: Scene, start: "Pins", count: int) -> "list[Pins]":
-    """Poses over a turn of the first driver, or as far as it goes either way and back."""
+    """Poses over a turn of the first driver, or over its range in both directions and back."""
     from dynamics_cli.linkage.scenes.continuation import Continuation
     from dynamics_cli.numerics.linkages.system import System
 

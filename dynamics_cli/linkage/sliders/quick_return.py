@@ -140,7 +140,7 @@ def _ratio(crank: float, ground: float, lever: "float | None") -> "dict[str, obj
 def _checks(
     ax: float, ay: float, along: "tuple[float, float]", reach: float, ratio: float, sliding: float
 ) -> "tuple[Check, ...]":
-    """Check that the pin's velocity is that of the lever there plus the slip along it."""
+    """Check that the pin's velocity is the lever's velocity there plus the slip along it."""
     ex, ey = (plain(x) for x in along)
     x, y = plain(ax), plain(ay)
     turning = plain(ratio) * plain(reach)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 MANY = 20_000
-# Places of a turn among which the largest speed is looked for, and the step of a difference there.
+# Number of places of a turn in the search for the largest speed, and the step of the difference there.
 SAMPLES, STEP = 180, 1e-4
 CLOSES = 1e-12
 

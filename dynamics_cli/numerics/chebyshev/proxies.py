@@ -111,7 +111,7 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
     `function`: takes places (m, n) and the index of the given piece each of the m rows lies in, gives values (q, m, n);
-    `starts`, `ends`: the pieces, each in a coordinate of its own if need be; the functions are smooth inside each;
+    `starts`, `ends`: the pieces, each in its own coordinate if necessary; the functions are smooth inside each;
     `depth`: how often a piece may be halved. Returns the coefficients, on pieces in order. Raises ValueError when a
     function is not finite at a node.
 
@@ -127,8 +127,8 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
 
     Examples
     --------
-    >>> made = proxies(lambda x, piece: np.exp(x)[None], np.array([0.0]), np.array([1.0]))
-    >>> round(float(made.coefficients[0, 0, 0]), 10)
+    >>> result = proxies(lambda x, piece: np.exp(x)[None], np.array([0.0]), np.array([1.0]))
+    >>> round(float(result.coefficients[0, 0, 0]), 10)
     1.7533876544
     """
     nodes, matrix = _transform(COUNT)
@@ -170,8 +170,8 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
 def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "Any" = None) -> Extremes:
     """Find the maximum and the minimum of one of the functions, or every stationary point.
 
-    f′ = 0 is looked for in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
-    above h²/8·max|f‴|, exactly one when f″ keeps its sign likewise; a cell that is neither is divided.
+    f′ = 0 is sought in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
+    above h²/8·max|f‴|, exactly one when f″ keeps its sign likewise; other cells are divided.
 
     `proxy`: the interpolated functions; `every`: also return places that decide neither maximum nor minimum; `margin`:
     how far below the maximum or above the minimum a place may lie and still be returned, by pieces. Returns ends of
@@ -179,8 +179,8 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "An
 
     Derivatives are bounded by Σ kⁿ|c_k|, and what rounding does to them by 2⁻⁴⁵ Σ kⁿ|c_k| (angles kt to 23π, sums of 24
     terms), so no turn of the proxy is missed; cells still undecided within which it moves by less than 1e-15 of its
-    size are candidates themselves. `error` adds to what is proved for the proxies the rounding of the values, what
-    coefficients too small to be searched come to, and what Newton's method leaves at the places.
+    size are candidates themselves. `error` adds to the proved error of the proxies the rounding of the values, the sum
+    of coefficients too small to be searched, and the residual of Newton's method at the places.
 
     References
     ----------
@@ -188,8 +188,8 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "An
 
     Examples
     --------
-    >>> made = proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
-    >>> value, place = extremes(made).largest()
+    >>> result = proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
+    >>> value, place = extremes(result).largest()
     >>> abs(place - np.pi / 2) < 1e-7, abs(value - 1.0) < 1e-15
     (True, True)
     """
@@ -198,7 +198,7 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "An
     t, basis, first, second = _basis(count)
     k = np.arange(count, dtype=float)
     size = np.abs(series)
-    # a coefficient that is only rounding would add turning points of its own
+    # a coefficient that is only rounding would add false turning points
     c = np.where(size > NOISE * size.sum(axis=1)[:, None], series, 0.0)
     size = np.abs(c)
     bounds = [size @ k**power for power in (2, 3, 4)]

@@ -28,6 +28,8 @@ UNIT = 2
 SMALLEST = 1e-280
 # pieces per round: further ones stay as they are, with the remainder so far
 MOST = 4096
+# how often a piece may be cut, each time into 2 to 16
+ROUNDS = 16
 
 
 def _remainders() -> "Any":
@@ -40,26 +42,25 @@ def _remainders() -> "Any":
 REMAINDERS = _remainders()
 
 
-def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", *, rounds: int = 16) -> Proxies:
+def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any") -> Proxies:
     """Interpolate analytic functions on pieces fine enough for the proved remainder.
 
     f(x) ≈ Σ c_k T_k, from values at the nodes cos((2j + 1)π/2n).
 
     `function`: takes places (m, k) and the index of the given piece each of the m rows lies in, gives values (q, m, k).
     Places come as a `Disc`, complex discs about real numbers: a formula of arithmetic, roots, sines and the like on
-    arrays does for them; `starts`, `ends`: the pieces, each in a coordinate of its own if need be; the functions are
-    analytic inside each, and the same formula continues them beyond its ends; `rounds`: how often pieces may be cut,
-    each time into 2 to 16. Returns the coefficients, on pieces in order. Raises ValueError when a function is not
-    finite at a node.
+    arrays does for them; `starts`, `ends`: the pieces, each in its own coordinate if necessary; the functions are
+    analytic inside each, and the same formula continues them beyond its ends. Returns the coefficients, on pieces in
+    order. Raises ValueError when a function is not finite at a node.
 
     Where the disc of radius λh about the middle of a piece of half width h bounds |f − f(middle)| by M, f is analytic
-    there, and its interpolant on n nodes is off by 4Mρ¹⁻ⁿ/(ρ − 1) at most, ρ = λ + √(λ² − 1): the coefficients are
-    below 2Mρ⁻ᵏ, each one left out counts once for itself and once for its alias. Also by (1 + Λ)M, Λ ≤ 3 the Lebesgue
-    constant. To this come Λ times the rounding of the values and what the rounding of the nodes makes of |f′|, and that
-    of the transform, 2u(n + 12)Σ|f − f(middle)| over the nodes. Where nothing is known the error is infinite.
+    there, and the error of its interpolant on n nodes is at most 4Mρ¹⁻ⁿ/(ρ − 1), ρ = λ + √(λ² − 1): the coefficients
+    are below 2Mρ⁻ᵏ, each omitted one counts twice, for itself and for its alias. Also by (1 + Λ)M, Λ ≤ 3 the
+    Lebesgue constant. Added are Λ times the rounding of the values, the effect of the rounding of the nodes by |f′|,
+    and the rounding of the transform, 2u(n + 12)Σ|f − f(middle)| over the nodes. Without a bound the error is infinite.
     The derivative of what is left out is (n + 2)² times as large at most: Markov's n² for all that is a polynomial on
-    the nodes, and Σ k²ρ⁻ᵏ ≤ (n² + 2n/(ρ − 1) + (ρ + 1)/(ρ − 1)²) Σ ρ⁻ᵏ for the rest, ρ ≥ 2.8.
-    Trefethen, Approximation Theory and Approximation Practice, chapters 4, 8 and 15.
+    the nodes, and Σ k²ρ⁻ᵏ ≤ (n² + 2n/(ρ − 1) + (ρ + 1)/(ρ − 1)²) Σ ρ⁻ᵏ for the rest, ρ ≥ 2.8. Trefethen, Approximation
+    Theory and Approximation Practice, chapters 4, 8 and 15.
 
     References
     ----------
@@ -67,12 +68,12 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
 
     Examples
     --------
-    >>> made = proved_proxies(lambda x, piece: np.exp(x)[None], np.array([0.0]), np.array([1.0]))
-    >>> round(float(made.coefficients[0, 0, 0]), 10), bool(made.error[0, 0] < 1e-12)
+    >>> result = proved_proxies(lambda x, piece: np.exp(x)[None], np.array([0.0]), np.array([1.0]))
+    >>> round(float(result.coefficients[0, 0, 0]), 10), bool(result.error[0, 0] < 1e-12)
     (1.7533876544, True)
     """
     nodes, matrix = _transform(COUNT)
-    low, high, origin, middle, left_out, steep, wide, spectral = _cut(function, starts, ends, rounds)
+    low, high, origin, middle, left_out, steep, wide, spectral = _cut(function, starts, ends)
     half = 0.5 * (high - low)
     places = 0.5 * (low + high)[:, None] + half[:, None] * nodes
     with np.errstate(all="ignore"):
@@ -96,13 +97,13 @@ def proved_proxies(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: 
     return Proxies(origin, low, high, coefficients, error, True, steep)
 
 
-def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rounds: int) -> "tuple[Any, ...]":
+def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any") -> "tuple[Any, ...]":
     """Pieces in order, values at their middles, remainders, bounds of h|f′| (by Cauchy) and of |f − f(middle)|."""
     low, high = np.array(starts, dtype=float), np.array(ends, dtype=float)
     origin = np.arange(low.size)
     scale: Any = 0.0
     finished: list[tuple[Any, ...]] = []
-    for level in range(rounds + 1):
+    for level in range(ROUNDS + 1):
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         with np.errstate(all="ignore"):
             enclosures = function(Disc(middle[:, None], half[:, None] * MULTIPLES), origin)
@@ -117,7 +118,7 @@ def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rou
         with np.errstate(over="ignore"):
             remainder = (wide * REMAINDERS[0]).min(axis=2)
         left_out = np.minimum(remainder, (1.0 + LEBESGUE) * wide[:, :, UNIT])
-        good = (left_out <= allowed).all(axis=0) | (level == rounds) | (middle <= low) | (middle >= high)
+        good = (left_out <= allowed).all(axis=0) | (level == ROUNDS) | (middle <= low) | (middle >= high)
         good |= low.size > MOST
         with np.errstate(over="ignore"):
             steep = (wide[:, :, UNIT + 1 :] / (MULTIPLES[UNIT + 1 :] - 1.0)).min(axis=2)
@@ -125,7 +126,7 @@ def _cut(function: "Callable[[Disc, Any], Any]", starts: "Any", ends: "Any", rou
         finished.append((low[good], high[good], origin[good], *(item[:, good] for item in parted)))
         if good.all():
             break
-        # as many parts as would suffice if the discs of the parts were no worse than that of the whole piece
+        # enough parts if the discs of the parts are as good as the disc of the piece
         with np.errstate(over="ignore"):
             enough = np.array([((wide * row).min(axis=2) <= allowed).all(axis=0) for row in REMAINDERS[1:]])
         parts = np.where(enough.any(axis=0), 2 ** (1 + enough.argmax(axis=0)), 16)[~good]

@@ -1,8 +1,8 @@
 """The maximum of a proxied function to the rounding of one evaluation, from its values at stationary points.
 
 A proxy (`numerics.remainders`) shows where a function may be greatest, but its error is far larger than that of one
-evaluation of the function. At a stationary point, though, the function's value hardly depends on the place: the error
-is of second order in that of the proxy's slope, and the bound is that of the value at that place.
+evaluation of the function. At a stationary point the value hardly depends on the place: its error is of second order in
+the error of the proxy's slope, and the bound is the bound of the value there.
 """
 
 from functools import lru_cache
@@ -42,7 +42,7 @@ class Summits:
 
 @lru_cache(maxsize=2)
 def _derivative(count: int) -> "Any":
-    """The matrix that turns Chebyshev coefficients into those of the derivative."""
+    """The matrix from Chebyshev coefficients to those of the derivative."""
     matrix = np.zeros((count, count))
     for k in range(count):
         for j in range(k - 1, -1, -2):
@@ -61,9 +61,9 @@ def summits(
 
     On a piece, f = p + e, |e| ≤ E, |e′| ≤ D. Where p turns (its slope σ at most) and p″ ≤ −m/2 as far as r on either
     side, f is above its value there by (σ + D)h − ¼mh² ≤ (σ + D)²/m at most; at an end of the piece that p falls away
-    from by a and more, by nothing if a > 2D. Whatever is not so near a place is below the level looked for: p rises
-    from there to one of the places, and is below that level at r already. Where p hardly moves within a cell, r has to
-    reach beyond the cell. Pieces without such a proof keep p + E.
+    from by a and more, by nothing if a > 2D. Elsewhere f is below the level sought: p rises from there to one of the
+    places, and is below that level at r already. Where p hardly moves within a cell, r has to reach beyond the cell.
+    Pieces without such a proof keep p + E.
 
     References
     ----------
@@ -72,13 +72,13 @@ def summits(
     Examples
     --------
     >>> from dynamics_cli.numerics.chebyshev.remainders import proved_proxies
-    >>> made = proved_proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
-    >>> float(summits(made)[0].gains[0]) < 1e-18
+    >>> result = proved_proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
+    >>> float(summits(result)[0].gains[0]) < 1e-18
     True
     """
     series = proxy.coefficients[which]
     slack = proxy.error[which] * UP
-    # with what the values of the proxies round by
+    # including the rounding of the proxies' values
     moving = np.abs(series[:, 1:]).sum(axis=1)
     wide = slack + 2.0 * ROUNDING * moving + 2.0**-50 * np.abs(series[:, 0])
     best = float(np.where(np.isfinite(wide), wide, 0.0)[_reaching(series)].max(initial=0.0))
@@ -92,7 +92,7 @@ def summits(
     searched = np.where(sizes > NOISE * sizes.sum(axis=1)[:, None], series, 0.0)
     dropped = np.abs(series - searched).sum(axis=1)
     steep = (np.full(slack.shape, inf) if proxy.steep is None else proxy.steep[which]) + series.shape[1] ** 2 * dropped
-    # all that it is off, with the rounding of its values
+    # the whole error, with the rounding of the values
     errors = slack + candidates.off
     parts = []
     for sign in ways:
@@ -101,7 +101,7 @@ def summits(
         tops = np.full(errors.shape, -inf)
         np.maximum.at(tops, candidates.rows, values)
         near = values >= level[candidates.rows]
-        # many places where it hardly varies are no better than one
+        # of many places where it hardly varies, one suffices
         calm = even | (np.bincount(candidates.rows[near & (candidates.about > 0.0)], minlength=even.size) > CALM)
         near &= ~calm[candidates.rows] | (values == tops[candidates.rows])
         tops = np.where(even, values.max(), tops) + errors
@@ -136,7 +136,7 @@ def _reaching(series: "Any") -> "Any":
 
 
 def _nearer(series: "Any", units: "Any", about: "Any") -> "tuple[Any, Any]":
-    """Places in cells in which a function hardly moves, brought nearer to a turn by two steps of Newton's."""
+    """Places in cells where a function hardly varies, moved towards a stationary point by two Newton steps."""
     calm = about > 0.0
     if not calm.any():
         return units, about
@@ -155,9 +155,9 @@ def _nearer(series: "Any", units: "Any", about: "Any") -> "tuple[Any, Any]":
 
 
 def _gains(series: "Any", units: "Any", above: "Any", steep: "Any", about: "Any") -> "tuple[Any, Any]":
-    """How much greater a function may be about places than at them, and how far that is known to each side.
+    """Largest increase of a function near places, and the distance to each side for which it is proved.
 
-    Its proxy is `above` the level looked for there.
+    `above`: height of the proxy above the level sought.
     """
     count = series.shape[1]
     matrix, k = _derivative(count), np.arange(count, dtype=float)
@@ -184,7 +184,7 @@ def _gains(series: "Any", units: "Any", above: "Any", steep: "Any", about: "Any"
 
 
 def _covered(gains: "Any", wide: "Any", about: "Any", rows: "Any", units: "Any", values: "Any") -> "Any":
-    """The same gains, but none where a place lies in what is known about the best of its piece: that one's counts."""
+    """The same gains, but zero for a place within the proved range of the best place of its piece."""
     if not 1 < gains.size <= COVERED:
         return gains
     same = rows[:, None] == rows
@@ -195,25 +195,25 @@ def _covered(gains: "Any", wide: "Any", about: "Any", rows: "Any", units: "Any",
 
 
 def doubtful(summits_known: Summits, sure: float) -> "Any":
-    """Pieces (array of m, of bool) that may hold more than is `sure`, and about whose places nothing is known."""
-    # places were looked for from a level that has to be below what is certain, by the error of the piece
+    """Pieces (m booleans) that may exceed `sure` and have no proof about their places."""
+    # the level of the search must be below the certain value by the error of the piece
     return (summits_known.tops >= sure) & (summits_known.loose | (summits_known.level > sure - summits_known.errors))
 
 
 def settled(summits_known: Summits, values: "Any", errors: "Any") -> "tuple[float, int, float]":
-    """The greatest value, the first of the places that rounding cannot tell from it, and the bound of its error.
+    """The maximum, the first of its places that are equal within rounding, and its error bound.
 
     `summits_known`: places; `values`: the function at each of them; `errors`: the error bound of each value. Returns
     the value, the index of its place, and the error bound of the maximum.
 
-    The greatest value is at least what is certain at the best place, and at most the most of what is possible at every
-    place and on every piece without a proof of its own.
+    The maximum is at least the certain value at the best place, and at most the largest possible value at every place
+    and on every piece without its own proof.
 
     Examples
     --------
     >>> from dynamics_cli.numerics.chebyshev.remainders import proved_proxies
-    >>> made = proved_proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
-    >>> top = summits(made)[0]
+    >>> result = proved_proxies(lambda x, piece: np.sin(x)[None], np.array([0.0]), np.array([3.0]))
+    >>> top = summits(result)[0]
     >>> settled(top, np.array([1.0]), np.array([1e-16]))[2] < 2e-16
     True
     """
@@ -227,7 +227,7 @@ def settled(summits_known: Summits, values: "Any", errors: "Any") -> "tuple[floa
     loose = doubtful(summits_known, sure)
     with np.errstate(invalid="ignore"):
         reach = values + errors + np.where(np.isinf(summits_known.gains), 0.0, summits_known.gains)
-        # what the piece's proxy says may be less still
+        # the bound of the piece's proxy may be smaller
         reach = float(np.maximum(values + errors, np.minimum(reach, summits_known.tops[summits_known.rows])).max())
     rest = summits_known.tops[loose]
     if rest.size:

@@ -39,7 +39,7 @@ class Eigen:
         return self._bounds
 
     def refined(self) -> "Eigen":
-        """The same with every eigenvalue accurate to its last bits, however small beside the others."""
+        """The same with every eigenvalue accurate to its last bits, even if far smaller than the others."""
         if self._matrix is None:
             return self
         from dynamics_cli.numerics.eigen3.residual import quotients
@@ -129,7 +129,7 @@ def _rotate(a: "list[list[float]]", axes: "list[list[float]]", p: int, q: int, r
 
 
 def _normal(vector: "list[float]") -> "Triple":
-    """The vector at unit length, an axis left as it is."""
+    """The vector at unit length; a coordinate axis is unchanged."""
     x, y, z = (part + 0.0 for part in vector)
     square = x * x + y * y + z * z
     scale = where(square == 1.0, 1.0, 1.0 / sqrt(square))

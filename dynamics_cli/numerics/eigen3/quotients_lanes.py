@@ -1,8 +1,8 @@
 """Rayleigh's quotients of many matrices side by side, each rounded once: pairs of doubles, else whole numbers.
 
-A pair of doubles leaves an error of some 2⁻¹⁰⁴ of the sizes added up (Dekker, A floating-point technique for extending
-the available precision, Numer. Math. 18 (1971) 224). Where both ends of what that leaves open round alike, so does the
-quotient; the others are divided in whole numbers.
+A pair of doubles has an error of about 2⁻¹⁰⁴ of the sizes added (Dekker, A floating-point technique for extending
+the available precision, Numer. Math. 18 (1971) 224). Where both ends of this interval round to the same double, so does
+the quotient; the others are divided in integers.
 """
 
 import numpy as np
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     Triple = tuple[Any, Any, Any]
     Rows = tuple[Triple, Triple, Triple]
 
-# Share of the sizes added up that the error of a pair is below, at least 2⁶ times what the roundings may add up to.
+# Error bound of a pair relative to the sizes added, at least 2⁶ times the sum of the roundings.
 _OPEN = 2.0**-97
 # Sizes outside this range may lose parts of a product to underflow or overflow.
 _SMALLEST, _LARGEST = 2.0**-700, 2.0**900
@@ -43,7 +43,7 @@ def quotients(matrix: "Rows", vectors: "Rows", exact: "Callable[[Any, Any], Trip
 
 
 def _in_pairs(a: "Array", v: "Array") -> "tuple[Array, Array]":
-    """Quotients by vectors and lanes, and which of them are rounded as the exact ones."""
+    """Quotients by vectors and lanes, and which of them are correctly rounded."""
     # A v by vectors, rows and lanes
     half = _sum_of_three([_product(a[:, j], v[:, None, j]) for j in range(3)])
     above = _sum_of_three([_product(half[0][:, i], v[:, i], half[1][:, i]) for i in range(3)])
@@ -60,7 +60,7 @@ def _in_pairs(a: "Array", v: "Array") -> "tuple[Array, Array]":
 
 
 def _product(x: "Array", y: "Array", low: "Array | None" = None) -> "tuple[Array, Array]":
-    """A product and what rounding lost of it; `low` is the second part of a pair `x`."""
+    """A product and its rounding error; `low` is the second part of a pair `x`."""
     product = x * y
     x_high, y_high = _SPLIT * x, _SPLIT * y
     x_high, y_high = x_high - (x_high - x), y_high - (y_high - y)
@@ -78,7 +78,7 @@ def _sum_of_three(pairs: "list[tuple[Array, Array]]") -> "tuple[Array, Array]":
 
 
 def _sum(x: "Array", y: "Array") -> "tuple[Array, Array]":
-    """A sum and what rounding lost of it."""
+    """A sum and its rounding error."""
     total = x + y
     other = total - x
     return total, (x - (total - other)) + (y - other)

@@ -20,7 +20,7 @@ UNIT_ROUNDOFF = 2.0**-53
 _SLACK = 1.0 + 2.0**-30
 # Roundings of the difference of two quotients.
 _CLOSE = 4.0 * UNIT_ROUNDOFF
-# What gradual underflow can take from a bound.
+# Error of a bound by gradual underflow.
 _TINY = 5e-324
 _OTHERS = ((1, 2), (0, 2), (0, 1))
 
@@ -28,9 +28,9 @@ _OTHERS = ((1, 2), (0, 2), (0, 1))
 def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "Rows | None" = None) -> "Triple":
     """Error bounds of given eigenvalues of a symmetric 3 × 3 matrix.
 
-    `matrix`: the symmetric matrix A, of finite numbers; `values`: its eigenvalues as they were found, in order of size;
-    `vectors`: its eigenvectors V as they were found, as rows: orthonormal to some roundings; `errors`: how far each
-    element of the matrix may be off; nothing when not given. Returns a bound for each, in the order of the values.
+    `matrix`: the symmetric matrix A, of finite numbers; `values`: its computed eigenvalues, in order of size;
+    `vectors`: its computed eigenvectors V as rows, orthonormal to some roundings; `errors`: error
+    bound of each element of the matrix, zero when not given. Returns a bound for each, in the order of the values.
 
     The three terms are the distance of Rayleigh's quotient from the value; its distance from an eigenvalue, quadratic
     over the gap η to the others (Li and Li, A note on eigenvalues of perturbed Hermitian matrices, Linear Algebra Appl.
@@ -49,8 +49,8 @@ def residual_bounds(matrix: "Rows", values: "Triple", vectors: "Rows", errors: "
 
     Examples
     --------
-    >>> one = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    >>> [round(bound) for bound in residual_bounds(((9.0, 0.0, 0.0), (0.0, 5.0, 0.0), (0.0, 0.0, 1.0)), (9, 5, 2), one)]
+    >>> v = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    >>> [round(bound) for bound in residual_bounds(((9.0, 0.0, 0.0), (0.0, 5.0, 0.0), (0.0, 0.0, 1.0)), (9, 5, 2), v)]
     [0, 0, 1]
     """
     if errors is not None and not all(error < inf for row in errors for error in row):
@@ -67,7 +67,7 @@ def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -
     """Bounds of the angles between given vectors and the eigenvectors of a symmetric 3 × 3 matrix.
 
     `matrix`: the symmetric matrix A, of finite numbers; `vectors`: its eigenvectors V as they were found, as rows:
-    orthonormal to some roundings; `errors`: how far each element of the matrix may be off; nothing when not given.
+    orthonormal to some roundings; `errors`: error bound of each element of the matrix, zero when not given.
     Returns an angle for each vector [rad]; infinite where its eigenvalue cannot be separated from another.
 
     The residual over the gap: Davis and Kahan, The rotation of eigenvectors by a perturbation III, SIAM J. Numer. Anal.
@@ -83,8 +83,8 @@ def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -
 
     Examples
     --------
-    >>> one = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    >>> tilt_bounds(((1.0, 1e-9, 0.0), (1e-9, 2.0, 0.0), (0.0, 0.0, 3.0)), one)[0] < 1.1e-9
+    >>> v = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    >>> tilt_bounds(((1.0, 1e-9, 0.0), (1e-9, 2.0, 0.0), (0.0, 0.0, 3.0)), v)[0] < 1.1e-9
     True
     """
     if errors is not None and not all(error < inf for row in errors for error in row):
@@ -106,8 +106,8 @@ def tilt_bounds(matrix: "Rows", vectors: "Rows", errors: "Rows | None" = None) -
 class _Seen:
     """A matrix along vectors, its numbers as shares of 2^size, within the range of doubles.
 
-    Rayleigh's quotients, how far given values are away from them, what is beside the diagonal off row and column k, how
-    far the diagonal may be off, and by how much the vectors are not orthogonal and not of unit length.
+    Rayleigh's quotients, the distance of given values from them, the off-diagonal part without row and column k, the
+    error of the diagonal, and the deviations of the vectors from orthogonality and unit length.
     """
 
     def __init__(self, matrix: "Rows", values: "Triple", vectors: "Rows", errors: "Rows | None") -> None:
@@ -131,7 +131,7 @@ class _Seen:
         self._exact = cells, products, scale, more
 
     def residual(self, k: int, j: int) -> float:
-        """What A vₖ less its quotient times vₖ has along vⱼ, which may be not quite across vₖ."""
+        """Component along vⱼ, which may not be exactly orthogonal to vₖ, of A vₖ less its quotient times vₖ."""
         cells, products, scale, more = self._exact
         norm = products[k][k]
         residue = (
@@ -205,7 +205,7 @@ def _dot(a: "Sequence[int]", b: "Sequence[int]") -> int:
 
 
 def _spreads(diagonal: "list[float]", beside: "list[float]", blur: "list[float]") -> "list[float]":
-    """How far a matrix's eigenvalues are from its diagonal, known to a blur; `beside[k]` is off row and column k."""
+    """Distances of eigenvalues from the diagonal, known within `blur`; `beside[k]` leaves out row and column k."""
     spreads = [sqrt(2.0 * (beside[0] * beside[0] + beside[1] * beside[1] + beside[2] * beside[2]))] * 3
     apart = [
         abs(diagonal[i] - diagonal[j]) - blur[i] - blur[j] - _CLOSE * (abs(diagonal[i]) + abs(diagonal[j]))

@@ -1,4 +1,4 @@
-"""Arrays of doubles times an exact factor, each result rounded once: bit for bit what exact integers would give.
+"""Arrays of doubles times an exact factor, each result rounded once: the same bits as exact integers give.
 
 The factor is held as the sum of two doubles (about 106 bits) and the product is formed with its rounding error
 (Dekker 1971). Rounding it is certain unless the exact product lies within 2^-100 of itself from the middle of two
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
     Mask = NDArray[Any]
 
-# π cut after 100 decimals: its error, 2^-332, is negligible beside the 2^-107 of a pair of doubles.
+# π to 100 decimals: its error, 2^-332, is negligible against the 2^-107 of a pair of doubles.
 _PI = 31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679
 _PI_SCALE = 10**100
 _SPLITTER = 134217729.0
@@ -152,7 +152,7 @@ def _with_pi(numerator: int, denominator: int, pi: int) -> "tuple[int, int]":
 
 
 def _pair(numerator: int, denominator: int) -> "tuple[float, float]":
-    """The double nearest to a ratio and the double nearest to what it lacks; (0, 0) out of range, which is refused."""
+    """The double nearest to a ratio and the double nearest to the remainder; (0, 0) out of range, which is refused."""
     try:
         high = numerator / denominator
     except OverflowError:

@@ -29,7 +29,7 @@ class ManyDigits:
     """A number of 60 digits; `exact` is the decimal, within some units of its last digit."""
 
     __slots__ = ("exact",)
-    # what iterates in doubles refuses these (`elementary.only_in_doubles`)
+    # iterations in doubles refuse these (`elementary.only_in_doubles`)
     many_digits = True
 
     def __init__(self, exact: Decimal) -> None:
@@ -141,8 +141,8 @@ def measured_error(value: float, number: ManyDigits, bound: float) -> float:
     """The rounding error of `value`, from the same number in many digits; never more than `bound`, its running bound.
 
     The running bound of 60-digit arithmetic is that of doubles times 10⁻⁶⁰·2⁵³ and some units for its functions: far
-    below 10⁻³⁰ of the bound, which is added. So are two last bits of the value: for the constants of a formula that are
-    doubles in both passes, and for what a Newton step from a double's root leaves.
+    below 10⁻³⁰ of the bound, which is added. Two last bits of the value are added as well: for constants of a formula
+    that are doubles in both passes, and for the residual of a Newton step from a double's root.
 
     References
     ----------

@@ -25,5 +25,5 @@ class TypedNumber(float):
         return self.ratio
 
     def as_integer_ratio(self) -> tuple[int, int]:
-        """The ratio that was typed, not that of the double."""
+        """The typed ratio, not the ratio of the double."""
         return self.ratio

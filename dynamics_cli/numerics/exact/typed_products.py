@@ -30,7 +30,7 @@ SLACK = 1.0 + 2.0**-20
 
 
 def typed(x: float) -> "Pair":
-    """The exact number that a double stands for.
+    """The exact decimal that a double stands for.
 
     >>> typed(0.1)
     (1, 10)

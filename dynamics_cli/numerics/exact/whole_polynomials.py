@@ -1,7 +1,7 @@
 """Polynomials with whole coefficients, from the constant up: division, common divisors, Sturm chains, real roots.
 
-Every answer is exact. Coefficients are kept small by taking out what they have in common, which needs no type of its
-own: `fractions` costs a shell user two interpreter starts.
+Every answer is exact. Coefficients are kept small by dividing by their common factor, without the `fractions` module,
+whose import takes as long as two starts of the interpreter.
 """
 
 from functools import cmp_to_key, reduce
@@ -72,7 +72,7 @@ def derivative(p: "Sequence[int]") -> "Polynomial":
 
 
 def remainder(p: "Sequence[int]", q: "Sequence[int]") -> "Polynomial":
-    """What is left of p after division by q, times a positive number, in lowest terms."""
+    """The remainder of p divided by q, times a positive number, in lowest terms."""
     rest, lead = list(trimmed(p)), q[-1]
     while len(rest) >= len(q):
         top, shift = rest.pop(), len(rest) + 1 - len(q)
@@ -190,7 +190,7 @@ def root_bound(p: "Sequence[int]") -> int:
 def isolated(p: "Sequence[int]") -> "list[tuple[Pair, Pair]]":
     """Intervals with ratios as ends that hold one real root each, from the least up; a root at a ratio is both ends.
 
-    `p` has no multiple roots. The ends of an interval that is not a point are no roots.
+    `p` has no multiple roots. The ends of an interval are not roots, unless it is a point.
     """
     if len(p) < 2:
         return []

@@ -46,7 +46,7 @@ class Expression:
         self.names = frozenset(_names(tree))
 
     def __call__(self, **variables: "Any") -> "Any":
-        """The value for these variables: numbers of any sort, or jets."""
+        """The value for these variables: numbers of any type, or jets."""
         beside = [x.parts[0] if isinstance(x, jets.Jet) else x for x in variables.values()]
         return _value(self.tree, variables, pi_beside(*beside))
 
@@ -57,7 +57,7 @@ def parse(
     units: "Units | None" = None,
     taken: "Collection[str]" = (),
 ) -> Expression:
-    """Read a whole formula; refuse what is left over, and names that are not variables.
+    """Read a whole formula; refuse trailing text and names that are not variables.
 
     Numbers may have these units; in `3 m/s*m` the last m is a variable if that name is taken.
 
@@ -83,7 +83,7 @@ def check_names(formula: Expression, variables: "frozenset[str] | set[str] | tup
 
 
 def begin(text: str, units: "Units | None" = None, taken: "Collection[str]" = ()) -> Expression:
-    """Read the formula that a text begins with; what follows it, such as a unit, begins at `end`."""
+    """Read the formula at the beginning of a text; the text after it, such as a unit, begins at `end`."""
     if len(text) > LONGEST:
         raise UsageError(f"the formula has more than {LONGEST} characters", code="expression")
     reader = _Reader("".join(SIGNS.get(letter, letter) for letter in text), units, taken)

@@ -229,7 +229,7 @@ def power(u: Jet, exponent: "Any") -> Jet:
 
 
 def whole_power(u: "Any", count: int) -> "Any":
-    """A power of a whole exponent, of numbers of any sort, by squaring."""
+    """A power with a whole exponent, of numbers of any type, by squaring."""
     if count < 0:
         return 1.0 / whole_power(u, -count)
     if count == 0:

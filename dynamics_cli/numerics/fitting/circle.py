@@ -16,7 +16,7 @@ CLOSE = 1e-15
 
 
 class Circle:
-    """A fitted circle: centre from the first point, radius, and what the points say of it.
+    """A fitted circle: centre from the first point, radius, and quality of the fit.
 
     `factor` is the standard deviation of the radius over that of a point, `residual` the scatter of the points about
     the circle where more than three tell, `sagitta` the height of the arc over the chord of its ends.
@@ -38,8 +38,8 @@ class Circle:
 def circle_through(x: "Sequence[float]", y: "Sequence[float]") -> "Circle | None":
     """The circle with the least sum of squared distances; None for points on a line, which have none.
 
-    From the algebraic circle about the centroid by Gauss and Newton's steps on the distances; points on a scale of
-    one. Σ(|p − c| − R)² is what is least.
+    From the algebraic circle about the centroid by Gauss–Newton steps on the distances, which minimise Σ(|p − c| − R)²;
+    points are scaled to one.
     """
     count = len(x)
     middle = fsum(x) / count, fsum(y) / count
@@ -75,7 +75,7 @@ def circle_through(x: "Sequence[float]", y: "Sequence[float]") -> "Circle | None
 
 
 def settled_radius(x: "Sequence[Any]", y: "Sequence[Any]", circle: Circle) -> "Any":
-    """The radius with what the points carry: one full step of Newton's from the doubles of the fit."""
+    """The radius with the bounds and derivatives of the points: one full Newton step from the doubles of the fit."""
     from dynamics_cli.numerics.elementary import hypot as any_hypot
 
     gradient: list[Any] = [0.0, 0.0, 0.0]

@@ -30,7 +30,7 @@ BLOCK = 16_384
 FINER = 4
 COARSE = 12
 DEEPEST = 4
-# Twice what rounding does to a point of a cubic (sixteen roundings of convex sums), to the arc length of a projection,
+# Twice the rounding error of a point of a cubic (sixteen roundings of convex sums), of the arc length of a projection,
 # and to coordinates on their way into a file's unit, by the largest coordinate.
 ROUNDING = 2.0**-46
 # joints between zones are doubles; the exact joint is within this share of a radian or of the angle
@@ -152,7 +152,7 @@ def _apart(x: Disc, y: Disc) -> "Any":
 
 
 def _on_arcs(ends: "Any", bulges: "Any", owner: "Any", at: "tuple[Disc, Disc]") -> "tuple[Any, Any, tuple[Any, ...]]":
-    """Distances of nodes from their arcs, arc lengths of the nearest points, and what the arcs are.
+    """Distances of nodes from their arcs, arc lengths of the nearest points, and the data of the arcs.
 
     With the chord on the x axis, a half of it, G = ½κ((x − a)(x + a) + y²) − y cos(½ sweep) has distance from the
     circle 2G/(1 + √(1 + 2κG)), without cancellation down to straight pieces; the nearest point is at the angle
@@ -190,7 +190,7 @@ def _on_arcs(ends: "Any", bulges: "Any", owner: "Any", at: "tuple[Disc, Disc]") 
 def _on_cubics(
     ends: "Any", inner: "Any", owner: "Any", last: "Any", at: "tuple[Disc, Disc]"
 ) -> "tuple[Any, Any, tuple[Any, ...]]":
-    """Distances of nodes from points of their cubics, the parameters of these, and what the cubics are."""
+    """Distances of nodes from points of their cubics, the parameters of these, and the data of the cubics."""
     x, y = at
     owners = np.concatenate((owner, np.arange(ends.shape[0])))
     px = np.stack((ends[:, 0], inner[:, 0, 0], inner[:, 1, 0], ends[:, 2]))

@@ -10,8 +10,8 @@ if TYPE_CHECKING:
         """A closed curve of smooth pieces over one parameter, with enclosures of itself and of its acceleration.
 
         `starts` and `ends` are arrays, one place for each piece; `still` says which pieces are circles that run against
-        `turn`, `straight` which are drawn as lines whatever is asked for. Refusals name the `parameter`; `sharp` is
-        their hint where nothing is known of the acceleration.
+        `turn`, `straight` which are always drawn as lines. Refusals name the `parameter`; `sharp` is their hint where
+        the acceleration has no bound.
         """
 
         starts: Any

@@ -34,16 +34,16 @@ def angle_between(ax: "Any", ay: "Any", bx: "Any", by: "Any") -> "Any":
 
 
 def form_of(path: "Path", piece: int, form: str) -> str:
-    """What a piece is made of: lines where the curve comes to a point, whose curvature has no limit."""
+    """The form of a piece: lines at a cusp of the curve, where the curvature is unbounded."""
     return "lines" if piece in path.straight else form
 
 
 def fit(path: "Path", form: str, tolerance: float) -> "list[tuple[int, Any, Any]]":
     """Places of the pieces' ends on every smooth piece of the curve, and the shape between them.
 
-    `path`: the curve; `form`: "arcs", "cubics" or "lines"; `tolerance`: what a piece may err, as sampled; the proof is
-    made afterwards [m]. Returns for each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles (n,
-    2). Raises InadmissibleError when it would take more than 20,000 pieces.
+    `path`: the curve; `form`: "arcs", "cubics" or "lines"; `tolerance`: allowed deviation of a piece, as sampled; it is
+    proved afterwards [m]. Returns for each smooth piece its index, the places (n + 1,) and the bulges (n,) or handles
+    (n, 2). Raises InadmissibleError when it would take more than 20,000 pieces.
     """
     fits = []
     for index, (start, end) in enumerate(zip(path.starts, path.ends, strict=True)):
@@ -192,13 +192,12 @@ def bezier(x0: "Any", x1: "Any", x2: "Any", x3: "Any", t: "Any") -> "tuple[Any, 
     return value, 3.0 * (d0 * u * u + 2.0 * d1 * u * t + d2 * t * t), 6.0 * ((d1 - d0) * u + (d2 - d1) * t)
 
 
-def controls(path: "OnPiece", places: "Any", handles: "Any", chosen: "Any" = slice(None)) -> "tuple[Any, Any]":
-    """Control points of the chosen cubics, (n, 4) for each coordinate."""
+def controls(path: "OnPiece", places: "Any", handles: "Any") -> "tuple[Any, Any]":
+    """Control points of the cubics, (n, 4) for each coordinate."""
     x, y, tx, ty, _ = path.at(places)
-    a, b = handles[chosen, 0], handles[chosen, 1]
+    a, b = handles[:, 0], handles[:, 1]
     points = []
     for start, end, early, late in ((x[:-1], x[1:], tx[:-1], tx[1:]), (y[:-1], y[1:], ty[:-1], ty[1:])):
-        start, end, early, late = start[chosen], end[chosen], early[chosen], late[chosen]
         points.append(np.stack((start, start + a * early, end - b * late, end), axis=1))
     return points[0], points[1]
 

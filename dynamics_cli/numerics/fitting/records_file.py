@@ -10,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# What a bracket behind the name of the time may say.
+# Units allowed in brackets after the name of the time.
 TIMES = {"": 1.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0}
 MOST = 200_000
 # Units of a load.

@@ -21,12 +21,12 @@ STARTS = 240
 STEPS = 60
 SETTLED = 1e-13
 SAME = 1e-7
-# What rounding may make of a square root's argument, relatively: a toggle is still closed.
+# Relative rounding of a square root's argument: a toggle is still closed.
 TOUCH = 1e-13
 
 
 class Assembly:
-    """One assembly of the linkage; `solution` numbers those that only Newton's method tells apart."""
+    """One assembly of the linkage; `solution` numbers those that only Newton's method distinguishes."""
 
     def __init__(self, at: "Pins", words: "tuple[tuple[str, str], ...]", dyads: int, solution: str = "") -> None:
         self.at = at
@@ -49,7 +49,7 @@ class Assembler:
     def __init__(self, system: System) -> None:
         self.system = system
         self.scene: Scene = system.scene
-        # the smallest gap met, with what could not be joined
+        # the smallest gap found, and the pins that could not be joined
         self.gap: tuple[float, str] = (np.inf, "")
         self.newton = False
 

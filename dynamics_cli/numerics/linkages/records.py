@@ -51,7 +51,7 @@ class Slide:
 
 @record
 class Driver:
-    """What drives the linkage: the angle of a link, or the position of a pin along its slide."""
+    """A driver of the linkage: the angle of a link, or the position of a pin along its slide."""
 
     link: Annotated[Text, "The link that is turned; its angle is that of its own axes."] = ""
     against: Annotated[Text, "The link against which the angle is measured."] = GROUND

@@ -127,7 +127,7 @@ class System:
         return other
 
     def turned_against(self, driver: Driver) -> "tuple[Shape, Shape, float]":
-        """The driven link, what it is turned against, and the angle between their bases."""
+        """The driven link, the link that its angle is measured from, and the angle between their bases."""
         driven, base_link = self.shapes[driver.link], self.shapes[driver.against]
         base = base_link.base if driver.against != GROUND else 1.0 + 0j
         return driven, base_link, driver.angle + float(np.angle(driven.base)) - float(np.angle(base))

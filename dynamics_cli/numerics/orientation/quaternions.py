@@ -42,8 +42,8 @@ def conjugate(q: Quaternion) -> Quaternion:
     return q[0], opposite(q[1]), opposite(q[2]), opposite(q[3])
 
 
-def normalized(q: Quaternion, message: str = "the quaternion has no length") -> Quaternion:
-    """The unit quaternion along one of any length, however large or small.
+def normalized(q: Quaternion) -> Quaternion:
+    """The unit quaternion along one of any length, without overflow or underflow.
 
     Raises
     ------
@@ -51,7 +51,8 @@ def normalized(q: Quaternion, message: str = "the quaternion has no length") -> 
         When all four components are zero.
     """
     largest = maximum(maximum(abs(q[0]), abs(q[1])), maximum(abs(q[2]), abs(q[3])))
-    require(largest > 0.0, message, code="rotation", hint="1, 0, 0, 0 leaves the axes as they are")
+    hint = "1, 0, 0, 0 leaves the axes as they are"
+    require(largest > 0.0, "the quaternion has no length", code="rotation", hint=hint)
     w, x, y, z = q[0] / largest, q[1] / largest, q[2] / largest, q[3] / largest
     size = sqrt(w * w + x * x + y * y + z * z)
     return w / size, x / size, y / size, z / size
@@ -88,8 +89,8 @@ def of_vector(v: Vector) -> Quaternion:
 def of_rotation(m: Matrix) -> Quaternion:
     """The quaternion of a rotation matrix.
 
-    The matrix 4·q qᵀ follows from that of the rotation; its row with the largest diagonal, at least one, is along q and
-    has no cancellation in its length.
+    The matrix 4·q qᵀ follows from that of the rotation; its row with the largest diagonal element (at least one) is
+    along q, without cancellation in its length.
 
     References
     ----------
@@ -109,7 +110,7 @@ def of_rotation(m: Matrix) -> Quaternion:
 
 
 def axis_and_angle(q: Quaternion) -> tuple[Vector, float]:
-    """Axis and angle of a unit quaternion with w ≥ 0: the angle from 0 to 180°, the axis upward where there is none."""
+    """Axis and angle of a unit quaternion with w ≥ 0: the angle from 0 to 180°; for no turn the axis is z."""
     w, x, y, z = q
     size = length((x, y, z))
     still = size == 0.0

@@ -78,7 +78,7 @@ def sequence_of(text: str) -> Sequence:
     Raises
     ------
     InadmissibleError
-        When it is none of the 24.
+        When it is not one of the 24 sequences.
     """
     words = text.strip().replace("_", "-").split()
     fixed = words[0].lower() in ("fixed", "extrinsic") if words else False
@@ -195,13 +195,13 @@ def angles_of_quaternion(q: Quaternion, sequence: Sequence, *, zero_third: bool 
     a, c = plus + minus, plus - minus
     if not sequence.repeats:
         c = _signed(-e, c)
-    # at lock the whole rotation is in one of them; the half sums divide it between both
+    # at lock only the sum or difference of both is known; the half sums divide it between them
     a, c = where(locked, 0.0, a), where(locked, 2.0 * c, c)
     return _ordered(wrapped(a), b, wrapped(c), margin, distance, locked, sequence, zero_third)
 
 
 def _angle_or_zero(y: float, x: float, size: float) -> float:
-    """atan2, but 0 at the origin whatever the signs of zero."""
+    """atan2, but 0 at the origin for zeros of any sign."""
     return where(size == 0.0, 0.0, atan2(y, x))
 
 

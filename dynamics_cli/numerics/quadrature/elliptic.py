@@ -2,7 +2,8 @@
 
 from dynamics_cli.numerics.elementary import hypot, sqrt
 
-# A step divides what the arguments differ by four: from a ratio of 1e-16, so many leave the series below 1e-60.
+# Each step divides the differences of the arguments by four: from a ratio of 1e-16 this many leave a remainder below
+# 1e-60.
 STEPS = 36
 
 

@@ -64,7 +64,7 @@ def _build(dimensions: int, level: int) -> "tuple[Array, Array]":
     """Points by their active axes: a point's weight depends on its non-zero coordinates only, so it is found once.
 
     The grid is the sum over multi-indices |i| ≤ level of products of differences Δ_i = Q_i − Q_{i−1}; an inactive axis
-    (coordinate 0) takes the central weight of whatever difference it has.
+    (coordinate 0) takes the central weight of its difference.
     """
     differences = _differences(level)
     centres = np.array([row[0] for row in differences])

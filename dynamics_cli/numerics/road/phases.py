@@ -171,7 +171,7 @@ def _even(phase: Phase, speed: float, name: str, *, forward: bool) -> Leg:
 def _build_up(
     phases: "tuple[Phase, ...]", index: int, speed: float, gravity: float, name: str, *, forward: bool
 ) -> Leg:
-    """A phase in which the deceleration rises linearly from nothing to that of the braking after it."""
+    """A phase in which the deceleration rises linearly from zero to that of the braking after it."""
     phase = phases[index]
     _require_count(phase, ("duration",), 1, name)
     rate = rate_of(phase, gravity, name)

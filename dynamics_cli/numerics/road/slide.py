@@ -34,7 +34,7 @@ def require_kept(nonzero: object, quantity: str) -> None:
 
 
 def crossing_time(distance: float, entry_speed: float, exit_speed: float) -> float:
-    """Time 2d/(v₁ + v₂) of a uniformly slowed stretch; zero where there is neither distance nor speed.
+    """Time 2d/(v₁ + v₂) of a uniformly slowed stretch; zero if distance and speed are zero.
 
     References
     ----------

@@ -56,7 +56,7 @@ def start_up(phase: "Any", speed: float, name: str, *, forward: bool) -> Leg:
 
 
 def _time(speed: "Any", rate: "Any", bend: "Any", way: "Any", other: "Any", name: str) -> "Any":
-    """Time to a distance, or to a speed: a root in doubles, then one step of Newton's with what the numbers carry."""
+    """Time to a distance or a speed: a root in doubles, then one Newton step with bounds and derivatives."""
     to_way = way is not None
     target = way if to_way else other
     numbers = (speed, rate, bend, target)

@@ -51,7 +51,7 @@ def bearing(
     Returns
     -------
     Bearing
-        The radius, and cage, ball and spin speeds as ratios to that of the shaft.
+        The radius, and cage, ball and spin speeds relative to the shaft speed.
 
     Raises
     ------

@@ -136,7 +136,7 @@ def _turning(c: float, s: float, first: Vector, second: Vector) -> "tuple[Vector
     """Angular velocity and acceleration from rates of tilt, heading and spin."""
     tilt, heading, spin = first
     omega = (tilt, heading * s, spin + heading * c)
-    # rates of these components, and what the turning of their axes adds
+    # rates of these components, and the contribution of their rotating axes
     rates = (second[0], second[1] * s + heading * tilt * c, second[2] + second[1] * c - heading * tilt * s)
     return omega, add(rates, cross((tilt, heading * s, heading * c), omega))
 

@@ -25,7 +25,7 @@ PARALLEL = 1e-20
 
 @record
 class Roller:
-    """A body: the part of its motion that is known, and the axis about which its rate is wanted."""
+    """A body: the known part of its motion, and the axis of the unknown rate."""
 
     angular_velocity: Annotated[AngularVelocity, "Known part of its angular velocity, e.g. 0, 0, 2 rad/s."] = NOTHING
     axis: Annotated[

@@ -17,7 +17,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Check, record
 
-# What rounding leaves of the sum by another order, relative to its largest term.
+# Rounding difference of the sum in another order, relative to its largest term.
 TOLERANCE = 1e-13
 
 

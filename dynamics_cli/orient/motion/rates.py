@@ -26,7 +26,7 @@ from dynamics_cli.records import Advice, Check, record
 NOTHING = (0.0, 0.0, 0.0)
 # Rates this many times the angular velocity deserve a remark.
 SENSITIVE = 50.0
-# What rounding leaves of a round trip, relative to the size of the rates.
+# Rounding error of a round trip, relative to the size of the rates.
 TOLERANCE = 1e-13
 # The determinant below this is lock: the cosine of the double nearest to 90° is 6e-17.
 LOCK = 1e-15
@@ -66,7 +66,7 @@ class ByBody:
 
 @record
 class Rates:
-    """Angular velocity and acceleration beside the rates of the angles."""
+    """Angular velocity and acceleration with the rates of the angles."""
 
     angular_velocity: Annotated[AngularVelocity, "Angular velocity ω in fixed components [rad/s]."]
     body_angular_velocity: Annotated[AngularVelocity, "The same in body components [rad/s]."]
@@ -176,7 +176,7 @@ def _axes(sequence: Sequence, angles: Vector) -> "tuple[Matrix, Matrix]":
 
 
 def _gyroscopic(axes: Matrix, first: Vector) -> Vector:
-    """What turning axes add to the angular acceleration."""
+    """Contribution of the rotating axes to the angular acceleration."""
     a, b, c = (scale(rate, axis) for rate, axis in zip(first, axes, strict=True))
     return add(cross(a, b), cross(add(a, b), c))
 

@@ -64,16 +64,16 @@ def curve(points: "Sequence[Sequence[float]]", style: str, role: int = GREY, vie
 
 
 def words(at: "Sequence[float]", text: str, role: int = 6, view: "Any" = seen) -> Label:
-    """Words beside the tip of a vector."""
+    """Label beside the tip of a vector."""
     x, y = view(at)
     return Label(x, y, text, role)
 
 
-def triad(matrix: "Any", mark: str, role: int, *, size: float = 1.0, dashed: bool = False) -> "list[Any]":
+def triad(matrix: "Any", mark: str, role: int, *, dashed: bool = False) -> "list[Any]":
     """Three arrows along the columns of a rotation matrix."""
     items: list[Any] = []
     for k, name in enumerate("xyz"):
-        tip = numbers(tuple(size * plain(row[k]) for row in matrix))
+        tip = numbers(tuple(plain(row[k]) for row in matrix))
         items.append(arrow(tip, "", role, dashed=dashed))
         # primed names farther out, for axes that fall together
         items.append(words(tuple((1.2 if mark in ("′", "₂") else 1.08) * part for part in tip), name + mark, role))

@@ -40,7 +40,7 @@ class Pair:
 
 @record
 class Fit:
-    """One pair beside the rotation."""
+    """One pair compared with the rotation."""
 
     name: Annotated[Text, "The pair."]
     residual: Annotated[Angle, "Angle between the turned direction and the measured one [rad]."]
@@ -82,7 +82,7 @@ def align(
     Returns
     -------
     Aligned
-        The rotation, what it leaves of each pair, and how well the directions determine it.
+        The rotation, the remaining angle of each pair, and how well the directions determine it.
 
     Raises
     ------
@@ -95,9 +95,9 @@ def align(
 
     Examples
     --------
-    >>> one = Pair(before=(1.0, 0.0, 0.0), after=(0.0, 1.0, 0.0))
+    >>> first = Pair(before=(1.0, 0.0, 0.0), after=(0.0, 1.0, 0.0))
     >>> two = Pair(before=(0.0, 1.0, 0.0), after=(-1.0, 0.0, 0.0))
-    >>> round(align(pairs=(one, two)).rotation_angle, 12)
+    >>> round(align(pairs=(first, two)).rotation_angle, 12)
     1.570796326795
     """
     several = pairs if isinstance(pairs, tuple) else (pairs,)

@@ -72,7 +72,7 @@ Attitude = ByQuaternion | Euler | YawPitchRoll | AxisAngle | RotationVector | By
 
 @record
 class Orientation:
-    """A rotation as read: its unit quaternion with w ≥ 0, its matrix, and what the angles are best taken from."""
+    """A rotation as read: its unit quaternion with w ≥ 0, its matrix, and the form to take angles from."""
 
     quaternion: Quaternion
     matrix: Matrix
@@ -81,7 +81,7 @@ class Orientation:
     """How far a given matrix is from the rotation nearest to it (Frobenius norm)."""
 
     def angles(self, sequence: Sequence, *, zero_third: bool = False) -> Angles:
-        """The angles of a sequence, straight from what was given: a detour would lose digits near lock."""
+        """The angles of a sequence, directly from the input: a detour would lose digits near lock."""
         if self.by_matrix:
             return angles_of_rotation(self.matrix, sequence, zero_third=zero_third)
         return angles_of_quaternion(self.quaternion, sequence, zero_third=zero_third)
@@ -152,6 +152,6 @@ def given_digits(rows: "tuple[tuple[float, float, float], ...]") -> int | None:
 
 
 def part_about(q: Quaternion, axis: "tuple[float, float, float]") -> float:
-    """The angle of the part of a turn that is about an axis of unit length: what a gimbal along it would show."""
+    """Angle of the part of a rotation about a unit axis, as a gimbal along it would show."""
     along = q[1] * axis[0] + q[2] * axis[1] + q[3] * axis[2]
     return 2.0 * atan2(along, q[0])

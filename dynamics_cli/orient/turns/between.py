@@ -87,9 +87,9 @@ def between(
     Examples
     --------
     >>> from dynamics_cli.numerics.orientation.rotations import ByQuaternion
-    >>> one = Oriented(turn=ByQuaternion(quaternion=(1.0, 0.0, 0.0, 0.0)))
+    >>> row = Oriented(turn=ByQuaternion(quaternion=(1.0, 0.0, 0.0, 0.0)))
     >>> two = Oriented(turn=ByQuaternion(quaternion=(1.0, 1.0, 1.0, 1.0)))
-    >>> round(between(first=one, second=two).rotation_angle, 9)
+    >>> round(between(first=row, second=two).rotation_angle, 9)
     2.094395102
     """
     order = sequence_of(sequence)

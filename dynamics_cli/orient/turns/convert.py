@@ -25,7 +25,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.numerics.orientation.rotations import Matrix
 
-# What a double's rounding leaves unknown of a rotation.
+# Uncertainty of a rotation due to the rounding of doubles.
 ROUNDING = 4e-16
 # An angle that is not known to this [rad] is not determined.
 UNDETERMINED = 0.1
@@ -46,7 +46,7 @@ FIRST = Zeroed("first")
 
 @record
 class SequenceAngles:
-    """The angles of one sequence of turns about the body's axes; in reverse, those of the fixed sequence."""
+    """Angles of one sequence of turns about body axes; in reverse order, about fixed axes."""
 
     body: Annotated[Text, "The sequence about the turning axes."]
     fixed: Annotated[Text, "The same turns about the fixed axes, in reverse."]
@@ -152,7 +152,7 @@ def convert(
 
 
 def _state(read: Orientation, angles: Angles) -> str:
-    """Whether what is unknown of the rotation leaves first and third angle open."""
+    """Whether the uncertainty of the rotation leaves first and third angle undetermined."""
     unknown = ROUNDING + 2.0 * (plain(read.departure) if read.departure is not None else 0.0)
     margin = plain(angles.margin)
     if margin * UNDETERMINED < unknown:
@@ -211,7 +211,7 @@ def _advice(turn: Attitude, read: Orientation, angles: Angles, zero: Zeroed) -> 
 
 
 def _repair(turn: Attitude, read: Orientation) -> "list[Advice]":
-    """What was done to a matrix that is not quite a rotation."""
+    """The correction of a matrix that is not exactly a rotation."""
     if not isinstance(turn, ByMatrix) or read.departure is None or read.departure <= TOLERANCE:
         return []
     rows = tuple(tuple(plain(element) for element in row) for row in turn.rotation_matrix)
@@ -225,7 +225,7 @@ def _repair(turn: Attitude, read: Orientation) -> "list[Advice]":
 
 
 def _lock(angles: Angles, zero: Zeroed) -> "list[Advice]":
-    """What lock, or its nearness, means for the angles."""
+    """Effect of gimbal lock, or of being close to it, on the angles."""
     margin = plain(angles.margin)
     if margin == 0.0:
         return [

@@ -1,1 +1,1 @@
-"""Motion along curves: formulas and named curves, what happens on the way, arc length."""
+"""Motion along curves: formulas and named curves, events along them, arc length."""

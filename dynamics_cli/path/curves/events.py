@@ -1,4 +1,4 @@
-"""What happens along a curve: extremes of speed and curvature, cusps and inflections; and its arc length."""
+"""Events along a curve: extremes of speed and curvature, cusps and inflections; and its arc length."""
 
 import math
 from heapq import heappush, heapreplace
@@ -19,7 +19,7 @@ SAMPLES = 240
 MOST_EVENTS = 60
 # Below this share of its terms a derivative is rounding.
 NOTHING = 1e-9
-# A speed or curvature this small beside the largest is zero.
+# A speed or curvature this small relative to the largest is zero.
 ZERO = 1e-6
 NODES = 12
 MOST_HALVINGS = 600
@@ -66,13 +66,13 @@ def _event(name: str, time: float, state: "State") -> Event:
 
 
 def _speeding(state: "State") -> tuple[float, float]:
-    """v·a, whose sign is that of the rate of the speed, and the size of its terms."""
+    """v·a, which has the sign of the rate of the speed, and the size of its terms."""
     v, a = state.velocity, state.acceleration
     return dot(v, a), math.sqrt(dot(v, v) * dot(a, a))
 
 
 def _bending(state: "State") -> tuple[float, float]:
-    """(v×a)·(v×j) v² − 3 (v×a)² v·a, whose sign is that of the rate of the curvature, and the size of its terms."""
+    """(v×a)·(v×j) v² − 3 (v×a)² v·a, which has the sign of the rate of the curvature, and the size of its terms."""
     v, a, j = state.velocity, state.acceleration, state.jerk
     across, later = cross(v, a), cross(v, j)
     first, second = dot(across, later) * dot(v, v), 3.0 * dot(across, across) * dot(v, a)

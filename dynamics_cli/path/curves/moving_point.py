@@ -35,7 +35,7 @@ class State:
 
 
 class MovingPoint:
-    """A motion as functions of time, in numbers of any sort; `flat` says that it stays in the x–y plane."""
+    """A motion as functions of time, for numbers of any type; `flat`: it stays in the x–y plane."""
 
     def __init__(
         self,

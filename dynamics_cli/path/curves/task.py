@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 MOST_STEPS = 2000
-# A derivative beside the difference quotient of the function itself.
+# Tolerance of a derivative against the difference quotient of the function.
 QUOTIENT = 1e-5
 # An arc length less certain than this share of it is reported as uncertain.
 LOOSE = 1e-6
@@ -123,8 +123,8 @@ def curve(
     Examples
     --------
     >>> from dynamics_cli.records import Formula
-    >>> made = curve(x=Formula("t^2", 1.0, "m"), y=Formula("sin(3*t)", 1.0, "m"), end=0.8)
-    >>> round(made.speed, 9)
+    >>> result = curve(x=Formula("t^2", 1.0, "m"), y=Formula("sin(3*t)", 1.0, "m"), end=0.8)
+    >>> round(result.speed, 9)
     2.730154835
     """
     motion = MovingPoint({"x": x, "y": y, "z": z}, shape, _parameter(shape, angle_law, length_law), let)
@@ -220,7 +220,7 @@ def _row(state: State, time: float, arc: float, flat: bool) -> Point:
 
 
 def _without_dust(part: float, size: float) -> float:
-    """Zero for what the rounding of times and variables alone leaves beside a size."""
+    """Zero for values within the rounding of times and variables, relative to a size."""
     return 0.0 if abs(part) < DUST * size else part
 
 

@@ -55,13 +55,13 @@ def bisected(function: "Callable[[float], float]", low: float, high: float) -> f
 
 
 def nearest_check(gap: float, around: "list[float]", size: float) -> tuple[Check, ...]:
-    """That they are no closer a little earlier and later."""
+    """Check that they are not closer slightly earlier or later."""
     short = max(0.0, gap - min(around))
     return (Check("not closer just before or after", short <= CLOSER * size, short, CLOSER * size),)
 
 
 def check_of_constant(r: Vector, v: Vector, a: Vector, when: float, gap: float) -> tuple[Check, ...]:
-    """The same of constant accelerations, in doubles."""
+    """The same for constant accelerations, in doubles."""
     r, v, a = (tuple(map(plain, x)) for x in (r, v, a))  # type: ignore[assignment]
     when, gap = plain(when), plain(gap)
     size = math.hypot(*r) + math.hypot(*v) * when + math.hypot(*a) * when * when

@@ -1,4 +1,4 @@
-"""Two motions of any sort as functions of time: with constant acceleration, by formulas, or measured."""
+"""Two motions as functions of time: with constant acceleration, by formulas, or measured."""
 
 from math import hypot
 

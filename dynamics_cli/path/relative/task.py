@@ -1,4 +1,4 @@
-"""Two points in motion: what one sees of the other, and when and where they are closest."""
+"""Two points in motion: relative motion, and time and place of the closest approach."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.path.relative.motions import State
 
-# Times between which a minimum of the distance is looked for.
+# Number of times between which a minimum of the distance is sought.
 GRID = 2000
 # The same for samples of an uncertain motion beside a track.
 COARSE = 250

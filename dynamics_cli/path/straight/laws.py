@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.path.straight.phases import Phase
 
-# Where the velocity touches zero this closely, beside the start, the body is at rest.
+# The body is at rest where the velocity is this small relative to the start.
 TOUCH = 1e-9
 # Beyond so many times the distance asked for, it will not be reached.
 FAR = 1e4
@@ -94,7 +94,7 @@ def _end_in(part: Piece, time: float | None, distance: float | None, wanted: flo
 
 
 def _stop_in(part: Piece, speed: float) -> float | None:
-    # where the velocity touches zero the acceleration tells when, to all digits
+    # where the velocity touches zero, the zero of the acceleration gives the time to all digits
     turn = crossing(part, lambda time: part.at(time)[2])
     if turn is not None and abs(part.at(turn)[1]) <= TOUCH * abs(speed):
         return part.start + turn

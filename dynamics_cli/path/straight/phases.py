@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 # Five values that a user typed, rounded, agree when they agree this far.
 AGREEMENT = 1e-6
-# A stop at the very place may come out beyond it by rounding.
+# A stop exactly at the place may be beyond it by rounding.
 ROUNDING = 1e-15
 NAMES = ("start_speed", "end_speed", "acceleration", "distance", "time")
 WORDS = {name: name.replace("_", " ") for name in NAMES}

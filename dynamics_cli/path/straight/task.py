@@ -286,7 +286,7 @@ def _numerics(motion: Run, rough: Run) -> Numerics:
 
 
 def _work(motion: Run, law: "Any") -> tuple[Check, ...]:
-    """The law at the end beside the slope of the series there."""
+    """Check the law at the end against the slope of the series there."""
     distance, speed, rate = motion.at(motion.end)
     try:
         expected = float(law(t=motion.end, x=distance, v=speed))

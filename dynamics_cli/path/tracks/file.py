@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# What a bracket behind a name may say: the unit's share of the SI unit.
+# Units allowed in brackets after a name, in SI units.
 UNITS = {
     "m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048, "in": 0.0254, "s": 1.0, "ms": 1e-3, "min": 60.0,
     "h": 3600.0, "deg": 1.0,
@@ -48,7 +48,7 @@ class Track:
 
 
 def read_track(file: str, origin: Origin | None = None) -> Track:
-    """Read a track; refuse what is not numbers, times that do not increase, and too few points.
+    """Read a track; refuse cells without numbers, times that do not increase, and too few points.
 
     Latitudes and longitudes become east and north of the origin given, or of the track's first point, on the plane that
     touches the ellipsoid half way.

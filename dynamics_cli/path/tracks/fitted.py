@@ -14,7 +14,7 @@ FEWEST = 8
 TOO_FAR = 1.5
 # Freedom above this share of the points means that hardly anything is smoothed.
 BUSY = 0.5
-# A plane that touches the globe is good for so far.
+# Extent for which a plane tangent to the globe is accurate enough.
 FLAT = 20e3
 
 

@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.exact.typed import TypedNumber
 
 NAMES = {"x": "x", "e": "x", "east": "x", "easting": "x", "y": "y", "n": "y", "north": "y", "northing": "y"}
-# What a bracket behind a name may say: numerator and denominator of the unit in metres.
+# Units allowed in brackets after a name: numerator and denominator in metres.
 UNITS = {"": (1, 1), "m": (1, 1), "cm": (1, 100), "mm": (1, 1000), "ft": (3048, 10000), "ftus": (1200, 3937)}
 MOST_POINTS = 2000
 

@@ -51,7 +51,7 @@ class SurveyFile:
 
 @record
 class Survey:
-    """What the points say: the radius, its deviation, and those of both halves."""
+    """Result of the survey: the radius, its deviation, and those of both halves."""
 
     radius: Annotated[Distance, "Radius of the circle nearest to the points [m]."]
     deviation: Annotated[Distance | None, "Its standard deviation by the points; none where nothing tells it [m]."]
@@ -132,7 +132,7 @@ def _refuse_line(count: int) -> None:
 
 
 def _judge(circle: Circle, sigma: "float | None") -> None:
-    """Refuse by judgement what the scatter of the points alone may have made."""
+    """Refuse, by judgement, a radius that the scatter of the points does not determine."""
     if sigma is None:
         return
     spread = circle.factor * sigma

@@ -1,1 +1,1 @@
-"""Rollovers: where a vehicle tips, what trips it, and how it comes to rest."""
+"""Rollovers: tipping, tripping and rolling to rest."""

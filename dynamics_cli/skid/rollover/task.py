@@ -26,7 +26,7 @@ from dynamics_cli.skid.rollover.trip import kerb_speed, soil_trip
 
 @record
 class Rollover:
-    """Where the vehicle tips, what trips it, and how fast it was when it began to trip and to roll."""
+    """The tipping limit, the tripping speed, and the speeds at the begin of tripping and rolling."""
 
     stability: Annotated[Ratio, "Static stability factor, track over twice the height of the mass centre [-]."]
     tip_drag: Annotated[
@@ -97,8 +97,8 @@ def rollover(
 
     Notes
     -----
-    A rigid vehicle on a level surface while it trips. Suspension and tyres give way: real vehicles tip earlier, so
-    these are upper limits of stability.
+    A rigid vehicle on a level surface while it trips. Suspension and tyres deflect: real vehicles tip earlier, so these
+    are upper limits of stability.
 
     References
     ----------

@@ -19,10 +19,10 @@ def kerb_speed(half: float, height: float, turning: float, gravity: float) -> fl
 def soil_trip(
     half: float, height: float, turning: float, deceleration: float, gravity: float
 ) -> "tuple[float, float, float]":
-    """Least speed, angle and time of a trip by a steady deceleration, which must turn the vehicle until it goes on.
+    """Minimum speed, angle and time of a trip by a steady deceleration that must last until the vehicle tips over.
 
-    It must last until its work about the wheels, a·X, is what the rise needs, g·rise: that angle in tan(θ/2) = u. Up
-    to there (dθ/dt)²·I_o/(2m) = 2(εu + κu²)/(1 + u²), ε = ah − gt, κ = at + gh, so that the time is an elliptic
+    It must last until its work about the wheels, a·X, equals the work of the rise, g·rise, at the angle θ, tan(θ/2) =
+    u. Up to there (dθ/dt)²·I_o/(2m) = 2(εu + κu²)/(1 + u²), ε = ah − gt, κ = at + gh, so that the time is an elliptic
     integral of the first kind.
     """
     excess = deceleration * height - gravity * half

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @record
 class Obstruction:
-    """What stands or moves between the two: its motion up to the moment of the impact, and its size."""
+    """An obstruction between the two: its motion up to the moment of the impact, and its size."""
 
     phases: Annotated[Phase | tuple[Phase, ...], "Its phases up to the moment of the impact, in order of time."]
     start_speed: Annotated[RoadSpeed | None, "Its speed where the first phase begins [m/s]."] = None
@@ -56,7 +56,7 @@ class Wall:
         self.target = cos(crossing), sin(crossing)
 
     def terms(self, eye: "Poly", target: "Poly", mover: "Poly") -> "tuple[Poly, Poly, Poly, Poly, Poly]":
-        """What decides: distances still to go of eye, target and obstruction give five determinants.
+        """The deciding functions: remaining distances of eye, target and obstruction give five determinants.
 
         Sides of eye and target to the wall's line; how the line of sight runs to the wall; its two ends to the line.
         """

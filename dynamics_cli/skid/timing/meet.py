@@ -50,7 +50,7 @@ class Both:
 
 @record
 class Meeting:
-    """How two parties came to meet, and what would have avoided it."""
+    """How two parties met, and what would have avoided the impact."""
 
     hazard_time: Annotated[Time, "How long before the impact the second set out [s]."]
     first_distance: Annotated[Distance, "How far the first then was from the impact [m]."]
@@ -90,7 +90,7 @@ def meet(
     steps: Annotated[Count, "Rows of the time–distance table [-]."] = 8,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Meeting:
-    """Where two parties were before they met, and from what speed the first could have stopped or arrived late enough.
+    """Where two parties were before they met, and from which speed the first could have stopped or arrived late enough.
 
     Equation
     --------

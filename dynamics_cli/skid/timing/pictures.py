@@ -177,7 +177,7 @@ def record(
     tolerance: float = 1.0 / 3.6,
     **_: "Any",
 ) -> Picture:
-    """Recorded speeds with their tolerance, what the last deceleration leads to at the event, and the decelerations."""
+    """Recorded speeds with their tolerance, their extrapolation to the event, and the decelerations."""
     oldest = interval if greatest_age is None else greatest_age
     rows = result.intervals
     times = [row.time_left + oldest for row in rows]

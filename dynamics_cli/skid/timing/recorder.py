@@ -126,8 +126,8 @@ def record_of(
 
     Examples
     --------
-    >>> found = record_of(speeds=(20.0, 18.0, 12.0, 6.0))
-    >>> round(found.distance, 6), round(found.least_event_speed, 6)
+    >>> result = record_of(speeds=(20.0, 18.0, 12.0, 6.0))
+    >>> round(result.distance, 6), round(result.least_event_speed, 6)
     (21.5, 0.0)
     """
     count = len(speeds)

@@ -106,8 +106,8 @@ def sight(
     >>> from dynamics_cli.skid.timing.timeline import EndSpeed
     >>> car = Party(Phase(Kind("constant"), duration=5.0), EndSpeed(13.0))
     >>> walker = Party(Phase(Kind("constant"), duration=5.0), EndSpeed(1.5))
-    >>> found = sight(first=car, second=walker, corner_before=6.0, corner_aside=1.8, eye_behind=2.0)
-    >>> round(found.time_left, 6)
+    >>> result = sight(first=car, second=walker, corner_before=6.0, corner_aside=1.8, eye_behind=2.0)
+    >>> round(result.time_left, 6)
     1.621544
     """
     require(

@@ -1,1 +1,1 @@
-"""Published ranges of what a reconstruction has to assume, with their sources."""
+"""Published ranges of quantities that a reconstruction must assume, with their sources."""

@@ -9,7 +9,7 @@ WIDTH = 80
 
 
 def lines(results: "dict[str, Any]", digits: int, width: int) -> "list[str]":
-    """Range first, what it is of behind it; the source beneath where it fits a screen."""
+    """The range first, then its subject; the source below where it fits a screen."""
     rows = results["values"]
     del digits
     width = min(max(width or WIDTH, 60), 120)

@@ -1,4 +1,4 @@
-"""Published ranges by topic, surface and words: something to compare with, never a default of a calculation."""
+"""Published ranges by topic, surface and words, for comparison: never a default of a calculation."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Annotated, Ratio, Text
@@ -49,7 +49,7 @@ def values(
     Raises
     ------
     InadmissibleError
-        When no range has all the words, or none is of the surface; the message names what there is.
+        When no range has all the words, or none is of the surface; the message names the topics available.
 
     References
     ----------

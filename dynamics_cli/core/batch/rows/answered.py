@@ -24,7 +24,7 @@ NAN = float("nan")
 
 
 class Answered:
-    """Rows answered in the same way: their indices, their results, and what distinguishes them from other groups."""
+    """Rows answered in the same way: their indices, results and branch."""
 
     __slots__ = ("results", "rows", "signature")
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Case:
-    """What all rows of a stream have in common: the task, the parameters the call fixes, how results are shown."""
+    """Settings common to all rows of a stream: the task, the parameters fixed by the call, the display of results."""
 
     def __init__(self, task: Task, call: Call, settings: Settings, terminal: "Terminal") -> None:
         self.task = task
@@ -58,7 +58,7 @@ class Case:
         return layout
 
     def check(self) -> None:
-        """Refuse now what would fail in every row: an unknown model, a fixed parameter that cannot be read."""
+        """Refuse at once errors of every row: an unknown model, a fixed parameter that cannot be read."""
         if self.asked:
             choose(self.task, Fields(None, {}), self.asked)
         try:
@@ -134,7 +134,7 @@ class Case:
         return reader.read(self.task.specification.fields, self.raw(row))
 
     def values(self, row: "Raw") -> "list[Any]":
-        """The results of the row; raises what a single call would."""
+        """The results of the row; raises the errors of a single call."""
         bound = self.bind(row, uncertain=True)
         model, _ = choose(self.task, bound, self.asked)
         return self.shown(model, bound, self.called(model, bound))
@@ -151,7 +151,7 @@ class Case:
             raise
 
     def shown(self, model: "Model", bound: Fields, record: "Any") -> "list[Any]":
-        """What a row shows of a record: results, largest bound, distributions of uncertain ones."""
+        """Columns of a row from a record: results, largest bound, distributions of uncertain results."""
         values = self.layout.values(record)
         if self.settings.bounds:
             from dynamics_cli.core.batch.rows.bounds import bound_of

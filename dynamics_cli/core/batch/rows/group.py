@@ -1,4 +1,4 @@
-"""Rows that one array call can answer: what they have in common, and the plan that answers them."""
+"""Groups of rows that one array call can answer, and the plan for it."""
 
 from abc import ABC, abstractmethod
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 # Groups smaller than this are cheaper one by one.
 SMALLEST_GROUP = 64
-# With more kinds of rows than this in a stream, most rows are of a kind of their own.
+# With more kinds of rows than this in a stream, most rows are unique.
 MOST_MAKES = 64
 MOST_TRIES = 6
 

@@ -269,7 +269,7 @@ class TextInput(Input):
 
 
 class JsonInput(Input):
-    """One object a line; what earlier steps wrote under `results` is read as parameters of the same name."""
+    """One object a line; `results` of earlier steps are read as parameters of the same name."""
 
     format = "ndjson"
 
@@ -280,7 +280,7 @@ class JsonInput(Input):
             entries = self._flat(first)
         except UsageError:
             entries = []
-        # Only CSV out needs columns: those of the first row.
+        # Only CSV output needs columns: those of the first row.
         self.units = {name: unit for name, _, unit in entries}
         # Half a surrogate pair, which JSON may hold, cannot be written as text.
         self.heads = [header(name, unit).encode(errors="replace").decode() for name, unit in self.units.items()]

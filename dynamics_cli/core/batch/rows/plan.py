@@ -3,9 +3,9 @@
 Formulas that branch on their numbers split the rows by branch (`numerics.lanes`). Physics that takes no arrays
 is called row by row with the template's inputs, which saves reading each row and writing it.
 
-Whatever this cannot answer (a row that physics refuses, a number out of range or bounds) is left to the single call,
-which also writes the error message. A division by zero or an overflow anywhere counts as that too, since numpy would go
-on where Python stops: the rows are halved until the one that causes it is alone.
+Rows that this cannot answer (refused by physics, a number out of range or bounds) are left to the single call, which
+also writes the error message. A division by zero or an overflow counts as well, since numpy continues where Python
+raises: the rows are halved until the one that causes it is found.
 """
 
 import numpy as np
@@ -83,7 +83,7 @@ class Plan:
         self._scales = [shown_factor(part.shown) for part in case.layout.parts]
 
     def _mirrors(self) -> "Iterator[tuple[str, str]]":
-        """Elements of tensors that must be equal; where they are nearly so, the single call knows what to do."""
+        """Elements of tensors that must be equal; nearly equal ones are left to the single call."""
         for leaf in values_of(self.bound):
             if leaf.kind.form == "tensor":
                 for i, j in ((0, 1), (0, 2), (1, 2)):
@@ -166,7 +166,7 @@ class Plan:
         return kept(rows, columns, good, part.trail)
 
     def _one_by_one(self, arrays: "dict[str, Array]", count: int) -> "list[Answered]":
-        """Each row by a call of its own; those whose results exist alike are written together."""
+        """Each row by its own call; rows with the same set of results are written together."""
         layout = self.case.layout
         alike: dict[tuple[bool, ...], tuple[list[int], list[list[Any]]]] = {}
         names = list(arrays)

@@ -1,4 +1,4 @@
-"""A progress bar for what takes longer than about a second, on standard error when that is a terminal."""
+"""A progress bar for work of more than about a second, on standard error if it is a terminal."""
 
 from time import monotonic
 

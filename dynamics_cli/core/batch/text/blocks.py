@@ -30,7 +30,7 @@ class Source:
         self.bytes_read = 0
         self.size: int | None = None
         self._file = terminal.stdin if name == "-" else self._open(name)
-        # `read1` returns what has arrived; a buffered `read` would wait for a whole block.
+        # `read1` returns the bytes received; a buffered `read` would wait for a whole block.
         self._read = getattr(self._file, "read1", self._file.read)
         self._first = True
         self._block = LEAST_BYTES
@@ -83,7 +83,7 @@ class Source:
             yield self._lines(last)
 
     def _next(self) -> bytes:
-        """Some bytes: one read, and whatever else has already arrived, up to a block."""
+        """One read, and further bytes already received, up to a block."""
         data: bytes = self._read(self._block)
         if data and len(data) < self._block and self._more():
             parts = [data]

@@ -44,7 +44,7 @@ class CellGroups(Groups):
         self.addresses = addresses
         self.units = units
         self.parameters = [index for index, address in enumerate(addresses) if address]
-        # Columns whose numbers an array cannot replace: counts, and whatever a plan does not accept.
+        # Columns that arrays cannot replace: counts, and columns that a plan does not accept.
         self.literal: set[int] = set()
         self.makes: dict[tuple[tuple[bool, bytes], ...], _Make] = {}
         self.recent: _Make | None = None

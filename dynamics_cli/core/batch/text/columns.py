@@ -46,7 +46,7 @@ class Column:
         self.tokens = tokens
         self.values = values
         longest = max(map(len, tokens), default=0)
-        # Longer tokens may have more digits than a double tells apart.
+        # Longer tokens may have more digits than a double distinguishes.
         self.long: list[int] = []
         if longest > DECIMAL_DIGITS:
             self.long = [index for index, token in enumerate(tokens) if len(token) > DECIMAL_DIGITS]

@@ -44,7 +44,7 @@ class Conversion:
         numerator, denominator = source.numerator * target.denominator, source.denominator * target.numerator
         shift = ((up * under - down * over) * target.denominator, over * under * target.numerator)
         self.factor = Factor(numerator, denominator, source.pi - target.pi, shift)
-        # Temperatures are refused below absolute zero, which only their own scale can tell.
+        # Temperatures are refused below absolute zero, which depends on their scale.
         scale = Factor(source.numerator, source.denominator, 0, source.offset)
         self.kelvin = scale if is_offset(source) or is_offset(target) else None
         self.decimals = Decimals()
@@ -159,7 +159,7 @@ class ExactPlan:
 
 
 class Pairs:
-    """Lines of a number, its unit and the unit wanted: grouped by what follows the number."""
+    """Lines of a number, its unit and the target unit: grouped by the text after the number."""
 
     def __init__(self, case: Case) -> None:
         self.case = case

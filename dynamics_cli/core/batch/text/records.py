@@ -21,7 +21,7 @@ def cleared(blocks: "Iterable[Lines]") -> "Iterator[Lines]":
 
 
 def records(blocks: "Iterable[Lines]") -> "Iterator[Lines]":
-    """Blocks whose lines are whole records; a line too long to be read is, as before, a block of its own."""
+    """Blocks whose lines are complete records; a line too long to be read remains a block of its own."""
     joiner = _Joiner()
     for lines in blocks:
         if None in lines:

@@ -39,7 +39,7 @@ class Token:
 
 
 def tokens(line: bytes) -> "Iterator[Token]":
-    """The strings and bare words of an object that is known to be valid JSON."""
+    """The strings and bare words of a valid JSON object."""
     stack: list[Any] = []
     waits_for_key = False
     for match in _TOKEN.finditer(line):

@@ -5,7 +5,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
     from typing import Any
 
-# A file larger than this is hashed in a thread of its own.
+# A file larger than this is hashed in its own thread.
 LARGE = 1 << 24
 
 
@@ -19,7 +19,7 @@ def entry_of(name: str, data: bytes) -> "dict[str, str]":
 def entry_of_file(name: str) -> "dict[str, Any]":
     """A file's entry in the document, read here in blocks: for files that a family reads itself.
 
-    A large file is read beside the calculation, which reads it too: `once` waits for its hash.
+    A large file is hashed in parallel with the calculation, which reads it too: `once` waits for its hash.
     """
     import os
 

@@ -297,8 +297,8 @@ class Result(Distribution):
 class Tangent(Distribution):
     """The tangent of an uncertain angle, such as a grade in degrees: the tangent of each quantile.
 
-    The nominal value is the tangent of the mean angle; `std` is to first order there. At 90 degrees and beyond
-    there is no tangent (NaN).
+    The nominal value is the tangent of the mean angle, `std` its first-order deviation. At 90 degrees and beyond the
+    tangent is NaN.
     """
 
     def __init__(self, angle: Distribution) -> None:
@@ -320,7 +320,7 @@ class Tangent(Distribution):
         return np.where(np.abs(angle) < _UPRIGHT, np.tan(angle), np.nan)
 
     def parameters(self) -> "dict[str, Any]":
-        """Those of the angle."""
+        """Parameters of the angle."""
         return self.angle.parameters()
 
 

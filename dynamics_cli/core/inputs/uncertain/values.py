@@ -50,7 +50,7 @@ LISTS = ("readings", "values")
 
 
 class UncertainValue(Value):
-    """A number with its distribution; its nominal value is the mean, or that of the earlier result it refers to."""
+    """A number with its distribution; its nominal value is the mean, or that of the earlier result referred to."""
 
     def __init__(
         self,
@@ -234,7 +234,7 @@ def _plus_minus(text: str, sign: str, scale: Scale) -> "list[Any]":
     unit = _unit_of(width)
     if unit == "%" and not _unit_of(centre) and not scale.kind.unit and scale.kind.form != "slope":
         raise _ambiguous(width)
-    # `1500 ± 50 kg`: the unit is that of both; `1500 kg ± 3 %` is a share.
+    # `1500 ± 50 kg`: the unit of both; `1500 kg ± 3 %` is relative.
     if not _unit_of(centre) and unit and not (unit == "%" and scale.kind.unit):
         centre = f"{centre} {unit}"
     elif _unit_of(centre) and not unit:

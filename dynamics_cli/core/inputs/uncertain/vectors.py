@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
     from dynamics_cli.quantities import Kind
 
-# What a result of an earlier document states about its components, beside their values.
+# Entries of an earlier result about its components, in addition to their values.
 _LISTS = ("mean", "median", "std")
 
 
 class UncertainVector(VectorValue):
-    """A vector of which some components have distributions; its nominal value is that of their means."""
+    """A vector of which some components have distributions; its nominal value has their means."""
 
     def __init__(
         self, address: str, kind: "Kind", si: "tuple[Any, ...]", shown: "Any", unit: str, parts: "Sequence[Value]"

@@ -1,4 +1,4 @@
-"""Drawings written to files: which writer a file's name asks for, what it writes, and its entry in the document."""
+"""Drawings written to files: the writer for a file name, the file's content, and its entry in the document."""
 
 import os
 

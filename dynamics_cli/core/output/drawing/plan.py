@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 INCH = 0.0254
 METRE, FOOT = FileUnit("m", 6, 1, 1000.0), FileUnit("ft", 2, 0, 304.8)
-# AutoCAD's colours of layers, and of what belongs to the first and the second vehicle.
+# AutoCAD colours of layers, and of the first and the second vehicle.
 LAYERS = {"road": 8, "marks": 252, "vehicles": 7, "paths": 7, "vectors": 7, "uncertainty": 9, "text": 7}
 ROLES = {0: 5, 1: 30, 2: 94, 3: 210}
 LAYER_OF = {
@@ -39,7 +39,7 @@ MARGIN = 0.35
 
 
 def write_plan(plan: "Plan", form: str, system: str) -> "tuple[bytes, str]":
-    """The file of a plan, and what it holds, in words."""
+    """The file of a plan, and its content in words."""
     if form == "dxf":
         unit = FOOT if system == "us" else METRE
         dxf = _Dxf(plan, system, unit)

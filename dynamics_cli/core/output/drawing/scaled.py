@@ -81,7 +81,7 @@ def _scaled_outline(outline: Outline, unit: "Unit", name: str) -> Outline:
             vanished = scaled_piece.start == scaled_piece.control1 == scaled_piece.control2 == scaled_piece.end
         elif isinstance(piece, Arc):
             scaled_piece = Arc(pair(piece.start), pair(piece.end), piece.bulge)
-            # an arc follows its ends: its points move by no more than this multiple of the ends' movement
+            # the points of an arc move at most by this multiple of the movement of its ends
             stretch = max(stretch, hypot(1.0, piece.bulge))
             vanished = scaled_piece.start == scaled_piece.end
         else:

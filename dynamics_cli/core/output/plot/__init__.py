@@ -1,7 +1,7 @@
 """Pictures of an answer: which ones exist; in a file by matplotlib, or small in the terminal.
 
-Shown are the task's own picture; a sweep's results over the swept parameter; with uncertain inputs the
-distribution of the first result that varies, and what drives it.
+Pictures: the task's own; a sweep's results over the swept parameter; with uncertain inputs the distribution of the
+first result that varies, and its drivers.
 """
 
 import os
@@ -49,7 +49,7 @@ def check_asked(task: "Task", settings: "Settings") -> None:
 def own_picture(
     task: "Task", record: "Any", arguments: "tuple[list[Any], dict[str, Any]]", spreads: "Spreads | None" = None
 ) -> "Picture | None":
-    """The task's own picture; one that shows what is uncertain takes the spreads of the results."""
+    """The task's own picture; one that shows uncertainty takes the spreads of the results."""
     if not task.plot:
         return None
     words, options = arguments
@@ -59,7 +59,7 @@ def own_picture(
 
 
 def with_spreads(draws: "Any", spreads: "Spreads | None") -> "dict[str, Any]":
-    """What a function is given beside a task's parameters: the spreads of the results, if it takes them."""
+    """Further argument of a picture function: the spreads of the results, if it takes them."""
     return {"spreads": spreads} if "spreads" in (draws.__kwdefaults__ or ()) else {}
 
 

@@ -1,4 +1,4 @@
-"""What stands on a panel: curves, marks, arrows, bands, bars, words, dimensions and tables, drawn by matplotlib."""
+"""Items of a panel: curves, marks, arrows, bands, bars, words, dimensions and tables, drawn by matplotlib."""
 
 import re
 
@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
     from dynamics_cli.pictures import Panel
 
-# Okabe and Ito's colours, which colour-blind readers tell apart; yellow is left out, being lost on paper.
+# Okabe and Ito's colours, safe for colour-blind readers, without yellow, which is faint on paper.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
-# Dashes and markers go with the colours, so that a grey print tells curves apart as well.
+# Each colour has its dashes and marker, so that curves remain distinct in a grey print.
 DASHES: "tuple[Any, ...]" = (
     "-", (0, (7, 2)), (0, (7, 2, 1.5, 2)), (0, (3, 1.5)), (0, (7, 2, 1.5, 2, 1.5, 2)), (0, (1.2, 1.2)), (0, (12, 3)),
 )  # fmt: skip
@@ -39,7 +39,7 @@ _STYLES: "dict[str, dict[str, Any]]" = {
 # Words stand out from the lines that they cross.
 _BACKGROUND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.4}
 _PLAIN = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
-# Of the parts of a whole: most names with a colour of their own, inches of a letter, and the colour of the others.
+# Bars of shares: maximum number of coloured names, inches per letter, and the colour of the others.
 MOST_COLOURED, LETTER, OTHERS = 6, 0.068, "#d9d9d9"
 _SHAFT = {"lw": 1.4, "shrinkA": 0, "shrinkB": 0}
 _DIMENSION = {"lw": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 8}
@@ -50,12 +50,12 @@ class Pens:
 
     def __init__(self, panel: "Panel") -> None:
         solid = [item for item in panel.items if isinstance(item, Curve) and item.style in ("solid", "steps")]
-        # One curve alone is a plain line, and so are shapes, whose places tell them apart.
+        # A single curve is a plain line; so are shapes, which their places distinguish.
         self.dashed = not panel.equal and sum(bool(item.label) for item in solid) > 1
         self.last = -1
 
     def style(self, item: Curve) -> "dict[str, Any]":
-        """What matplotlib takes for a curve."""
+        """Arguments of matplotlib for a curve."""
         if item.role < 0:
             self.last += 1
         nth = (item.role if item.role >= 0 else self.last) % len(COLOURS)
@@ -180,7 +180,7 @@ def _ruler(axes: "Any", item: Ruler, x: Scale, y: Scale, pens: Pens) -> None:
 
 
 def _shares(axes: "Any", item: Shares, x: Scale, y: Scale, pens: Pens) -> None:
-    """Each whole as a bar of its parts, with the words over it; the largest names have colours of their own."""
+    """Each total as a bar of its parts, with its label above; the largest parts have their own colours."""
     sums: dict[str, float] = {}
     for parts in item.parts:
         for name, amount in parts:

@@ -24,7 +24,7 @@ _SETTINGS = {
     "legend.handlelength": 3.2,
     "axes.spines.top": False,
     "axes.spines.right": False,
-    # A scale that begins somewhere else, told in small print at its end, is misread.
+    # An axis with an offset in small print at its end is misread.
     "axes.formatter.useoffset": False,
 }
 # No dates and no version of a library, so that a file depends on its numbers alone.
@@ -66,7 +66,7 @@ def part(name: str) -> "Any":
 
 
 def settle(matplotlib: "Any") -> None:
-    """The settings of every picture, whatever the user's own are."""
+    """The settings of every picture, independent of the user's matplotlib settings."""
     matplotlib.rcdefaults()
     matplotlib.rcParams.update(_SETTINGS)
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.pictures import Axis, Panel, Picture
 
-# Inches by the number of columns: what a page of paper takes with hardly any shrinking of the words.
+# Width in inches by the number of columns: prints on a page with almost no reduction of the labels.
 WIDTHS = (6.6, 7.6, 8.4)
 # A picture for a column of a page.
 NARROW = 5.0
@@ -26,7 +26,7 @@ SHARED_SHAPE = 0.34
 SHARED_HEIGHT, ROOM_FOR_TICKS = 1.9, 0.4
 EQUAL_HEIGHT = 5.0
 LEAST_HEIGHT = 1.8
-# Shapes in a narrow column are no higher than this share of its width.
+# Maximum height of shapes in a narrow column, relative to its width.
 CAPPED, CAPPED_BELOW = 0.8, 4.0
 # Letters of a title and ticks of an axis over the whole width.
 LONGEST_TITLE = 84
@@ -34,7 +34,7 @@ LETTERS_PER_INCH = 11
 MOST_TICKS = 12
 # Inches of a bar of shares with the words over it.
 SHARE_HEIGHT = 0.4
-# The label of a panel that takes the whole width, whatever stands beside the axes of others.
+# The label of a full-width panel, regardless of the labels beside the axes of others.
 WHOLE = "whole"
 RESOLUTION = 160
 KEPT = 0.25
@@ -73,7 +73,7 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
     lines = _lines(panels, columns)
     wide = picture.width or WIDTHS[min(columns, len(WIDTHS)) - 1]
     tall = [max(_height(panel, columns if len(line) > 1 else 1, wide) for panel in line) for line in lines]
-    # what the words of other panels take, all panels lose alike; a scene shall keep its size
+    # labels of other panels shrink all panels equally; a scene must keep its size
     frameless = [len(lines) > 1 and len(line) == 1 and line[0].bare for line in lines]
     tall = [height * (1.0 + KEPT * alone) for height, alone in zip(tall, frameless, strict=True)]
     head = 0.5 if picture.subtitle else 0.3 if picture.title else 0.0
@@ -153,7 +153,7 @@ def _shares_axis(panel: "Panel", below: "Panel") -> bool:
 
 
 def _lines(panels: "tuple[Panel, ...]", columns: int) -> "list[list[Panel]]":
-    """The panels line by line; a wide one takes a line of its own."""
+    """The panels line by line; a wide one takes a whole line."""
     lines: list[list[Panel]] = []
     for panel in panels:
         if not lines or panel.wide or lines[-1][0].wide or len(lines[-1]) == columns:
@@ -184,7 +184,7 @@ def _height(panel: "Panel", columns: int, wide: float) -> float:
 
 
 def _slenderness(panel: "Panel") -> float:
-    """Height over width of what a panel of equal axes shows."""
+    """Height over width of the content of a panel with equal axes."""
     if panel.x.ends is not None and panel.y.ends is not None:
         return (panel.y.ends[1] - panel.y.ends[0]) / (panel.x.ends[1] - panel.x.ends[0])
     across: list[float] = []
@@ -230,7 +230,7 @@ def _panel(axes: "Any", panel: "Panel", system: str, columns: int) -> None:
         axes.set_axis_off()
         axes.margins(0.02)
     elif any(isinstance(item, Mark | Arrow) and item.label for item in panel.items):
-        # Room for words beside the outermost points.
+        # Margin for labels beside the outermost points.
         beside = any(isinstance(item, Mark) and not item.dot for item in panel.items)
         axes.margins(x=0.3 if beside else 0.2, y=0.12 if panel.x.ends is None else 0.2)
     if _legend(panel):

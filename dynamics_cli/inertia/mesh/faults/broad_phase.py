@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 # Pairs that are formed at once.
 AT_ONCE = 200_000
-# There are no more strips than boxes, and none is narrower than this many box widths.
+# At most as many strips as boxes, each at least this many box widths wide.
 WIDTH = 2.0
 # Places along the sweep take half of the way from one strip's number to the next.
 HALF, SLACK = 0.5, 1e-9
@@ -75,7 +75,7 @@ class _Strips:
 
 
 def _slender(low: "Array", high: "Array") -> "list[int]":
-    """Axes by the mean size of boxes beside the whole, least first."""
+    """Axes by the mean size of boxes relative to the extent, smallest first."""
     extent = np.ptp(np.concatenate((low, high)), axis=0)
     fraction = (high - low).mean(axis=0) / np.where(extent > 0.0, extent, 1.0)
     fraction = np.where(extent > 0.0, fraction, 1.0)
@@ -92,7 +92,7 @@ class MeetingBoxes:
     def __init__(self, low: "Array", high: "Array") -> None:
         along, across, rest = _slender(low, high)
         strips = _Strips(low, high, along, across)
-        # the coordinate that neither strip nor sweep has tested comes first
+        # first the coordinate not yet tested by strip or sweep
         self.ranges = [_column(low, high, axis) for axis in (rest, across, along)]
         owner, strip = strips.entries(low, high)
         key = strip + strips.place(low)[owner]

@@ -2,7 +2,7 @@
 
 Each vertex v gets two 64-bit numbers h(v), m(v) of the bits of its coordinates. The sum of h_u m_v − h_v m_u over the
 directed edges u → v vanishes, modulo 2⁶⁴, when the boundary of the triangles is empty, and with a probability of about
-2⁻⁶⁴ otherwise. An empty boundary is exactly what the divergence theorem needs.
+2⁻⁶⁴ otherwise. The divergence theorem requires an empty boundary.
 """
 
 import numpy as np

@@ -82,7 +82,7 @@ class _Planes:
         return sides, flush[sides[flush] == 0.0]
 
     def _hold(self, number: "Array", points: "Array") -> "Array":
-        """Which points in the planes of triangles are within them, or on their edges as far as rounding goes."""
+        """Which points in the planes of triangles are within them, or on their edges within rounding."""
         inside = np.arange(len(points))
         for k in range(3):
             triangles = number[inside]
@@ -171,7 +171,7 @@ def _turn(u: "Array", v: "Array", p: "Array", plane: "tuple[int, int]") -> "Arra
 
 
 class Placement:
-    """Triangles within what other triangles bound, which counts twice, and triangles that bound from the wrong side."""
+    """Triangles inside the volume of others, which is then counted twice, and triangles that face inwards."""
 
     def __init__(self, points: "Array", faces: "Array", piece: "Array") -> None:
         corners = points[faces]
