@@ -1,34 +1,52 @@
 """What the inputs of a calculation are: samples of thousands, or measurements with standard deviations.
 
 Of samples the spread drowns rounding: a second pass in many digits is then no use. What draws samples says so; what
-would answer more slowly to state a bound asks. Of measurements, physics may ask how far a number of its is known.
+would answer more slowly to state a bound asks. What physics would solve anew for every sample it may solve over their
+spread once: the first array of a calculation is a fair sample of its inputs. Of measurements, physics may ask how far a
+number of its is known.
 """
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-_drawing = 0
+_drawings: "list[Drawing]" = []
 _deviations: "tuple[float, ...]" = ()
 
 
 class Drawing:
-    """While inside, answers are samples."""
+    """While inside, answers are samples of one calculation.
 
-    def __enter__(self) -> None:
+    `kept` is what physics solved once for all of them, `missed` what they are off by for that, in their deviations.
+    """
+
+    def __init__(self) -> None:
+        self.kept: dict[Any, Any] = {}
+        self.missed = 0.0
+
+    def __enter__(self) -> "Drawing":
         """Begin."""
-        global _drawing
-        _drawing += 1
+        _drawings.append(self)
+        return self
 
     def __exit__(self, *_: object) -> None:
         """End."""
-        global _drawing
-        _drawing -= 1
+        _drawings.pop()
 
 
 def drawing() -> bool:
     """Whether answers are samples now."""
-    return _drawing > 0
+    return bool(_drawings)
+
+
+def kept() -> "dict[Any, Any]":
+    """What was solved once for all samples of this calculation; only while drawing."""
+    return _drawings[-1].kept
+
+
+def missed(error: float) -> None:
+    """State what samples are off by, in their deviations; only while drawing."""
+    _drawings[-1].missed = max(_drawings[-1].missed, error)
 
 
 class Measured:

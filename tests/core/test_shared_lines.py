@@ -64,9 +64,11 @@ def test_an_atom_is_the_quantile_and_has_no_error() -> None:
 
 def test_several_results_with_kinks_share_lines_within_what_is_stated() -> None:
     made = propagate(model, dict.fromkeys("abc", Normal(0.0, 1.0)))
+    assert "share" in made.spreads["distance"].method
+    # it rises along its own gradient: lines of its own are worth their points
+    assert "along the gradient" in made.spreads["largest"].method
     for name, exact in (("distance", CHI), ("largest", LARGEST)):
         spread = made.spreads[name]
-        assert "share" in spread.method
         off = np.abs(np.array([*spread.interval, spread.median]) - [exact[0], exact[2], exact[1]]).max() / spread.std
         assert off <= spread.estimate <= 0.02
 
@@ -78,7 +80,8 @@ def test_what_is_partly_inadmissible_is_given_the_rest() -> None:
 
     made = propagate(partly, dict.fromkeys("abc", Normal(0.0, 1.0)))
     spread = made.spreads["distance"]
-    assert spread.admissible == pytest.approx(0.5, abs=0.01)
+    # the edge is found within the cells
+    assert spread.admissible == pytest.approx(0.5, abs=1e-3)
     assert spread.median == pytest.approx(CHI[1], abs=2.0 * spread.estimate * spread.std)
 
 

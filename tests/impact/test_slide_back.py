@@ -41,8 +41,8 @@ def test_back_of_a_rolling_car_takes_a_fraction_of_a_second() -> None:
     assert time.process_time() - begin < 1.5
 
 
-def lanes_of(case: dict[str, Any], edges: list[Any]) -> tuple[Any, Any, float]:
-    """A reference case as lanes: its car, its velocities and the nose there."""
+def lanes_of(case: dict[str, Any], edges: list[Any]) -> tuple[Any, Any]:
+    """A reference case as lanes: its car and its velocities."""
     import numpy as np
 
     from dynamics_cli.impact.slide.lanes import Lanes
@@ -56,7 +56,7 @@ def lanes_of(case: dict[str, Any], edges: list[Any]) -> tuple[Any, Any, float]:
     )  # fmt: skip
     start = motion(case)
     velocity = [start.speed * math.cos(start.course), start.speed * math.sin(start.course)]
-    return Lanes(car), np.array([[*velocity, car.gyration * start.spin]]).T, given["nose"]
+    return Lanes(car, nose=given["nose"]), np.array([[*velocity, car.gyration * start.spin]]).T
 
 
 @pytest.mark.parametrize("case", CASES, ids=[case["name"] for case in CASES])
@@ -64,21 +64,21 @@ def test_lanes_against_thirty_digits(case: dict[str, Any]) -> None:
     """Many slides at once, to the digits asked for; one among others is what it is alone."""
     import numpy as np
 
-    lanes, velocity, nose = lanes_of(case, [])
+    lanes, velocity = lanes_of(case, [])
     wanted = [float(case["rest"][0]), float(case["rest"][1]), float(case["nose"])]
     size = float(case["path"]) + 1.0
     for tolerance in (1e-4, 1e-6):
-        ended = lanes.ends(velocity, nose, (0.0, 0.0), tolerance)[:, 0]
+        ended = lanes.ends(velocity, tolerance)[:, 0]
         assert ended == pytest.approx(wanted, rel=0.0, abs=20.0 * tolerance * size)
-    among = lanes.ends(np.hstack([0.5 * velocity, velocity, 1.2 * velocity]), nose, (0.0, 0.0), 1e-6)[:, 1]
+    among = lanes.ends(np.hstack([0.5 * velocity, velocity, 1.2 * velocity]), 1e-6)[:, 1]
     assert among == pytest.approx(ended, abs=1e-12 * size)
 
 
 @pytest.mark.parametrize("offset", [3.0, 6.0])
 def test_lanes_over_an_edge_end_where_single_slides_do(offset: float) -> None:
     grass = Ground(0.35, (offset, 10.0), (offset, -10.0))
-    lanes, velocity, nose = lanes_of(CASES[0], [grass])
-    ended = lanes.ends(velocity, nose, (0.0, 0.0), 1e-5)[:, 0]
+    lanes, velocity = lanes_of(CASES[0], [grass])
+    ended = lanes.ends(velocity, 1e-5)[:, 0]
     single = slide(motion=motion(CASES[0]), grounds=(grass,), **posed(CASES[0]))
     assert ended == pytest.approx([*single.rest_position, single.rest_heading], abs=2e-3)
 
@@ -87,7 +87,7 @@ def test_rates_of_lanes_have_the_derivatives_they_state() -> None:
     """The exact derivatives that the steps solve with, against differences."""
     import numpy as np
 
-    lanes, _, _ = lanes_of(next(case for case in CASES if case["name"] == "steered"), [])
+    lanes, _ = lanes_of(next(case for case in CASES if case["name"] == "steered"), [])
     lanes.smooth = 1e-8
     state = np.array([[0.8], [0.45], [-0.39], [0.3], [1.0], [2.0]])
     moved: list[Any] = []

@@ -82,6 +82,12 @@ class TaskModel:
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
         self.noise = _noise(nominal, self.spec, bound)
         self.arrays = task.arrays
+        self.drawing = Drawing()
+
+    @property
+    def missed(self) -> float:
+        """What samples are off by where physics does not solve each of them, in their deviations."""
+        return self.drawing.missed
 
     def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], Any]":
         """Results by address, and which rows are inadmissible."""
@@ -116,7 +122,7 @@ class TaskModel:
         for name, array in arrays.items():
             values[name] = (array if kept is None else array[kept]).view(Sampled)
         args, kwargs = arguments(self.task, self.bound, values)
-        with Drawing():
+        with self.drawing:
             record = self.function(*args, **kwargs)
         numbers = {name: np.asarray(value, dtype=float) for name, _, value in result_numbers(record, self.spec)}
         return {name: numbers.get(name, np.nan) for name in self.names}
@@ -160,7 +166,7 @@ class TaskModel:
             values = {**inputs, **{name: column[row] for name, column in columns.items()}}
             args, kwargs = arguments(self.task, self.bound, values)
             try:
-                with Drawing():
+                with self.drawing:
                     record = self.function(*args, **kwargs)
             except (DynamicsError, ArithmeticError):
                 bad[row] = True

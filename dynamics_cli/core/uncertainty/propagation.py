@@ -130,8 +130,7 @@ def propagate(
     every result with a limit, or else of the first that varies; `partly` for what was done when a time limit came.
     """
     if method not in METHODS:
-        hint = f"the methods are {', '.join(METHODS)}"
-        raise UsageError(f"there is no method {method!r}", parameter="method", hint=hint)
+        raise UsageError(f"there is no method {method!r}", parameter="method", hint=f"known: {', '.join(METHODS)}")
     if not 0.0 < coverage < 1.0:
         raise UsageError(f"a coverage of {coverage:g} is not between 0 and 1", parameter="coverage")
     space = Space(model, distributions, correlation or {})
@@ -165,18 +164,18 @@ def propagate(
 
 
 def _certain(space: Space, propagation: Propagation) -> None:
-    values = space.evaluate(np.zeros((0, 1)))[:, 0]
-    for name, value in zip(space.results, values.tolist(), strict=True):
+    values = space.evaluate(np.zeros((0, 1)))[:, 0].tolist()
+    for name, value in zip(space.results, values, strict=True):
         propagation.spreads[name] = Spread(name, "no input is uncertain", [value] * 3, value, 0.0)
 
 
 def _probe(space: Space, seed: int) -> "Array":
     """All results at the centre, half a deviation to both sides of it on every axis, and at a few points beyond."""
-    n = space.size
-    step = 0.5 * np.eye(n)
+    space.rehearse(seed)
+    step = 0.5 * np.eye(n := space.size)
     few = quantile(lattice(min(n, MOST_DIMENSIONS), 16, 1, seed))
     if n > MOST_DIMENSIONS:
-        few = np.resize(few, (n, few.shape[1]))
+        few = np.resize(few, (n, 16))
     return space.evaluate(np.concatenate([np.zeros((n, 1)), step, -step, few], axis=1))
 
 
@@ -224,6 +223,8 @@ def _distribute(
                 other = _integrated(space, name, row, own, method, probe, slopes.get(name))
                 best = other if best is None or other.estimate < best.estimate else best
             propagation.spreads[name] = best
+    for spread in propagation.spreads.values():
+        spread.estimate += space.missed * spread.varies
 
 
 def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array") -> Spread | None:
@@ -289,13 +290,13 @@ def _integrated(
     direction = space.started[row][0] if row in space.started else direction_of(space, probe, row)
     outcome = integrate(space, row, direction, goal, method)
     spread = Spread(name, outcome.method, outcome.quantiles[goal.main].tolist(), outcome.mean, outcome.std)
-    spread.estimate, spread.admissible = outcome.estimate, outcome.admissible
-    spread.levels = goal.at_levels(outcome.quantiles)
+    spread.levels, spread.estimate = goal.at_levels(outcome.quantiles), outcome.estimate
+    spread.admissible = outcome.admissible
     if goal.limits:
         chances = exceedance(outcome, np.array(goal.limits, dtype=float), goal)
         spread.beyond = list(zip(goal.limits, chances.tolist(), strict=True))
     classical = method in ("linear", "second-order", "unscented")
-    if goal.curve and not classical and spread.interval[0] < spread.interval[1]:
+    if goal.curve and not classical and spread.varies:
         values = across_range(spread.interval)
         spread.cumulative = (values.tolist(), (1.0 - exceedance(outcome, values, goal)).tolist())
     if classical:
@@ -322,8 +323,7 @@ def _beside(spread: Spread, plain: Plain, outcome: Outcome, goal: Goal) -> Sprea
         values = across_range(made.interval).tolist()
         made.cumulative = (values, [1.0 - normal.upper((v - plain.mean) / plain.std) for v in values])
     apart = [*np.abs(plain.quantiles - outcome.quantiles), abs(plain.mean - outcome.mean), abs(plain.std - outcome.std)]
-    scale = outcome.std if outcome.std > 0.0 else 1.0
-    made.estimate = float(max(apart)) / scale + outcome.estimate
+    made.estimate = float(max(apart)) / (outcome.std or 1.0) + outcome.estimate
     made.admissible = spread.admissible
     for limit, _ in spread.beyond:
         z = (limit - plain.mean) / plain.std if plain.std > 0.0 else np.copysign(np.inf, limit - plain.mean)

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 LARGEST_BLOCK = 1 << 13
 # Cases at which it is looked whether an input bears on a result: a branch taken in one of a hundred shows.
 BEARING_CASES = 256
+# Cases before all others.
+REHEARSED = 128
 # Sets of points whose results are kept.
 MOST_KNOWN = 4096
 # A pivot smaller than this is a correlation of ±1 as rounded, not a negative one.
@@ -74,6 +76,17 @@ class Space:
     def size(self) -> int:
         """Number of uncertain inputs."""
         return len(self.names)
+
+    @property
+    def missed(self) -> float:
+        """What the model's samples are off by, in their deviations."""
+        return float(getattr(self.model, "missed", 0.0))
+
+    def rehearse(self, seed: int) -> None:
+        """A fair sample before all others, for models that solve something over the spread of their samples once."""
+        if not self.slow:
+            self.evaluate(np.random.default_rng(seed).standard_normal((self.size, REHEARSED)))
+            self.points = 0
 
     def inputs(self, z: "Array") -> "dict[str, Any]":
         """The inputs at points z, by address."""

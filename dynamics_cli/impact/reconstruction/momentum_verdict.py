@@ -16,6 +16,7 @@ from dynamics_cli.quantities import (
     Text,
 )
 from dynamics_cli.records import Advice, record
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -97,7 +98,9 @@ def _verdict(term: Term, factor: float, slopes: "list[tuple[str, float]]") -> Sp
     worst, steepest = slopes[0][0], absolute(slopes[0][1])
     for name, slope in slopes[1:]:
         steeper = absolute(slope) > steepest
-        worst = where(steeper, name, worst)  # type: ignore[arg-type,assignment]
+        if not drawing():
+            # of samples nobody asks, and texts are slow
+            worst = where(steeper, name, worst)  # type: ignore[arg-type,assignment]
         steepest = where(steeper, absolute(slope), steepest)
     tenth = 0.1 * absolute(term.speed * factor)  # type: ignore[operator]
     moves = steepest > 0.0
@@ -116,7 +119,7 @@ def worse(least: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
         least = SpeedVerdict(
             where(lower, least.verdict, other.verdict),  # type: ignore[arg-type]
             where(lower, least.heading_tolerance, other.heading_tolerance),  # type: ignore[arg-type]
-            where(lower, least.worst_heading, other.worst_heading),  # type: ignore[arg-type]
+            least.worst_heading if drawing() else where(lower, least.worst_heading, other.worst_heading),  # type: ignore[arg-type]
             per_degree=where(lower, least.per_degree, other.per_degree),  # type: ignore[arg-type]
         )
     return least
@@ -179,7 +182,9 @@ def energy_verdict(speed: float, closing: float, effects: "Sequence[tuple[str, f
     worst, steepest = effects[0][0], absolute(effects[0][1])
     for name, effect in effects[1:]:
         steeper = absolute(effect) > steepest
-        worst = where(steeper, name, worst)  # type: ignore[arg-type,assignment]
+        if not drawing():
+            # of samples nobody asks, and texts are slow
+            worst = where(steeper, name, worst)  # type: ignore[arg-type,assignment]
         steepest = where(steeper, absolute(effect), steepest)
     tenth, moves = 0.1 * maximum(absolute(speed), 0.25 * closing), steepest > 0.0
     tolerance = where(moves, minimum(tenth / where(moves, steepest, 1.0), 1.0), 1.0)

@@ -49,6 +49,12 @@ class Target:
         self.distance = hypot(*self.way)
         self.turn = rest_nose - nose
 
+    def wanted(self, lanes: "Lanes") -> "Array":
+        """The rest as lanes have it (3, 1)."""
+        import numpy as np
+
+        return np.array([[self.rest[0]], [self.rest[1]], [lanes.gyration * self.rest_nose]])
+
 
 class Root:
     """A motion at the separation, velocity and spin, with the run from it."""
@@ -83,8 +89,8 @@ def roots(car: Car, target: Target) -> "list[Root]":
         unknowns, gap, done = _settled(car, target, _Single.start, _Single.slopes, scale)
         if _length(*gap) <= ROUGH * scale:
             return [Root(unknowns, car, done)]
-    lanes = Lanes(car)
-    at, left, slopes = search(lanes, target, _starts(lanes, target, _grid(car, target)))
+    lanes = Lanes(car, target.begin, target.nose)
+    at, left, slopes = search(lanes, target.wanted(lanes), _starts(lanes, target, _grid(car, target)))
     found: list[tuple[Root, Array]] = []
     misses: list[Triple] = []
     for index in np.argsort(left).tolist():
@@ -148,7 +154,7 @@ def _starts(lanes: "Lanes", target: Target, grid: "Array") -> "Array":
     """Those of a grid that end nearest to the target, apart from each other."""
     import numpy as np
 
-    gaps = _gaps(lanes, target, grid, ROUGHEST, 1, FEW_STEPS)
+    gaps = gaps_of(lanes, target.wanted(lanes), grid, ROUGHEST, 1, FEW_STEPS)
     gaps[:2] *= 3.0 / (1.0 + target.distance)
     order = np.argsort((gaps * gaps).sum(axis=0))
     chosen: list[int] = []
@@ -161,18 +167,17 @@ def _starts(lanes: "Lanes", target: Target, grid: "Array") -> "Array":
     return grid[:, chosen]
 
 
-def _gaps(
-    lanes: "Lanes", target: Target, unknowns: "Array", tolerance: float, group: int, steps: int = 1000
+def gaps_of(
+    lanes: "Lanes", wanted: "Array", unknowns: "Array", tolerance: float, group: int = 1, steps: int = 1000
 ) -> "Array":
-    """Where motions end less where they should: places, and gyration times the nose."""
-    gaps = lanes.ends(unknowns, target.nose, target.begin, tolerance, group, steps)
-    gaps[0] -= target.rest[0]
-    gaps[1] -= target.rest[1]
-    gaps[2] = lanes.gyration * (gaps[2] - target.rest_nose)
+    """Where motions end less where they should (3, n) or (3, 1): places, and gyration times the nose."""
+    gaps = lanes.ends(unknowns, tolerance, group, steps)
+    gaps[2] *= lanes.gyration
+    gaps -= wanted
     return gaps
 
 
-def sloped(lanes: "Lanes", target: Target, unknowns: "Array", tolerance: float) -> "tuple[Array, Array]":
+def sloped(lanes: "Lanes", wanted: "Array", unknowns: "Array", tolerance: float) -> "tuple[Array, Array]":
     """Gaps (3, n) of motions, and their derivatives (n, 3, 3)."""
     import numpy as np
 
@@ -181,12 +186,12 @@ def sloped(lanes: "Lanes", target: Target, unknowns: "Array", tolerance: float) 
     moved = np.repeat(unknowns, 4, axis=1).reshape(3, count, 4)
     for index in range(3):
         moved[index, :, index + 1] += step
-    gaps = _gaps(lanes, target, moved.reshape(3, -1), tolerance, 4).reshape(3, count, 4)
-    slopes = (gaps[:, :, 1:] - gaps[:, :, :1]) / step[:, None]
-    return gaps[:, :, 0], slopes.transpose(1, 0, 2)
+    ends = gaps_of(lanes, np.zeros((3, 1)), moved.reshape(3, -1), tolerance, 4).reshape(3, count, 4)
+    slopes = (ends[:, :, 1:] - ends[:, :, :1]) / step[:, None]
+    return ends[:, :, 0] - wanted, slopes.transpose(1, 0, 2)
 
 
-def search(lanes: "Lanes", target: Target, starts: "Array") -> "tuple[Array, Array, Array]":
+def search(lanes: "Lanes", wanted: "Array", starts: "Array") -> "tuple[Array, Array, Array]":
     """Where damped Newton steps lead from each start: unknowns, the step that is left, and derivatives of the gaps.
 
     A step is good when what the same derivatives would step next is shorter (Deuflhard's natural test): of a car that
@@ -195,8 +200,8 @@ def search(lanes: "Lanes", target: Target, starts: "Array") -> "tuple[Array, Arr
     import numpy as np
 
     at = starts.copy()
-    gaps, slopes = sloped(lanes, target, at, COARSE)
-    steps, lengths = _newton(slopes, gaps)
+    gaps, slopes = sloped(lanes, wanted, at, COARSE)
+    steps, lengths = newton(slopes, gaps)
     shares = np.ones(at.shape[1])
     for round_ in range(MOST_ROUNDS):
         sizes = _sizes(at)
@@ -207,13 +212,13 @@ def search(lanes: "Lanes", target: Target, starts: "Array") -> "tuple[Array, Arr
         reach = REACH * np.maximum(sizes[open_], 0.1) / lengths[open_]
         shares[open_] = np.minimum(shares[open_], reach)
         tried = at[:, open_] + shares[open_] * steps[:, open_]
-        new, by = sloped(lanes, target, tried, COARSE)
-        _, following = _newton(slopes[open_], new)
+        new, by = sloped(lanes, wanted, tried, COARSE)
+        _, following = newton(slopes[open_], new)
         good = following <= (1.0 - 0.25 * shares[open_]) * lengths[open_]
         shares[open_] = np.where(good, np.minimum(4.0 * shares[open_], 1.0), 0.25 * shares[open_])
         moved = open_[good]
         at[:, moved], gaps[:, moved], slopes[moved] = tried[:, good], new[:, good], by[good]
-        steps[:, moved], lengths[moved] = _newton(by[good], new[:, good])
+        steps[:, moved], lengths[moved] = newton(by[good], new[:, good])
     left = lengths / _sizes(at)
     return at + np.where(left < SMALL, 1.0, 0.0) * steps, left, slopes
 
@@ -225,7 +230,7 @@ def _sizes(unknowns: "Array") -> "Array":
     return sizes
 
 
-def _newton(slopes: "Array", gaps: "Array") -> "tuple[Array, Array]":
+def newton(slopes: "Array", gaps: "Array") -> "tuple[Array, Array]":
     """Steps (3, n), and their lengths."""
     import numpy as np
 

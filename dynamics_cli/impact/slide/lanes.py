@@ -53,9 +53,13 @@ NOSE, X, Y = 3, 4, 5
 
 
 class Lanes:
-    """A car as arrays: rows of its wheels' slips along and across by its velocities, and what grips."""
+    """A car as arrays: rows of its wheels' slips along and across by its velocities, and what grips.
 
-    def __init__(self, car: "Car") -> None:
+    All its slides begin at one place, with one heading of the nose.
+    """
+
+    def __init__(self, car: "Car", begin: "tuple[float, float]" = (0.0, 0.0), nose: float = 0.0) -> None:
+        self.begin, self.nose = begin, nose
         wheels = car.wheels
         k = car.gyration
         along = [[w.cosine, w.sine, (w.sine * w.ahead - w.cosine * w.left) / k] for w in wheels]
@@ -150,8 +154,6 @@ class Lanes:
     def ends(
         self,
         velocities: "Array",
-        nose: float,
-        begin: "tuple[float, float]",
         tolerance: float,
         group: int = 1,
         steps: int = MOST_STEPS,
@@ -162,12 +164,12 @@ class Lanes:
         where more than so many steps would be needed.
         """
         size = np.sqrt((velocities * velocities).sum(axis=0))
-        c, s = np.cos(nose), np.sin(nose)
+        c, s = np.cos(self.nose), np.sin(self.nose)
         y = np.empty((6, size.size))
         y[0] = (c * velocities[0] + s * velocities[1]) / size
         y[1] = (c * velocities[1] - s * velocities[0]) / size
         y[2] = velocities[2] / size
-        y[NOSE:] = np.array([[nose], [begin[0]], [begin[1]]])
+        y[NOSE:] = np.array([[self.nose], [self.begin[0]], [self.begin[1]]])
         squares = size * size
         # what is left of the way is then below the tolerance
         last = 0.5 - 0.5 * np.log(tolerance)

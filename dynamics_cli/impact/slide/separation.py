@@ -2,18 +2,19 @@
 
 Friction scales speeds by its root and leaves places alone, and a scene may be turned: what is left is a function of
 three numbers, the distance to rest, the nose beside the way to it, and the turn. A single number is solved for as it
-stands, and its derivatives come from the solved equations. Thousands of samples go through the second-order expansion
-about a point of a fixed grid near their middle, which is solved for once.
+stands, and its derivatives come from the solved equations. Thousands of samples are interpolated on a grid over their
+spread, which is solved for once.
 """
 
 from functools import lru_cache
 
+from dynamics_cli.errors import require
 from dynamics_cli.impact.slide.back import Target, roots
 from dynamics_cli.impact.slide.motion import TOLERANCE, run
 from dynamics_cli.impact.slide.wheels import Car, State, Wheel
-from dynamics_cli.numerics.elementary import atan2, cos, hypot, maximum, only_in_doubles, sin, sqrt
+from dynamics_cli.numerics.elementary import atan2, cos, hypot, only_in_doubles, sin
 from dynamics_cli.numerics.number import is_array, is_tracked, plain
-from dynamics_cli.sampling import drawing
+from dynamics_cli.sampling import drawing, kept, missed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,10 +23,8 @@ if TYPE_CHECKING:
     Three = tuple[float, float, float]
     Body = tuple[float, ...]
 
-# Grid of the points that samples are expanded about, and differences: of distance, nose beside the way, turn. The
-# differences are about as wide as such measurements are uncertain, so that the corner where a wheel stands is rounded.
-GRID = (1.0, 0.1, 0.1)
-STEPS = (0.5, 0.08, 0.25)
+# Fewer samples than this are solved one by one.
+FEWEST = 32
 # What the solved motion is off by, of itself.
 SOLVED = 1e-6
 DIFFERENCE = 1e-4
@@ -54,7 +53,7 @@ def separation(body: "Body", distance: float, beside: float, turn: float) -> "Th
     if any(is_array(part) for part in (*body, *numbers)):
         if not drawing() or any(is_array(part) for part in body):
             raise TypeError("a slide is solved one by one")
-        return _expanded(body, numbers)
+        return _sampled(body, numbers)
     single: Any = tuple(float(plain(part)) for part in (*body, *numbers))
     solved = _solved(single[:-3], *single[-3:])
     if not any(is_tracked(part) for part in (*body, *numbers)):
@@ -117,60 +116,23 @@ def _rest(single: "tuple[float, ...]", motion: "list[float]") -> "Three":
     return end.x - distance, end.y, end.nose - (turn - beside)
 
 
-def _expanded(body: "Body", numbers: "tuple[Any, Any, Any]") -> "Three":
-    """The expansion at samples, about the grid's point nearest to their middle."""
+def _sampled(body: "Body", numbers: "tuple[Any, Any, Any]") -> "Three":
+    """The motion at samples: from a grid over their spread, which is solved for once in a calculation."""
     import numpy as np
 
-    distance, beside, turn = numbers
-    middle = atan2(float(np.mean(sin(beside))), float(np.mean(cos(beside))))
-    centres = [
-        grid * max(round(float(value) / grid), least)
-        for value, grid, least in zip(
-            (np.median(distance), middle, np.median(turn)), GRID, (1, -1000, -1000), strict=True
-        )
-    ]
-    coefficients = _coefficients(tuple(float(part) for part in body), *centres)
-    off = beside - centres[1]
-    moved = distance - centres[0], atan2(sin(off), cos(off)), turn - centres[2]
-    made = []
-    for constant, slopes, curves in coefficients:
-        total: Any = constant
-        for i in range(3):
-            total = total + slopes[i] * moved[i]
-            for j in range(i + 1):
-                total = total + curves[i][j] * (moved[i] * moved[j])
-        made.append(total)
-    return maximum(made[0], 0.0) * sqrt(distance), made[1], made[2]
+    from dynamics_cli.impact.slide.spread import Spread
 
-
-@lru_cache(maxsize=64)
-def _coefficients(body: "Body", *centre: float) -> "tuple[Any, ...]":
-    """Value, slopes and half curvatures of speed over the root of the distance, course and spin."""
-
-    def at(*moves: int) -> "Three":
-        place = [value + step * move for value, step, move in zip(centre, STEPS, moves, strict=True)]
-        place[0] = max(place[0], 0.1)
-        speed, course, spin = _solved(body, *place)
-        return speed / sqrt(place[0]), course, spin
-
-    middle = at(0, 0, 0)
-    ends: dict[tuple[int, int], Three] = {}
-    for i in range(3):
-        for sign in (1, -1):
-            ends[i, sign] = at(*(sign if k == i else 0 for k in range(3)))
-    made = []
-    for result in range(3):
-        slopes = [(ends[i, 1][result] - ends[i, -1][result]) / (2.0 * STEPS[i]) for i in range(3)]
-        curves = [[0.0] * 3 for _ in range(3)]
-        for i in range(3):
-            bend = ends[i, 1][result] - 2.0 * middle[result] + ends[i, -1][result]
-            curves[i][i] = 0.5 * bend / (STEPS[i] * STEPS[i])
-        made.append((middle[result], slopes, curves))
-    for i in range(3):
-        for j in range(i):
-            both = at(*(1 if k in (i, j) else 0 for k in range(3)))
-            for result, (constant, slopes, curves) in enumerate(made):
-                straight = constant + slopes[i] * STEPS[i] + slopes[j] * STEPS[j]
-                curved = curves[i][i] * STEPS[i] * STEPS[i] + curves[j][j] * STEPS[j] * STEPS[j]
-                curves[i][j] = (both[result] - straight - curved) / (STEPS[i] * STEPS[j])
-    return tuple(made)
+    kind = type(next(part for part in numbers if is_array(part)))
+    distance, beside, turn = (np.asarray(part) for part in np.broadcast_arrays(*numbers))
+    if distance.size < FEWEST and body not in kept():
+        singles = np.array([_solved(body, *map(float, one)) for one in zip(distance, beside, turn, strict=True)])
+        return tuple(part.view(kind) for part in singles.T.copy())
+    places = np.array([distance * np.cos(beside), distance * np.sin(beside), body[3] * turn])
+    if body not in kept():
+        kept()[body] = Spread(car(body), places)
+        missed(kept()[body].missed)
+    motions, reached = kept()[body].at(places)
+    require(reached, "no slide of these wheels ends there", code="unreachable")
+    ahead, left, turning = (part.view(kind) for part in motions)
+    bend = atan2(places[0] * left - places[1] * ahead, places[0] * ahead + places[1] * left)
+    return hypot(ahead, left), bend, turning / body[3]

@@ -6,6 +6,8 @@ The factors of the estimates were fitted on thousands of random problems so that
 differences between levels or replicates do not achieve that.
 """
 
+from copy import copy
+
 import numpy as np
 
 from dynamics_cli.core.uncertainty.methods.grids import grids
@@ -40,6 +42,10 @@ FEW_RESULTS = 4
 # Grids of scanned lines are for at most this many inputs.
 FEW_INPUTS = 3
 ANY = float("inf")
+# A result among many that rises along every line is given lines of its own: to this accuracy, of so many points.
+OWN_ACCURACY, OWN_POINTS = 1e-3, 350_000
+# Classical methods take their error from what is integrated beside them: no more accurately than their own numbers.
+SHARING = ("auto", "linear", "second-order", "unscented")
 
 
 class Problem:
@@ -54,7 +60,8 @@ class Problem:
         self.counted = asked == "auto" and result in space.whole and not (space.slow or space.heavy or goal.limits)
         # The model is called case by case for many results: points must be shared.
         self.dear = self.several and space.slow
-        self.sharing = self.several and not goal.limits and asked == "auto" and suits_shared_lines(space)
+        self.sharing = self.several and not goal.limits and asked in SHARING and suits_shared_lines(space)
+        self.rises = not space.slow and space.started.get(result, (None, None))[1] is not None
 
 
 class Way:
@@ -90,6 +97,13 @@ def _grids(space: Space, result: int, direction: "Array", across: "Array", goal:
     return stepped(grids(space, result, direction, across, goal))
 
 
+def _rising(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
+    """Lattices along the result's own gradient, to no more than what their points are worth where many results wait."""
+    own = copy(goal)
+    own.accuracy, own.points = max(goal.accuracy, OWN_ACCURACY), space.points + OWN_POINTS
+    return stepped(lattices(space, result, direction, across, own))
+
+
 # What a method costs, in evaluations of the model for one result.
 WAYS = (
     # 3e4, once for all results: whole numbers; jumps leave nothing to be had from other points
@@ -100,6 +114,8 @@ WAYS = (
     GRIDS := Way(_grids, lambda p: p.asked != "lattice" and not p.space.stepped),
     # 1e3 to 1e5: lists of values among inputs that are smooth
     Way(lambda *problem: stepped(listed_grids(*problem)), lambda p: p.asked == "auto" and suits_listed_grids(p.space)),
+    # 1e5: a result among many that rises along the lines of its grids, which have not settled
+    Way(_rising, lambda p: p.sharing and p.rises, above=OWN_ACCURACY),
     # 5e4, or 2e5, once for all results that rise in like directions: kinks, turns, jumps
     Way(shared_lines, lambda p: p.sharing and not p.space.slow, above=ACCURACY),
     # 1e4 to 3e6: kinks, bounded inputs, many inputs, as long as results rise along every line

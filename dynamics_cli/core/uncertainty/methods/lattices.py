@@ -8,6 +8,7 @@ from dynamics_cli.core.uncertainty.methods.lines import (
     Moments,
     Roots,
     carry,
+    fitted,
     moments,
     order_moments,
     solve,
@@ -64,7 +65,7 @@ def lattices(space: Space, result: int, direction: "Array", across: "Array", goa
             last[0].rest = turn.T @ last[0].rest
             lines = lattice_lines(space, result, direction, across, count, goal.seed)
             guess = carry(_thinned(last[0]), _thin_roots(*last), lines)
-        if last is None and not (yield from order_moments(lines, ORDERS[1])).rising:
+        if last is None and not (yield from order_moments(lines, ORDERS[0])).rising:
             return None
         roots = yield from solve(lines, goal.p, goal.scores, goal.tolerance, guess)
         if roots is None:
@@ -93,7 +94,7 @@ def _tilt(lines: Lines, roots: Roots) -> "Array":
     """A rotation of the axes across whose first axis is the linear tilt of the outer roots."""
     thin, few = _thinned(lines), _thin_roots(lines, roots)
     terms = np.vstack([np.ones(thin.rest.shape[1]), thin.rest])
-    slopes = np.linalg.lstsq(terms.T, few.s[:, 0] + few.s[:, -1], rcond=None)[0][1:]
+    slopes = fitted(terms.T, few.s[:, 0] + few.s[:, -1])[1:]
     size = float(np.sqrt(slopes @ slopes))
     if len(slopes) < 2 or size < 1e-9:
         return np.eye(len(slopes))
@@ -102,7 +103,7 @@ def _tilt(lines: Lines, roots: Roots) -> "Array":
 
 def larger(count: int, ratio: float) -> int:
     """The next lattice: errors fall about as fast as the count grows, or somewhat faster."""
-    power = int(np.ceil(np.clip(0.85 * np.log2(max(ratio, 1.0)), 1.0, 4.0)))
+    power = int(np.ceil(np.clip(0.75 * np.log2(max(ratio, 1.0)), 1.0, 4.0)))
     return min(count << power, MOST_POINTS)
 
 

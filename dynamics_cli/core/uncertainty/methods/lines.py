@@ -32,6 +32,8 @@ FIRST_DIFFERENCE = 1e-3
 LONGEST_STEP = 2.0
 # The orders of the rule along the lines, for moments.
 ORDERS = (7, 12, 20, 33, 55)
+# That of many lines of their own, whose moments need not be known as accurately.
+LEAST_ORDER = 4
 # Half the curvature over the slope assumed for the error that the last step leaves; and how much of that is accepted,
 # in units of the squared tolerance.
 _CURVATURE = 0.1
@@ -196,16 +198,17 @@ def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> "Steps
 
     The order is chosen on `trial`, fewer lines of the same space: the lower of two orders that agree.
     """
+    orders = (LEAST_ORDER, *ORDERS) if trial else ORDERS
     trial = trial or lines
     if lines.space.heavy:
         moments_of = yield from order_moments(lines, ORDERS[1])
         moments_of.mean = moments_of.std = np.nan
         moments_of.error = 0.0
         return moments_of
-    last = yield from order_moments(trial, ORDERS[0])
+    last = yield from order_moments(trial, orders[0])
     if not last.rising:
         return last
-    for count in ORDERS[1:]:
+    for count in orders[1:]:
         moments_of = yield from order_moments(trial, count)
         if not moments_of.rising or moments_of.std == 0.0:
             return moments_of
@@ -239,16 +242,25 @@ def order_moments(lines: Lines, count: int) -> "Steps[Moments]":
     return Moments(mean, np.sqrt(max(variance, 0.0)), np.inf, count, rising=sound, by_line=(first, second))
 
 
-def features(rest: "Array") -> "Array":
-    """Terms of a quadratic in y (with products while there are few axes), which extrapolates roots to other lines."""
+def features(rest: "Array", lines: int = 0) -> "Array":
+    """Terms of a quadratic in y, which extrapolates roots to other lines.
+
+    With products while there are few axes, or where it is fitted to so many lines that they bear it.
+    """
     axes, count = rest.shape
     terms = [np.ones(count), *rest, *(rest * rest)]
-    if axes <= 4:
+    if axes <= 4 or lines >= 2 * (axes + 1) * (axes + 2):
         terms += [rest[i] * rest[j] for i in range(axes) for j in range(i)]
     return np.array(terms).T
 
 
 _projections: "dict[tuple[object, object], Array]" = {}
+
+
+def fitted(terms: "Array", values: "Array") -> "Array":
+    """Least squares over many lines of one weight; their terms are independent, and a full factorization slow."""
+    coefficients: Array = np.linalg.solve(terms.T @ terms, terms.T @ values)
+    return coefficients
 
 
 def _fit(old: Lines) -> "Array":
@@ -260,9 +272,9 @@ def _fit(old: Lines) -> "Array":
 def carry(old: Lines, roots: Roots, new: Lines, key: "tuple[object, object] | None" = None) -> "tuple[Array, Array]":
     """A guess of roots and slopes on new lines from a quadratic fitted to those of old ones."""
     if key is None:
-        terms = features(new.rest)
-        fit = _fit(old)
-        s, slope = terms @ (fit @ roots.s), terms @ (fit @ roots.slopes)
+        count = old.rest.shape[1]
+        known = np.concatenate([roots.s, roots.slopes], axis=1)
+        s, slope = np.split(features(new.rest, count) @ fitted(features(old.rest, count), known), 2, axis=1)
     else:
         if key not in _projections:
             _projections[key] = features(new.rest) @ _fit(old)

@@ -83,7 +83,7 @@ class Goal:
     @property
     def tolerance(self) -> float:
         """Tolerance of the roots before the last step, which squares it."""
-        return min(max(0.06 * float(np.sqrt(self.accuracy)), 1e-8), 3e-3)
+        return min(max(0.06 * float(np.sqrt(self.accuracy)), 6.0 * self.accuracy, 1e-8), 6e-3)
 
 
 class Outcome:

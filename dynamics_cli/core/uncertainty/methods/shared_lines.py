@@ -13,15 +13,18 @@ from dynamics_cli.core.uncertainty.methods.outcome import FAIR, FLOOR, REPLICATE
 from dynamics_cli.core.uncertainty.space import Space, complement
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.numerics.distributions.normal_arrays import probability
+from dynamics_cli.numerics.quadrature.cells import Cells
 from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from numpy.typing import NDArray
 
     Array = NDArray[Any]
+    Pair = tuple[Array, Array]
 
 # In standard deviations: the accuracy of results on shared lines (typically five times better); finer lines are not
 # worth their cost.
@@ -40,9 +43,8 @@ COUNTS = (256,)
 ALIKE, OWN = 0.5, 0.95
 # More sets of lines than this cost more than one sample for the results they serve badly.
 MOST_SETS = 4
-STEPS = 8
-# Cells are sought once for all values within this part of a result's range.
-NEAR = 0.004
+# Halvings of a cell in which an edge of what is admissible lies.
+HALVINGS = 10
 # Change on doubling the step, as a multiple of the step's own error, at kinks.
 OF_TWICE = 0.5
 # Together they err far less than lattices with random shifts would: a tenth or less, as measured.
@@ -73,14 +75,24 @@ class SharedLines:
         # Kinks then lie anywhere between two points, and the error of a fixed grid averages out.
         shift = (np.arange(self.lines) * 0.6180339887498949 + 0.5) % 1.0 - 0.5
         self.s = grid + (shift * (grid[1] - grid[0]))[:, None]
-        z = (across @ rest)[:, :, None] + direction[:, None, None] * self.s
         rows = space.rest()
-        values = space.some(z.reshape(space.size, -1), rows).reshape(-1, self.lines, self.points)
-        self.values = dict(zip(rows, values, strict=True))
-        below = probability(self.s)
+
+        def at(s: "Array", lines: "Array") -> "Array":
+            z = (across @ rest)[:, lines] + direction[:, None] * s
+            return space.some(z, rows)
+
+        every = np.repeat(np.arange(self.lines), self.points)
+        values = at(self.s.ravel(), every).reshape(-1, self.lines, self.points)
+        low, high = self.s[:, :-1].copy(), self.s[:, 1:].copy()
+        first, last = values[:, :, :-1].copy(), values[:, :, 1:].copy()
+        _cut(at, (low, high), (first, last))
+        self.between = low, high
+        self.ends = {row: (first[place], last[place]) for place, row in enumerate(rows)}
         # Beyond the ends the values of the ends are used.
-        below[:, 0], below[:, -1] = 0.0, 1.0
-        self.mass = np.diff(below, axis=1) * weights[:, None]
+        under, over = probability(low), probability(high)
+        under[:, 0] = np.where(low[:, 0] == self.s[:, 0], 0.0, under[:, 0])
+        over[:, -1] = np.where(high[:, -1] == self.s[:, -1], 1.0, over[:, -1])
+        self.mass = (over - under) * weights[:, None]
 
     @property
     def method(self) -> str:
@@ -93,134 +105,30 @@ class SharedLines:
 
     def cells(self, result: int, every: int = 1) -> "Cells":
         """One result between neighbouring points, or between every few of them."""
-        mass = self.mass if every == 1 else self.mass.reshape(len(self.mass), -1, every).sum(axis=2)
-        s = self.s[:, ::every]
-        return Cells(
-            self.values[result][:, ::every], mass, self.group, 0.25 * (s[:, :-1] + s[:, 1:]) * (s[0, 1] - s[0, 0])
-        )
+        return Cells(self.ends[result], self.between, self.mass, self.group, every)
+
+    def sound(self, result: int) -> bool:
+        """Whether a result is admissible at all points."""
+        return all(bool(np.isfinite(part).all()) for part in self.ends[result])
 
 
-class Cells:
-    """A result on lines, cell by cell: both ends, half its bend, the share of cases and half the fall of their density.
-
-    With t the place in a cell from 0 to 1, the result is a + (b − a) t − bend t(1 − t), and the share of the cell's
-    cases up to t is t + fall t(1 − t).
-    """
-
-    def __init__(self, values: "Array", mass: "Array", group: "Array", fall: "Array") -> None:
-        sound = np.isfinite(values)
-        self.whole = bool(sound.all())
-        a, b = values[:, :-1], values[:, 1:]
-        if not self.whole:
-            # Half a cell is admissible, on average, where only one of its ends is.
-            mass = mass * (0.5 * (sound[:, :-1].astype(float) + sound[:, 1:]))
-            a, b = np.where(sound[:, :-1], a, b), np.where(sound[:, 1:], b, a)
-            lost = ~np.isfinite(a)
-            a, b = np.where(lost, 0.0, a), np.where(lost, 0.0, b)
-        a, b = np.ascontiguousarray(a), np.ascontiguousarray(b)
-        self.a, self.b, self.mass, self.group, self.fall = a, b, mass, group, fall
-        self.low, self.high = np.minimum(a, b), np.maximum(a, b)
-        self.bend = _bend(a, b)
-        self.admissible = float(mass.sum())
-        self.reach = NEAR * float(self.high.max() - self.low.min())
-        self._windows: list[Window] = []
-
-    def replicates(self, by_line: "Array") -> "Array":
-        """Sums over the lines of each replicate."""
-        return np.bincount(self.group, by_line)
-
-    def moments(self) -> "tuple[Array, Array, Array, float]":
-        """Mass, mean and mean square of each replicate, both about a value in the midst."""
-        centre = float(self.a[len(self.a) // 2, self.a.shape[1] // 2])
-        rise, mass = self.b - self.a, self.mass
-        middle = self.a + 0.5 * rise - (rise * self.fall + self.bend) / 6.0 - centre
-        sums = (
-            mass.sum(axis=1),
-            np.einsum("ij,ij->i", mass, middle),
-            np.einsum("ij,ij,ij->i", mass, middle, middle) + np.einsum("ij,ij,ij->i", mass, rise, rise) / 12.0,
-        )
-        share, first, second = map(self.replicates, sums)
-        return share, first, second, centre
-
-    def below(self, v: float) -> "tuple[Array, float]":
-        """The admissible share up to a value in each replicate, and the density there."""
-        for window in self._windows:
-            if window.low <= v <= window.high:
-                return window.below(v)
-        self._windows.append(Window(self, v))
-        return self._windows[-1].below(v)
-
-    def quantile(self, p: float, start: float, scale: float) -> "tuple[float, Array, float]":
-        """The value below which a given share of the admissible cases lies; the shares there, and the density."""
-        wanted = p * self.admissible
-        low, high = float(self.low.min()), float(self.high.max())
-        v = min(max(start, low), high)
-        for step in range(60):
-            share, dense = self.below(v)
-            excess = float(share.sum()) - wanted
-            low, high = (low, v) if excess >= 0.0 else (v, high)
-            if abs(excess) <= 1e-7:
-                break
-            if high - low <= 1e-9 * scale:
-                v = high  # a jump of the probability: an atom
-                share, dense = self.below(v)
-                break
-            move = -excess / dense if dense > 0.0 else np.inf
-            new = v + move
-            v = new if step < STEPS and low < new < high else 0.5 * (low + high)
-        return v, share, dense
-
-    def first_quantiles(self, p: "Array") -> "Array":
-        """Quantiles of a part of the cells, each taken at its middle."""
-        every = max(self.mass.size // 8192, 1)
-        middle = (0.5 * (self.low + self.high)).ravel()[::every]
-        mass = self.mass.ravel()[::every]
-        order = np.argsort(middle)
-        ranked = np.cumsum(mass[order])
-        place = np.searchsorted(ranked, p * ranked[-1])
-        return middle[order][np.minimum(place, ranked.size - 1)]  # type: ignore[no-any-return]
-
-
-class Window:
-    """The cells that values within a small range cut, and the cases below all of these."""
-
-    def __init__(self, cells: Cells, v: float) -> None:
-        self.low, self.high = v - cells.reach, v + cells.reach
-        over = cells.high > self.low
-        self.base = cells.replicates(cells.mass.sum(axis=1, where=~over))
-        cut = np.flatnonzero(over & (cells.low <= self.high))
-        self.group = cells.group[cut // cells.a.shape[1]]
-        self.a, b, self.mass, self.bend, self.fall, self.bottom, self.top = (
-            part.ravel()[cut] for part in (cells.a, cells.b, cells.mass, cells.bend, cells.fall, cells.low, cells.high)
-        )
-        self.rise = b - self.a
-        self.curved = np.abs(self.bend) < np.abs(self.rise)
-        self.groups = self.base.size
-
-    def below(self, v: float) -> "tuple[Array, float]":
-        """The admissible share up to a value within the range in each replicate, and the density there."""
-        under = self.top <= v
-        cut = np.nonzero((self.bottom <= v) & ~under)[0]
-        rise, mass = self.rise[cut], self.mass[cut]
-        t = (v - self.a[cut]) / rise
-        t = np.where(self.curved[cut], t + self.bend[cut] / rise * t * (1.0 - t), t).clip(0.0, 1.0)
-        part = t + self.fall[cut] * t * (1.0 - t)
-        inside = mass * np.where(rise > 0.0, part, 1.0 - part)
-        share = self.base + np.bincount(self.group[cut], inside, minlength=self.groups)
-        share += np.bincount(self.group, np.where(under, self.mass, 0.0), minlength=self.groups)
-        return share, float((mass / np.abs(rise)).sum())
-
-
-def _bend(a: "Array", b: "Array") -> "Array":
-    """Half the second difference of each cell: the smaller of those at its ends, none where these turn (kinks)."""
-    bend = np.zeros_like(a)
-    rise = b - a
-    half = 0.5 * (rise[:, 1:] - rise[:, :-1])
-    one, other = half[:, :-1], half[:, 1:]
-    inner = bend[:, 1:-1]
-    np.maximum(np.minimum(one, other), 0.0, out=inner)
-    inner += np.minimum(np.maximum(one, other), 0.0)
-    return bend
+def _cut(at: "Callable[[Array, Array], Array]", between: "Pair", ends: "Pair") -> None:
+    """Where an edge of what is admissible lies within a cell, the cell ends there instead; by halving."""
+    refused = [np.isnan(part).all(axis=0) for part in ends]
+    for inner, outer in ((0, 1), (1, 0)):
+        lines, cells = np.nonzero(~refused[inner] & refused[outer])
+        if not lines.size:
+            continue
+        sound, out = between[inner][lines, cells], between[outer][lines, cells]
+        found = ends[inner][:, lines, cells]
+        for _ in range(HALVINGS):
+            middle = 0.5 * (sound + out)
+            values = at(middle, lines)
+            good = ~np.isnan(values).all(axis=0)
+            found = np.where(good, values, found)
+            sound, out = np.where(good, middle, sound), np.where(good, out, middle)
+        between[outer][lines, cells] = 0.5 * (sound + out)
+        ends[outer][:, lines, cells] = found
 
 
 def _moments(cells: Cells) -> "tuple[Array, float, float, tuple[Array, Array]]":
@@ -287,10 +195,10 @@ class Found:
 def sole_line(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome | None:
     """A result on which one input bears, where it turns or jumps; the edge of what is admissible is found elsewhere."""
     lines = _lines(space, direction, 1, ALIKE, goal.seed, sole=True)
-    values = lines.values[result]
-    if not np.isfinite(values).all():
+    if not lines.sound(result):
         return None
-    rise = np.diff(values, axis=1)
+    first, last = lines.ends[result]
+    rise = last - first
     if (rise >= 0.0).all() or (rise <= 0.0).all():
         return None
     return _outcome(lines, space, result, complement(direction), goal)
