@@ -132,9 +132,11 @@ def collision(
             tip = centre[0] + scale * v[0], centre[1] + scale * v[1]
             words.append(Words(tip, v, about(f"{name} after", speeds[len(names) + role]), role))
     items.sort(key=lambda item: getattr(item, "style", "") != "ground")
-    end = "" if barrier else ";"
+    comma = "" if barrier else ";"
     note = [
-        worded("outlines {length:2} by {width:2}, not measured" + end, length=(LENGTH, Length), width=(WIDTH, Length)),
+        worded(
+            "outlines {length:2} by {width:2}, not measured" + comma, length=(LENGTH, Length), width=(WIDTH, Length)
+        ),
         worded("lanes {width:3} wide along the velocities before", width=(2.0 * LANE, Length)),
     ][: 1 if barrier else 2]
     return finished(items, words, inches, (scale, max(speeds)), north, note)
