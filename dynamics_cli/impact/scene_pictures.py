@@ -9,7 +9,7 @@ from dynamics_cli.quantities import Length, RoadSpeed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
     from typing import Any
 
     from dynamics_cli.impact.scene_labels import Box
@@ -103,10 +103,12 @@ def collision(
     centres: "Sequence[Pair] | None" = None,
     inches: "Pair" = (3.4, 3.6),
     barrier: "Sequence[Curve]" = (),
+    uncertain: "Callable[[int, Pair, float], list[Any]] | None" = None,
 ) -> Panel:
     """Vehicles at the impact with their velocities before (behind them, dashed) and after (from their centres).
 
-    One vehicle with the `barrier` that it struck stands on no lane.
+    One vehicle with the `barrier` that it struck stands on no lane. What is `uncertain` of a vehicle is drawn from its
+    index, its centre and the scale of its arrows.
     """
     speeds = [math.hypot(*velocity) for velocity in (*before, *after)]
     scale = LONGEST_ARROW * LENGTH / (max(speeds) or 1.0)
@@ -116,6 +118,8 @@ def collision(
     for role, (name, centre, nose) in enumerate(zip(names, centres, noses, strict=True)):
         items += outline(centre, nose, role)
         u, v = before[role], after[role]
+        if uncertain is not None:
+            items += uncertain(role, centre, scale)
         if speeds[role] > 0.0:
             way = u[0] / speeds[role], u[1] / speeds[role]
             if not barrier:
