@@ -28,6 +28,7 @@ from tests.harness import run
         ("cam|profile|--base-circle|3 mm", "did you mean --base-radius?"),
         ("skid|speed|--speed-limit|50 km/h", "did you mean --limit?"),
         ("gear|spur|--shift|0.3", "did you mean --profile-shift or --shift-sign?"),
+        ("impact|inverse|cars.toml", "a file of them: dynamics impact inverse --input cars.toml"),
         ("skid|speed|60 ft|0.7", 'for example: dynamics skid speed --distance "60 ft" --friction 0.7'),
         ("skid|speed|--segment|distance=20 ft, mu=0.3", "did you mean friction?"),
     ],

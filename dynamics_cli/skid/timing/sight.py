@@ -121,11 +121,6 @@ def sight(
     """
     corner = _corner(corner_before, corner_aside, recognition_distance)
     require(
-        corner is None or corner[1] > 0.0, "a corner {aside} aside hides nothing on a way beside it", code="no-corner",
-        hint="corner-aside is measured from the way of the first toward the second",
-        aside=(corner_aside or 0.0, Length),
-    )  # fmt: skip
-    require(
         (crossing > 0.0) & (crossing < 2.0 * RIGHT_ANGLE), "ways at an angle of {crossing} do not cross",
         code="no-crossing", crossing=(crossing, Angle),
     )  # fmt: skip
@@ -145,11 +140,7 @@ def sight(
         past = openings(wall, one, other, mover, eye_behind, -plain(start))
     near: list[tuple[float, bool]] = []
     if recognition_distance is not None:
-        require(
-            recognition_distance > eye_behind, "the second would be recognized within {distance}, less than the eye's "
-            "{behind} from the front: not before the impact", code="never-shows",
-            distance=(recognition_distance, Distance), behind=(eye_behind, Length),
-        )  # fmt: skip
+        _require_recognition(recognition_distance, eye_behind)
         near = changes(one, other, within(recognition_distance, eye_behind, crossing), -plain(start), 0.0)
     # the meeting of eye and target at the impact is not an opening
     times, opened_by = both([one for one in past if plain(one[0]) < -AT_IMPACT], near)
@@ -183,7 +174,21 @@ def _corner(before: "float | None", aside: "float | None", recognition: "float |
     )  # fmt: skip
     require_given((before is None) == (aside is None), "the corner needs both its places",
                   ("corner_before",) if before is None else ("corner_aside",))  # fmt: skip
-    return None if before is None or aside is None else (before, aside)
+    if before is None or aside is None:
+        return None
+    require(
+        aside > 0.0, "a corner {aside} aside hides nothing on a way beside it", code="no-corner",
+        hint="corner-aside is measured from the way of the first toward the second", aside=(aside, Length),
+    )  # fmt: skip
+    return before, aside
+
+
+def _require_recognition(distance: float, eye_behind: float) -> None:
+    require(
+        distance > eye_behind, "the second would be recognized within {distance}, less than the eye's {behind} from "
+        "the front: not before the impact", code="never-shows", distance=(distance, Distance),
+        behind=(eye_behind, Length), hint="check the distance of recognition and its unit",
+    )  # fmt: skip
 
 
 def _unhidden(rows: "tuple[SightChange, ...]") -> "tuple[Advice, ...]":
