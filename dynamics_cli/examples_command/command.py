@@ -35,7 +35,11 @@ def carry_out(
     if not words:
         if options.get("copy"):
             raise UsageError("the name of the example is missing", code="missing", hint="see: dynamics examples")
-        terminal.write(_listed(min(terminal.columns or 80, 80)))
+        terminal.write(_listed(WORKED, min(terminal.columns or 80, 80)))
+        return
+    of_family = [example for example in WORKED if words[0] in families and _uses(example, words[0])]
+    if of_family and not options.get("copy") and words[0] not in names():
+        terminal.write(_listed(of_family, min(terminal.columns or 80, 80)))
         return
     example = _named(words[0])
     if options.get("copy"):
@@ -50,13 +54,24 @@ def _run(example: Example) -> str:
     return f"run    {example.run}"
 
 
-def _listed(width: int) -> str:
-    column = max(len(name) for name in names()) + 2
+def _uses(example: Example, family: str) -> bool:
+    """Whether an example calls a task of a family."""
+    scripts = [folder() / name for name in example.files if name.endswith(".sh")]
+    texts = [example.run, *(script.read_text(encoding="utf-8") for script in scripts)]
+    return any(f"dynamics {family} " in text for text in texts)
+
+
+def _listed(examples: "Sequence[Example]", width: int) -> str:
+    column = max(len(example.name) for example in examples) + 2
     lines = []
-    for example in WORKED:
+    for example in examples:
         first, *others = wrapped(example.line, width - column, 0)
         lines += [f"{example.name:<{column}}{first}", *(" " * column + line for line in others)]
-    return "\n".join([*lines, "", "One of them: dynamics examples crash; copy it: dynamics examples crash --copy", ""])
+    one = examples[0].name
+    told = [f"One of them: dynamics examples {one}; copy it: dynamics examples {one} --copy"]
+    if len(examples) == len(WORKED):
+        told.append("Of one family: dynamics examples impact")
+    return "\n".join([*lines, "", *told, ""])
 
 
 def _named(word: str) -> Example:

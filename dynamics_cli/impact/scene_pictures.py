@@ -9,7 +9,7 @@ from dynamics_cli.quantities import Length, RoadSpeed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
     from typing import Any
 
     from dynamics_cli.impact.scene_labels import Box
@@ -103,10 +103,12 @@ def collision(
     centres: "Sequence[Pair] | None" = None,
     inches: "Pair" = (3.4, 3.6),
     barrier: "Sequence[Curve]" = (),
+    uncertain: "Callable[[int, Pair, float], list[Any]] | None" = None,
 ) -> Panel:
     """Vehicles at the impact with their velocities before (behind them, dashed) and after (from their centres).
 
-    One vehicle with the `barrier` that it struck stands on no lane.
+    One vehicle with the `barrier` that it struck stands on no lane. What is `uncertain` of a vehicle is drawn from its
+    index, its centre and the scale of its arrows.
     """
     speeds = [math.hypot(*velocity) for velocity in (*before, *after)]
     scale = LONGEST_ARROW * LENGTH / (max(speeds) or 1.0)
@@ -116,6 +118,8 @@ def collision(
     for role, (name, centre, nose) in enumerate(zip(names, centres, noses, strict=True)):
         items += outline(centre, nose, role)
         u, v = before[role], after[role]
+        if uncertain is not None:
+            items += uncertain(role, centre, scale)
         if speeds[role] > 0.0:
             direction = u[0] / speeds[role], u[1] / speeds[role]
             if not barrier:
@@ -132,10 +136,10 @@ def collision(
             tip = centre[0] + scale * v[0], centre[1] + scale * v[1]
             words.append(Words(tip, v, about(f"{name} after", speeds[len(names) + role]), role))
     items.sort(key=lambda item: getattr(item, "style", "") != "ground")
-    ending = "" if barrier else ";"
+    comma = "" if barrier else ";"
     note = [
         worded(
-            "outlines {length:2} by {width:2}, not measured" + ending, length=(LENGTH, Length), width=(WIDTH, Length)
+            "outlines {length:2} by {width:2}, not measured" + comma, length=(LENGTH, Length), width=(WIDTH, Length)
         ),
         worded("lanes {width:3} wide along the velocities before", width=(2.0 * LANE, Length)),
     ][: 1 if barrier else 2]

@@ -33,6 +33,13 @@ def test_the_list_has_a_line_for_each() -> None:
     assert max(map(len, text.splitlines())) <= 80
 
 
+def test_a_family_lists_the_examples_that_use_it() -> None:
+    text = run("examples", "skid").out
+    assert all(f"\n{name} " in f"\n{text}" for name in ("crash", "pedestrian", "rollover", "recorder"))
+    assert "gearbox" not in text
+    assert run("examples", "spin").status in (0, 2)
+
+
 @pytest.mark.parametrize("name", names())
 def test_each_is_copied_and_runs(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)

@@ -55,3 +55,22 @@ def test_paper_is_at_a_round_scale(tmp_path: Path, form: str) -> None:
     assert said
     assert int(said[1]) in (100, 150, 200, 250)
     assert file.read_bytes().startswith(b"%PDF" if form == "pdf" else b"<?xml")
+
+
+def test_a_slide_is_drawn_where_it_was(tmp_path: Path) -> None:
+    """Marks as wide as tyres in the coordinates of the scene, from the place of the separation to that of rest."""
+    file = tmp_path / "slide.dxf"
+    motion = "--speed 12m/s --course 30deg --spin 3rad/s --place 100,50m"
+    car = "--front-axle 1.2m --rear-axle 1.4m --track 1.5m --radius-of-gyration 1.35m --friction 0.7 --braking 100%"
+    document = answer("impact", "slide", *motion.split(), *car.split(), "--drawing", str(file))
+    assert document["files"][-1]["holds"].startswith("layers marks, vehicles, paths, vectors, text")
+    space = ezdxf.readfile(file).modelspace()
+    marks = [one for one in space.query('LWPOLYLINE[layer=="marks"]') if one.dxf.const_width]
+    assert len(marks) >= 4
+    assert all(one.dxf.const_width == pytest.approx(0.2) for one in marks)
+    # the left front wheel begins 1.2 m ahead of the place and 0.75 m to its left
+    begins = [one.get_points()[0][:2] for one in marks]
+    assert min(math.dist(one, (101.2, 50.75)) for one in begins) < 0.02
+    path = next(one for one in space.query('LWPOLYLINE[layer=="paths"]')).get_points()
+    rest = document["results"]["rest_position"]["value"]
+    assert math.dist(path[-1][:2], rest) < 1e-6

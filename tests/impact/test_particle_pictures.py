@@ -17,7 +17,7 @@ from dynamics_cli.impact.reconstruction.crush import Damaged, MeanCrush, Station
 from dynamics_cli.impact.reconstruction.crush_stiffness import Coefficients
 from dynamics_cli.impact.reconstruction.momentum import Vehicle, momentum
 from dynamics_cli.impact.scene_pictures import LENGTH, WIDTH, apart
-from dynamics_cli.pictures import Arrow, Band, Curve, Label, Mark, Picture, Ruler
+from dynamics_cli.pictures import Arrow, Band, Curve, Label, Mark, Picture, Ruler, Spreads
 
 PICTURED = [task for task in TASKS if task.plot]
 
@@ -61,6 +61,20 @@ def test_arrows_of_momentum_add_up(axes: str) -> None:
     lengths = [math.hypot(*arrow) for arrow in arrows(picture, 0)[:4]]
     scale = lengths[0] / speeds[0]
     assert lengths == pytest.approx([scale * speed for speed in speeds], rel=1e-12)
+
+
+def test_fans_hold_the_uncertain_headings() -> None:
+    """The fan before spans the interval about the vehicle's centre; that of a certain heading is not drawn."""
+    one = Vehicle(ByMass(1500.0), None, 0.0, 8.0, 0.7)
+    two = Vehicle(ByMass(1200.0), None, math.pi / 2.0, 9.0, 0.65)
+    found = momentum(first=one, second=two)
+    spread = Spreads(0.95, {"first.approach_heading": (-0.1, 0.1)}, {}, {}, {}, {})
+    picture = pictures.momentum(found, first=one, second=two, gravity=9.8, spreads=spread)
+    fans = [item for item in picture.panels[0].items if isinstance(item, Curve) and item.style == "fill"]
+    assert len(fans) == 1
+    centre = fans[0].x[0], fans[0].y[0]
+    ways = [math.atan2(centre[1] - y, centre[0] - x) for x, y in zip(fans[0].x[1:-1], fans[0].y[1:-1], strict=True)]
+    assert (min(ways), max(ways)) == (pytest.approx(-0.1), pytest.approx(0.1))
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.2, 1.0, 1.5707963267948966, 2.5, 3.141592653589793])

@@ -135,6 +135,8 @@ def results(inputs: dict[str, Any]) -> dict[str, Any]:
         "energy_lost_tangential": work_t,
         "critical.stick_friction": abs(kx) / kt,
     }
+    if two.mass is None:
+        found["equivalent_barrier_speed"] = sqrt(2 * max(work_n + work_t, mpf(0)) / one.mass)
     if critical_n != 0:
         found["critical.impulse_ratio"] = critical_t / critical_n
         if critical_t != 0:

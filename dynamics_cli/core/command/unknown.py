@@ -58,6 +58,7 @@ def extra_words(task: Task, message: str) -> UsageError:
     """The error for words where a task takes only options."""
     words = message.rpartition(" (")[2].removesuffix(")")
     example = task.shown_examples[0] if task.shown_examples else f"dynamics {task.path} --help"
-    return UsageError(
-        f"unexpected {words!r}: {task.path} takes its values by name", code="unexpected", hint=f"for example: {example}"
-    )
+    hint = f"for example: {example}"
+    if words.endswith((".toml", ".json", ".yaml", ".yml")):
+        hint = f"a file of them: dynamics {task.path} --input {words}"
+    return UsageError(f"unexpected {words!r}: {task.path} takes its values by name", code="unexpected", hint=hint)

@@ -28,6 +28,7 @@ SLIDE = Task(
     tracked=False,
     table="wheels path roots",
     plot="dynamics_cli.impact.slide.pictures:slide",
+    writers=dict.fromkeys(("dxf", "svg", "pdf"), "dynamics_cli.impact.slide.pictures:plan"),
     headline=(
         "speed: speed at the separation v",
         "course: course there",

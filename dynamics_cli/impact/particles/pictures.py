@@ -3,7 +3,8 @@
 import math
 
 from dynamics_cli.impact.conventions import Axes, direction_of, mass_of
-from dynamics_cli.impact.scene_pictures import collision, velocities
+from dynamics_cli.impact.scene_pictures import LENGTH, collision, velocities
+from dynamics_cli.impact.uncertain_shapes import at_tip, fan
 from dynamics_cli.impact.vector_pictures import polygon
 from dynamics_cli.pictures import Axis, Band, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Count, Energy, Inertia, Length, Size, Speed, Time
@@ -12,7 +13,13 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.pictures import Spreads
+
+    Pair = tuple[float, float]
+
 POINTS = 61
+# Inches of a picture whose last panels have long names beside them.
+WIDE = 9.0
 
 
 def oblique(result: "Any", *, first: "Any" = None, second: "Any" = None, **_: "Any") -> Picture:
@@ -32,8 +39,10 @@ def oblique(result: "Any", *, first: "Any" = None, second: "Any" = None, **_: "A
     return Picture((Panel(panel.x, panel.y, (line, *panel.items), panel.title, equal=True),), "oblique impact")
 
 
-def momentum(result: "Any", *, first: "Any", second: "Any", gravity: float, **_: "Any") -> Picture:
-    """The vehicles at the impact with their velocities, and the polygon of momenta."""
+def momentum(
+    result: "Any", *, first: "Any", second: "Any", gravity: float, spreads: "Spreads | None" = None, **_: "Any"
+) -> Picture:
+    """The vehicles at the impact with their velocities and what is uncertain of them, and the polygon of momenta."""
     axes = result.conventions.axes.partition(":")[0]
     bodies = (result.first, result.second)
     names = tuple(getattr(vehicle, "name", None) or word for vehicle, word in ((first, "first"), (second, "second")))
@@ -45,8 +54,39 @@ def momentum(result: "Any", *, first: "Any", second: "Any", gravity: float, **_:
     ]
     north = (0.0, 1.0) if axes == "compass" else None
     masses = [mass_of(vehicle.bulk, gravity) for vehicle in (first, second)]
-    panels = (collision(names, noses, before, after, north), polygon(names, masses, before, after))
-    return Picture(panels, "velocities at the impact, before and after", columns=2, scene=True)
+
+    def uncertain(role: int, centre: "Pair", scale: float) -> "list[Any]":
+        """Fans of both headings, and the ellipse at the tip of the velocity after."""
+        if spreads is None:
+            return []
+        side, (u, v) = ("first", "second")[role], after[role]
+        reach = 0.5 * LENGTH + scale * math.hypot(*before[role])
+        arrow = scale * u, scale * v
+        tip, sense = (centre[0] + arrow[0], centre[1] + arrow[1]), -1.0 if axes in ("compass", "sae") else 1.0
+
+        def way(heading: float) -> "Pair":
+            return _seen(1.0, heading, axes)
+
+        return [
+            *fan(spreads, f"{side}.approach_heading", centre, -reach, way, role),
+            *fan(spreads, f"{side}.exit_heading", centre, math.hypot(*arrow), way, role),
+            *at_tip(spreads, side, tip, arrow, scale, sense, role),
+        ]
+
+    inches = (3.4, 3.6) if spreads is None else (7.2, 3.9)
+    scene = collision(names, noses, before, after, north, None, inches, uncertain=uncertain)
+    title = "velocities at the impact, before and after"
+    held = (
+        "" if spreads is None else f"fans of headings and ellipses of velocities hold {100.0 * spreads.coverage:.4g} %"
+    )
+    return Picture(
+        (scene, polygon(names, masses, before, after)),
+        title,
+        columns=2,
+        scene=True,
+        width=WIDE if spreads else 0.0,
+        subtitle=held,
+    )
 
 
 def _seen(length: float, heading: float, axes: str) -> "tuple[float, float]":

@@ -1,13 +1,16 @@
-"""The slide to scale: outlines at every eighth of a turn, the path of the mass centre, and the marks of the wheels."""
+"""The slide to scale: outlines at every eighth of a turn, the path of the mass centre, and the marks of the wheels.
+
+As a picture, and as a drawing in the coordinates of the scene.
+"""
 
 from dynamics_cli.impact.conventions import AXES, Axes
 from dynamics_cli.impact.scene_labels import Words
-from dynamics_cli.impact.scene_pictures import about, finished, outline
+from dynamics_cli.impact.scene_pictures import about, finished, outline, to_scale
 from dynamics_cli.impact.slide.marks import lines
 from dynamics_cli.impact.slide.motion import Run, run
 from dynamics_cli.impact.slide.records import AtRest
 from dynamics_cli.impact.slide.task import car_of, start_of
-from dynamics_cli.pictures import Arrow, Curve, Mark, Picture
+from dynamics_cli.pictures import Arrow, Curve, Mark, Picture, Plan
 from dynamics_cli.quantities import STANDARD_GRAVITY
 
 TYPE_CHECKING = False
@@ -22,8 +25,30 @@ SPEED_PER_METRE = 4.0
 WIDE, HIGH = 7.2, 4.6
 
 
+TITLE = "from the separation to rest, to scale"
+NOTE = ("outlines at every eighth of a turn, of common overhangs",)
+
+
 def slide(made: "Any", **given: "Any") -> Picture:
     """The car from the separation to rest, seen from above."""
+    items, words, speeds, north = _drawn(made, given)
+    return Picture((finished(items, words, (WIDE, HIGH), speeds, north, NOTE),), TITLE, width=WIDE, scene=True)
+
+
+def plan(made: "Any", **given: "Any") -> Plan:
+    """The same as a drawing, its marks as wide as tyres."""
+    items, words, speeds, north = _drawn(made, given)
+    marked = [
+        Curve(item.x, item.y, "", "track", 6) if isinstance(item, Curve) and item.style == "solid" else item
+        for item in items
+    ]
+    return to_scale(marked, words, speeds, north, NOTE, TITLE)
+
+
+def _drawn(
+    made: "Any", given: "dict[str, Any]"
+) -> "tuple[list[Any], list[Words], tuple[float, float], tuple[float, float] | None]":
+    """The scene with its words, the scale of its arrow with the speed, and north."""
     axes: Axes = given.get("axes", AXES)
     flip = -1.0 if axes == "sae" else 1.0
     shares = [given[name] if given.get(name) is not None else given["braking"] for name in
@@ -66,10 +91,7 @@ def slide(made: "Any", **given: "Any") -> Picture:
     front = end.x + 0.5 * size["length"] * way[0], flip * end.y + 0.5 * size["length"] * way[1]
     words.append(Words(front, way, "at rest", 0))
     items += [Mark(start.x, flip * start.y, "", role=6)]
-    north = (0.0, 1.0) if axes == "compass" else None
-    note = ("outlines at every eighth of a turn, of common overhangs",)
-    panel = finished(items, words, (WIDE, HIGH), (scale, speed), north, note)
-    return Picture((panel,), "from the separation to rest, to scale", width=WIDE, scene=True)
+    return items, words, (scale, speed), (0.0, 1.0) if axes == "compass" else None
 
 
 def _way(nose: float, flip: float) -> "tuple[float, float]":

@@ -123,12 +123,13 @@ FOLLOW = Task(
 
 SIGHT = Task(
     "sight",
-    "When two parties on crossing paths could see each other past an obstruction.",
+    "When two parties on crossing paths could see each other past an obstruction, or at night.",
     Model(
         "line of sight past a corner",
         "dynamics_cli.skid.timing.sight:sight",
         source=KINEMATICS + "; plane geometry of the line of sight",
-        formula="(C − E) × (Q − E) = 0 at {time_left|t} before the impact: eye E, target Q, corner C",
+        formula="(C − E) × (Q − E) = 0, or |Q − E| = {recognition_distance|R}, at {time_left|t} before the impact: "
+        "eye E, target Q, corner C",
         assumptions=("points in a plan view", "the obstruction fills everything behind its corner"),
         method="roots of polynomials, all found between those of their derivatives",
     ),
@@ -139,6 +140,7 @@ SIGHT = Task(
         "second_distance: second then away",
         "second_speed: second then at",
         "sight_line: line of sight",
+        "by: opened by",
         "changes: openings and closings",
     ),
     scene={
@@ -151,6 +153,9 @@ SIGHT = Task(
         'dynamics skid sight --first-kind constant --first-duration "5 s" --first-end-speed "13 m/s" '
         '--second-kind constant --second-duration "5 s" --second-end-speed "1.5 m/s" --corner-before "6 m" '
         '--corner-aside "1.8 m" --eye-behind "2 m"',
+        'dynamics skid sight --first-kind constant --first-duration "5 s" --first-end-speed "80 km/h" '
+        '--second-kind constant --second-duration "5 s" --second-end-speed "1.5 m/s" --eye-behind "2 m" '
+        '--recognition-distance "35 m"',
     ),
     table="changes",
     arrays=False,

@@ -136,3 +136,37 @@ def past_corner(before: float, aside: float, eye_behind: float, crossing: float)
         return [a - across * b for a, b in zip(clear, hidden, strict=True)]
 
     return cleared
+
+
+def within(distance: float, eye_behind: float, crossing: float) -> "Callable[[Poly, Poly], Poly]":
+    """How far the target is within a distance of the eye, as a difference of squares; above zero where it is.
+
+    The function takes the courses' polynomials, as that of `past_corner` does.
+    """
+    along = cos(crossing)
+
+    def nearer(eye: "Poly", target: "Poly") -> "Poly":
+        back = [eye_behind - eye[0], *(-part for part in eye[1:])]
+        left = [-part for part in target]
+        apart = added(added(product(back, back), product(left, left), 1.0), product(back, left), -2.0 * along)
+        return [distance * distance - apart[0], *(-part for part in apart[1:])]
+
+    return nearer
+
+
+def both(past: "list[tuple[Any, bool]]", near: "list[tuple[Any, bool]]") -> "tuple[list[tuple[Any, bool]], str | None]":
+    """When the sight is free past the corner and near enough at once, and what opened it last.
+
+    Each list has one's changes in order of time; without any it is open all the while.
+    """
+    named = [(plain(time), time, opens, 0) for time, opens in past] + [(plain(t), t, opens, 1) for t, opens in near]
+    free = [not (changes and changes[0][1]) for changes in (past, near)]
+    times: list[tuple[Any, bool]] = []
+    cause: str | None = None
+    for _, time, opens, which in sorted(named, key=lambda entry: entry[0]):
+        was = all(free)
+        free[which] = opens
+        if all(free) != was:
+            times.append((time, opens))
+            cause = ("corner", "recognition distance")[which] if opens else cause
+    return times, cause

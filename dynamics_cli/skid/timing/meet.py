@@ -132,7 +132,7 @@ def meet(
     hazard = _sets_out(motions[1])
     distance, speed, _ = courses[0].at(-hazard)
     distance = -distance
-    driver = _driver(motions[0])
+    driver = driving(motions[0])
     clear = None
     if clear_distance is not None:
         last = motions[1][-1].end
@@ -201,7 +201,7 @@ def course_to_impact(motion: "list[Leg]") -> Course:
     return Course(motion, -start.begins, -start.from_distance)
 
 
-def _driver(motion: "list[Leg]") -> "tuple[float, float, float] | None":
+def driving(motion: "list[Leg]") -> "tuple[float, float, float] | None":
     """Reaction time, build-up time and deceleration of a party that reacts and brakes."""
     braking = [leg for leg in motion if leg.kind == "braking"]
     if not braking:

@@ -4,10 +4,11 @@ import math
 from itertools import pairwise
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.road.phases import legs
+from dynamics_cli.numerics.road.phases import Kind, Phase, legs
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Acceleration, Length, RoadSpeed, Time
-from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
+from dynamics_cli.skid.timing.courses import Course
+from dynamics_cli.skid.timing.meet import Party, course_to_impact, driving, motion_of
 from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed, summed
 
 TYPE_CHECKING = False
@@ -15,8 +16,10 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.numerics.road.leg import Leg
+    from dynamics_cli.pictures import Spreads
 
 POINTS = 41
+TWO_SIDED = 1.96
 LEFT = Axis("distance to the end", Length)
 AWAY = Axis("distance to the impact", Length)
 
@@ -64,8 +67,11 @@ def _named(party: Party, otherwise: str) -> str:
     return str(party.name) if party.name else otherwise
 
 
-def meet(result: "Any", *, first: Party, second: Party, gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
-    """Both parties' distances and speeds over the time before the impact, with the moment the hazard began."""
+def meet(
+    result: "Any", *, first: Party, second: Party, gravity: float = STANDARD_GRAVITY,
+    spreads: "Spreads | None" = None, **_: "Any",
+) -> Picture:  # fmt: skip
+    """Both parties' distances and speeds over the time before the impact, and the first as it would have avoided it."""
     longest = result.moments[0].time_left
     times = [longest * (1.0 - i / (4 * POINTS)) for i in range(4 * POINTS + 1)]
     places: list[Any] = []
@@ -74,30 +80,70 @@ def meet(result: "Any", *, first: Party, second: Party, gravity: float = STANDAR
         motion = motion_of(party, gravity, "")
         motion_course = course_to_impact(motion)
         states = [motion_course.at(-time) for time in times]
-        places.append(Curve(times, [-gone for gone, _, _ in states], _named(party, name), role=role))
+        places.append(Curve(times, [-gone for gone, _, _ in states], role=role))
         speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
         if role == 0:
             places += [
                 Mark(row.begins, row.from_distance, "" if row.phase == "build-up" else _begun(row), role=role)
                 for row in summed(motion)
             ]
-    for items in (places, speeds):
-        items.append(Band(result.hazard_time, result.hazard_time, "hazard begins"))
-    if result.sufficient_speed is not None:
-        speeds.append(Band(result.sufficient_speed, result.sufficient_speed, "speed that suffices", vertical=False))
-    axis = _before(longest)
+    for items, words in ((places, ""), (speeds, "hazard begins")):
+        items.append(Band(result.hazard_time, result.hazard_time, words))
+    ends = (1.04 * longest, 0.0)
+    avoiding = _avoiding(result, motion_of(first, gravity, ""), gravity)
+    if avoiding:
+        left, distances, swift = zip(*avoiding, strict=True)
+        places.append(Curve(left, distances, style="dashed", role=2))
+        speeds.append(Curve(left, swift, f"{_named(first, 'first')}, avoiding", "dashed", role=2))
+        ends = (ends[0], min(ends[1], 1.04 * left[-1]))
+    if spreads is not None:
+        places += _bar(result.hazard_time, spreads, "first_distance", 0)
+        speeds += _bar(result.hazard_time, spreads, "first_speed", 0)
+        speeds += _bar(result.hazard_time, spreads, "sufficient_speed", 2)
+    axis = Axis("time before the impact", Time, ends=ends)
     return Picture(
         (Panel(axis, AWAY, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
         "two parties before the impact",
+        subtitle="" if spreads is None else f"bars hold {100.0 * spreads.coverage:.4g} %",
     )
+
+
+def _avoiding(result: "Any", motion: "list[Leg]", gravity: float) -> "list[tuple[float, float, float]]":
+    """Time left, distance and speed of the first from the hazard on, had it come with the speed that suffices."""
+    acting = driving(motion)
+    if result.sufficient_speed is None or acting is None:
+        return []
+    reaction, build_up, rate = acting
+    if not result.sufficient_speed > 0.5 * rate * build_up or not reaction > 0.0:
+        return []
+    phases = [Phase(Kind("reaction"), duration=reaction)]
+    if build_up > 0.0:
+        phases.append(Phase(Kind("build-up"), duration=build_up))
+    phases.append(Phase(Kind("braking"), speed=0.0, acceleration=rate))
+    chain = legs(tuple(phases), gravity, start=result.sufficient_speed, end=None)
+    course = Course(chain, -result.hazard_time, -result.first_distance)
+    whole = sum(leg.duration for leg in chain)
+    rows = []
+    for step in range(POINTS):
+        time = -result.hazard_time + whole * step / (POINTS - 1)
+        way, speed, _ = course.at(time)
+        rows.append((-time, -way, speed))
+        if way >= 0.0:
+            break
+    return rows
+
+
+def _bar(time: float, spreads: "Spreads", address: str, role: int) -> "list[Any]":
+    """The interval of a result at a moment."""
+    if address not in spreads.intervals:
+        return []
+    return [Curve([time, time], list(spreads.intervals[address]), style="thick", role=role)]
 
 
 def follow(
     result: "Any", *, leader: Party, follower: Party, gap: float, gravity: float = STANDARD_GRAVITY, **_: "Any"
 ) -> Picture:
     """Places of both and speeds over time, up to the contact."""
-    from dynamics_cli.skid.timing.courses import Course
-
     end = result.moments[-1].time
     times = [end * i / (4 * POINTS) for i in range(4 * POINTS + 1)]
     places: list[Any] = []
@@ -118,27 +164,38 @@ def follow(
 
 
 def sight(
-    result: "Any", *, corner_before: float, corner_aside: float, eye_behind: float = 0.0,
+    result: "Any", *, corner_before: "float | None" = None, corner_aside: "float | None" = None,
+    recognition_distance: "float | None" = None, eye_behind: float = 0.0,
     crossing: float = 0.5 * math.pi, obstruction: "Any" = None, obstruction_length: "float | None" = None,
     gravity: float = STANDARD_GRAVITY, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The plan at the opening of the sight: ways, obstruction, eye, target and the line between them."""
     eye = -(result.first_distance + eye_behind)
     target = (-result.second_distance * math.cos(crossing), -result.second_distance * math.sin(crossing))
-    depth = max(2.0 * result.second_distance * math.sin(crossing), 3.0 * corner_aside)
+    depth = max(2.0 * result.second_distance * math.sin(crossing), 3.0 * (corner_aside or 1.0))
     back = 1.1 * eye
     span = depth / math.tan(crossing) if abs(crossing - 0.5 * math.pi) > 1e-9 else 0.0
-    corner, heading = (-corner_before, -corner_aside), 0.0
-    if obstruction is not None:
-        heading = obstruction.heading
-        shift = -course_to_impact(motion_of(obstruction, gravity, "")).at(-result.time_left)[0]
-        corner = (corner[0] - shift * math.cos(heading), corner[1] - shift * math.sin(heading))
-    if obstruction is None and obstruction_length is None:
-        x, y = [back, corner[0], corner[0], back], [corner[1], corner[1], -depth, -depth]
-    else:
-        x, y = _block(corner, heading, abs(back) if obstruction_length is None else obstruction_length)
-    items: list[Any] = [
-        Curve(x, y, style="fill", role=6),
+    items: list[Any] = []
+    if corner_before is not None and corner_aside is not None:
+        corner, heading = (-corner_before, -corner_aside), 0.0
+        if obstruction is not None:
+            heading = obstruction.heading
+            shift = -course_to_impact(motion_of(obstruction, gravity, "")).at(-result.time_left)[0]
+            corner = (corner[0] - shift * math.cos(heading), corner[1] - shift * math.sin(heading))
+            items.append(Arrow(*corner, 2.0 * math.cos(heading), 2.0 * math.sin(heading), role=6))
+        if obstruction is None and obstruction_length is None:
+            x, y = [back, corner[0], corner[0], back], [corner[1], corner[1], -depth, -depth]
+        else:
+            x, y = _block(corner, heading, abs(back) if obstruction_length is None else obstruction_length)
+        items += [
+            Curve(x, y, style="fill", role=6),
+            Label(0.5 * (min(x) + max(x)), 0.5 * (min(y) + max(y)), "obstruction"),
+        ]
+    if recognition_distance is not None:
+        turns = [0.2 * math.pi * (i / (POINTS - 1) - 0.5) for i in range(POINTS)]
+        arc = [(eye + recognition_distance * math.cos(a), recognition_distance * math.sin(a)) for a in turns]
+        items.append(Curve([x for x, _ in arc], [y for _, y in arc], "recognized within", "dots", role=0))
+    items += [
         Curve([back, 0.15 * -back], [0.0, 0.0], style="centre", role=0),
         Curve([-span, 0.4 * span], [-depth, 0.4 * depth], style="centre", role=1),
         Curve([eye, target[0]], [0.0, target[1]], "line of sight", "dashed", role=2),
@@ -146,10 +203,7 @@ def sight(
         Mark(eye, 0.0, "eye", aside=(0.0, 8.0), role=0),
         Mark(*target, "target", role=1),
         Mark(0.0, 0.0, "impact"),
-        Label(0.5 * (min(x) + max(x)), 0.5 * (min(y) + max(y)), "obstruction"),
     ]
-    if obstruction is not None:
-        items.append(Arrow(*corner, 2.0 * math.cos(heading), 2.0 * math.sin(heading), role=6))
     return Picture(
         (Panel(Axis("along the way of the first", Length), Axis("aside", Length), tuple(items), equal=True),),
         "where the sight opens",
@@ -175,9 +229,10 @@ def record(
     interval: float = 0.5,
     greatest_age: "float | None" = None,
     tolerance: float = 1.0 / 3.6,
+    resolution: float = 1.0 / 3.6,
     **_: "Any",
 ) -> Picture:
-    """Recorded speeds with their tolerance, their extrapolation to the event, and the decelerations."""
+    """Recorded speeds with their tolerance, what the last deceleration leads to at the event, and the decelerations."""
     oldest = interval if greatest_age is None else greatest_age
     rows = result.intervals
     times = [row.time_left + oldest for row in rows]
@@ -194,10 +249,22 @@ def record(
     axis = Axis("time before the event, at its greatest", Time, ends=(1.03 * times[0], 0.0))
     changes = [row.acceleration for row in rows[:-1]]
     steps = [time for pair in pairwise(times) for time in pair]
+    # the deviation of the way from each sample: the common error grows with the time, rounding with its root
+    count = [row.time_left / interval for row in rows]
+    sigmas = [
+        math.hypot(row.time_left * tolerance / math.sqrt(3.0),
+                   interval * math.sqrt(max(number - 0.5, 0.0) / 12.0) * resolution)
+        for row, number in zip(rows, count, strict=True)
+    ]  # fmt: skip
+    ways = [row.distance_left for row in rows]
+    edges = [[way + sign * TWO_SIDED * sigma for way, sigma in zip(ways, sigmas, strict=True)] for sign in (1.0, -1.0)]
+    band = Curve([*times, *reversed(times)], [*edges[0], *reversed([max(low, 0.0) for low in edges[1]])], "95 %",
+                 "filled", role=0)  # fmt: skip
     slowing = Curve(steps, [change for change in changes for _ in (0, 1)], role=2)
     return Picture(
         (
             Panel(axis, Axis("speed", RoadSpeed), tuple(items)),
+            Panel(axis, Axis("way to the last sample", Length), (Curve(times, ways, role=0), band)),
             Panel(axis, Axis("acceleration", Acceleration), (slowing,)),
         ),
         "a recorded approach",

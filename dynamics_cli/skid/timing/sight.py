@@ -1,6 +1,6 @@
-"""Sight past an obstruction: when two parties on crossing paths could first see each other."""
+"""Sight past an obstruction or at night: when two parties on crossing paths could first see each other."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, require_given
 from dynamics_cli.numerics.elementary import cos, hypot, sin
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
@@ -12,11 +12,12 @@ from dynamics_cli.quantities import (
     Gravity,
     Length,
     RoadSpeed,
+    Text,
     Time,
 )
 from dynamics_cli.records import Advice, record
 from dynamics_cli.skid.timing.courses import Course, changes
-from dynamics_cli.skid.timing.hidden import Obstruction, Wall, openings, past_corner
+from dynamics_cli.skid.timing.hidden import Obstruction, Wall, both, openings, past_corner, within
 from dynamics_cli.skid.timing.meet import Party, course_to_impact, motion_of
 from dynamics_cli.skid.timing.timeline import summed
 
@@ -46,6 +47,7 @@ class Sight:
     second_distance: Annotated[Distance, "How far the second then is from the impact [m]."]
     second_speed: Annotated[RoadSpeed, "Speed of the second then [m/s]."]
     sight_line: Annotated[Length, "Distance between eye and target then [m]."]
+    by: Annotated[Text | None, "What opened it: the corner or the distance of recognition; none where it was open."]
     changes: Annotated[tuple[SightChange, ...], "Every opening and closing, in order of time."]
     advice: tuple[Advice, ...] = ()
 
@@ -55,12 +57,17 @@ def sight(
     first: Annotated[Party, "The party that looks; its phases up to the impact."],
     second: Annotated[Party, "The party looked for; its phases up to the impact."],
     corner_before: Annotated[
-        Coordinate,
+        Coordinate | None,
         "How far before the impact the corner of the obstruction is, along the way of the first, e.g. 6 m [m].",
-    ],
+    ] = None,
     corner_aside: Annotated[
-        Length, "How far the corner stands aside from the way of the first, on the second's side, e.g. 1.8 m [m]."
-    ],
+        Length | None, "How far it stands aside from the way of the first, on the second's side, e.g. 1.8 m [m]."
+    ] = None,
+    recognition_distance: Annotated[
+        Distance | None,
+        "At night: distance from the eye at which the second is recognized, as a test at the scene showed, e.g. 35 m "
+        "[m].",
+    ] = None,
     eye_behind: Annotated[Length, "How far the eye is behind the front that meets the second, e.g. 2 m [m]."] = 0.0,
     crossing: Annotated[
         Angle, "Angle between the directions of travel: 90 deg for a crossing, 180 deg head on, e.g. 70 deg [rad]."
@@ -73,12 +80,13 @@ def sight(
     ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Sight:
-    """When two parties on crossing paths could see each other past the corner of an obstruction.
+    """When two parties on crossing paths could see each other past the corner of an obstruction, or at night.
 
     Equation
     --------
     (C − E) × (Q − E) = 0 with eye E, target Q and corner C: quadratic in the time for steady speeds, a polynomial for
-    every pair of phases otherwise. All its roots are examined; the answer is the last opening before the impact.
+    every pair of phases otherwise. All its roots are examined; the answer is the last opening before the impact. At
+    night |Q − E| must be no more than the distance of recognition besides.
 
     Returns
     -------
@@ -88,7 +96,8 @@ def sight(
     Raises
     ------
     InadmissibleError
-        When the corner is not aside, or the angle is not within 0 and 180 degrees.
+        When neither a corner nor a distance of recognition is given, the corner is not aside, or the angle is not
+        within 0 and 180 degrees; when the second would not be recognized before the impact.
 
     Notes
     -----
@@ -110,10 +119,7 @@ def sight(
     >>> round(result.time_left, 6)
     1.621544
     """
-    require(
-        corner_aside > 0.0, "a corner {aside} aside hides nothing on a way beside it", code="no-corner",
-        hint="corner-aside is measured from the way of the first toward the second", aside=(corner_aside, Length),
-    )  # fmt: skip
+    corner = _corner(corner_before, corner_aside, recognition_distance)
     require(
         (crossing > 0.0) & (crossing < 2.0 * RIGHT_ANGLE), "ways at an angle of {crossing} do not cross",
         code="no-crossing", crossing=(crossing, Angle),
@@ -124,15 +130,20 @@ def sight(
     first_course, second_course = (course_to_impact(motion) for motion in motions)
 
     start = max((summed(motion)[0].begins for motion in motions), key=plain)
-    if obstruction is None and obstruction_length is None:
-        cleared = past_corner(corner_before, corner_aside, eye_behind, crossing)
-        all_times = changes(first_course, second_course, cleared, -plain(start), 0.0)
+    if corner is None:
+        past: list[tuple[float, bool]] = []
+    elif obstruction is None and obstruction_length is None:
+        past = changes(first_course, second_course, past_corner(*corner, eye_behind, crossing), -plain(start), 0.0)
     else:
         heading = 0.0 if obstruction is None else obstruction.heading
-        wall = Wall(corner_before, corner_aside, heading, obstruction_length, crossing)
-        all_times = openings(wall, first_course, second_course, mover, eye_behind, -plain(start))
+        wall = Wall(*corner, heading, obstruction_length, crossing)
+        past = openings(wall, first_course, second_course, mover, eye_behind, -plain(start))
+    near: list[tuple[float, bool]] = []
+    if recognition_distance is not None:
+        _require_recognition(recognition_distance, eye_behind)
+        near = changes(first_course, second_course, within(recognition_distance, eye_behind, crossing), -plain(start), 0.0)
     # the meeting of eye and target at the impact is not an opening
-    times = [entry for entry in all_times if plain(entry[0]) < -AT_IMPACT]
+    times, opened_by = both([one for one in past if plain(one[0]) < -AT_IMPACT], near)
     rows = tuple(_change(time, opens, first_course, second_course) for time, opens in times)
     opening = next((time for time, opens in reversed(times) if opens), None)
     advice: tuple[Advice, ...] = ()
@@ -148,9 +159,36 @@ def sight(
         second_distance=row.second_distance,
         second_speed=row.second_speed,
         sight_line=hypot(eye - along * target_place, across * target_place),
+        by=opened_by,
         changes=rows,
         advice=advice,
     )
+
+
+def _corner(before: "float | None", aside: "float | None", recognition: "float | None") -> "tuple[float, float] | None":
+    """The place of the corner, if there is one."""
+    require_given(
+        before is not None or aside is not None or recognition is not None,
+        "neither a corner that hides nor a distance of recognition is given", ("corner_before", "corner_aside"),
+        ("recognition_distance",),
+    )  # fmt: skip
+    require_given((before is None) == (aside is None), "the corner needs both its places",
+                  ("corner_before",) if before is None else ("corner_aside",))  # fmt: skip
+    if before is None or aside is None:
+        return None
+    require(
+        aside > 0.0, "a corner {aside} aside hides nothing on a way beside it", code="no-corner",
+        hint="corner-aside is measured from the way of the first toward the second", aside=(aside, Length),
+    )  # fmt: skip
+    return before, aside
+
+
+def _require_recognition(distance: float, eye_behind: float) -> None:
+    require(
+        distance > eye_behind, "the second would be recognized within {distance}, less than the eye's {behind} from "
+        "the front: not before the impact", code="never-shows", distance=(distance, Distance),
+        behind=(eye_behind, Length), hint="check the distance of recognition and its unit",
+    )  # fmt: skip
 
 
 def _unhidden(rows: "tuple[SightChange, ...]") -> "tuple[Advice, ...]":
@@ -159,7 +197,7 @@ def _unhidden(rows: "tuple[SightChange, ...]") -> "tuple[Advice, ...]":
         not rows, "the corner hides the second at the impact itself", code="never-shows",
         hint="look at the corner's place: it lies on the way between the two",
     )  # fmt: skip
-    message = "the corner hides nothing as far back as the phases go: the sight was open from their start"
+    message = "nothing hides the second as far back as the phases go: the sight was open from their start"
     remedy = "give longer phases to look farther back"
     return (Advice(code="always-in-sight", message=message, severity="note", remedy=remedy),)
 

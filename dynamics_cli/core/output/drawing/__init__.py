@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from dynamics_cli.pictures import Spreads
 
 FORMATS = ("dxf", "svg", "csv")
+# inspect.CO_VARKEYWORDS, which costs an import
+TAKES_KEYWORDS = 8
 
 
 def write_drawing(drawing: Drawing, name: str, units: str = "si") -> "list[dict[str, Any]]":
@@ -66,7 +68,9 @@ def files_of(
         from dynamics_cli.core.output.plot import with_spreads
 
         writer = load(task.writers[form])
-        words, options = call_arguments if writer.__code__.co_argcount > 1 else ([], {})
+        code = writer.__code__
+        # one of the record alone takes nothing else
+        words, options = call_arguments if code.co_argcount > 1 or code.co_flags & TAKES_KEYWORDS else ([], {})
         text = writer(record, *words, **options, **with_spreads(writer, spreads))
         entry: dict[str, Any] = {"written": True}
         if isinstance(text, Plan):
