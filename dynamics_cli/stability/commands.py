@@ -135,7 +135,7 @@ EQUILIBRIUM = Task(
     "Equilibria of a potential, or of states with any rates, and which of them are stable.",
     Model(
         "minimum of the potential, or linear terms",
-        "dynamics_cli.stability.equilibrium:equilibrium",
+        "dynamics_cli.stability.equilibria.equilibrium:equilibrium",
         source=BOOK + "sections 14.2 and 14.3",
         formula="V′ = 0, V″ > 0 stable, ω = √(V″/m); or ẋ = f(x) = 0, roots of det(s·1 − ∂f/∂x)",
         assumptions=(

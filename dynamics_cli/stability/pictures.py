@@ -188,7 +188,7 @@ def equilibrium(
 ) -> Picture:  # fmt: skip
     """The potential with its equilibria; the phase portrait of two states, the roots of more."""
     if len(states) == 2:
-        from dynamics_cli.stability.phase_pictures import portrait
+        from dynamics_cli.stability.equilibria.phase_pictures import portrait
 
         return portrait(result.points, states, let)
     if states:

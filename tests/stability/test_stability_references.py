@@ -11,11 +11,11 @@ import pytest
 from dynamics_cli.numerics.exact.polynomial_text import read, whole
 from dynamics_cli.records import Formula, Let
 from dynamics_cli.stability.array import array
-from dynamics_cli.stability.autonomous import State
 from dynamics_cli.stability.counting import count
 from dynamics_cli.stability.delay import delay
 from dynamics_cli.stability.discrete import discrete
-from dynamics_cli.stability.equilibrium import equilibrium
+from dynamics_cli.stability.equilibria.autonomous import State
+from dynamics_cli.stability.equilibria.equilibrium import equilibrium
 from dynamics_cli.stability.gain import gain
 from dynamics_cli.stability.interval import interval
 from dynamics_cli.stability.matrix import matrix

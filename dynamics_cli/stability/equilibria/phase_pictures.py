@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
-from dynamics_cli.stability.autonomous import Rates
+from dynamics_cli.stability.equilibria.autonomous import Rates
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

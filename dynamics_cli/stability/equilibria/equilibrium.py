@@ -22,7 +22,7 @@ from dynamics_cli.quantities import (
     Variable,
 )
 from dynamics_cli.records import Advice, Numerics, record
-from dynamics_cli.stability.autonomous import State, StatePlace
+from dynamics_cli.stability.equilibria.autonomous import State, StatePlace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -153,7 +153,7 @@ def equilibrium(
 
 
 def _of_states(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> Equilibria:
-    from dynamics_cli.stability.autonomous import state_places
+    from dynamics_cli.stability.equilibria.autonomous import state_places
 
     points = state_places(states, let)
     stable, undecided = (sum(point.verdict.startswith(word) for point in points) for word in ("stable", "undecided"))
