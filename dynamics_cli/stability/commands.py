@@ -132,23 +132,29 @@ MATRIX = Task(
 
 EQUILIBRIUM = Task(
     "equilibrium",
-    "Equilibria of a potential, and which of them are stable.",
+    "Equilibria of a potential, or of states with any rates, and which of them are stable.",
     Model(
-        "minimum of the potential",
-        "dynamics_cli.stability.equilibrium:equilibrium",
+        "minimum of the potential, or linear terms",
+        "dynamics_cli.stability.equilibria.equilibrium:equilibrium",
         source=BOOK + "sections 14.2 and 14.3",
-        formula="V′ = 0, V″ > 0 stable, ω = √(V″/m)",
-        assumptions=("a conservative system with one coordinate", "the inertia is the same at every position"),
+        formula="V′ = 0, V″ > 0 stable, ω = √(V″/m); or ẋ = f(x) = 0, roots of det(s·1 − ∂f/∂x)",
+        assumptions=(
+            "of a potential: a conservative system with one coordinate and the same inertia everywhere",
+            "of states: their ranges are searched from even starts, not proved complete",
+        ),
         method="roots of exact derivatives",
     ),
     headline=(
-        "stable: stable equilibria", "unstable: unstable ones",
+        "stable: stable equilibria", "unstable: unstable ones", "undecided: undecided ones",
+        "points: equilibria | at, verdict, rightmost=growth, frequency",
         "places: equilibria | position=x, angle=θ, energy=V, verdict, frequency, growth",
     ),
     examples=(
         'dynamics stability equilibrium --potential "4*x^4 - 2*x^2 J" --lowest "-2 m" --highest "2 m" --mass "2 kg"',
         'dynamics stability equilibrium --potential "m*g*l*(1 - cos(theta)) J" --let "m=2 kg, g=9.81 m/s^2, l=0.5 m" '
         '--inertia "0.5 kg*m^2"',
+        'dynamics stability equilibrium --state "name=theta, rate=w" --state "name=w, rate=-9.81/l*sin(theta) - 0.4*w" '
+        '--let "l=0.5"',
     ),
     table="places",
     arrays=False,

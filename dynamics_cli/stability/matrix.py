@@ -199,15 +199,25 @@ def _denominator(cells: "Sequence[Pair]") -> int:
 
 def _judged(system: "Rows") -> "tuple[Counts, str, tuple[int, ...], int]":
     """Root counts, the verdict, and the characteristic polynomial of ẋ = A·x as whole numbers and their denominator."""
-    below = _denominator([cell for row in system for cell in row])
-    whole = [[top * (below // bottom) for top, bottom in row] for row in system]
-    scaled = _characteristic(whole)
-    p = primitive(c * below**k for k, c in enumerate(scaled))
+    p = characteristic_of(system)
+    whole, below = _whole(system)
     counts = count(p)
     judged = verdict(counts)
     if judged == REPEATED and _complete(p, whole, below):
         judged = MARGINAL
     return counts, judged, p, p[-1]
+
+
+def characteristic_of(system: "Rows") -> "tuple[int, ...]":
+    """det(s·1 − A) from the constant up, as whole numbers without a common factor."""
+    whole, below = _whole(system)
+    return primitive(c * below**k for k, c in enumerate(_characteristic(whole)))
+
+
+def _whole(system: "Rows") -> "tuple[Whole, int]":
+    """The matrix times its common denominator, and that."""
+    below = _denominator([cell for row in system for cell in row])
+    return [[top * (below // bottom) for top, bottom in row] for row in system], below
 
 
 def _characteristic(rows: "Whole") -> "tuple[int, ...]":

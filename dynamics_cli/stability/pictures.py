@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 LOCUS_POINTS = 400
 CIRCLE_POINTS = 181
 CURVE_POINTS = 400
+MOST_PLANES = 4
 STABLE, UNSTABLE, GREY = 2, 1, 6
 
 
@@ -182,10 +183,17 @@ def discrete(result: "Any", *_: "Any", **__: "Any") -> Picture:
 
 
 def equilibrium(
-    result: "Any", *, potential: "Any", let: "Any" = (), lowest: "float | None" = None, highest: "float | None" = None,
-    **_: "Any",
+    result: "Any", *, potential: "Any" = None, states: "Any" = (), let: "Any" = (), lowest: "float | None" = None,
+    highest: "float | None" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
-    """The potential with its equilibria."""
+    """The potential with its equilibria; the phase portrait of two states, the roots of more."""
+    if len(states) == 2:
+        from dynamics_cli.stability.equilibria.phase_pictures import portrait
+
+        return portrait(result.points, states, let)
+    if states:
+        panels = tuple(_plane(_both(point.roots), point.verdict) for point in result.points[:MOST_PLANES])
+        return Picture(panels, "roots of the equilibria", columns=2 if len(panels) > 1 else 1)
     from dynamics_cli.numerics.expressions.laws import law_of, parsed
 
     angular = result.places[0].angle is not None

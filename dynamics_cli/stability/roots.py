@@ -2,7 +2,7 @@
 
 import itertools
 from decimal import Context, Decimal, getcontext, localcontext
-from math import atan2, cos, log2, pi, sin
+from math import atan2, cos, isfinite, log2, pi, sin
 
 from dynamics_cli.numerics.exact.whole_polynomials import square_free
 from dynamics_cli.quantities import AngularRate, Annotated, Count, GrowthRate, Ratio, Time
@@ -22,6 +22,8 @@ FIRST_DIGITS = 50
 MOST_DIGITS = 3200
 METHOD = "exact counts; roots enclosed to 25 digits"
 ROUNDS = 200
+# Corrections in doubles stop here.
+NEAR = 1e-14
 # Discs this small beside their roots: a double is right to its last bit.
 SMALL = Decimal("1e-25")
 ZERO = Decimal(0)
@@ -95,9 +97,8 @@ def circle_discs(p: "Sequence[int]") -> "list[tuple[float, float, float, float]]
 
 
 def _square_root(u: "Decimal", v: "Decimal", radius: "Decimal") -> "Disc":
-    with localcontext(Context(prec=MOST_DIGITS)):
-        size = (u * u + v * v).sqrt()
     with localcontext(Context(prec=FIRST_DIGITS)):
+        size = (u * u + v * v).sqrt()
         x, y = ((size + abs(u)) / 2).sqrt(), ZERO
         y = abs(v) / (2 * x)
         if u < 0:
@@ -114,7 +115,7 @@ def _simple(p: "Sequence[int]") -> "list[Disc]":
     if degree == 1:
         with localcontext(Context(prec=FIRST_DIGITS)):
             return [(Decimal(-p[0]) / Decimal(p[1]), ZERO, ZERO)]
-    places = _begin(p)
+    places = _nearer(p, _begin(p))
     digits = FIRST_DIGITS
     while digits <= MOST_DIGITS:
         with localcontext(Context(prec=digits, Emax=10**8, Emin=-(10**8))):
@@ -207,6 +208,30 @@ def _begin(p: "Sequence[int]") -> "list[Complex]":
                 radius = Decimal(2) ** whole * Decimal(2.0 ** (exponent - whole))
                 places.append((radius * Decimal(cos(turn)), radius * Decimal(sin(turn))))
     return places
+
+
+def _nearer(p: "Sequence[int]", places: "list[Complex]") -> "list[Complex]":
+    """The places after the same corrections in doubles, at a hundredth of the cost; as they were where those fail."""
+    try:
+        coefficients = [c / p[-1] for c in p[-2::-1]]
+        z = [complex(x, y) for x, y in places]
+        for _ in range(ROUNDS):
+            largest = 0.0
+            for i, at in enumerate(z):
+                value = below = 1.0 + 0j
+                for c in coefficients:
+                    value = value * at + c
+                for j, other in enumerate(z):
+                    if j != i:
+                        below *= at - other
+                z[i] = at - value / below
+                largest = max(largest, abs(z[i] - at) / abs(z[i]))
+            if not largest > NEAR:
+                break
+    except (OverflowError, ZeroDivisionError):
+        return places
+    apart = len(set(z)) == len(z) and all(isfinite(at.real) and isfinite(at.imag) for at in z)
+    return [(Decimal(at.real), Decimal(at.imag)) for at in z] if apart else places
 
 
 def _log2(whole: int) -> float:

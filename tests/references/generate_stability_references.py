@@ -125,6 +125,34 @@ def equilibria():
     }
 
 
+def flows():
+    """Equilibria of rates by Newton's method, the eigenvalues of Jacobians derived by hand, rightmost first."""
+    third, ten = mpf(8) / 3, mpf(10)
+    c = sqrt(third * 27)
+    lorenz = {
+        "states": ["10*(y-x)", "x*(28-z)-y", "x*y-8/3*z"],
+        "at": [c, c, mpf(27)], "jacobian": [[-ten, ten, 0], [1, -1, -c], [c, c, -third]],
+    }  # fmt: skip
+    angle = findroot(lambda x: sin(x) - x / 3, 2.2)
+    pendulum = {
+        "states": ["y", "3*sin(x) - x - 0.05*y"], "at": [angle, mpf(0)],
+        "jacobian": [[0, 1], [3 * cos(angle) - 1, -mpf("0.05")]],
+    }  # fmt: skip
+    x = findroot(lambda x: x**2 * exp(-x) - mpf("0.3"), 3.0)
+    reactor = {
+        "states": ["x^2*exp(-x) - y", "y - 0.3 - 0.2*(y - 0.3)^2 + 0.1*(x^2*exp(-x) - y)"], "at": [x, mpf("0.3")],
+        "jacobian": [[(2 * x - x * x) * exp(-x), -1], [(2 * x - x * x) * exp(-x) / 10, 1 - mpf("0.1")]],
+    }  # fmt: skip
+    out = []
+    for case in (lorenz, pendulum, reactor):
+        values = sorted(mp.eig(mp.matrix(case["jacobian"]), right=False), key=lambda z: (-re(z), im(z)))
+        upper = [z for z in values if im(z) > -mpf("1e-40")]
+        parts = [(re(z), im(z) if abs(im(z)) > mpf("1e-40") else mpf(0)) for z in upper]
+        out.append({"states": case["states"], "at": [text(v) for v in case["at"]],
+                    "roots": [[text(x), text(y)] for x, y in parts]})  # fmt: skip
+    return out
+
+
 def main():
     data = {
         "counts": counts(),
@@ -132,6 +160,7 @@ def main():
         "delays": delays(),
         "gyroscopic": gyroscopic(),
         "hoop": equilibria(),
+        "flows": flows(),
     }
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else FILE
     target.write_text(json.dumps(data, indent=None, ensure_ascii=False).replace("}, ", "},\n") + "\n", encoding="utf-8")

@@ -36,6 +36,13 @@ REFUSED = {
     "pole": (f'equilibrium --potential "1/x J" {RANGE}', "no-equilibrium"),
     "constant": (f'equilibrium --potential "0*x J" {RANGE}', "constant"),
     "turned range": ('equilibrium --potential "x^2 J" --lowest "1 m" --highest "-1 m"', "range"),
+    "potential and states": ('equilibrium --potential "x^2 J" --state "name=x, rate=x"', "ambiguous"),
+    "neither": ("equilibrium", "missing"),
+    "unknown name in a rate": ('equilibrium --state "name=x, rate=x + q"', "expression"),
+    "a line of equilibria": ('equilibrium --state "name=x, rate=0*x" --state "name=y, rate=-y"', "no-equilibrium"),
+    "no rest": ('equilibrium --state "name=x, rate=1 + x^2"', "no-equilibrium"),
+    "corner": ('equilibrium --state "name=x, rate=x - 1 + 0*sqrt(x - 1)"', "no-equilibrium"),
+    "turned range of a state": ('equilibrium --state "name=x, rate=x, low=1, high=-1"', "range"),
     "no z": ('discrete "s^2 + 1"', "polynomial"),
 }
 

@@ -14,7 +14,8 @@ from dynamics_cli.stability.array import array
 from dynamics_cli.stability.counting import count
 from dynamics_cli.stability.delay import delay
 from dynamics_cli.stability.discrete import discrete
-from dynamics_cli.stability.equilibrium import equilibrium
+from dynamics_cli.stability.equilibria.autonomous import State
+from dynamics_cli.stability.equilibria.equilibrium import equilibrium
 from dynamics_cli.stability.gain import gain
 from dynamics_cli.stability.interval import interval
 from dynamics_cli.stability.matrix import matrix
@@ -197,3 +198,57 @@ def test_products_count_as_their_factors() -> None:
     first, second = whole(read("s^3 + 2s + 3"))[0][0], whole(read("s^4 + s + 1"))[0][0]
     together = count(whole(read("(s^3 + 2s + 3)(s^4 + s + 1)"))[0][0])
     assert together.right == count(first).right + count(second).right
+
+
+@pytest.mark.parametrize("case", REFERENCES["flows"], ids=lambda case: case["states"][-1])
+def test_equilibria_of_states(case: Any) -> None:
+    states = tuple(State(name, rate, -30.0, 30.0) for name, rate in zip("xyz", case["states"], strict=False))
+    made = equilibrium(states=states)
+    assert made.points is not None
+    at = [float(text) for text in case["at"]]
+    point = min(made.points, key=lambda point: math.dist(point.at, at))
+    assert point.at == pytest.approx(at, rel=1e-13, abs=1e-13)
+    assert [(root.real, root.imaginary) for root in point.roots] == [
+        (pytest.approx(float(x), rel=1e-12), pytest.approx(float(y), rel=1e-12)) for x, y in case["roots"]
+    ]
+
+
+VERDICTS = {
+    "stable node": ("-x", "-2*y"),
+    "unstable node": ("x", "2*y"),
+    "saddle": ("x", "-y"),
+    "stable focus": ("y", "-x-y/2"),
+    "unstable focus": ("y", "(1-x^2)*y - x"),
+    "undecided: centre of the linear terms": ("y", "-sin(x)"),
+    "undecided: a root at zero": ("y", "-y - x^3"),
+    "stable equilibrium": ("-x",),
+    "unstable equilibrium": ("x - x^3/9e9",),
+    "saddle-focus: 2 unstable, 1 stable": ("x/10 - y", "x + y/10", "-z"),
+    "stable focus-node": ("-x - y", "x - y", "-z"),
+    "saddle: 1 unstable, 2 stable": ("x", "-y", "-2*z"),
+    "undecided: a pair on the axis": ("y", "-x", "-z"),
+}
+
+
+@pytest.mark.parametrize("verdict", VERDICTS)
+def test_verdicts_on_states(verdict: str) -> None:
+    """Textbook cases at the origin; a node with one direction, whose roots are double, is still a node."""
+    states = tuple(State(name, rate, -2.0, 2.0) for name, rate in zip("xyz", VERDICTS[verdict], strict=False))
+    points = equilibrium(states=states).points
+    assert points is not None
+    assert [point.verdict for point in points if not any(point.at)] == [verdict]
+
+
+def test_a_node_of_one_direction_and_both_laws_agree() -> None:
+    """A defective Jacobian; a potential as states of position and velocity has the same frequencies."""
+    points = equilibrium(states=(State("x", "-x + y"), State("y", "-y"))).points
+    assert points is not None
+    assert (points[0].verdict, points[0].roots[0].multiplicity) == ("stable node", 2)
+    well = equilibrium(potential=Formula("x^4/4 - x^2/2", 1.0, "J"), lowest=-2.0, highest=2.0, mass=1.0)
+    flow = equilibrium(states=(State("x", "v", -2.0, 2.0), State("v", "x - x^3", -2.0, 2.0)))
+    assert well.places is not None
+    assert flow.points is not None
+    for place, point in zip(well.places, flow.points, strict=True):
+        assert point.at == pytest.approx((place.position, 0.0), abs=1e-12)
+        assert point.frequency == (place.frequency and pytest.approx(place.frequency, rel=1e-12))
+        assert point.rightmost == pytest.approx(place.growth or 0.0, rel=1e-12, abs=1e-12)

@@ -141,7 +141,9 @@ def sight(
     near: list[tuple[float, bool]] = []
     if recognition_distance is not None:
         _require_recognition(recognition_distance, eye_behind)
-        near = changes(first_course, second_course, within(recognition_distance, eye_behind, crossing), -plain(start), 0.0)
+        near = changes(
+            first_course, second_course, within(recognition_distance, eye_behind, crossing), -plain(start), 0.0
+        )
     # the meeting of eye and target at the impact is not an opening
     times, opened_by = both([one for one in past if plain(one[0]) < -AT_IMPACT], near)
     rows = tuple(_change(time, opens, first_course, second_course) for time, opens in times)

@@ -72,13 +72,6 @@ class Elements:
         omega, shapes = self.by_factor()
         return omega, shapes, self.proved(omega.tolist())
 
-    def _ends(self) -> "tuple[Any, Any, Any]":
-        """The bodies at both ends of the springs (−1: the ground), and the stiffnesses."""
-        import numpy as np
-
-        i, j, k = zip(*self.springs, strict=True) if self.springs else ((), (), ())
-        return np.array(i, dtype=int), np.array(j, dtype=int), np.array(k, dtype=float)
-
     def _rigid(self) -> "Any":
         """The shapes of the groups that nothing holds, one in a row."""
         import numpy as np
@@ -99,7 +92,7 @@ class Elements:
         if not count:
             return np.zeros(n), shapes
         roots = np.sqrt(np.array(self.masses))
-        i, j, k = self._ends()
+        i, j, k = _ends(self.springs)
         rows, each = np.zeros((len(k), n + 1)), np.arange(len(k))
         # the ground has the last column, which is left out
         rows[each, i], rows[each, j] = np.sqrt(k), -np.sqrt(k)
@@ -128,7 +121,9 @@ class Elements:
         # residuals, with what rounding adds while the matrix is formed and applied
         size = float(abs(matrix).sum(axis=1).max())
         terms = int((matrix != 0.0).sum(axis=1).max()) + 8
-        residuals = np.linalg.norm(matrix @ vectors - vectors * squares, axis=0) + 2.0 * terms * UNIT * size
+        off = matrix @ vectors
+        off -= vectors * squares
+        residuals = np.sqrt(np.einsum("ij,ij->j", off, off)) + 2.0 * terms * UNIT * size
         ends = np.concatenate([[0.0 if none else -math.inf], squares, [math.inf]])
         gaps = np.minimum(squares - ends[:-2], ends[2:] - squares) - math.sqrt(len(roots)) * residuals.max()
         bounds = np.where(gaps > residuals, residuals * residuals / np.maximum(gaps, residuals), residuals)
@@ -139,24 +134,25 @@ class Elements:
         """The matrix of springs (or dampers) between these bodies."""
         import numpy as np
 
-        n = len(self.masses)
-        made = np.zeros((n, n))
-        for i, j, k in springs:
-            for a, b, part in ((i, i, k), (j, j, k), (i, j, -k), (j, i, -k)):
-                if a != GROUND and b != GROUND:
-                    made[a, b] += part
-        return made
+        n, (i, j, k) = len(self.masses), _ends(springs)
+        # the ground has the last row and column, which are left out
+        made = np.zeros((n + 1, n + 1))
+        for rows, columns, part in ((i, i, k), (j, j, k), (i, j, -k), (j, i, -k)):
+            np.add.at(made, (rows, columns), part)
+        return made[:n, :n]
 
     def rayleigh(self, shapes: "Any") -> "Any":
         """ω of shapes in rows by the quotient of Rayleigh, spring by spring: sums of positive terms."""
         import numpy as np
 
-        i, j, k = self._ends()
-        shapes = np.asarray(shapes)
-        still = np.zeros((len(shapes), 1))
-        moved = np.hstack([shapes, still])
-        stretched = moved[:, i] - moved[:, j]
-        return np.sqrt((k * stretched * stretched).sum(axis=1) / (self.masses * shapes * shapes).sum(axis=1))
+        i, j, k = _ends(self.springs)
+        # the ground is the last row, and still
+        moved = np.zeros((len(self.masses) + 1, len(shapes)))
+        moved[:-1] = np.asarray(shapes).T
+        stretched = moved[i]
+        stretched -= moved[j]
+        held = np.einsum("i,ij,ij->j", k, stretched, stretched)
+        return np.sqrt(held / np.einsum("i,ij,ij->j", self.masses, moved[:-1], moved[:-1]))
 
     def order(self) -> "list[tuple[int, int, int]] | None":
         """Bodies from leaves to roots, each with what carries it (−1: none), by which spring; None for loops."""
@@ -249,3 +245,11 @@ class Elements:
                     return None
             worst = max(worst, width if value else 0.0)
         return worst
+
+
+def _ends(springs: "list[Spring]") -> "tuple[Any, Any, Any]":
+    """The bodies at both ends of the springs (−1: the ground), and the stiffnesses."""
+    import numpy as np
+
+    i, j, k = zip(*springs, strict=True) if springs else ((), (), ())
+    return np.array(i, dtype=int), np.array(j, dtype=int), np.array(k, dtype=float)

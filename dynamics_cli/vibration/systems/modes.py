@@ -207,7 +207,7 @@ def _rows(
     factors = (drawn[each, place] / full[each, place]).tolist()
     turns: Any = [None] * len(factors)
     if those.elements is not None:
-        turns = [math.fsum(row) for row in (those.elements.masses * shapes).tolist()]
+        turns = (shapes @ np.array(those.elements.masses)).tolist()
     made = []
     for nth, value, shape, factor, turn, error in zip(
         each.tolist(), omega.tolist(), drawn.tolist(), factors, turns, errors.tolist(), strict=True
@@ -278,7 +278,9 @@ def _checks(those: System, mass: "Any", omega: "Any", shapes: "Any", rows: "tupl
     import numpy as np
 
     weighted = shapes @ mass if those.elements is None else shapes * np.diag(mass)
-    off = float(abs(weighted @ shapes.T - np.eye(len(omega))).max())
+    product = weighted @ shapes.T
+    product.flat[:: len(omega) + 1] -= 1.0
+    off = float(max(product.max(), -product.min()))
     made = [Check("shapes are orthogonal", off <= ORTHOGONAL, off, ORTHOGONAL)]
     if those.elements is not None:
         shares = abs(math.fsum(row.effective_share or 0.0 for row in rows) - 1.0)

@@ -1,4 +1,4 @@
-"""The task `equilibrium`: equilibria of a potential with one coordinate, and whether they are stable."""
+"""The task `equilibrium`: equilibria of a potential, or of states with given rates, and whether they are stable."""
 
 import itertools
 import math
@@ -20,7 +20,8 @@ from dynamics_cli.quantities import (
     Text,
     Variable,
 )
-from dynamics_cli.records import Numerics, record
+from dynamics_cli.records import Advice, Numerics, record
+from dynamics_cli.stability.equilibria.autonomous import State, StatePlace
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -51,20 +52,24 @@ class Place:
 
 @record
 class Equilibria:
-    """The equilibria of a potential."""
+    """The equilibria of a potential, or of states."""
 
     stable: Annotated[Count, "Stable equilibria."]
     unstable: Annotated[Count, "Unstable equilibria."]
-    places: Annotated[tuple[Place, ...], "The equilibria in order."]
+    undecided: Annotated[Count | None, "Equilibria of states that their linear terms do not decide."]
+    places: Annotated[tuple[Place, ...] | None, "The equilibria of a potential, in order."]
+    points: Annotated[tuple[StatePlace, ...] | None, "The equilibria of states, in order."]
     numerics: Numerics
+    advice: tuple[Advice, ...] = ()
 
 
 def equilibrium(
     *,
     potential: Annotated[
-        EnergyFormula, "Energy as a formula of x [m] or theta [rad], its unit at its end, e.g. 4*x^4 - 2*x^2 J."
-    ],
-    let: Annotated[tuple[Variable, ...], "Variables of the formula, e.g. k=200 N/m."] = (),
+        EnergyFormula | None, "Energy as a formula of x [m] or theta [rad], its unit at its end, e.g. 4*x^4 - 2*x^2 J."
+    ] = None,
+    states: Annotated[tuple[State, ...], "States with their rates, time in s, instead of a potential."] = (),
+    let: Annotated[tuple[Variable, ...], "Variables of the formulas, e.g. k=200 N/m."] = (),
     lowest: Annotated[Length | None, "Where the range of x begins, e.g. -2 m."] = None,
     highest: Annotated[Length | None, "Where it ends, e.g. 2 m."] = None,
     mass: Annotated[Mass | None, "The mass that moves along x, for frequencies, e.g. 2 kg."] = None,
@@ -72,11 +77,12 @@ def equilibrium(
         Inertia | None, "The moment of inertia about the pivot, for frequencies, e.g. 0.5 kg*m^2."
     ] = None,
 ) -> Equilibria:
-    """Equilibria of a potential V, where V′ is zero: stable where V has a minimum.
+    """Equilibria of a potential, stable where it has a minimum, or of states with any rates, by their linear terms.
 
     Equation
     --------
     V′ = 0; stable where the first derivative after it that is not zero is of even order and positive; ω = √(V″/m).
+    Or ẋ = f(x) = 0; stable where all roots of det(s·1 − ∂f/∂x) lie on the left.
 
     Returns
     -------
@@ -88,7 +94,7 @@ def equilibrium(
     UsageError
         When the formula has neither x nor theta, or both; when the range of x is missing.
     InadmissibleError
-        When the potential is constant, or has no equilibrium within the range.
+        When the potential is constant, no equilibrium lies within the ranges, or they form a curve.
 
     Notes
     -----
@@ -104,6 +110,12 @@ def equilibrium(
     >>> equilibrium(potential=Formula("4*x^4 - 2*x^2", 1.0, "J"), lowest=-2.0, highest=2.0).stable
     2
     """
+    if states:
+        if potential is not None:
+            raise UsageError("a potential is given and states too", code="ambiguous", hint="leave out one of them")
+        return _of_states(states, let)
+    require_given(potential is not None, "neither a potential nor states are given", ("potential",), ("states",))
+    assert potential is not None
     names = parsed(potential, {*ANGLES, POSITION, *(one.name for one in let)}).names
     angular = [name for name in ANGLES if name in names]
     coordinates = [*angular, *([POSITION] if POSITION in names else [])]
@@ -132,9 +144,25 @@ def equilibrium(
     return Equilibria(
         stable=stable,
         unstable=len(places) - stable,
+        undecided=None,
         places=places,
+        points=None,
         numerics=Numerics("roots by halving on exact derivatives"),
     )
+
+
+def _of_states(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> Equilibria:
+    from dynamics_cli.stability.equilibria.autonomous import state_places
+
+    points = state_places(states, let)
+    stable, undecided = (sum(point.verdict.startswith(word) for point in points) for word in ("stable", "undecided"))
+    text = "the linear terms do not decide where a root lies on the axis: the others do"
+    remedy = "integrate from beside it, or look for a conserved energy (--potential)"
+    return Equilibria(
+        stable=stable, unstable=len(points) - stable - undecided, undecided=undecided, places=None, points=points,
+        numerics=Numerics("Newton's method from even starts, exact slopes; roots of the slopes enclosed"),
+        advice=(Advice("undecided", text, remedy=remedy),) if undecided else (),
+    )  # fmt: skip
 
 
 def _taylor(potential: EnergyFormula, let: "tuple[Variable, ...]", name: str) -> "Potential":

@@ -1,0 +1,1 @@
+"""Equilibria of potentials and of states with any rates."""

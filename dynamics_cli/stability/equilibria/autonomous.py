@@ -1,0 +1,204 @@
+"""Equilibria of ẋ = f(x) given as formulas: searched by Newton's method, judged by the roots of the exact Jacobian."""
+
+import itertools
+import math
+
+from dynamics_cli.errors import UsageError, require
+from dynamics_cli.numerics.exact.rational import exact
+from dynamics_cli.numerics.expressions import check_names, parse
+from dynamics_cli.numerics.expressions.jets import Jet
+from dynamics_cli.quantities import (
+    Annotated,
+    Count,
+    Frequency,
+    GrowthRate,
+    MatrixOfNumbers,
+    Ratio,
+    Text,
+    Variable,
+)
+from dynamics_cli.records import record
+from dynamics_cli.stability.matrix import characteristic_of
+from dynamics_cli.stability.roots import Root, roots
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any
+
+    Point = tuple[float, ...]
+
+MOST_STATES, MOST_PLACES = 6, 60
+# Newton's method begins at so many places in all, evenly in each range.
+STARTS, NEWTON = 700, 100
+# Places nearer than this share of the ranges are one; double ones are found to half the digits only.
+APART = 1e-5
+# A rate below this share of the sizes of its Jacobian, and a root below that of the largest, are taken for zero.
+ZERO, ON_AXIS = 1e-10, 1e-9
+
+
+@record
+class State:
+    """One state and its rate."""
+
+    name: Annotated[Text, "The state, a name for formulas, e.g. x."]
+    rate: Annotated[Text, "Its rate, a formula of the states, e.g. y - x^3."]
+    low: Annotated[Ratio, "Where its range of search begins, e.g. -5."] = -5.0
+    high: Annotated[Ratio, "Where it ends, e.g. 5."] = 5.0
+
+
+@record
+class StatePlace:
+    """One equilibrium of the states."""
+
+    at: Annotated[tuple[Ratio, ...], "The states in their order."]
+    verdict: Annotated[Text, "Node, focus, saddle or centre, and whether it is stable."]
+    rightmost: Annotated[GrowthRate, "Largest real part of a root: growth, or decay where negative [1/s]."]
+    frequency: Annotated[Frequency | None, "Frequency of that root, where it oscillates [Hz]."]
+    unstable_directions: Annotated[Count, "Roots on the right [-]."]
+    roots: Annotated[tuple[Root, ...], "Roots of the linear terms, the rightmost first; of a pair the upper one."]
+    jacobian: Annotated[MatrixOfNumbers, "Slopes of the rates, a row for each state."]
+
+
+class Rates:
+    """The rates of the states as one function of doubles or jets."""
+
+    def __init__(self, states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> None:
+        self.names = [state.name for state in states]
+        if len(set(self.names)) < len(self.names):
+            raise UsageError("two states have one name", code="names", parameter="states")
+        values = {one.name: one.value for one in let}
+        self.values = {name: value for name, value in values.items() if name not in self.names}
+        self.formulas = [parse(state.rate) for state in states]
+        for formula in self.formulas:
+            check_names(formula, {*self.names, *values})
+
+    def at(self, place: "Point") -> "list[float]":
+        """The rates at a place; what has no value is not a number."""
+        return self._evaluated(dict(zip(self.names, place, strict=True)))
+
+    def _evaluated(self, given: "dict[str, Any]") -> "list[Any]":
+        try:
+            return [formula(**self.values, **given) for formula in self.formulas]
+        except (ArithmeticError, ValueError):
+            return [math.nan] * len(self.names)
+
+    def jacobian(self, place: "Point") -> "list[list[float]]":
+        """The slopes by every state, a row for each rate, exact but for rounding."""
+        given = dict(zip(self.names, place, strict=True))
+        columns = []
+        for name, value in given.items():
+            parts = self._evaluated({**given, name: Jet.variable(value, 1)})
+            columns.append([part.parts[1] if isinstance(part, Jet) else 0.0 * part for part in parts])
+        return [list(row) for row in zip(*columns, strict=True)]
+
+
+def state_places(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> "tuple[StatePlace, ...]":
+    """The equilibria within the ranges, in order, each with its verdict."""
+    require(len(states) <= MOST_STATES, "there are {count} states; {most} are the most", count=str(len(states)),
+            most=str(MOST_STATES), code="states")  # fmt: skip
+    for state in states:
+        require(state.low < state.high, "the range of {name} ends before it begins", name=state.name, code="range")
+    rates, ranges = Rates(states, let), [(state.low, state.high) for state in states]
+    each = max(int(STARTS ** (1.0 / len(states))), 2)
+    # a third of a step off, so that symmetric laws are not begun at their equilibria
+    grids = [[low + (k + 1.0 / 3.0) * (high - low) / each for k in range(each)] for low, high in ranges]
+    places: list[Point] = []
+    for start in itertools.product(*grids):
+        place = _newton(rates, start, ranges)
+        if place is not None and not any(_same(place, other, ranges) for other in places):
+            places.append(place)
+            require(len(places) <= MOST_PLACES, "there are more than {most} equilibria, or they form a curve",
+                    most=str(MOST_PLACES), code="curve", hint="narrow the ranges of the states")  # fmt: skip
+    require(bool(places), "no equilibrium was found within the ranges", code="no-equilibrium",
+            hint="widen low and high, or check the signs; where equilibria form a line, leave out a state")  # fmt: skip
+    return tuple(_judged(rates, place) for place in sorted(places))
+
+
+def _newton(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]") -> "Point | None":
+    """The equilibrium that a start leads to, if one lies within the ranges."""
+    for _ in range(NEWTON):
+        slopes, values = rates.jacobian(place), rates.at(place)
+        step = _solved(slopes, values)
+        if step is None:
+            return None
+        place = tuple(x - d for x, d in zip(place, step, strict=True))
+        if not all(map(math.isfinite, place)):
+            return None
+        if all(abs(d) <= 1e-14 * (high - low) for d, (low, high) in zip(step, ranges, strict=True)):
+            break
+    place = tuple(0.0 if abs(x) < ZERO * (high - low) else x for x, (low, high) in zip(place, ranges, strict=True))
+    inside = all(low - APART * (high - low) <= x <= high + APART * (high - low)
+                 for x, (low, high) in zip(place, ranges, strict=True))  # fmt: skip
+    values, slopes = rates.at(place), rates.jacobian(place)
+    sizes = [sum(abs(slope) * (high - low) for slope, (low, high) in zip(row, ranges, strict=True)) for row in slopes]
+    still = all(abs(value) <= ZERO * max(size, 1e-3) for value, size in zip(values, sizes, strict=True))
+    return place if inside and still else None
+
+
+def _solved(rows: "list[list[float]]", right: "list[float]") -> "list[float] | None":
+    """The solution of a small linear system by elimination with pivots; none where it is singular."""
+    size = len(rows)
+    table = [[*row, value] for row, value in zip(rows, right, strict=True)]
+    for k in range(size):
+        pivot = max(range(k, size), key=lambda i: abs(table[i][k]))
+        table[k], table[pivot] = table[pivot], table[k]
+        if not table[k][k] or not all(map(math.isfinite, table[k])):
+            return None
+        for i in range(size):
+            if i != k:
+                share = table[i][k] / table[k][k]
+                table[i] = [a - share * b for a, b in zip(table[i], table[k], strict=True)]
+    return [table[k][size] / table[k][k] for k in range(size)]
+
+
+def _same(one: "Point", two: "Point", ranges: "Sequence[tuple[float, float]]") -> bool:
+    return all(abs(a - b) <= APART * (high - low) for a, b, (low, high) in zip(one, two, ranges, strict=True))
+
+
+def _judged(rates: Rates, place: "Point") -> StatePlace:
+    """The equilibrium with the roots of its linear terms, which are exact of the Jacobian's doubles."""
+    slopes = rates.jacobian(place)
+    require(all(math.isfinite(x) for row in slopes for x in row), "the rates have no slope at {place}",
+            place=", ".join(f"{x:.6g}" for x in place), code="no-slope",
+            hint="a corner such as |x| is judged on each side by itself")  # fmt: skip
+    found = roots(characteristic_of([[exact(x) for x in row] for row in slopes]))
+    largest = max(root.natural for root in found) or 1.0
+    sides = [0.0 if abs(root.real) <= ON_AXIS * largest else math.copysign(1.0, root.real) for root in found]
+    counts = dict.fromkeys((-1.0, 0.0, 1.0), 0)
+    for root, side in zip(found, sides, strict=True):
+        counts[side] += root.multiplicity * (2 if root.pair else 1)
+    leading = found[0]
+    return StatePlace(
+        at=place,
+        verdict=_words(found, sides, counts),
+        rightmost=leading.real,
+        frequency=leading.imaginary / (2.0 * math.pi) if leading.pair else None,
+        unstable_directions=counts[1.0],
+        roots=found,
+        jacobian=tuple(map(tuple, slopes)),
+    )
+
+
+def _words(found: "Sequence[Root]", sides: "Sequence[float]", counts: "dict[float, int]") -> str:
+    """The verdict in the words of the trade."""
+    left, axis, right = counts[-1.0], counts[0.0], counts[1.0]
+    if right and left:
+        name = "saddle-focus" if any(root.pair for root in found) else "saddle"
+        return name if left + right == 2 else f"{name}: {right} unstable, {left} stable"
+    if right:
+        return "unstable" if axis else f"unstable {_shape(found)}"
+    if not axis:
+        return f"stable {_shape(found)}"
+    if any(root.pair for root, side in zip(found, sides, strict=True) if not side):
+        return "undecided: a pair on the axis" if left else "undecided: centre of the linear terms"
+    return "undecided: a root at zero"
+
+
+def _shape(found: "Sequence[Root]") -> str:
+    """How motions near it look, where all decay or all grow."""
+    if len(found) == 1 and found[0].multiplicity == 1 and not found[0].pair:
+        return "equilibrium"
+    if not any(root.pair for root in found):
+        return "node"
+    return "focus" if all(root.pair for root in found) else "focus-node"
