@@ -1,6 +1,7 @@
 """Polar plots of balance runs, force and couple of an engine, torque with its mean."""
 
 import math
+from itertools import pairwise
 
 from dynamics_cli.errors import worded
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
@@ -180,11 +181,31 @@ def _couple(row: "Any", angle: float) -> float:
     return together
 
 
+def turning(result: "Any", **_: "Any") -> Picture:
+    """The turning moment over a cycle with its parts, and its orders."""
+    rows = result.torque
+    x = [row.angle for row in rows]
+    mean = result.mean_torque
+    items = (
+        Curve(x, [row.gas for row in rows], "gas", "dashed", role=1),
+        Curve(x, [row.inertia for row in rows], "inertia", "thin", role=2),
+        Curve(x, [row.torque for row in rows], "both", role=0),
+        Curve([x[0], x[-1]], [mean, mean], "mean", "centre", role=3),
+    )
+    over = Panel(Axis("crank angle", Angle, step=math.pi / 2.0), Axis("turning moment", Torque), items)
+    stems = tuple(Curve([row.order] * 2, [0.0, row.torque], "", "thick", role=0) for row in result.orders)
+    top = max((row.torque for row in result.orders), default=1.0)
+    last = max((row.order for row in result.orders), default=1.0) + 0.5
+    by_order = Panel(Axis("order", ends=(0.0, last)), Axis("amplitude", Torque, ends=(0.0, 1.1 * top)), stems)
+    return Picture((over, by_order), "turning moment", subtitle=f"firing order {result.firing_order}")
+
+
 def flywheel(result: "Any", *, points: "Any", **_: "Any") -> Picture:
     """Torque over the cycle, its mean, and where the shaft is fastest and slowest."""
     x, y = [one.angle for one in points], [one.torque for one in points]
     mean = result.mean_torque
-    items = (
+    items: tuple[Any, ...] = (
+        *_areas(points, result),
         Curve(x, y, "torque", role=0),
         Curve([x[0], x[-1]], [mean, mean], "mean", "dashed", role=1),
         Mark(result.fastest, mean, "fastest"),
@@ -192,3 +213,16 @@ def flywheel(result: "Any", *, points: "Any", **_: "Any") -> Picture:
     )
     panel = Panel(Axis("angle", Angle, step=math.pi / 3.0), Axis("torque", Torque), items)
     return Picture((panel,), "torque and its mean")
+
+
+def _areas(points: "Any", result: "Any") -> "list[Curve]":
+    """The areas between torque and mean from crossing to crossing: work that the flywheel takes up and gives back."""
+    ends = [points[0].angle, *(row.angle for row in result.crossings), points[-1].angle]
+    areas = []
+    for low, high in pairwise(ends):
+        inner = [(one.angle, one.torque) for one in points if low <= one.angle <= high]
+        if inner:
+            corners = [(low, result.mean_torque), *inner, (high, result.mean_torque)]
+            above = max(inner, key=lambda corner: abs(corner[1] - result.mean_torque))[1] > result.mean_torque
+            areas.append(Curve([a for a, _ in corners], [t for _, t in corners], "", "fill", role=0 if above else 1))
+    return areas

@@ -71,6 +71,13 @@ WORKED = (
         "pump_balance/pump_balance.sh",
     ),
     Example(
+        "engine_torque",
+        "A four-cylinder engine: forces by order, turning moment from a pressure diagram, its flywheel.",
+        "cd engine_torque && sh engine_torque.sh",
+        "engine_torque/engine_torque.sh",
+        "engine_torque/diagram.csv",
+    ),
+    Example(
         "machine_mounts",
         "A fan on mounts: isolation, unbalance, a shock of the floor, the block below.",
         "cd machine_mounts && sh machine_mounts.sh",

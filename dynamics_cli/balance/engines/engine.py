@@ -1,6 +1,6 @@
 """Inertia forces and couples of piston engines by order, and what counterweights and balance shafts take away."""
 
-from dynamics_cli.balance.engines.crank import order_factor, require_rod
+from dynamics_cli.balance.engines.crank import order_factors, require_rod
 from dynamics_cli.balance.engines.layouts import Preset, layout
 from dynamics_cli.balance.phasors import Phasor, polar, total
 from dynamics_cli.errors import require
@@ -89,6 +89,10 @@ def engine(
     spacing: Annotated[
         Size, "Spacing from one cylinder (in a V: pair) to the next; without it there are no couples, e.g. 90 mm."
     ] = 0.0,
+    offset: Annotated[
+        Length,
+        "Distance of the cylinder's axis from the crankshaft's, to the side where the crank pin goes down, e.g. 10 mm.",
+    ] = 0.0,
     rotating_mass: Annotated[Mass, "Mass at the crank pin of one cylinder that no counterweight balances."] = 0.0,
     highest_order: Annotated[Count, "Orders above this are left out."] = 6,
 ) -> EngineBalance:
@@ -97,7 +101,7 @@ def engine(
     Equation
     --------
     Order n: forward ½·m·r·ω²·ΣA_n·e^{i(n(φ−β)+β)}, backward ½·m·r·ω²·ΣA_n·e^{i(−n(φ−β)+β)}; the force runs round an
-    ellipse of half-axes |f| ± |b|.
+    ellipse of half-axes |f| ± |b|. With an offset A_n − i·B_n stands forward, A_n + i·B_n backward.
 
     Returns
     -------
@@ -131,7 +135,8 @@ def engine(
     require(abs(plain(speed)) > 0.0, "an engine at rest has no inertia force", code="at-rest")
     require(rod_length > 0.0, "the rod has no length", code="rod")
     ratio = crank_radius / rod_length
-    require_rod(ratio)
+    aside = offset / rod_length
+    require_rod(ratio, aside)
     if preset is None:
         places = [(one.crank, one.bank, one.position) for one in cylinders]
     else:
@@ -139,12 +144,11 @@ def engine(
     unit = crank_radius * speed * speed
     advice = _advice(places, preset)
     counted = not advice
-    numbers = [1, *range(2, highest_order + 1, 2)]
+    numbers = [n for n in range(1, highest_order + 1) if n == 1 or n % 2 == 0 or plain(offset) != 0.0]
+    force = reciprocating_mass * unit
     orders = [
-        _order(
-            n, places, reciprocating_mass * unit * order_factor(ratio, n), rotating_mass * unit, speed, counted=counted
-        )
-        for n in numbers
+        _order(n, places, Phasor(force * a, -force * b), rotating_mass * unit, speed, counted=counted)
+        for n, (a, b) in zip(numbers, order_factors(ratio, aside, numbers), strict=True)
     ]
     second = orders[1] if len(orders) > 1 else None
     return EngineBalance(
@@ -168,18 +172,18 @@ def _advice(places: "list[Any]", preset: "Preset | None") -> "tuple[Advice, ...]
     return (Advice("no-spacing", message, severity="note", remedy="give --spacing"),)
 
 
-def _order(n: int, places: "list[Any]", size: "Any", rotating: "Any", speed: "Any", *, counted: bool) -> Order:
+def _order(n: int, places: "list[Any]", size: Phasor, rotating: "Any", speed: "Any", *, counted: bool) -> Order:
     """The phasors of one order, of the size that one cylinder has."""
     ways = [
         (polar(1.0, n * (crank - bank) + bank), polar(1.0, -n * (crank - bank) + bank), crank)
         for crank, bank, _ in places
     ]
     arms = [z for _, _, z in places]
-    forwards = [way.times(0.5 * size) for way, _, _ in ways]
-    backwards = [way.times(0.5 * size) for _, way, _ in ways]
+    forwards = [way * size.times(0.5) for way, _, _ in ways]
+    backwards = [way * size.conjugate.times(0.5) for _, way, _ in ways]
     if n == 1:
         forwards = [one + polar(rotating, crank) for one, (_, _, crank) in zip(forwards, ways, strict=True)]
-    largest = 0.5 * abs(plain(size)) + (plain(rotating) if n == 1 else 0.0)
+    largest = 0.5 * plain(size.size) + (plain(rotating) if n == 1 else 0.0)
     force = [_cleared(total(parts), len(places) * largest) for parts in (forwards, backwards)]
     lever = sum(abs(plain(z)) for z in arms)
     couple = [
