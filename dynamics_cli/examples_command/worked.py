@@ -100,6 +100,8 @@ WORKED = (
         "A wall bracket with three loads: their resultant, the moment on the bolts, and a stay in place of the bolts.",
         "cd bracket_loads && sh bracket_loads.sh",
         "bracket_loads/bracket_loads.sh",
+        "bracket_loads/bracket.toml",
+        "bracket_loads/loads.csv",
     ),
     Example(
         "catapult",

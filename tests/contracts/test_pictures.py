@@ -19,7 +19,7 @@ WITHOUT = {
     "balance grade", "balance lanchester", "balance split", "balance static",
     "convert", "coords", "units list", "units show", "units search", "units table", "gear glossary", "gear data-block",
     "inertia shapes", "inertia materials", "cam laws", "cam size", "cam check", "cam export",
-    "force equivalent", "force spring", "force gravity", "force friction", "force first-moment",
+    "force equivalent", "force spring", "force gravity", "force friction", "force wedge", "force first-moment",
     "particle fall", "particle hoop", "particle incline", "particle circle",
     "energy body", "energy speed", "energy drop", "energy roll", "energy power", "energy draw-in",
     "pendulum compound", "pendulum rod", "pendulum conical", "pendulum design",

@@ -63,3 +63,13 @@ def test_a_file_that_is_not_there_is_named() -> None:
     outcome = run("skid", "speed", "--segment", "@nowhere.csv")
     assert outcome.status == 2
     assert "nowhere.csv" in outcome.err
+
+
+def test_what_adds_up_may_be_given_both_ways() -> None:
+    both = ("--couple", "moment=3 N*m", "--moment", "5 N*m", "--load", "force=1, 1 N, at=1, 0 m")
+    made = answer("force", "resultant", *both, "--force", "1, 2 N", "--at", "0, 0 m")
+    assert made["results"]["moment"]["value"] == [0.0, 0.0, 9.0]
+    assert made["results"]["force"]["value"] == [2.0, 3.0, 0.0]
+    incomplete = run("force", "resultant", *both, "--force", "1, 2 N")
+    assert incomplete.status == 2
+    assert "at is missing" in incomplete.err

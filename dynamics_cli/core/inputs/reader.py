@@ -237,7 +237,7 @@ class Reader(Context):
         own = _join(address, field.key)
         value = raw.get(field.key)
         plain = [key for key in raw if raw[key] is not None and key in _plain_names(node)]
-        if value is not None and plain:
+        if value is not None and plain and not getattr(getattr(node.item, "cls", None), "adds", False):
             self._fail(
                 own,
                 f"{self.spell(own)} and {self._member(address, plain[0])} cannot be given together",
@@ -263,6 +263,9 @@ class Reader(Context):
         if not items and field.place != "words":
             self._fail(own, f"{self.spell(own)} is empty", code="missing")
             return None
+        if plain:
+            # items that add up, such as forces: the one of plain options is one more
+            items = [*items, {key: raw[key] for key in plain}]
         items_read = [self._item(node.item, item, f"{own}[{index}]") for index, item in enumerate(items)]
         kept = [item for item in items_read if item is not None]
         if node.single and isinstance(node.item, Leaf) and len(kept) == 1 and not isinstance(value, list):
