@@ -78,6 +78,13 @@ WORKED = (
         "engine_torque/diagram.csv",
     ),
     Example(
+        "tumbling_phone",
+        "Why a tossed phone turns over: free turning about its three axes, the growth of a wobble.",
+        "cd tumbling_phone && sh tumbling_phone.sh",
+        "tumbling_phone/tumbling_phone.sh",
+        "tumbling_phone/phone.toml",
+    ),
+    Example(
         "machine_mounts",
         "A fan on mounts: isolation, unbalance, a shock of the floor, the block below.",
         "cd machine_mounts && sh machine_mounts.sh",

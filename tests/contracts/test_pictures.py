@@ -23,7 +23,7 @@ WITHOUT = {
     "particle fall", "particle hoop", "particle incline", "particle circle",
     "energy body", "energy speed", "energy drop", "energy roll", "energy power", "energy draw-in",
     "pendulum compound", "pendulum rod", "pendulum conical", "pendulum design",
-    "spin gyro", "spin top", "spin shaft", "spin disk", "spin rod",
+    "spin shaft", "spin rod",
     "vec matrix", "skid values", "motion equations",
 }  # fmt: skip
 TASKS = [task for name in cli.FAMILIES if name != "accuracy" for task in cli.family(name).tasks.values()]
