@@ -203,7 +203,7 @@ ENGINE = Task(
         '--reciprocating-mass "0.5 kg" --crank-radius "43 mm" --rod-length "172 mm" --speed "3000 rpm"',
     ),
     plot=f"{PICTURES}:engine",
-    table="orders",
+    table="orders shafts",
     arrays=False,
 )  # fmt: skip
 

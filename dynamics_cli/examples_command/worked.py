@@ -71,6 +71,12 @@ WORKED = (
         "pump_balance/pump_balance.sh",
     ),
     Example(
+        "three_cylinders",
+        "An in-line engine of three cylinders: couples by order, its counterweights and balance shaft.",
+        "cd three_cylinders && sh three_cylinders.sh",
+        "three_cylinders/three_cylinders.sh",
+    ),
+    Example(
         "engine_torque",
         "A four-cylinder engine: forces by order, turning moment from a pressure diagram, its flywheel.",
         "cd engine_torque && sh engine_torque.sh",

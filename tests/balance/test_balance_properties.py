@@ -125,6 +125,17 @@ def test_orders_sum_to_the_exact_force(
         forces += cmath.rect(row.backward_couple or 0.0, (row.backward_couple_angle or 0.0) - row.order * turn)
     assert abs(orders - force) < 1e-10
     assert abs(forces - couple) < 1e-10
+    for shaft in made.shafts:
+        sense = 1.0 if shaft.turns == "with the crank" else -1.0
+        for size, angle in ((shaft.unbalance, shaft.angle), (shaft.couple or 0.0, shaft.couple_angle)):
+            turned = cmath.rect(size * shaft.speed**2, (angle or 0.0) + sense * shaft.order * turn)
+            if angle is not None and size is shaft.unbalance:
+                orders += turned
+            elif angle is not None:
+                forces += turned
+    # the shafts take everything away
+    assert abs(orders) < 1e-10
+    assert abs(forces) < 1e-10
 
 
 @few

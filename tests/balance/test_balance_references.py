@@ -151,8 +151,9 @@ def test_lanchester_takes_the_second_order_of_four_cylinders() -> None:
     made = lanchester(**crank)
     near(made.force, "8624.5157638570279608")
     near(made.shaft_unbalance / MICRO, "2730.7692047999842231")
-    whole = engine(**crank, preset=Preset("inline-4")).orders[1]
-    assert [whole.forward_shaft, whole.backward_shaft] == pytest.approx([made.shaft_unbalance] * 2, rel=EXACT)
+    shafts = [one for one in engine(**crank, preset=Preset("inline-4")).shafts if one.order == 2]
+    assert [one.unbalance for one in shafts] == pytest.approx([made.shaft_unbalance] * 2, rel=EXACT)
+    assert [one.speed for one in shafts] == pytest.approx([made.shaft_speed] * 2)
 
 
 def test_flywheel_looks_between_the_points_of_the_table() -> None:

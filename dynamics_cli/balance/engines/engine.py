@@ -4,6 +4,7 @@ from dynamics_cli.balance.engines.crank import order_factors, require_rod
 from dynamics_cli.balance.engines.layouts import Preset, layout
 from dynamics_cli.balance.phasors import Phasor, polar, total
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import pi_beside
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
     Angle,
@@ -57,10 +58,23 @@ class Order:
     backward_couple_angle: Annotated[Angle | None, "Where the forces of it stand at crank angle zero [rad]."]
     force_remedy: Annotated[Text, "What balances the force."]
     couple_remedy: Annotated[Text | None, "What balances the couple."]
-    forward_shaft: Annotated[Unbalance, "Unbalance that takes the forward force away, turning at this order [kg·m]."]
-    backward_shaft: Annotated[Unbalance, "Unbalance that takes the backward force away, turning at it [kg·m]."]
-    forward_couple_shaft: Annotated[CoupleUnbalance | None, "The same for the forward couple [kg·m²]."]
-    backward_couple_shaft: Annotated[CoupleUnbalance | None, "The same for the backward couple [kg·m²]."]
+
+
+@record
+class Shaft:
+    """Balance weights that take one rotating part of an order away: counterweights, or a shaft of their own."""
+
+    order: Annotated[int, "Multiple of the crankshaft's speed [-]."]
+    turns: Annotated[Text, "With the crankshaft, or against it."]
+    speed: Annotated[ShaftSpeed, "Speed of the weights [rad/s]."]
+    unbalance: Annotated[Unbalance, "Unbalance that takes the force away [kg·m]."]
+    angle: Annotated[Angle | None, "Where it stands at crank angle zero [rad]."]
+    couple: Annotated[
+        CoupleUnbalance | None, "Unbalance times distance of the pair that takes the couple away [kg·m²]."
+    ]
+    couple_angle: Annotated[
+        Angle | None, "Where the weight at the end of the last cylinder stands, the other opposite."
+    ]
 
 
 @record
@@ -74,6 +88,7 @@ class EngineBalance:
     primary_couple: Annotated[Torque | None, "Largest couple of order 1 [N·m]."]
     secondary_couple: Annotated[Torque | None, "Largest couple of order 2 [N·m]."]
     orders: Annotated[tuple[Order, ...], "Forces and couples by order."]
+    shafts: Annotated[tuple[Shaft, ...], "Weights that take each order away, part by part."]
     advice: tuple[Advice, ...] = ()
 
 
@@ -159,6 +174,7 @@ def engine(
         primary_couple=orders[0].couple,
         secondary_couple=second.couple if second else (0.0 if counted else None),
         orders=tuple(orders),
+        shafts=tuple(shaft for row in orders for shaft in _shafts(row, speed)),
         advice=advice,
     )
 
@@ -190,7 +206,6 @@ def _order(n: int, places: "list[Any]", size: Phasor, rotating: "Any", speed: "A
         _cleared(total(one.times(z) for one, z in zip(parts, arms, strict=True)), lever * largest)
         for parts in (forwards, backwards)
     ]
-    square = n * n * speed * speed
     sizes, turns = [one.size for one in force], [one.size for one in couple]
     return Order(
         order=n,
@@ -206,11 +221,35 @@ def _order(n: int, places: "list[Any]", size: Phasor, rotating: "Any", speed: "A
         backward_couple_angle=_angle(couple[1]),
         force_remedy=_remedy(n, sizes),
         couple_remedy=_remedy(n, turns) if counted else None,
-        forward_shaft=sizes[0] / square,
-        backward_shaft=sizes[1] / square,
-        forward_couple_shaft=turns[0] / square if counted else None,
-        backward_couple_shaft=turns[1] / square if counted else None,
     )
+
+
+def _shafts(row: Order, speed: "Any") -> "list[Shaft]":
+    """The weights against both parts of an order, opposite to them."""
+    square = row.order * row.order * speed * speed
+    parts = (
+        ("with the crank", row.forward, row.forward_angle, row.forward_couple, row.forward_couple_angle),
+        ("against it", row.backward, row.backward_angle, row.backward_couple, row.backward_couple_angle),
+    )
+    return [
+        Shaft(
+            order=row.order,
+            turns=sense,
+            speed=row.order * speed,
+            unbalance=force / square,
+            angle=_opposite(angle),
+            couple=None if couple is None else couple / square,
+            couple_angle=None if couple is None else _opposite(couple_angle),
+        )
+        for sense, force, angle, couple, couple_angle in parts
+        if angle is not None or (couple is not None and couple_angle is not None)
+    ]
+
+
+def _opposite(angle: "Any") -> "Any":
+    if angle is None:
+        return None
+    return angle + pi_beside(angle) if plain(angle) <= 0.0 else angle - pi_beside(angle)
 
 
 def _cleared(whole: Phasor, largest: float) -> Phasor:
