@@ -178,8 +178,8 @@ ENGINE = Task(
         "backward with −n; A₁ = 1, A₂ = λ + λ³/4 + …, λ = {crank_radius|r}/{rod_length|l}",
         assumptions=(
             DRAWN_ROD,
-            "crank and bank angles are measured in the sense of rotation; a piston is at top dead centre where both "
-            "are equal",
+            "crank and bank angles are measured in the sense of rotation; a piston is on top where both are equal "
+            "(an offset shifts that a little)",
             "couples are about the middle of the shaft, or of the places given",
         ),
     ),
@@ -203,7 +203,7 @@ ENGINE = Task(
         '--reciprocating-mass "0.5 kg" --crank-radius "43 mm" --rod-length "172 mm" --speed "3000 rpm"',
     ),
     plot=f"{PICTURES}:engine",
-    table="orders",
+    table="orders shafts",
     arrays=False,
 )  # fmt: skip
 
@@ -229,6 +229,55 @@ LANCHESTER = Task(
         '--speed "5000 rpm" --weight-radius "0.8 in" --units us',
     ),
     arrays=False,
+)  # fmt: skip
+
+TURNING = Task(
+    "turning",
+    "Turning moment of an engine from its pressure diagram: firing order, orders.",
+    Model(
+        "gas and inertia torque",
+        "dynamics_cli.balance.engines.turning:turning",
+        source="virtual power",
+        formula="T = p·A·{crank_radius|r}·v − {reciprocating_mass|m}·{crank_radius|r}²·{speed|ω}²·a·v",
+        assumptions=(
+            DRAWN_ROD,
+            "every cylinder has the same pressure diagram, linear between points; pressures are above the crankcase's",
+            "angles are those of the crank after it points along the cylinder; friction is left out",
+        ),
+        method="Gauss–Legendre quadrature by panels of 5 degrees",
+    ),
+    headline=(
+        "mean_torque: mean torque", "power: indicated power", "mean_pressure: mean effective pressure",
+        "largest: largest torque", "largest_angle: at", "smallest: smallest torque", "smallest_angle: at",
+        "firing_order", "evenness: firing is",
+        "orders: by order | order, torque, gas, inertia, single=one cylinder",
+    ),
+    scene={
+        "preset": "inline-4",
+        "bore": "86 mm",
+        "reciprocating_mass": "0.5 kg",
+        "crank_radius": "43 mm",
+        "rod_length": "150 mm",
+        "speed": "3000 rpm",
+        "diagram_points[0].angle": "0 deg",
+        "diagram_points[0].pressure": "25 bar",
+        "diagram_points[1].angle": "20 deg",
+        "diagram_points[1].pressure": "55 bar",
+        "diagram_points[2].angle": "90 deg",
+        "diagram_points[2].pressure": "8 bar",
+        "diagram_points[3].angle": "540 deg",
+        "diagram_points[3].pressure": "0 bar",
+        "diagram_points[4].angle": "720 deg",
+        "diagram_points[4].pressure": "25 bar",
+    },
+    examples=(
+        "dynamics balance turning --diagram @examples/engine_torque/diagram.csv --preset inline-4 "
+        '--bore "86 mm" --reciprocating-mass "0.5 kg" --crank-radius "43 mm" --rod-length "150 mm" --speed "3000 rpm"',
+    ),
+    plot=f"{PICTURES}:turning",
+    table="torque orders firings",
+    arrays=False,
+    tracked=False,
 )  # fmt: skip
 
 FLYWHEEL = Task(
@@ -277,6 +326,6 @@ FAMILIES = {
     "balance": Family(
         "balance",
         "Balancing of rotors and engines, balance grades, flywheels.",
-        STATIC, PLANES, TRIAL, FOUR_RUNS, SPLIT, GRADE, ENGINE, LANCHESTER, FLYWHEEL,
+        STATIC, PLANES, TRIAL, FOUR_RUNS, SPLIT, GRADE, ENGINE, LANCHESTER, TURNING, FLYWHEEL,
     )
 }  # fmt: skip

@@ -1,6 +1,7 @@
 """Polar plots of balance runs, force and couple of an engine, torque with its mean."""
 
 import math
+from itertools import pairwise
 
 from dynamics_cli.errors import worded
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
@@ -20,6 +21,8 @@ INITIAL = "initial"
 # Sizes stand beside the rings, between two spokes.
 NEAR = (math.cos(math.radians(285.0)), math.sin(math.radians(285.0)))
 STEPS = 361
+# Forces below this share of one cylinder's are not drawn beside couples.
+SLIGHT = 5e-3
 GREY = 6
 
 
@@ -77,6 +80,15 @@ def trial(result: "Any", *, sensors: "Any", **_: "Any") -> Picture:
                 change = (reading.value[0] - start[0], reading.value[1] - start[1])
                 arrows.append((start, change, "", role))
         panels.append(_polar(arrows, kind, f"readings of sensor {nth}"))
+        left = result.predicted[nth - 1].residual.value
+        if left > SLIGHT * math.hypot(*start):
+            words = worded("left: {size}", size=(left, kind))
+            rest: list[Any] = [
+                _circle((0.0, 0.0), left, "thick", 3),
+                Mark(left * NEAR[0], -left * NEAR[1], words, dot=False, role=3),
+            ]
+            last = panels[-1]
+            panels[-1] = Panel(last.x, last.y, (*last.items, *rest), last.title, equal=True, bare=True)
     masses = [((0.0, 0.0), _at(result.first_mass, result.first_angle), "1st plane", 1)]
     if result.second_mass is not None:
         masses.append(((0.0, 0.0), _at(result.second_mass, result.second_angle), "2nd plane", 2))
@@ -128,63 +140,81 @@ def planes(result: "Any", *, unbalances: "Any", **_: "Any") -> Picture:
     return Picture(panels, "two-plane balance", columns=2)
 
 
-def engine(result: "Any", *, speed: float, **_: "Any") -> Picture:
-    """Force over the turn of the crank, and the path of its tip by order."""
-    angles = [2.0 * math.pi * i / (STEPS - 1) for i in range(STEPS)]
-    paths = [[_turned(row, angle) for angle in angles] for row in result.orders]
-    whole = [(sum(path[i][0] for path in paths), sum(path[i][1] for path in paths)) for i in range(STEPS)]
-    crank = Axis("crank angle", Angle, step=math.pi / 3.0)
-    over: list[Any] = [
-        Curve(angles, [x for x, _ in whole], "at bank angle 0", role=0),
-        Curve(angles, [y for _, y in whole], "across it", role=1),
-        Band(0.0, 0.0, "", vertical=False),
+def engine(result: "Any", *, reciprocating_mass: float, crank_radius: float, speed: float, **_: "Any") -> Picture:
+    """Force and couple over the turn of the crank, and the paths of their tips by order."""
+    single = reciprocating_mass * crank_radius * speed * speed
+    forces = [(row.order, row.forward, row.forward_angle, row.backward, row.backward_angle) for row in result.orders]
+    couples = [
+        (row.order, row.forward_couple, row.forward_couple_angle, row.backward_couple, row.backward_couple_angle)
+        for row in result.orders
+        if row.couple
     ]
-    ellipses: list[Any] = [
-        Curve([x for x, _ in path], [y for _, y in path], f"order {row.order}", role=nth)
-        for nth, (row, path) in enumerate(zip(result.orders, paths, strict=True))
-        if row.force > 1e-3 * max(one.force for one in result.orders)
-    ]
-    tips = Panel(
-        Axis("at bank angle 0", Force), Axis("across it", Force), tuple(ellipses), "force by order", equal=True
-    )
-    names = tuple(f"order {row.order}" for row in result.orders)
-    panels: list[Panel] = (
-        [Panel(crank, Axis("force", Force), tuple(over), "inertia force on the frame")] if ellipses else []
-    )
-    if ellipses:
-        panels.append(tips)
-    if any(row.couple for row in result.orders):
-        couples: list[Any] = [
-            Curve(angles, [_couple(row, angle) for angle in angles], name, role=nth)
-            for nth, (row, name) in enumerate(zip(result.orders, names, strict=True))
-            if row.couple > 1e-3 * result.orders[0].couple or result.orders[0].couple == 0.0
-        ]
-        panels.append(Panel(crank, Axis("couple", Torque), (*couples, Band(0.0, 0.0, "", vertical=False)), "couple"))
+    panels: list[Panel] = []
+    # what is left of the force beside that of one cylinder, unless nothing else is
+    if max(row.force for row in result.orders) > SLIGHT * single or not couples:
+        panels += _shaking(forces, Force, "force")
+    if couples:
+        panels += _shaking(couples, Torque, "couple")
     return Picture(tuple(panels), worded("inertia forces at {speed}", speed=(speed, ShaftSpeed)))
 
 
-def _turned(row: "Any", angle: float) -> "Plane":
+def _shaking(orders: "Sequence[Any]", kind: "Any", name: str) -> "list[Panel]":
+    """A force, or the forces of a couple, over the crank angle, and round its path by order where that is no line."""
+    angles = [2.0 * math.pi * i / (STEPS - 1) for i in range(STEPS)]
+    paths = [[_turned(order, angle) for angle in angles] for order in orders]
+    sums = [[sum(path[i][axis] for path in paths) for i in range(STEPS)] for axis in (0, 1)]
+    level = Band(0.0, 0.0, "", vertical=False)
+    crank = Axis("crank angle", Angle, step=math.pi / 3.0)
+    largest = max(order[1] + order[3] for order in orders)
+    seen = [nth for nth, order in enumerate(orders) if order[1] + order[3] > 1e-3 * largest]
+    along, across = Axis(f"{name} at bank angle 0", kind), Axis(f"{name} across it", kind)
+    if max(map(abs, sums[1])) <= 1e-3 * largest:
+        curves = [Curve(angles, [x for x, _ in paths[nth]], f"order {orders[nth][0]}", role=nth) for nth in seen]
+        if len(curves) > 1:
+            curves.append(Curve(angles, sums[0], "all orders", "thin", role=GREY))
+        return [Panel(crank, along, (*curves, level))]
+    both = (Curve(angles, sums[0], "at bank angle 0", role=0), Curve(angles, sums[1], "across it", role=1), level)
+    tips = tuple(
+        Curve([x for x, _ in paths[nth]], [y for _, y in paths[nth]], f"order {orders[nth][0]}", role=nth)
+        for nth in seen
+    )
+    return [Panel(crank, Axis(name, kind), both), Panel(along, across, tips, f"{name} by order", equal=True)]
+
+
+def _turned(order: "Any", angle: float) -> "Plane":
     """The force of one order at a crank angle."""
-    turn = row.order * angle
-    forward = _at(row.forward, None if row.forward_angle is None else row.forward_angle + turn)
-    backward = _at(row.backward, None if row.backward_angle is None else row.backward_angle - turn)
-    return forward[0] + backward[0], forward[1] + backward[1]
+    number, forward, forward_angle, backward, backward_angle = order
+    turn = number * angle
+    one = _at(forward, None if forward_angle is None else forward_angle + turn)
+    other = _at(backward, None if backward_angle is None else backward_angle - turn)
+    return one[0] + other[0], one[1] + other[1]
 
 
-def _couple(row: "Any", angle: float) -> float:
-    """The couple of one order at a crank angle, of the force at bank angle zero."""
-    turn = row.order * angle
-    forward = 0.0 if row.forward_couple_angle is None else math.cos(row.forward_couple_angle + turn)
-    backward = 0.0 if row.backward_couple_angle is None else math.cos(row.backward_couple_angle - turn)
-    together: float = row.forward_couple * forward + row.backward_couple * backward
-    return together
+def turning(result: "Any", **_: "Any") -> Picture:
+    """The turning moment over a cycle with its parts, and its orders."""
+    rows = result.torque
+    x = [row.angle for row in rows]
+    mean = result.mean_torque
+    items = (
+        Curve(x, [row.gas for row in rows], "gas", "dashed", role=1),
+        Curve(x, [row.inertia for row in rows], "inertia", "thin", role=2),
+        Curve(x, [row.torque for row in rows], "both", role=0),
+        Curve([x[0], x[-1]], [mean, mean], "mean", "centre", role=3),
+    )
+    over = Panel(Axis("crank angle", Angle, step=math.pi / 2.0), Axis("turning moment", Torque), items)
+    stems = tuple(Curve([row.order] * 2, [0.0, row.torque], "", "thick", role=0) for row in result.orders)
+    top = max((row.torque for row in result.orders), default=1.0)
+    last = max((row.order for row in result.orders), default=1.0) + 0.5
+    by_order = Panel(Axis("order", ends=(0.0, last)), Axis("amplitude", Torque, ends=(0.0, 1.1 * top)), stems)
+    return Picture((over, by_order), "turning moment", subtitle=f"firing order {result.firing_order}")
 
 
 def flywheel(result: "Any", *, points: "Any", **_: "Any") -> Picture:
     """Torque over the cycle, its mean, and where the shaft is fastest and slowest."""
     x, y = [one.angle for one in points], [one.torque for one in points]
     mean = result.mean_torque
-    items = (
+    items: tuple[Any, ...] = (
+        *_areas(points, result),
         Curve(x, y, "torque", role=0),
         Curve([x[0], x[-1]], [mean, mean], "mean", "dashed", role=1),
         Mark(result.fastest, mean, "fastest"),
@@ -192,3 +222,16 @@ def flywheel(result: "Any", *, points: "Any", **_: "Any") -> Picture:
     )
     panel = Panel(Axis("angle", Angle, step=math.pi / 3.0), Axis("torque", Torque), items)
     return Picture((panel,), "torque and its mean")
+
+
+def _areas(points: "Any", result: "Any") -> "list[Curve]":
+    """The areas between torque and mean from crossing to crossing: work that the flywheel takes up and gives back."""
+    ends = [points[0].angle, *(row.angle for row in result.crossings), points[-1].angle]
+    areas = []
+    for low, high in pairwise(ends):
+        inner = [(one.angle, one.torque) for one in points if low <= one.angle <= high]
+        if inner:
+            corners = [(low, result.mean_torque), *inner, (high, result.mean_torque)]
+            above = max(inner, key=lambda corner: abs(corner[1] - result.mean_torque))[1] > result.mean_torque
+            areas.append(Curve([a for a, _ in corners], [t for _, t in corners], "", "fill", role=0 if above else 1))
+    return areas

@@ -71,6 +71,26 @@ WORKED = (
         "pump_balance/pump_balance.sh",
     ),
     Example(
+        "three_cylinders",
+        "An in-line engine of three cylinders: couples by order, its counterweights and balance shaft.",
+        "cd three_cylinders && sh three_cylinders.sh",
+        "three_cylinders/three_cylinders.sh",
+    ),
+    Example(
+        "engine_torque",
+        "A four-cylinder engine: forces by order, turning moment from a pressure diagram, its flywheel.",
+        "cd engine_torque && sh engine_torque.sh",
+        "engine_torque/engine_torque.sh",
+        "engine_torque/diagram.csv",
+    ),
+    Example(
+        "tumbling_phone",
+        "Why a tossed phone turns over: free turning about its three axes, the growth of a wobble.",
+        "cd tumbling_phone && sh tumbling_phone.sh",
+        "tumbling_phone/tumbling_phone.sh",
+        "tumbling_phone/phone.toml",
+    ),
+    Example(
         "machine_mounts",
         "A fan on mounts: isolation, unbalance, a shock of the floor, the block below.",
         "cd machine_mounts && sh machine_mounts.sh",
@@ -93,6 +113,8 @@ WORKED = (
         "A wall bracket with three loads: their resultant, the moment on the bolts, and a stay in place of the bolts.",
         "cd bracket_loads && sh bracket_loads.sh",
         "bracket_loads/bracket_loads.sh",
+        "bracket_loads/bracket.toml",
+        "bracket_loads/loads.csv",
     ),
     Example(
         "catapult",

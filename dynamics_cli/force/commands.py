@@ -106,22 +106,24 @@ EQUILIBRIUM = Task(
 
 SPRING = Task(
     "spring",
-    "Force and energy of a spring, with a damper, between two points.",
+    "Force and energy of a spring or a group, with a damper, between two points.",
     Model(
         "linear spring",
-        "dynamics_cli.force.spring:spring",
+        "dynamics_cli.force.laws.spring:spring",
         source=BOOK + "section 6.7",
         formula="{tension|T} = {stiffness|k}·({length|ℓ} − {free_length|ℓ₀}) + {damping|c}·{rate|ℓ̇}",
         assumptions=("force in proportion to stretch, and to its rate", "the spring pushes as well as pulls"),
     ),
     headline=(
-        "state", "tension: tension T", "spring_force: of the spring", "damper_force: of the damper", "stretch",
-        "energy: energy stored", "first_force: on the first end", "second_force: on the second end",
+        "state", "tension: tension T", "spring_force: of the spring", "damper_force: of the damper",
+        "stiffness: stiffness of the group", "stretch", "energy: energy stored", "first_force: on the first end",
+        "second_force: on the second end", "members: springs | stiffness, force, stretch, energy",
     ),
     examples=(
         'dynamics force spring --length "120 mm" --free-length "100 mm" --stiffness "20 N/mm"',
         'dynamics force spring --first-end "0, 0 m" --second-end "0.3, 0.4 m" --free-length "450 mm" '
         '--stiffness "2 kN/m" --damping "50 N*s/m" --rate "0.2 m/s"',
+        'dynamics force spring --length "120 mm" --free-length "100 mm" --stiffness "20, 30 N/mm" --group series',
     ),
     arrays=False,
 )  # fmt: skip
@@ -131,7 +133,7 @@ GRAVITY = Task(
     "Weight at an altitude; attraction of two masses.",
     Model(
         "inverse square",
-        "dynamics_cli.force.masses:gravity",
+        "dynamics_cli.force.laws.masses:gravity",
         source=BOOK + "section 6.7; CODATA 2018",
         formula="g = {gravity|g₀}·(R/(R + h))², F = m·g, or F = G·m₁·m₂/r²",
         assumptions=("round bodies, each a mass at its centre", "the earth does not turn; its mean radius is 6371 km"),
@@ -148,7 +150,7 @@ FRICTION = Task(
     "A pushed block on an incline: holds, slides or tips; least and largest push.",
     Model(
         "Coulomb friction and tipping",
-        "dynamics_cli.force.friction:friction",
+        "dynamics_cli.force.laws.friction:friction",
         source=BOOK + "section 6.7",
         formula="{normal_force|N} = {mass|m}·{gravity|g}·cos {angle|α}",
         assumptions=(
@@ -169,12 +171,34 @@ FRICTION = Task(
     arrays=False,
 )  # fmt: skip
 
+WEDGE = Task(
+    "wedge",
+    "A wedge under a load: force to drive it, force to pull it out, self-locking.",
+    Model(
+        "Coulomb friction on every face",
+        "dynamics_cli.force.laws.wedge:wedge",
+        source="each force leans by its angle of friction",
+        formula="{drive|P} = {load|W}·cos φ_g·sin({angle|α} + φ + φ₀)/(cos φ₀·cos({angle|α} + φ + φ_g)), φ = atan μ",
+        assumptions=("the load moves straight up and down in its guide", "the wedge has no weight"),
+    ),
+    headline=(
+        "drive: force to drive it in", "verdict", "release: force to pull it out",
+        "limit_angle: holds by itself up to", "efficiency", "face_force: force on its face",
+        "guide_force: force of the guide",
+    ),
+    examples=(
+        'dynamics force wedge --load "5 kN" --angle "8 deg" --friction 0.15',
+        'dynamics force wedge --load "1200 lbf" --angle "12 deg" --friction 0.1 --ground-friction 0.3 '
+        "--guide-friction 0.2 --units us",
+    ),
+)  # fmt: skip
+
 FIRST_MOMENT = Task(
     "first-moment",
     "First moment of mass and mass centre of particles.",
     Model(
         "first moment",
-        "dynamics_cli.force.masses:first_moment",
+        "dynamics_cli.force.laws.masses:first_moment",
         source=BOOK + "section 6.8",
         formula="S = Σ m·(r − Q), centre = Q + S/Σ m",
         assumptions=("products are exact for the numbers as typed, to 15 digits",),
@@ -192,6 +216,6 @@ FAMILIES = {
     "force": Family(
         "force",
         "Forces: resultants, moments, reactions, springs, friction.",
-        RESULTANT, MOMENT, EQUIVALENT, EQUILIBRIUM, SPRING, GRAVITY, FRICTION, FIRST_MOMENT,
+        RESULTANT, MOMENT, EQUIVALENT, EQUILIBRIUM, SPRING, GRAVITY, FRICTION, WEDGE, FIRST_MOMENT,
     )
 }  # fmt: skip

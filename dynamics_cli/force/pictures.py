@@ -4,6 +4,7 @@ import math
 
 from dynamics_cli.errors import worded
 from dynamics_cli.force import ratios
+from dynamics_cli.force.diagram import body, symbols
 from dynamics_cli.force.system import Load, System
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Force, Length, Torque
@@ -20,6 +21,8 @@ GIVEN, ANSWER, LEVER = 0, 1, 2
 VIEWS = (((0, 1), "from above"), ((0, 2), "from the front"), ((1, 2), "from the side"))
 # The longest arrow beside the extent of the points.
 LONGEST = 0.45
+# A support's symbol beside it.
+SYMBOL = 0.05
 
 
 def resultant(made: "Any", *, loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
@@ -29,7 +32,7 @@ def resultant(made: "Any", *, loads: "Any" = None, couples: "Any" = None, **_: "
         name = worded("R = {size}", size=(made.magnitude, Force))
         drawn.append((made.axis_point, made.force, name, ANSWER))
     title = f"forces and their resultant: {made.system}"
-    words = []
+    words = _couples(couples, planar=planar)
     if made.wrench_moment is not None:
         words.append(worded("about the axis {moment}", moment=(made.wrench_moment, Torque)))
     elif made.axis_point is None:
@@ -37,17 +40,23 @@ def resultant(made: "Any", *, loads: "Any" = None, couples: "Any" = None, **_: "
     return _picture(drawn, title, planar=planar, axis=made.axis_point and (made.axis_point, made.force), words=words)
 
 
-def equilibrium(made: "Any", *, loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
-    """The loads, and the reactions where the supports are."""
+def equilibrium(made: "Any", *, supports: "Any", loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
+    """The body with its supports, the loads, and the reactions."""
     drawn, planar = _given(loads, couples)
-    words = []
+    words = _couples(couples, planar=planar)
     for one in made.reactions:
         planar = planar and not one.force[2] and not one.at[2]
         drawn.append((one.at, one.force, worded("{name}: {size}", name=one.name, size=(one.size, Force)), ANSWER))
         if one.moment is not None and any(one.moment):
             turning = one.moment[2] if planar else math.hypot(*one.moment)
             words.append(worded("{name}: {moment}", name=one.name, moment=(turning, Torque)))
-    return _picture(drawn, "loads and reactions on the body", planar=planar, axis=None, words=words)
+    shapes: list[Curve] = []
+    if planar:
+        points = [(tail[0], tail[1]) for tail, *_ in drawn]
+        extent = max(max(p[i] for p in points) - min(p[i] for p in points) for i in range(2)) or 1.0
+        shapes = [*body(points), *symbols(supports, points, SYMBOL * extent)]
+    title = "loads and reactions on the body"
+    return _picture(drawn, title, planar=planar, axis=None, words=words, shapes=shapes)
 
 
 def moment(made: "Any", *, force: "Any", at: "Any", about: "Any" = (0.0, 0.0, 0.0), **_: "Any") -> Picture:
@@ -61,6 +70,15 @@ def moment(made: "Any", *, force: "Any", at: "Any", about: "Any" = (0.0, 0.0, 0.
     return _picture(drawn, "force and its moment about a point", planar=planar, axis=axis, words=words, lever=lever)
 
 
+def _couples(couples: "Any", *, planar: bool) -> "list[str]":
+    """The couples given, in words: they have no place."""
+    words: list[str] = []
+    for one in System(None, couples, needed=False).couples:
+        parts = ratios.rounded(one)
+        words.append(worded("couple {moment}", moment=(parts[2] if planar else math.hypot(*parts), Torque)))
+    return words
+
+
 def _given(loads: "Any", couples: "Any") -> "tuple[list[Drawn], bool]":
     system = System(loads, couples, needed=False)
     drawn: list[Drawn] = []
@@ -71,20 +89,26 @@ def _given(loads: "Any", couples: "Any") -> "tuple[list[Drawn], bool]":
 
 
 def _picture(
-    drawn: "Sequence[Drawn]", title: str, *, planar: bool, axis: "Any", words: "Sequence[str]", lever: "Any" = None
-) -> Picture:
+    drawn: "Sequence[Drawn]", title: str, *, planar: bool, axis: "Any", words: "Sequence[str]", lever: "Any" = None,
+    shapes: "Sequence[Curve]" = (),
+) -> Picture:  # fmt: skip
     views = VIEWS[:1] if planar else VIEWS
     points = [tail for tail, *_ in drawn] + ([lever[0], lever[1]] if lever else []) or [(0.0, 0.0, 0.0)]
     extent = max(max(p[i] for p in points) - min(p[i] for p in points) for i in range(3)) or 1.0
     longest = max((math.hypot(*way) for _, way, *_ in drawn), default=0.0) or 1.0
     scale = LONGEST * extent / longest
     panels = [_view(drawn, points, scale, extent, view, axis, lever, "" if planar else name) for view, name in views]
+    if shapes:
+        panels[0] = Panel(panels[0].x, panels[0].y, (*shapes, *panels[0].items), equal=True)
     if words:
         first = panels[0]
         low = min(min(item.y) for item in first.items if isinstance(item, Curve) and item.style == "fill")
         left = min(min(item.x) for item in first.items if isinstance(item, Curve) and item.style == "fill")
-        label = Label(left + 0.03 * extent, low + 0.05 * extent, words[0], 6, left=True)
-        panels[0] = Panel(first.x, first.y, (*first.items, label), first.title, equal=True)
+        labels = [
+            Label(left + 0.03 * extent, low + (0.05 + 0.06 * line) * extent, text, 6, left=True)
+            for line, text in enumerate(reversed(words))
+        ]
+        panels[0] = Panel(first.x, first.y, (*first.items, *labels), first.title, equal=True)
     return Picture(tuple(panels), title, columns=1 if planar else 2)
 
 

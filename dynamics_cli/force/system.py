@@ -19,6 +19,7 @@ EXAMPLE = '--load "force=0, -500 N, at=2, 0 m"'
 class Load:
     """A force with the point where it acts."""
 
+    adds = True
     force: Annotated[FreeVector, "The force, e.g. 200 N @ 30 deg."]
     at: Annotated[LoadPoint, "Where it acts, e.g. 2, 0 m."]
 
@@ -27,6 +28,7 @@ class Load:
 class Couple:
     """A couple, which has a moment and no place."""
 
+    adds = True
     moment: Annotated[FreeVector, "Its moment, e.g. 5 N*m."]
 
 

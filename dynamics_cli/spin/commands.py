@@ -26,6 +26,7 @@ GYRO = Task(
         'dynamics spin gyro --axial "0.4 slug*ft^2" --transverse "0.25 slug*ft^2" --spin "2400 rpm" '
         '--precession "20 deg/s" --span "18 in" --units us',
     ),
+    plot=f"{PICTURES}:gyro",
     arrays=False,
 )  # fmt: skip
 
@@ -74,6 +75,7 @@ TOP = Task(
         'dynamics spin top --mass "0.5 kg" --distance "60 mm" --axial "6e-4 kg*m^2" '
         '--transverse "2.5e-3 kg*m^2" --spin "800 rpm"',
     ),
+    plot=f"{PICTURES}:top",
     arrays=False,
 )  # fmt: skip
 
@@ -126,6 +128,7 @@ DISK = Task(
         'dynamics spin disk --radius "300 mm" --roll "3 rad/s" --lean "20 deg" --turn "1.5 rad/s"',
         'dynamics spin disk --radius "12 in" --wheel hoop --roll "40 rpm" --units us',
     ),
+    plot=f"{PICTURES}:disk",
     arrays=False,
 )  # fmt: skip
 

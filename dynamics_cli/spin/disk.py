@@ -82,14 +82,12 @@ def disk(
     require(radius > 0.0, "the radius of {radius} is not above zero", radius=(radius, Size))
     require((lean is None) == (turn is None), "a steady turn needs both its lean and its rate", code="missing",
             hint="give --lean and --turn")  # fmt: skip
-    # moments by m·r²: axial, and across
-    axial = 0.5 if wheel == DISK else 1.0
-    across = 0.5 * axial
+    axial, across = _moments(wheel)
     pull = gravity / radius
     rolling = sqrt(across * pull / (axial * (axial + 1.0)))
     upright = growth = None
     if roll is not None:
-        squared = axial * (axial + 1.0) / (across * (across + 1.0)) * (rolling - abs(roll)) * (rolling + abs(roll))
+        squared = growth_factor(wheel) * (rolling - abs(roll)) * (rolling + abs(roll))
         falls = plain(squared) > 0.0
         upright = "falls: it rolls too slowly" if falls else "stable"
         growth = sqrt(squared) if falls else None
@@ -113,3 +111,15 @@ def disk(
         path_radius=path,
         needed_friction=friction,
     )
+
+
+def _moments(wheel: str) -> "tuple[float, float]":
+    """Moments of inertia by m·r²: axial, and across."""
+    axial = 0.5 if wheel == DISK else 1.0
+    return axial, 0.5 * axial
+
+
+def growth_factor(wheel: str) -> float:
+    """What the square of the growth is of the squares that the roll is short of its limit."""
+    axial, across = _moments(wheel)
+    return axial * (axial + 1.0) / (across * (across + 1.0))

@@ -12,7 +12,19 @@ CRANK = '--reciprocating-mass "0.5 kg" --crank-radius "43 mm" --rod-length "150 
 
 FOUR = 'four-runs --initial "6 mm/s" --third "7.5 mm/s" --trial-mass "10 g" '
 
+OTTO = (
+    'turning --preset inline-4 --bore "80 mm" --diagram "angle=0 deg, pressure=20 bar" '
+    '--diagram "angle=20 deg, pressure=50 bar" --diagram "angle=180 deg, pressure=1 bar" '
+    '--diagram "angle=720 deg, pressure=20 bar" '
+) + CRANK
+
 REFUSED = {
+    "impossible firing order": (OTTO + " --firing-order 1-2-3-4", "firing-order"),
+    "incomplete firing order": (OTTO + " --firing-order 1-2-3", "firing-order"),
+    "half a cycle": (OTTO.replace("720", "700"), "cycle"),
+    "open diagram": (OTTO.replace("720 deg, pressure=20", "720 deg, pressure=21"), "open"),
+    "odd step": (OTTO + ' --step "7 deg"', "step"),
+    "far offset": ("engine --preset inline-4 --offset '110 mm' " + CRANK, "rod"),
     "circles too small": (FOUR + '--first "1 mm/s" --second "2 mm/s"', "no-circles"),
     "circles apart": (FOUR + '--first "4 mm/s" --second "3 mm/s"', "no-circles"),
     "circles within": (FOUR + '--first "1 mm/s" --second "19 mm/s"', "no-circles"),
@@ -131,3 +143,16 @@ def test_couples_are_not_counted_without_places() -> None:
     assert answer("balance", "engine", "--preset", "radial-3", *shlex.split(CRANK))["results"]["primary_couple"] == {
         "value": 0.0, "unit": "N·m"
     }  # fmt: skip
+
+
+def test_a_turning_moment_goes_to_the_flywheel(tmp_path: Path) -> None:
+    table = tmp_path / "diagram.csv"
+    table.write_text("# of one cylinder\nangle[deg],pressure[bar]\n0,20\n20,50\n180,1\n720,20\n")
+    command = OTTO.partition("--diagram")[0] + f'--diagram "@{table}" ' + CRANK
+    document = answer("balance", *shlex.split(command + ' --step "1 deg"'))
+    assert document["results"]["firing_order"] == "1-3-4-2"
+    assert document["results"] == answer("balance", *shlex.split(OTTO + ' --step "1 deg"'))["results"]
+    file = tmp_path / "turning.json"
+    assert run("balance", *shlex.split(command + ' --step "1 deg"'), "--output", str(file)).status == 0
+    made = answer("balance", "flywheel", "--point", f"@{file}:torque", "--speed", "3000 rpm")["results"]
+    assert made["mean_torque"]["value"] == pytest.approx(document["results"]["mean_torque"]["value"], rel=2e-4)

@@ -10,6 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.balance.engines.engine import Cylinder, engine
+from dynamics_cli.balance.engines.firing import Strokes
+from dynamics_cli.balance.engines.layouts import Preset
+from dynamics_cli.balance.engines.turning import Diagram, turning
 from dynamics_cli.balance.flywheel import Point, flywheel
 from dynamics_cli.balance.four_runs import four_runs
 from dynamics_cli.balance.grade import grade
@@ -97,17 +100,21 @@ def test_amplitudes_of_four_runs_give_what_phases_give(
     st.lists(st.tuples(angles, angles, st.floats(-1.0, 1.0)), min_size=1, max_size=4),
     st.floats(0.1, 0.5),
     st.floats(0.0, 6.0),
+    st.sampled_from([0.0, 0.2, -0.15, 0.01]),
 )
-def test_orders_sum_to_the_exact_force(rows: list[tuple[float, float, float]], ratio: float, turn: float) -> None:
+def test_orders_sum_to_the_exact_force(
+    rows: list[tuple[float, float, float]], ratio: float, turn: float, offset: float
+) -> None:
     made = engine(
-        reciprocating_mass=2.0, crank_radius=1.0, rod_length=1.0 / ratio, speed=1.0, highest_order=40,
-        cylinders=tuple(Cylinder(*row) for row in rows),
+        reciprocating_mass=2.0, crank_radius=1.0, rod_length=1.0 / ratio, offset=offset / ratio, speed=1.0,
+        highest_order=40, cylinders=tuple(Cylinder(*row) for row in rows),
     )  # fmt: skip
     force = couple = 0j
     for crank, bank, place in rows:
         s, c = math.sin(turn + crank - bank), math.cos(turn + crank - bank)
-        root = math.sqrt(1.0 - (ratio * s) ** 2)
-        away = 2.0 * (c + ratio * (c * c - s * s) / root + ratio**3 * (s * c) ** 2 / root**3)
+        lean = ratio * s - offset
+        root = math.sqrt(1.0 - lean * lean)
+        away = 2.0 * (c + (ratio * c * c - s * lean) / root + ratio * (lean * c) ** 2 / root**3)
         force += cmath.rect(away, bank)
         couple += cmath.rect(away * place, bank)
     orders = forces = 0j
@@ -118,6 +125,17 @@ def test_orders_sum_to_the_exact_force(rows: list[tuple[float, float, float]], r
         forces += cmath.rect(row.backward_couple or 0.0, (row.backward_couple_angle or 0.0) - row.order * turn)
     assert abs(orders - force) < 1e-10
     assert abs(forces - couple) < 1e-10
+    for shaft in made.shafts:
+        sense = 1.0 if shaft.turns == "with the crank" else -1.0
+        for size, angle in ((shaft.unbalance, shaft.angle), (shaft.couple or 0.0, shaft.couple_angle)):
+            turned = cmath.rect(size * shaft.speed**2, (angle or 0.0) + sense * shaft.order * turn)
+            if angle is not None and size is shaft.unbalance:
+                orders += turned
+            elif angle is not None:
+                forces += turned
+    # the shafts take everything away
+    assert abs(orders) < 1e-10
+    assert abs(forces) < 1e-10
 
 
 @few
@@ -156,3 +174,73 @@ def test_shares_of_planes_are_kept_within_bounds(first: float, second: float, sh
     assert made.permitted is False
     assert made.usage == pytest.approx(2.0)
     assert bool(made.advice) == (share in (0.3, 0.7))
+
+
+PRESSURES = [(0, 25.0), (20, 55.0), (90, 8.0), (180, 0.0), (540, 0.0), (700, 12.0), (720, 25.0)]
+
+
+def of_engine(**more: Any) -> Any:
+    given: dict[str, Any] = {
+        "diagram_points": tuple(Diagram(math.radians(a), 1e5 * p) for a, p in PRESSURES), "bore": 0.08,
+        "reciprocating_mass": 0.5, "crank_radius": 0.04, "rod_length": 0.13, "speed": 200.0, **more,
+    }  # fmt: skip
+    return turning(**given)
+
+
+@pytest.mark.parametrize("name", ["inline-1", "inline-3", "inline-4", "v2", "v6", "radial-5", "boxer-4"])
+@pytest.mark.parametrize("offset", [0.0, 0.006])
+def test_orders_sum_to_the_turning_moment(name: str, offset: float) -> None:
+    smooth = tuple(Diagram(math.radians(a), 1e6 * (1.0 + math.cos(math.radians(a / 2)))) for a in range(0, 721, 4))
+    made = of_engine(
+        preset=Preset(name), offset=offset, highest_order=20, step=math.radians(15.0), diagram_points=smooth
+    )
+    scale = max(abs(row.torque) for row in made.torque)
+    for point in made.torque:
+        waves = sum(row.torque * math.cos(row.order * point.angle + (row.phase or 0.0)) for row in made.orders)
+        # the diagram is a wave of order ½ by chords of 4 degrees: beyond order 20 is less than their sag
+        assert abs(made.mean_torque + waves - point.torque) < math.radians(2.0) ** 2 / 8.0 * scale
+    assert made.torque[-1].torque == made.torque[0].torque
+
+
+def test_the_mean_torque_is_the_work_of_the_diagram() -> None:
+    """∮p dV by volumes at 0.01 degrees, N cylinders, over the angle of the cycle."""
+
+    def volume(angle: float) -> float:
+        lean = 0.04 / 0.13 * math.sin(angle)
+        return -math.pi * 0.04**2 * (0.04 * math.cos(angle) + 0.13 * math.sqrt(1.0 - lean * lean))
+
+    work = 0.0
+    for (a, p), (b, q) in itertools.pairwise(PRESSURES):
+        steps = 100 * (b - a)
+        for k in range(steps):
+            share = (k + 0.5) / steps
+            low, high = (math.radians(a + (b - a) * (k + i) / steps) for i in (0, 1))
+            work += 1e5 * (p + (q - p) * share) * (volume(high) - volume(low))
+    for name, count in (("inline-1", 1), ("inline-4", 4), ("v12", 12)):
+        made = of_engine(preset=Preset(name))
+        assert made.mean_torque == pytest.approx(count * work / (4.0 * math.pi), rel=1e-7)
+        assert made.power == pytest.approx(200.0 * made.mean_torque)
+
+
+@pytest.mark.parametrize(
+    ("name", "interval"),
+    [("inline-3", 240), ("inline-4", 180), ("inline-5", 144), ("inline-6", 120), ("v6", 120), ("v8-cross", 90),
+     ("v12", 60), ("radial-9", 80), ("boxer-4", 180), ("boxer-6", 120), ("boxer-2", 360)],
+)  # fmt: skip
+def test_usual_engines_fire_evenly(name: str, interval: int) -> None:
+    made = of_engine(preset=Preset(name))
+    assert made.evenness == f"even, every {interval} deg"
+    again = of_engine(preset=Preset(name), firing_order=made.firing_order)
+    assert [row.angle for row in again.firings] == pytest.approx([row.angle for row in made.firings])
+
+
+def test_radial_engines_fire_every_second_cylinder() -> None:
+    assert of_engine(preset=Preset("radial-9")).firing_order == "1-3-5-7-9-2-4-6-8"
+    assert of_engine(preset=Preset("v2")).evenness == "uneven: 450, 270 deg"
+
+
+def test_two_strokes_fire_every_turn() -> None:
+    points = tuple(Diagram(math.radians(a), 1e5 * p) for a, p in ((0, 25), (20, 55), (90, 8), (180, 0), (360, 25)))
+    made = of_engine(preset=Preset("inline-3"), diagram_points=points, strokes=Strokes("two"))
+    assert made.evenness == "even, every 120 deg"
+    assert {row.order for row in made.orders} == {3.0, 6.0}

@@ -1,5 +1,6 @@
 """Every task of balancing against references by other formulas, and against the numbers of textbook engines."""
 
+import cmath
 import json
 import math
 from pathlib import Path
@@ -7,10 +8,11 @@ from typing import Any
 
 import pytest
 
-from dynamics_cli.balance.engines.crank import order_factor
-from dynamics_cli.balance.engines.engine import engine
+from dynamics_cli.balance.engines.crank import order_factor, order_factors
+from dynamics_cli.balance.engines.engine import Cylinder, engine
 from dynamics_cli.balance.engines.lanchester import lanchester
 from dynamics_cli.balance.engines.layouts import Preset
+from dynamics_cli.balance.engines.turning import Diagram, turning
 from dynamics_cli.balance.flywheel import Point, flywheel
 from dynamics_cli.balance.four_runs import four_runs
 from dynamics_cli.balance.grade import grade
@@ -24,6 +26,10 @@ REFERENCES: dict[str, Any] = json.loads((Path(__file__).parent / "balance.json")
 EXACT = 5e-15
 # Differences of readings cancel a digit.
 READ = 2e-14
+# Means of 128 accelerations of size 1.
+MEANS = 1e-15
+# Sums of a thousand products of size 1.
+QUADRATURE = 2e-14
 RPM = math.pi / 30.0
 MICRO = 1e-6
 
@@ -104,6 +110,33 @@ def test_orders_of_a_piston(ratio: str) -> None:
         near(order_factor(float(ratio), order), wanted)
 
 
+@pytest.mark.parametrize("case", REFERENCES["offset_orders"])
+def test_orders_of_a_piston_beside_the_crankshaft(case: str) -> None:
+    ratio, offset = map(float, case.split())
+    made = order_factors(ratio, offset, [1, 2, 3, 4, 5, 6])
+    for (a, b), wanted in zip(made, REFERENCES["offset_orders"][case], strict=True):
+        assert [a, b] == pytest.approx([float(text) for text in wanted], rel=0.0, abs=MEANS)
+
+
+@pytest.mark.parametrize("order", [name for name in REFERENCES["turning"]["0.3 0.05"] if name != "0"])
+def test_turning_moment_of_one_cylinder_by_order(order: str) -> None:
+    """The same diagram for gas alone, and no gas: in units of bar·A·r and m·r²·ω²."""
+    points = REFERENCES["turning"]["diagram"]
+    crank: dict[str, Any] = {
+        "bore": 2.0 / math.sqrt(math.pi), "crank_radius": 1.0, "rod_length": 1.0 / 0.3, "offset": 0.05 / 0.3,
+        "speed": 1.0, "cylinders": (Cylinder(0.0),),
+    }  # fmt: skip
+    wanted = [complex(*map(float, pair)) for pair in REFERENCES["turning"]["0.3 0.05"][order]]
+    for part, (pressure, mass) in enumerate(((1.0, 0.0), (0.0, 1.0))):
+        rows = tuple(Diagram(math.radians(angle), p * pressure) for angle, p in points)
+        made = turning(diagram_points=rows, reciprocating_mass=mass, **crank)
+        row = next((one for one in made.orders if one.order == float(order)), None)
+        value = cmath.rect(row.torque, row.phase or 0.0) if row else 0j
+        assert abs(value - wanted[part]) < QUADRATURE * (25.0 if part == 0 else 1.0)
+        mean = [complex(*map(float, pair)) for pair in REFERENCES["turning"]["0.3 0.05"]["0"]][part]
+        assert 2.0 * made.mean_torque == pytest.approx(mean.real if part == 0 else 0.0, abs=QUADRATURE * 25.0)
+
+
 @pytest.mark.parametrize("name", REFERENCES["engines"])
 def test_engines(name: str) -> None:
     made = engine(reciprocating_mass=1.0, crank_radius=1.0, rod_length=4.0, speed=1.0, preset=Preset(name), spacing=1.0)
@@ -118,8 +151,9 @@ def test_lanchester_takes_the_second_order_of_four_cylinders() -> None:
     made = lanchester(**crank)
     near(made.force, "8624.5157638570279608")
     near(made.shaft_unbalance / MICRO, "2730.7692047999842231")
-    whole = engine(**crank, preset=Preset("inline-4")).orders[1]
-    assert [whole.forward_shaft, whole.backward_shaft] == pytest.approx([made.shaft_unbalance] * 2, rel=EXACT)
+    shafts = [one for one in engine(**crank, preset=Preset("inline-4")).shafts if one.order == 2]
+    assert [one.unbalance for one in shafts] == pytest.approx([made.shaft_unbalance] * 2, rel=EXACT)
+    assert [one.speed for one in shafts] == pytest.approx([made.shaft_speed] * 2)
 
 
 def test_flywheel_looks_between_the_points_of_the_table() -> None:

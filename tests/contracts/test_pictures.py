@@ -19,11 +19,11 @@ WITHOUT = {
     "balance grade", "balance lanchester", "balance split", "balance static",
     "convert", "coords", "units list", "units show", "units search", "units table", "gear glossary", "gear data-block",
     "inertia shapes", "inertia materials", "cam laws", "cam size", "cam check", "cam export",
-    "force equivalent", "force spring", "force gravity", "force friction", "force first-moment",
+    "force equivalent", "force spring", "force gravity", "force friction", "force wedge", "force first-moment",
     "particle fall", "particle hoop", "particle incline", "particle circle", "particle rotating-frame",
     "energy body", "energy speed", "energy drop", "energy roll", "energy power", "energy draw-in",
     "pendulum compound", "pendulum rod", "pendulum conical", "pendulum design",
-    "spin gyro", "spin top", "spin shaft", "spin disk", "spin rod",
+    "spin shaft", "spin rod",
     "vec matrix", "skid values", "motion equations",
 }  # fmt: skip
 TASKS = [task for name in cli.FAMILIES if name != "accuracy" for task in cli.family(name).tasks.values()]

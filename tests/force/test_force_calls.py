@@ -25,6 +25,12 @@ REFUSED = {
         'spring --length "1 m" --free-length "1 m" --stiffness "1 N/m" --damping "1 N*s/m"',
         "missing",
     ),
+    "springs of no group": ('spring --length "1 m" --free-length "1 m" --stiffness "1, 2 N/m"', "group"),
+    "group of one": ('spring --length "1 m" --free-length "1 m" --stiffness "1 N/m" --group series', "group"),
+    "group with none": ('spring --length "1 m" --free-length 1m --stiffness "1, 0 N/m" --group series', "no-stiffness"),
+    "wedge that jams": ('wedge --load "1 kN" --angle "60 deg" --friction 1', "jams"),
+    "wedge without load": ('wedge --load "0 kN" --angle "6 deg" --friction 1', "no-load"),
+    "no wedge": ('wedge --load "1 kN" --angle "0 deg" --friction 1', "angle"),
     "no mass": ('first-moment --mass "0 kg" --at "1, 0 m"', "no-mass"),
     "underground": ('gravity --mass "1 kg" --altitude "-1 m"', "altitude"),
     "one place": ('gravity --mass "1 kg" --other-mass "1 kg" --distance "0 m"', "distance"),
@@ -125,3 +131,36 @@ def test_pictures(call: str, tmp_path: Path) -> None:
     target = tmp_path / "picture.svg"
     assert run(*shlex.split("force " + call), "--plot", str(target)).status == 0
     assert target.stat().st_size > 5000
+
+
+def test_a_wedge_holds_by_itself_up_to_the_sum_of_its_angles_of_friction() -> None:
+    call = ("force", "wedge", "--load", "1 kN", "--friction", "0.2", "--ground-friction", "0.1")
+    limit = answer(*call, "--angle", "5 deg")["results"]["limit_angle"]["value"]
+    for off, verdict in ((-1e-6, "holds by itself"), (1e-6, "slips out when it is let go")):
+        made = answer(*call, "--angle", f"{limit + off} deg")["results"]
+        assert made["verdict"] == verdict
+        assert (made["release"]["value"] > 0.0) == (off < 0.0)
+
+
+def test_springs_of_a_group_share_stretch_or_force() -> None:
+    call = ("force", "spring", "--length", "120 mm", "--free-length", "100 mm", "--stiffness", "20, 30 N/mm", "--group")
+    series, parallel = (answer(*call, group)["results"] for group in ("series", "parallel"))
+    assert series["stiffness"]["value"] == pytest.approx(12.0)
+    assert parallel["stiffness"]["value"] == pytest.approx(50.0)
+    assert sum(row["stretch"]["value"] for row in series["members"]) == pytest.approx(series["stretch"]["value"])
+    assert sum(row["force"]["value"] for row in parallel["members"]) == pytest.approx(parallel["tension"]["value"])
+    for made in (series, parallel):
+        assert sum(row["energy"]["value"] for row in made["members"]) == pytest.approx(made["energy"]["value"])
+
+
+@pytest.mark.parametrize(
+    "support",
+    ["type=fixed, at=0, 0 m", "type=guide, at=0, 0 m, direction=0, 1", "type=cable, at=0, 1 m, direction=0, 1"],
+)
+def test_supports_are_drawn(support: str, tmp_path: Path) -> None:
+    picture = tmp_path / "picture.svg"
+    more = () if "fixed" in support else ("--support", "type=link, at=1, 0 m, direction=1, 0")
+    more += ("--support", "type=roller, at=2, 0 m") if "cable" in support else ()
+    call = ("--load", "force=0, -3 N, at=1, 1 m", "--support", support, *more, "--plot", str(picture))
+    outcome = run("force", "equilibrium", *call)
+    assert "<svg" in picture.read_text(encoding="utf-8"), outcome.err

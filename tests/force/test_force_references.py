@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 
 from dynamics_cli.force.equilibrium import equilibrium
 from dynamics_cli.force.equivalent import Form, equivalent
-from dynamics_cli.force.friction import friction
-from dynamics_cli.force.masses import AtAltitude, Beside, Particle, first_moment, gravity
+from dynamics_cli.force.laws.friction import friction
+from dynamics_cli.force.laws.masses import AtAltitude, Beside, Particle, first_moment, gravity
+from dynamics_cli.force.laws.spring import Ends, spring
 from dynamics_cli.force.moment import moment
 from dynamics_cli.force.resultant import resultant
-from dynamics_cli.force.spring import Ends, spring
 from dynamics_cli.force.supports import Holding, Support
 from dynamics_cli.force.system import Couple, Load
 from dynamics_cli.numerics.exact.typed import TypedNumber

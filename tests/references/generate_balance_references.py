@@ -12,7 +12,7 @@ import json
 import sys
 from pathlib import Path
 
-from mpmath import atan2, cos, lu_solve, matrix, mp, mpf, pi, sin, sqrt
+from mpmath import atan2, cos, diff, expj, lu_solve, matrix, mp, mpc, mpf, pi, quad, sin, sqrt
 
 mp.dps = 45
 FILE = Path(__file__).resolve().parents[1] / "balance" / "balance.json"
@@ -108,6 +108,53 @@ def orders(ratio):
     return [text(2 * sum(v * cos(n * a) for v, a in zip(values, angles, strict=True)) / POINTS) for n in (2, 4, 6)]
 
 
+def height(ratio, offset, angle):
+    """Of the piston over the crankshaft, by the crank radius."""
+    lean = ratio * sin(angle) - offset
+    return cos(angle) + sqrt(1 - lean * lean) / ratio
+
+
+def offset_orders(ratio, offset):
+    """A_n and B_n of orders 1 to 6: those of the height, times the square of the order."""
+    angles = [2 * pi * k / POINTS for k in range(POINTS)]
+    values = [height(ratio, offset, angle) for angle in angles]
+    return [
+        [
+            text(2 * n * n * sum(v * wave(n * a) for v, a in zip(values, angles, strict=True)) / POINTS)
+            for wave in (cos, sin)
+        ]
+        for n in range(1, 7)
+    ]
+
+
+DIAGRAM = [(0, 25), (20, 55), (90, 8), (180, 0), (540, 0), (720, 25)]
+
+
+def turning(ratio, offset, orders):
+    """Torques of one cylinder by order over two turns, in bar·A·r and m·r²·ω²: from derivatives of the height."""
+    mp.dps = 30
+    out = {}
+    for n in orders:
+        sums = [mpc(0), mpc(0)]
+        for (a, p), (b, q) in itertools.pairwise(DIAGRAM):
+            knots = [(a + (b - a) * mpf(k) / 18) * DEGREE for k in range(19)]
+
+            def wave(angle, part, a=a, p=p, b=b, q=q, n=n):
+                first = diff(lambda x: height(ratio, offset, x), angle)
+                if part:
+                    torque = -first * diff(lambda x: height(ratio, offset, x), angle, 2)
+                else:
+                    torque = -first * (p + (q - p) * (angle / DEGREE - a) / (b - a))
+                return torque * expj(-n * angle)
+
+            for part in range(2):
+                sums[part] += quad(lambda x, part=part: wave(x, part), knots, method="gauss-legendre", maxdegree=3)
+        factor = 2 / (4 * pi)
+        out[str(n)] = [[text(one.real * factor), text(one.imag * factor)] for one in sums]
+    mp.dps = 45
+    return out
+
+
 def engine(cylinders, ratio=RATIO):
     """Forward and backward force and couple of orders 1, 2 and 4, from the exact forces of all cylinders."""
     angles = [2 * pi * k / 128 for k in range(128)]
@@ -197,6 +244,8 @@ def main():
             four_runs("4.2", [(0, "5.9"), (110, "2.1"), (250, "5.6")], "14"),
         ],
         "orders": {ratio: orders(mpf(ratio)) for ratio in ("0.25", "0.3", "0.5", "0.85")},
+        "offset_orders": {f"{r} {e}": offset_orders(mpf(r), mpf(e)) for r, e in (("0.3", "0.05"), ("0.25", "-0.1"))},
+        "turning": {"diagram": DIAGRAM, "0.3 0.05": turning(mpf("0.3"), mpf("0.05"), (0, 0.5, 1, 2, 2.5, 6))},
         "engines": {name: engine(cylinders) for name, cylinders in ENGINES.items()},
         "flywheel": flywheel(),
     }

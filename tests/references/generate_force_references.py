@@ -187,6 +187,33 @@ def bounded():
     share = mpf(6371000) / mpf(6771000)
     out.append({"call": 'gravity --mass "80 kg" --altitude "400000 m" --gravity "9.8125 m/s^2"',
                 "results": {"force": text(80 * mpf("9.8125") * share * share)}})  # fmt: skip
+    # one spring behind another: both pull alike, and their stretches add up to an eighth of a metre
+    first, second, stretch = mpf(1024), mpf(3072), mpf("0.125")
+    pull = stretch * first * second / (first + second)
+    call = 'spring --length "1.125 m" --free-length "1 m" --stiffness "1024, 3072 N/m" --group series'
+    out.append({"call": call, "results": {"tension": text(pull), "stiffness": text(pull / stretch)}})
+    return out + wedges()
+
+
+def wedges():
+    """Forces across and along every face, from the four equations of equilibrium with friction at its limit."""
+    out = []
+    for angle, face, ground, guide in (("0.125", "0.25", "0.25", "0"), ("0.5", "0.125", "0.375", "0.25")):
+        load, turn, mu, base, side = mpf(1000), mpf(angle), mpf(face), mpf(ground), mpf(guide)
+        # driven in: the load rises
+        across, along = sin(turn) + mu * cos(turn), cos(turn) - mu * sin(turn)
+        normal = load / (along - side * across)
+        results = {"drive": text(normal * (across + base * along)), "face_force": text(normal * sqrt(1 + mu * mu))}
+        results["efficiency"] = text(load * tan(turn) / (normal * (across + base * along)))
+        # let go: the load sinks, and leans on the guide of either side
+        across, along = sin(turn) - mu * cos(turn), cos(turn) + mu * sin(turn)
+        normal = load / (along + side * abs(across))
+        results["release"] = text(normal * (base * along - across))
+        call = (
+            f'wedge --load "1000 N" --angle "{angle} rad" --friction {face} --ground-friction {ground} '
+            f"--guide-friction {guide}"
+        )
+        out.append({"call": call, "results": results})
     return out
 
 

@@ -6,6 +6,9 @@ from pathlib import Path
 import pytest
 from harness import run
 
+from dynamics_cli.spin import pictures
+from dynamics_cli.spin.top import top as steady
+
 TOP = 'top --mass "0.5 kg" --distance "60 mm" --axial "6e-4 kg*m^2" --transverse "2.5e-3 kg*m^2"'
 REFUSED = {
     "flat rotor": (
@@ -53,3 +56,35 @@ def test_pictures(rates: str, tmp_path: Path) -> None:
     call = f'spin free --moments "1, 2, 3 kg*m^2" --angular-velocity "{rates} rad/s"'
     assert run(*shlex.split(call), "--plot", str(target)).status == 0
     assert target.stat().st_size > 5000
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        f'{TOP} --spin "200 rad/s" --tilt "30 deg"',
+        f'{TOP} --spin "-3000 rpm" --tilt "150 deg"',
+        f'{TOP} --spin "3000 rpm" --tilt "90 deg"',
+        f'{TOP} --spin "100 rpm"',
+        'gyro --axial "0.03 kg*m^2" --transverse "0.02 kg*m^2" --spin "-9 rpm" --precession "-2 rad/s" --angle "2 rad"',
+        'gyro --axial "0.03 kg*m^2" --transverse "0.02 kg*m^2" --spin "0 rpm" --precession "0 rad/s"',
+        'disk --radius "1 m"',
+        'disk --radius "1 m" --wheel hoop --roll "9 rad/s" --lean "70 deg" --turn "-2 rad/s"',
+    ],
+)
+def test_pictures_of_tops_gyroscopes_and_disks(call: str, tmp_path: Path) -> None:
+    target = tmp_path / "picture.svg"
+    outcome = run("spin", *shlex.split(call), "--plot", str(target))
+    assert outcome.status == 0, outcome.err
+    assert b"nan" not in target.read_bytes()
+
+
+@pytest.mark.parametrize("spin", [120.0, 200.0, -600.0])
+@pytest.mark.parametrize("tilt", [0.5, 1.6, 2.5])
+def test_the_path_that_is_drawn_dips_to_the_tilt_answered(spin: float, tilt: float) -> None:
+    top = steady(mass=0.5, distance=0.06, axial=6e-4, transverse=2.5e-3, spin=spin, tilt=tilt)
+    assert top.nutation is not None
+    assert top.slow is not None
+    pull = 0.5 * 9.80665 * 0.06
+    path = pictures.let_go(2.5e-3, 6e-4 * spin, pull, tilt, top.nutation, top.slow)
+    assert max(angle for angle, _ in path) == pytest.approx(top.lowest_tilt, abs=2e-4)
+    assert min(angle for angle, _ in path) == pytest.approx(tilt, abs=1e-6)

@@ -1,9 +1,10 @@
 """Inertia forces and couples of piston engines by order, and what counterweights and balance shafts take away."""
 
-from dynamics_cli.balance.engines.crank import order_factor, require_rod
+from dynamics_cli.balance.engines.crank import order_factors, require_rod
 from dynamics_cli.balance.engines.layouts import Preset, layout
 from dynamics_cli.balance.phasors import Phasor, polar, total
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import pi_beside
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
     Angle,
@@ -57,10 +58,23 @@ class Order:
     backward_couple_angle: Annotated[Angle | None, "Where the forces of it stand at crank angle zero [rad]."]
     force_remedy: Annotated[Text, "What balances the force."]
     couple_remedy: Annotated[Text | None, "What balances the couple."]
-    forward_shaft: Annotated[Unbalance, "Unbalance that takes the forward force away, turning at this order [kg·m]."]
-    backward_shaft: Annotated[Unbalance, "Unbalance that takes the backward force away, turning at it [kg·m]."]
-    forward_couple_shaft: Annotated[CoupleUnbalance | None, "The same for the forward couple [kg·m²]."]
-    backward_couple_shaft: Annotated[CoupleUnbalance | None, "The same for the backward couple [kg·m²]."]
+
+
+@record
+class Shaft:
+    """Balance weights that take one rotating part of an order away: counterweights, or a shaft of their own."""
+
+    order: Annotated[int, "Multiple of the crankshaft's speed [-]."]
+    turns: Annotated[Text, "With the crankshaft, or against it."]
+    speed: Annotated[ShaftSpeed, "Speed of the weights [rad/s]."]
+    unbalance: Annotated[Unbalance, "Unbalance that takes the force away [kg·m]."]
+    angle: Annotated[Angle | None, "Where it stands at crank angle zero [rad]."]
+    couple: Annotated[
+        CoupleUnbalance | None, "Unbalance times distance of the pair that takes the couple away [kg·m²]."
+    ]
+    couple_angle: Annotated[
+        Angle | None, "Where the weight at the end of the last cylinder stands, the other opposite."
+    ]
 
 
 @record
@@ -74,6 +88,7 @@ class EngineBalance:
     primary_couple: Annotated[Torque | None, "Largest couple of order 1 [N·m]."]
     secondary_couple: Annotated[Torque | None, "Largest couple of order 2 [N·m]."]
     orders: Annotated[tuple[Order, ...], "Forces and couples by order."]
+    shafts: Annotated[tuple[Shaft, ...], "Weights that take each order away, part by part."]
     advice: tuple[Advice, ...] = ()
 
 
@@ -89,6 +104,10 @@ def engine(
     spacing: Annotated[
         Size, "Spacing from one cylinder (in a V: pair) to the next; without it there are no couples, e.g. 90 mm."
     ] = 0.0,
+    offset: Annotated[
+        Length,
+        "Distance of the cylinder's axis from the crankshaft's, to the side where the crank pin goes down, e.g. 10 mm.",
+    ] = 0.0,
     rotating_mass: Annotated[Mass, "Mass at the crank pin of one cylinder that no counterweight balances."] = 0.0,
     highest_order: Annotated[Count, "Orders above this are left out."] = 6,
 ) -> EngineBalance:
@@ -97,7 +116,7 @@ def engine(
     Equation
     --------
     Order n: forward ½·m·r·ω²·ΣA_n·e^{i(n(φ−β)+β)}, backward ½·m·r·ω²·ΣA_n·e^{i(−n(φ−β)+β)}; the force runs round an
-    ellipse of half-axes |f| ± |b|.
+    ellipse of half-axes |f| ± |b|. With an offset A_n − i·B_n stands forward, A_n + i·B_n backward.
 
     Returns
     -------
@@ -131,7 +150,8 @@ def engine(
     require(abs(plain(speed)) > 0.0, "an engine at rest has no inertia force", code="at-rest")
     require(rod_length > 0.0, "the rod has no length", code="rod")
     ratio = crank_radius / rod_length
-    require_rod(ratio)
+    aside = offset / rod_length
+    require_rod(ratio, aside)
     if preset is None:
         places = [(one.crank, one.bank, one.position) for one in cylinders]
     else:
@@ -139,12 +159,11 @@ def engine(
     unit = crank_radius * speed * speed
     advice = _advice(places, preset)
     counted = not advice
-    numbers = [1, *range(2, highest_order + 1, 2)]
+    numbers = [n for n in range(1, highest_order + 1) if n == 1 or n % 2 == 0 or plain(offset) != 0.0]
+    force = reciprocating_mass * unit
     orders = [
-        _order(
-            n, places, reciprocating_mass * unit * order_factor(ratio, n), rotating_mass * unit, speed, counted=counted
-        )
-        for n in numbers
+        _order(n, places, Phasor(force * a, -force * b), rotating_mass * unit, speed, counted=counted)
+        for n, (a, b) in zip(numbers, order_factors(ratio, aside, numbers), strict=True)
     ]
     second = orders[1] if len(orders) > 1 else None
     return EngineBalance(
@@ -155,6 +174,7 @@ def engine(
         primary_couple=orders[0].couple,
         secondary_couple=second.couple if second else (0.0 if counted else None),
         orders=tuple(orders),
+        shafts=tuple(shaft for row in orders for shaft in _shafts(row, speed)),
         advice=advice,
     )
 
@@ -168,25 +188,24 @@ def _advice(places: "list[Any]", preset: "Preset | None") -> "tuple[Advice, ...]
     return (Advice("no-spacing", message, severity="note", remedy="give --spacing"),)
 
 
-def _order(n: int, places: "list[Any]", size: "Any", rotating: "Any", speed: "Any", *, counted: bool) -> Order:
+def _order(n: int, places: "list[Any]", size: Phasor, rotating: "Any", speed: "Any", *, counted: bool) -> Order:
     """The phasors of one order, of the size that one cylinder has."""
     ways = [
         (polar(1.0, n * (crank - bank) + bank), polar(1.0, -n * (crank - bank) + bank), crank)
         for crank, bank, _ in places
     ]
     arms = [z for _, _, z in places]
-    forwards = [way.times(0.5 * size) for way, _, _ in ways]
-    backwards = [way.times(0.5 * size) for _, way, _ in ways]
+    forwards = [way * size.times(0.5) for way, _, _ in ways]
+    backwards = [way * size.conjugate.times(0.5) for _, way, _ in ways]
     if n == 1:
         forwards = [one + polar(rotating, crank) for one, (_, _, crank) in zip(forwards, ways, strict=True)]
-    largest = 0.5 * abs(plain(size)) + (plain(rotating) if n == 1 else 0.0)
+    largest = 0.5 * plain(size.size) + (plain(rotating) if n == 1 else 0.0)
     force = [_cleared(total(parts), len(places) * largest) for parts in (forwards, backwards)]
     lever = sum(abs(plain(z)) for z in arms)
     couple = [
         _cleared(total(one.times(z) for one, z in zip(parts, arms, strict=True)), lever * largest)
         for parts in (forwards, backwards)
     ]
-    square = n * n * speed * speed
     sizes, turns = [one.size for one in force], [one.size for one in couple]
     return Order(
         order=n,
@@ -202,11 +221,35 @@ def _order(n: int, places: "list[Any]", size: "Any", rotating: "Any", speed: "An
         backward_couple_angle=_angle(couple[1]),
         force_remedy=_remedy(n, sizes),
         couple_remedy=_remedy(n, turns) if counted else None,
-        forward_shaft=sizes[0] / square,
-        backward_shaft=sizes[1] / square,
-        forward_couple_shaft=turns[0] / square if counted else None,
-        backward_couple_shaft=turns[1] / square if counted else None,
     )
+
+
+def _shafts(row: Order, speed: "Any") -> "list[Shaft]":
+    """The weights against both parts of an order, opposite to them."""
+    square = row.order * row.order * speed * speed
+    parts = (
+        ("with the crank", row.forward, row.forward_angle, row.forward_couple, row.forward_couple_angle),
+        ("against it", row.backward, row.backward_angle, row.backward_couple, row.backward_couple_angle),
+    )
+    return [
+        Shaft(
+            order=row.order,
+            turns=sense,
+            speed=row.order * speed,
+            unbalance=force / square,
+            angle=_opposite(angle),
+            couple=None if couple is None else couple / square,
+            couple_angle=None if couple is None else _opposite(couple_angle),
+        )
+        for sense, force, angle, couple, couple_angle in parts
+        if angle is not None or (couple is not None and couple_angle is not None)
+    ]
+
+
+def _opposite(angle: "Any") -> "Any":
+    if angle is None:
+        return None
+    return angle + pi_beside(angle) if plain(angle) <= 0.0 else angle - pi_beside(angle)
 
 
 def _cleared(whole: Phasor, largest: float) -> Phasor:

@@ -240,7 +240,7 @@ class Reader(Context):
         field_address = _join(address, field.key)
         value = raw.get(field.key)
         plain = [key for key in raw if raw[key] is not None and key in _plain_names(node)]
-        if value is not None and plain:
+        if value is not None and plain and not getattr(getattr(node.item, "cls", None), "adds", False):
             self._fail(
                 field_address,
                 f"{self.spell(field_address)} and {self._member(address, plain[0])} cannot be given together",
@@ -268,6 +268,9 @@ class Reader(Context):
         if not items and field.place != "words":
             self._fail(field_address, f"{self.spell(field_address)} is empty", code="missing")
             return None
+        if plain:
+            # items that add up, such as forces: the one of plain options is one more
+            items = [*items, {key: raw[key] for key in plain}]
         items_read = [self._item(node.item, item, f"{field_address}[{index}]") for index, item in enumerate(items)]
         bound_items = [item for item in items_read if item is not None]
         if node.single and isinstance(node.item, Leaf) and len(bound_items) == 1 and not isinstance(value, list):

@@ -1,0 +1,1 @@
+"""Laws of forces: springs, gravity, friction, and first moments of mass."""
