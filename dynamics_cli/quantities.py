@@ -276,6 +276,7 @@ if TYPE_CHECKING:
     ForceFormula = Formula
     TorqueFormula = Formula
     TurnRateFormula = Formula
+    SpeedFormula = Formula
     Variable = Let
     Text = str
     Unit = str
@@ -798,6 +799,9 @@ else:
         "angular velocity formula", "rad/s", form="formula", example="300*t rpm",
         about="an angular velocity over time, its unit at its end",
     )  # fmt: skip
+    SpeedFormula = Kind(
+        "speed formula", "m/s", form="formula", example="R*phi_dot - x_dot m/s", about="a speed, its unit at its end"
+    )
     Variable = Kind("variable", "", form="let", example="a=3 m", about="a variable of the formulas")
     Text = Kind("text", "", form="text", example="a name", about="words")
     Unit = Kind("unit", "", form="unit", example="ft/s", about="a unit")

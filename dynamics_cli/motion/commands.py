@@ -155,13 +155,15 @@ EQUATIONS = Task(
         "dynamics_cli.motion.equations.task:equations",
         source=BOOK + "chapters 11 and 12",
         formula="F_r + F*_r = 0, F_r = Σ F·v_r + M·ω_r, F*_r = −Σ m·a·v_r + (I·α + ω × I·ω)·ω_r; "
-        "d/dt ∂T/∂q̇_r − ∂T/∂q_r = Q_r",
-        assumptions=("rigid bodies", "coordinates that are independent, constraints that formulas of them keep"),
+        "d/dt ∂T/∂q̇_r − ∂T/∂q_r = Q_r + Σ λ·a_r",
+        assumptions=("rigid bodies", "constraints kept by formulas of the coordinates, or linear in their rates"),
         method="exact derivatives by jets",
     ),
     headline=(
         "equations: coordinate | name, acceleration=q̈, by_lagrange=by Lagrange, active_force=F_r, "
         "velocity_force=F*_r of speeds",
+        "speeds: speed | name, value=u, acceleration=u̇, active_force=F̃_r",
+        "conditions: condition | name, force=kept by, by_lagrange=λ by Lagrange",
         "difference: Kane and Lagrange differ by",
         "kinetic_energy: kinetic energy T", "potential_energy: potential energy V",
         "drive_power: power of the drive",
@@ -171,6 +173,7 @@ EQUATIONS = Task(
     examples=(
         "dynamics motion equations examples/sliding_rod/sliding_rod.toml",
         "dynamics motion equations examples/sliding_rod/sliding_rod.toml --terms theta",
+        "dynamics motion equations examples/sleigh/sleigh.toml",
     ),
     table="equations",
     arrays=False,

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from dynamics_cli.numerics.exact.typed_products import Vector
 
 SQUARE = 1e-14
-# Departures from right angles above this are not drawing errors.
-NOTED = 1e-6
 AXES = "xyz"
 
 

@@ -118,9 +118,9 @@ class Load:
 
     point: Annotated[Text, "The point where a force acts."] = ""
     link: Annotated[Text, "The link on which a torque acts, or the one whose axes a force follows."] = ""
-    force_x: Annotated[ForceFormula | None, "Force along x, of t, x, y, vx, vy in SI, e.g. 20*sin(5*t) N."] = None
+    force_x: Annotated[ForceFormula | None, "Force along x, of t, x, y, vx, vy, e.g. 20 N*sin(5 rad/s*t)."] = None
     force_y: Annotated[ForceFormula | None, "Force along y, e.g. -50 N."] = None
-    torque: Annotated[TorqueFormula | None, "Torque, of t, angle and speed in SI, e.g. 2 - 0.01*speed N*m."] = None
+    torque: Annotated[TorqueFormula | None, "Torque, of t, angle and speed, e.g. 2 N*m - 0.01 N*m*s*speed."] = None
     table: Annotated[InputFile, "Or a CSV of times t[s] with force_x[N], force_y[N] or torque[N*m]."] = ""
 
 

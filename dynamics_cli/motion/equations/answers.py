@@ -1,7 +1,7 @@
 """Numbers of generalized coordinates with the kinds that follow from them: a force or a torque, metres or radians."""
 
-from dynamics_cli.motion.equations.records import MassRow, Partial, Share
-from dynamics_cli.quantities import Acceleration, AngularAcceleration, Force, Kind, SignedMass, Torque
+from dynamics_cli.motion.equations.records import ConditionForce, MassRow, Partial, Share, SpeedEquation
+from dynamics_cli.quantities import Acceleration, AngularAcceleration, Force, Kind, SignedMass, Speed, Torque, TurnRate
 from dynamics_cli.records import Quantity
 
 TYPE_CHECKING = False
@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any
 
+    from dynamics_cli.motion.equations.constraints import Constrained
     from dynamics_cli.motion.equations.kane import Kane, Load
     from dynamics_cli.motion.equations.system import System
 
@@ -23,14 +24,30 @@ MASSES: "tuple[Any, ...]" = (
 )  # fmt: skip
 
 
-def force(system: "System", r: int, value: float) -> Quantity:
-    """A generalized force: a torque where the coordinate is an angle."""
-    return Quantity(value, Torque if system.angular[r] else Force)
+def force(angular: bool, value: float) -> Quantity:
+    """A generalized force: a torque where the coordinate or speed is angular."""
+    return Quantity(value, Torque if angular else Force)
 
 
-def acceleration(system: "System", r: int, value: float) -> Quantity:
-    """A second derivative of a coordinate."""
-    return Quantity(value, AngularAcceleration if system.angular[r] else Acceleration)
+def acceleration(angular: bool, value: float) -> Quantity:
+    """A second derivative of a coordinate, or the derivative of a speed."""
+    return Quantity(value, AngularAcceleration if angular else Acceleration)
+
+
+def speed_rows(reduced: "Constrained", loads: "list[Load]", rates: "list[float]") -> "tuple[SpeedEquation, ...]":
+    """The equations of the generalized speeds."""
+    rows = []
+    for k, (name, turns) in enumerate(zip(reduced.names, reduced.angular, strict=True)):
+        active = sum(load.share(len(reduced.ways) + 1 + k) for load in loads)
+        value = Quantity(reduced.values[k], TurnRate if turns else Speed)
+        rows.append(SpeedEquation(name, value, acceleration(turns, rates[k]), force(turns, active)))
+    return tuple(rows)
+
+
+def condition_rows(system: "System", forces: "list[float]", multipliers: "list[float]") -> "tuple[ConditionForce, ...]":
+    """The forces that keep the conditions."""
+    pairs = zip(system.conditions, forces, multipliers, strict=True)
+    return tuple(ConditionForce(name, Quantity(one, Force), Quantity(other, Force)) for name, one, other in pairs)
 
 
 def mass_rows(system: "System", matrix: "list[list[float]]") -> "tuple[MassRow, ...]":
@@ -47,31 +64,31 @@ def partials(kane: "Kane") -> "Iterator[Partial]":
     system = kane.system
     for r, name in enumerate(system.names):
         for of in system.places:
-            turns = kane.partial_spin[of][r] if system.turns.get(of) else None
-            velocity: Any = _vector(system, kane.partial[of][r], _slope(system, r))
-            yield Partial(name, of, velocity, _turn(system, turns, _spin(system, r)))
+            spin = kane.partial_spin[of][r] if system.turns.get(of) else None
+            velocity: Any = _vector(system, kane.partial[of][r], _slope(system.angular[r]))
+            yield Partial(name, of, velocity, _turn(system, spin, _spin(system.angular[r])))
 
 
-def share_of(system: "System", load: "Load", r: int) -> Share:
-    """What a load contributes to the generalized force of a coordinate."""
+def share_of(system: "System", load: "Load", r: int, name: str, turns: bool) -> Share:
+    """What a load contributes to the generalized force of a coordinate or speed."""
     return Share(
-        coordinate=system.names[r],
+        coordinate=name,
         of=load.name,
         sort=load.sort,
-        velocity=_vector(system, load.velocities[r], _slope(system, r)) if load.force is not None else None,
+        velocity=_vector(system, load.velocities[r], _slope(turns)) if load.force is not None else None,
         force=_vector(system, load.force, Force),
-        angular_velocity=_turn(system, load.turns[r] if load.moment and any(load.moment) else None, _spin(system, r)),
+        angular_velocity=_turn(system, load.turns[r] if load.moment and any(load.moment) else None, _spin(turns)),
         moment=_turn(system, load.moment if load.moment and any(load.moment) else None, Torque),
-        share=force(system, r, load.share(r)),
+        share=force(turns, load.share(r)),
     )
 
 
-def _slope(system: "System", r: int) -> Kind:
-    return PER_ANGLE if system.angular[r] else PER_LENGTH
+def _slope(turns: bool) -> Kind:
+    return PER_ANGLE if turns else PER_LENGTH
 
 
-def _spin(system: "System", r: int) -> Kind:
-    return TURN_PER_ANGLE if system.angular[r] else TURN_PER_LENGTH
+def _spin(turns: bool) -> Kind:
+    return TURN_PER_ANGLE if turns else TURN_PER_LENGTH
 
 
 def _vector(system: "System", parts: "Any", kind: "Any") -> "Quantity | None":

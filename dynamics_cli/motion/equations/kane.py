@@ -1,5 +1,7 @@
 """Kane's method: partial velocities, generalized active and inertia forces, as vectors."""
 
+from math import hypot
+
 from dynamics_cli.errors import require
 from dynamics_cli.motion.equations.records import ORIGIN
 from dynamics_cli.motion.equations.system import NOWHERE
@@ -49,11 +51,13 @@ class Load:
         return total + (dot(self.moment, self.turns[r]) if self.moment is not None else 0.0)
 
     def size(self, r: int) -> float:
-        """The size of the terms of that sum."""
+        """The size of the terms of that sum: components that cancel have the rounding of their vectors."""
         pairs = ((self.force, self.velocities), (self.moment, self.turns))
-        return sum(
-            abs(plain(a * b)) for load, ways in pairs if load is not None for a, b in zip(load, ways[r], strict=True)
-        )
+        return sum(_length(load) * _length(ways[r]) for load, ways in pairs if load is not None)
+
+
+def _length(vector: "Three") -> float:
+    return hypot(*map(plain, vector))
 
 
 class Kane:

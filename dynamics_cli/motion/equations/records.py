@@ -18,12 +18,14 @@ from dynamics_cli.quantities import (
     Power,
     Ratio,
     Speed,
+    SpeedFormula,
     Stiffness,
     Text,
     TorqueFormula,
     TorsionDamping,
     TorsionStiffness,
     TurnRate,
+    TurnRateFormula,
 )
 from dynamics_cli.records import Check, Choice, Numerics, record
 
@@ -139,6 +141,28 @@ class TorsionSpring:
 
 
 @record
+class Condition:
+    """What rates must keep: rolling without slip, a knife edge."""
+
+    name: Annotated[Text, "Its name."]
+    zero: Annotated[SpeedFormula, "What stays zero, linear in the rates, e.g. cos(theta)*y_dot - sin(theta)*x_dot m/s."]
+
+
+@record
+class GeneralizedSpeed:
+    """A generalized speed, linear in the rates."""
+
+    name: Annotated[Text, "Its name."]
+    velocity: Annotated[SpeedFormula | None, "A speed, e.g. cos(theta)*x_dot + sin(theta)*y_dot m/s."] = None
+    rate: Annotated[TurnRateFormula | None, "Or an angular velocity, e.g. theta_dot rad/s."] = None
+
+    @property
+    def angular(self) -> bool:
+        """Whether it is an angular velocity."""
+        return self.rate is not None
+
+
+@record
 class Scene:
     """A system of bodies by generalized coordinates."""
 
@@ -149,6 +173,8 @@ class Scene:
     torques: Annotated[tuple[Torque, ...], "Torques."] = ()
     springs: Annotated[tuple[Spring, ...], "Springs and dampers between points."] = ()
     torsion_springs: Annotated[tuple[TorsionSpring, ...], "Torsion springs and dampers."] = ()
+    conditions: Annotated[tuple[Condition, ...], "Conditions on rates, which no formula of coordinates keeps."] = ()
+    speeds: Annotated[tuple[GeneralizedSpeed, ...], "Generalized speeds, in place of rates."] = ()
 
 
 @record
@@ -162,6 +188,25 @@ class CoordinateEquation:
     lagrange_force: Annotated[FreeNumber, "Q_r, from potentials and powers."]
     inertia_force: Annotated[FreeNumber, "Generalized inertia force F*_r; with F_r it gives zero."]
     velocity_force: Annotated[FreeNumber, "The part of F*_r that speeds make, without accelerations."]
+
+
+@record
+class SpeedEquation:
+    """The equation of one generalized speed."""
+
+    name: Annotated[Text, "The speed."]
+    value: Annotated[FreeNumber, "Its value u_r."]
+    acceleration: Annotated[FreeNumber, "Its derivative u̇_r, from F̃_r + F̃*_r = 0."]
+    active_force: Annotated[FreeNumber, "Generalized active force F̃_r, that of a condition left out."]
+
+
+@record
+class ConditionForce:
+    """The force that keeps a condition."""
+
+    name: Annotated[Text, "The condition."]
+    force: Annotated[FreeNumber, "Its force, along what the condition keeps at zero."]
+    by_lagrange: Annotated[FreeNumber, "The same as Lagrange's multiplier."]
 
 
 @record
@@ -210,7 +255,9 @@ class Equations:
         Power | None, "Power of what imposes the motion that formulas with t prescribe; null where none does [W]."
     ]
     mass_matrix: Annotated[tuple[MassRow, ...], "The mass matrix ∂²T/∂q̇_r∂q̇_s."]
-    terms: Annotated[tuple[Share, ...] | None, "What makes up the equation of the coordinate that was asked for."]
+    speeds: Annotated[tuple[SpeedEquation, ...] | None, "The equation of each generalized speed."]
+    conditions: Annotated[tuple[ConditionForce, ...] | None, "The forces that keep the conditions."]
+    terms: Annotated[tuple[Share, ...] | None, "What makes up the equation that was asked for."]
     partials: Annotated[tuple[Partial, ...], "Partial velocities and partial angular velocities."]
     shares: Annotated[tuple[Share, ...], "What each load and each body's inertia contributes."]
     numerics: Numerics

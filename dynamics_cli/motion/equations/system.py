@@ -55,6 +55,8 @@ class System:
             one.name: tuple(self._law(one, axis, speeds) for axis in ("x", "y", "z")) for one in scene.forces
         }
         self.torques = {one.name: self._law(one, "torque", speeds) for one in scene.torques}
+        self.conditions = {one.name: self._law(one, "zero", speeds) for one in scene.conditions}
+        self.speeds = {one.name: self._law(one, "rate" if one.angular else "velocity", speeds) for one in scene.speeds}
         self.twists = {one.name: self._law(one, "angle") for one in scene.torsion_springs}
         self._check_places()
 
@@ -151,7 +153,10 @@ class System:
             taken |= {name, f"{name}_dot"}
         loads: tuple[Any, ...] = (*scene.forces, *scene.torques, *scene.springs, *scene.torsion_springs)
         places: tuple[Any, ...] = (*scene.bodies, *scene.points)
-        for group in (places, loads):
+        for one in scene.speeds:
+            require((one.velocity is None) != (one.rate is None), "{name} needs a velocity or a rate", name=one.name,
+                    code="speeds", hint="one of the two")  # fmt: skip
+        for group in (places, loads, scene.conditions, scene.speeds):
             names = [one.name for one in group]
             double = [name for name in names if names.count(name) > 1 or name == ORIGIN]
             require(not double, "the name {name} is given twice", name=repr(double[0] if double else ""), code="name",

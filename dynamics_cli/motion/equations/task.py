@@ -1,7 +1,16 @@
 """The task `equations`: Kane's and Lagrange's equations of a scene at an instant."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.motion.equations.answers import acceleration, force, mass_rows, partials, share_of
+from dynamics_cli.motion.equations.answers import (
+    acceleration,
+    condition_rows,
+    force,
+    mass_rows,
+    partials,
+    share_of,
+    speed_rows,
+)
+from dynamics_cli.motion.equations.constraints import Constrained, by_multipliers
 from dynamics_cli.motion.equations.kane import Kane, Load
 from dynamics_cli.motion.equations.lagrange import Lagrange, potential
 from dynamics_cli.motion.equations.records import CoordinateEquation, Equations, Scene, Turning, Upward
@@ -22,7 +31,7 @@ def equations(
     scene: Annotated[Scene, "The system, from a file."],
     /,
     *,
-    terms: Annotated[Text | None, "Show what makes up the equation of this coordinate."] = None,
+    terms: Annotated[Text | None, "Show what makes up the equation of this coordinate or speed."] = None,
     time: Annotated[Time, "The instant, t in formulas, e.g. 0.5 s."] = 0.0,
     let: Annotated[tuple[Variable, ...], "Variables of formulas, e.g. L=0.8 m."] = (),
     up: Annotated[Upward, "The axis that points up: x, y, z, or none without gravity."] = Upward("y"),  # noqa: B008
@@ -61,8 +70,6 @@ def equations(
     -5.910404
     """
     system = System(scene, let, up)
-    require(terms is None or terms in system.names, "there is no coordinate {name}", name=repr(terms),
-            code="unknown-name", hint="there are {known}", known=", ".join(system.names))  # fmt: skip
     pull = gravity if system.up is not None else 0.0
     kane = Kane(system, *_instant(scene), time, pull)
     # a second opinion needs no bounds
@@ -87,37 +94,73 @@ def _answer(kane: Kane, lagrange: Lagrange, asked: "str | None") -> Equations:
     at_rest = [kane.inertia_load(name, [0.0] * n) for name in system.bodies]
     active = [sum(load.share(r) for load in kane.loads) for r in range(n)]
     speeds = [sum(load.share(r) for load in at_rest) for r in range(n)]
-    masses = kane.masses()
-    seconds = _accelerations(system, masses, [a + b for a, b in zip(active, speeds, strict=True)])
-    others = _accelerations(system, lagrange.matrix, lagrange.right)
+    masses, right = kane.masses(), [a + b for a, b in zip(active, speeds, strict=True)]
+    reduced = Constrained(kane) if system.scene.conditions or system.scene.speeds else None
+    rates, seconds, kept, others, multipliers = _solved(kane, lagrange, masses, right, reduced)
     inertia = [kane.inertia_load(name, seconds) for name in system.bodies]
     loads = [*kane.loads, *inertia]
-    scales = _scales(lagrange.matrix, [*loads, *at_rest])
+    kinetic = sum(map(kane.kinetic, system.bodies))
+    sums = [sum(load.size(r) for load in [*loads, *at_rest]) for r in range(n + 1)]
+    power = sums.pop()
+    # turning bodies have terms of the size of their energy, which cancel where they are symmetrical
+    sums = [size + 2.0 * plain(kinetic) * turns for size, turns in zip(sums, system.angular, strict=True)]
+    scales = reduced.scales(lagrange.matrix, sums) if reduced else _scales(lagrange.matrix, sums)
     apart = [abs(plain(a) - b) for a, b in zip(seconds, others, strict=True)]
     difference = max(off / scale if scale else 0.0 for off, scale in zip(apart, scales, strict=True))
-    shares = tuple(share_of(system, load, r) for r in range(n) for load in loads if plain(load.share(r)) != 0.0)
+    ways = _ways(system, reduced, asked)
+    if reduced:
+        reduced.extend(loads)
+    shares = tuple(share_of(system, load, *way) for way in ways for load in loads if plain(load.share(way[0])) != 0.0)
     rows = [
         CoordinateEquation(
-            name=name, active_force=force(system, r, active[r]),
-            inertia_force=force(system, r, sum(load.share(r) for load in inertia)),
-            velocity_force=force(system, r, speeds[r]), acceleration=acceleration(system, r, seconds[r]),
-            by_lagrange=acceleration(system, r, others[r]), lagrange_force=force(system, r, lagrange.forces[r]),
+            name=name, active_force=force(turns, active[r]),
+            inertia_force=force(turns, sum(load.share(r) for load in inertia)),
+            velocity_force=force(turns, speeds[r]), acceleration=acceleration(turns, seconds[r]),
+            by_lagrange=acceleration(turns, others[r]), lagrange_force=force(turns, lagrange.forces[r]),
         )
-        for r, name in enumerate(system.names)
+        for r, name, turns in ways[:n]
     ]  # fmt: skip
     return Equations(
         equations=tuple(rows),
         difference=difference,
-        kinetic_energy=sum(map(kane.kinetic, system.bodies)),
+        kinetic_energy=kinetic,
         potential_energy=potential(system, kane.numbers, kane.gravity),
         drive_power=-sum(load.share(n) for load in loads) if system.timed else None,
         mass_matrix=mass_rows(system, masses),
+        speeds=speed_rows(reduced, kane.loads, rates) if reduced else None,
+        conditions=condition_rows(system, kept, multipliers) if system.conditions else None,
         terms=tuple(share for share in shares if share.coordinate == asked) if asked else None,
         partials=tuple(partials(kane)),
         shares=shares,
         numerics=Numerics(METHOD),
-        checks=tuple(_checks(system, difference, loads)),
+        checks=tuple(_checks(system, difference, loads, power)),
     )
+
+
+def _solved(
+    kane: Kane, lagrange: Lagrange, masses: "list[list[float]]", right: "list[float]", reduced: "Constrained | None"
+) -> "tuple[list[float], ...]":
+    """Derivatives of the speeds, accelerations and forces of conditions by Kane; the latter two by Lagrange."""
+    if reduced is None:
+        others = _accelerations(kane.system, lagrange.matrix, lagrange.right)
+        return [], _accelerations(kane.system, masses, right), [], others, []
+    kane.system.timed |= any(plain(fixed) for fixed in reduced.conditions.fixed)
+    return (
+        *reduced.accelerations(masses, right),
+        *by_multipliers(reduced.conditions, lagrange.matrix, lagrange.right),
+    )
+
+
+def _ways(system: System, reduced: "Constrained | None", asked: "str | None") -> "list[tuple[int, str, bool]]":
+    """What a load may have a share in: place among its partial velocities, name, whether it is angular."""
+    ways = [(r, name, system.angular[r]) for r, name in enumerate(system.names)]
+    if reduced:
+        own = zip(reduced.names, reduced.angular, strict=True)
+        ways += [(len(system.names) + 1 + k, *one) for k, one in enumerate(own)]
+    require(asked is None or any(asked == name for _, name, _ in ways), "there is no coordinate or speed {name}",
+            name=repr(asked), code="unknown-name", hint="there are {known}",
+            known=", ".join(name for _, name, _ in ways))  # fmt: skip
+    return ways
 
 
 def _accelerations(system: System, matrix: "list[list[float]]", right: "list[float]") -> "list[float]":
@@ -136,10 +179,9 @@ def _accelerations(system: System, matrix: "list[list[float]]", right: "list[flo
     return out
 
 
-def _scales(matrix: "list[list[float]]", loads: "list[Load]") -> "list[float]":
+def _scales(matrix: "list[list[float]]", sums: "list[float]") -> "list[float]":
     """For each acceleration the size of the terms that it is made of: |M⁻¹| times the sums of sizes."""
     n = len(matrix)
-    sums = [sum(load.size(r) for load in loads) for r in range(n)]
     scales = [0.0] * n
     for s in range(n):
         column = solved([list(row) for row in matrix], [1.0 if r == s else 0.0 for r in range(n)])
@@ -148,11 +190,10 @@ def _scales(matrix: "list[list[float]]", loads: "list[Load]") -> "list[float]":
     return scales
 
 
-def _checks(system: System, difference: float, loads: "list[Load]") -> "list[Check]":
+def _checks(system: System, difference: float, loads: "list[Load]", size: float) -> "list[Check]":
     checks = [Check("Kane's and Lagrange's accelerations agree", difference < SAME, difference, SAME)]
     if not system.timed:
         n = len(system.names)
-        size = sum(load.size(n) for load in loads)
         off = abs(sum(plain(load.share(n)) for load in loads)) / size if size else 0.0
         checks.append(Check("energy changes by the power of the loads", off < SAME, off, SAME))
     return checks

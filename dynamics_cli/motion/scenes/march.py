@@ -35,7 +35,6 @@ class March:
         self.drift = 0.0
         self.pieces: list[Any] = []
         self.ends: list[float] = []
-        self.evaluations = 0
         self._solver: Any = None
         self._first: float | None = None
         # what rates are compared with, where they are small
@@ -57,12 +56,8 @@ class March:
         stop = next(stop for stop in self.stops if stop > self.t)
         method, span = Radau if self.stiff else DOP853, stop - self.t
         first = None if self._first is None else min(self._first, span)
-        return method(self._rate, self.t, self.y, stop, rtol=self.tolerance, atol=self.tolerance * self.scales,
+        return method(self.system.rate, self.t, self.y, stop, rtol=self.tolerance, atol=self.tolerance * self.scales,
                       first_step=first)  # fmt: skip
-
-    def _rate(self, t: float, y: "Any") -> "Any":
-        self.evaluations += 1
-        return self.system.rate(t, y)
 
     def step(self) -> None:
         """One step on; SingularError where none is possible."""

@@ -110,10 +110,11 @@ def _poses(shapes: Shapes, states: "list[Any]", scene: Scene, last: str) -> Pane
 
 
 def scene_picture(
-    made: "Any", scene: Scene, *, duration: float, gravity: float = STANDARD_GRAVITY, **_: "Any"
+    made: "Any", scene: Scene, *, duration: float, follow: str = "", gravity: float = STANDARD_GRAVITY, **_: "Any"
 ) -> Picture:
     """Poses with the paths of points, angles over time or what is followed, and the forces in the joints."""
     from dynamics_cli.motion.scenes.runs import runs_of
+    from dynamics_cli.motion.scenes.states import followed
 
     runs = runs_of(scene, gravity, duration)
     times = [runs.end * k / SAMPLES for k in range(SAMPLES + 1)]
@@ -121,8 +122,12 @@ def scene_picture(
     last = "at the horizon" if runs.reached else "at the end"
     ends = Axis("time", Time, ends=(0.0, duration))
     beyond = [Band(runs.end, duration, "not known")] if runs.end < duration else []
-    over = _followed(made.motion, ends) if made.motion else _angles(runs.system, times, states, ends, beyond)
-    forces = () if made.motion else _forces(runs.system, times, states, ends, beyond)
+    over = (
+        _followed(followed(runs, follow, SAMPLES), ends)
+        if follow
+        else _angles(runs.system, times, states, ends, beyond)
+    )
+    forces = () if follow else _forces(runs.system, times, states, ends, beyond)
     count = runs.system.n
     return Picture((_poses(Shapes(runs.system), states, scene, last), *over, *forces),
                    f"motion of {count} bodies" if count > 1 else "motion of a body")  # fmt: skip

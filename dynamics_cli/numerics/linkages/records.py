@@ -6,6 +6,8 @@ from dynamics_cli.quantities import (
     AngularAcceleration,
     Annotated,
     Coordinate,
+    Inertia,
+    Mass,
     PartPoint,
     Speed,
     Text,
@@ -37,6 +39,10 @@ class Link:
 
     name: Annotated[Text, "Its name; the fixed link is called ground."]
     points: Annotated[tuple[Pin, ...], "Its points, two at least."]
+    mass: Annotated[Mass, "Its mass, which `motion scene` needs of the same file, e.g. 2 kg."] = 0.0
+    centroid: Annotated[PartPoint, "Its mass centre in its own axes, likewise, e.g. 150, 0 mm."] = (0.0, 0.0)
+    moment: Annotated[Inertia, "Moment of inertia about its mass centre, likewise."] = 0.0
+    rod: Annotated[bool, "True for a slender uniform rod between its first two points, likewise."] = False
 
 
 @record

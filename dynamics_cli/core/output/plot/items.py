@@ -60,7 +60,8 @@ class Pens:
             self.last += 1
         nth = (item.role if item.role >= 0 else self.last) % len(COLOURS)
         style = {**_STYLES[item.style], "color": COLOURS[nth]}
-        if item.style == "track":
+        # what stands behind the others
+        if item.style == "track" or (item.style == "thin" and nth == len(COLOURS) - 1):
             style["color"] = TRACK
         elif item.style == "points":
             style["marker"] = MARKERS[nth]
