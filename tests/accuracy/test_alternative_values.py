@@ -37,12 +37,7 @@ COARSE = {
     "mean sine by degrees": (1e-5, 1e-4),
     # angles up to 72°, where five terms are far too few
     "power series": (1e-5, 0.1),
-    # a shift of a hundredth is what six decimals leave of a reading's size
-    "six decimals, likewise": (1e-3, 0.1),
     "six decimals": (1e-5, 1e-3),
-    "best shift only": (1e-13, 1e-6),
-    # printed with a few decimals
-    "external, some only": (1e-8, 1e-3),
     # points a ten-thousandth of a module apart, beside distances that may be as small
     "distances between points": (0.01, 1.0),
     # a spring that swings through a whole period in its hundred steps
@@ -115,10 +110,10 @@ class TestInertia:
         assert found["moments.zz"] == pytest.approx(4.8, rel=1e-14)
         assert found["moments.xx"] == pytest.approx(83.0 / 320.0 * 12.0, rel=1e-14)
 
-    def test_every_shape_is_in_the_textbooks_table(self) -> None:
+    def test_every_wall_and_most_shapes_are_in_a_table(self) -> None:
         shapes = {case.inputs["shape"]["record"] for case in load("inertia_bodies.json") if case.task == "shape"}
-        assert shapes == set(inertia_book.SHAPES)
         hollow = {name for name in shapes if name.startswith("Hollow")} | {"ClosedCylinder", "RectangularTube"}
+        assert hollow < set(inertia_book.SHAPES) < shapes
         assert shapes - hollow == set(inertia_quadrature.SHAPES)
 
     def test_sections_from_a_corner(self) -> None:

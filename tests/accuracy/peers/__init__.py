@@ -87,8 +87,6 @@ METHODS: dict[str, tuple[Method, ...]] = {
     "gear crossed": (Method("the same by Brent", "peers.gear.book:crossed_by_brent"),),
     "gear measure": (Method("the same by Brent", "peers.gear.book:measure_by_brent"),),
     "gear mesh": (Method("distances between points, external only", "peers.gear.meshes:mesh_by_polygons"),),
-    "gear identify": (Method(f"{SIX}, likewise", "peers.gear.book:identify_by_table"),),
-    "gear data-block": (Method(f"{SIX}, likewise", "peers.gear.book:block_by_table"),),
     "uncertainty, smooth": LIBRARIES,
     "uncertainty, bounded": LIBRARIES,
     "uncertainty, kinked or folded": LIBRARIES,

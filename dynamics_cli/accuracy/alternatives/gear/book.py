@@ -1,4 +1,4 @@
-"""Gears, pairs, measurements and data blocks as handbooks calculate them: tan α − α, arc cosines, differences."""
+"""Gears, pairs, measurements and profiles as handbooks calculate them: tan α − α, arc cosines, differences."""
 
 from math import acos, asin, atan, cos, pi, sin, sqrt, tan
 
@@ -182,37 +182,6 @@ def measure(
         span = base + 2 * spaces * module * sin(pressure_angle)
         results |= {"span.span": span, "span.contact_diameter": sqrt(gear.base**2 + (span * helix) ** 2)}
     return results
-
-
-def identify(
-    *, teeth: int, spans: "Any", helix_angle: float, count: int, reading: float, **more: "Any"
-) -> "dict[str, float]":
-    """The shift of the best gear, whose size and angle are taken as found, by tan α − α."""
-    from dynamics_cli.gear.measure.identify import identify as program
-
-    if helix_angle:
-        raise ArithmeticError
-    best = program(teeth=teeth, spans=spans, reading=reading, count=1, **more).candidates[0]
-    angle, shifts = best.pressure_angle, []
-    for span in spans:
-        base = (span.over - 0.5) * pi + teeth * involute(angle)
-        shifts.append((span.length / best.module - cos(angle) * base) / (2.0 * tan(angle) * cos(angle)))
-    return {"candidates[0].profile_shift": sum(shifts) / len(shifts)}
-
-
-def data_block(
-    *, teeth: int, pitch: "Any", pressure_angle: float, profile_shift: float, internal: bool, helix_angle: float,
-    over: "int | None" = None, decimals: int = 4, **other: "Any",
-) -> "dict[str, float]":  # fmt: skip
-    """Diameters and span by tan α − α, printed with four decimals."""
-    if internal or "addendum_factor" in other:
-        raise ArithmeticError
-    gear = Toothing(teeth, pitch.module, pressure_angle, helix_angle, profile_shift)
-    results = {"d": gear.reference, "d_b": gear.base, "d_a": gear.tip}
-    if over is not None:
-        base = (over - 0.5) * pi + teeth * involute(gear.transverse)
-        results["W_k"] = pitch.module * cos(pressure_angle) * (base + 2.0 * profile_shift * tan(pressure_angle))
-    return {name: round(1e3 * value, decimals) for name, value in results.items()}
 
 
 def profile(

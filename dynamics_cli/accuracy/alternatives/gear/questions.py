@@ -44,7 +44,6 @@ QUESTIONS = (
     Question(
         "gear", "data-block", "gear data-block", MESHES, "data_block",
         Method("closed forms, rounded last", PROGRAM + "data_block", chosen=True),
-        Method("textbook: tan α − α, external, some only", BOOK + "data_block"),
     ),
     *textbooks(
         "gear", SIZES, HERE,
@@ -56,7 +55,6 @@ QUESTIONS = (
     ),
     *textbooks(
         "gear", MESHES, HERE,
-        ("identify", "textbook: tan α − α, spur, best shift only", "book:identify"),
         ("profile", "textbook: end of the rack's flank, external", "book:profile"),
         ("profile", "trochoid and involute by halving, external", "book:profile_by_halving"),
     ),

@@ -27,7 +27,6 @@ def _looked_up(name: str, **given: "Any") -> "dict[str, float]":
 
 
 spur_by_table, pair_by_table = partial(_looked_up, "spur"), partial(_looked_up, "pair")
-identify_by_table, block_by_table = partial(_looked_up, "identify"), partial(_looked_up, "data_block")
 pair_by_brent = partial(book.pair, inverse=brent_inverse)
 measure_by_brent = partial(book.measure, inverse=brent_inverse)
 
