@@ -27,10 +27,10 @@ if TYPE_CHECKING:
     Method = Callable[[Case], Answer]
 
 HERE = "dynamics_cli.accuracy.alternatives.uncertainty.propagation:"
-QUESTIONS = tuple(
-    Comparison("uncertainty", "", f"uncertainty, {name}", f"{HERE}compare_{name.split()[0]}")
-    for name in ("smooth", "bounded", "kinked or folded")
-)
+KINDS = {
+    "uncertainty, smooth": "smooth", "uncertainty, bounded": "bounded", "uncertainty, kinked or folded": "kinked",
+}  # fmt: skip
+QUESTIONS = tuple(Comparison("uncertainty", "", name, HERE + "compare") for name in KINDS)
 MEASURE = "deviations of the result"
 RESULTS = ("low", "high", "median", "mean", "std")
 # Points that one case may take, unless there are minutes: the program itself allows ten times as many.
@@ -72,12 +72,12 @@ def kind_of(case: Case) -> str:
 
 def distributions(case: Case) -> "list[Distribution]":
     """A case's inputs."""
-    from dynamics_cli.core.inputs.uncertain.distributions import KINDS
+    from dynamics_cli.core.inputs.uncertain.distributions import KINDS as CLASSES
 
     inputs: list[Distribution] = []
     for kind, *spelled in case.inputs["inputs"]:
         numbers = [float(text) for text in spelled]
-        cls: Callable[..., Distribution] = KINDS[kind]
+        cls: Callable[..., Distribution] = CLASSES[kind]
         inputs.append(cls(numbers) if kind == "readings" else cls(*numbers))
     return inputs
 
@@ -113,24 +113,11 @@ def of_library(library: "Callable[..., Found]", case: Case) -> "Answer":
     return library(distributions(case), correlations(case), FORMULAS[case.task]), None
 
 
-def compare_smooth(comparing: "Comparing") -> "list[Row]":
-    """Models with derivatives of inputs without bounds."""
-    return _compared(comparing, "smooth")
-
-
-def compare_bounded(comparing: "Comparing") -> "list[Row]":
-    """Inputs between bounds, and steps."""
-    return _compared(comparing, "bounded")
-
-
-def compare_kinked(comparing: "Comparing") -> "list[Row]":
-    """Kinks, atoms, branches that meet."""
-    return _compared(comparing, "kinked")
-
-
-def _compared(comparing: "Comparing", kind: str) -> "list[Row]":
+def compare(comparing: "Comparing") -> "list[Row]":
+    """Models with derivatives of inputs without bounds; inputs between bounds, and steps; kinks and folds."""
     import warnings
 
+    kind = KINDS[comparing.name]
     cases = [case for case in comparing.cases("uncertainty.json") if kind_of(case) == kind]
     methods = [(title, partial(own, options=option)) for title, option in own_methods(kind, full=comparing.full)]
     libraries = [(title, partial(of_library, library)) for title, library in comparing.more]
