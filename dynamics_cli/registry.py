@@ -45,7 +45,7 @@ FAMILIES: "dict[str, Entry]" = {
         GROUPS[1],
         "Speeds and distances from skids, yaw marks, vaults, braking.",
         references=("skid.json",),
-        questions="dynamics_cli.accuracy.alternatives.skid.questions",
+        questions="dynamics_cli.accuracy.alternatives.skid",
     ),
     "impact": Entry(
         "dynamics_cli.impact.commands",

@@ -44,35 +44,35 @@ def groups(name: str) -> "dict[str, type]":
 
 def questions(family: str, task: str) -> "list[Question | Comparison]":
     """The questions of a family and task, or all; alternatives stand in the question of the program's own method."""
-    found: list[Question | Comparison] = []
+    asked: list[Question | Comparison] = []
     for name in _names():
         if family in ("", name):
-            found += [question for question in _questions(name) if task in ("", question.task)]
-    return found
+            asked += [question for question in _questions(name) if task in ("", question.task)]
+    return asked
 
 
 @cache
 def _questions(name: str) -> "list[Question | Comparison]":
     files, module = ((), CORE[name]) if name in CORE else (FAMILIES[name].references, FAMILIES[name].questions)
     named: list[Question | Comparison] = list(imported(f"{module}:QUESTIONS")) if module else []
-    own = {
+    derived = {
         (question.file, question.cases): question
         for file in files
         for question in own_questions(_family(name), file, {case.task for case in load(file)})
-        if question.name not in {one.name for one in named if isinstance(one, Comparison)}
+        if question.name not in {entry.name for entry in named if isinstance(entry, Comparison)}
     }
     others: list[Question | Comparison] = []
     for question in named:
-        derived = own.get((question.file, question.cases)) if isinstance(question, Question) else None
-        if derived is None or not isinstance(question, Question):
+        own = derived.get((question.file, question.cases)) if isinstance(question, Question) else None
+        if own is None or not isinstance(question, Question):
             others.append(question)
             continue
-        derived.scale = question.scale
+        own.scale = question.scale
         if any(method.chosen for method in question.methods):
-            derived.methods = question.methods
+            own.methods = question.methods
         else:
-            derived.methods = (*derived.methods, *question.methods)
-    return [*own.values(), *others]
+            own.methods = (*own.methods, *question.methods)
+    return [*derived.values(), *others]
 
 
 @cache

@@ -1,4 +1,4 @@
-"""The report for people: what the program's own methods achieve, then the alternatives question by question."""
+"""The report for people: a line for each question, or every method of the questions of one task."""
 
 from dynamics_cli.accuracy import listing
 from dynamics_cli.accuracy.rows import CHOSEN, ESTIMATE
@@ -6,7 +6,7 @@ from dynamics_cli.core.documents import quantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
     from typing import Any
 
     Entry = dict[str, Any]
@@ -15,27 +15,24 @@ if TYPE_CHECKING:
 WIDTH = 80
 LEAST_WIDTH, LARGEST_WIDTH = 80, 140
 LEAST_NAME = 24
+# More questions than these are told in a line each.
+FEW_QUESTIONS = 4
 # Worse than this, a result's true value is shown beside it.
 FEW_DIGITS = 1e-10
-VANISHING = (
-    "errors are shares of each result: a large one is that of a result that all but vanishes, as a difference that "
-    "cancels does; its stated bound says so"
-)
-MEASURES = "¹: errors in the measure that the question's block below names"
-# What columns, by their first words, and marks mean; said of those that are there.
+# What columns and marks mean, by the first word of the column's title; said of those that are there.
 LEGEND = {
-    "ratio": "ratio: time of the formula alone over that of the program's own method (▸) in the same cases; ours also "
-    "gives results that have no reference, and checks its answer",
-    "gives": "gives: the share of our own method's results that this one gives",
-    "arrays": "arrays: time for each case of one call on arrays",
-    "worst": "worst, median: errors, as shares of the reference unless said otherwise",
-    "truly": "truly: the true value, in SI units, where few digits are right: a small error is a large share of a "
-    "result that all but vanishes, as a difference that cancels does",
-    "in": "in ulp: in units of a double's last place",
-    "ours": "ours: the worst error of our own method over the very results that this one gave",
-    "bound": "held ×n: the stated bound was never below the true error, and n times it in the median (~: an estimate)",
-    "cases": "a/b: of b cases b − a were not answered",
+    "worst": "worst, median: errors as shares of the true value; 1e-16 is its last digit, 1 is no digit right",
+    "few": "a worst error this large is that of a result close to zero, and its bound is as large",
+    "truly": "truly: a result so close to zero that a small error is a large share of it",
+    "bound": "held ×n: the error stated with the answer was never too small, typically n times the true one",
+    "~": "~: an estimate",
+    "ratio": "ratio: time over that of the program's own method (▸), for the formula alone",
+    "arrays": "arrays: time per case in one call on arrays",
+    "gives": "gives: how many of our results the method gives",
+    "cases": "a/b: a of b cases answered",
     "*": "*: no other method is as quick and as exact",
+    "instead": "instead: the worst error of the textbook's method",
+    "¹": "¹: errors in another measure, named with the question alone",
 }
 
 
@@ -50,90 +47,108 @@ class Column:
 
 def lines(results: "Entry", digits: int, width: int) -> "list[str]":
     """The results of a report."""
-    rows = results["methods"]
     width = min(max(width or WIDTH, LEAST_WIDTH), LARGEST_WIDTH)
     if "cases" in results:
         return listing.lines(results["cases"], _wrapped, width)
+    blocks = _blocks(results["methods"])
+    several = len(blocks) > 1 and len({(rows[0]["family"], rows[0]["task"]) for rows in blocks}) > 1
+    if (several or len(blocks) > FEW_QUESTIONS) and "peers" not in results:
+        text, seen = _overview(blocks, digits, width)
+        more = f"every method of a task: dynamics accuracy {_example(blocks)}"
+    else:
+        text, seen = _details(blocks, digits, width)
+        more = ""
+    return [*text, "", *_legend(seen, width), *_about(results, more, width)]
+
+
+def _example(blocks: "list[list[Entry]]") -> str:
+    """A family and a task that can be asked for."""
+    rows = next((rows for rows in blocks if rows[0]["task"] and len(rows) > 1), blocks[0])
+    return f"{rows[0]['family']} {rows[0]['task']}".strip()
+
+
+def _overview(blocks: "list[list[Entry]]", digits: int, width: int) -> "tuple[list[str], set[str]]":
+    """A line for each question: the program's own method, and the worst error of the first alternative."""
+    rows = [rows[0] | {"instead": _instead(rows, digits)} for rows in blocks]
+    columns = _fitting(
+        [*_columns(rows, digits, brief=True), Column("instead", lambda row: row["instead"])], rows, width
+    )
+    names = [row["question"] + ("" if row["measure"] == "relative" else " ¹") for row in rows]
+    title = "the program's own methods"
+    room = min(max(map(len, (title, *names))), width - 2 - sum(2 + size for _, size in columns))
+    text = ["", f"  {title:<{room}}" + "".join(f"  {column.title:>{size}}" for column, size in columns)]
+    for name, row in zip(names, rows, strict=True):
+        figures = "".join(f"  {column.text(row):>{size}}" for column, size in columns)
+        text.append(f"  {_clipped(name, room):<{room}}{figures}".rstrip())
+    marks = {"¹"} if any(name.endswith("¹") for name in names) else set()
+    if any(row["worst"]["value"] > FEW_DIGITS and row["stated"]["value"] for row in rows):
+        marks.add("few")
+    return text, _seen(columns, rows) | marks
+
+
+def _instead(rows: "list[Entry]", digits: int) -> str:
+    """The worst error of the first alternative that answers, or its pieces."""
+    other = next((row for row in rows[1:] if row["cases"]["value"]), None)
+    if other is None:
+        return ""
+    return whole(other["entities"]["value"], digits) if "entities" in other else error(other["worst"]["value"], digits)
+
+
+def _details(blocks: "list[list[Entry]]", digits: int, width: int) -> "tuple[list[str], set[str]]":
+    """Every method of every question."""
+    rows = [row for block in blocks for row in block]
     columns = _fitting(_columns(rows, digits), rows, width)
-    text = [*_own(rows, width), "", *_legend(columns, rows, width), *_about(results, width)]
     longest = max(len(row["method"].removesuffix(CHOSEN)) for row in rows)
     room = min(width - 4 - sum(2 + size for _, size in columns), longest)
-    for block in _blocks(rows):
-        text += ["", *_block(block, columns, room, width)]
-    return text
+    text = [line for block in blocks for line in ("", *_block(block, columns, room, width))]
+    marks = {"truly"} if any(_truly(row) for row in rows) else set()
+    return text, _seen(columns, rows) | marks | ({"*"} if any(row["front"] for row in rows) else set())
 
 
-def _own(rows: "list[Entry]", width: int) -> "list[str]":
-    """What the program's own methods achieve: their errors, whether their bounds held, and their times."""
-    own = [row for row in rows if row["method"].endswith(CHOSEN)]
-    unit = next((f" {row['time']['unit']}" for row in own if "time" in row), "")
-    heads = ("worst", "median", "bound", *((f"time{unit}",) if unit else ()))
-    figures = [
-        (error(row["worst"]["value"], 3), error(row["median"]["value"], 3), _bound(row),
-         *((short(row["time"]["value"], 3) if "time" in row else "",) if unit else ()))
-        for row in own
-    ]  # fmt: skip
-    sizes = [max(map(len, column)) for column in zip(heads, *figures, strict=True)]
-    names = [row["question"] + ("" if row["measure"] == "relative" else ", ¹") for row in own]
-    title = "the program's own methods"
-    room = min(max(map(len, (title, *names))), width - 2 - sum(2 + size for size in sizes))
-    lines = ["", f"  {title:<{room}}" + "".join(f"  {head:>{size}}" for head, size in zip(heads, sizes, strict=True))]
-    for name, row in zip(names, figures, strict=True):
-        texts = "".join(f"  {text:>{size}}" for text, size in zip(row, sizes, strict=True))
-        lines.append(f"  {_clipped(name, room):<{room}}{texts}".rstrip())
-    notes = [VANISHING] if any(row["worst"]["value"] > FEW_DIGITS for row in own) else []
-    notes += [MEASURES] if any(name.endswith("¹") for name in names) else []
-    text = "; ".join(notes)
-    return lines + ["", *(f"  {line}" for line in _wrapped(text, width - 2))] if notes else lines
-
-
-def _legend(columns: "list[tuple[Column, int]]", rows: "list[Entry]", width: int) -> "list[str]":
-    """What the columns there are mean, in lines as wide as the terminal."""
-    there = {column.title.split()[0] for column, _ in columns} | ({"*"} if any(row["front"] for row in rows) else set())
+def _seen(columns: "list[tuple[Column, int]]", rows: "list[Entry]") -> "set[str]":
+    """What of the legend there is to explain."""
+    seen = {column.title.split()[0] for column, _ in columns}
     if not any(row["refused"]["value"] for row in rows):
-        there.discard("cases")
-    if any(_truly(row) for row in rows):
-        there.add("truly")
-    text = "; ".join(words for key, words in LEGEND.items() if key in there)
-    return [f"  {line}" for line in _wrapped(text, width - 2)]
+        seen.discard("cases")
+    return seen | ({"~"} if any(row["bound"].startswith(ESTIMATE) for row in rows) else set())
 
 
-def _about(results: "Entry", width: int) -> "list[str]":
-    """What times were measured on, libraries of others, and how loose bounds are in all."""
-    made = []
-    if "looseness" in results:
-        loose = results["looseness"]["value"]
-        made.append(f"stated bounds are {loose:.2g} times the true error: the median over the program's own methods")
+def _legend(seen: "set[str]", width: int) -> "list[str]":
+    return [
+        f"  {line}" for line in _wrapped("; ".join(words for key, words in LEGEND.items() if key in seen), width - 2)
+    ]
+
+
+def _about(results: "Entry", more: str, width: int) -> "list[str]":
+    """What times were measured on, libraries of others, and what can be asked next."""
+    notes = []
     if "call_time" in results:
         call = results["call_time"]
-        made.append(
-            f"a whole call of the program takes {short(call['value'], 3)} {call['unit']}, with start, reading and "
-            "writing: of that a quicker formula saves its own time only, and most of them lose digits"
+        notes.append(
+            f"a whole call takes {short(call['value'], 3)} {call['unit']}, nearly all of it the start of Python"
         )
     if "machine" in results:
-        one = results["machine"]
-        made.append(f"measured on {one['processor']}, {one['system']}, {one['python']}, numpy {one['numpy']}")
+        machine = results["machine"]
+        notes.append(f"measured on {machine['processor']}, {machine['python']}, numpy {machine['numpy']}")
     if "peers" in results:
-        there = [f"{one['name']} {one['version']}" for one in results["peers"] if one["installed"]]
-        gone = [one["name"] for one in results["peers"] if not one["installed"]]
-        made.append(f"libraries of others: {', '.join(there) or 'none'}")
-        made += [f"not here: {', '.join(gone)}"] if gone else []
-    return ["", *(f"  {line}" for text in made for line in _wrapped(text, width - 2))] if made else []
+        there = [f"{peer['name']} {peer['version']}" for peer in results["peers"] if peer["installed"]]
+        gone = [peer["name"] for peer in results["peers"] if not peer["installed"]]
+        notes.append(f"libraries of others: {', '.join(there) or 'none'}")
+        notes += [f"not here: {', '.join(gone)}"] if gone else []
+    notes += [more] if more else []
+    return ["", *(f"  {line}" for text in notes for line in _wrapped(text, width - 2))] if notes else []
 
 
-def _columns(rows: "list[Entry]", digits: int) -> "list[Column]":
+def _columns(rows: "list[Entry]", digits: int, *, brief: bool = False) -> "list[Column]":
     def unit(name: str) -> str:
         return next((f" {row[name]['unit']}" for row in rows if name in row), "")
 
     def figure(name: str, form: "Callable[[float, int], str]" = short) -> "Callable[[Entry], str]":
         return lambda row: form(row[name]["value"], digits) if name in row else ""
 
-    return [
+    columns = [
         Column("worst", figure("worst", error)),
         Column("median", figure("median", error), 5),
-        Column("in ulp", figure("worst_ulp"), 1),
-        Column("median", figure("median_ulp"), 6),
-        Column("ours", figure("own_worst", error), 3),
         Column("bound", _bound),
         Column(f"time{unit('time')}", figure("time", whole), 2),
         Column(f"arrays{unit('array_time')}", figure("array_time"), 4),
@@ -141,6 +156,9 @@ def _columns(rows: "list[Entry]", digits: int) -> "list[Column]":
         Column("pieces", figure("entities", whole)),
         Column("gives", _gives, 4),
         Column("cases", _cases),
+    ]
+    return [
+        column for column in columns if not brief or column.title.split()[0] in ("worst", "median", "bound", "time")
     ]
 
 
@@ -184,7 +202,7 @@ def _cases(row: "Entry") -> str:
     return f"{cases}/{cases + refused}" if refused else str(cases)
 
 
-def _fitting(columns: "list[Column]", rows: "list[Entry]", width: int) -> "list[tuple[Column, int]]":
+def _fitting(columns: "list[Column]", rows: "Sequence[Entry]", width: int) -> "list[tuple[Column, int]]":
     """The columns that hold something, and their widths; the least wanted go where names would have no room."""
     sized = []
     for column in columns:

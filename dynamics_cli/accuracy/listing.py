@@ -41,15 +41,15 @@ def manifest() -> "dict[str, Any]":
 
 def listed(family: str, task: str, *, hard: bool) -> tuple[ReferenceCase, ...]:
     """The cases of a family and task, or all, those of one command together."""
-    found = [
+    cases = [
         _case(file, case)
         for file in manifest()["files"]
         if family in ("", file["family"])
         for case in file["cases"]
         if task in ("", case["command"]) and (case["kind"] == HARD or not hard)
     ]
-    places = {command: place for place, command in enumerate(dict.fromkeys(case.command for case in found))}
-    return tuple(sorted(found, key=lambda case: places[case.command]))
+    places = {command: place for place, command in enumerate(dict.fromkeys(case.command for case in cases))}
+    return tuple(sorted(cases, key=lambda case: places[case.command]))
 
 
 def _case(file: "dict[str, Any]", case: "dict[str, str]") -> ReferenceCase:
@@ -68,9 +68,9 @@ def lines(cases: "list[dict[str, Any]]", wrapped: "Any", width: int) -> "list[st
     for case in cases:
         if case["command"] != before:
             before = case["command"]
-            own = [one for one in cases if one["command"] == before]
-            hard = sum(one["difficulty"] == HARD for one in own)
-            text += ["", f"  {before}: {len(own)} reference cases, {hard} hard"]
+            alike = [entry for entry in cases if entry["command"] == before]
+            hard = sum(entry["difficulty"] == HARD for entry in alike)
+            text += ["", f"  {before}: {len(alike)} reference cases, {hard} hard"]
         mark = "▸ " if case["difficulty"] == HARD else "  "
         text += [f"  {mark}{line}" for line in wrapped(f"{case['name']} ({case['source']})", width - 4)]
         if case.get("why"):
@@ -84,8 +84,8 @@ def counted(cases: tuple[ReferenceCase, ...]) -> Picture:
     names: list[str] = []
     counts: list[float] = []
     for command in commands:
-        own = [case for case in cases if case.command == command]
+        alike = [case for case in cases if case.command == command]
         names += [command, "of these hard"]
-        counts += [float(len(own)), float(sum(case.difficulty == HARD for case in own))]
+        counts += [float(len(alike)), float(sum(case.difficulty == HARD for case in alike))]
     bars = Bars(tuple(names), [0.0] * len(names), counts)
     return Picture((Panel(Axis("reference cases"), Axis(""), (bars,)),), "reference cases of 40 digits")

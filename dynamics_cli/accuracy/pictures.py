@@ -34,9 +34,9 @@ MOST_OF_BAR = 46
 ASIDES = tuple((-1) ** step * (step // 2) * 0.75 * LINE + (3.0 if step % 2 == 0 else -LINE) for step in range(36))
 # The last of the colours, black.
 OWN = 6
-TITLE = "work–precision: left is more exact, down is quicker (−n: n cases without an answer)"
+TITLE = "left is more exact, down is quicker (−n: n cases unanswered)"
 PAGE = 8
-ERROR = "worst error (1: no digit is right)"
+ERROR = "worst error (1: all wrong)"
 
 
 def work_precision(accuracy: "Accuracy", *_: "Any", **__: "Any") -> Picture:
@@ -69,19 +69,27 @@ def by_question(accuracy: "Accuracy") -> "list[list[Row]]":
 
 
 def errors_alone(accuracy: "Accuracy") -> Picture:
-    """Where there are no times: every method's worst error as a bar, a panel for every question."""
+    """Where there are no times: worst errors as bars, by method, and by question where each has one method."""
     questions: dict[tuple[str, str], list[Row]] = {}
     for row in accuracy.methods:
         questions.setdefault((row.family, row.question), []).append(row)
-    panels = []
-    for (_, question), rows in questions.items():
-        bars = Bars(
-            tuple(_words(*_named(row), MOST_OF_BAR) for row in rows),
-            [ENDS[0]] * len(rows),
-            [_error(row, rows) for row in rows],
-        )
-        panels.append(Panel(_errors_in(rows[0].measure), Axis(""), (bars,), question))
+    several = [rows for rows in questions.values() if len(rows) > 1]
+    panels = [_bars([(_words(*_named(row), MOST_OF_BAR), row) for row in rows], rows) for rows in several]
+    alone: dict[str, list[Row]] = {}
+    for rows in questions.values():
+        if len(rows) == 1:
+            alone.setdefault(rows[0].family, []).append(rows[0])
+    for family, rows in alone.items():
+        panels.append(_bars([(row.question.removeprefix(family).lstrip(", "), row) for row in rows], [], family))
     return Picture(tuple(panels), "worst errors: shorter is more exact", 1 if len(panels) == 1 else 2, PAGE)
+
+
+def _bars(named: "list[tuple[str, Row]]", rows: "list[Row]", family: str = "") -> Panel:
+    """Bars of methods of one question, or of one method each of several."""
+    errors = [_error(row, rows or [row]) for _, row in named]
+    bars = Bars(tuple(name for name, _ in named), [ENDS[0]] * len(named), errors)
+    title = rows[0].question if rows else f"{family}: one method each"
+    return Panel(_errors_in(named[0][1].measure), Axis(""), (bars,), title)
 
 
 def chosen_overview(accuracy: "Accuracy", most: int = 11) -> Picture:
@@ -91,12 +99,12 @@ def chosen_overview(accuracy: "Accuracy", most: int = 11) -> Picture:
     for rows in questions:
         if len(rows) > 1 and rows[0].entities is None:
             ranked.setdefault(rows[0].family, []).append(rows)
-    for own in ranked.values():
-        own.sort(key=lambda rows: (-len(rows), -sum(row.front for row in rows)))
+    for several in ranked.values():
+        several.sort(key=lambda rows: (-len(rows), -sum(row.front for row in rows)))
     picked: list[list[Row]] = []
     for place in range(max(map(len, ranked.values()), default=0)):
-        picked += [own[place] for own in ranked.values() if place < len(own)]
-    shown = [rows for rows in questions if any(rows is one for one in picked[:most])]
+        picked += [several[place] for several in ranked.values() if place < len(several)]
+    shown = [rows for rows in questions if any(rows is pick for pick in picked[:most])]
     panels = (overview([rows for rows in questions if len(rows) > 1]), *map(question_panel, shown))
     return Picture(panels, TITLE, 2 if len(panels) > 1 else 1, PAGE)
 

@@ -133,7 +133,7 @@ def own_questions(family: "Family", file: str, cases: "set[str]") -> "list[Quest
             name = model.function.rpartition(":")[2]
             if name not in cases:
                 continue
-            own = Method(
+            method = Method(
                 model.method,
                 model.function,
                 chosen=True,
@@ -142,5 +142,5 @@ def own_questions(family: "Family", file: str, cases: "set[str]") -> "list[Quest
                 fields=task.specification.fields,
             )
             title = task.path if len(task.models) == 1 else f"{task.path}, {model.name}"
-            questions.append(Question(family.name, task.name, title, file, name, own))
+            questions.append(Question(family.name, task.name, title, file, name, method))
     return questions

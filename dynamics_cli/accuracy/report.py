@@ -94,21 +94,19 @@ def accuracy(
     task: Annotated[Text, "Only this task of it: `dynamics accuracy gear pair`."] = "",
     /,
     *,
-    hard: Annotated[
-        bool, "Only the hard cases: those that were chosen, or found by search, for being difficult."
-    ] = False,
+    hard: Annotated[bool, "Only the hard cases: chosen, or found by search, for being difficult."] = False,
     full: Annotated[
         bool,
-        "Three times as many repeats on five times as many cases, and larger problems: minutes rather than seconds.",
+        "Time more cases more often, and larger problems: takes minutes rather than seconds.",
     ] = False,
-    untimed: Annotated[bool, "Errors only: the same bytes on every machine and in every run."] = False,
+    untimed: Annotated[bool, "Errors only, which are the same in every run."] = False,
     peers: Annotated[
         bool,
-        "Further alternatives and libraries of others (uncertainties, GTC, trimesh, …) too, from a checkout of the "
-        "repository with the test extra.",
+        "Compare further methods and other people's libraries too (trimesh, GTC, scipy, …); needs a checkout of the "
+        "repository, installed with the test extra.",
     ] = False,
     cases: Annotated[
-        bool, "Measure nothing; list the reference cases instead, each with why it is hard and where it comes from."
+        bool, "List the reference cases, with why each is hard and where it comes from; measures nothing."
     ] = False,
 ) -> Accuracy:
     """Measure speed against error of the program's methods and of the alternatives, on this machine.
@@ -150,16 +148,16 @@ def accuracy(
             rows += finished(_rows(question, wanted), question.family, question.task)
             done.bytes_read += 1
             progress.advance(done.bytes_read)
-    loose = sorted(one.looseness for one in rows if one.is_proved and one.looseness is not None)
+    loose = sorted(line.looseness for line in rows if line.is_proved and line.looseness is not None)
     return Accuracy(
         tuple(rows),
-        len({one.question for one in rows}),
+        len({line.question for line in rows}),
         median(loose) if loose else None,
         None if untimed else this_machine(),
         tuple(libraries.values()) or None,
         _checks(rows),
         (NO_CHECKOUT if peers and catalogue.peers() is None else ())
-        + tuple(_missing(one) for one in libraries.values() if not one.installed)
+        + tuple(_missing(library) for library in libraries.values() if not library.installed)
         + _beaten(rows),
         call_time=None if untimed else whole_call(),
     )
@@ -175,15 +173,15 @@ def _names(asked: "Sequence[Question | Comparison]", more: "Mapping[str, Any]") 
     """The libraries of others that could answer these questions, in the order of the questions."""
     names: dict[str, None] = {}
     for question in asked:
-        own = question.needs if isinstance(question, Comparison) else [one.needs for one in question.methods]
+        needed = question.needs if isinstance(question, Comparison) else [method.needs for method in question.methods]
         further = [method.needs for method in more.get(question.name, ())]
-        names.update(dict.fromkeys(name for name in (*own, *further) if name))
+        names.update(dict.fromkeys(name for name in (*needed, *further) if name))
     return list(names)
 
 
-def _missing(one: Peer) -> Advice:
-    how = "cannot be imported" if one.version else "is not installed"
-    return Advice("not-installed", f"{one.name} {how} and was left out", "note", f"pip install {one.name}")
+def _missing(library: Peer) -> Advice:
+    how = "cannot be imported" if library.version else "is not installed"
+    return Advice("not-installed", f"{library.name} {how} and was left out", "note", f"pip install {library.name}")
 
 
 def _beaten(rows: "Sequence[Row]") -> "tuple[Advice, ...]":
@@ -191,24 +189,24 @@ def _beaten(rows: "Sequence[Row]") -> "tuple[Advice, ...]":
     return tuple(
         Advice(
             "alternative-more-exact",
-            f"{one.question}: {one.method} is off by {one.worst:.1e} at most, the program's own method by "
-            f"{one.own_worst:.1e} over the same results",
+            f"{line.question}: {line.method} is off by {line.worst:.1e} at most, the program's own method by "
+            f"{line.own_worst:.1e} over the same results",
             "note",
         )
-        for one in rows
-        if not one.question.startswith("uncertainty") and beats(one)
+        for line in rows
+        if not line.question.startswith("uncertainty") and beats(line)
     )
 
 
 def _checks(rows: "Sequence[Row]") -> "tuple[Check, ...]":
     """Whether what the program claims of its own methods held: bounds, and an answer to every reference."""
-    own = [one for one in rows if one.method.endswith(CHOSEN)]
-    proved = [one for one in own if one.is_proved]
+    chosen = [line for line in rows if line.method.endswith(CHOSEN)]
+    proved = [line for line in chosen if line.is_proved]
     checks = []
     if proved:
-        broken = sum(one.broken for one in proved)
+        broken = sum(line.broken for line in proved)
         checks.append(Check("stated bounds below a true error", broken == 0, float(broken), 0.0))
-    refused = sum(one.refused for one in own)
+    refused = sum(line.refused for line in chosen)
     checks.append(Check("references without an answer", refused == 0, float(refused), 0.0))
     return tuple(checks)
 

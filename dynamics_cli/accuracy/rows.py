@@ -120,47 +120,47 @@ def row(
 def _share(errors: "Errors", own: "Errors") -> "float | None":
     """The part of the chosen method's results that another gives, in the cases that it answers."""
     cases = {where.partition(" ")[0] for where in errors.by_result}
-    whole = sum(where.partition(" ")[0] in cases for where in own.by_result)
-    return min(len(errors.by_result) / whole, 1.0) if whole else None
+    total = sum(where.partition(" ")[0] in cases for where in own.by_result)
+    return min(len(errors.by_result) / total, 1.0) if total else None
 
 
 def finished(rows: "Sequence[Row]", family: str, task: str) -> "list[Row]":
     """The rows of one question with their family and task, marked where no other beats them in time and error."""
     more = {"family": family, "task": task}
-    return [Row(**{**one.__dict__, **more, "front": on_front(one, rows)}) for one in rows]
+    return [Row(**{**line.__dict__, **more, "front": on_front(line, rows)}) for line in rows]
 
 
-def compared_worst(one: Row, rows: "Sequence[Row]") -> float:
+def compared_worst(line: Row, rows: "Sequence[Row]") -> float:
     """The error by which a method stands beside the others: the program's own, over results that another gives too."""
-    if not one.method.endswith(CHOSEN):
-        return one.worst
-    return max((other.own_worst for other in rows if other.own_worst is not None), default=one.worst)
+    if not line.method.endswith(CHOSEN):
+        return line.worst
+    return max((other.own_worst for other in rows if other.own_worst is not None), default=line.worst)
 
 
-def beats(one: Row) -> bool:
+def beats(line: Row) -> bool:
     """Whether an alternative that answers every case is clearly more exact than our own method over the same results.
 
     An error of one and more says that no digit is right, however large it is.
     """
-    if one.own_worst is None or one.refused or one.measure != "relative":
+    if line.own_worst is None or line.refused or line.measure != "relative":
         return False
-    return min(one.own_worst, 1.0) > max(TIE * one.worst, LAST_BITS)
+    return min(line.own_worst, 1.0) > max(TIE * line.worst, LAST_BITS)
 
 
-def quality(one: Row, rows: "Sequence[Row]") -> float:
+def quality(line: Row, rows: "Sequence[Row]") -> float:
     """What is to be small: the pieces needed, where all keep a tolerance, else the error."""
-    return compared_worst(one, rows) if one.entities is None else float(one.entities)
+    return compared_worst(line, rows) if line.entities is None else float(line.entities)
 
 
-def on_front(one: Row, rows: "Sequence[Row]") -> bool:
+def on_front(line: Row, rows: "Sequence[Row]") -> bool:
     """Whether no other method, `rows` being those of one question, answers as many cases as quickly and exactly."""
-    if one.time is None or not one.cases:
+    if line.time is None or not line.cases:
         return False
-    mine = (one.refused, one.time, quality(one, rows))
+    mine = (line.refused, line.time, quality(line, rows))
     for other in rows:
         if other.time is None or not other.cases:
             continue
         theirs = (other.refused, other.time, quality(other, rows))
-        if theirs != mine and all(their <= own for their, own in zip(theirs, mine, strict=True)):
+        if theirs != mine and all(their <= our for their, our in zip(theirs, mine, strict=True)):
             return False
     return True

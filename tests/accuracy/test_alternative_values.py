@@ -7,15 +7,14 @@ from typing import Any
 
 import pytest
 from inertia_answers import arguments
+from peers import skid as more_skid
 from peers.gear import book as more_gear_book
 from peers.gear import involute as more_gear_involute
-from peers.gear import sizes as more_gear_sizes
 from peers.impact import chain as more_impact_chain
 from peers.impact import damage as more_damage
 from peers.impact import lines as more_impact_lines
 from peers.impact import rigid as more_impact_rigid
 from peers.inertia import quadrature as inertia_quadrature
-from peers.skid import roads as more_skid_roads
 
 from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.alternatives.gear import book as gear_book
@@ -38,12 +37,7 @@ COARSE = {
     "mean sine by degrees": (1e-5, 1e-4),
     # angles up to 72°, where five terms are far too few
     "power series": (1e-5, 0.1),
-    # a shift of a hundredth is what six decimals leave of a reading's size
-    "six decimals, likewise": (1e-3, 0.1),
     "six decimals": (1e-5, 1e-3),
-    "best shift only": (1e-13, 1e-6),
-    # printed with a few decimals
-    "external, some only": (1e-8, 1e-3),
     # points a ten-thousandth of a module apart, beside distances that may be as small
     "distances between points": (0.01, 1.0),
     # a spring that swings through a whole period in its hundred steps
@@ -56,7 +50,6 @@ COARSE = {
     "doubles from": (1e-15, math.inf),
     # they find the trivial root, too
     "Newton on half angles": (1e-15, 1.0),
-    "Newton for two unknowns": (1e-15, math.inf),
 }
 EXACT = 5e-15, 1e-8
 FURTHER = catalogue.peers() or {}
@@ -117,10 +110,10 @@ class TestInertia:
         assert found["moments.zz"] == pytest.approx(4.8, rel=1e-14)
         assert found["moments.xx"] == pytest.approx(83.0 / 320.0 * 12.0, rel=1e-14)
 
-    def test_every_shape_is_in_the_textbooks_table(self) -> None:
+    def test_every_wall_and_most_shapes_are_in_a_table(self) -> None:
         shapes = {case.inputs["shape"]["record"] for case in load("inertia_bodies.json") if case.task == "shape"}
-        assert shapes == set(inertia_book.SHAPES)
         hollow = {name for name in shapes if name.startswith("Hollow")} | {"ClosedCylinder", "RectangularTube"}
+        assert hollow < set(inertia_book.SHAPES) < shapes
         assert shapes - hollow == set(inertia_quadrature.SHAPES)
 
     def test_sections_from_a_corner(self) -> None:
@@ -274,10 +267,10 @@ class TestGearsByHand:
             assert round(math.degrees(found["working_pressure_angle"]), 4) == 26.0886
 
     def test_bevels_at_a_right_angle(self) -> None:
-        for method in (gear_sizes.bevel_by_book, more_gear_sizes.bevel_by_brent):
-            found = method(first_teeth=20, second_teeth=40, module=0.003, shaft_angle=0.5 * math.pi, kind="standard")
-            assert math.tan(found["first.pitch_angle"]) == pytest.approx(0.5, rel=1e-14)
-            assert found["cone_distance"] == pytest.approx(0.03 * math.sqrt(5.0), rel=1e-14)
+        given = {"first_teeth": 20, "second_teeth": 40, "module": 0.003, "kind": "standard"}
+        found = gear_sizes.bevel(**given, shaft_angle=0.5 * math.pi)
+        assert math.tan(found["first.pitch_angle"]) == pytest.approx(0.5, rel=1e-14)
+        assert found["cone_distance"] == pytest.approx(0.03 * math.sqrt(5.0), rel=1e-14)
 
     def test_the_series_is_right_for_small_angles(self) -> None:
         value = math.tan(0.26) - 0.26
@@ -287,9 +280,7 @@ class TestGearsByHand:
 
 def test_the_mean_sine_of_a_half_turn() -> None:
     turn = Given(start_angle=0.0, rotation=math.pi, rolling_drag=0.0)
-    found = more_skid_roads.spin_by_degrees(
-        drag=turn, distance=20.0, friction=0.7, end_speed=0.0, grade=0.0, gravity=9.80665
-    )
+    found = more_skid.spin_by_degrees(drag=turn, distance=20.0, friction=0.7, end_speed=0.0, grade=0.0, gravity=9.80665)
     assert found["mean_share"] == pytest.approx(2.0 / math.pi, rel=2e-5)
 
 

@@ -29,10 +29,10 @@ CALL = ("-m", "dynamics_cli", "skid", "speed", "--distance", "60 ft", "--frictio
 CALLS = 15
 
 
-def questions(made: Accuracy) -> list[list[Row]]:
+def questions(report: Accuracy) -> list[list[Row]]:
     """The methods of each question, the program's own first."""
     blocks: dict[tuple[str, str], list[Row]] = {}
-    for row in made.methods:
+    for row in report.methods:
         blocks.setdefault((row.family, row.question), []).append(row)
     return list(blocks.values())
 
@@ -55,13 +55,15 @@ def ratio(row: Row) -> str:
     return f"{row.slower:.0f}" if row.slower >= 10.0 else f"{row.slower:.2g}"
 
 
-def alternative(own: Row, others: list[Row]) -> Row:
+def alternative(others: list[Row]) -> Row | None:
     """What is put beside the program's method: what a textbook does, which the questions name first."""
-    return next((one for one in others if one.cases), others[0])
+    return next((row for row in others if row.cases), others[0] if others else None)
 
 
-def line(own: Row, other: Row) -> str:
+def line(own: Row, other: Row | None) -> str:
     """One question: the program's error over the results that the other method gives, the other's, and its time."""
+    if other is None:
+        return f"| {own.question} | {own.method.removesuffix(CHOSEN)} | {error(own)} | | | |"
     here = own if other.own_worst is None else Row(**{**own.__dict__, "worst": other.own_worst})
     measure = "" if own.measure == "relative" or own.entities is not None else f", in {own.measure}"
     cells = (
@@ -75,8 +77,8 @@ def line(own: Row, other: Row) -> str:
     return "| " + " | ".join(cells) + " |"
 
 
-def whole_call() -> tuple[float, float]:
-    """The least milliseconds that a whole call takes, and the median of its time over that of an empty process."""
+def start_up() -> str:
+    """What a user waits for: the median of a whole call's time over that of an empty process."""
 
     def elapsed(*words: str) -> float:
         start = time.perf_counter()
@@ -84,50 +86,44 @@ def whole_call() -> tuple[float, float]:
         return time.perf_counter() - start
 
     compileall.compile_dir(str(ROOT / "dynamics_cli"), quiet=2)
-    pairs = [(elapsed(*CALL), elapsed("-c", "pass")) for _ in range(CALLS)]
-    return 1e3 * min(whole for whole, _ in pairs), median(whole / empty for whole, empty in pairs)
-
-
-def start_up() -> str:
-    """What a user waits for."""
-    least, ratio = whole_call()
+    ratio = median(elapsed(*CALL) / elapsed("-c", "pass") for _ in range(CALLS))
     return (
-        f"A whole call of `dynamics skid speed` takes {least:.0f} ms there, {ratio:.1f} times an empty Python process, "
-        "whichever formula it uses."
+        f"A whole call of `dynamics skid speed` takes {ratio:.1f} times as long as an empty Python process, whichever "
+        "formula it uses."
     )
 
 
-def summary(made: Accuracy) -> list[str]:
+def summary(report: Accuracy) -> list[str]:
     """Bounds, cases and the machine."""
-    own = [row for row in made.methods if row.is_proved]
-    held = [row for row in own if not row.broken]
+    proved = [row for row in report.methods if row.is_proved]
+    held = [row for row in proved if not row.broken]
     cases = [case for path in sorted(DATA.glob("*.json")) for case in load(path.name)]
     hard = sum(case.hard for case in cases)
-    here: Any = made.machine
+    here: Any = report.machine
     return [
         "Errors are the worst over all cases, as shares of the reference unless said otherwise, of the results that "
         "both methods give; `none right` is an error as large as the answer, `and says so` that the bound stated with "
         "the answer is as large: its inputs are next to those where it is zero. The bounds that the program states "
-        f"held in {len(held)} of {len(own)} questions that have one, for every result of every case, and are in the "
-        f"median {made.looseness:.2g} times the true error. {len(cases)} cases ship with the program, {hard} of them "
+        f"held in {len(held)} of {len(proved)} questions that have one, for every result of every case, and are in the "
+        f"median {report.looseness:.2g} times the true error. {len(cases)} cases ship with the program, {hard} of them "
         f"hard. Measured on {here.processor}, {here.python}, numpy {here.numpy}. {start_up()}",
         "",
         f"![Work–precision diagram](images/{DIAGRAM.name})",
     ]
 
 
-def table(made: Accuracy) -> list[str]:
-    """A line for every question that more than one method answers."""
+def table(report: Accuracy) -> list[str]:
+    """A line for every question."""
     lines = ["| " + " | ".join(HEAD) + " |", "|---|---|---:|---|---:|---:|"]
-    lines += [line(own, alternative(own, others)) for own, *others in questions(made) if others]
-    return [*lines, "", *summary(made)]
+    lines += [line(own, alternative(others)) for own, *others in questions(report)]
+    return [*lines, "", *summary(report)]
 
 
 def main() -> None:
     """Rewrite the part of the page between the marks."""
     start = time.perf_counter()
-    made = accuracy()
-    failed = [check.name for check in made.checks if not check.passed]
+    report = accuracy()
+    failed = [check.name for check in report.checks if not check.passed]
     if failed:
         sys.exit(f"not written: {', '.join(failed)}")
     text = PAGE.read_text(encoding="utf-8")
@@ -135,10 +131,10 @@ def main() -> None:
         sys.exit(f"{PAGE.name} must contain {START} and {END} once")
     before, _, rest = text.partition(START)
     after = rest.partition(END)[2]
-    picture = draw(chosen_overview(made), "svg", "si")
-    PAGE.write_text("\n".join([before + START, "", *table(made), "", END]) + after, encoding="utf-8")
+    picture = draw(chosen_overview(report), "svg", "si")
+    PAGE.write_text("\n".join([before + START, "", *table(report), "", END]) + after, encoding="utf-8")
     DIAGRAM.write_bytes(picture)
-    print(f"{len(made.methods)} methods of {made.questions} questions in {time.perf_counter() - start:.0f} s")
+    print(f"{len(report.methods)} methods of {report.questions} questions in {time.perf_counter() - start:.0f} s")
 
 
 if __name__ == "__main__":

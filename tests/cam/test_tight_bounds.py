@@ -11,10 +11,10 @@ from geometry_cases import NOTHING, follower_of
 from mpmath import mp, mpf
 
 from dynamics_cli.accuracy.alternatives.cam.forces import _radius_share, certified, given
-from dynamics_cli.accuracy.alternatives.cam.laws import peaks
-from dynamics_cli.accuracy.alternatives.cam.motions import (
+from dynamics_cli.accuracy.alternatives.cam.laws import (
     motion_bounds,
     motion_peaks,
+    peaks,
     polynomial_bounds,
     polynomial_peaks,
 )

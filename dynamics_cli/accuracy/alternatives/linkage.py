@@ -2,58 +2,55 @@
 
 import math
 
-from dynamics_cli.accuracy.questions import Method, Question
+from dynamics_cli.accuracy.questions import textbooks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 
-def _rates(a: float, c: float, angles: "tuple[float, float, float]", m: "Any") -> "dict[str, float]":
+def _rates(a: float, c: float, angles: "tuple[float, float, float]") -> "dict[str, float]":
     """Angles and speed ratios by sines of differences."""
     theta, coupler, rocker = angles
     return {
-        "rocker_angle": m.atan2(m.sin(rocker), m.cos(rocker)),
+        "rocker_angle": math.atan2(math.sin(rocker), math.cos(rocker)),
         "coupler_angle": coupler,
-        "rocker_ratio": a * m.sin(theta - coupler) / (c * m.sin(rocker - coupler)),
+        "rocker_ratio": a * math.sin(theta - coupler) / (c * math.sin(rocker - coupler)),
     }
 
 
 def by_quotient(
     *, crank: float, coupler: float, rocker: float, ground: float, crank_angle: float, branch: str = "open",
-    m: "Any" = math, **_: "Any",
+    **_: "Any",
 ) -> "dict[str, float]":  # fmt: skip
     """tan(θ₄/2) = (−B ∓ √(B² − 4AC))/2A with K₁ = d/a, K₂ = d/c, K₃ = (a² − b² + c² + d²)/2ac."""
     a, b, c, d = crank, coupler, rocker, ground
-    cosine = m.cos(crank_angle)
+    cosine = math.cos(crank_angle)
     k1, k2, k3 = d / a, d / c, (a * a - b * b + c * c + d * d) / (2 * a * c)
-    first, second, third = cosine - k1 - k2 * cosine + k3, -2 * m.sin(crank_angle), k1 - (k2 + 1) * cosine + k3
-    root = m.sqrt(second * second - 4 * first * third)
-    theta = 2 * m.atan((-second + (-root if branch == "open" else root)) / (2 * first))
-    x, y = d + c * m.cos(theta) - a * cosine, c * m.sin(theta) - a * m.sin(crank_angle)
-    return _rates(a, c, (crank_angle, m.atan2(y, x), theta), m)
+    first, second, third = cosine - k1 - k2 * cosine + k3, -2 * math.sin(crank_angle), k1 - (k2 + 1) * cosine + k3
+    root = math.sqrt(second * second - 4 * first * third)
+    theta = 2 * math.atan((-second + (-root if branch == "open" else root)) / (2 * first))
+    x, y = d + c * math.cos(theta) - a * cosine, c * math.sin(theta) - a * math.sin(crank_angle)
+    return _rates(a, c, (crank_angle, math.atan2(y, x), theta))
 
 
 def by_cosine_rule(
     *, crank: float, coupler: float, rocker: float, ground: float, crank_angle: float, branch: str = "open",
-    m: "Any" = math, **_: "Any",
+    **_: "Any",
 ) -> "dict[str, float]":  # fmt: skip
     """Angle at A in the triangle of coupler, rocker and diagonal, by the arc cosine."""
     a, b, c, d = crank, coupler, rocker, ground
-    x, y = d - a * m.cos(crank_angle), -a * m.sin(crank_angle)
-    f = m.sqrt(x * x + y * y)
-    corner = m.acos((b * b + f * f - c * c) / (2 * b * f))
-    angle = m.atan2(y, x) + (corner if branch == "open" else -corner)
-    angle = m.atan2(m.sin(angle), m.cos(angle))
-    bx, by = a * m.cos(crank_angle) + b * m.cos(angle) - d, a * m.sin(crank_angle) + b * m.sin(angle)
-    return _rates(a, c, (crank_angle, angle, m.atan2(by, bx)), m)
+    x, y = d - a * math.cos(crank_angle), -a * math.sin(crank_angle)
+    f = math.sqrt(x * x + y * y)
+    corner = math.acos((b * b + f * f - c * c) / (2 * b * f))
+    angle = math.atan2(y, x) + (corner if branch == "open" else -corner)
+    angle = math.atan2(math.sin(angle), math.cos(angle))
+    bx, by = a * math.cos(crank_angle) + b * math.cos(angle) - d, a * math.sin(crank_angle) + b * math.sin(angle)
+    return _rates(a, c, (crank_angle, angle, math.atan2(by, bx)))
 
 
-HERE = "dynamics_cli.accuracy.alternatives.linkage:"
-QUESTIONS = (
-    Question(
-        "linkage", "", "", "linkage.json", "four_bar",
-        Method("textbook: Freudenstein's quotient", HERE + "by_quotient"),
-        Method("textbook: cosine rule", HERE + "by_cosine_rule"),
-    ),
+QUESTIONS = textbooks(
+    "linkage", "linkage.json", "dynamics_cli.accuracy.alternatives.linkage:",
+    ("four_bar", "textbook: Freudenstein's quotient", "by_quotient"),
+    ("four_bar", "textbook: cosine rule", "by_cosine_rule"),
 )  # fmt: skip

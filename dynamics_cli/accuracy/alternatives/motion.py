@@ -1,8 +1,7 @@
 """Motion as scripts have it: an integrator as it comes, modes of assembled matrices, differences of formulas."""
 
-import math
-
-from dynamics_cli.accuracy.questions import Method, Question
+from dynamics_cli.accuracy.alternatives.vibration import frequencies
+from dynamics_cli.accuracy.questions import textbooks
 from dynamics_cli.motion.equations.records import Turning
 from dynamics_cli.motion.equations.system import System
 from dynamics_cli.motion.rods import chain_of, many
@@ -26,8 +25,7 @@ def by_defaults(
     n = rods.n
     start = many(angles, n, "angles", 0.0) + many(rates, n, "rates", 0.0)
     end = [float(row[-1]) for row in solve_ivp(rods.rate, (0.0, duration), start).y]
-    made = {f"rods[{k}].angle": end[k] for k in range(n)}
-    return made | {f"rods[{k}].rate": end[n + k] for k in range(n)}
+    return {f"rods[{k}].{name}": end[place + k] for k in range(n) for place, name in ((0, "angle"), (n, "rate"))}
 
 
 def by_eigh(*, lengths: "Any", masses: "Any", end_masses: "Any" = (), **_: "Any") -> "dict[str, float]":
@@ -36,12 +34,7 @@ def by_eigh(*, lengths: "Any", masses: "Any", end_masses: "Any" = (), **_: "Any"
     from scipy.linalg import eigh
 
     rods = chain_of(lengths, masses, end_masses, (), None, 9.80665)
-    squares = eigh(np.diag(rods.gravity * np.array(rods.b)), np.array(rods.a), eigvals_only=True)
-    made: dict[str, float] = {}
-    for nth, square in enumerate(squares):
-        rate = math.sqrt(max(float(square), 0.0))
-        made |= {f"modes[{nth}].angular_frequency": rate, f"modes[{nth}].frequency": rate / (2.0 * math.pi)}
-    return made
+    return frequencies(eigh(np.diag(rods.gravity * np.array(rods.b)), np.array(rods.a), eigvals_only=True))
 
 
 def by_differences(*, scene: "Any", time: float = 0.0, up: str = "y", **_: "Any") -> "dict[str, float]":
@@ -49,8 +42,8 @@ def by_differences(*, scene: "Any", time: float = 0.0, up: str = "y", **_: "Any"
     system = System(scene, (), up)
     if any(len(turns) > 1 for turns in system.turns.values()):
         raise ValueError("turns in space")
-    q = [one.angle if isinstance(one, Turning) else one.position for one in scene.coordinates]
-    w = [one.rate if isinstance(one, Turning) else one.velocity for one in scene.coordinates]
+    q = [c.angle if isinstance(c, Turning) else c.position for c in scene.coordinates]
+    w = [c.rate if isinstance(c, Turning) else c.velocity for c in scene.coordinates]
     n = len(q)
 
     def placed(changes: "list[float]", later: float) -> "list[list[float]]":
@@ -70,29 +63,20 @@ def by_differences(*, scene: "Any", time: float = 0.0, up: str = "y", **_: "Any"
     parts = [slopes([float(k == r) for k in range(n)], 0.0) for r in range(n)]
     moved = slopes(w, 1.0)
 
-    def summed(one: "list[list[float]]", other: "list[list[float]]") -> float:
+    def summed(first: "list[list[float]]", second: "list[list[float]]") -> float:
         total = 0.0
-        for body, a, b in zip(scene.bodies, one, other, strict=True):
+        for body, a, b in zip(scene.bodies, first, second, strict=True):
             total += sum(body.mass * x * y for x, y in zip(a[:3], b[:3], strict=True))
             total += sum(body.inertia * x * y for x, y in zip(a[3:], b[3:], strict=True))
         return total
 
-    made = {f"mass_matrix[{r}].entries[{s}].value": summed(parts[r], parts[s]) for r in range(n) for s in range(n)}
-    return made | {"kinetic_energy": 0.5 * summed(moved, moved)}
+    masses = {f"mass_matrix[{r}].entries[{s}].value": summed(parts[r], parts[s]) for r in range(n) for s in range(n)}
+    return masses | {"kinetic_energy": 0.5 * summed(moved, moved)}
 
 
-HERE = "dynamics_cli.accuracy.alternatives.motion:"
-QUESTIONS = (
-    Question(
-        "motion", "", "", "motion.json", "chain",
-        Method("scipy.integrate.solve_ivp, default tolerances", HERE + "by_defaults", needs="scipy"),
-    ),
-    Question(
-        "motion", "", "", "motion.json", "modes",
-        Method("scipy.linalg.eigh(K, M)", HERE + "by_eigh", needs="scipy"),
-    ),
-    Question(
-        "motion", "", "", "motion.json", "equations",
-        Method("central differences of the formulas", HERE + "by_differences"),
-    ),
+QUESTIONS = textbooks(
+    "motion", "motion.json", "dynamics_cli.accuracy.alternatives.motion:",
+    ("chain", "scipy.integrate.solve_ivp, default tolerances", "by_defaults", "scipy"),
+    ("modes", "scipy.linalg.eigh(K, M)", "by_eigh", "scipy"),
+    ("equations", "central differences of the formulas", "by_differences"),
 )  # fmt: skip

@@ -2,7 +2,7 @@
 
 import math
 
-from dynamics_cli.accuracy.questions import Method, Question
+from dynamics_cli.accuracy.questions import textbooks
 from dynamics_cli.numerics.orientation.sequences import sequence_of
 from dynamics_cli.orient.turns.attitude import orientation
 
@@ -12,7 +12,6 @@ if TYPE_CHECKING:
 
     from dynamics_cli.orient.turns.attitude import Attitude
 
-HERE = "dynamics_cli.accuracy.alternatives.orient:"
 # Within this of lock, libraries set the third angle to zero.
 THRESHOLD = 1e-7
 
@@ -62,14 +61,8 @@ def _angles(m: "Any", sequence: str, threshold: float) -> "tuple[float, ...]":
     return (c, b, a) if order.fixed else (a, b, c)
 
 
-QUESTIONS = (
-    Question(
-        "orient",
-        "convert",
-        "orient convert",
-        "orient.json",
-        "convert",
-        Method("textbook, acos and asin", HERE + "textbook"),
-        Method("zero within 1e-7 of lock", HERE + "with_threshold"),
-    ),
-)
+QUESTIONS = textbooks(
+    "orient", "orient.json", "dynamics_cli.accuracy.alternatives.orient:",
+    ("convert", "textbook, acos and asin", "textbook"),
+    ("convert", "zero within 1e-7 of lock", "with_threshold"),
+)  # fmt: skip

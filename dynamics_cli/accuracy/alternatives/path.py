@@ -2,14 +2,13 @@
 
 import math
 
-from dynamics_cli.accuracy.questions import Method, Question
+from dynamics_cli.accuracy.questions import textbooks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-HERE = "dynamics_cli.accuracy.alternatives.path:"
 STEPS = 100
 
 
@@ -17,7 +16,7 @@ def by_quadratic_formula(*, phases: "Any", **_: object) -> "dict[str, float]":
     """Time by (−u ± √(u² + 2as))/a where start speed, acceleration and distance are given."""
     u, a, s = phases.start_speed, phases.acceleration, phases.distance
     if None in (u, a, s):
-        return {}
+        raise ArithmeticError
     root = math.sqrt(u * u + 2.0 * a * s)
     time = min(t for t in ((-u + root) / a, (-u - root) / a) if t >= 0.0)
     return {"time": time, "end_speed": u + a * time}
@@ -34,12 +33,11 @@ def by_runge_kutta(*, phases: "Any", law: "Any", **_: object) -> "dict[str, floa
         return v, float(rate(t=t, x=x, v=v))
 
     for _step in range(STEPS):
-        one = slope(t, x, v)
-        two = slope(t + 0.5 * h, x + 0.5 * h * one[0], v + 0.5 * h * one[1])
-        three = slope(t + 0.5 * h, x + 0.5 * h * two[0], v + 0.5 * h * two[1])
-        four = slope(t + h, x + h * three[0], v + h * three[1])
-        x += h / 6.0 * (one[0] + 2.0 * two[0] + 2.0 * three[0] + four[0])
-        v += h / 6.0 * (one[1] + 2.0 * two[1] + 2.0 * three[1] + four[1])
+        a = slope(t, x, v)
+        b = slope(t + 0.5 * h, x + 0.5 * h * a[0], v + 0.5 * h * a[1])
+        c = slope(t + 0.5 * h, x + 0.5 * h * b[0], v + 0.5 * h * b[1])
+        d = slope(t + h, x + h * c[0], v + h * c[1])
+        x, v = (w + h / 6.0 * (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]) for k, w in enumerate((x, v)))
         t += h
     return {"distance": x, "end_speed": v}
 
@@ -55,20 +53,17 @@ def by_squares(*, velocity: "Sequence[float]", acceleration: "Sequence[float]", 
 def by_differences(*, first: "Any", second: "Any", **_: object) -> "dict[str, float]":
     """Closest approach of constant velocities from the relative position at its time."""
     if any(first.acceleration) or any(second.acceleration):
-        return {}
+        raise ArithmeticError
     r = [b - a for a, b in zip(first.position, second.position, strict=True)]
     v = [b - a for a, b in zip(first.velocity, second.velocity, strict=True)]
     when = max(0.0, -sum(a * b for a, b in zip(r, v, strict=True)) / sum(b * b for b in v))
     return {"closest_time": when, "closest_distance": math.hypot(*(a + when * b for a, b in zip(r, v, strict=True)))}
 
 
-def _question(cases: str, name: str, function: str) -> Question:
-    return Question("path", "", "", "path.json", cases, Method(name, HERE + function))
-
-
-QUESTIONS = (
-    _question("rectilinear", "textbook: quadratic formula", "by_quadratic_formula"),
-    _question("rectilinear_law", "Runge–Kutta, 100 steps", "by_runge_kutta"),
-    _question("components", "textbook: difference of squares", "by_squares"),
-    _question("relative", "textbook: positions subtracted", "by_differences"),
-)
+QUESTIONS = textbooks(
+    "path", "path.json", "dynamics_cli.accuracy.alternatives.path:",
+    ("rectilinear", "textbook: quadratic formula", "by_quadratic_formula"),
+    ("rectilinear_law", "Runge–Kutta, 100 steps", "by_runge_kutta"),
+    ("components", "textbook: difference of squares", "by_squares"),
+    ("relative", "textbook: positions subtracted", "by_differences"),
+)  # fmt: skip

@@ -2,13 +2,11 @@
 
 import math
 
-from dynamics_cli.accuracy.questions import Method, Question
+from dynamics_cli.accuracy.questions import textbooks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
-
-HERE = "dynamics_cli.accuracy.alternatives.vec:"
 
 
 def _dot(a: "Sequence[float]", b: "Sequence[float]") -> float:
@@ -20,7 +18,7 @@ def angle(
 ) -> "dict[str, float]":
     """The arc cosine of a·b/(‖a‖‖b‖); it has no sign about an axis."""
     if axis is not None:
-        return {}
+        raise ArithmeticError
     cosine = _dot(first, second) / (math.sqrt(_dot(first, first)) * math.sqrt(_dot(second, second)))
     turn = math.acos(min(1.0, max(-1.0, cosine)))
     return {"angle": turn, "supplement": math.pi - turn, "cosine": cosine, "sine": math.sqrt(1.0 - cosine * cosine)}
@@ -40,12 +38,13 @@ def resultant(*vectors: "Sequence[float]", between: "float | None" = None) -> "d
     if between is not None:
         a, b = vectors
         return {"magnitude": math.sqrt(a * a + b * b + 2.0 * a * b * math.cos(between))}  # type: ignore[operator]
-    whole = [sum(parts) for parts in zip(*vectors, strict=True)]
-    return {"magnitude": math.sqrt(_dot(whole, whole))}
+    total = [sum(parts) for parts in zip(*vectors, strict=True)]
+    return {"magnitude": math.sqrt(_dot(total, total))}
 
 
-QUESTIONS = (
-    Question("vec", "", "", "vec.json", "angle", Method("textbook: arc cosine", HERE + "angle")),
-    Question("vec", "", "", "vec.json", "direction", Method("textbook: arc cosines", HERE + "direction")),
-    Question("vec", "", "", "vec.json", "resultant", Method("textbook: law of cosines", HERE + "resultant")),
-)
+QUESTIONS = textbooks(
+    "vec", "vec.json", "dynamics_cli.accuracy.alternatives.vec:",
+    ("angle", "textbook: arc cosine", "angle"),
+    ("direction", "textbook: arc cosines", "direction"),
+    ("resultant", "textbook: law of cosines", "resultant"),
+)  # fmt: skip

@@ -3,7 +3,7 @@
 import cmath
 import math
 
-from dynamics_cli.accuracy.questions import Method, Question
+from dynamics_cli.accuracy.questions import textbooks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,13 +25,13 @@ def _assembled(system: "Any") -> "tuple[Any, Any]":
     return np.diag(masses), stiffness
 
 
-def _listed(squares: "Any") -> "dict[str, float]":
-    """Frequencies by address, the lowest first; what came out negative is none."""
-    rates = [math.sqrt(max(float(square), 0.0)) for square in sorted(squares)]
-    made: dict[str, float] = {}
-    for nth, rate in enumerate(rates):
-        made |= {f"modes[{nth}].angular_frequency": rate, f"modes[{nth}].frequency": rate / (2.0 * math.pi)}
-    return made
+def frequencies(squares: "Any") -> "dict[str, float]":
+    """Modes by address, the lowest first; what came out negative is none."""
+    results: dict[str, float] = {}
+    for nth, square in enumerate(sorted(map(float, squares))):
+        rate = math.sqrt(max(square, 0.0))
+        results |= {f"modes[{nth}].angular_frequency": rate, f"modes[{nth}].frequency": rate / (2.0 * math.pi)}
+    return results
 
 
 def by_eigh(*, system: "Any", **_: "Any") -> "dict[str, float]":
@@ -39,7 +39,7 @@ def by_eigh(*, system: "Any", **_: "Any") -> "dict[str, float]":
     from scipy.linalg import eigh
 
     mass, stiffness = _assembled(system)
-    return _listed(eigh(stiffness, mass, eigvals_only=True))
+    return frequencies(eigh(stiffness, mass, eigvals_only=True))
 
 
 def by_inverse(*, system: "Any", **_: "Any") -> "dict[str, float]":
@@ -47,7 +47,7 @@ def by_inverse(*, system: "Any", **_: "Any") -> "dict[str, float]":
     import numpy as np
 
     mass, stiffness = _assembled(system)
-    return _listed(np.linalg.eigvals(np.linalg.inv(mass) @ stiffness).real)
+    return frequencies(np.linalg.eigvals(np.linalg.inv(mass) @ stiffness).real)
 
 
 def _oscillator(mass: "Any", spring: "Any", damping: "Any") -> "tuple[float, float]":
@@ -69,11 +69,10 @@ def by_roots(
         raise ValueError("no viscous damping")
     omega, zeta = _oscillator(mass, spring, damping)
     root = cmath.sqrt(zeta * zeta - 1.0)
-    one, other = omega * (-zeta + root), omega * (-zeta - root)
-    a = (start_velocity - other * displacement) / (one - other)
-    b = displacement - a
-    grown, fallen = a * cmath.exp(one * time), b * cmath.exp(other * time)
-    return {"position": (grown + fallen).real, "velocity": (one * grown + other * fallen).real}
+    p, q = omega * (-zeta + root), omega * (-zeta - root)
+    a = (start_velocity - q * displacement) / (p - q)
+    first, second = a * cmath.exp(p * time), (displacement - a) * cmath.exp(q * time)
+    return {"position": (first + second).real, "velocity": (p * first + q * second).real}
 
 
 def by_ratio(
@@ -88,24 +87,21 @@ def by_ratio(
         r = getattr(excitation, "frequency_ratio", 0.0) or 2.0 * math.pi * excitation.frequency / omega
     size = 1.0 / math.sqrt((1.0 - r * r) ** 2 + (2.0 * zeta * r) ** 2)
     still = force / (mass * omega * omega)
-    made = {"magnification": size, "amplitude": still * size, "phase": math.atan2(2.0 * zeta * r, 1.0 - r * r)}
+    results = {"magnification": size, "amplitude": still * size, "phase": math.atan2(2.0 * zeta * r, 1.0 - r * r)}
     if time is not None:
-        steady = still * size * cmath.exp(1j * (r * omega * time - made["phase"]))
-        start = still * size * cmath.exp(-1j * made["phase"])
+        steady = still * size * cmath.exp(1j * (r * omega * time - results["phase"]))
+        start = still * size * cmath.exp(-1j * results["phase"])
         damped = omega * math.sqrt(1.0 - zeta * zeta)
         sine = -((1j * r * omega * start).real + zeta * omega * start.real) / damped
         free = -start.real * math.cos(damped * time) + sine * math.sin(damped * time)
-        made["position"] = steady.real + math.exp(-zeta * omega * time) * free
-    return made
+        results["position"] = steady.real + math.exp(-zeta * omega * time) * free
+    return results
 
 
-HERE = "dynamics_cli.accuracy.alternatives.vibration:"
-QUESTIONS = (
-    Question(
-        "vibration", "", "", "vibration.json", "modes",
-        Method("scipy.linalg.eigh(K, M)", HERE + "by_eigh", needs="scipy"),
-        Method("eigenvalues of inv(M) @ K", HERE + "by_inverse", needs="numpy"),
-    ),
-    Question("vibration", "", "", "vibration.json", "free", Method("textbook: two roots", HERE + "by_roots")),
-    Question("vibration", "", "", "vibration.json", "forced", Method("textbook: frequency ratio", HERE + "by_ratio")),
+QUESTIONS = textbooks(
+    "vibration", "vibration.json", "dynamics_cli.accuracy.alternatives.vibration:",
+    ("modes", "scipy.linalg.eigh(K, M)", "by_eigh", "scipy"),
+    ("modes", "eigenvalues of inv(M) @ K", "by_inverse", "numpy"),
+    ("free", "textbook: two roots", "by_roots"),
+    ("forced", "textbook: frequency ratio", "by_ratio"),
 )  # fmt: skip

@@ -91,6 +91,12 @@ def _fitting(optional: "list[tuple[str, str, str]]", room: int, width: int) -> "
     return full_rows
 
 
+def _word(field: Field) -> str:
+    name = str(field.node.key if isinstance(field.node, Tagged) else field.key).upper()
+    word = f"{name}..." if field.place == "words" else name
+    return word if field.required or not description(field.text) else f"[{word}]"
+
+
 def example_lines(command: str, width: int) -> "Iterator[str]":
     """A long command in several lines, broken before options with shell continuations so that it can be copied."""
     line = "  "
@@ -115,13 +121,15 @@ def _parameters(task: "Task", width: int, chosen: "Record | None") -> "tuple[lis
         value = "" if option.flag else placeholder(option)
         rows[option.required].setdefault((text, value), []).append(f"--{name}")
     choices = [f"either {', or '.join(item)}" for item in _choices(task.specification.fields, ())]
-    required = [] if chosen else [line for head, text in _words(task, scene=False) for line in _row(head, text, width)]
+    plain = [] if chosen else list(_words(task, scene=False))
+    required = [line for head, text in plain if not head.startswith("[") for line in _row(head, text, width)]
     for node in [] if chosen else _tagged(task):
         required += [f"    {line}" for line in wrapped(", ".join(node.members), width - 4, 0)]
     required += [f"  {line}" for item in choices for line in wrapped(item, width - 2, 2)]
     for (text, value), names in rows[True].items():
         required += _row(f"{', '.join(names)} {value}".rstrip(), text, width)
-    optional = [(head, head, text) for head, text in _words(task, scene=True)]
+    loose = [(head, text) for head, text in plain if head.startswith("[")]
+    optional = [(head, head, text) for head, text in (*loose, *_words(task, scene=True))]
     optional += [
         (_joined(names), f"{', '.join(names)} {value}".rstrip(), text) for (text, value), names in rows[False].items()
     ]

@@ -2,7 +2,6 @@
 
 from dynamics_cli.accuracy.questions import Method
 
-HALVED = "the same by halving"
 SIX = "involutes of six decimals"
 LIBRARIES = (
     Method("uncertainties, first order", "peers.uncertainty.libraries:by_uncertainties", needs="uncertainties"),
@@ -23,9 +22,9 @@ DIFFERENCES = (Method("central differences of the lift", "peers.cam.laws:differe
 METHODS: dict[str, tuple[Method, ...]] = {
     "coords, cartesian to spherical": (Method("asin(r/rho)", "peers.coords:arc_sine_spherical"),),
     "skid vault, least speed over all angles": (
-        Method("golden sections over the angle", "peers.skid.flights:least_vault_by_search"),
+        Method("golden sections over the angle", "peers.skid:least_vault_by_search"),
     ),
-    "skid spin": (Method("mean sine by degrees", "peers.skid.roads:spin_by_degrees"),),
+    "skid spin": (Method("mean sine by degrees", "peers.skid:spin_by_degrees"),),
     "impact drop": (Method("bounce by bounce until it rests", "peers.impact.lines:drop_by_bounces"),),
     "impact chain": (Method("all at once by 400 sweeps of Gauss–Seidel", "peers.impact.chain:by_sweeps"),),
     "impact crush": (Method("mean depth squared", "peers.impact.damage:crush_by_mean"),),
@@ -64,7 +63,6 @@ METHODS: dict[str, tuple[Method, ...]] = {
     "cam law, relative": DIFFERENCES,
     "cam motion": (Method("angles turned into degrees", "peers.cam.motions:by_degrees"),),
     "cam points": (Method("along the radius", "peers.cam.points:by_radius"),),
-    "cam export, cubics": (Method("Hermite's cubics at equal angles", "peers.cam.export:hermite"),),
     "inverse involute": (
         Method("halving", "peers.gear.involute:bisection"),
         Method("Ridders, bracketed", "peers.gear.involute:ridders"),
@@ -72,11 +70,10 @@ METHODS: dict[str, tuple[Method, ...]] = {
         Method("scipy brentq", "peers.gear.involute:by_brentq", needs="scipy"),
     ),
     "involute function": (Method("power series, five terms", "peers.gear.involute:power_series"),),
-    "undercut junction": (Method("Newton for two unknowns", "peers.gear.root:newton_of_two"),),
     "gear ratio": (Method("greedy, stage by stage", "peers.gear.ratio:greedy"),),
     **{
         f"gear {task}": (
-            Method(HALVED, "peers.gear.book:spur_by_radii"),
+            Method("the same by halving", "peers.gear.book:spur_by_halving"),
             Method(SIX, "peers.gear.book:spur_by_table"),
         )
         for task in ("spur", "helical")
@@ -86,13 +83,10 @@ METHODS: dict[str, tuple[Method, ...]] = {
         Method(SIX, "peers.gear.book:pair_by_table"),
         Method("py_gearworks, distance only", "peers.gear.geometry:pair_by_py_gearworks", needs="py_gearworks"),
     ),
-    "gear bevel": (Method("Brent on z₁·sin δ₂ = z₂·sin δ₁", "peers.gear.sizes:bevel_by_brent"),),
-    "gear worm": (Method("tangents of angles added", "peers.gear.sizes:worm_by_angles"),),
-    "gear crossed": (Method("the same by Brent", "peers.gear.sizes:crossed_by_brent"),),
-    "gear measure": (Method("the same by Brent", "peers.gear.measure:by_brent"),),
+    "gear worm": (Method("tangents of angles added", "peers.gear.book:worm_by_angles"),),
+    "gear crossed": (Method("the same by Brent", "peers.gear.book:crossed_by_brent"),),
+    "gear measure": (Method("the same by Brent", "peers.gear.book:measure_by_brent"),),
     "gear mesh": (Method("distances between points, external only", "peers.gear.meshes:mesh_by_polygons"),),
-    "gear identify": (Method(f"{SIX}, likewise", "peers.gear.meshes:identify_by_table"),),
-    "gear data-block": (Method(f"{SIX}, likewise", "peers.gear.meshes:block_by_table"),),
     "uncertainty, smooth": LIBRARIES,
     "uncertainty, bounded": LIBRARIES,
     "uncertainty, kinked or folded": LIBRARIES,

@@ -1,6 +1,6 @@
-"""Exports of a cam: deviation for as many pieces, of the program's arcs and cubics and of simpler ways to place them.
+"""Exports of a cam: how many lines, arcs or cubics keep a tolerance, their deviation as measured and as proved.
 
-Deviations are measured at points of the exact curve between those that the fits see; what is stated is the proof.
+Deviations are measured at points of the exact curve between those that the fits see.
 """
 
 TYPE_CHECKING = False
@@ -14,10 +14,13 @@ if TYPE_CHECKING:
     from dynamics_cli.cam.export.path import Path
     from dynamics_cli.numerics.fitting.path import OnPiece
 
-    # number of pieces, deviation as measured, deviation as proved
-    Made = tuple[int, float, "float | None"]
+    # For each smooth piece of the curve, which it is, where its pieces end, and their bulges or handles.
+    Pieces = list[tuple[int, Any, Any]]
 
-TOLERANCE = 1e-6
+# The deviation of so many pieces at equal angles tells how many are needed; more than these are not tried.
+FIRST, MOST = 2000, 400_000
+# Ten thousand pieces take their time to make and to measure.
+FEW = 2
 FIT = 0.96
 BETWEEN = 53
 DWELLS = "rise 10 mm in 90 deg modified-sine; dwell 90 deg; return in 90 deg cycloidal; dwell"
@@ -43,14 +46,14 @@ def paths(*, hard: bool) -> "list[tuple[str, Path, float]]":
     from dynamics_cli.cam.geometry.contact import Geometry
     from dynamics_cli.cam.program.reading import Program, motion_of
 
-    found = []
+    curves = []
     for name, program, kind, sizes, difficult in CAMS:
         if difficult or not hard:
             geometry = Geometry(getattr(followers, kind)(*sizes))
             path = Path(geometry, motion_of(Program(), program), away=0.0)
             x, y = path.at(np.linspace(0.0, 6.28, 720))[:2]
-            found.append((name, path, float(np.hypot(x, y).max())))
-    return found
+            curves.append((name, path, float(np.hypot(x, y).max())))
+    return curves
 
 
 def measured(path: "OnPiece", form: str, places: "Any", shape: "Any") -> float:
@@ -71,101 +74,80 @@ def measured(path: "OnPiece", form: str, places: "Any", shape: "Any") -> float:
     return float(np.abs(circle_distance(*ends, shape[:, None], px, py)[0]).max())
 
 
-def own(form: str) -> "Callable[[Path, int], Made]":
-    """The program's own: as few pieces as keep the tolerance, all erring alike, and the proof of it."""
+def alike(form: str, path: "Path", tolerance: float) -> "Pieces":
+    """The program's own: as few pieces as keep the tolerance, all erring alike."""
+    from dynamics_cli.numerics.fitting.pieces import fit
 
-    def made(path: "Path", _: int) -> "Made":
-        import numpy as np
-
-        from dynamics_cli.numerics.fitting.deviation import proved
-        from dynamics_cli.numerics.fitting.pieces import controls, fit
-
-        count, worst, bound = 0, 0.0, 0.0
-        for piece, places, shape in fit(path, form, FIT * TOLERANCE):
-            on = path.on(piece)
-            points = np.stack(on.at(places)[:2], axis=1)
-            written = shape
-            if form == "cubics":
-                written = np.stack([inner[:, 1:3] for inner in controls(on, places, shape)], axis=2)
-            bound = max(bound, float(proved(path, piece, places, written, form, points, TOLERANCE).max()))
-            worst = max(worst, measured(on, form, places, shape))
-            count += places.size - 1
-        return count, worst, bound
-
-    return made
+    return list(fit(path, form, FIT * tolerance))
 
 
-def _shares(path: "Path", count: int, *, still: bool) -> "list[tuple[int, Any]]":
-    """Equal steps of cam angle on the pieces of the motion, so many in all; dwells only where they need them."""
+def proof(form: str, path: "Path", pieces: "Pieces", tolerance: float) -> float:
+    """The deviation that the program proves of its pieces as they are written."""
+    import numpy as np
+
+    from dynamics_cli.numerics.fitting.deviation import proved
+    from dynamics_cli.numerics.fitting.pieces import controls
+
+    bounds = []
+    for piece, places, shape in pieces:
+        on = path.on(piece)
+        points, written = np.stack(on.at(places)[:2], axis=1), shape
+        if form == "cubics":
+            written = np.stack([inner[:, 1:3] for inner in controls(on, places, shape)], axis=2)
+        bounds.append(float(proved(path, piece, places, written, form, points, tolerance).max()))
+    return max(bounds)
+
+
+def equal_angles(_: str, path: "Path", tolerance: float) -> "Pieces":
+    """Lines between points at equal steps of cam angle, as a table of points is cut."""
     import numpy as np
 
     width = path.ends - path.starts
-    moving = [index for index in range(width.size) if still or not path.still[index]]
-    whole = float(width[moving].sum())
-    return [
-        (index, np.linspace(path.starts[index], path.ends[index], max(1, round(count * width[index] / whole)) + 1))
-        for index in moving
-    ]
+
+    def lines(count: int) -> "Pieces":
+        steps = [max(1, round(count * share)) for share in width / width.sum()]
+        places = [np.linspace(path.starts[k], path.ends[k], step + 1) for k, step in enumerate(steps)]
+        return [(k, ends, np.zeros(ends.size - 1)) for k, ends in enumerate(places)]
+
+    count = FIRST
+    for _try in range(4):
+        pieces = lines(count)
+        off = deviation("lines", path, pieces) / tolerance
+        if 0.9 < off <= 1.0:
+            return pieces
+        # the height of an arc over its chord goes with the square of its length
+        count = int(np.ceil(count * (off / 0.97) ** 0.5))
+        if count > MOST:
+            raise ArithmeticError
+    return lines(count)
 
 
-def equal_lines(path: "Path", count: int) -> "Made":
-    """Lines between points of the curve at equal steps of cam angle."""
-    import numpy as np
-
-    worst, total = 0.0, 0
-    for piece, places in _shares(path, count, still=True):
-        worst = max(worst, measured(path.on(piece), "lines", places, np.zeros(places.size - 1)))
-        total += places.size - 1
-    return total, worst, None
+def deviation(form: str, path: "Path", pieces: "Pieces") -> float:
+    """The largest distance of points of the exact curve from their pieces."""
+    return max(measured(path.on(piece), form, places, shape) for piece, places, shape in pieces)
 
 
-def equal_arcs(path: "Path", count: int) -> "Made":
-    """Pairs of arcs at equal steps of cam angle, tangent to the curve; dwells are arcs anyway."""
-    import numpy as np
-
-    from dynamics_cli.numerics.fitting.pieces import _pairs
-
-    worst, total = 0.0, int(path.still.sum())
-    for piece, places in _shares(path, (count - total) // 2, still=False):
-        on = path.on(piece)
-        (middle, bulges), _ = _pairs(on, places)
-        both = np.empty(2 * places.size - 1)
-        both[::2], both[1::2] = places, middle
-        worst = max(worst, measured(on, "arcs", both, bulges.reshape(-1)))
-        total += both.size - 1
-    return total, worst, None
-
-
-ARCS: "tuple[tuple[str, Callable[[Path, int], Made]], ...]" = (
-    ("arcs that err alike (chosen)", own("arcs")),
-    ("arcs at equal angles", equal_arcs),
-    ("lines at equal angles", equal_lines),
-)
-CUBICS: "tuple[tuple[str, Callable[[Path, int], Made]], ...]" = (
-    ("cubics that err alike (chosen)", own("cubics")),
-    ("arcs at equal angles", equal_arcs),
-    ("lines at equal angles", equal_lines),
+METHODS = (
+    ("cubics that err alike (chosen)", ("cubics", alike)),
+    ("lines at equal angles", ("lines", equal_angles)),
+    ("arcs that err alike", ("arcs", alike)),
 )
 
 
-def compare_arcs(comparing: "Comparing") -> "list[Row]":
-    """Arcs and what takes as many pieces; deviations in shares of the cam's largest radius."""
-    return _compared(comparing, ARCS)
+def compare(comparing: "Comparing") -> "list[Row]":
+    """Pieces for a deviation of a micrometre; of a nanometre for two cams only, unless there are minutes."""
+    tolerance, cams = 1e-6, paths(hard=comparing.hard)
+    if comparing.name.endswith("nm"):
+        tolerance, cams = 1e-9, cams if comparing.full else cams[:FEW]
 
+    def answer(errors: "Errors", case: "Any", method: "Any", _: int) -> "Callable[[], Pieces]":
+        (cam, path, _size), (form, function) = case, method
+        pieces = function(form, path, tolerance)
+        count = sum(places.size - 1 for _, places, _ in pieces)
+        bound = proof(form, path, pieces, tolerance) / tolerance if function is alike else None
+        errors.note(f"{cam}, {count} pieces", deviation(form, path, pieces) / tolerance, bound)
+        errors.entities = (errors.entities or 0) + count
+        return lambda: function(form, path, tolerance)
 
-def compare_cubics(comparing: "Comparing") -> "list[Row]":
-    """Cubics and what takes as many pieces."""
-    return _compared(comparing, CUBICS)
-
-
-def _compared(comparing: "Comparing", methods: "tuple[tuple[str, Callable[[Path, int], Made]], ...]") -> "list[Row]":
-    counts: dict[str, int] = {}
-
-    def answer(errors: "Errors", case: "Any", function: "Callable[[Path, int], Made]", _: int) -> "Callable[[], Made]":
-        cam, path, size = case
-        count, worst, bound = function(path, counts.get(cam, 0))
-        counts.setdefault(cam, count)
-        errors.note(f"{cam}, {count} pieces", worst / size, None if bound is None else bound / size)
-        return lambda: function(path, counts[cam])
-
-    return comparing.rows(methods, paths(hard=comparing.hard), answer, repeats=3, bound="proof")
+    repeats = 3 if comparing.full else 1
+    return comparing.rows(METHODS, cams, answer, repeats=repeats, measure="shares of the tolerance", bound="proof")

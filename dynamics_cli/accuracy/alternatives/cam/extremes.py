@@ -1,28 +1,32 @@
-"""Extremes of a cam: Chebyshev proxies of every piece, beside dense sampling, refined or not."""
+"""Extremes and points of a cam: Chebyshev proxies and the exact envelope, beside samples and differences."""
 
-from dynamics_cli.accuracy.cases import Case
-from dynamics_cli.accuracy.measure import Errors
+from dynamics_cli.accuracy.alternatives.cam.sampling import refined, sampled
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.accuracy.alternatives.cam.sampling import Curves, Extremes
+    from dynamics_cli.accuracy.cases import Case
     from dynamics_cli.accuracy.comparing import Comparing
+    from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.cam.geometry.contact import Geometry
 
-    Found = dict[str, tuple[float | None, float | None]]
+    # Value and bound by address.
+    Stated = dict[str, tuple[float | None, float | None]]
+    Method = Callable[[Geometry, Any], Any]
 
 FILES = ("cam_geometry.json", "cam_found.json")
-GOLDEN = 0.6180339887498949
 # Pressure angles are compared with this at the least: a follower in line has angles about zero.
 SMALL_ANGLE = 1e-3
 PRESSURE = ("largest_pressure_angle", "least_pressure_angle")
 CONVEX = "least_convex_radius"
+POINTS = 16
 
 
-def _given(case: Case) -> "tuple[Geometry, Any]":
+def _given(case: "Case") -> "tuple[Geometry, Any]":
     from dynamics_cli.cam.geometry import followers
     from dynamics_cli.cam.geometry.contact import Geometry
     from dynamics_cli.cam.program.reading import Program, motion_of
@@ -33,7 +37,7 @@ def _given(case: Case) -> "tuple[Geometry, Any]":
     return Geometry(follower, inputs["rotation"], inputs["flank"]), motion_of(Program(), inputs["program"])
 
 
-def by_proxies(geometry: "Geometry", motion: "Any") -> "Found":
+def by_proxies(geometry: "Geometry", motion: "Any") -> "Stated":
     """The program's own: Chebyshev proxies of every piece of every law, each with a bound."""
     from dynamics_cli.cam.geometry.analysis import analyse, pressure_bounds
     from dynamics_cli.cam.geometry.profile import convex, radius_bounds
@@ -41,98 +45,39 @@ def by_proxies(geometry: "Geometry", motion: "Any") -> "Found":
     analysis = analyse(geometry, motion)
     bounds = {bound.result: bound.bound for bound in pressure_bounds(analysis)}
     radii = {bound.result: bound.bound for bound in radius_bounds(geometry, analysis)}
-    large, least = analysis.pressure.largest()[0], analysis.pressure.smallest()[0]
-    return {
-        PRESSURE[0]: (large, _of(bounds, PRESSURE[0], large)),
-        PRESSURE[1]: (least, _of(bounds, PRESSURE[1], least)),
-        CONVEX: (convex(geometry, analysis)[0], radii.get(CONVEX)),
+    angles = analysis.pressure.largest()[0], analysis.pressure.smallest()[0]
+    results: Stated = {
+        name: (angle, bounds[name] * abs(angle) if name in bounds else None)
+        for name, angle in zip(PRESSURE, angles, strict=True)
     }
+    return results | {CONVEX: (convex(geometry, analysis)[0], radii.get(CONVEX))}
 
 
-def _of(bounds: "dict[str, float]", name: str, value: float) -> "float | None":
-    return bounds[name] * abs(value) if name in bounds else None
+def by_samples(search: "Callable[[Curves, Any], Extremes]") -> "Method":
+    """The pressure angle, and what is greatest where the cam is sharpest."""
 
+    def answer(geometry: "Geometry", motion: "Any") -> "Stated":
+        def curves(*moved: "Any") -> "dict[str, Any]":
+            touch = geometry.touch(*moved)
+            return {"angle": touch.pressure_angle, "sharp": touch.curvature if touch.radius is None else -touch.radius}
 
-def _functions(geometry: "Geometry", motion: "Any") -> "Callable[[Any], tuple[Any, Any]]":
-    """Pressure angle, and what is greatest where the cam is sharpest, of cam angles."""
-    import numpy as np
-
-    def values(theta: "Any") -> "tuple[Any, Any]":
-        touch = geometry.touch(*motion.at(theta, 2))
-        sharp = touch.curvature if touch.radius is None else -touch.radius
-        return np.broadcast_to(touch.pressure_angle, theta.shape), np.broadcast_to(sharp, theta.shape)
-
-    return values
-
-
-def _radius(geometry: "Geometry", sharp: float) -> "float | None":
-    if geometry.flat:
-        return -sharp
-    return 1.0 / sharp - geometry.side * geometry.roller if sharp > 0.0 else None
-
-
-def sampled(count: int) -> "Callable[[Geometry, Any], Found]":
-    """So many equal steps of cam angle, the largest taken."""
-
-    def answer(geometry: "Geometry", motion: "Any") -> "Found":
-        import numpy as np
-
-        angle, sharp = _functions(geometry, motion)(np.arange(count) * (2.0 * np.pi / count))
-        return {
-            PRESSURE[0]: (float(angle.max()), None),
-            PRESSURE[1]: (float(angle.min()), None),
-            CONVEX: (_radius(geometry, float(sharp.max())), None),
-        }
+        extremes = search(curves, motion)
+        (least, largest), sharp = extremes["angle"], extremes["sharp"][1]
+        radius = -sharp if geometry.flat else None
+        if not geometry.flat and sharp > 0.0:
+            radius = 1.0 / sharp - geometry.side * geometry.roller
+        return {PRESSURE[0]: (largest, None), PRESSURE[1]: (least, None), CONVEX: (radius, None)}
 
     return answer
 
 
-def refined(geometry: "Geometry", motion: "Any") -> "Found":
-    """360 samples, then golden sections between the neighbours of the largest."""
-    import numpy as np
-
-    count = 360
-    values, step = _functions(geometry, motion), 2.0 * np.pi / count
-    theta = np.arange(count) * step
-    angle, sharp = values(theta)
-    rows = np.stack((angle, -angle, sharp))
-    place = theta[rows.argmax(axis=1)]
-    low, high = place - step, place + step
-    for _ in range(45):
-        a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        (a0, a2), (b0, b2) = values(a % (2.0 * np.pi)), values(b % (2.0 * np.pi))
-        left = np.array([a0[0], -a0[1], a2[2]]) > np.array([b0[0], -b0[1], b2[2]])
-        low, high = np.where(left, low, a), np.where(left, b, high)
-    angle, sharp = values((0.5 * (low + high)) % (2.0 * np.pi))
-    best = np.maximum(rows.max(axis=1), np.array([angle[0], -angle[1], sharp[2]]))
-    return {
-        PRESSURE[0]: (float(best[0]), None),
-        PRESSURE[1]: (-float(best[1]), None),
-        CONVEX: (_radius(geometry, float(best[2])), None),
-    }
-
-
-METHODS: "tuple[tuple[str, Callable[[Geometry, Any], Found]], ...]" = (
-    ("Chebyshev proxies (chosen)", by_proxies),
-    ("360 samples", sampled(360)),
-    ("36,000 samples", sampled(36_000)),
-    ("360 samples and golden sections", refined),
-)
-
-
-def compare(comparing: "Comparing") -> "list[Row]":
-    """Extremes of the pressure angle and the least radius of the convex cam, on every cam of the references."""
-    return compared(comparing, METHODS, extremes_counted)
-
-
-def compared(
-    comparing: "Comparing", methods: "Sequence[tuple[str, Callable[[Geometry, Any], Any]]]",
-    count: "Callable[[Errors, Case, Geometry, Any], None]",
-) -> "list[Row]":  # fmt: skip
+def _compared(
+    comparing: "Comparing", count: "Callable[[Errors, Case, Geometry, Any], None]", *methods: "tuple[str, Method]"
+) -> "list[Row]":
     """Rows for methods on every cam; `count` says how an answer errs."""
     import numpy as np
 
-    def answer(errors: "Errors", case: Case, function: "Any", _: int) -> "Callable[[], Any]":
+    def answer(errors: "Errors", case: "Case", function: "Any", _: int) -> "Callable[[], Any]":
         geometry, motion = _given(case)
         count(errors, case, geometry, function(geometry, motion))
         return lambda: function(geometry, motion)
@@ -141,7 +86,15 @@ def compared(
         return comparing.rows(methods, comparing.cases(*FILES, task="profile"), answer)
 
 
-def extremes_counted(errors: Errors, case: Case, geometry: "Geometry", analysis: "Found") -> None:
+def compare(comparing: "Comparing") -> "list[Row]":
+    """Extremes of the pressure angle and the least radius of the convex cam, on every cam of the references."""
+    return _compared(
+        comparing, _count_extremes, ("Chebyshev proxies (chosen)", by_proxies), ("360 samples", by_samples(sampled)),
+        ("64 steps a zone and golden sections", by_samples(refined)),
+    )  # fmt: skip
+
+
+def _count_extremes(errors: "Errors", case: "Case", geometry: "Geometry", results: "Stated") -> None:
     """Angles in shares of themselves, or of a thousandth of a radian; a radius in shares of it and the roller.
 
     An arm's angle is what sums of directions leave, its start's and its swing's: of the two extremes one may all but
@@ -149,7 +102,7 @@ def extremes_counted(errors: Errors, case: Case, geometry: "Geometry", analysis:
     """
     follower = geometry.follower
     leaning = max(abs(float(case.results[address])) for address in PRESSURE)
-    for address, (value, bound) in analysis.items():
+    for address, (value, bound) in results.items():
         reference = float(case.results[address])
         if value is None or (address == CONVEX and reference < 0.0):
             continue
@@ -157,3 +110,64 @@ def extremes_counted(errors: Errors, case: Case, geometry: "Geometry", analysis:
         if address == CONVEX:
             size = abs(reference) + getattr(follower, "roller_radius", follower.base_radius)
         errors.note(f"{case.name}: {address}", abs(value - reference) / size, bound and bound / size)
+
+
+def angles() -> "Any":
+    """Where points are compared."""
+    import numpy as np
+
+    return np.arange(POINTS) * (2.0 * np.pi / POINTS)
+
+
+def envelope(geometry: "Geometry", motion: "Any") -> "tuple[Any, Any]":
+    """The program's own: the point of contact in closed form."""
+    from dynamics_cli.cam.geometry.contact import curve
+
+    return curve(geometry, motion, angles())
+
+
+def pitch_curve(geometry: "Geometry", motion: "Any", theta: "Any") -> "tuple[Any, Any]":
+    """The roller's centres; a flat face has none."""
+    if geometry.flat:
+        raise ArithmeticError
+    return geometry.turned(geometry.touch(*motion.at(theta, 2)).centre, theta)
+
+
+def by_differences(step: float) -> "Method":
+    """The roller's centres, and normals from centres a step before and after."""
+
+    def answer(geometry: "Geometry", motion: "Any") -> "tuple[Any, Any]":
+        import numpy as np
+
+        theta = angles()
+        x, y = pitch_curve(geometry, motion, theta)
+        (ax, ay), (bx, by) = (pitch_curve(geometry, motion, (theta + d) % (2.0 * np.pi)) for d in (-step, step))
+        tx, ty = bx - ax, by - ay
+        # towards the cam's side of its direction of travel
+        reach = geometry.side * geometry.turn * geometry.roller / np.hypot(tx, ty)
+        return x + reach * ty, y - reach * tx
+
+    return answer
+
+
+def compare_points(comparing: "Comparing") -> "list[Row]":
+    """Sixteen points of every cam of the references; errors in shares of the size of cam and follower."""
+    return _compared(
+        comparing, _count_points, ("exact envelope (chosen)", envelope),
+        ("normals by differences over 0.1°", by_differences(1.7453292519943296e-3)),
+        ("normals by differences over 6e-6 rad", by_differences(6e-6)),
+    )  # fmt: skip
+
+
+def _count_points(errors: "Errors", case: "Case", _: "Geometry", curve: "tuple[Any, Any]") -> None:
+    """What coordinates are differences of is their measure."""
+    import numpy as np
+
+    given = case.inputs["follower"]
+    sizes = [float(value) for key, value in given.items() if key not in ("record", "arm_angle", "offset")]
+    size = max(sum(sizes), float(np.hypot(*curve).max()))
+    for values, name in zip(curve, "xy", strict=True):
+        for index, value in enumerate(values):
+            text = case.results.get(f"points[{index}].{name}")
+            if text is not None:
+                errors.note(f"{case.name}: point {index}", abs(float(value) - float(text)) / size, None)

@@ -1,5 +1,6 @@
-"""Forces on a cam: certified extremes, beside a table of one degree and beside samples that are refined."""
+"""Forces on a cam: certified extremes, beside a table of one degree, refined or not."""
 
+from dynamics_cli.accuracy.alternatives.cam.sampling import refined, sampled
 from dynamics_cli.accuracy.cases import Case
 from dynamics_cli.accuracy.measure import Errors
 
@@ -8,15 +9,15 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+    from dynamics_cli.accuracy.alternatives.cam.sampling import Curves, Extremes
     from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.cam.forces.loads import Load
 
-    Found = dict[str, tuple[float, float | None]]
-    Answer = Callable[[dict[str, Any]], Found]
+    Stated = dict[str, tuple[float, float | None]]
+    Answer = Callable[[dict[str, Any]], Stated]
 
 FILES = ("cam_forces.json", "cam_found.json")
-GOLDEN = 0.6180339887498949
 
 
 def given(case: Case) -> "dict[str, Any]":
@@ -39,18 +40,17 @@ def given(case: Case) -> "dict[str, Any]":
     return arguments
 
 
-def certified(arguments: "dict[str, Any]") -> "Found":
+def certified(arguments: "dict[str, Any]") -> "Stated":
     """The program's own: every extreme certified, with its bound."""
     from dynamics_cli.cam.forces.forces import force
 
     rest = dict(arguments)
     forces = force(rest.pop("scene"), count=2, **rest)
     assert forces.numerics is not None
-    bounds = {one.result: one for one in forces.numerics.bounds}
-    out: Found = {}
-    for name, bound in bounds.items():
-        value = getattr(forces, name)
-        out[name] = value, bound.bound * abs(value) if bound.relative else bound.bound
+    out: Stated = {}
+    for bound in forces.numerics.bounds:
+        value = getattr(forces, bound.result)
+        out[bound.result] = value, bound.bound * abs(value) if bound.relative else bound.bound
     return out
 
 
@@ -90,11 +90,11 @@ def _curves(arguments: "dict[str, Any]") -> "tuple[Any, Callable[..., dict[str, 
     return motion, curves
 
 
-def _told(rows: "dict[str, tuple[float, float]]", arguments: "dict[str, Any]") -> "Found":
+def _told(rows: "Extremes", arguments: "dict[str, Any]") -> "Stated":
     """Results from the least and greatest of every curve."""
     from math import inf, pi, sqrt
 
-    out: Found = {}
+    out: Stated = {}
     for name, (low, high) in rows.items():
         if name == "jump_speed":
             out[name] = (1.0 / sqrt(high) if high > 0.0 else inf), None
@@ -107,54 +107,20 @@ def _told(rows: "dict[str, tuple[float, float]]", arguments: "dict[str, Any]") -
     return out
 
 
-def sampled(count: int) -> "Answer":
-    """So many equal steps of cam angle, the textbook's table."""
+def by_samples(search: "Callable[[Curves, Any], Extremes]") -> "Answer":
+    """The textbook's table of lift, velocity and acceleration."""
 
-    def answer(arguments: "dict[str, Any]") -> "Found":
-        import numpy as np
-
+    def answer(arguments: "dict[str, Any]") -> "Stated":
         motion, curves = _curves(arguments)
-        samples = curves(*motion.at(np.arange(count) * (2.0 * np.pi / count), 2))
-        return _told({name: (float(v.min()), float(v.max())) for name, v in samples.items()}, arguments)
+        return _told(search(curves, motion), arguments)
 
     return answer
 
 
-def refined(arguments: "dict[str, Any]") -> "Found":
-    """64 steps of every zone, ends included, then golden sections about the best of each curve."""
-    import numpy as np
-
-    motion, curves = _curves(arguments)
-    shares = np.linspace(0.0, 1.0, 65)
-    zones = [curves(*motion.in_zone(index, shares, 2)) for index in range(len(motion.zones))]
-    rows: dict[str, tuple[float, float]] = {}
-    for name in zones[0]:
-        ends = []
-        for sign in (-1.0, 1.0):
-            values = np.array([sign * (zone[name] + 0.0 * shares) for zone in zones])
-            index, place = divmod(int(values.argmax()), shares.size)
-
-            def one(share: float, name: str = name, sign: float = sign, index: int = index) -> float:
-                return sign * float(curves(*motion.in_zone(index, np.array([share]), 2))[name][0])
-
-            ends.append(sign * max(float(values[index, place]), _golden(one, (place - 1) / 64.0, (place + 1) / 64.0)))
-        rows[name] = ends[0], ends[1]
-    return _told(rows, arguments)
-
-
-def _golden(function: "Callable[[float], float]", low: float, high: float) -> float:
-    low, high = max(low, 0.0), min(high, 1.0)
-    for _ in range(45):
-        a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        low, high = (low, b) if function(a) > function(b) else (a, high)
-    return function(0.5 * (low + high))
-
-
 METHODS: "tuple[tuple[str, Answer], ...]" = (
     ("certified extremes (chosen)", certified),
-    ("360 samples", sampled(360)),
-    ("36,000 samples", sampled(36_000)),
-    ("64 steps a zone and golden sections", refined),
+    ("360 samples", by_samples(sampled)),
+    ("64 steps a zone and golden sections", by_samples(refined)),
 )
 
 
@@ -162,7 +128,7 @@ def compare(comparing: "Comparing") -> "list[Row]":
     """Every method on every case; errors in shares of the larger of the two extremes."""
     import numpy as np
 
-    def answer(errors: "Errors", case: Case, function: "Answer", _: int) -> "Callable[[], Found]":
+    def answer(errors: "Errors", case: Case, function: "Answer", _: int) -> "Callable[[], Stated]":
         arguments = given(case)
         counted(errors, case, function(arguments))
         return lambda: function(arguments)
@@ -171,7 +137,7 @@ def compare(comparing: "Comparing") -> "list[Row]":
         return comparing.rows(METHODS, comparing.cases(*FILES, task="force"), answer)
 
 
-def counted(errors: Errors, case: Case, forces: "Found") -> None:
+def counted(errors: Errors, case: Case, forces: "Stated") -> None:
     """Extremes in shares of the larger magnitude of the two, speeds of themselves, stresses as the radii they tell."""
     from decimal import Decimal
 

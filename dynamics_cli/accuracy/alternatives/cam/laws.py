@@ -1,22 +1,25 @@
-"""Rise laws: folded about the middle and factored, as one formula about zero, and differentiated in numbers."""
+"""Laws, polynomials and whole motions: folded, exact at joints and both ends, beside one formula in doubles."""
 
 from decimal import Decimal
 from math import cos, pi, sin
 
-from dynamics_cli.accuracy.cases import Case
-from dynamics_cli.accuracy.measure import DIGITS, Errors
+from dynamics_cli.accuracy.measure import DIGITS
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
     from typing import Any
 
+    from dynamics_cli.accuracy.cases import Case
     from dynamics_cli.accuracy.comparing import Comparing
+    from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.rows import Row
     from dynamics_cli.cam.laws.normalised import Law
 
     Values = tuple[float, ...]
-    Answer = tuple[str, Callable[[Case], Callable[[], Any]]]
+    Call = Callable[[], Values]
+    # Its values at most, which errors are shares of; and what the program states of its own.
+    Sizes = Callable[[Case], Sequence[float]] | None
 
 FILE = "cam_motion.json"
 NAMES = ("lift", "velocity", "acceleration", "jerk")
@@ -41,7 +44,7 @@ WAVES: "dict[str, tuple[tuple[float, ...], tuple[tuple[float, float], ...], tupl
 }
 
 
-def _given(case: Case) -> "tuple[Law, float, float, float]":
+def _given(case: "Case") -> "tuple[Law, float, float, float]":
     """Law, lift, span and angle."""
     from dynamics_cli.cam.laws.normalised import law_named
 
@@ -52,10 +55,11 @@ def _given(case: Case) -> "tuple[Law, float, float, float]":
 
 
 def _scaled(values: "Sequence[float]", lift: float, span: float) -> "Values":
+    """Of a law between 0 and 1."""
     return tuple(lift * value / span**order for order, value in enumerate(values))
 
 
-def folded(case: Case) -> "Callable[[], Values]":
+def folded(case: "Case") -> "Call":
     """The program's own: each half measured from its own end, in factors."""
     from dynamics_cli.cam.laws.rise import _point
 
@@ -69,7 +73,16 @@ def folded(case: Case) -> "Callable[[], Values]":
     return answer
 
 
-def expanded(case: Case) -> "Callable[[], Values]":
+def folded_bounds(case: "Case") -> "Values":
+    """What the program states of these values."""
+    from dynamics_cli.cam.laws.rise import _bounds, _point
+
+    law, lift, span, at = _given(case)
+    point = _point(law, at, span, lift, [lift / span**order for order in range(4)], "rising", None)
+    return tuple(bound.bound for bound in _bounds(law, (point,), span, lift, None, "rising"))
+
+
+def expanded(case: "Case") -> "Call":
     """One formula over the whole rise, in powers of x and waves of x; laws of several formulas have none."""
     _, lift, span, at = _given(case)
     name = case.inputs["law"]
@@ -102,7 +115,7 @@ def _one_formula(
     return values
 
 
-def peaks(case: Case) -> "tuple[float, ...]":
+def peaks(case: "Case") -> "tuple[float, ...]":
     """Greatest finite values of lift and derivatives, which errors are shares of."""
     from dynamics_cli.cam.laws.peaks import extremes
 
@@ -110,55 +123,157 @@ def peaks(case: Case) -> "tuple[float, ...]":
     return _scaled([max(abs(value) for _, value in extremes(law, order)) or 1.0 for order in range(4)], lift, span)
 
 
-def folded_bounds(case: Case) -> "Values":
-    """What the program states of these values."""
-    from dynamics_cli.cam.laws.rise import _bounds, _point
-
-    law, lift, span, at = _given(case)
-    point = _point(law, at, span, lift, [lift / span**order for order in range(4)], "rising", None)
-    return tuple(bound.bound for bound in _bounds(law, (point,), span, lift, None, "rising"))
+def _conditions(case: "Case") -> "tuple[list[tuple[float, int, float]], float]":
+    conditions = [(float(place), order, float(value)) for place, order, value in case.inputs["conditions"]]
+    return conditions, float(case.inputs["at"])
 
 
-METHODS: "tuple[Answer, ...]" = (
-    ("folded and factored (chosen)", folded),
-    ("one formula, expanded about zero", expanded),
-)
+def by_rationals(case: "Case") -> "Call":
+    """The program's own: solved in rationals, expanded about both ends."""
+    from dynamics_cli.cam.laws.polynomials import polynomial
+
+    conditions, at = _conditions(case)
+    return lambda: polynomial(conditions).at(at)
 
 
-def compare(comparing: "Comparing") -> "list[Row]":
-    """Every method on every law; errors in shares of the law's peak of that derivative."""
-    return compared(comparing, "rise", METHODS, peaks, folded_bounds)
+def by_doubles(case: "Case") -> "Call":
+    """The system of powers of x solved in doubles, and the polynomial about zero."""
+    import numpy as np
+
+    conditions, at = _conditions(case)
+
+    def answer() -> "Any":
+        count = len(conditions)
+        rows = np.array([[_power(x, i, order) for i in range(count)] for x, order, _ in conditions])
+        coefficients = np.linalg.solve(rows, np.array([value for _, _, value in conditions]))
+        return tuple(float(sum(coefficients[i] * _power(at, i, order) for i in range(count))) for order in range(4))
+
+    return answer
 
 
-def compare_relative(comparing: "Comparing") -> "list[Row]":
-    """Relative errors of lift and velocity: the digits left of small values at the ends (others vanish in between)."""
-    return compared(comparing, "rise", METHODS, None, None)
+def _power(x: float, power: int, order: int) -> float:
+    if power < order:
+        return 0.0
+    factor = 1.0
+    for lower in range(order):
+        factor *= power - lower
+    return factor * x ** (power - order)
 
 
-def compared(
-    comparing: "Comparing", task: str, methods: "Sequence[Answer]", scales: "Callable[[Case], Sequence[float]] | None",
-    bounds: "Callable[[Case], Sequence[float]] | None",
-) -> "list[Row]":  # fmt: skip
-    """Rows for methods that give lift and derivatives; errors in shares of `scales`, or relative without.
+def polynomial_peaks(case: "Case") -> "list[float]":
+    """Greatest values of the polynomial."""
+    from dynamics_cli.cam.laws.peaks import extremes
+    from dynamics_cli.cam.laws.polynomials import polynomial
 
-    `bounds` are what the program states of its own, the first method's.
-    """
+    law = polynomial(_conditions(case)[0])
+    return [max(abs(value) for _, value in extremes(law, order)) or 1.0 for order in range(4)]
 
-    def answer(errors: Errors, case: Case, prepare: "Any", _: int) -> "Callable[[], Values]":
-        call = prepare(case)
-        stated = bounds(case) if bounds and prepare is methods[0][1] else ()
-        _count(errors, case, call(), scales(case) if scales else (), stated)
-        return call  # type: ignore[no-any-return]
+
+def _motion(case: "Case") -> "tuple[Any, float]":
+    from dynamics_cli.cam.program.reading import Program, motion_of
+
+    return motion_of(Program(), case.inputs["program"]), float(case.inputs["theta"])
+
+
+def by_exact_joints(case: "Case") -> "Call":
+    """The program's own: joints in exact degrees, the distance from them with the rounding of π put right."""
+    motion, theta = _motion(case)
+    return lambda: motion.at(theta)
+
+
+def by_rounded_joints(case: "Case") -> "Call":
+    """Joints as doubles in radians: what their rounding does beside a joint."""
+    motion, theta = _motion(case)
+
+    def answer() -> "Any":
+        joints = motion.joints
+        index = max(i for i in range(len(motion.segments)) if joints[i] <= theta)
+        segment, width = motion.segments[index], joints[index + 1] - joints[index]
+        scale = segment.high - segment.low
+        values = segment.law.at((theta - joints[index]) / width)
+        return (segment.low + scale * values[0], *(scale * values[k] / width**k for k in (1, 2, 3)))
+
+    return answer
+
+
+def motion_peaks(case: "Case") -> "list[float]":
+    """Greatest values of the segment's law."""
+    from dynamics_cli.cam.laws.normalised import law_named
+    from dynamics_cli.cam.laws.peaks import extremes
+
+    law, lift, span = law_named(case.inputs["law"]), float(case.inputs["lift"]), float(case.inputs["span"])
+    return [lift * max(abs(value) for _, value in extremes(law, k)) / span**k for k in range(4)]
+
+
+def polynomial_bounds(case: "Case") -> "list[float]":
+    """What the program's polynomial may be off there."""
+    from dynamics_cli.cam.laws.polynomials import polynomial
+    from dynamics_cli.cam.proof.law_rounding import of_law
+
+    conditions, at = _conditions(case)
+    return of_law(polynomial(conditions), at)
+
+
+def motion_bounds(case: "Case") -> "list[float]":
+    """What the program's motion may be off at that angle."""
+    import numpy as np
+
+    from dynamics_cli.cam.proof.law_rounding import of_part
+
+    motion, theta = _motion(case)
+    worst = [0.0] * 4
+    for part, _ in motion.by_parts(np.array([motion.wrapped(theta)])):
+        place = np.array([theta])
+        rounding = of_part(part, np.abs(part.local(place)) if part.law_piece is not None else np.zeros(1))
+        worst = [max(so_far, float(more[0])) for so_far, more in zip(worst, rounding, strict=True)]
+    return worst
+
+
+def _compared(
+    comparing: "Comparing", task: str, peaks: "Sizes", bounds: "Sizes", *methods: "tuple[str, Any]"
+) -> "list[Row]":
+    """Rows for methods that give lift and derivatives; errors in shares of their peaks, or relative without."""
+
+    def answer(errors: "Errors", case: "Case", prepare: "Any", _: int) -> "Call":
+        call: Call = prepare(case)
+        sizes = peaks(case) if peaks else ()
+        stated = bounds(case) if bounds and prepare is methods[0][1] else (None,) * 4
+        for order, (name, value, bound) in enumerate(zip(NAMES, call(), stated, strict=True)):
+            where, text = f"{case.name}: {name}", case.results[name]
+            if sizes:
+                off = float(DIGITS.subtract(Decimal(value), Decimal(text)).copy_abs())
+                errors.note(where, off / sizes[order], None if bound is None else bound / sizes[order])
+            elif order < 2:
+                errors.add(where, value, text, None)
+        return call
 
     return comparing.rows(methods, comparing.cases(FILE, task=task), answer, most=20)
 
 
-def _count(errors: Errors, case: Case, values: "Values", scales: "Sequence[float]", stated: "Sequence[float]") -> None:
-    for order, (address, value) in enumerate(zip(NAMES, values, strict=True)):
-        text = case.results[address]
-        where = f"{case.name}: {address}"
-        if scales:
-            error = DIGITS.subtract(Decimal(value), Decimal(text)).copy_abs()
-            errors.note(where, float(error) / scales[order], stated[order] / scales[order] if stated else None)
-        elif order < 2:
-            errors.add(where, value, text, None)
+LAWS = ("folded and factored (chosen)", folded), ("one formula, expanded about zero", expanded)
+
+
+def compare(comparing: "Comparing") -> "list[Row]":
+    """Every method on every law; errors in shares of the law's peak of that derivative."""
+    return _compared(comparing, "rise", peaks, folded_bounds, *LAWS)
+
+
+def compare_relative(comparing: "Comparing") -> "list[Row]":
+    """Relative errors of lift and velocity: the digits left of small values at the ends (others vanish in between)."""
+    return _compared(comparing, "rise", None, None, *LAWS)
+
+
+def compare_polynomials(comparing: "Comparing") -> "list[Row]":
+    """Free polynomials."""
+    return _compared(
+        comparing, "polynomial", polynomial_peaks, polynomial_bounds,
+        ("exact rationals, about both ends (chosen)", by_rationals), ("powers of x, solved in doubles", by_doubles),
+    )  # fmt: skip
+
+
+def compare_motions(comparing: "Comparing") -> "list[Row]":
+    """Whole motions, in shares of the peaks of the segment."""
+    return _compared(
+        comparing, "motion", motion_peaks, motion_bounds,
+        ("joints exact in degrees (chosen)", by_exact_joints), ("joints rounded in radians", by_rounded_joints),
+    )  # fmt: skip

@@ -2,26 +2,18 @@
 
 from dynamics_cli.accuracy.questions import Comparison
 
-LAWS = "dynamics_cli.accuracy.alternatives.cam.laws:"
-EXTREMES = "dynamics_cli.accuracy.alternatives.cam.extremes:"
-POINTS = "dynamics_cli.accuracy.alternatives.cam.points:"
-EXPORT = "dynamics_cli.accuracy.alternatives.cam.export:"
-FORCES = "dynamics_cli.accuracy.alternatives.cam.forces:"
-ENTITIES = "dynamics_cli.accuracy.alternatives.cam.entities:"
-SIZES = "dynamics_cli.accuracy.alternatives.cam.sizes:"
-MOTIONS = "dynamics_cli.accuracy.alternatives.cam.motions:"
-
-QUESTIONS = (
-    Comparison("cam", "rise", "cam law, by its peak", LAWS + "compare"),
-    Comparison("cam", "rise", "cam law, relative", LAWS + "compare_relative"),
-    Comparison("cam", "rise", "cam polynomial", MOTIONS + "compare_polynomials"),
-    Comparison("cam", "motion", "cam motion", MOTIONS + "compare_motions"),
-    Comparison("cam", "profile", "cam extremes", EXTREMES + "compare"),
-    Comparison("cam", "profile", "cam points", POINTS + "compare"),
-    Comparison("cam", "export", "cam export, arcs", EXPORT + "compare_arcs"),
-    Comparison("cam", "export", "cam export, cubics", EXPORT + "compare_cubics"),
-    Comparison("cam", "export", "cam export, pieces for 1 µm", ENTITIES + "compare_micrometre"),
-    Comparison("cam", "export", "cam export, pieces for 1 nm", ENTITIES + "compare_nanometre"),
-    Comparison("cam", "size", "cam size", SIZES + "compare"),
-    Comparison("cam", "force", "cam force", FORCES + "compare"),
+HERE = "dynamics_cli.accuracy.alternatives.cam."
+# The task, the question, and the function that compares the methods.
+ROWS = (
+    ("rise", "cam law, by its peak", "laws:compare"),
+    ("rise", "cam law, relative", "laws:compare_relative"),
+    ("rise", "cam polynomial", "laws:compare_polynomials"),
+    ("motion", "cam motion", "laws:compare_motions"),
+    ("profile", "cam extremes", "extremes:compare"),
+    ("profile", "cam points", "extremes:compare_points"),
+    ("export", "cam export, pieces for 1 µm", "export:compare"),
+    ("export", "cam export, pieces for 1 nm", "export:compare"),
+    ("size", "cam size", "sizes:compare"),
+    ("force", "cam force", "forces:compare"),
 )
+QUESTIONS = tuple(Comparison("cam", task, name, HERE + function) for task, name, function in ROWS)

@@ -1,10 +1,12 @@
-"""The inverse involute by iteration on its residual, which loses 3/φ² units in the last place however it is solved."""
+"""The inverse involute and the end of undercut by iteration on residuals, which cancel however they are solved."""
 
-from math import atan, cbrt, tan
+from math import acos, atan, cbrt, pi, sin, sqrt, tan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from dynamics_cli.gear.single.trochoid import Cutter
 
 MOST_STEPS = 100
 TINY = 4e-16
@@ -30,7 +32,7 @@ def textbook_involute(phi: float) -> "dict[str, float]":
 
 
 def newton(value: float) -> "dict[str, float]":
-    """Newton on tan φ − φ from Laskin's start."""
+    """Newton on tan φ − φ from Laskin's start: it loses 3/φ² units in the last place."""
     phi = 1.441 * cbrt(value) - 0.374 * value
     for _ in range(MOST_STEPS):
         tangent = tan(phi)
@@ -50,3 +52,62 @@ def newton_in_tangent(value: float) -> "dict[str, float]":
         if abs(step) <= TINY * abs(t):
             break
     return {"phi": atan(t)}
+
+
+def chosen_root(**given: "Any") -> "Any":
+    """The bracketed root of differences from the trochoid's start."""
+    from dynamics_cli.gear.single.trochoid import Cutter, root
+
+    return {"form_radius": root(Cutter(**given)).form_radius}
+
+
+def _apart(cutter: "Cutter", theta: float) -> "tuple[float, float]":
+    """Half angles of trochoid less involute at the trochoid's point θ, and its radius; above the base circle only."""
+    from dynamics_cli.gear.single.trochoid import trochoid_point
+
+    radius, half = trochoid_point(cutter, theta)
+    angle = acos(min(cutter.base_radius / radius, 1.0))
+    transverse = cutter.transverse_angle
+    space = (0.5 * pi - 2.0 * cutter.shift * tan(cutter.pressure_angle)) / cutter.teeth - (tan(transverse) - transverse)
+    return half - space - (tan(angle) - angle), radius
+
+
+def _without_undercut(cutter: "Cutter") -> "float | None":
+    """The end of the straight flank, where it lies on the line of action: r·sin α − h/sin α from the pitch point."""
+    margin = cutter.pitch_radius * sin(cutter.transverse_angle) - cutter.form_depth / sin(cutter.transverse_angle)
+    return sqrt(cutter.base_radius**2 + margin**2) if margin >= 0.0 else None
+
+
+def root_by_newton(**given: "Any") -> "dict[str, float]":
+    """Newton with a divided difference from the middle of the corner, on half angles as textbooks write them."""
+    from dynamics_cli.gear.single.trochoid import Cutter
+
+    cutter = Cutter(**given)
+    radius = _without_undercut(cutter)
+    theta = 0.5 * (cutter.transverse_angle + 0.5 * pi)
+    for _ in range(MOST_STEPS):
+        if radius is not None:
+            return {"form_radius": radius}
+        here = _apart(cutter, theta)[0]
+        step = here * 1e-7 / (_apart(cutter, theta + 1e-7)[0] - here)
+        theta -= step
+        if abs(step) <= 1e-14:
+            radius = _apart(cutter, theta)[1]
+    raise ArithmeticError
+
+
+def root_by_halving(**given: "Any") -> "dict[str, float]":
+    """Halving of the textbook's equation between the trochoid's start and the base circle."""
+    from dynamics_cli.gear.single.trochoid import Cutter, trochoid_point
+
+    cutter = Cutter(**given)
+    radius = _without_undercut(cutter)
+    if radius is not None:
+        return {"form_radius": radius}
+    # inside the base circle there is no involute; the trochoid rises above it at its start and goes below
+    low, high = cutter.transverse_angle, 0.5 * pi
+    for _ in range(MOST_STEPS):
+        middle = 0.5 * (low + high)
+        inside = trochoid_point(cutter, middle)[0] < cutter.base_radius
+        low, high = (low, middle) if inside or _apart(cutter, middle)[0] > 0.0 else (middle, high)
+    return {"form_radius": trochoid_point(cutter, 0.5 * (low + high))[0]}

@@ -1,17 +1,10 @@
-"""Gears: the questions asked of them, and the alternatives; further own methods are those of the tasks."""
+"""Gears: the questions asked of them, and the textbook's method for each."""
 
-from dynamics_cli.accuracy.questions import Comparison, Method, Question
+from dynamics_cli.accuracy.questions import Comparison, Method, Question, textbooks
 
 HERE = "dynamics_cli.accuracy.alternatives.gear."
-INVOLUTE, ROOT, OWN, BOOK, SIZED, MEASURE, PROFILES = (
-    HERE + name for name in ("involute:", "root:", "own:", "book:", "sizes:", "measure:", "meshes:")
-)
+INVOLUTE, PROGRAM, BOOK = HERE + "involute:", HERE + "own:", HERE + "book:"
 SIZES, TRAINS, MESHES = "gear_geometry.json", "gear_trains.json", "gear_meshes.json"
-
-
-def _task(task: str, file: str, *methods: Method, cases: str = "") -> Question:
-    return Question("gear", task, f"gear {task}", file, cases or task.replace("-", "_"), *methods)
-
 
 QUESTIONS = (
     Question(
@@ -27,40 +20,42 @@ QUESTIONS = (
     ),
     Question(
         "gear", "profile", "undercut junction", TRAINS, "root",
-        Method("bracketed, of differences", ROOT + "chosen", chosen=True, tracked=True),
-        Method("Newton on half angles", ROOT + "newton"),
-        Method("halving on half angles", ROOT + "halving"),
+        Method("bracketed, of differences", INVOLUTE + "chosen_root", chosen=True, tracked=True),
+        Method("Newton on half angles", INVOLUTE + "root_by_newton"),
+        Method("halving on half angles", INVOLUTE + "root_by_halving"),
     ),
     Comparison("gear", "ratio", "gear ratio", HERE + "ratio:compare"),
-    _task("spur", SIZES, Method("textbook: tan α − α, secant", BOOK + "spur")),
-    _task("helical", SIZES, Method("textbook: tan α − α, secant", BOOK + "spur")),
-    _task(
-        "pair", SIZES,
-        Method("closed form", OWN + "pair", chosen=True, tracked=True),
+    # whose references are in other words than their tasks' results
+    Question(
+        "gear", "pair", "gear pair", SIZES, "pair",
+        Method("closed form", PROGRAM + "pair", chosen=True, tracked=True),
         Method("textbook: tan α − α, Newton", BOOK + "pair"),
     ),
-    _task("bevel", SIZES, Method("textbook: second angle as a difference", SIZED + "bevel_by_book")),
-    _task("worm", SIZES, Method("textbook: efficiencies as printed", SIZED + "worm_by_book")),
-    _task("crossed", SIZES, Method("textbook: tan α − α, Newton", SIZED + "crossed_by_book")),
-    _task(
-        "measure", TRAINS,
-        Method("closed form", OWN + "measure", chosen=True, tracked=True),
-        Method("textbook: tan α − α, Newton", MEASURE + "by_newton"),
+    Question(
+        "gear", "measure", "gear measure", TRAINS, "measure",
+        Method("closed form", PROGRAM + "measure", chosen=True, tracked=True),
+        Method("textbook: tan α − α, Newton", BOOK + "measure"),
     ),
-    _task(
-        "mesh", MESHES,
-        Method("closed forms, edges placed by Newton", OWN + "mesh", chosen=True),
-        Method("tan α − α and arc cosines, three sizes only", PROFILES + "mesh_by_book"),
+    Question(
+        "gear", "mesh", "gear mesh", MESHES, "mesh",
+        Method("closed forms, edges placed by Newton", PROGRAM + "mesh", chosen=True),
+        Method("tan α − α and arc cosines, three sizes only", BOOK + "mesh"),
     ),
-    _task("identify", MESHES, Method("textbook: tan α − α, spur, best shift only", PROFILES + "identify_by_book")),
-    _task(
-        "data-block", MESHES,
-        Method("closed forms, rounded last", OWN + "data_block", chosen=True),
-        Method("textbook: tan α − α, external, some only", PROFILES + "block_by_book"),
+    Question(
+        "gear", "data-block", "gear data-block", MESHES, "data_block",
+        Method("closed forms, rounded last", PROGRAM + "data_block", chosen=True),
     ),
-    _task(
-        "profile", MESHES,
-        Method("textbook: end of the rack's flank, external", PROFILES + "profile_by_book"),
-        Method("trochoid and involute by halving, external", PROFILES + "profile_by_halving"),
+    *textbooks(
+        "gear", SIZES, HERE,
+        ("spur", "textbook: tan α − α, secant", "book:spur"),
+        ("helical", "textbook: tan α − α, secant", "book:spur"),
+        ("bevel", "textbook: second angle as a difference", "sizes:bevel"),
+        ("worm", "textbook: efficiencies as printed", "sizes:worm"),
+        ("crossed", "textbook: tan α − α, Newton", "sizes:crossed"),
+    ),
+    *textbooks(
+        "gear", MESHES, HERE,
+        ("profile", "textbook: end of the rack's flank, external", "book:profile"),
+        ("profile", "trochoid and involute by halving, external", "book:profile_by_halving"),
     ),
 )  # fmt: skip

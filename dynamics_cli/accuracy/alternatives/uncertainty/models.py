@@ -13,36 +13,36 @@ TWICE_GRAVITY = 2.0 * 9.80665
 
 def total(x: "Sequence[Any]", m: "Any") -> "Any":
     """Σx."""
-    made = x[0]
-    for one in x[1:]:
-        made = made + one
-    return made
+    result = x[0]
+    for value in x[1:]:
+        result = result + value
+    return result
 
 
 def product(x: "Sequence[Any]", m: "Any") -> "Any":
     """Πx."""
-    made = x[0]
-    for one in x[1:]:
-        made = made * one
-    return made
+    result = x[0]
+    for value in x[1:]:
+        result = result * value
+    return result
 
 
 def squares(x: "Sequence[Any]", m: "Any") -> "Any":
     """Σx²."""
-    return total([one * one for one in x], m)
+    return total([value * value for value in x], m)
 
 
 def largest(x: "Sequence[Any]", m: "Any") -> "Any":
     """The greatest: max(a, b) = (a + b + |a − b|)/2, as not every library compares."""
-    made = x[0]
-    for one in x[1:]:
-        made = 0.5 * (made + one + m.fabs(made - one))
-    return made
+    result = x[0]
+    for value in x[1:]:
+        result = 0.5 * (result + value + m.fabs(result - value))
+    return result
 
 
 def smallest(x: "Sequence[Any]", m: "Any") -> "Any":
     """The least."""
-    return -largest([-one for one in x], m)
+    return -largest([-value for value in x], m)
 
 
 FORMULAS: "dict[str, Formula]" = {

@@ -4,18 +4,16 @@ Errors are the worst of both ends of the 95 % interval, median, mean and deviati
 """
 
 from functools import cache, partial
-from statistics import median
 
 from dynamics_cli.accuracy.alternatives.uncertainty.models import FORMULAS, Arrays
 from dynamics_cli.accuracy.cases import Case
-from dynamics_cli.accuracy.measure import Errors, Pace, seconds
+from dynamics_cli.accuracy.measure import Errors
 from dynamics_cli.accuracy.questions import Comparison
-from dynamics_cli.accuracy.rows import ESTIMATE, row
-from dynamics_cli.errors import DynamicsError
+from dynamics_cli.accuracy.rows import ESTIMATE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
     from typing import Any
 
     from dynamics_cli.accuracy.comparing import Comparing
@@ -29,10 +27,10 @@ if TYPE_CHECKING:
     Method = Callable[[Case], Answer]
 
 HERE = "dynamics_cli.accuracy.alternatives.uncertainty.propagation:"
-QUESTIONS = tuple(
-    Comparison("uncertainty", "", f"uncertainty, {name}", f"{HERE}compare_{name.split()[0]}")
-    for name in ("smooth", "bounded", "kinked or folded")
-)
+KINDS = {
+    "uncertainty, smooth": "smooth", "uncertainty, bounded": "bounded", "uncertainty, kinked or folded": "kinked",
+}  # fmt: skip
+QUESTIONS = tuple(Comparison("uncertainty", "", name, HERE + "compare") for name in KINDS)
 MEASURE = "deviations of the result"
 RESULTS = ("low", "high", "median", "mean", "std")
 # Points that one case may take, unless there are minutes: the program itself allows ten times as many.
@@ -43,7 +41,7 @@ def own_methods(kind: str, *, full: bool) -> "list[tuple[str, dict[str, Any]]]":
     """The engine's methods; the classical ones need points only for an estimate of their error."""
     few: dict[str, Any] = {} if full else {"samples": FEW_POINTS}
     many = 1_000_000 if full else 100_000
-    made: list[tuple[str, dict[str, Any]]] = [
+    methods: list[tuple[str, dict[str, Any]]] = [
         ("automatic (chosen)" if full else "automatic, 3e5 points at most (chosen)", few),
         ("linear", {"method": "linear", "samples": 20_000}),
         ("second order", {"method": "second-order", "samples": 20_000}),
@@ -54,8 +52,8 @@ def own_methods(kind: str, *, full: bool) -> "list[tuple[str, dict[str, Any]]]":
     ]
     if kind == "smooth":
         # where it converges quickly: what asking for more costs
-        made.append(("automatic, asked for 1e-10", {"accuracy": 1e-10, **few}))
-    return made
+        methods.append(("automatic, asked for 1e-10", {"accuracy": 1e-10, **few}))
+    return methods
 
 
 # Models with a kink, or with several branches that meet within the inputs.
@@ -74,14 +72,14 @@ def kind_of(case: Case) -> str:
 
 def distributions(case: Case) -> "list[Distribution]":
     """A case's inputs."""
-    from dynamics_cli.core.inputs.uncertain.distributions import KINDS
+    from dynamics_cli.core.inputs.uncertain.distributions import KINDS as CLASSES
 
-    made: list[Distribution] = []
+    inputs: list[Distribution] = []
     for kind, *spelled in case.inputs["inputs"]:
         numbers = [float(text) for text in spelled]
-        cls: Callable[..., Distribution] = KINDS[kind]
-        made.append(cls(numbers) if kind == "readings" else cls(*numbers))
-    return made
+        cls: Callable[..., Distribution] = CLASSES[kind]
+        inputs.append(cls(numbers) if kind == "readings" else cls(*numbers))
+    return inputs
 
 
 def correlations(case: Case) -> "list[tuple[int, int, float]]":
@@ -115,72 +113,35 @@ def of_library(library: "Callable[..., Found]", case: Case) -> "Answer":
     return library(distributions(case), correlations(case), FORMULAS[case.task]), None
 
 
-def compare_smooth(comparing: "Comparing") -> "list[Row]":
-    """Models with derivatives of inputs without bounds."""
-    return _compared(comparing, "smooth")
+def compare(comparing: "Comparing") -> "list[Row]":
+    """Models with derivatives of inputs without bounds; inputs between bounds, and steps; kinks and folds."""
+    import warnings
 
-
-def compare_bounded(comparing: "Comparing") -> "list[Row]":
-    """Inputs between bounds, and steps."""
-    return _compared(comparing, "bounded")
-
-
-def compare_kinked(comparing: "Comparing") -> "list[Row]":
-    """Kinks, atoms, branches that meet."""
-    return _compared(comparing, "kinked")
-
-
-def _compared(comparing: "Comparing", kind: str) -> "list[Row]":
+    kind = KINDS[comparing.name]
     cases = [case for case in comparing.cases("uncertainty.json") if kind_of(case) == kind]
-    options = own_methods(kind, full=comparing.full)
-    methods: list[tuple[str, Method]] = [(title, partial(own, options=option)) for title, option in options]
-    methods += [(title, partial(of_library, library)) for title, library in comparing.more]
-    rows: list[Row] = []
-    base: float | None = None
-    for title, method in methods:
-        foreign = method.func is of_library  # type: ignore[attr-defined]
-        errors = _errors(method, cases, Exception if foreign else (DynamicsError, ArithmeticError))
-        time = _time(method, cases, comparing.pace) if comparing.timed and errors.cases else None
-        base = base or time
-        rows.append(row(comparing.name, title, errors, time, base, bound=ESTIMATE, measure=MEASURE))
-    return rows
+    methods = [(title, partial(own, options=option)) for title, option in own_methods(kind, full=comparing.full)]
+    libraries = [(title, partial(of_library, library)) for title, library in comparing.more]
+    comparing.more = ()
 
-
-def _errors(method: "Method", cases: "Sequence[Case]", refusals: "Any") -> Errors:
-    import warnings
-
-    errors = Errors()
-    for case in cases:
+    def answer(errors: Errors, case: Case, method: "Any", _: int) -> "Callable[[], Answer]":
         try:
-            with warnings.catch_warnings():
-                # what another library says to its users is not for ours
-                warnings.simplefilter("ignore")
-                found, estimate = method(case)
-        except refusals:
-            errors.refused += 1
-            continue
+            values, estimate = method(case)
+        except Exception as failure:
+            # another library may fail in any way it likes
+            if method.func is of_library:
+                raise ArithmeticError from failure
+            raise
         std = float(case.results["std"])
-        apart = [abs(value - float(case.results[key])) / std for value, key in zip(found, RESULTS, strict=True)]
-        if not all(one < float("inf") for one in apart):
-            errors.refused += 1
-            continue
-        errors.cases += 1
-        worst = max(apart)
-        errors.note(f"{case.name}: {RESULTS[apart.index(worst)]}", worst, estimate)
-    return errors
+        apart = [abs(value - float(case.results[key])) / std for value, key in zip(values, RESULTS, strict=True)]
+        if not all(share < float("inf") for share in apart):
+            raise ArithmeticError
+        errors.note(f"{case.name}: {RESULTS[apart.index(max(apart))]}", max(apart), estimate)
+        return lambda: method(case)
 
-
-def _time(method: "Method", cases: "Sequence[Case]", pace: Pace) -> "float | None":
-    """The median over some cases, spread over all."""
-    import warnings
-
-    times = []
     with warnings.catch_warnings():
+        # what another library says to its users is not for ours
         warnings.simplefilter("ignore")
-        for case in cases[:: max(1, len(cases) // pace.timed_cases)]:
-            try:
-                method(case)
-            except Exception:
-                continue
-            times.append(seconds(lambda: method(case), repeats=3, least=pace.least))  # noqa: B023
-    return median(times) if times else None
+        return comparing.rows(
+            [*methods, *libraries], cases, answer, most=comparing.pace.timed_cases, repeats=3, bound=ESTIMATE,
+            measure=MEASURE,
+        )  # fmt: skip

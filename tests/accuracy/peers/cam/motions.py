@@ -1,6 +1,6 @@
-"""Further ways beside those of `alternatives/cam/motions`."""
+"""Whole motions in degrees."""
 
-from dynamics_cli.accuracy.alternatives.cam.motions import _motion
+from dynamics_cli.accuracy.alternatives.cam.laws import _motion
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

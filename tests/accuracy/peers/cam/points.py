@@ -1,6 +1,6 @@
-"""Further ways beside those of `alternatives/cam/points`."""
+"""Points of a cam along the radius."""
 
-from dynamics_cli.accuracy.alternatives.cam.points import _angles, _pitch
+from dynamics_cli.accuracy.alternatives.cam.extremes import angles, pitch_curve
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,6 +13,6 @@ def by_radius(geometry: "Geometry", motion: "Any") -> "tuple[Any, Any]":
     """The roller's radius taken off along the radius, as if the pressure angle were zero."""
     import numpy as np
 
-    x, y = _pitch(geometry, motion, _angles())
+    x, y = pitch_curve(geometry, motion, angles())
     share = 1.0 - geometry.side * geometry.roller / np.hypot(x, y)
     return x * share, y * share

@@ -1,9 +1,10 @@
-"""Further ways beside those of `alternatives/gear/book`."""
+"""The textbook's gears with involutes looked up in a table, and by other solvers."""
 
-from math import tan
+from functools import partial
+from math import atan, cos, sin, tan
+from unittest.mock import patch
 
-from dynamics_cli.accuracy.alternatives.gear.book import pair, spur
-from dynamics_cli.accuracy.alternatives.gear.involute import newton
+from dynamics_cli.accuracy.alternatives.gear import book, sizes
 from peers.gear.involute import brent_inverse
 
 TYPE_CHECKING = False
@@ -12,17 +13,22 @@ if TYPE_CHECKING:
     from typing import Any
 
     Function = Callable[[float], float]
-    Crossing = Callable[[Function, float], float]
 
 
-def tabulated(angle: float) -> float:
-    """The same as tables print it: six decimals."""
+def _tabulated(angle: float) -> float:
+    """The involute as tables print it: six decimals."""
     return round(tan(angle) - angle, 6)
 
 
-def spur_by_table(**given: "Any") -> "dict[str, float]":
-    """The same, involutes looked up."""
-    return spur(**given, inv=tabulated)
+def _looked_up(name: str, **given: "Any") -> "dict[str, float]":
+    """A calculation of the handbook's with the table's involutes."""
+    with patch.object(book, "involute", _tabulated):
+        return getattr(book, name)(**given)  # type: ignore[no-any-return]
+
+
+spur_by_table, pair_by_table = partial(_looked_up, "spur"), partial(_looked_up, "pair")
+pair_by_brent = partial(book.pair, inverse=brent_inverse)
+measure_by_brent = partial(book.measure, inverse=brent_inverse)
 
 
 def by_halving(f: "Function", low: float) -> float:
@@ -35,16 +41,25 @@ def by_halving(f: "Function", low: float) -> float:
     return low
 
 
-def spur_by_radii(**given: "Any") -> "dict[str, float]":
-    """The same with thicknesses as differences of half angles at the base circle, and the pointed tip by halving."""
-    return spur(**given, crossing=by_halving)
+def spur_by_halving(**given: "Any") -> "dict[str, float]":
+    """The pointed tip by halving."""
+    with patch.object(book, "by_secants", by_halving):
+        return book.spur(**given)
 
 
-def pair_by_table(**given: "Any") -> "dict[str, float]":
-    """The same, involutes looked up to six decimals and back."""
-    return pair(**given, inv=tabulated, inverse=lambda value: newton(round(value, 6))["phi"])
+def crossed_by_brent(**given: "Any") -> "dict[str, float]":
+    """The working angle by Brent's bracketed method."""
+    with patch.object(sizes, "newton", brent_inverse):
+        return sizes.crossed(**given)
 
 
-def pair_by_brent(**given: "Any") -> "dict[str, float]":
-    """The same, the working angle by Brent's bracketed method."""
-    return pair(**given, inverse=lambda value: brent_inverse(value)["phi"])
+def worm_by_angles(**given: "Any") -> "dict[str, float]":
+    """η = tan γ/tan(γ + ρ'), η' = tan(γ − ρ')/tan γ with tan ρ' = μ/cos α, as of a screw."""
+    results = sizes.worm(**given)
+    lead, rho = results["lead_angle"], atan(given["friction"] / cos(given["pressure_angle"]))
+    results |= {"efficiency": tan(lead) / tan(lead + rho), "backward_efficiency": tan(lead - rho) / tan(lead)}
+    if given.get("torque") is not None:
+        push = 2 * given["torque"] / given["worm"].worm_diameter
+        results["worm_axial_force"] = push / tan(lead + rho)
+        results["radial_force"] = push * tan(given["pressure_angle"]) * cos(rho) / sin(lead + rho)
+    return results

@@ -1,8 +1,6 @@
-"""Further ways beside those of `alternatives/gear/meshes`."""
+"""Distances of a mesh between points of both outlines."""
 
 from math import acos, pi
-
-from dynamics_cli.accuracy.alternatives.gear.meshes import block_by_book, identify_by_book
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,13 +44,3 @@ def mesh_by_polygons(points: int = 101, shown: int = 3, **given: "Any") -> "dict
             min(apart - one.tip - two.root, *(np.abs(edge - root).min(), np.abs(edge.conj() - root).min()))
         )
     return found
-
-
-def identify_by_table(**given: "Any") -> "dict[str, float]":
-    """The shift by an involute of six decimals."""
-    return identify_by_book(**given, decimals=6)
-
-
-def block_by_table(**given: "Any") -> "dict[str, float]":
-    """Diameters and span with an involute of six decimals, as tables print it."""
-    return block_by_book(**given, digits=6)

@@ -1,1 +1,0 @@
-"""Alternatives to the program's methods for skids and flights."""

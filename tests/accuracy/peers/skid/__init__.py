@@ -1,1 +1,0 @@
-"""Further ways to answer the questions of skid."""
