@@ -12,9 +12,8 @@ from dynamics_cli.core.documents import (
     number,
     quantity,
     quantity_node,
-    quote,
-    to_json,
 )
+from dynamics_cli.core.json_text import quote, to_json
 from dynamics_cli.core.output.csv_cells import free_name
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.errors import UsageError
