@@ -4,9 +4,8 @@ Every answer is exact. Coefficients are kept small by taking out what they have 
 own: `fractions` costs a shell user two interpreter starts.
 """
 
-from functools import cmp_to_key, reduce
 from itertools import pairwise
-from math import gcd
+from math import gcd, lcm
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -58,7 +57,10 @@ def times(first: "Sequence[int]", second: "Sequence[int]") -> "Polynomial":
 
 def power(base: "Sequence[int]", exponent: int) -> "Polynomial":
     """The base raised to a whole power."""
-    return reduce(times, [base] * exponent, ONE)
+    product = ONE
+    for _ in range(exponent):
+        product = times(product, base)
+    return product
 
 
 def mirrored(p: "Sequence[int]") -> "Polynomial":
@@ -216,11 +218,9 @@ def isolated(p: "Sequence[int]") -> "list[tuple[Pair, Pair]]":
         else:
             waiting.append((middle, high, between, after))
             waiting.append((low, middle, before, between))
-    return sorted((_off_root(p, *interval) for interval in intervals), key=cmp_to_key(_order))
-
-
-def _order(one: "tuple[Pair, Pair]", other: "tuple[Pair, Pair]") -> int:
-    return one[0][0] * other[0][1] - other[0][0] * one[0][1]
+    made = [_off_root(p, *interval) for interval in intervals]
+    common = lcm(*(low[1] for low, _ in made))
+    return sorted(made, key=lambda interval: interval[0][0] * (common // interval[0][1]))
 
 
 def _below(p: "Sequence[int]", sturm: "Sequence[Polynomial]", low: "Pair", root: "Pair", count: int) -> "Pair":
