@@ -84,7 +84,7 @@ STARTS = (
 Line = tuple[str, float, float, str, float, bool]
 
 
-# The `dynamics` command as installers write it (pip up to 25.0 adds an import of `re`, 4 ms; `python -m` adds 4 ms too).
+# The `dynamics` command as installers write it; pip before 25.1 adds an import of `re`, and `python -m` as much, 4 ms.
 INSTALLED = "import sys\nfrom dynamics_cli.__main__ import script\nif __name__ == '__main__':\n    sys.exit(script())\n"
 
 
