@@ -57,7 +57,7 @@ def times(first: "Sequence[int]", second: "Sequence[int]") -> "Polynomial":
 
 def power(base: "Sequence[int]", exponent: int) -> "Polynomial":
     """The base raised to a whole power."""
-    product = ONE
+    product: Polynomial = ONE
     for _ in range(exponent):
         product = times(product, base)
     return product
