@@ -302,7 +302,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     from dynamics_cli.core.output.render import only, render, to_full_table, whole_table
 
     if settings.only:
-        return only(document, settings.only, digits, settings.format, asked=bool(settings.digits))
+        return only(document, settings.only, digits, settings.format, asked=bool(settings.digits), width=width)
     if settings.table:
         return whole_table(document, settings.table, digits, settings.format, width)
     if settings.format != "table":
@@ -311,7 +311,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     if laid_out:
         layout = load(laid_out)
         return to_full_table(document, digits, lambda results: layout(results, digits, width), width or 80)
-    return to_full_table(document, digits, screen=width)
+    return to_full_table(document, digits, width=width, screen=width)
 
 
 def _verdict(document: "dict[str, Any]", settings: Settings) -> int:
