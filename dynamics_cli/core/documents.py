@@ -1,45 +1,18 @@
-"""Result documents as trees of plain data: their quantities and tables, numbers as text, compact JSON."""
+"""Result documents as trees of plain data: their quantities and tables, numbers as text."""
 
-try:
-    from _json import encode_basestring
-except ImportError:  # a Python other than CPython
-    from json.encoder import encode_basestring
-
-from math import floor, isfinite, log10
-
-from dynamics_cli.errors import FaultError
+from math import floor, log10
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any
 
-quote = encode_basestring
 # Keys of a certain input.
 PLAIN = {"value", "unit"}
 
 
 # A number below this is written without an exponent.
 PLAIN_BELOW = 1e9
-
-
-def to_json(value: "Any") -> str:
-    """Compact JSON on one line."""
-    if isinstance(value, dict):
-        return "{" + ", ".join(f"{quote(str(key))}: {to_json(item)}" for key, item in value.items()) + "}"
-    if isinstance(value, list | tuple):
-        return "[" + ", ".join(map(to_json, value)) + "]"
-    if isinstance(value, str):
-        return quote(value)
-    if value is True:
-        return "true"
-    if value is False:
-        return "false"
-    if value is None:
-        return "null"
-    if isinstance(value, float) and not isfinite(value):
-        raise FaultError(f"{value} has no place in a document", code="not-finite")
-    return repr(value)
 
 
 def is_quantity(value: "Any") -> bool:
@@ -113,6 +86,8 @@ class WithUnit(str):
 
     def __new__(cls, value: "Any", unit: str) -> "WithUnit":
         """The cell of a value and its unit."""
+        from dynamics_cli.core.json_text import to_json
+
         cell = super().__new__(cls, f"{to_json(value)} {unit}")
         cell.value, cell.unit = value, unit
         return cell

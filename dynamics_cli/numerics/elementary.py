@@ -31,13 +31,24 @@ def only_in_doubles(*numbers: "Any") -> None:
 
 
 def over_array(function: "Callable[..., float]", *arguments: "Any") -> "Any":
-    """A function of doubles over arrays, value by value; the result is of the arrays' class."""
+    """A function of doubles over arrays, value by value; the result is of the arrays' class.
+
+    An array that keeps what is `known` of it (lanes do) is not mapped by the same function twice.
+    """
     import numpy as np
 
+    known: dict[Any, Any] | None = getattr(arguments[0], "known", None) if len(arguments) == 1 else None
+    if known is not None and function in known:
+        return known[function]
     arrays = np.broadcast_arrays(*arguments)
     columns = [array.ravel().tolist() for array in arrays]
     mapped = np.fromiter(map(function, *columns), dtype=float, count=arrays[0].size)
-    return in_class_of_first(mapped.reshape(arrays[0].shape), *arguments)
+    result = in_class_of_first(mapped.reshape(arrays[0].shape), *arguments)
+    if known is not None:
+        known[function] = result
+        # what is known must stay true
+        result.flags.writeable = arguments[0].flags.writeable = False
+    return result
 
 
 def in_class_of_first(array: "Any", *arguments: "Any") -> "Any":

@@ -84,6 +84,24 @@ class Lanes(np.ndarray):
             return float(first)
         raise TypeError("lanes hold several numbers")
 
+    @property
+    def known(self) -> "dict[Any, Any]":
+        """What functions have made of these numbers."""
+        return self.__dict__.setdefault("made", {})  # type: ignore[no-any-return]
+
+    def __iadd__(self, other: "Any") -> "Any":  # type: ignore[misc]
+        """A new number, as among floats: what is known of this one stays true."""
+        return self + other
+
+    def __isub__(self, other: "Any") -> "Any":  # type: ignore[misc]
+        return self - other
+
+    def __imul__(self, other: "Any") -> "Any":  # type: ignore[misc]
+        return self * other
+
+    def __itruediv__(self, other: "Any") -> "Any":  # type: ignore[misc]
+        return self / other
+
     def __pow__(self, power: "Any", modulus: None = None) -> "Any":
         """Power as Python calculates it; numpy's differs in the last bits."""
         return _raised(self, power)

@@ -6,10 +6,11 @@ from dynamics_cli.core.answering.gather import Gathered
 from dynamics_cli.core.answering.models import arguments
 from dynamics_cli.core.answering.task import load
 from dynamics_cli.core.command.execute import answered_case
-from dynamics_cli.core.documents import number, to_json
+from dynamics_cli.core.documents import number
 from dynamics_cli.core.inputs.reader import Reader
 from dynamics_cli.core.inputs.settings import Settings
 from dynamics_cli.core.inputs.sources.files import parse_json
+from dynamics_cli.core.json_text import to_json
 from dynamics_cli.errors import DynamicsError, UsageError
 
 TYPE_CHECKING = False

@@ -3,7 +3,7 @@
 import bound_search
 import pytest
 import search_starts
-from search_length import EVALUATIONS
+from search_length import evaluations
 
 STARTS = bound_search.by_task()
 
@@ -15,7 +15,7 @@ FOUND: dict[str, bound_search.Findings] = {}
 def found(task: str) -> bound_search.Findings:
     """What the search finds; once."""
     if task not in FOUND:
-        FOUND[task] = bound_search.search(task, STARTS[task], EVALUATIONS, 20)
+        FOUND[task] = bound_search.search(task, STARTS[task], evaluations(task), 20)
     return FOUND[task]
 
 
@@ -23,7 +23,7 @@ def found(task: str) -> bound_search.Findings:
 def test_no_bound_is_below_the_error(task: str) -> None:
     made = found(task)
     assert made.broken == []
-    assert made.answered >= EVALUATIONS
+    assert made.answered >= evaluations(task)
     assert made.compared > made.answered
 
 

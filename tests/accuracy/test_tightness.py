@@ -3,7 +3,7 @@
 import pytest
 
 from dynamics_cli.accuracy import catalogue
-from dynamics_cli.accuracy.report import accuracy
+from dynamics_cli.accuracy.report import Accuracy
 from dynamics_cli.accuracy.rows import Row
 
 # The most that a bound may be of max(error, 2⁻⁵³·|result|), for every result of every shipped case.
@@ -16,14 +16,14 @@ BY_CHANCE = ("path rectilinear, law of acceleration", "cam size")
 FAMILIES = sorted({question.family for question in catalogue.questions("", "")})
 
 
-def proved(family: str) -> list[Row]:
+def proved(report: Accuracy, family: str) -> list[Row]:
     """The program's own methods that state bounds."""
-    return [row for row in accuracy(family, untimed=True).methods if row.is_proved]
+    return [row for row in report.methods if row.family == family and row.is_proved]
 
 
 @pytest.mark.parametrize("family", [family for family in FAMILIES if family != "uncertainty"])
-def test_every_bound_is_true_and_within_a_hundred_times_the_error(family: str) -> None:
-    rows = proved(family)
+def test_every_bound_is_true_and_within_a_hundred_times_the_error(family: str, untimed_report: Accuracy) -> None:
+    rows = proved(untimed_report, family)
     assert rows
     assert {row.question: row.broken for row in rows if row.broken} == {}
     loosest = {row.question: row.loosest for row in rows if row.loosest is not None and row.loosest > ROOM}
@@ -32,5 +32,5 @@ def test_every_bound_is_true_and_within_a_hundred_times_the_error(family: str) -
     assert all(row.loosest >= row.looseness for row in rows if row.looseness is not None)
 
 
-def test_estimates_of_uncertainty_are_no_bounds() -> None:
-    assert proved("uncertainty") == []
+def test_estimates_of_uncertainty_are_no_bounds(untimed_report: Accuracy) -> None:
+    assert proved(untimed_report, "uncertainty") == []

@@ -12,7 +12,7 @@ import pytest
 from harness import answer, run
 from shell import ROOT
 
-from dynamics_cli.core.documents import to_json
+from dynamics_cli.core.json_text import to_json
 from dynamics_cli.errors import FaultError
 
 OK = ("skid", "speed", "--distance", "60 ft", "--friction", "0.7")

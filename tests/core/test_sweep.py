@@ -249,6 +249,17 @@ def test_some_columns_of_a_sweep_with_their_spread() -> None:
     assert (refused.status, "results of rows are speed," in refused.err) == (2, True)
 
 
+@pytest.mark.parametrize("words", ["--only speed,time", "--all", "--table sweep", "--digits 17 --only speed"])
+def test_a_sweep_is_no_wider_than_the_terminal(words: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Terminal, "columns", 80)
+    call = ("skid", "speed", "--distance", "60 ± 2 ft", "--friction", "0.7", "--sweep", "friction=0.5:0.8:4")
+    lines = run(*call, "--to", "speed=mph", *words.split()).out.splitlines()
+    assert max(map(len, lines)) <= 80
+    monkeypatch.setattr(Terminal, "columns", 0)
+    whole = run(*call, "--to", "speed=mph", *words.split()).out.splitlines()
+    assert {*" ".join(whole).split()} <= {*" ".join(lines).split()}
+
+
 def test_a_result_of_an_input_s_name_is_said_to_be_one() -> None:
     call = ("vibration", "free", "--natural-frequency", "3 Hz", "--sweep", "damping_ratio=0.1:0.2:2")
     assert "damping ratio (result)" in run(*call).out

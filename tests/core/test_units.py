@@ -9,10 +9,10 @@ from itertools import product
 
 import mpmath
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.core.units import conversion, lookup, names, near_names
+from dynamics_cli.core.units import conversion, expressions, lookup, names, near_names
 from dynamics_cli.core.units.conversion import convert, from_si, to_si
 from dynamics_cli.core.units.lookup import candidates, parse_pair, parse_unit
 from dynamics_cli.core.units.unit import Unit, conformable
@@ -349,6 +349,18 @@ def test_conformable_names_are_conformable() -> None:
         listed = names.conformable_names(unit)
         assert listed
         assert all(any(conformable(other, unit) for other in candidates(name)) for name in listed)
+
+
+@given(st.text(alphabet="mskgNfper19^*/ ·²³-.(", max_size=9))
+@example("m/s²")
+@example("kg*m^2")
+@example("1/s")
+@example("lbf*ft/in")
+@settings(max_examples=2000)
+def test_what_is_read_without_the_grammar_is_read_as_the_grammar_does(text: str) -> None:
+    plain = lookup._plain_factors(text.strip())
+    if plain:
+        assert plain == expressions.factors(text.strip())
 
 
 def test_caches_do_not_grow_without_end() -> None:

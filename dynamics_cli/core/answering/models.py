@@ -1,13 +1,10 @@
 """One case answered: the model chosen, the physics called with tracked numbers, the record it returned."""
 
-from itertools import product
-
 from dynamics_cli.core.answering.task import Model, Task, load
 from dynamics_cli.core.inputs.specification import Leaf, Record
 from dynamics_cli.core.inputs.values import Fields
 from dynamics_cli.errors import DynamicsError, InadmissibleError, MissingError, UsageError
 from dynamics_cli.records import Quantity
-from dynamics_cli.sampling import Measured
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -103,9 +100,14 @@ def answer(
     doubles = [si for _, si in leaves]
     # every number carries its derivative by every input, so the cost grows with the square of their count
     sloped = len(leaves) <= MOST_SLOPES
-    measured = uncertain if uncertain and sloped else {}
-    with Measured(tuple(measured[name].std if name in measured else 0.0 for name, _ in leaves) if measured else ()):
-        record = call(Tracked.inputs(doubles) if sloped else [Tracked(si, 0.0, ()) for si in doubles])
+    numbers = Tracked.inputs(doubles) if sloped else [Tracked(si, 0.0, ()) for si in doubles]
+    if uncertain and sloped:
+        from dynamics_cli.sampling import Measured
+
+        with Measured(tuple(uncertain[name].std if name in uncertain else 0.0 for name, _ in leaves)):
+            record = call(numbers)
+    else:
+        record = call(numbers)
     tighten(record, doubles, call, seen=seen)
     return Answer(record, model, why, leaves if sloped else [])
 
@@ -124,8 +126,8 @@ def result_components(record: "Any", spec: Record) -> "Iterator[tuple[str, Kind,
         if kind.unit and kind.form in ("vector", "planar"):
             yield from ((f"{component_address}[{i}]", kind, value[i]) for i in range(kind.size))
         elif kind.unit and kind.form == "tensor":
-            cells = product(range(kind.size), repeat=2)
-            yield from ((f"{component_address}[{i}][{j}]", kind, value[i][j]) for i, j in cells)
+            places = range(kind.size)
+            yield from ((f"{component_address}[{i}][{j}]", kind, value[i][j]) for i in places for j in places)
 
 
 def _leaves(record: "Any", spec: Record, address: str) -> "Iterator[tuple[str, Kind, Any]]":

@@ -153,15 +153,15 @@ class Task:
             draws = any(getattr(node, "kind", None) is DRAWING for node in nodes)
             if draws and not self.writers.keys().isdisjoint(("dxf", "svg", "csv")):
                 raise SpecificationError(f"{self.path}: dxf, svg and csv have their writers")
-            self._specification = spec
+            self._specification, self._options = spec, named
         return self._specification
 
     @property
     def options(self) -> "dict[str, Option]":
         """The task's own options by name."""
         if self._options is None:
-            self._options = options(self.specification.fields)
-        return self._options
+            _ = self.specification
+        return self._options  # type: ignore[return-value]
 
 
 def _labelled(entry: str) -> "tuple[str, str]":

@@ -3,7 +3,6 @@
 from dynamics_cli.core.answering.gather import Gathered, gather
 from dynamics_cli.core.answering.models import answer, arguments, call_model
 from dynamics_cli.core.answering.task import Task, load
-from dynamics_cli.core.deadline import clock
 from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.output.document import build
 from dynamics_cli.core.terminal import encoded
@@ -135,7 +134,7 @@ def answered_case(
     reader.pointers = task.pointers
     bound = reader.read(task.specification.fields, gathered.raw)
     display = Display(settings.units, settings.to)
-    start = clock() if settings.timing else 0.0
+    start = _clock(settings)
     try:
         answered = answer(task, bound, settings.model, reader.uncertain, seen=_shows_bounds(settings, reader.uncertain))
     except InadmissibleError as error:
@@ -144,16 +143,16 @@ def answered_case(
 
             add_intervals(error, task, bound, reader, settings, display)
         raise
-    took = clock() - start if settings.timing else 0.0
+    took = _clock(settings) - start
     document = build(task, bound, answered, display, gathered.reader.notes)
     _require_checks(document, task)
     spread: tuple[Picture | None, Spreads | None] = (None, None)
     if reader.uncertain or settings.correlate:
         from dynamics_cli.core.uncertainty.document import add_uncertainty
 
-        start = clock() if settings.timing else 0.0
+        start = _clock(settings)
         spread = add_uncertainty(document, task, bound, answered, reader, settings, display)
-        took += clock() - start if settings.timing else 0.0
+        took += _clock(settings) - start
     elif settings.limit:
         from dynamics_cli.core.answering.limits import add_limits
 
@@ -171,6 +170,15 @@ def answered_case(
     if settings.timing:
         document["timing"] = {"value": took, "unit": "s"}
     return _with_files(document, task, answered, bound, spread, settings)
+
+
+def _clock(settings: Settings) -> float:
+    """The time, where it is asked for."""
+    if not settings.timing:
+        return 0.0
+    from dynamics_cli.core.deadline import clock
+
+    return clock()
 
 
 def _with_files(
@@ -284,25 +292,26 @@ def _shows_bounds(settings: Settings, uncertain: "Mapping[str, Any]") -> bool:
 
 
 def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", task: Task, table: str) -> str:
-    from dynamics_cli.core.output.render import only, render, to_full_table, whole_table
-
     width = 0 if settings.output else terminal.columns
     digits = settings.digits or task.digits
+    laid_out = task.layout if table != "sweep" else ""
+    if settings.format == "table" and not (settings.only or settings.table or settings.all or laid_out):
+        from dynamics_cli.core.output.answer import to_answer
+
+        return to_answer(document, task, digits, width or 80, quiet=settings.quiet, asked=bool(settings.digits))
+    from dynamics_cli.core.output.render import only, render, to_full_table, whole_table
+
     if settings.only:
-        return only(document, settings.only, digits, settings.format, asked=bool(settings.digits))
+        return only(document, settings.only, digits, settings.format, asked=bool(settings.digits), width=width)
     if settings.table:
         return whole_table(document, settings.table, digits, settings.format, width)
     if settings.format != "table":
         listed = task.table if task.listing else ""
         return render(document, settings.format, digits, table if table == "sweep" else listed)
-    if task.layout and table != "sweep":
-        layout = load(task.layout)
+    if laid_out:
+        layout = load(laid_out)
         return to_full_table(document, digits, lambda results: layout(results, digits, width), width or 80)
-    if settings.all:
-        return to_full_table(document, digits, screen=width)
-    from dynamics_cli.core.output.answer import to_answer
-
-    return to_answer(document, task, digits, width or 80, quiet=settings.quiet, asked=bool(settings.digits))
+    return to_full_table(document, digits, width=width, screen=width)
 
 
 def _verdict(document: "dict[str, Any]", settings: Settings) -> int:

@@ -169,15 +169,11 @@ class Reader(Context):
     def _one_of(self, field: Field, node: OneOf, raw: "Raw", address: str, *, alone: bool = False) -> Bound | None:
         names = {name for member in node.members for name in member.names}
         present = [key for key in raw if raw[key] is not None and (alone or key in names)]
-        choices = ", or ".join(
-            " and ".join(self._member(address, name) for name in sorted(member.required)) or "nothing"
-            for member in node.members
-        )
         if not present:
             if field.required or alone:
                 self._fail(
                     _join(address, min(node.members[0].required, default=field.key)),
-                    self._of_item(address, f"one of these is missing: {choices}"),
+                    self._of_item(address, f"one of these is missing: {self._choices(node, address)}"),
                     code="missing",
                 )
             return None
@@ -189,7 +185,7 @@ class Reader(Context):
                     address, f"{' and '.join(self._member(address, name) for name in present)} cannot be given together"
                 ),
                 code="exclusive",
-                hint=f"give {choices}",
+                hint=f"give {self._choices(node, address)}",
             )
             return None
         complete = [member for member in fits if member.required.issubset(present)]
@@ -206,6 +202,13 @@ class Reader(Context):
         member = (complete or fits)[0]
         fields = self._object(member.fields, {key: raw[key] for key in present}, address)
         return Fields(member.cls, fields, spread=not alone)
+
+    def _choices(self, node: OneOf, address: str) -> str:
+        """What the alternatives need, as the caller writes it."""
+        return ", or ".join(
+            " and ".join(self._member(address, name) for name in sorted(member.required)) or "nothing"
+            for member in node.members
+        )
 
     def _member(self, address: str, name: str) -> str:
         """A field as the caller writes it; a field of a list's item by its own name."""

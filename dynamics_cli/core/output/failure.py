@@ -1,6 +1,6 @@
 """Errors for people, or as one JSON object, on standard error."""
 
-from dynamics_cli.core.documents import to_json
+from dynamics_cli.core.json_text import to_json
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.errors import DynamicsError, MissingError
 

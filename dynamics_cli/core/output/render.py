@@ -12,9 +12,8 @@ from dynamics_cli.core.documents import (
     number,
     quantity,
     quantity_node,
-    quote,
-    to_json,
 )
+from dynamics_cli.core.json_text import quote, to_json
 from dynamics_cli.core.output.csv_cells import free_name
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.errors import UsageError
@@ -276,16 +275,19 @@ def render(document: "Document", form: str, digits: int, table: str = "") -> str
     return to_full_table(document, digits)
 
 
-def only(document: "Document", names: "list[str]", digits: int, form: str, *, asked: bool = False) -> str:
+def only(
+    document: "Document", names: "list[str]", digits: int, form: str, *, asked: bool = False, width: int = 0
+) -> str:
     """Some results, one on each line: number and unit in a table, the document's own nodes in JSON.
 
-    An uncertain result is rounded to its deviation, unless digits are requested (`asked`).
+    An uncertain result is rounded to its deviation, unless digits are requested (`asked`). Tables are no wider than
+    `width`.
     """
     from dynamics_cli.core.output.answer_words import deviation
 
     results = document["results"]
     if "sweep" in document["inputs"]:
-        return _of_sweep(document, names, digits, form)
+        return _of_sweep(document, names, digits, form, width)
     flat = {name: (value, unit) for name, value, unit in flatten(results)}
     unknown = [name for name in names if name not in flat and not is_table(results.get(name))]
     if unknown:
@@ -299,10 +301,12 @@ def only(document: "Document", names: "list[str]", digits: int, form: str, *, as
         std = 0.0 if asked else deviation(results, name)
         return f"{decimals(value, std)} {unit}".rstrip() if std and form == "table" else quantity(value, unit, digits)
 
-    return "".join(bare(name) + "\n" if name in flat else whole_table(document, name, digits, form) for name in names)
+    return "".join(
+        bare(name) + "\n" if name in flat else whole_table(document, name, digits, form, width) for name in names
+    )
 
 
-def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) -> str:
+def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str, width: int) -> str:
     """Some columns of a sweep with their spread, the swept parameters and the errors."""
     columns_of = document["results"]["sweep"]
     swept = [entry["parameter"] for entry in document["inputs"]["sweep"]]
@@ -313,7 +317,7 @@ def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str) 
     names_shown = (*swept, *names, "error")
     spread = tuple(f"{name}." for name in names)
     columns_shown = {name: node for name, node in columns_of.items() if name in names_shown or name.startswith(spread)}
-    return whole_table({**document, "results": {"sweep": columns_shown}}, "sweep", digits, form)
+    return whole_table({**document, "results": {"sweep": columns_shown}}, "sweep", digits, form, width)
 
 
 def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:

@@ -1,7 +1,7 @@
 """Which results a row carries: the record's numbers, flags and choices; tables, checks and advice stay out."""
 
-from dynamics_cli.core.documents import quote
 from dynamics_cli.core.inputs.specification import Leaf, Many, Record
+from dynamics_cli.core.json_text import quote
 from dynamics_cli.core.output.soundness import check_numbers
 from dynamics_cli.core.units.display import Display, Shown
 from dynamics_cli.errors import UsageError

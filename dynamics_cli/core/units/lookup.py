@@ -12,6 +12,9 @@ MOST_BITS = 8000
 # Texts of units come from files of millions of rows; the caches must not grow with them.
 CACHE_SIZE = 2048
 LONGEST_IN_CAPITALS = 24
+# Units read without the grammar.
+LONGEST_PLAIN = 40
+POWERS = frozenset("23456789")
 
 
 # Units with two readings whose usual one needs no note.
@@ -91,14 +94,12 @@ def table_unit(symbol: str) -> tuple[Unit, str]:
 
 
 def _read(text: str) -> list[Unit]:
-    # Most units are a name, or one over another, and need no grammar.
+    # Most units are a name, or a few multiplied, or these over another, and need no grammar.
     plain = text.strip()
     if (plain.isalpha() or plain == "%") and (entry := in_table(plain)):
         return [_renamed(unit, text) for unit in _readings(plain, entry[0])]
-    over, slash, under = plain.partition("/")
-    if slash and over.isalpha() and under.isalpha():
-        factors_read = [(over, 1), (under, -1)]
-    else:
+    factors_read = _plain_factors(plain)
+    if not factors_read:
         from dynamics_cli.core.units.expressions import factors
 
         factors_read = factors(plain) if plain else []
@@ -114,6 +115,21 @@ def _read(text: str) -> list[Unit]:
         # One name has one reading throughout an expression.
         readings = [{**chosen, name: unit} for chosen in readings for unit in units]
     return [_combined(text, factors_read, chosen) for chosen in readings]
+
+
+def _plain_factors(text: str) -> list[tuple[str, int]]:
+    """The factors of `m/s^2`, `kg*m^2` or `1/s`: names with single digits as powers; none where there is more."""
+    over, slash, under = text.replace("²", "^2").replace("³", "^3").replace("·", "*").partition("/")
+    parts = [] if slash and over == "1" else [(factor, 1) for factor in over.split("*")]
+    if slash:
+        parts.append((under, -1))
+    read = []
+    for factor, sign in parts:
+        name, raised, power = factor.partition("^")
+        if len(text) > LONGEST_PLAIN or not name.isalpha() or name == "per" or (raised and power not in POWERS):
+            return []
+        read.append((name, sign * int(power or 1)))
+    return read
 
 
 def _renamed(unit: Unit, text: str) -> Unit:

@@ -4,9 +4,8 @@ Every answer is exact. Coefficients are kept small by dividing by their common f
 whose import takes as long as two starts of the interpreter.
 """
 
-from functools import cmp_to_key, reduce
 from itertools import pairwise
-from math import gcd
+from math import gcd, lcm
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -58,7 +57,10 @@ def times(first: "Sequence[int]", second: "Sequence[int]") -> "Polynomial":
 
 def power(base: "Sequence[int]", exponent: int) -> "Polynomial":
     """The base raised to a whole power."""
-    return reduce(times, [base] * exponent, ONE)
+    product: Polynomial = ONE
+    for _ in range(exponent):
+        product = times(product, base)
+    return product
 
 
 def mirrored(p: "Sequence[int]") -> "Polynomial":
@@ -216,11 +218,9 @@ def isolated(p: "Sequence[int]") -> "list[tuple[Pair, Pair]]":
         else:
             waiting.append((middle, high, between, after))
             waiting.append((low, middle, before, between))
-    return sorted((_off_root(p, *interval) for interval in intervals), key=cmp_to_key(_order))
-
-
-def _order(first: "tuple[Pair, Pair]", second: "tuple[Pair, Pair]") -> int:
-    return first[0][0] * second[0][1] - second[0][0] * first[0][1]
+    made = [_off_root(p, *interval) for interval in intervals]
+    common = lcm(*(low[1] for low, _ in made))
+    return sorted(made, key=lambda interval: interval[0][0] * (common // interval[0][1]))
 
 
 def _below(p: "Sequence[int]", sturm: "Sequence[Polynomial]", low: "Pair", root: "Pair", count: int) -> "Pair":
