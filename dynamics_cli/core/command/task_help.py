@@ -198,7 +198,7 @@ def _choices(fields: "tuple[Field, ...]", prefix: "tuple[str, ...]") -> "Iterato
             ]
         elif isinstance(node, Record) and not field.place:
             yield from _choices(node.fields, (*prefix, field.key))
-        elif isinstance(node, Many) and node.single and not node.columns and field.required:
+        elif isinstance(node, Many) and node.single and not node.columns and field.required and _takes_records(node):
             single = [
                 " with ".join(
                     f"--{kebab('_'.join((*prefix, inner.spread()[0])))}" for inner in record.fields if inner.required
@@ -213,8 +213,13 @@ def _option(field: Field, prefix: "tuple[str, ...]") -> str:
     """The option of a field; of a list of records the one that gives a record."""
     path = (*prefix, field.key)
     node = field.node
-    records = isinstance(node, Many) and not node.columns and not isinstance(node.item, Leaf)
-    return f"--{group_name(node, path) if isinstance(node, Many) and records else kebab('_'.join(path))}"
+    if isinstance(node, Many) and not node.columns and _takes_records(node):
+        return f"--{group_name(node, path)}"
+    return f"--{kebab('_'.join(path))}"
+
+
+def _takes_records(node: Many) -> bool:
+    return not isinstance(node.item, Leaf)
 
 
 def _group_text(task: "Task", option: "Option") -> str:
