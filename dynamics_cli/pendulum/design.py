@@ -67,8 +67,8 @@ def design(
         raise MissingError("neither the amplitude nor the length is given", (("amplitude",), ("length",)))
     pi = pi_beside(period, gravity)
     if amplitude is not None:
-        require(abs(amplitude) < PI, "at an amplitude of {amplitude} it is no swing", amplitude=(amplitude, Angle),
-                code="at-top", hint="give an amplitude below 180 deg")  # fmt: skip
+        require(abs(amplitude) < PI, "the amplitude is {amplitude}; it must be below 180 deg",
+                amplitude=(amplitude, Angle), code="at-top", hint="give an amplitude below 180 deg")  # fmt: skip
         complement = cos(0.5 * amplitude)
         ratio = mean(1.0 + 0.0 * complement, complement)
         root = period * ratio / (2.0 * pi)
