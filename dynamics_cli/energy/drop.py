@@ -105,7 +105,7 @@ def drop(
             sag = weight / stiffness
             travel = sag + sqrt(sag * (sag + 2.0 * height))
         else:
-            require(spring.stroke > 0.0, "nothing stops within no way", code="stroke", hint="give a stroke above zero")
+            require(spring.stroke > 0.0, "the stroke is zero", code="stroke", hint="give a stroke above zero")
             travel = spring.stroke
             stiffness = 2.0 * weight * (height + travel) / (travel * travel)
             sag = weight / stiffness
@@ -129,7 +129,7 @@ def drop(
         stiffness = spring.stiffness
         travel = speed * sqrt(mass / stiffness)
     else:
-        require(spring.stroke > 0.0, "nothing stops within no way", code="stroke", hint="give a stroke above zero")
+        require(spring.stroke > 0.0, "the stroke is zero", code="stroke", hint="give a stroke above zero")
         travel = spring.stroke
         stiffness = mass * (speed / travel) * (speed / travel)
     force = stiffness * travel

@@ -194,7 +194,7 @@ def drive(
         power = wheel / efficiency if plain(wheel) > 0.0 else wheel
     else:
         power = at.power
-        require(power >= 0.0, "a power of {power} drives nothing", power=(power, Power), code="power",
+        require(power >= 0.0, "the power is {power}; it must not be negative", power=(power, Power), code="power",
                 hint="give a power above zero; 0 kW for coasting")  # fmt: skip
         wheel = power * efficiency
         speed = _steady(square, constant, wheel)
@@ -214,7 +214,7 @@ def drive(
 def _steady(square: "Any", constant: "Any", wheel: "Any") -> "Any":
     """The speed at which the resistance takes the power at the wheels: the positive root of D·v³ + C·v = P."""
     if plain(square) == 0.0:
-        require(constant > 0.0, "nothing resists: there is no steady speed", code="no-top",
+        require(constant > 0.0, "without resistance there is no steady speed", code="no-top",
                 hint="give --drag-area or --rolling-resistance")  # fmt: skip
         return wheel / constant
     d, c, p = plain(square), plain(constant), plain(wheel)

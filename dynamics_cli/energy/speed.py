@@ -162,7 +162,7 @@ def _wanted(needed: "Any", work: "Any", force: "Any", distance: "Any") -> "tuple
     if distance is not None:
         require(plain(distance) > 0.0, "no force does work along no way", code="distance", hint="give a --distance")
         return needed + rest, needed / distance, distance
-    require(work is None, "with --end-speed the work is what is looked for", code="nothing-unknown",
+    require(work is None, "with --end-speed the work is the result and cannot be given", code="nothing-unknown",
             hint="leave out --work, or give --force or --distance too")  # fmt: skip
     return needed, None, None
 

@@ -140,7 +140,7 @@ def work(
         mean = area_below / (measured.positions[-1] - measured.positions[0])
     works = (constant, couple, weight, rubbing, sprung, area_below)
     given = [part for part in works if part is not None]
-    require(bool(given), "nothing does work here", code="nothing",
+    require(bool(given), "no force or moment that does work is given", code="nothing",
             hint="give --force with --distance, --torque with --turn, or another that help names")  # fmt: skip
     return Work(summed(given), *works, mean)
 

@@ -79,8 +79,8 @@ def incline(
     'slides down'
     """
     require(mass > 0.0, "the mass of {mass} is not above zero", mass=(mass, Mass))
-    require(absolute(angle) < QUARTER, "{angle} is no incline", angle=(angle, Angle), code="angle",
-            hint="give an angle between -90 and 90 deg")  # fmt: skip
+    require(absolute(angle) < QUARTER, "the incline is {angle}; it must be below 90 deg", angle=(angle, Angle),
+            code="angle", hint="give an angle between -90 and 90 deg")  # fmt: skip
     sliding = friction if kinetic is None else kinetic
     require(plain(sliding) <= plain(friction),
     "the kinetic friction of {kinetic} is above the static one of {friction}",
@@ -162,7 +162,7 @@ def circle(
     20.66225
     """
     require(radius > 0.0, "the radius of {radius} is not above zero", radius=(radius, Length))
-    require(absolute(bank) < QUARTER, "{bank} is no bank", bank=(bank, Angle), code="bank",
+    require(absolute(bank) < QUARTER, "the bank is {bank}; it must be below 90 deg", bank=(bank, Angle), code="bank",
             hint="give an angle between -90 and 90 deg")  # fmt: skip
     sine, cosine = sin(bank), cos(bank)
     scale = gravity * radius

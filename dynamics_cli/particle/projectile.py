@@ -121,7 +121,7 @@ def projectile(
     93.732676151
     """
     require(time_constant is None and drag is None, "a drag is for the models with drag", code="model")
-    require(plain(wind) == 0.0, "a wind does nothing without drag", code="wind", hint="give the drag too, or no wind")
+    require(plain(wind) == 0.0, "a wind has no effect without drag", code="wind", hint="give the drag too, or no wind")
     _check(speed, aim, height, steps)
     least = other = None
     if isinstance(aim, Target):

@@ -105,7 +105,7 @@ def compound(
     require(distance > 0.0, "the pivot is at the centre of mass: the body does not swing", code="centre",
             hint="give the distance from the pivot to the centre of mass")  # fmt: skip
     require(
-        abs(amplitude) < PI, "at an amplitude of {amplitude} it is no swing", amplitude=(amplitude, Angle),
+        abs(amplitude) < PI, "the amplitude is {amplitude}; it must be below 180 deg", amplitude=(amplitude, Angle),
         code="at-top", hint="give an amplitude below 180 deg",
     )  # fmt: skip
     inertia, gyration = _inertia(body, mass, distance)

@@ -103,8 +103,8 @@ def conical(
     least = sqrt(gravity / length)
     if isinstance(cone, ConeAngle):
         require(
-            (cone.angle > 0.0) & (cone.angle < HALF_PI), "{angle} is no cone", angle=(cone.angle, Angle), code="angle",
-            hint="give an angle between 0 and 90 deg",
+            (cone.angle > 0.0) & (cone.angle < HALF_PI), "a cone cannot have an angle of {angle}",
+            angle=(cone.angle, Angle), code="angle", hint="give an angle between 0 and 90 deg",
         )  # fmt: skip
         sine, cosine, angle = sin(cone.angle), cos(cone.angle), cone.angle
         rotation = sqrt(gravity / (length * cosine))

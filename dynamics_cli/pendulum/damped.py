@@ -45,7 +45,7 @@ class Damped:
 
     first_period: Annotated[Time, "Time of the first full swing, there and back [s]."]
     first_loss: Annotated[Fraction, "Energy lost in the first half swing [-]."]
-    swings: Annotated[Ratio | None, "Full swings until the angle asked for, or until it rests for every purpose [-]."]
+    swings: Annotated[Ratio | None, "Full swings until the given angle, or until it is practically at rest [-]."]
     time: Annotated[Time | None, "Time until then [s]."]
     peaks: Annotated[tuple[Peak, ...], "The turning points."]
     numerics: Numerics

@@ -66,8 +66,8 @@ def design(
     pi = pi_beside(period, gravity)
     if length is None:
         amplitude = 0.0 * period if amplitude is None else amplitude
-        require(abs(amplitude) < PI, "at an amplitude of {amplitude} it is no swing", amplitude=(amplitude, Angle),
-                code="at-top", hint="give an amplitude below 180 deg")  # fmt: skip
+        require(abs(amplitude) < PI, "the amplitude is {amplitude}; it must be below 180 deg",
+                amplitude=(amplitude, Angle), code="at-top", hint="give an amplitude below 180 deg")  # fmt: skip
         complement = cos(0.5 * amplitude)
         ratio = mean(1.0 + 0.0 * complement, complement)
         root = period * ratio / (2.0 * pi)

@@ -155,7 +155,7 @@ def _energy(
     if isinstance(start, Amplitude):
         size = abs(start.amplitude)
         require(
-            size < PI, "at an amplitude of {amplitude} it is no swing", amplitude=(start.amplitude, Angle),
+            size < PI, "the amplitude is {amplitude}; it must be below 180 deg", amplitude=(start.amplitude, Angle),
             code="at-top",
             hint="give an amplitude below 180 deg, or --from-top, or the speed at the bottom",
         )  # fmt: skip
@@ -164,7 +164,7 @@ def _energy(
         modulus, complement = sin(0.5 * size), cos(0.5 * size)
     elif isinstance(start, FromTop):
         size = abs(start.from_top)
-        require((size > 0.0) & (size < PI), "{angle} from the top is no place to let it go",
+        require((size > 0.0) & (size < PI), "the angle from the top is {angle}; it must be above 0 and below 180 deg",
         angle=(start.from_top, Angle),
                 code="at-top", hint="give an angle between 0 and 180 deg")  # fmt: skip
         modulus, complement = cos(0.5 * size), sin(0.5 * size)

@@ -109,7 +109,7 @@ def _cautions(calculations: "Sequence[Calculation]") -> str:
     if not warned:
         return ""
     plural = "s" * (len(warned) > 1)
-    return f"Warnings stand in section{plural} {', '.join(map(str, warned))}."
+    return f"Warnings are in section{plural} {', '.join(map(str, warned))}."
 
 
 def verdict(cases: "Sequence[Calculation]") -> str:

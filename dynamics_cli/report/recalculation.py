@@ -229,7 +229,7 @@ def _compared(before: "Document", after: "Document") -> "tuple[str, str]":
             claimed[f"SHA-256 of {name}"], figures[f"SHA-256 of {name}"] = digest, hashes[name]
     differing = _apart(claimed, figures)
     if differing:
-        words += f". The file also says otherwise of these: {_told(differing, claimed, figures)}"
+        words += f". Other differences from the file: {_told(differing, claimed, figures)}"
         short = "not the same" if apart else "results the same, claims differ"
     return words, short
 

@@ -82,7 +82,7 @@ def interval(
         low=written(leading[0]), high=written(leading[1]), code="degree",
         hint="leave a leading zero out, or narrow the range",
     )  # fmt: skip
-    require(1 < len(ranges) <= MOST_DEGREE + 1, "{count} coefficients are no polynomial of degree 1 to {most}",
+    require(1 < len(ranges) <= MOST_DEGREE + 1, "read {count} coefficients, wanted a polynomial of degree 1 to {most}",
             count=str(len(ranges)), most=str(MOST_DEGREE), code="degree")  # fmt: skip
     if leading[0][0] < 0:
         ranges = [((-high[0], high[1]), (-low[0], low[1])) for low, high in ranges]

@@ -260,7 +260,7 @@ def _undercut(geometry: "Geometry", loss: "Any") -> Advice:
     arm = geometry.oscillating
     remedy = "raise the base radius, take a smaller roller, or give the motion a larger angle"
     if isinf(loss.lift):
-        message = "the cam is undercut: nothing is left of it to support the follower"
+        message = "the cam is undercut: no surface remains to support the follower"
         return Advice("undercut", message, "serious", remedy, "swing_lost" if arm else "lift_lost")
     template = "the cam is undercut: it loses {amount:6} of {what}"
     if geometry.side < 0.0:

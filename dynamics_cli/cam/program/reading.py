@@ -143,7 +143,7 @@ def _spans(steps: "Sequence[Step]") -> "list[Exact]":
     if open_:
         require(
             rest > CLOSED_WITHIN,
-            "the spans sum to {sum:10}: nothing is left for segment {number}",
+            "the spans sum to {sum:10}: no angle remains for segment {number}",
             sum=((360.0 - rest) * DEGREE, Angle),
             number=open_[0] + 1,
             code="turn",

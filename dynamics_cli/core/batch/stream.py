@@ -220,7 +220,7 @@ def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
         near = [] if name in ("error", "results", "id") else nearest_words(name, case.names, 1)
         if near:
             terminal.tell(
-                f"dynamics: {name!r} is no parameter of {case.task.path} and passes through (not {near[0]}?)\n"
+                f"dynamics: {name!r} is not a parameter of {case.task.path} and passes through (not {near[0]}?)\n"
             )
 
 

@@ -231,7 +231,7 @@ class Motion:
         advices = []
         driven = self.relative(self.known.driven) if self.known.driven else None
         if driven is not None and driven[0] == 0:
-            message = worded("{driven} stands still whatever the driver does", driven=self.known.driven)
+            message = worded("{driven} stands still at every speed of the driver", driven=self.known.driven)
             advices.append(Advice("driven-stands", message, "serious", result="ratio"))
         loose = [name for name in self._names if self.terms(name) is None]
         if loose:

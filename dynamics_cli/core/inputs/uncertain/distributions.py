@@ -187,7 +187,7 @@ class Truncated(Distribution):
         # Mirrored if necessary, so that the nearer bound is the lower one and tails stay small numbers.
         self._mirrored = a + b < 0.0
         self._a, self._b = (-b, -a) if self._mirrored else (a, b)
-        _check(self._a < 37.0, f"hardly anything of {centre:g} ± {width:g} is between {low:g} and {high:g}")
+        _check(self._a < 37.0, f"the probability of {centre:g} ± {width:g} between {low:g} and {high:g} is too small")
         self._upper_a, self._upper_b = normal.upper(self._a), normal.upper(self._b)
         first, second = arrays.truncated_moments(self._a, self._b)
         self.mean = centre + width * (-first if self._mirrored else first)
