@@ -5,7 +5,7 @@ from dynamics_cli.impact.slide.motion import TOLERANCE, Run, run
 from dynamics_cli.impact.slide.wheels import Car, State
 from dynamics_cli.numerics.elementary import atan2, cos, hypot, sin, sqrt
 from dynamics_cli.quantities import Angle, Length
-from dynamics_cli.sampling import drawing
+from dynamics_cli.sampling import drawing, kept
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -71,11 +71,16 @@ class Root:
         return abs(atan2(x * b - y * a, x * a + y * b))
 
 
-class _Single:
-    """The likeliest motion of the last single answer, where samples start from: its unknowns and derivatives."""
+class Start:
+    """Where the motions of samples start from: that of an earlier one, with its derivatives."""
 
-    start: "Any" = None
-    slopes: "Any" = None
+    def __init__(self, target: Target, unknowns: "Array", slopes: "Array") -> None:
+        self.target, self.unknowns, self.slopes = target, unknowns, slopes
+
+    def apart(self, target: Target) -> float:
+        """How different its rest is from another."""
+        way, other = self.target.way, target.way
+        return _length(way[0] - other[0], way[1] - other[1], self.target.turn - target.turn)
 
 
 def roots(car: Car, target: Target) -> "list[Root]":
@@ -85,8 +90,11 @@ def roots(car: Car, target: Target) -> "list[Root]":
     from dynamics_cli.impact.slide.lanes import Lanes
 
     scale = 1.0 + target.distance
-    if drawing() and _Single.start is not None:
-        unknowns, gap, done = _settled(car, target, _Single.start, _Single.slopes, scale)
+    starts: list[Start] = kept().setdefault(Start, []) if drawing() else []
+    if starts:
+        # vehicles of one calculation have starts of their own
+        near = min(starts, key=lambda one: one.apart(target))
+        unknowns, gap, done = _settled(car, target, near.unknowns, near.slopes, scale)
         if _length(*gap) <= ROUGH * scale:
             return [Root(unknowns, car, done)]
     lanes = Lanes(car, target.begin, target.nose)
@@ -107,8 +115,7 @@ def roots(car: Car, target: Target) -> "list[Root]":
     if not found:
         _refuse(min(misses, key=lambda miss: _length(*miss)), car)
     found.sort(key=lambda one: one[0].bend(target))
-    if not drawing():
-        _Single.start, _Single.slopes = np.array(found[0][0].unknowns), found[0][1]
+    starts.append(Start(target, np.array(found[0][0].unknowns), found[0][1]))
     return [one for one, _ in found]
 
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from dynamics_cli.core.uncertainty.methods.lines import (
     ORDERS,
+    ORDERS_OF_MANY,
     Lines,
     Moments,
     Roots,
@@ -127,7 +128,8 @@ def replicate_estimate(outcome: Outcome, goal: Goal) -> float:
 def _lattice_moments(outcome: Outcome | None, goal: Goal) -> "Steps[Outcome | None]":
     if outcome is None:
         return None
-    spread = yield from moments(outcome.lines, max(goal.accuracy, 0.1 * outcome.estimate), _thinned(outcome.lines))
+    accuracy = max(goal.accuracy, 0.1 * outcome.estimate)
+    spread = yield from moments(outcome.lines, accuracy, _thinned(outcome.lines), ORDERS_OF_MANY)
     if not spread.rising:
         return None
     outcome.mean, outcome.std = spread.mean, spread.std

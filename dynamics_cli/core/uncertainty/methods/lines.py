@@ -32,8 +32,8 @@ FIRST_DIFFERENCE = 1e-3
 LONGEST_STEP = 2.0
 # The orders of the rule along the lines, for moments.
 ORDERS = (7, 12, 20, 33, 55)
-# That of many lines of their own, whose moments need not be known as accurately.
-LEAST_ORDER = 4
+# The same where lines are thousands, and their number is what limits the accuracy.
+ORDERS_OF_MANY = (4, *ORDERS)
 # Half the curvature over the slope assumed for the error that the last step leaves; and how much of that is accepted,
 # in units of the squared tolerance.
 _CURVATURE = 0.1
@@ -193,12 +193,13 @@ class Moments:
         self.by_line = by_line
 
 
-def moments(lines: Lines, accuracy: float, trial: Lines | None = None) -> "Steps[Moments]":
+def moments(
+    lines: Lines, accuracy: float, trial: Lines | None = None, orders: "tuple[int, ...]" = ORDERS
+) -> "Steps[Moments]":
     """Mean and deviation by Gauss–Hermite along every line.
 
     The order is chosen on `trial`, fewer lines of the same space: the lower of two orders that agree.
     """
-    orders = (LEAST_ORDER, *ORDERS) if trial else ORDERS
     trial = trial or lines
     if lines.space.heavy:
         moments_of = yield from order_moments(lines, ORDERS[1])
