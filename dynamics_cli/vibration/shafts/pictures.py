@@ -5,6 +5,7 @@ import math
 from dynamics_cli.errors import worded
 from dynamics_cli.pictures import Axis, Band, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Frequency, ShaftSpeed
+from dynamics_cli.vibration.systems.pictures import shape_over_names
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,15 +22,7 @@ def shaft(
     """Campbell diagram with critical speeds, and the shapes of the lowest modes."""
     names = tuple(made.rotors.split(", "))
     panels = [_campbell(made, orders or ORDERS, lowest_speed, highest_speed)]
-    x = [float(i + 1) for i in range(len(names))]
-    for mode in made.modes[:MOST_SHAPES]:
-        y = list(mode.angles)
-        items: tuple[Any, ...] = (
-            Curve(x, y, role=0), Curve(x, y, "", "points", role=0), Band(0.0, 0.0, "", vertical=False)
-        )  # fmt: skip
-        title = worded("mode {n}: {f:5}", n=str(mode.number), f=(mode.frequency, Frequency))
-        axes = Axis("", names=names, ends=(0.5, len(x) + 0.5)), Axis("angle", ends=(-1.15, 1.15))
-        panels.append(Panel(*axes, items, title))
+    panels += [shape_over_names(mode, names, list(mode.angles)) for mode in made.modes[:MOST_SHAPES]]
     return Picture(tuple(panels), "torsional vibration", columns=2)
 
 

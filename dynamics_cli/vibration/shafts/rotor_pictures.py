@@ -2,7 +2,6 @@
 
 import math
 
-from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Frequency, ShaftSpeed, Size
@@ -10,7 +9,8 @@ from dynamics_cli.vibration.shafts.absorber import amplitude
 from dynamics_cli.vibration.shafts.beam import shape
 from dynamics_cli.vibration.shafts.campbell import TiltingDisk, diagram
 from dynamics_cli.vibration.shafts.whirl import stiffness_of
-from dynamics_cli.vibration.single.forced import magnification
+from dynamics_cli.vibration.single.pictures import over_speed
+from dynamics_cli.vibration.systems.pictures import shape_panel
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,7 +30,8 @@ def whirl(
     """The Campbell diagram of a disk that tilts, and the amplitude of the whirl over speed."""
     critical, at = plain(made.critical_speed), plain(made.ratio)
     top = max(2.5 * critical, 1.3 * at * critical) if highest_speed is None else plain(highest_speed)
-    panels = [_whirl_amplitude(made, critical, at, plain(damping_ratio), top)]
+    title = "" if polar_inertia is None else "amplitude, the disk not tilting"
+    panels = [over_speed(made, plain(damping_ratio), "whirl", "eccentricity", top, title)]
     if polar_inertia is not None:
         _, springs = stiffness_of(shaft)
         numbers = (plain(part) for part in (*springs, polar_inertia, diametral_inertia))  # type: ignore[misc]
@@ -63,24 +64,6 @@ def _campbell(disk: TiltingDisk, criticals: "Any", orders: "tuple[float, ...]", 
     return Panel(*axes, tuple(items), "Campbell diagram")
 
 
-def _whirl_amplitude(made: "Any", critical: float, at: float, damping_ratio: float, end: float) -> Panel:
-    """Amplitude of the whirl over speed, the disk not tilting."""
-    off, top = plain(made.amplitude) / plain(made.response), end / critical
-    ratios = sorted({top * i / POINTS for i in range(1, POINTS + 1)} | {1.0 + i / 4000.0 for i in range(-80, 81)})
-    sizes = []
-    for r in ratios:
-        gap = (1.0 - r) * (1.0 + r)
-        size = r * r * magnification(gap, r, damping_ratio)[0] if gap or damping_ratio else HIGHEST
-        sizes.append(off * size if size < HIGHEST else math.nan)
-    items: list[Any] = [Curve([r * critical for r in ratios], sizes, role=0), Band(critical, critical, "critical")]
-    items += [
-        Band(off, off, "eccentricity", vertical=False),
-        Mark(at * critical, plain(made.amplitude), "running here"),
-    ]
-    axes = Axis("speed", ShaftSpeed, ends=(0.0, end)), Axis("whirl", Size, logarithmic=True)
-    return Panel(*axes, tuple(items), "amplitude, the disk not tilting" if made.forward_speed is not None else "")
-
-
 def absorber(made: "Any", *, size: "Any", **_: "Any") -> Picture:
     """Amplitude of the machine with and without the absorber, and with its damper too weak and too strong."""
     mu = plain(size.mass_ratio) if hasattr(size, "mass_ratio") else plain(size.absorber_mass) / plain(size.mass)
@@ -102,14 +85,11 @@ def absorber(made: "Any", *, size: "Any", **_: "Any") -> Picture:
 def beam(made: "Any", *, ends: str, length: float, **_: "Any") -> Picture:
     """The lowest shapes with their nodes."""
     panels = []
-    shares = [i / (POINTS - 1) for i in range(POINTS)]
+    places = [plain(length) * i / (POINTS - 1) for i in range(POINTS)]
+    axis = Axis("along the beam", Size, ends=(0.0, plain(length)))
     for mode in made.modes[:MOST_SHAPES]:
-        y = [shape(str(ends), mode.number, x) for x in shares]
+        y = [shape(str(ends), mode.number, i / (POINTS - 1)) for i in range(POINTS)]
         largest = max(map(abs, y))
-        items: list[Any] = [Curve([x * plain(length) for x in shares], [v / largest for v in y], role=0)]
-        items += [Mark(node * plain(length), 0.0, "") for node in mode.nodes]
-        items.append(Band(0.0, 0.0, "", vertical=False))
-        title = worded("mode {n}: {f:5}", n=str(mode.number), f=(plain(mode.frequency), Frequency))
-        x_axis = Axis("along the beam", Size, ends=(0.0, plain(length)))
-        panels.append(Panel(x_axis, Axis("shape", ends=(-1.15, 1.15)), tuple(items), title))
+        nodes = [Mark(node * plain(length), 0.0, "") for node in mode.nodes]
+        panels.append(shape_panel(mode, axis, places, [v / largest for v in y], nodes))
     return Picture(tuple(panels), f"beam, {ends}", columns=2 if len(panels) > 1 else 1)

@@ -128,10 +128,16 @@ def isolator(made: "Any", *, damping_ratio: float = 0.0, **_: "Any") -> Picture:
 
 
 def unbalance(made: "Any", **_: "Any") -> Picture:
-    """Amplitude and force to the ground over speed."""
-    zeta, at, omega = plain(made.damping_ratio), plain(made.ratio), plain(made.critical_speed)
-    eccentric = plain(made.amplitude) / plain(made.response)
-    ratios = [r for r in _ratios(at) if r <= max(3.0, 1.5 * at)]
+    """Amplitude over speed."""
+    panel = over_speed(made, plain(made.damping_ratio), "amplitude", "U/M")
+    return Picture((panel,), "vibration from unbalance")
+
+
+def over_speed(made: "Any", zeta: float, name: str, eccentricity: str, top: float = 0.0, title: str = "") -> Panel:
+    """Amplitude r²·H of an eccentric mass over speed, with the critical speed; to `top`, or as far as it takes."""
+    at, omega, eccentric = plain(made.ratio), plain(made.critical_speed), plain(made.amplitude) / plain(made.response)
+    end = top / omega or max(3.0, 1.5 * at)
+    ratios = [r for r in _ratios(max(at, end / 1.5)) if r <= end]
     high = [
         eccentric * _height(lambda r=r: r * r * magnification((1.0 - r) * (1.0 + r), r, zeta)[0])  # type: ignore[misc]
         for r in ratios
@@ -140,12 +146,10 @@ def unbalance(made: "Any", **_: "Any") -> Picture:
         Curve([r * omega for r in ratios], high, role=0),
         Mark(at * omega, plain(made.amplitude), "running here"),
         Band(omega, omega, "critical"),
-        Band(eccentric, eccentric, "U/M", vertical=False),
+        Band(eccentric, eccentric, eccentricity, vertical=False),
     )
-    panel = Panel(
-        Axis("speed", ShaftSpeed, ends=(0.0, ratios[-1] * omega)), Axis("amplitude", Size, logarithmic=True), items
-    )
-    return Picture((panel,), "vibration from unbalance")
+    axes = Axis("speed", ShaftSpeed, ends=(0.0, end * omega)), Axis(name, Size, logarithmic=True)
+    return Panel(*axes, items, title)
 
 
 def decrement(made: "Any", *, measured: "Any", **_: "Any") -> Picture:

@@ -3,6 +3,7 @@
 import math
 
 from dynamics_cli.errors import worded
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Acceleration, Coordinate, Force, Frequency, Size, Time
 from dynamics_cli.vibration.systems.inputs import System
@@ -21,21 +22,29 @@ POINTS = 2000
 def modes(made: "Any", **_: "Any") -> Picture:
     """Each shape over its coordinates."""
     names = tuple(made.coordinates.split(", "))
-    x = [float(i + 1) for i in range(len(names))]
     panels = []
     for mode in made.modes[:MOST_SHAPES]:
         y = list(mode.shape)
         if mode.phases is not None:
             y = [size * math.cos(math.radians(turn)) for size, turn in zip(y, mode.phases, strict=True)]
-        items: list[Any] = [Curve(x, y, "", "solid", role=0), Curve(x, y, "", "points", role=0)]
-        items.append(Band(0.0, 0.0, "", vertical=False))
-        title = f"mode {mode.number}"
-        if mode.frequency is not None:
-            title = worded("mode {n}: {f:5}", n=str(mode.number), f=(mode.frequency, Frequency))
-        ends = (0.5, len(x) + 0.5)
-        limit = 1.15 * max(max(map(abs, y)), 1e-300)
-        panels.append(Panel(Axis("", names=names, ends=ends), Axis("shape", ends=(-limit, limit)), tuple(items), title))
+        panels.append(shape_over_names(mode, names, y))
     return Picture(tuple(panels), "mode shapes", columns=2 if len(panels) > 1 else 1)
+
+
+def shape_over_names(mode: "Any", names: "tuple[str, ...]", y: "list[float]") -> Panel:
+    """A shape over its coordinates, with a point at each."""
+    x = [float(i + 1) for i in range(len(names))]
+    return shape_panel(mode, Axis("", names=names, ends=(0.5, len(x) + 0.5)), x, y, [Curve(x, y, "", "points", role=0)])
+
+
+def shape_panel(mode: "Any", along: Axis, x: "list[float]", y: "list[float]", more: "list[Any]") -> Panel:
+    """A shape with its line of rest, named by its number and frequency."""
+    title = f"mode {mode.number}"
+    if mode.frequency is not None:
+        title = worded("mode {n}: {f:5}", n=str(mode.number), f=(plain(mode.frequency), Frequency))
+    limit = 1.15 * max(max(map(abs, y)), 1e-300)
+    items = (Curve(x, y, role=0), *more, Band(0.0, 0.0, "", vertical=False))
+    return Panel(along, Axis("shape", ends=(-limit, limit)), items, title)
 
 
 def _continuous(angles: "list[float]") -> "list[float]":
