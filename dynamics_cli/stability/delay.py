@@ -36,7 +36,7 @@ class Crossing:
     """A frequency at which roots cross the axis, again and again as the delay grows."""
 
     frequency: Annotated[AngularRate, "Frequency of the pair on the axis [rad/s]."]
-    first: Annotated[Time, "The least delay that puts it there [s]."]
+    first: Annotated[Time, "The smallest delay that puts it there [s]."]
     spacing: Annotated[Time, "From one such delay to the next, 2π/ω [s]."]
     direction: Annotated[Text, "Whether the pair leaves the left half plane or returns to it."]
 
@@ -56,7 +56,7 @@ class Delay:
     """The stable delays."""
 
     stable: Annotated[Text, "The stable delays, in words."]
-    first_unstable: Annotated[Time | None, "The least delay at which it is not stable; none where there is none [s]."]
+    first_unstable: Annotated[Time | None, "The smallest delay at which it is not stable [s]."]
     crossings: Annotated[tuple[Crossing, ...] | None, "Frequencies of crossing, the highest first; none without any."]
     ranges: Annotated[tuple[DelayRange, ...], "Stretches of delays, up to the last one that can be stable."]
     verdict: Annotated[Text | None, "Verdict at the delay that was given."]

@@ -68,7 +68,7 @@ class GainAnswer:
 
     stable: Annotated[Text, "The stable gains, in words."]
     ranges: Annotated[tuple[GainRange, ...], "Stretches of gains between the critical ones."]
-    critical: Annotated[tuple[Critical, ...] | None, "Gains at which roots cross the axis; none where there are none."]
+    critical: Annotated[tuple[Critical, ...] | None, "Gains at which roots cross the axis."]
     verdict: Annotated[Text | None, "Verdict at the gain that was given."]
     roots: Annotated[tuple[Root, ...] | None, "Roots at the gain that was given; of a pair the upper one."]
     numerics: Numerics

@@ -17,7 +17,7 @@ SHAFT = Task(
         method="one-sided Jacobi on the factor; exact counts",
     ),
     headline=(
-        "rotors: angles list", "rigid_modes: rigid modes", "modes_below: modes below",
+        "rotors", "rigid_modes: rigid modes", "modes_below: modes below",
         "modes: modes | number=mode, frequency, nodes, damping_ratio=ζ, twisted=most twisted, angles",
         "criticals: critical speeds | speed, order, mode, frequency, place=running",
     ),

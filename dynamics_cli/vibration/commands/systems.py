@@ -18,7 +18,7 @@ MODES = Task(
         method="one-sided Jacobi, symmetric or complex eigenvalues",
     ),
     headline=(
-        "kind: damping", "rigid_modes: rigid modes", "coordinates: shapes list",
+        "kind: damping", "rigid_modes: rigid modes", "coordinates",
         "modes: modes | number=mode, frequency, damping_ratio=ζ, effective_share=effective mass, shape, "
         "phases=lead in deg",
     ),
@@ -79,8 +79,8 @@ HISTORY = Task(
         method="each mode in closed form, or the exponential of the state matrix where dampers couple modes",
     ),
     headline=(
-        "peak: largest displacement", "peak_time: at", "read: of", "work: work of the load", "lost: taken by dampers",
-        "stored: left at the end",
+        "peak: largest displacement", "peak_time: at", "read: of coordinate", "work: work of the load",
+        "lost: taken by dampers", "stored: left at the end",
         "peaks: largest of each | name=coordinate, displacement, time=at, absolute=in space, velocity, acceleration",
     ),
     examples=(

@@ -17,22 +17,22 @@ POINTS = 1200
 CYCLES = 4.0
 
 
-def nonlinear(made: "Any", *, oscillator: "Any", **_: "Any") -> Picture:
+def nonlinear(result: "Any", *, oscillator: "Any", **_: "Any") -> Picture:
     """What there is to see of this oscillator."""
     if isinstance(oscillator, ForcedDuffing):
-        return _branches(made, oscillator)
-    panels = [_overlay(made, oscillator)]
+        return _branches(result, oscillator)
+    panels = [_overlay(result, oscillator)]
     if isinstance(oscillator, Pendulum | Duffing):
         panels.append(_backbone(oscillator))
     else:
-        panels.append(_portrait(made, oscillator))
+        panels.append(_portrait(result, oscillator))
     return Picture(tuple(panels), "averaging beside the truth")
 
 
-def _start(made: "Any", oscillator: "Any") -> float:
+def _start(result: "Any", oscillator: "Any") -> float:
     if isinstance(oscillator, Pendulum):
         return abs(float(oscillator.swing))
-    return float(made.true_amplitude) if isinstance(oscillator, VanDerPol) else float(oscillator.amplitude)
+    return float(result.true_amplitude) if isinstance(oscillator, VanDerPol) else float(oscillator.amplitude)
 
 
 def _motion(oscillator: "Any", start: float, velocity: float, end: float) -> "tuple[Any, Any, Any]":
@@ -47,14 +47,14 @@ def _motion(oscillator: "Any", start: float, velocity: float, end: float) -> "tu
     return solution.t, solution.y[0], solution.y[1]
 
 
-def _overlay(made: "Any", oscillator: "Any") -> Panel:
+def _overlay(result: "Any", oscillator: "Any") -> Panel:
     """Displacement over time, integrated and averaged."""
-    a = _start(made, oscillator)
-    end = float(made.period) * getattr(oscillator, "cycles", CYCLES)
+    a = _start(result, oscillator)
+    end = float(result.period) * getattr(oscillator, "cycles", CYCLES)
     times, places, _ = _motion(oscillator, a, 0.0, end)
     if isinstance(oscillator, Pendulum | Duffing | VanDerPol):
         size = 2.0 if isinstance(oscillator, VanDerPol) else a
-        averaged = size * np.cos(float(made.averaged_frequency) * times)
+        averaged = size * np.cos(float(result.averaged_frequency) * times)
     else:
         averaged = _averaged(law_of(oscillator), a, times)
     items = (Curve(times, places, "integrated", role=0), Curve(times, averaged, "averaged", "dashed", role=1))
@@ -63,20 +63,20 @@ def _overlay(made: "Any", oscillator: "Any") -> Panel:
 
 def _averaged(f: "Any", a: float, times: "Any") -> "Any":
     """The averaged motion by Heun's steps; a picture needs no more."""
-    made, phase = [a], 0.0
+    result, phase = [a], 0.0
     step = float(times[1] - times[0])
     for _ in times[1:]:
         fall, turn = averages(f, max(a, 1e-9))
         a += step * 0.5 * (fall + averages(f, max(a + step * fall, 1e-9))[0])
         phase += step * turn
-        made.append(a * math.cos(phase))
-    return np.array(made)
+        result.append(a * math.cos(phase))
+    return np.array(result)
 
 
-def _portrait(made: "Any", oscillator: "Any") -> Panel:
+def _portrait(result: "Any", oscillator: "Any") -> Panel:
     """Velocity over displacement, from inside and outside."""
-    a = _start(made, oscillator)
-    end = 3.0 * CYCLES * float(made.period) if isinstance(oscillator, VanDerPol) else float(made.period) * CYCLES
+    a = _start(result, oscillator)
+    end = 3.0 * CYCLES * float(result.period) if isinstance(oscillator, VanDerPol) else float(result.period) * CYCLES
     items = []
     for nth, share in enumerate((1.0, 0.2, 1.6) if isinstance(oscillator, VanDerPol) else (1.0,)):
         _, x, v = _motion(oscillator, share * a, 0.0, end)
@@ -107,10 +107,10 @@ def _backbone(oscillator: "Any") -> Panel:
     return Panel(Axis(unit, ends=(0.0, x[-1])), Axis("frequency over linear"), items, "backbone")
 
 
-def _branches(made: "Any", given: ForcedDuffing) -> Picture:
+def _branches(result: "Any", given: ForcedDuffing) -> Picture:
     """Steady amplitudes over frequency: stable, unstable, jumps, backbone, what was integrated."""
     zeta, cubic, force = given.damping_ratio, given.cubic, given.force
-    largest = max(row.amplitude for row in made.branches)
+    largest = max(row.amplitude for row in result.branches)
     peak = max(force / (2.0 * zeta), largest)
     curves: dict[tuple[float, bool], tuple[list[float], list[float]]] = {
         (sign, stable): ([], []) for sign in (-1.0, 1.0) for stable in (True, False)
@@ -137,14 +137,14 @@ def _branches(made: "Any", given: ForcedDuffing) -> Picture:
                 x, y = curves[sign, stable]
                 x.append(math.sqrt(u))
                 y.append(a if stable == steady else math.nan)
-    end = 1.6 * max([given.frequency_ratio, 1.0, *(one for one in made.jumps if one < 10.0)])
+    end = 1.6 * max([given.frequency_ratio, 1.0, *(one for one in result.jumps if one < 10.0)])
     items: list[Any] = [Curve(*backbone, "backbone", "dotted", role=6)]
     for (sign, stable), curve in curves.items():
         name = "" if sign > 0.0 else "stable" if stable else "unstable"
         items.append(Curve(*curve, name, "solid" if stable else "dashed", role=0 if stable else 1))
-    for nth, jump in enumerate(made.jumps):
+    for nth, jump in enumerate(result.jumps):
         items.append(Band(jump, jump, "jumps" if nth == 0 else ""))
-    for row in made.branches:
+    for row in result.branches:
         aside = (-6.0, 8.0) if row.stable else (6.0, -16.0)
         items.append(Mark(given.frequency_ratio, row.true_amplitude or row.amplitude, "integrated", aside))
     axes = Axis("frequency over linear", ends=(0.0, end)), Axis("amplitude", ends=(0.0, 1.3 * largest))

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     Law = Callable[[float, float], float]
 
 MOST_CYCLES, MOST_MU = 1000, 200.0
-# Differences of two tolerances beyond this are told.
+# Differences of two tolerances beyond this are reported.
 ROUGH = 1e-6
 WIDE = 0.05
 

@@ -5,6 +5,7 @@ import math
 from dynamics_cli.errors import worded
 from dynamics_cli.pictures import Axis, Band, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Frequency, ShaftSpeed
+from dynamics_cli.vibration.systems.pictures import shape_over_names
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,26 +16,18 @@ ORDERS = (1.0, 2.0, 3.0)
 
 
 def shaft(
-    made: "Any", *, orders: "tuple[float, ...]" = (), lowest_speed: "float | None" = None,
+    result: "Any", *, orders: "tuple[float, ...]" = (), lowest_speed: "float | None" = None,
     highest_speed: "float | None" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """Campbell diagram with critical speeds, and the shapes of the lowest modes."""
-    names = tuple(made.rotors.split(", "))
-    panels = [_campbell(made, orders or ORDERS, lowest_speed, highest_speed)]
-    x = [float(i + 1) for i in range(len(names))]
-    for mode in made.modes[:MOST_SHAPES]:
-        y = list(mode.angles)
-        items: tuple[Any, ...] = (
-            Curve(x, y, role=0), Curve(x, y, "", "points", role=0), Band(0.0, 0.0, "", vertical=False)
-        )  # fmt: skip
-        title = worded("mode {n}: {f:5}", n=str(mode.number), f=(mode.frequency, Frequency))
-        axes = Axis("", names=names, ends=(0.5, len(x) + 0.5)), Axis("angle", ends=(-1.15, 1.15))
-        panels.append(Panel(*axes, items, title))
+    names = tuple(result.rotors.split(", "))
+    panels = [_campbell(result, orders or ORDERS, lowest_speed, highest_speed)]
+    panels += [shape_over_names(mode, names, list(mode.angles)) for mode in result.modes[:MOST_SHAPES]]
     return Picture(tuple(panels), "torsional vibration", columns=2)
 
 
-def _campbell(made: "Any", orders: "tuple[float, ...]", low: "float | None", high: "float | None") -> Panel:
-    shown = made.modes[:MOST_SHAPES]
+def _campbell(result: "Any", orders: "tuple[float, ...]", low: "float | None", high: "float | None") -> Panel:
+    shown = result.modes[:MOST_SHAPES]
     top = high * 1.25 if high else 1.1 * max((mode.speed / min(orders) for mode in shown[:2]), default=1.0)
     ceiling = 1.2 * max((mode.frequency for mode in shown), default=1.0)
     items: list[Any] = []

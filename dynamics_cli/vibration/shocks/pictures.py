@@ -17,36 +17,36 @@ GREY = 6
 SMOOTH = 24
 
 
-def transient(made: "Any", **_: "Any") -> Picture:
+def transient(result: "Any", **_: "Any") -> Picture:
     """Displacement over time with its peak and the slow value."""
-    table = made.history.arrays
-    sign = 1.0 if made.peak >= 0.0 else -1.0
+    table = result.history.arrays
+    sign = 1.0 if result.peak >= 0.0 else -1.0
     items: tuple[Any, ...] = (
         Curve(table["time"], table["displacement"], role=0),
-        Band(sign * made.static, sign * made.static, "if it came slowly", vertical=False),
-        Mark(made.peak_time, made.peak, "peak"),
+        Band(sign * result.static, sign * result.static, "if it came slowly", vertical=False),
+        Mark(result.peak_time, result.peak, "peak"),
     )
     time = Axis("time", Time, ends=(0.0, float(table["time"][-1])))
     return Picture((Panel(time, Axis("displacement", Coordinate), items),), "after the load")
 
 
-def shock(made: "Any", *, per_octave: int = 12, **given: "Any") -> Picture:
+def shock(result: "Any", *, per_octave: int = 12, **given: "Any") -> Picture:
     """The spectrum, primary and residual, and pseudo-velocity; all scales logarithmic."""
     if per_octave < SMOOTH and isinstance(given["input_"], Pulse):
-        made = spectrum(per_octave=SMOOTH, **given)
-    table = made.spectrum.arrays
+        result = spectrum(per_octave=SMOOTH, **given)
+    table = result.spectrum.arrays
     x = table["frequency"]
-    floor = 1e-3 * made.worst
+    floor = 1e-3 * result.worst
     frequency = Axis("natural frequency", Frequency, logarithmic=True, ends=(float(x[0]), float(x[-1])))
     curves: list[Any] = [Curve(x, table["maximax"], "maximax", "thick", role=0)]
     for name, role in (("primary", 1), ("residual", 2)):
         curves.append(Curve(x, [max(float(y), floor) for y in table[name]], name, "dashed", role=role))
-    curves.append(Band(made.peak_input, made.peak_input, "peak of the input", vertical=False))
+    curves.append(Band(result.peak_input, result.peak_input, "peak of the input", vertical=False))
     panels = (
         Panel(frequency, Axis("acceleration", Acceleration, logarithmic=True), tuple(curves)),
         _four_way(x, table["pseudo_velocity"]),
     )
-    quality = "undamped" if made.quality is None else f"Q = {made.quality:.3g}"
+    quality = "undamped" if result.quality is None else f"Q = {result.quality:.3g}"
     return Picture(panels, f"shock response spectrum, {quality}")
 
 

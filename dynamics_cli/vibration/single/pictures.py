@@ -23,28 +23,28 @@ GREY = 6
 HIGHEST = 1e4
 
 
-def free(made: "Any", **given: "Any") -> Picture:
+def free(result: "Any", **given: "Any") -> Picture:
     """Displacement over time with its envelope."""
     given = {name: part for name, part in given.items() if name != "time"}
     dry = isinstance(given.get("damping"), DryFriction)
     if not given.get("displacement") and not given.get("start_velocity"):
         given["displacement"] = 0.01
-    omega, zeta = plain(made.angular_frequency), plain(made.damping_ratio or 0.0)
+    omega, zeta = plain(result.angular_frequency), plain(result.damping_ratio or 0.0)
     cycles = 6.0 if zeta < 0.05 else 4.0 if zeta < 0.3 else 2.0 + zeta
-    end = 1.25 * plain(made.stop_time) if dry and made.stop_time else cycles * 2.0 * math.pi / omega
+    end = 1.25 * plain(result.stop_time) if dry and result.stop_time else cycles * 2.0 * math.pi / omega
     times = [end * i / (POINTS - 1) for i in range(POINTS)]
     places = [plain(free_at(**given, time=t).position) for t in times]
     items: list[Any] = [Curve(times, places, role=0)]
-    if made.amplitude and 0.0 < zeta < 1.0:
-        edge = [plain(made.amplitude) * math.exp(-zeta * omega * t) for t in times]
+    if result.amplitude and 0.0 < zeta < 1.0:
+        edge = [plain(result.amplitude) * math.exp(-zeta * omega * t) for t in times]
         items.append(Curve(times, edge, "envelope", "dashed", role=GREY))
         items.append(Curve(times, [-y for y in edge], "", "dashed", role=GREY))
     if dry:
-        band = plain(made.dead_band)
+        band = plain(result.dead_band)
         items.append(Band(-band, band, "held by friction", vertical=False))
-        items.append(Mark(plain(made.stop_time), plain(made.rest_position), "at rest", (6.0, 14.0)))
+        items.append(Mark(plain(result.stop_time), plain(result.rest_position), "at rest", (6.0, 14.0)))
     panel = Panel(Axis("time", Time, ends=(0.0, end)), Axis("displacement", Coordinate), tuple(items))
-    return Picture((panel,), f"free vibration, {made.motion}")
+    return Picture((panel,), f"free vibration, {result.motion}")
 
 
 def _ratios(at: float) -> "list[float]":
@@ -71,24 +71,24 @@ def _from_rest(given: "dict[str, Any]") -> Panel:
     return Panel(Axis("time", Time, ends=(0.0, end)), Axis("displacement", Coordinate), (Curve(times, places, role=0),))
 
 
-def forced(made: "Any", **given: "Any") -> Picture:
+def forced(result: "Any", **given: "Any") -> Picture:
     """Amplitude and phase over frequency, or the displacement from rest where a time is given."""
     if given.get("time"):
         return Picture((_from_rest(given),), "vibration from rest")
-    zeta, at, hertz = plain(made.damping_ratio), plain(made.ratio), plain(made.natural_frequency)
+    zeta, at, hertz = plain(result.damping_ratio), plain(result.ratio), plain(result.natural_frequency)
     ratios = _ratios(at)
-    still = None if made.amplitude is None else plain(made.amplitude) / plain(made.magnification)
+    still = None if result.amplitude is None else plain(result.amplitude) / plain(result.magnification)
     scale = 1.0 if still is None else still
     high = [_height(lambda r=r: magnification((1.0 - r) * (1.0 + r), r, zeta)[0]) for r in ratios]  # type: ignore[misc]
     lags = [magnification((1.0 - r) * (1.0 + r), r, zeta)[1] if r != 1.0 else 0.5 * math.pi for r in ratios]
     x = [r * hertz for r in ratios]
     items: list[Any] = [Curve(x, [scale * h for h in high], role=0)]
     lines: list[Any] = [Curve(x, lags, role=0)]
-    if made.amplitude is not None:
-        items.append(Mark(at * hertz, plain(made.amplitude), "running here"))
-        lines.append(Mark(at * hertz, plain(made.phase), ""))
-    if made.lower_frequency is not None:
-        items.append(Band(plain(made.lower_frequency), plain(made.upper_frequency), "half power"))
+    if result.amplitude is not None:
+        items.append(Mark(at * hertz, plain(result.amplitude), "running here"))
+        lines.append(Mark(at * hertz, plain(result.phase), ""))
+    if result.lower_frequency is not None:
+        items.append(Band(plain(result.lower_frequency), plain(result.upper_frequency), "half power"))
     frequency = Axis("frequency", Frequency, logarithmic=True, ends=(x[0], x[-1]))
     panels = (
         Panel(frequency, Axis("amplitude", Size, logarithmic=True), tuple(items)),
@@ -113,45 +113,53 @@ def _transmissibility(ratios: "list[float]", zeta: float, marks: "list[Any]") ->
     return Panel(x, Axis("transmissibility", logarithmic=True), tuple(items))
 
 
-def base(made: "Any", **_: "Any") -> Picture:
+def base(result: "Any", **_: "Any") -> Picture:
     """Transmissibility over the frequency ratio, for several damping ratios."""
-    zeta, at = plain(made.damping_ratio), plain(made.ratio)
-    mark = Mark(at, plain(made.transmissibility), "running here")
+    zeta, at = plain(result.damping_ratio), plain(result.ratio)
+    mark = Mark(at, plain(result.transmissibility), "running here")
     return Picture((_transmissibility(_ratios(at), zeta, [mark]),), "transmissibility")
 
 
-def isolator(made: "Any", *, damping_ratio: float = 0.0, **_: "Any") -> Picture:
+def isolator(result: "Any", *, damping_ratio: float = 0.0, **_: "Any") -> Picture:
     """Transmissibility with the mounts."""
-    at = plain(made.ratio)
-    mark = Mark(at, plain(made.transmissibility), "these mounts")
+    at = plain(result.ratio)
+    mark = Mark(at, plain(result.transmissibility), "these mounts")
     return Picture((_transmissibility(_ratios(at), plain(damping_ratio), [mark]),), "transmissibility")
 
 
-def unbalance(made: "Any", **_: "Any") -> Picture:
-    """Amplitude and force to the ground over speed."""
-    zeta, at, omega = plain(made.damping_ratio), plain(made.ratio), plain(made.critical_speed)
-    eccentric = plain(made.amplitude) / plain(made.response)
-    ratios = [r for r in _ratios(at) if r <= max(3.0, 1.5 * at)]
+def unbalance(result: "Any", **_: "Any") -> Picture:
+    """Amplitude over speed."""
+    panel = over_speed(result, plain(result.damping_ratio), "amplitude", "U/M")
+    return Picture((panel,), "vibration from unbalance")
+
+
+def over_speed(result: "Any", zeta: float, name: str, eccentricity: str, top: float = 0.0, title: str = "") -> Panel:
+    """Amplitude r²·H of an eccentric mass over speed, with the critical speed; to `top`, or as far as it takes."""
+    at, omega, eccentric = (
+        plain(result.ratio),
+        plain(result.critical_speed),
+        plain(result.amplitude) / plain(result.response),
+    )
+    end = top / omega or max(3.0, 1.5 * at)
+    ratios = [r for r in _ratios(max(at, end / 1.5)) if r <= end]
     high = [
         eccentric * _height(lambda r=r: r * r * magnification((1.0 - r) * (1.0 + r), r, zeta)[0])  # type: ignore[misc]
         for r in ratios
     ]
     items = (
         Curve([r * omega for r in ratios], high, role=0),
-        Mark(at * omega, plain(made.amplitude), "running here"),
+        Mark(at * omega, plain(result.amplitude), "running here"),
         Band(omega, omega, "critical"),
-        Band(eccentric, eccentric, "U/M", vertical=False),
+        Band(eccentric, eccentric, eccentricity, vertical=False),
     )
-    panel = Panel(
-        Axis("speed", ShaftSpeed, ends=(0.0, ratios[-1] * omega)), Axis("amplitude", Size, logarithmic=True), items
-    )
-    return Picture((panel,), "vibration from unbalance")
+    axes = Axis("speed", ShaftSpeed, ends=(0.0, end * omega)), Axis(name, Size, logarithmic=True)
+    return Panel(*axes, items, title)
 
 
-def decrement(made: "Any", *, measured: "Any", **_: "Any") -> Picture:
+def decrement(result: "Any", *, measured: "Any", **_: "Any") -> Picture:
     """Peaks on a logarithmic scale with their line, or the resonance with its band."""
     if not isinstance(measured, Peaks | Recorded):
-        zeta, hertz = plain(made.damping_ratio), plain(made.natural_frequency)
+        zeta, hertz = plain(result.damping_ratio), plain(result.natural_frequency)
         ratios = [r for r in _ratios(1.0) if 0.6 < r < 1.6]
         high = [magnification((1.0 - r) * (1.0 + r), r, zeta)[0] for r in ratios]
         band = Band(plain(measured.lower_frequency), plain(measured.upper_frequency), "half power")
@@ -162,7 +170,7 @@ def decrement(made: "Any", *, measured: "Any", **_: "Any") -> Picture:
     cycles = [float(every * i) for i in range(len(sizes))]
     mean = sum(map(math.log, sizes)) / len(sizes)
     middle = sum(cycles) / len(cycles)
-    line = [math.exp(mean - plain(made.decrement) * (n - middle)) for n in cycles]
+    line = [math.exp(mean - plain(result.decrement) * (n - middle)) for n in cycles]
     items = (Curve(cycles, sizes, "peaks", "points", role=0), Curve(cycles, line, "least squares", role=1))
     panel = Panel(Axis("cycles"), Axis("peak", logarithmic=True), items)
-    return Picture((panel,), f"decay, ζ = {plain(made.damping_ratio):.4g}")
+    return Picture((panel,), f"decay, ζ = {plain(result.damping_ratio):.4g}")

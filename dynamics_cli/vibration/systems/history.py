@@ -108,14 +108,14 @@ def history(
     """
     from dynamics_cli.vibration.systems.runs import reaches, run
 
-    those = System(system)
-    done = run(those, damping_ratio, load, force_at, duration)
-    peaks = reaches(those, done)
-    place = those.moving(read_at) if read_at else max(range(len(peaks)), key=lambda i: abs(peaks[i].displacement))
-    pick = done.picked(ROWS)
-    work, lost, stored = done.energies()
-    off = abs(work - lost - stored) / max(done.largest_energy, 1e-300)
-    checks = (Check("work is what was lost and stored", off <= BALANCE, off, BALANCE),) if done.followed else ()
+    model = System(system)
+    motion = run(model, damping_ratio, load, force_at, duration)
+    peaks = reaches(model, motion)
+    place = model.moving(read_at) if read_at else max(range(len(peaks)), key=lambda i: abs(peaks[i].displacement))
+    pick = motion.picked(ROWS)
+    work, lost, stored = motion.energies()
+    off = abs(work - lost - stored) / max(motion.largest_energy, 1e-300)
+    checks = (Check("work is what was lost and stored", off <= BALANCE, off, BALANCE),) if motion.followed else ()
     return History(
         peak=peaks[place].displacement,
         peak_time=peaks[place].time,
@@ -125,28 +125,33 @@ def history(
         stored=stored,
         peaks=peaks,
         history=Columns(
-            Moment, time=done.times[pick], displacement=done.places[place, pick], velocity=done.speeds[place, pick],
-            acceleration=done.absolute[place, pick],
-            absolute_displacement=done.places[place, pick] + done.base_place[pick],
-            absolute_velocity=done.speeds[place, pick] + done.base_speed[pick],
-            base_displacement=done.base_place[pick],
+            Moment,
+            time=motion.times[pick],
+            displacement=motion.places[place, pick],
+            velocity=motion.speeds[place, pick],
+            acceleration=motion.absolute[place, pick],
+            absolute_displacement=motion.places[place, pick] + motion.base_place[pick],
+            absolute_velocity=motion.speeds[place, pick] + motion.base_speed[pick],
+            base_displacement=motion.base_place[pick],
         ),
-        numerics=Numerics(done.method),
+        numerics=Numerics(motion.method),
         checks=checks,
-        advice=(*those.advice, *_advice(done)),
+        advice=(*model.advice, *_advice(motion)),
     )  # fmt: skip
 
 
-def _advice(done: "Run") -> "tuple[Advice, ...]":
+def _advice(motion: "Run") -> "tuple[Advice, ...]":
     notes = []
-    if not done.followed:
+    if not motion.followed:
         text = "modes above {f:3} move faster than the steps: their peaks may be missed, and the energy is not checked"
-        notes.append(Advice("steps", worded(text, f=(done.followed_to, Frequency)), remedy="give a shorter --duration"))
-    if done.overshoot > COARSE:
+        notes.append(
+            Advice("steps", worded(text, f=(motion.followed_to, Frequency)), remedy="give a shorter --duration")
+        )
+    if motion.overshoot > COARSE:
         text = "the record is coarse: the smooth curve through its samples runs past them by {share:2} of their range"
         remedy = "give closer samples, or a formula (--base-motion)"
-        notes.append(Advice("coarse", worded(text, share=(done.overshoot, Ratio)), remedy=remedy))
-    if done.rough > AGREE:
+        notes.append(Advice("coarse", worded(text, share=(motion.overshoot, Ratio)), remedy=remedy))
+    if motion.rough > AGREE:
         text = "two step sizes of the formula differ by {rough:2} of the largest displacement"
-        notes.append(Advice("tolerance", worded(text, rough=(done.rough, Ratio))))
+        notes.append(Advice("tolerance", worded(text, rough=(motion.rough, Ratio))))
     return tuple(notes)

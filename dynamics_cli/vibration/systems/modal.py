@@ -27,17 +27,17 @@ BLOCK = 64
 class Modal:
     """Equations q̈ + C·q̇ + Ω²·q = w·load: C has a diagonal `rates`, or is full where dampers couple the modes."""
 
-    def __init__(self, those: "System", damping_ratio: "float | None") -> None:
+    def __init__(self, model: "System", damping_ratio: "float | None") -> None:
         if damping_ratio is not None:
             require_damping(damping_ratio, DampingRatio)
-        mass, stiffness, damping = those.matrices()
+        mass, stiffness, damping = model.matrices()
         require(
             damping is None or damping_ratio is None, "dampers and a damping ratio of all modes are both given",
             code="both", hint="leave out --damping-ratio, or the dampers",
         )  # fmt: skip
-        self.omega, self.shapes, errors, _ = undamped(those)
+        self.omega, self.shapes, errors, _ = undamped(model)
         require(
-            those.elements is not None or bool((errors < LOST).all()),
+            model.elements is not None or bool((errors < LOST).all()),
             "a soft mode is lost in the rounding of the matrices",
             code="lost",
             hint="give masses and springs: --masses and --stiffnesses, or --body and --coupling",
@@ -67,13 +67,13 @@ class Modal:
         column = rates[:, None]
         if self.full is None:
             return weights / ((self.omega - column) * (self.omega + column) + 1j * column * self.rates)
-        made, n = [], len(self.omega)
+        steps, n = [], len(self.omega)
         for begin in range(0, len(rates), BLOCK):
             some = rates[begin : begin + BLOCK, None]
             left = 1j * some[:, :, None] * self.full
             left[:, range(n), range(n)] += (self.omega - some) * (self.omega + some)
-            made.append(np.linalg.solve(left, np.broadcast_to(weights, (len(some), n))[:, :, None])[:, :, 0])
-        return np.concatenate(made)
+            steps.append(np.linalg.solve(left, np.broadcast_to(weights, (len(some), n))[:, :, None])[:, :, 0])
+        return np.concatenate(steps)
 
     def curve(self, rates: "Any", weights: "Any", read: int) -> "Any":
         """The amplitude of one coordinate over angular frequencies: a sum over real or complex modes."""
@@ -122,17 +122,17 @@ class Modal:
         whole = np.zeros((2 * n + 2, 2 * n + 2))
         whole[: 2 * n, : 2 * n], whole[: 2 * n, 2 * n], pace = self._state(weights)
         whole[2 * n :, 2 * n :] = law
-        made = np.zeros((len(times), 2 * n + 2))
-        made[0, :n], made[0, n : 2 * n], made[0, 2 * n :] = start[0], start[1] / pace, loads[0]
+        steps = np.zeros((len(times), 2 * n + 2))
+        steps[0, :n], steps[0, n : 2 * n], steps[0, 2 * n :] = start[0], start[1] / pace, loads[0]
         last_step = -1.0
         factor = whole
         for i, step in enumerate(np.diff(times).tolist()):
             if abs(step - last_step) > EVEN * step:
                 last_step, factor = step, expm(step * whole)
             if len(loads) > 1:
-                made[i, 2 * n :] = loads[i]
-            made[i + 1] = factor @ made[i]
-        return made[:, :n].T, pace * made[:, n : 2 * n].T
+                steps[i, 2 * n :] = loads[i]
+            steps[i + 1] = factor @ steps[i]
+        return steps[:, :n].T, pace * steps[:, n : 2 * n].T
 
     def damped(self, v: "Any") -> "Any":
         """C·v of velocities of the modes, in one row each or at one time."""

@@ -24,12 +24,12 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# Frequencies of one group, relatively: any combination of their shapes serves.
+# Frequencies nearer than this share are one: any combination of their shapes is a shape too.
 SAME = 1e-9
-# A frequency with fewer digits than this is none.
+# A frequency whose relative error may be larger is not given.
 LOST = 0.01
 ORTHOGONAL = 1e-9
-# Parts of a shape below this are of rounding; a first part below the other is no scale.
+# Parts of a shape below the first share of its largest are rounding; a first part below the second sets no scale.
 NOISE, ABSENT = 1e-15, 1e-12
 # Matrices of more coordinates are not listed.
 MOST_LISTED = 12
@@ -114,36 +114,36 @@ def modes(
     >>> [round(one.angular_frequency, 9) for one in made.modes]
     [0.618033989, 1.618033989]
     """
-    those = System(system)
+    model = System(system)
     if damping_ratio is not None:
         require_damping(damping_ratio, DampingRatio)
-    mass, stiffness, damping = those.matrices()
+    mass, stiffness, damping = model.matrices()
     if damping is not None:
         require(damping_ratio is None, "dampers and a damping ratio of all modes are both given", code="both",
                 hint="leave out --damping-ratio, or the dampers")  # fmt: skip
         from dynamics_cli.vibration.systems.matrices import proportional
 
         if not proportional(mass, damping, stiffness):
-            return _complex(those, mass, damping, stiffness, scale)
-    omega, shapes, errors, numerics = undamped(those)
+            return _complex(model, mass, damping, stiffness, scale)
+    omega, shapes, errors, numerics = undamped(model)
     zetas = None if damping_ratio is None else [damping_ratio] * len(omega)
     if damping is not None:
         zetas = (((shapes @ damping) * shapes).sum(axis=1) / (2.0 * (omega + (omega == 0.0)))).tolist()
     elif damping_ratio is not None:
         momenta = shapes @ mass
         damping = momenta.T * (2.0 * damping_ratio * omega) @ momenta
-    whole = None if those.elements is None else math.fsum(those.elements.masses)
-    rows = _rows(those, (omega, shapes, errors), zetas, scale, whole)
+    total = None if model.elements is None else math.fsum(model.elements.masses)
+    rows = _rows(model, (omega, shapes, errors), zetas, scale, total)
     return Modes(
-        coordinates=", ".join(those.names),
-        rigid_modes=None if those.elements is None else int((omega == 0.0).sum()),
+        coordinates=", ".join(model.names),
+        rigid_modes=None if model.elements is None else int((omega == 0.0).sum()),
         kind="undamped" if zetas is None else "proportionally damped",
-        total_mass=whole,
+        total_mass=total,
         modes=rows,
         **_matrices(mass, damping, stiffness),
         numerics=numerics,
-        checks=_checks(those, mass, omega, shapes, rows),
-        advice=(*those.advice, *_advice(omega.tolist(), errors.tolist())),
+        checks=_checks(model, mass, omega, shapes, rows),
+        advice=(*model.advice, *_advice(omega.tolist(), errors.tolist())),
     )
 
 
@@ -155,18 +155,18 @@ def _matrices(mass: "Any", damping: "Any", stiffness: "Any") -> "dict[str, Any]"
             for name, rows in matrices.items()}  # fmt: skip
 
 
-def undamped(those: System) -> "tuple[Any, Any, Any, Numerics]":
+def undamped(model: System) -> "tuple[Any, Any, Any, Numerics]":
     """Angular frequencies, shapes of unit modal mass in rows, relative errors, and how they are known."""
     import numpy as np
 
-    if those.elements is None:
+    if model.elements is None:
         from dynamics_cli.vibration.systems.matrices import symmetric_modes
 
-        omega, shapes, errors = symmetric_modes(those.mass, those.stiffness)
+        omega, shapes, errors = symmetric_modes(model.mass, model.stiffness)
         method = "symmetric eigenvalues of the scaled matrices; bound 4nε‖K‖/ω², as the matrices were rounded"
         known = errors <= LOST
     else:
-        omega, shapes, width = those.elements.modes()
+        omega, shapes, width = model.elements.modes()
         if width is None:
             method = "one-sided Jacobi on the factor of springs and masses; checked by element Rayleigh quotients"
             return omega, shapes, np.zeros(len(omega)), Numerics(method)
@@ -196,49 +196,49 @@ def scaled(shapes: "Any", scale: str) -> "Any":
 
 
 def _rows(
-    those: System, modes: "tuple[Any, Any, Any]", zetas: "list[float] | None", scale: str, whole: "float | None"
+    model: System, modes: "tuple[Any, Any, Any]", zetas: "list[float] | None", scale: str, total: "float | None"
 ) -> "tuple[Mode, ...]":
     """A row for each mode."""
     import numpy as np
 
     omega, shapes, errors = modes
-    full = those.whole(shapes)
+    full = model.whole(shapes)
     drawn, each, place = scaled(full, scale), np.arange(len(full)), abs(full).argmax(axis=1)
     factors = (drawn[each, place] / full[each, place]).tolist()
     turns: Any = [None] * len(factors)
-    if those.elements is not None:
-        turns = (shapes @ np.array(those.elements.masses)).tolist()
-    made = []
+    if model.elements is not None:
+        turns = (shapes @ np.array(model.elements.masses)).tolist()
+    entries = []
     for nth, value, shape, factor, turn, error in zip(
         each.tolist(), omega.tolist(), drawn.tolist(), factors, turns, errors.tolist(), strict=True
     ):
         lost, zeta = error > LOST, zetas[nth] if zetas is not None and value else None
         hertz = value / (2.0 * math.pi)
-        swings = zeta is not None and zeta < 1.0 and not lost
-        made.append(
+        oscillates = zeta is not None and zeta < 1.0 and not lost
+        entries.append(
             Mode(
                 number=nth + 1,
                 frequency=None if lost else hertz,
                 angular_frequency=None if lost else value,
                 damping_ratio=zeta,
-                damped_frequency=hertz * math.sqrt((1.0 - zeta) * (1.0 + zeta)) if swings else None,  # type: ignore[operator]
+                damped_frequency=hertz * math.sqrt((1.0 - zeta) * (1.0 + zeta)) if oscillates else None,  # type: ignore[operator]
                 shape=tuple(shape),
                 phases=None,
                 modal_mass=factor * factor,
                 participation=None if turn is None else turn / factor,
-                effective_share=None if turn is None or whole is None else turn * turn / whole,
+                effective_share=None if turn is None or total is None else turn * turn / total,
             )
         )
-    return tuple(made)
+    return tuple(entries)
 
 
-def _complex(those: System, mass: "Any", damping: "Any", stiffness: "Any", scale: str) -> Modes:
-    """Modes that dampers couple."""
+def _complex(model: System, mass: "Any", damping: "Any", stiffness: "Any", scale: str) -> Modes:
+    """Complex modes, which dampers couple."""
     from dynamics_cli.vibration.systems.matrices import complex_modes
 
     values, shapes, real = complex_modes(mass, damping, stiffness)
     rows = []
-    for nth, (value, full) in enumerate(zip(values.tolist(), those.whole(shapes).tolist(), strict=True), 1):
+    for nth, (value, full) in enumerate(zip(values.tolist(), model.whole(shapes).tolist(), strict=True), 1):
         largest = max(full, key=abs)
         turned = [x / (full[0] if scale == "first" and abs(full[0]) > 1e-9 * abs(largest) else largest) for x in full]
         size = abs(value)
@@ -251,16 +251,16 @@ def _complex(those: System, mass: "Any", damping: "Any", stiffness: "Any", scale
                 modal_mass=None, participation=None, effective_share=None,
             )
         )  # fmt: skip
-    notes = list(those.advice)
+    notes = list(model.advice)
     rates = [x for x in sorted(real.tolist(), reverse=True) if abs(x) > 1e-9 * abs(values).max(initial=0.0)]
     if rates:
         listed = ", ".join(f"{-x:.4g}" for x in rates)
-        notes.append(Advice("overdamped", f"motions that do not swing decay at {listed} 1/s", severity="note"))
-    rigid = None if those.elements is None else sum(not held for _, held in those.elements.groups())
+        notes.append(Advice("overdamped", f"overdamped motions decay at {listed} 1/s", severity="note"))
+    rigid = None if model.elements is None else sum(not held for _, held in model.elements.groups())
     off = max((_residual(mass, damping, stiffness, *pair) for pair in zip(values, shapes, strict=True)), default=0.0)
     return Modes(
-        coordinates=", ".join(those.names), rigid_modes=rigid, kind="complex",
-        total_mass=None if those.elements is None else math.fsum(those.elements.masses), modes=tuple(rows),
+        coordinates=", ".join(model.names), rigid_modes=rigid, kind="complex",
+        total_mass=None if model.elements is None else math.fsum(model.elements.masses), modes=tuple(rows),
         **_matrices(mass, damping, stiffness),
         numerics=Numerics("eigenvalues of the state matrix; the residual of each mode is checked"),
         checks=(Check("residual of each mode", off <= ORTHOGONAL, off, ORTHOGONAL),), advice=tuple(notes),
@@ -273,22 +273,22 @@ def _residual(mass: "Any", damping: "Any", stiffness: "Any", value: complex, sha
     return float(abs(parts[0] + parts[1] + parts[2]).max() / sum(abs(part).max() for part in parts))
 
 
-def _checks(those: System, mass: "Any", omega: "Any", shapes: "Any", rows: "tuple[Mode, ...]") -> "tuple[Check, ...]":
+def _checks(model: System, mass: "Any", omega: "Any", shapes: "Any", rows: "tuple[Mode, ...]") -> "tuple[Check, ...]":
     """Orthogonality; effective masses add up; a second computation of each frequency."""
     import numpy as np
 
-    weighted = shapes @ mass if those.elements is None else shapes * np.diag(mass)
+    weighted = shapes @ mass if model.elements is None else shapes * np.diag(mass)
     product = weighted @ shapes.T
     product.flat[:: len(omega) + 1] -= 1.0
     off = float(max(product.max(), -product.min()))
-    made = [Check("shapes are orthogonal", off <= ORTHOGONAL, off, ORTHOGONAL)]
-    if those.elements is not None:
+    entries = [Check("shapes are orthogonal", off <= ORTHOGONAL, off, ORTHOGONAL)]
+    if model.elements is not None:
         shares = abs(math.fsum(row.effective_share or 0.0 for row in rows) - 1.0)
-        made.append(Check("effective masses add up to the whole", shares <= ORTHOGONAL, shares, ORTHOGONAL))
+        entries.append(Check("effective masses add up to the whole", shares <= ORTHOGONAL, shares, ORTHOGONAL))
         moving = omega > 0.0
-        worst = float(abs(those.elements.rayleigh(shapes[moving]) / omega[moving] - 1.0).max(initial=0.0))
-        made.append(Check("element Rayleigh quotients", worst <= ORTHOGONAL, worst, ORTHOGONAL))
-    return tuple(made)
+        worst = float(abs(model.elements.rayleigh(shapes[moving]) / omega[moving] - 1.0).max(initial=0.0))
+        entries.append(Check("element Rayleigh quotients", worst <= ORTHOGONAL, worst, ORTHOGONAL))
+    return tuple(entries)
 
 
 def _advice(omega: "list[float]", errors: "list[float]") -> "tuple[Advice, ...]":
@@ -300,11 +300,11 @@ def _advice(omega: "list[float]", errors: "list[float]") -> "tuple[Advice, ...]"
             place = f"modes[{nth}].frequency"
             notes.append(Advice("lost", worded(text, n=str(nth + 1)), "serious", remedy, result=place))
         elif error > 1e-6:
-            text = "the frequency of mode {n} carries {digits} digits: the matrices hold no more"
+            text = "the frequency of mode {n} has {digits} correct digits: the matrices hold no more"
             digits = str(max(int(-math.log10(error)), 1))
             notes.append(Advice("digits", worded(text, n=str(nth + 1), digits=digits)))
     for nth in range(len(omega) - 1):
         if omega[nth] and omega[nth + 1] - omega[nth] <= SAME * omega[nth + 1]:
-            text = "modes {a} and {b} have one frequency: any combination of their shapes serves"
+            text = "modes {a} and {b} have the same frequency: any combination of their shapes is a shape too"
             notes.append(Advice("repeated", worded(text, a=str(nth + 1), b=str(nth + 2)), "note"))
     return tuple(notes)

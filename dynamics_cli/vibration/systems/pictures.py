@@ -3,6 +3,7 @@
 import math
 
 from dynamics_cli.errors import worded
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Acceleration, Coordinate, Force, Frequency, Size, Time
 from dynamics_cli.vibration.systems.inputs import System
@@ -18,50 +19,58 @@ MOST_SHAPES = 6
 POINTS = 2000
 
 
-def modes(made: "Any", **_: "Any") -> Picture:
+def modes(result: "Any", **_: "Any") -> Picture:
     """Each shape over its coordinates."""
-    names = tuple(made.coordinates.split(", "))
-    x = [float(i + 1) for i in range(len(names))]
+    names = tuple(result.coordinates.split(", "))
     panels = []
-    for mode in made.modes[:MOST_SHAPES]:
+    for mode in result.modes[:MOST_SHAPES]:
         y = list(mode.shape)
         if mode.phases is not None:
             y = [size * math.cos(math.radians(turn)) for size, turn in zip(y, mode.phases, strict=True)]
-        items: list[Any] = [Curve(x, y, "", "solid", role=0), Curve(x, y, "", "points", role=0)]
-        items.append(Band(0.0, 0.0, "", vertical=False))
-        title = f"mode {mode.number}"
-        if mode.frequency is not None:
-            title = worded("mode {n}: {f:5}", n=str(mode.number), f=(mode.frequency, Frequency))
-        ends = (0.5, len(x) + 0.5)
-        limit = 1.15 * max(max(map(abs, y)), 1e-300)
-        panels.append(Panel(Axis("", names=names, ends=ends), Axis("shape", ends=(-limit, limit)), tuple(items), title))
+        panels.append(shape_over_names(mode, names, y))
     return Picture(tuple(panels), "mode shapes", columns=2 if len(panels) > 1 else 1)
+
+
+def shape_over_names(mode: "Any", names: "tuple[str, ...]", y: "list[float]") -> Panel:
+    """A shape over its coordinates, with a point at each."""
+    x = [float(i + 1) for i in range(len(names))]
+    return shape_panel(mode, Axis("", names=names, ends=(0.5, len(x) + 0.5)), x, y, [Curve(x, y, "", "points", role=0)])
+
+
+def shape_panel(mode: "Any", along: Axis, x: "list[float]", y: "list[float]", more: "list[Any]") -> Panel:
+    """A shape with its line of rest, named by its number and frequency."""
+    title = f"mode {mode.number}"
+    if mode.frequency is not None:
+        title = worded("mode {n}: {f:5}", n=str(mode.number), f=(plain(mode.frequency), Frequency))
+    limit = 1.15 * max(max(map(abs, y)), 1e-300)
+    items = (Curve(x, y, role=0), *more, Band(0.0, 0.0, "", vertical=False))
+    return Panel(along, Axis("shape", ends=(-limit, limit)), items, title)
 
 
 def _continuous(angles: "list[float]") -> "list[float]":
     """Angles in degrees without jumps of a turn."""
-    made = angles[:1]
+    result = angles[:1]
     for angle in angles[1:]:
-        made.append(angle + 360.0 * round((made[-1] - angle) / 360.0))
-    return made
+        result.append(angle + 360.0 * round((result[-1] - angle) / 360.0))
+    return result
 
 
 def response(
-    made: "Any", *, system: "Any", force_at: str, read_at: str, force: float = 1.0,
+    result: "Any", *, system: "Any", force_at: str, read_at: str, force: float = 1.0,
     damping_ratio: "float | None" = None, excitation: "Any" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """Amplitude and lag over frequency, and the curve of Nyquist."""
-    those = System(system)
-    of = Modal(those, damping_ratio)
-    rates = grid(of)
-    curve = of.curve(rates, of.shapes[:, those.moving(force_at)], those.moving(read_at)) * abs(force)
+    model = System(system)
+    modal = Modal(model, damping_ratio)
+    rates = grid(modal)
+    curve = modal.curve(rates, modal.shapes[:, model.moving(force_at)], model.moving(read_at)) * abs(force)
     hertz = [float(rate) / (2.0 * math.pi) for rate in rates]
     lags = _continuous([math.degrees(-math.atan2(z.imag, z.real)) % 360.0 for z in curve])
     frequency = Axis("frequency", Frequency, logarithmic=True, ends=(hertz[0], hertz[-1]))
     items: list[Any] = [Curve(hertz, [abs(z) for z in curve], role=0)]
-    if made.amplitude is not None:
+    if result.amplitude is not None:
         at = excitation.frequency if hasattr(excitation, "frequency") else abs(excitation.speed) / (2.0 * math.pi)
-        items.append(Mark(at, made.amplitude, "running here"))
+        items.append(Mark(at, result.amplitude, "running here"))
     title = f"{read_at} for a force on {force_at}"
     panels = (
         Panel(frequency, Axis("amplitude", Size, logarithmic=True), tuple(items), title),
@@ -75,32 +84,34 @@ def response(
 
 
 def history(
-    made: "Any", *, system: "Any", load: "Any", damping_ratio: "float | None" = None, force_at: str = "",
+    result: "Any", *, system: "Any", load: "Any", damping_ratio: "float | None" = None, force_at: str = "",
     read_at: str = "", duration: "float | None" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The load, and every coordinate over time."""
     from dynamics_cli.vibration.systems.runs import run
 
-    those = System(system)
-    done = run(those, damping_ratio, load, force_at, duration)
-    pick = done.picked(POINTS)
-    times = done.times[pick]
-    time = Axis("time", Time, ends=(0.0, float(done.times[-1])))
-    names = [those.names[kept] for kept in those.kept]
-    shown = range(len(names)) if len(names) <= MOST_SHAPES else [names.index(made.read)]
+    model = System(system)
+    motion = run(model, damping_ratio, load, force_at, duration)
+    pick = motion.picked(POINTS)
+    times = motion.times[pick]
+    time = Axis("time", Time, ends=(0.0, float(motion.times[-1])))
+    names = [model.names[kept] for kept in model.kept]
+    shown = range(len(names)) if len(names) <= MOST_SHAPES else [names.index(result.read)]
 
     def moves(title: str, over: "Any") -> Panel:
-        lines: list[Any] = [Curve(times, (done.places[i] + over)[pick], names[i], role=n) for n, i in enumerate(shown)]
-        if done.moved and title.endswith("space"):
-            lines.insert(0, Curve(times, done.base_place[pick], "base", "thin", role=GREY))
+        lines: list[Any] = [
+            Curve(times, (motion.places[i] + over)[pick], names[i], role=n) for n, i in enumerate(shown)
+        ]
+        if motion.moved and title.endswith("space"):
+            lines.insert(0, Curve(times, motion.base_place[pick], "base", "thin", role=GREY))
         else:
-            lines.append(Mark(made.peak_time, made.peak, made.read))
+            lines.append(Mark(result.peak_time, result.peak, result.read))
         return Panel(time, Axis(title, Coordinate), tuple(lines))
 
-    acts = Axis("acceleration of the base", Acceleration) if done.based else Axis(f"force on {force_at}", Force)
-    panels = [moves("against the base" if done.based else "displacement", 0.0)]
-    if done.moved:
-        panels.insert(0, moves("displacement in space", done.base_place))
+    acts = Axis("acceleration of the base", Acceleration) if motion.based else Axis(f"force on {force_at}", Force)
+    panels = [moves("against the base" if motion.based else "displacement", 0.0)]
+    if motion.moved:
+        panels.insert(0, moves("displacement in space", motion.base_place))
     else:
-        panels.insert(0, Panel(time, acts, (Curve(times, done.loads[pick], role=GREY),)))
+        panels.insert(0, Panel(time, acts, (Curve(times, motion.loads[pick], role=GREY),)))
     return Picture(tuple(panels), "motion from rest")

@@ -63,15 +63,15 @@ class Response:
     advice: tuple[Advice, ...] = ()
 
 
-def grid(of: "Modal") -> "Any":
+def grid(modal: "Modal") -> "Any":
     """Angular frequencies of a curve over the lowest modes, closer about resonances."""
     import numpy as np
 
-    moving = of.omega > 0.0
-    first = of.omega[moving][:12] if moving.any() else np.ones(1)
+    moving = modal.omega > 0.0
+    first = modal.omega[moving][:12] if moving.any() else np.ones(1)
     low, high = 0.3 * first[0], 2.0 * first[-1]
     parts = [np.geomspace(low, high, GRID)]
-    for omega, zeta in zip(of.omega[moving], of.zeta[moving], strict=True):
+    for omega, zeta in zip(modal.omega[moving], modal.zeta[moving], strict=True):
         offsets = np.geomspace(max(zeta, 1e-6) / 20.0, 0.2, NEAR)
         parts += [omega * (1.0 + offsets), omega * (1.0 - offsets), np.array([omega])]
     whole = np.unique(np.concatenate(parts))
@@ -115,25 +115,25 @@ def response(
     """
     from dynamics_cli.vibration.systems.modal import Modal
 
-    those = System(system)
-    of = Modal(those, damping_ratio)
+    model = System(system)
+    modal = Modal(model, damping_ratio)
     require(
-        bool((of.zeta > 0.0)[of.omega > 0.0].all()),
+        bool((modal.zeta > 0.0)[modal.omega > 0.0].all()),
         "a mode has no damping: its peak has no height",
         code="undamped",
         hint="give --damping-ratio, for example 0.01, or dampers; frequencies alone: dynamics vibration modes",
     )
-    a, b = (those.moving(name) for name in (force_at, read_at))
-    weights = of.shapes[:, a]
+    a, b = (model.moving(name) for name in (force_at, read_at))
+    weights = modal.shapes[:, a]
     motions, largest = None, 0.0
     back = ahead = 0j
     if excitation is not None:
         rate = 2.0 * math.pi * excitation.frequency if isinstance(excitation, AtFrequency) else abs(excitation.speed)
         require(rate > 0.0, "the frequency is zero: nothing vibrates", code="at-rest")
-        column = of.column(rate, weights)
-        ahead, back = complex(column[b]), complex(of.column(rate, of.shapes[:, b])[a])
+        column = modal.column(rate, weights)
+        ahead, back = complex(column[b]), complex(modal.column(rate, modal.shapes[:, b])[a])
         largest = float(abs(column).max())
-        motions = _motions(those, column, rate, abs(force))
+        motions = _motions(model, column, rate, abs(force))
     size = None if excitation is None else abs(ahead)
     off = abs(ahead - back) / max(abs(ahead), 1e-300) if excitation is not None else 0.0
     lost = RECIPROCAL * (1.0 if size is None else max(1.0, largest / max(size, 1e-300)))
@@ -142,9 +142,9 @@ def response(
         lag=None if size is None else _lag(ahead),
         receptance=size,
         motions=motions,
-        peaks=_peaks(of, weights, b, abs(force)),
+        peaks=_peaks(modal, weights, b, abs(force)),
         checks=(Check("reciprocity", off <= lost, off, lost),) if excitation is not None else (),
-        advice=tuple(those.advice),
+        advice=tuple(model.advice),
     )
 
 
@@ -154,38 +154,38 @@ def _lag(x: complex) -> float:
     return turn if turn >= -1e-12 else turn + 2.0 * math.pi
 
 
-def _motions(those: System, column: "Any", rate: float, force: float) -> "tuple[Motion, ...]":
+def _motions(model: System, column: "Any", rate: float, force: float) -> "tuple[Motion, ...]":
     return tuple(
-        Motion(those.names[place], abs(x) * force, abs(x) * force * rate * math.sqrt(0.5), _lag(x))
-        for place, x in zip(those.kept, map(complex, column), strict=True)
+        Motion(model.names[place], abs(x) * force, abs(x) * force * rate * math.sqrt(0.5), _lag(x))
+        for place, x in zip(model.kept, map(complex, column), strict=True)
     )
 
 
-def _peaks(of: "Modal", weights: "Any", read: int, force: float) -> "tuple[Peak, ...]":
+def _peaks(modal: "Modal", weights: "Any", read: int, force: float) -> "tuple[Peak, ...]":
     """Maxima of the curve, each by a golden section between the points beside it."""
-    rates = grid(of)
-    sizes = abs(of.curve(rates, weights, read))
-    made = []
+    rates = grid(modal)
+    sizes = abs(modal.curve(rates, weights, read))
+    peaks = []
     for i in range(1, len(rates) - 1):
         if sizes[i - 1] < sizes[i] >= sizes[i + 1]:
             ends = float(rates[i - 1]), float(rates[i + 1])
-            at = _golden(lambda rate: float(abs(of.curve([rate], weights, read)[0])), *ends)
-            value = complex(of.curve([at], weights, read)[0])
-            made.append(Peak(at / (2.0 * math.pi), abs(value) * force, abs(value), _lag(value)))
-    return tuple(made)
+            at = _golden(lambda rate: float(abs(modal.curve([rate], weights, read)[0])), *ends)
+            value = complex(modal.curve([at], weights, read)[0])
+            peaks.append(Peak(at / (2.0 * math.pi), abs(value) * force, abs(value), _lag(value)))
+    return tuple(peaks)
 
 
 def _golden(function: "Any", low: float, high: float) -> float:
     """The place of a maximum by golden section; a flat top hardly changes its height."""
-    one, other = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    f, g = function(one), function(other)
+    left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+    f, g = function(left), function(right)
     while high - low > 1e-7 * high:
         if f > g:
-            high, other, g = other, one, f
-            one = high - GOLDEN * (high - low)
-            f = function(one)
+            high, right, g = right, left, f
+            left = high - GOLDEN * (high - low)
+            f = function(left)
         else:
-            low, one, f = one, other, g
-            other = low + GOLDEN * (high - low)
-            g = function(other)
+            low, left, f = left, right, g
+            right = low + GOLDEN * (high - low)
+            g = function(right)
     return 0.5 * (low + high)

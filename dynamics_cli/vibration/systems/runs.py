@@ -42,30 +42,30 @@ class Run:
     `begin` is the displacement and velocity to which the base jumps at time 0, while the masses are still at rest.
     """
 
-    def __init__(self, of: Modal, weights: "Any", based: bool) -> None:
-        self.of, self.weights, self.based = of, weights, based
+    def __init__(self, modal: Modal, weights: "Any", based: bool) -> None:
+        self.modal, self.weights, self.based = modal, weights, based
         self.moved = False
         self.begin = (0.0, 0.0)
         self.rough = self.overshoot = 0.0
         self.method = "each mode in closed form from step to step"
-        if of.full is not None:
+        if modal.full is not None:
             self.method = "exponential of the state matrix of all modes together"
 
     def start(self) -> "tuple[Any, Any]":
         """Modes and their velocities against the base after its jump, whose dampers hit the masses."""
         place = self.weights * self.begin[0]
-        return place, self.weights * self.begin[1] - self.of.damped(place)
+        return place, self.weights * self.begin[1] - self.modal.damped(place)
 
     def follow(self, times: "Any", steps: "tuple[Any, Any, Any, Any]", base: "tuple[Any, Any]", fastest: float) -> None:
         """Take the modes, their velocities, the loads, the slopes of the load in each step, the motion of the base."""
-        of = self.of
+        modal = self.modal
         self.times, (self.q, self.v, self.loads, self.slopes) = times, steps
         step = float(np.diff(times).max())
         self.followed_to = 1.0 / (0.5 * FINE * step)
         self.followed = fastest <= 2.0 * math.pi * self.followed_to
-        self.a = of.accelerations(self.weights, self.q, self.v, self.loads)
-        self.places, self.speeds = of.shapes.T @ self.q, of.shapes.T @ self.v
-        self.relative = of.shapes.T @ self.a
+        self.a = modal.accelerations(self.weights, self.q, self.v, self.loads)
+        self.places, self.speeds = modal.shapes.T @ self.q, modal.shapes.T @ self.v
+        self.relative = modal.shapes.T @ self.a
         self.base_place, self.base_speed = base
         self.base_pull = self.loads if self.based else np.zeros(len(times))
         self.absolute = self.relative + self.base_pull
@@ -79,24 +79,24 @@ class Run:
 
         What a jump of the base puts in at time 0 counts as work.
         """
-        of, h = self.of, np.diff(self.times)
+        modal, h = self.modal, np.diff(self.times)
         powers = (self.weights @ self.v) * self.loads
         rates = (self.weights @ self.a) * self.loads
         into = [rates[:-1] + (self.weights @ self.v[:, :-1]) * self.slopes[0],
                 rates[1:] + (self.weights @ self.v[:, 1:]) * self.slopes[1]]  # fmt: skip
-        losses, change = of.losses(self.v, self.v), 2.0 * of.losses(self.v, self.a)
+        losses, change = modal.losses(self.v, self.v), 2.0 * modal.losses(self.v, self.a)
         work, lost = (
             float((0.5 * h * (f[:-1] + f[1:]) + h * h / 12.0 * (left - right)).sum())
             for f, left, right in ((powers, *into), (losses, change[:-1], change[1:]))
         )
-        held = 0.5 * (self.v**2 + (of.omega[:, None] * self.q) ** 2).sum(axis=0)
+        held = 0.5 * (self.v**2 + (modal.omega[:, None] * self.q) ** 2).sum(axis=0)
         self.largest_energy = max(abs(work), abs(lost), float(held.max()))
         return work + float(held[0]), lost, float(held[-1])
 
 
-def run(those: "System", damping_ratio: "float | None", load: "Any", force_at: str, duration: "float | None") -> Run:
+def run(model: "System", damping_ratio: "float | None", load: "Any", force_at: str, duration: "float | None") -> Run:
     """The motion from rest under a load."""
-    of = Modal(those, damping_ratio)
+    modal = Modal(model, damping_ratio)
     based = isinstance(load, SineBase | BaseLaw | SineMotion | MotionLaw)
     record: Any = None
     moved = isinstance(load, SineMotion | MotionLaw)
@@ -104,26 +104,31 @@ def run(those: "System", damping_ratio: "float | None", load: "Any", force_at: s
         times, values, unit = read_record(load.file, FORCES | ACCELERATIONS | LENGTHS)
         record, moved, based = (np.array(times) - times[0], np.array(values)), unit in LENGTHS, unit not in FORCES
         duration = float(record[0][-1]) if duration is None else duration
-    require(duration is not None and duration > 0.0, "how long is the motion followed?", code="no-duration",
+    require(duration is not None and duration > 0.0, "no duration is given", code="no-duration",
             hint="give --duration, for example 2 s")  # fmt: skip
-    require(based or bool(force_at), "where does the force act?", code="no-place", hint="give --force-at")
-    made = Run(of, of.base if based else of.shapes[:, those.moving(force_at)], based)
-    made.moved = moved or (based and record is None)
-    end, fastest = float(duration), float(of.omega.max())  # type: ignore[arg-type]
-    room = min(MOST, ROOM // len(of.omega))
+    require(
+        based or bool(force_at),
+        "the coordinate that the force acts on is not given",
+        code="no-place",
+        hint="give --force-at",
+    )
+    motion = Run(modal, modal.base if based else modal.shapes[:, model.moving(force_at)], based)
+    motion.moved = moved or (based and record is None)
+    end, fastest = float(duration), float(modal.omega.max())  # type: ignore[arg-type]
+    room = min(MOST, ROOM // len(modal.omega))
     if isinstance(load, SineForce | SineBase | SineMotion):
-        _under_sine(made, load, end, fastest, room)
+        _under_sine(motion, load, end, fastest, room)
     elif record is not None:
-        pulls = _smooth(made, record[0], record[1], end) if moved else record[1]
+        pulls = _smooth(motion, record[0], record[1], end) if moved else record[1]
         times, loads = _refined(record[0], pulls, end, fastest, room)
-        made.follow(times, _lines(made, times, loads), _base(made, times, loads), fastest)
+        motion.follow(times, _lines(motion, times, loads), _base(motion, times, loads), fastest)
     else:
-        _sampled(made, load, end, fastest, room)
-    require(bool(abs(made.loads).max() > 0.0) or any(made.begin), "the load is zero: nothing moves", code="no-load")
-    return made
+        _sampled(motion, load, end, fastest, room)
+    require(bool(abs(motion.loads).max() > 0.0) or any(motion.begin), "the load is zero: nothing moves", code="no-load")
+    return motion
 
 
-def _under_sine(made: Run, load: "Any", end: float, fastest: float, room: int) -> None:
+def _under_sine(motion: Run, load: "Any", end: float, fastest: float, room: int) -> None:
     """A force or an acceleration of the base by a cosine, or a displacement of the base by a sine."""
     require(load.frequency > 0.0, "the frequency is zero: nothing vibrates", code="at-rest",
             hint='a constant force is a formula: --force-law "50 N"')  # fmt: skip
@@ -133,47 +138,51 @@ def _under_sine(made: Run, load: "Any", end: float, fastest: float, room: int) -
     turn = np.exp(1j * rate * times)
     if isinstance(load, SineMotion):
         size = 1j * load.base_amplitude * rate * rate
-        made.begin = (0.0, load.base_amplitude * rate)
+        motion.begin = (0.0, load.base_amplitude * rate)
         base = (load.base_amplitude * turn.imag, load.base_amplitude * rate * turn.real)
     else:
         size = complex(load.force if isinstance(load, SineForce) else load.base_acceleration)
         # 1 − cos ωt
         base = (2.0 * size.real * np.sin(0.5 * rate * times) ** 2 / rate**2, size.real * turn.imag / rate)
     loads, slopes = (size * turn).real, (1j * rate * size * turn).real
-    steps = (*made.of.under_sine(made.weights, size, rate, times, made.start()), loads, (slopes[:-1], slopes[1:]))
-    made.follow(times, steps, base, fastest)
+    steps = (
+        *motion.modal.under_sine(motion.weights, size, rate, times, motion.start()),
+        loads,
+        (slopes[:-1], slopes[1:]),
+    )
+    motion.follow(times, steps, base, fastest)
 
 
-def _smooth(made: Run, times: "Any", values: "Any", end: float) -> "Any":
+def _smooth(motion: Run, times: "Any", values: "Any", end: float) -> "Any":
     """The accelerations of a recorded displacement of the base, a cubic spline: they run straight between samples."""
     from scipy.interpolate import CubicSpline
 
     require(end <= times[-1] * (1.0 + 1e-12), "the record of the base's displacement ends at {end:6}",
             end=(float(times[-1]), Time), code="length", hint="give a shorter --duration")  # fmt: skip
     spline = CubicSpline(times, values - values[0])
-    made.begin = (0.0, float(spline(0.0, 1)))
+    motion.begin = (0.0, float(spline(0.0, 1)))
     between = spline(0.5 * (times[1:] + times[:-1]))
     low, high = spline.c[3].min(), spline.c[3].max()
     low, high = min(low, values[-1] - values[0]), max(high, values[-1] - values[0])
-    made.overshoot = float(max(between.max() - high, low - between.min(), 0.0) / max(high - low, 1e-300))
+    motion.overshoot = float(max(between.max() - high, low - between.min(), 0.0) / max(high - low, 1e-300))
     return spline(times, 2)
 
 
-def _base(made: Run, times: "Any", pulls: "Any") -> "tuple[Any, Any]":
+def _base(motion: Run, times: "Any", pulls: "Any") -> "tuple[Any, Any]":
     """Displacement and velocity of the base, whose acceleration runs straight from sample to sample."""
-    if not made.based:
+    if not motion.based:
         return np.zeros(len(times)), np.zeros(len(times))
     (place,), (speed,) = states_of_record(Oscillators(np.zeros(1), 0.0), times, pulls)
-    return made.begin[0] + made.begin[1] * times + place, made.begin[1] + speed
+    return motion.begin[0] + motion.begin[1] * times + place, motion.begin[1] + speed
 
 
 def _count(fastest: float, end: float, room: int) -> int:
     return int(min(max(FINE * fastest * end / (2.0 * math.pi), FEWEST), room))
 
 
-def _lines(made: Run, times: "Any", loads: "Any") -> "tuple[Any, Any, Any, Any]":
+def _lines(motion: Run, times: "Any", loads: "Any") -> "tuple[Any, Any, Any, Any]":
     slopes = np.diff(loads) / np.diff(times)
-    return (*made.of.under_lines(made.weights, times, loads, made.start()), loads, (slopes, slopes))
+    return (*motion.modal.under_lines(motion.weights, times, loads, motion.start()), loads, (slopes, slopes))
 
 
 def _refined(times: "Any", loads: "Any", end: float, fastest: float, room: int) -> "tuple[Any, Any]":
@@ -189,7 +198,7 @@ def _refined(times: "Any", loads: "Any", end: float, fastest: float, room: int) 
     return fine, np.interp(fine, times, loads, right=0.0)
 
 
-def _sampled(made: Run, load: "Any", end: float, fastest: float, room: int) -> None:
+def _sampled(motion: Run, load: "Any", end: float, fastest: float, room: int) -> None:
     """Under a formula: straight lines between more and more samples, and the limit of two step sizes."""
     moving = isinstance(load, MotionLaw)
     formula = load.base_motion if moving else load.force_law if isinstance(load, ForceLaw) else load.base_law
@@ -200,8 +209,8 @@ def _sampled(made: Run, load: "Any", end: float, fastest: float, room: int) -> N
         values = _values(law, times.tolist(), 2 if moving else 0)
         loads = values[-1]
         if moving:
-            made.begin = (float(values[0, 0]), float(values[1, 0]))
-        steps = (*_lines(made, times, loads)[:2], *(() if moving else _base(made, times, loads)))
+            motion.begin = (float(values[0, 0]), float(values[1, 0]))
+        steps = (*_lines(motion, times, loads)[:2], *(() if moving else _base(motion, times, loads)))
         if before is not None:
             # errors fall with the square of the step
             finer = [part[..., ::2] for part in steps]
@@ -212,47 +221,47 @@ def _sampled(made: Run, load: "Any", end: float, fastest: float, room: int) -> N
                 break
             limit = better
         before, count = steps, 2 * count
-    made.rough = off
-    made.method += f"; a formula by straight lines, the limits of two step sizes differ by {off:.1e}"
+    motion.rough = off
+    motion.method += f"; a formula by straight lines, the limits of two step sizes differ by {off:.1e}"
     slopes = np.gradient(loads, times, edge_order=2)[::2]
     base = tuple(values[:2, ::2]) if moving else tuple(better[2:])
     steps = (better[0], better[1], loads[::2], (slopes[:-1], slopes[1:]))
-    made.follow(times[::2], steps, base, fastest)
+    motion.follow(times[::2], steps, base, fastest)
 
 
 def _values(law: "Any", times: "list[float]", order: int) -> "Any":
     """The formula and its derivatives up to an order, one in each row, at each time."""
-    made = np.zeros((order + 1, len(times)))
+    rows = np.zeros((order + 1, len(times)))
     for nth, t in enumerate(times):
         try:
             value = law(t=Jet.variable(t, order)) if order else law(t=t)
             parts = [value.derivative(k) for k in range(order + 1)] if isinstance(value, Jet) else [value]
-            made[: len(parts), nth] = parts
+            rows[: len(parts), nth] = parts
         except (ArithmeticError, ValueError):
-            made[0, nth] = math.nan
-        require(bool(np.isfinite(made[:, nth]).all()), "the formula has no value{or_slope} at {t:4}", t=(t, Time),
+            rows[0, nth] = math.nan
+        require(bool(np.isfinite(rows[:, nth]).all()), "the formula has no value{or_slope} at {t:4}", t=(t, Time),
                 or_slope=", or no acceleration," if order else "", code="no-value",
                 hint="for example sin(9*t)/(t + 1e-9)")  # fmt: skip
-    return made
+    return rows
 
 
-def reaches(those: "System", done: Run) -> "tuple[Reach, ...]":
+def reaches(model: "System", motion: Run) -> "tuple[Reach, ...]":
     """How far each coordinate moves, by cubics between the steps."""
-    of, times = done.of, done.times
-    jerks = [of.shapes.T @ of.accelerations(done.weights, done.v[:, cut], done.a[:, cut], slope)
-             for cut, slope in ((slice(-1), done.slopes[0]), (slice(1, None), done.slopes[1]))]  # fmt: skip
-    if done.based:
-        jerks = [jerk + slope for jerk, slope in zip(jerks, done.slopes, strict=True)]
-    place, when = _largest(times, done.places, done.speeds[:, :-1], done.speeds[:, 1:])
-    speed, _ = _largest(times, done.speeds, done.relative[:, :-1], done.relative[:, 1:])
-    push, _ = _largest(times, done.absolute, *jerks)
+    modal, times = motion.modal, motion.times
+    jerks = [modal.shapes.T @ modal.accelerations(motion.weights, motion.v[:, cut], motion.a[:, cut], slope)
+             for cut, slope in ((slice(-1), motion.slopes[0]), (slice(1, None), motion.slopes[1]))]  # fmt: skip
+    if motion.based:
+        jerks = [jerk + slope for jerk, slope in zip(jerks, motion.slopes, strict=True)]
+    place, when = _largest(times, motion.places, motion.speeds[:, :-1], motion.speeds[:, 1:])
+    speed, _ = _largest(times, motion.speeds, motion.relative[:, :-1], motion.relative[:, 1:])
+    push, _ = _largest(times, motion.absolute, *jerks)
     columns = [part.tolist() for part in (place, when, speed, push)]
     in_space: list[Any] = [None] * len(place)
-    if done.moved:
-        speeds = done.speeds + done.base_speed
-        in_space = _largest(times, done.places + done.base_place, speeds[:, :-1], speeds[:, 1:])[0].tolist()
+    if motion.moved:
+        speeds = motion.speeds + motion.base_speed
+        in_space = _largest(times, motion.places + motion.base_place, speeds[:, :-1], speeds[:, 1:])[0].tolist()
     rows = zip(*columns, in_space, strict=True)
-    return tuple(Reach(those.names[kept], *row) for kept, row in zip(those.kept, rows, strict=True))
+    return tuple(Reach(model.names[kept], *row) for kept, row in zip(model.kept, rows, strict=True))
 
 
 def _largest(times: "Any", values: "Any", left: "Any", right: "Any") -> "tuple[Any, Any]":
