@@ -23,6 +23,7 @@ REFUSED = {
     "incomplete firing order": (OTTO + " --firing-order 1-2-3", "firing-order"),
     "half a cycle": (OTTO.replace("720", "700"), "cycle"),
     "open diagram": (OTTO.replace("720 deg, pressure=20", "720 deg, pressure=21"), "open"),
+    "beyond doubles": (OTTO.replace("80 mm", "1e300 mm"), "range"),
     "odd step": (OTTO + ' --step "7 deg"', "step"),
     "far offset": ("engine --preset inline-4 --offset '110 mm' " + CRANK, "rod"),
     "circles too small": (FOUR + '--first "1 mm/s" --second "2 mm/s"', "no-circles"),
@@ -156,3 +157,8 @@ def test_a_turning_moment_goes_to_the_flywheel(tmp_path: Path) -> None:
     assert run("balance", *shlex.split(command + ' --step "1 deg"'), "--output", str(file)).status == 0
     made = answer("balance", "flywheel", "--point", f"@{file}:torque", "--speed", "3000 rpm")["results"]
     assert made["mean_torque"]["value"] == pytest.approx(document["results"]["mean_torque"]["value"], rel=2e-4)
+
+
+def test_a_rod_without_end_leaves_the_inertia_torque_without_a_mean() -> None:
+    made = answer("balance", *shlex.split(OTTO.replace("inline-4", "inline-3").replace("150 mm", "9e99 mm")))
+    assert {row["order"]["value"] for row in made["results"]["orders"] if row["inertia"]["value"] > 1e-9} <= {3.0, 6.0}

@@ -73,11 +73,9 @@ def motion(ratio: "Any", offset: "Any", cosine: "Any", sine: "Any") -> "tuple[An
     which the crank pin goes after top dead centre.
     """
     lean = ratio * sine - offset
-    rate = ratio * cosine
     height = sqrt((1.0 - lean) * (1.0 + lean))
-    speed = sine + lean * cosine / height
-    bend = (rate * rate - ratio * sine * lean + (lean * rate / height) * (lean * rate / height)) / height
-    return speed, cosine + bend / ratio
+    slope = lean * cosine / height
+    return sine + slope, cosine + (ratio * (cosine * cosine + slope * slope) - sine * lean) / height
 
 
 def order_factors(ratio: "Any", offset: "Any", orders: "list[int]") -> "list[tuple[Any, Any]]":

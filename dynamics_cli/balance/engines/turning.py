@@ -35,6 +35,7 @@ HIGHEST = 20
 CLOSED = 1e-9
 # What is left of cylinders that cancel, beside what they would add up to.
 CANCELLED = 1e-11
+LARGEST = 1e300
 
 
 @record
@@ -166,9 +167,8 @@ def turning(
         places = [(crank, bank) for crank, bank, _ in layout(preset, bank_angle, 1.0)]
     fired, even = firing(places, turns, firing_order)
     area = 0.25 * math.pi * bore * bore
-    single = _Cylinder(
-        diagram_points, ratio, aside, area * crank_radius, -reciprocating_mass * (crank_radius * speed) ** 2
-    )
+    rim = crank_radius * speed
+    single = _Cylinder(diagram_points, ratio, aside, area * crank_radius, -reciprocating_mass * rim * rim)
     angles = [at for _, at, _ in fired]
     numbers = [k / turns for k in range(turns * highest_order + 1)]
     parts = [single.wave(n, cycle) for n in numbers]
@@ -177,7 +177,7 @@ def turning(
     table = _table(single, angles, cycle, count)
     gas, inertia = (0.5 * len(angles) * part.x for part in parts[0])
     high, low = max(table, key=lambda row: row.torque), min(table, key=lambda row: row.torque)
-    scale = max(abs(row.inertia) for row in table) or 1.0
+    scale = abs(single.mass) * len(angles) or 1.0
     swept = 2.0 * area * crank_radius * len(angles)
     return Turning(
         mean_torque=gas,
@@ -242,6 +242,12 @@ class _Cylinder:
     def __init__(self, pressures: "tuple[Diagram, ...]", ratio: float, aside: float, push: float, mass: float) -> None:
         self.ratio, self.aside, self.push, self.mass = ratio, aside, push, mass
         self.points = [(one.angle, one.pressure) for one in pressures]
+        require(
+            max(push * max(abs(one.pressure) for one in pressures), abs(mass)) < LARGEST,
+            "the torques are beyond the range of a double",
+            code="range",
+            hint="check the units of bore, mass, speed and pressures",
+        )
 
     def torques(self, angle: float, pressure: float) -> "tuple[float, float]":
         """Gas and inertia torque."""
