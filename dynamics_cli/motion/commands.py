@@ -165,7 +165,6 @@ EQUATIONS = Task(
         "speeds: speed | name, value=u, acceleration=u̇, active_force=F̃_r",
         "conditions: condition | name, force=kept by, by_lagrange=λ by Lagrange",
         "difference: Kane and Lagrange differ by",
-        "kinetic_energy: kinetic energy T", "potential_energy: potential energy V",
         "drive_power: power of the drive",
         "terms: part | of, sort, velocity=v_r, force=F, angular_velocity=ω_r, moment=M, share",
     ),
