@@ -185,9 +185,10 @@ def _bound(row: "Entry") -> str:
     broken, word = row["broken"]["value"], "~" if row["bound"].startswith(ESTIMATE) else ""
     if broken:
         return f"{word}short {broken}/{row['stated']['value']}"
-    if "looseness" not in row:
+    loose = row.get("looseness", {"value": 0.0})["value"]
+    if loose < 0.95:
+        # below a last bit there is nothing to compare
         return f"{word}held"
-    loose = row["looseness"]["value"]
     return f"{word}held ×{loose:.0f}" if loose < 9.95e3 else f"{word}held ×{loose:.0e}"
 
 
