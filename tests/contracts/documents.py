@@ -97,7 +97,8 @@ class Workshop:
         self.root = ROOT
         if any(name.startswith("dynamics_cli/") for _, name, _ in blocks):
             self.root = folder / "package"
-            shutil.copytree(ROOT / "dynamics_cli", self.root / "dynamics_cli", ignore=shutil.ignore_patterns("*.pyc"))
+            # with its compiled files, which hold for copies of the same time
+            shutil.copytree(ROOT / "dynamics_cli", self.root / "dynamics_cli")
         for add, name, body in blocks:
             self._place(add, name, body)
 
