@@ -80,7 +80,9 @@ class _Inputs:
         if isinstance(node, Leaf):
             return self._leaf(node, path)
         if isinstance(node, Many):
-            return {"type": "array", "items": self.node(node.item, path), "minItems": 1}
+            several = {"type": "array", "items": self.node(node.item, path), "minItems": 1}
+            lone = node.single and isinstance(node.item, Leaf)
+            return {"anyOf": [self.node(node.item, path), several]} if lone else several
         if isinstance(node, Record):
             return self._record(node, path)
         members = node.members  # type: ignore[attr-defined]
