@@ -44,10 +44,8 @@ if TYPE_CHECKING:
 LINES = 24
 # Minimum number of lines of a table.
 LEAST_TABLE = 7
-# Number of lines about the drivers of the results.
-MOST_DRIVEN = 3
-# How many inputs such a line names.
-MOST_DRIVERS = 5
+# Statements about what drives the results, and how many inputs each names: as many as the screen has room for.
+MOST_DRIVEN = ((3, 5), (2, 3), (1, 3))
 # A share of the variance below this is not mentioned.
 LEAST_SHARE = 0.005
 # A bound is mentioned when it leaves fewer digits than this.
@@ -74,11 +72,11 @@ def to_answer(
         return _text(head)
     # How a bare number was read is shown right beneath it.
     unlabelled = not any(answer.labels.values())
-    rest = [*answer.accuracy(), *answer.drivers(), *answer.provenance()]
+    rest = answer.beneath(len(head))
     space = LINES - len(head) - len(rest)
     lines_left = space - max(len(answer.warnings(0)), min(len(answer.warnings(LINES)), space // 2))
     if head and lines_left < LEAST_TABLE and answer.without_tables():
-        rest = [*answer.accuracy(), *answer.drivers(), *answer.provenance()]
+        rest = answer.beneath(len(head))
     body = answer.tables(max(lines_left, LEAST_TABLE))
     warnings = answer.warnings(LINES - len(head) - len(body) - len(rest))
     footer = [*warnings, *rest] if unlabelled else [*rest, *warnings]
@@ -192,7 +190,16 @@ class _Answer:
         std = 0.0 if self.asked else deviation(self.results, address)
         return max(WORTH_SAYING, NEGLIGIBLE * std / abs(value))
 
-    def drivers(self) -> "list[str]":
+    def beneath(self, above: int) -> "list[str]":
+        """The lines beneath the results, which take `above` lines: drivers only as far as the screen has room."""
+        accuracy, provenance = self.accuracy(), self.provenance()
+        for most in MOST_DRIVEN:
+            lines = [*accuracy, *self.drivers(*most), *provenance]
+            if above + len(lines) <= LINES:
+                break
+        return lines
+
+    def drivers(self, statements: int, inputs: int) -> "list[str]":
         """Which inputs drive the headline results, in one line for results with the same drivers."""
         grouped: dict[str, list[str]] = {}
         for address, entry in self.document.get("sensitivity", {}).items():
@@ -201,11 +208,11 @@ class _Answer:
                 parts = [
                     f"{self._input(name)} {100.0 * share:.0f}{JOINED}%" for name, share in rows if share > LEAST_SHARE
                 ]
-                more = [f"{len(parts) - MOST_DRIVERS}{JOINED}more"] if len(parts) > MOST_DRIVERS else []
-                statement = ", ".join([*parts[:MOST_DRIVERS], *more])
+                more = [f"{len(parts) - inputs}{JOINED}more"] if len(parts) > inputs else []
+                statement = ", ".join([*parts[:inputs], *more])
                 grouped.setdefault(statement, []).append(self.labels[address])
         lines: list[str] = []
-        for statement, labels in list(grouped.items())[:MOST_DRIVEN]:
+        for statement, labels in list(grouped.items())[:statements]:
             verb = "is" if len(labels) == 1 else "are"
             lines += wrapped(f"{', '.join(labels)} {verb} driven by  {statement}", self.width, 4)
         return ["", *lines] if lines else []
