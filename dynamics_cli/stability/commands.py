@@ -156,6 +156,9 @@ EQUILIBRIUM = Task(
         'dynamics stability equilibrium --state "name=theta, rate=w" --state "name=w, rate=-9.81/l*sin(theta) - 0.4*w" '
         '--let "l=0.5"',
     ),
+    scene={
+        "states[0].name": "x", "states[0].rate": "v", "states[1].name": "v", "states[1].rate": "x - x^3 - 0.2*v",
+    },
     table="places",
     arrays=False,
     tracked=False,
