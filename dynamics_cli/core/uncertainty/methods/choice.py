@@ -44,6 +44,8 @@ FEW_INPUTS = 3
 ANY = float("inf")
 # A result among many that rises along every line is given lines of its own: to this accuracy, of so many points.
 OWN_ACCURACY, OWN_POINTS = 1e-3, 350_000
+# What grids are off by where a result has kinks: lines of its own would not settle either.
+OWN_FROM = 0.2
 # Classical methods take their error from what is integrated beside them: no more accurately than their own numbers.
 SHARING = ("auto", "linear", "second-order", "unscented")
 
@@ -61,7 +63,8 @@ class Problem:
         # The model is called case by case for many results: points must be shared.
         self.dear = self.several and space.slow
         self.sharing = self.several and not goal.limits and asked in SHARING and suits_shared_lines(space)
-        self.rises = not space.slow and space.started.get(result, (None, None))[1] is not None
+        grid = space.started.get(result, (None, None))[1]
+        self.rises = not space.slow and grid is not None and grid.estimate <= OWN_FROM
 
 
 class Way:
