@@ -94,3 +94,10 @@ def test_a_list_of_records_or_its_single_fields_are_alternatives() -> None:
     assert "either --unbalance, or --amount with --angle with --position" in text
     assert "repeatable; takes amount, angle, position" in text
     assert "either --masses with --stiffnesses, or --body with --coupling" in run("vibration", "modes", "--help").out
+
+
+def test_what_may_be_left_out_is_not_called_required() -> None:
+    assert "Usage: dynamics stability matrix [MATRIX] [OPTIONS]" in run("stability", "matrix", "--help").out
+    text = run("skid", "sight", "--help").out
+    assert "either --second-phase, or --second-kind" in text
+    assert "either --obstruction-phase" not in text

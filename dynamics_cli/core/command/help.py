@@ -20,9 +20,10 @@ def placeholder(option: Option) -> str:
 
 
 def word_name(field: Field) -> str:
-    """Name of a positional argument in help."""
+    """Name of a positional argument in help, in brackets where it may be left out."""
     name = str(field.node.key if isinstance(field.node, Tagged) else field.key).upper()
-    return f"{name}..." if field.place == "words" else name
+    word = f"{name}..." if field.place == "words" else name
+    return word if field.required or not field.text else f"[{word}]"
 
 
 def option_help(option: Option, texts: "Mapping[tuple[str, ...], str]") -> str:

@@ -91,12 +91,6 @@ def _fitting(optional: "list[tuple[str, str, str]]", room: int, width: int) -> "
     return full_rows
 
 
-def _word(field: Field) -> str:
-    name = str(field.node.key if isinstance(field.node, Tagged) else field.key).upper()
-    word = f"{name}..." if field.place == "words" else name
-    return word if field.required or not description(field.text) else f"[{word}]"
-
-
 def example_lines(command: str, width: int) -> "Iterator[str]":
     """A long command in several lines, broken before options with shell continuations so that it can be copied."""
     line = "  "
@@ -196,7 +190,7 @@ def _choices(fields: "tuple[Field, ...]", prefix: "tuple[str, ...]") -> "Iterato
                 " with ".join(_option(inner, prefix) for inner in member.fields if inner.name in member.required)
                 for member in node.members
             ]
-        elif isinstance(node, Record) and not field.place:
+        elif isinstance(node, Record) and field.required and not field.place:
             yield from _choices(node.fields, (*prefix, field.key))
         elif isinstance(node, Many) and node.single and not node.columns and field.required and _takes_records(node):
             single = [
