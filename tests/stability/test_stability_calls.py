@@ -124,3 +124,9 @@ def test_matrices_from_files(tmp_path: Path) -> None:
         text.write_text(content)
         out = run("stability", "matrix", *more, "--file", str(text), "--json")
         assert (out.error["code"] if code else out.status) == (code or 0), content
+
+
+def test_a_task_whose_only_numbers_are_in_a_table_says_so_of_an_uncertain_input() -> None:
+    ran = run("stability", "equilibrium", "--state", "name=x, rate=k*x, low=-1, high=1", "--let", "k=-2 ± 0.1")
+    assert ran.status == 0
+    assert "only tables depend on the uncertain inputs" in " ".join((ran.out + ran.err).split())

@@ -195,7 +195,7 @@ def _distribute(
     straight = Straight(space, probe, goal.seed)
     space.whole = set(np.flatnonzero((probe == np.rint(probe)).all(axis=1)).tolist())
     twins = [straight.of(row) for row in range(len(space.results))]
-    noise = np.array([[space.noise.get(name, 0.0)] for name in space.results])
+    noise = np.array([space.noise.get(name, 0.0) for name in space.results]).reshape(-1, 1)
     still = (np.abs(probe - probe[:, :1]) <= 2.0 * noise).all(axis=1)
     if sample is None and len(space.results) > FEW_RESULTS and space.size > 1 and not space.slow:
         goals = {}
