@@ -162,3 +162,10 @@ def test_a_turning_moment_goes_to_the_flywheel(tmp_path: Path) -> None:
 def test_a_rod_without_end_leaves_the_inertia_torque_without_a_mean() -> None:
     made = answer("balance", *shlex.split(OTTO.replace("inline-4", "inline-3").replace("150 mm", "9e99 mm")))
     assert {row["order"]["value"] for row in made["results"]["orders"] if row["inertia"]["value"] > 1e-9} <= {3.0, 6.0}
+
+
+def test_the_picture_of_four_runs_speaks_in_the_units_of_the_answer(tmp_path: Path) -> None:
+    readings = ("--initial", "6 mm/s", "--first", "4 mm/s", "--second", "9 mm/s", "--third", "7.5 mm/s")
+    picture = tmp_path / "runs.svg"
+    assert run("balance", "four-runs", *readings, "--trial-mass", "10 g", "--plot", str(picture)).status == 0
+    assert "where to add 12.56 g, at -22.16 deg" in picture.read_text()

@@ -114,7 +114,7 @@ def _head(figure: "Any", picture: "Picture", system: str) -> None:
     layout = figure.get_layout_engine()
     layout.set(h_pad=0.1, w_pad=0.1)
     title = figure.suptitle(sentence(written(picture.title, system)), ha="left", fontsize=13.0, fontweight="bold")
-    figure.axes[0].set_title(picture.subtitle, loc="left", fontsize=8.5, color="#555555")
+    figure.axes[0].set_title(written(picture.subtitle, system), loc="left", fontsize=8.5, color="#555555")
     _settle(figure)
     title.set_x(figure.axes[0].get_position().x0)
 
