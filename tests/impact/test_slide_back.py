@@ -65,7 +65,7 @@ def test_lanes_against_thirty_digits(case: dict[str, Any]) -> None:
     import numpy as np
 
     lanes, velocity = lanes_of(case, [])
-    wanted = [float(case["rest"][0]), float(case["rest"][1]), float(case["nose"])]
+    wanted = [float(part) for part in (*case["rest"], case["nose"], case["time"], case["path"])]
     size = float(case["path"]) + 1.0
     for tolerance in (1e-4, 1e-6):
         ended = lanes.ends(velocity, tolerance)[:, 0]
@@ -78,7 +78,7 @@ def test_lanes_against_thirty_digits(case: dict[str, Any]) -> None:
 def test_lanes_over_an_edge_end_where_single_slides_do(offset: float) -> None:
     grass = Ground(0.35, (offset, 10.0), (offset, -10.0))
     lanes, velocity = lanes_of(CASES[0], [grass])
-    ended = lanes.ends(velocity, 1e-5)[:, 0]
+    ended = lanes.ends(velocity, 1e-5)[:3, 0]
     single = slide(motion=motion(CASES[0]), grounds=(grass,), **posed(CASES[0]))
     assert ended == pytest.approx([*single.rest_position, single.rest_heading], abs=2e-3)
 
@@ -89,17 +89,77 @@ def test_rates_of_lanes_have_the_derivatives_they_state() -> None:
 
     lanes, _ = lanes_of(next(case for case in CASES if case["name"] == "steered"), [])
     lanes.smooth = 1e-8
-    state = np.array([[0.8], [0.45], [-0.39], [0.3], [1.0], [2.0]])
+    state = np.array([[0.8], [0.45], [-0.39], [0.3], [1.0], [2.0], [0.5], [1.5]])
     moved: list[Any] = []
     lanes.rates(state, np.array([40.0]), moved)
-    square, by_turn, by_x, by_y, x_by_nose, y_by_nose, by_time = (part[..., 0] for part in moved)
-    stated = np.vstack([square, by_turn, by_x, by_y])
+    square, others, x_by_nose, y_by_nose, by_time = (part[..., 0] for part in moved)
+    stated = np.vstack([square, others])
     ends = [
-        [lanes.rates(state + sign * 1e-6 * np.eye(6)[:, [k]], np.array([40.0]))[:, 0] for sign in (1.0, -1.0)]
+        [lanes.rates(state + sign * 1e-6 * np.eye(8)[:, [k]], np.array([40.0]))[:, 0] for sign in (1.0, -1.0)]
         for k in range(4)
     ]
     slopes = np.array([(one - other) / 2e-6 for one, other in ends]).T
     assert stated == pytest.approx(slopes[:, :3], rel=1e-6, abs=1e-6)
-    assert [x_by_nose, y_by_nose] == pytest.approx(slopes[4:, 3], rel=1e-6)
+    assert [x_by_nose, y_by_nose] == pytest.approx(slopes[4:6, 3], rel=1e-6)
     later, earlier = (lanes.rates(state, np.array([40.0 * math.exp(-2.0 * t)]))[:, 0] for t in (1e-6, -1e-6))
     assert by_time == pytest.approx((later - earlier) / 2e-6, rel=1e-5, abs=1e-6)
+
+
+@pytest.mark.parametrize("back", [True, False])
+@pytest.mark.parametrize("edge", [True, False])
+def test_samples_side_by_side_are_what_they_are_alone(back: bool, edge: bool) -> None:
+    """Every input varies; a refused case among others is refused as it is alone."""
+    import numpy as np
+
+    from dynamics_cli.errors import InadmissibleError
+    from dynamics_cli.impact.slide.many import slides
+    from dynamics_cli.sampling import Drawing
+
+    cases: list[dict[str, Any]] = []
+    for z in np.random.default_rng(1).standard_normal((6, 12)).tolist():
+        rest = AtRest((9.6 + 0.2 * z[0], 5.6 + 0.2 * z[1]), (192.0 + 3.0 * z[2]) * DEGREE)
+        grass = Ground(0.5 + 0.02 * z[3], (5.0, -20.0), (5.0 + 0.1 * z[0], -25.0))
+        cases.append(
+            {
+                "motion": rest if back else Separation(9.6 + 0.3 * z[0], 0.4 + 0.05 * z[1], 3.0 + 0.2 * z[2]),
+                "front_axle": 1.2 + 0.02 * z[4], "rear_axle": 1.4 + 0.02 * z[5], "track": 1.5 + 0.02 * z[6],
+                "radius_of_gyration": 1.35 + 0.03 * z[7], "friction": 0.7 + 0.05 * z[8], "nose": 0.05 * z[9],
+                "place": (0.1 * z[10], 0.1 * z[11]), "braking": 0.02, "left_front": 1.0, "mass": 1500.0,
+                "grounds": (grass,) if edge else (),
+            }
+        )  # fmt: skip
+    cases[2]["radius_of_gyration"] = 30.0
+    with Drawing():
+        many = slides(cases)
+    assert isinstance(many.pop(2), InadmissibleError)
+    del cases[2]
+    for sample, case in zip(many, cases, strict=True):
+        assert not isinstance(sample, Exception)
+        alone = slide(**case)
+        # of what a hundredth of a measurement's deviation is, an edge that is jumped over costs the more
+        tolerance = 3e-4 if edge else 2e-5
+        for name in ("time", "path_length", "rest_heading", "turned", "straight_distance", "mean_share", "energy"):
+            assert getattr(sample, name) == pytest.approx(getattr(alone, name), rel=tolerance), name
+        assert sample.bend == pytest.approx(alone.bend, abs=tolerance)
+        assert sample.rest_position == pytest.approx(alone.rest_position, rel=tolerance)
+        for name in ("speed", "course", "spin") if back else ():
+            assert getattr(sample, name) == pytest.approx(getattr(alone, name), rel=tolerance), name
+
+
+def test_samples_that_do_not_settle_are_solved_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    from dynamics_cli.impact.slide import many
+    from dynamics_cli.sampling import Drawing
+
+    cases = [{**CAR, "motion": AtRest((x, 5.6 * x / 9.6), 192.0 * DEGREE)} for x in (0.0, 9.6, 9.7)]
+    cases[0]["motion"] = AtRest((0.0, 0.0), 0.0)
+    with Drawing():
+        refused, _, together = many.slides(cases)
+    monkeypatch.setattr(many, "SETTLED", 0.0)
+    with Drawing():
+        _, _, alone = many.slides(cases)
+    assert isinstance(refused, Exception)
+    assert not isinstance(together, Exception)
+    assert not isinstance(alone, Exception)
+    assert alone.wheels
+    assert not together.wheels
+    assert together.speed == pytest.approx(alone.speed, rel=1e-5)

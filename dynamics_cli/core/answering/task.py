@@ -27,6 +27,8 @@ class Model:
     A formula writes results and inputs as `{address|symbol}`, so that it can be shown with symbols or with numbers; of
     several (one for each alternative of the inputs) the one whose numbers are available is shown.
     `suffices` names a function of the same parameters that returns the reason why this model is sufficient, or None.
+    `together` names one that answers many cases at once where the model takes no arrays: from the parameters of each,
+    records with its numbers, or the error for a refused one.
     """
 
     def __init__(
@@ -39,8 +41,10 @@ class Model:
         assumptions: "tuple[str, ...]" = (),
         method: str = "closed form",
         suffices: str = "",
+        together: str = "",
     ) -> None:
         self.name = name
+        self.together = together
         self.function = function
         self.source = source
         self.formulas = (formula,) if isinstance(formula, str) else formula

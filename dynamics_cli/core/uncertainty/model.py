@@ -3,13 +3,14 @@
 import numpy as np
 
 from dynamics_cli.core.answering.models import arguments, result_numbers
+from dynamics_cli.core.answering.task import load
 from dynamics_cli.errors import DynamicsError, FaultError, InadmissibleError
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.sampling import Drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable, Iterator
     from typing import Any
 
     from numpy.typing import NDArray
@@ -77,6 +78,7 @@ class TaskModel:
         self.task = task
         self.bound = bound
         self.function = model.call()
+        self.together = load(model.together) if model.together else None
         self.spec = task.specification.result
         self.names = [name for name, _, _ in result_numbers(nominal, self.spec)]
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
@@ -156,19 +158,33 @@ class TaskModel:
                 refused = bad if refused is None else refused | bad
         return refused
 
+    def _answers(self, cases: "Iterable[tuple[list[Any], dict[str, Any]]]") -> "Iterator[Any]":
+        """The record of each case, or the error that refuses it."""
+        if self.together:
+            with self.drawing:
+                yield from self.together([parameters for _, parameters in cases])
+            return
+        for args, kwargs in cases:
+            try:
+                with self.drawing:
+                    record = self.function(*args, **kwargs)
+            except (DynamicsError, ArithmeticError) as error:
+                record = error
+            yield record
+
     def _one_by_one(
         self, inputs: "dict[str, Any]", arrays: "dict[str, Array]", count: int, refused: "Any"
     ) -> "tuple[dict[str, Any], Any]":
         bad = np.zeros(count, dtype=bool) if refused is None else refused.copy()
         results = {name: np.full(count, np.nan) for name in self.names}
         columns = {name: array.tolist() for name, array in arrays.items()}
-        for row in np.nonzero(~bad)[0].tolist():
-            values = {**inputs, **{name: column[row] for name, column in columns.items()}}
-            args, kwargs = arguments(self.task, self.bound, values)
-            try:
-                with self.drawing:
-                    record = self.function(*args, **kwargs)
-            except (DynamicsError, ArithmeticError):
+        rows = np.nonzero(~bad)[0].tolist()
+        cases = (
+            arguments(self.task, self.bound, {**inputs, **{name: column[row] for name, column in columns.items()}})
+            for row in rows
+        )
+        for row, record in zip(rows, self._answers(cases), strict=True):
+            if isinstance(record, Exception):
                 bad[row] = True
                 continue
             for name, _, value in result_numbers(record, self.spec):

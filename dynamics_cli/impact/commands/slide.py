@@ -17,6 +17,7 @@ SLIDE = Task(
             "a level road; nothing but the tyres touches it",
         ),
         method="stretched time, variable order and step",
+        together="dynamics_cli.impact.slide.many:slides",
     ),
     examples=(
         'dynamics impact slide --speed "12 m/s" --course "30 deg" --spin "3 rad/s" --front-axle "1.2 m" '

@@ -9,6 +9,7 @@ from dynamics_cli.sampling import drawing, kept
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from numpy.typing import NDArray
@@ -53,7 +54,7 @@ class Target:
         """The rest as lanes have it (3, 1)."""
         import numpy as np
 
-        return np.array([[self.rest[0]], [self.rest[1]], [lanes.gyration * self.rest_nose]])
+        return np.array([[self.rest[0]], [self.rest[1]], lanes.gyration * self.rest_nose])
 
 
 class Root:
@@ -178,7 +179,7 @@ def gaps_of(
     lanes: "Lanes", wanted: "Array", unknowns: "Array", tolerance: float, group: int = 1, steps: int = 1000
 ) -> "Array":
     """Where motions end less where they should (3, n) or (3, 1): places, and gyration times the nose."""
-    gaps = lanes.ends(unknowns, tolerance, group, steps)
+    gaps = lanes.ends(unknowns, tolerance, group, steps)[:3]
     gaps[2] *= lanes.gyration
     gaps -= wanted
     return gaps
@@ -193,7 +194,8 @@ def sloped(lanes: "Lanes", wanted: "Array", unknowns: "Array", tolerance: float)
     moved = np.repeat(unknowns, 4, axis=1).reshape(3, count, 4)
     for index in range(3):
         moved[index, :, index + 1] += step
-    ends = gaps_of(lanes, np.zeros((3, 1)), moved.reshape(3, -1), tolerance, 4).reshape(3, count, 4)
+    fourfold = lanes.some(np.repeat(np.arange(count), 4))
+    ends = gaps_of(fourfold, np.zeros((3, 1)), moved.reshape(3, -1), tolerance, 4).reshape(3, count, 4)
     slopes = (ends[:, :, 1:] - ends[:, :, :1]) / step[:, None]
     return ends[:, :, 0] - wanted, slopes.transpose(1, 0, 2)
 
@@ -228,6 +230,37 @@ def search(lanes: "Lanes", wanted: "Array", starts: "Array") -> "tuple[Array, Ar
         steps[:, moved], lengths[moved] = newton(by[good], new[:, good])
     left = lengths / _sizes(at)
     return at + np.where(left < SMALL, 1.0, 0.0) * steps, left, slopes
+
+
+def followed(
+    lanes: "Lanes", wanted: "Array", at: "Array", off_of: "Callable[[Array], Array]", close: float, tolerance: float
+) -> "tuple[Array, Array, Array, Array]":
+    """Solutions near starts, each for a rest of its own: motions, gaps left, derivatives, and how far off they end.
+
+    Derivatives are kept as long as steps with them lessen the gap enough.
+    """
+    import numpy as np
+
+    gaps, slopes = sloped(lanes, wanted, at, tolerance)
+    off = off_of(gaps)
+    shares = np.ones(off.size)
+    for _ in range(MOST_ROUNDS):
+        open_ = np.flatnonzero((off > close) & (shares > 0.05))
+        if not open_.size:
+            break
+        steps, _ = newton(slopes[open_], gaps[:, open_])
+        tried = at[:, open_] + shares[open_] * steps
+        new = gaps_of(lanes.some(open_), wanted[:, open_], tried, tolerance)
+        beyond = off_of(new)
+        better = beyond < off[open_]
+        slow = open_[~(beyond < 0.3 * off[open_])]
+        shares[open_] = np.where(better, 1.0, 0.4 * shares[open_])
+        moved = open_[better]
+        at[:, moved], gaps[:, moved], off[moved] = tried[:, better], new[:, better], beyond[better]
+        slow = slow[off[slow] > close]
+        if slow.size:
+            gaps[:, slow], slopes[slow] = sloped(lanes.some(slow), wanted[:, slow], at[:, slow], tolerance)
+    return at, gaps, slopes, off
 
 
 def _sizes(unknowns: "Array") -> "Array":

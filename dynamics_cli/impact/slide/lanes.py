@@ -6,6 +6,8 @@ whose linear systems have the exact derivatives. Instead of an event for a wheel
 is smoothed at slips below a ten-thousandth of the car's speed.
 """
 
+from copy import copy
+
 import numpy as np
 
 TYPE_CHECKING = False
@@ -47,19 +49,24 @@ SLOPES = tuple(
     )
 )
 FIRST_STEP = 0.02
+TINY = 1e-300
 MOST_STEPS = 1000
-# Where a state holds its parts: velocities of unit size along, across and turning, nose, place.
-NOSE, X, Y = 3, 4, 5
+# Where a state holds its parts: velocities of unit size along, across and turning, nose, place, time, path.
+NOSE, X, Y, TIME, PATH, PARTS = 3, 4, 5, 6, 7, 8
+# What cars differ by, lanes on the last axis.
+OWN = ("rows", "products", "slopes", "shares", "places", "gyration", "friction", "edges", "nose", "begin")
 
 
 class Lanes:
     """A car as arrays: rows of its wheels' slips along and across by its velocities, and what grips.
 
-    All its slides begin at one place, with one heading of the nose.
+    All its slides begin at one place, with one heading of the nose; `joined`, each lane has a car of its own.
     """
 
     def __init__(self, car: "Car", begin: "tuple[float, float]" = (0.0, 0.0), nose: float = 0.0) -> None:
-        self.begin, self.nose = begin, nose
+        self.begin: Array = np.array([[begin[0]], [begin[1]]])
+        self.nose: Array = np.array([nose])
+        self.several = False
         wheels = car.wheels
         k = car.gyration
         along = [[w.cosine, w.sine, (w.sine * w.ahead - w.cosine * w.left) / k] for w in wheels]
@@ -72,22 +79,42 @@ class Lanes:
         self.shares = car.gravity * np.array([[w.load * s] for s_of in ("share", "across") for w in wheels
                                               for s in [getattr(w, s_of)]])  # fmt: skip
         self.places = np.array([[[w.ahead], [w.left]] for w in wheels]).transpose(1, 0, 2)
-        self.gyration = k
-        self.friction = car.friction
-        self.verges = car.verges
+        self.gyration: Array = np.array([k])
+        self.friction: Array = np.array([car.friction])
+        self.edges = np.array([[*one.normal, one.offset, one.friction] for one in car.verges]).reshape(-1, 4, 1)
         # the square of the slip below which the direction of a force is smoothed
         self.smooth = 0.0
 
+    @staticmethod
+    def joined(cars: "Sequence[Lanes]") -> "Lanes":
+        """Cars of the same number of grounds side by side, one a lane."""
+        whole = copy(cars[0])
+        whole.several = True
+        for name in OWN:
+            parts = [getattr(one, name) for one in cars]
+            bare = name in ("rows", "products")
+            setattr(whole, name, np.stack(parts, axis=-1) if bare else np.concatenate(parts, axis=-1))
+        return whole
+
+    def some(self, chosen: "Array") -> "Lanes":
+        """Some of the lanes, by index or mask; of one car all are alike."""
+        if not self.several:
+            return self
+        part = copy(self)
+        for name in OWN:
+            setattr(part, name, getattr(self, name)[..., chosen])
+        return part
+
     def grip(self, y: "Array", c: "Array", s: "Array") -> "Array":
         """Greatest forces per mass, braking of each wheel and sideways, where the wheels are."""
-        if not self.verges:
+        if not len(self.edges):
             grip: Array = self.friction * self.shares
             return grip
         ahead, left = self.places
         x, z = y[X] + c * ahead - s * left, y[Y] + s * ahead + c * left
-        friction = np.full(x.shape, self.friction)
-        for verge in self.verges:
-            friction[verge.holds(x, z)] = verge.friction
+        friction = np.broadcast_to(self.friction, x.shape)
+        for a, b, offset, beyond in self.edges:
+            friction = np.where(a * x + b * z > offset, beyond, friction)
         return np.concatenate([friction, friction]) * self.shares
 
     def rates(self, y: "Array", squares: "Array", moved: "list[Array] | None" = None) -> "Array":
@@ -95,14 +122,14 @@ class Lanes:
         q = y[:3]
         c, s = np.cos(y[NOSE]), np.sin(y[NOSE])
         grip = self.grip(y, c, s)
-        slip = self.rows @ q
+        slip = _times(self.rows, q)
         squared = slip * slip
         size = np.empty_like(slip)
         np.add(squared[:4], squared[4:], out=size[:4])
         np.add(squared[4:], self.slopes * squared[:4], out=size[4:])
         size += self.smooth
         turned = 1.0 / np.sqrt(size)
-        push = self.rows.T @ (-grip * slip * turned)
+        push = _times(self.rows.swapaxes(0, 1), -grip * slip * turned)
         shed = -1.0 / (q * push).sum(axis=0)
         pull = 1.0 / (q * q).sum(axis=0)
         way = squares * shed
@@ -114,6 +141,8 @@ class Lanes:
         made[NOSE] = turn
         east, north = c * q[0] - s * q[1], s * q[0] + c * q[1]
         made[X], made[Y] = way * east, way * north
+        forth = np.sqrt(q[0] * q[0] + q[1] * q[1])
+        made[TIME], made[PATH] = np.sqrt(squares) * shed, way * forth
         if moved is not None:
             stiff = grip * turned**3
             both = slip[:4] * slip[4:]
@@ -121,14 +150,14 @@ class Lanes:
                 [-stiff[:4] * (squared[4:] + self.smooth), stiff[:4] * both, stiff[4:] * self.slopes * both,
                  -stiff[4:] * (self.slopes * squared[:4] + self.smooth)]
             )  # fmt: skip
-            matrix = (self.products @ by_slip).reshape(3, 3, -1)
+            matrix = _times(self.products, by_slip).reshape(3, 3, -1)
             shedding = shed * (push + (q[:, None] * matrix).sum(axis=0))
             moved += self._moved(q, (push, matrix, shedding), (shed, pull, way, turn), (c, s, east, north), made)
         return made
 
     def _moved(self, q: "Array", forces: "Sequence[Array]", sizes: "Sequence[Array]", ways: "Sequence[Array]",
                made: "Array") -> "list[Array]":  # fmt: skip
-        """Derivatives by velocities of velocities, nose and places; of places by the nose; of all by time."""
+        """Derivatives by velocities of velocities and all else; of places by the nose; of all by time."""
         push, matrix, shedding = forces
         shed, pull, way, turn = sizes
         c, s, east, north = ways
@@ -147,9 +176,12 @@ class Lanes:
         by_x[1] -= way * s
         by_y[0] += way * s
         by_y[1] += way * c
+        by_path = made[PATH] * shedding
+        by_path[:2] += way * q[:2] / np.sqrt(q[0] * q[0] + q[1] * q[1] + TINY)
         by_time = -2.0 * made
         by_time[0], by_time[1], by_time[2] = -2.0 * turn * q[1], 2.0 * turn * q[0], 0.0
-        return [square, by_turn, by_x, by_y, -made[Y], made[X], by_time]
+        by_time[TIME] = -made[TIME]
+        return [square, np.array([by_turn, by_x, by_y, made[TIME] * shedding, by_path]), -made[Y], made[X], by_time]
 
     def ends(
         self,
@@ -158,28 +190,29 @@ class Lanes:
         group: int = 1,
         steps: int = MOST_STEPS,
     ) -> "Array":
-        """Places and noses at rest (3, n), of velocities along the axes and k times spin (3, n).
+        """Places and noses at rest, times and paths (5, n), of velocities along the axes and k times spin (3, n).
 
         Each `group` of neighbours goes in the same steps, so that differences within it are derivatives. Not a number
         where more than so many steps would be needed.
         """
         size = np.sqrt((velocities * velocities).sum(axis=0))
         c, s = np.cos(self.nose), np.sin(self.nose)
-        y = np.empty((6, size.size))
+        y = np.zeros((PARTS, size.size))
         y[0] = (c * velocities[0] + s * velocities[1]) / size
         y[1] = (c * velocities[1] - s * velocities[0]) / size
         y[2] = velocities[2] / size
-        y[NOSE:] = np.array([[self.nose], [self.begin[0]], [self.begin[1]]])
+        y[NOSE], y[X], y[Y] = self.nose, *self.begin
         squares = size * size
         # what is left of the way is then below the tolerance
         last = 0.5 - 0.5 * np.log(tolerance)
-        self.smooth = tolerance * tolerance
+        lanes = copy(self)
+        lanes.smooth = tolerance * tolerance
         at, step = np.zeros(size.size), np.full(size.size, FIRST_STEP)
-        places = np.full((3, size.size), np.nan)
+        found = np.full((5, size.size), np.nan)
         index = np.arange(size.size)
         for _ in range(steps):
             step = np.minimum(step, last - at)
-            new, error = self._stepped(y, at, step, squares)
+            new, error = lanes._stepped(y, at, step, squares)
             off = (np.abs(error) / (tolerance * (1.0 + np.abs(y)))).max(axis=0)
             off[~np.isfinite(off)] = 1e9
             off = np.repeat(off.reshape(-1, group).max(axis=1), group)
@@ -190,24 +223,27 @@ class Lanes:
             done = at >= last
             if done.any():
                 rest = y[:, done]
-                rest += 0.5 * self.rates(rest, squares[done] * np.exp(-2.0 * last))
-                places[:, index[done]] = rest[[X, Y, NOSE]]
+                left = lanes.some(done).rates(rest, squares[done] * np.exp(-2.0 * last))
+                left[:TIME] *= 0.5
+                left[PATH] *= 0.5
+                found[:, index[done]] = (rest + left)[[X, Y, NOSE, TIME, PATH]]
+                lanes = lanes.some(~done)
                 y, at, step, squares, index = (part[..., ~done] for part in (y, at, step, squares, index))
             if not index.size:
                 break
-        return places
+        return found
 
     def _stepped(self, y: "Array", at: "Array", step: "Array", squares: "Array") -> "tuple[Array, Array]":
         """One step of each lane, and its estimated error."""
         moved: list[Array] = []
         slope = self.rates(y, squares * np.exp(-2.0 * at), moved)
-        square, by_turn, by_x, by_y, x_by_nose, y_by_nose, by_time = moved
+        square, others, x_by_nose, y_by_nose, by_time = moved
         diagonal = 1.0 / (GAMMA * step)
         system = -square
         for index in range(3):
             system[index, index] += diagonal
         solved = _inverse(system)
-        parts = np.empty((6, 6, y.shape[1]))
+        parts = np.empty((6, *y.shape))
         flat = parts.reshape(6, -1)
         there = y
         for stage in range(6):
@@ -219,10 +255,16 @@ class Lanes:
                 slope = slope + (SHIFTS[stage] * step) * by_time
             part = parts[stage]
             q = part[:3] = (solved * slope[:3]).sum(axis=1)
-            part[NOSE] = (slope[NOSE] + (by_turn * q).sum(axis=0)) / diagonal
-            part[X] = (slope[X] + (by_x * q).sum(axis=0) + x_by_nose * part[NOSE]) / diagonal
-            part[Y] = (slope[Y] + (by_y * q).sum(axis=0) + y_by_nose * part[NOSE]) / diagonal
+            part[NOSE:] = (slope[NOSE:] + (others * q).sum(axis=1)) / diagonal
+            part[X] += x_by_nose * part[NOSE] / diagonal
+            part[Y] += y_by_nose * part[NOSE] / diagonal
         return there + parts[5], parts[5]
+
+
+def _times(matrix: "Array", x: "Array") -> "Array":
+    """The product with each lane, of one matrix for all or of one a lane."""
+    made: Array = matrix @ x if matrix.ndim == 2 else np.einsum("ijn,jn->in", matrix, x)
+    return made
 
 
 def _inverse(m: "Array") -> "Array":

@@ -7,7 +7,7 @@ before. Slides at further places of the sample say what the splines are off by.
 
 import numpy as np
 
-from dynamics_cli.impact.slide.back import Target, gaps_of, newton, roots, sloped
+from dynamics_cli.impact.slide.back import Target, followed, newton, roots, sloped
 from dynamics_cli.impact.slide.lanes import Lanes
 
 TYPE_CHECKING = False
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 SPACING, RINGS = 0.7, (1.2, 2.2, 3.3, 4.4)
 # An axis that varies less than this, of a metre, does not.
 STILL = 1e-9
-# What a point may be off by, in deviations; and so many steps it may take.
-CLOSE, MOST_STEPS = 5e-4, 12
+# What a point may be off by, in deviations.
+CLOSE = 5e-4
 # A point that ends this far off, in deviations, has no slide.
 UNREACHED = 0.05
 FINE = 1e-5
@@ -57,7 +57,7 @@ class Spread:
         grid = SPACING * (np.indices(shape).reshape(count, -1) - width)
         size = np.sqrt((grid * grid).sum(axis=0))
         ahead, left, turn = self.middle.tolist()
-        turn /= self.lanes.gyration
+        turn /= car.gyration
         start = roots(car, Target((0.0, 0.0), 0.0, (ahead, left), turn))[0].unknowns
         found, slopes = np.zeros((3, size.size)), np.zeros((size.size, 3, 3))
         first = size == 0.0
@@ -67,7 +67,9 @@ class Spread:
         for ring in RINGS:
             near = (size <= ring) & ~solved
             self._from(grid, found, slopes, solved, near)
-            found[:, near], slopes[near], off = self._newton(grid[:, near], found[:, near])
+            found[:, near], _, slopes[near], off = followed(
+                self.lanes, self._target(grid[:, near]), found[:, near], self._off, CLOSE, FINE
+            )
             solved = solved | near
             solved[near] = off < UNREACHED
         self._from(grid, found, slopes, solved, ~solved)
@@ -94,30 +96,6 @@ class Spread:
         """Gaps in deviations of the sample; of what does not vary, in the last place that counts."""
         off: Array = np.abs(self.inverse @ gaps).max(axis=0, initial=0.0)
         return np.where(np.isfinite(off), off, 1e9)
-
-    def _newton(self, z: "Array", at: "Array") -> "tuple[Array, Array, Array]":
-        """Solutions near starts: derivatives are kept as long as steps with them halve the gap."""
-        wanted = self._target(z)
-        gaps, slopes = sloped(self.lanes, wanted, at, FINE)
-        off = self._off(gaps)
-        shares = np.ones(off.size)
-        for _ in range(MOST_STEPS):
-            open_ = np.flatnonzero((off > CLOSE) & (shares > 0.05))
-            if not open_.size:
-                break
-            steps, _ = newton(slopes[open_], gaps[:, open_])
-            tried = at[:, open_] + shares[open_] * steps
-            new = gaps_of(self.lanes, wanted[:, open_], tried, FINE)
-            beyond = self._off(new)
-            better = beyond < off[open_]
-            slow = open_[~(beyond < 0.3 * off[open_])]
-            shares[open_] = np.where(better, 1.0, 0.4 * shares[open_])
-            moved = open_[better]
-            at[:, moved], gaps[:, moved], off[moved] = tried[:, better], new[:, better], beyond[better]
-            slow = slow[off[slow] > CLOSE]
-            if slow.size:
-                gaps[:, slow], slopes[slow] = sloped(self.lanes, wanted[:, slow], at[:, slow], FINE)
-        return at, slopes, off
 
     def at(self, places: "Array") -> "tuple[Array, Array]":
         """The unknowns (3, n) at places, and whether they are reached at all."""

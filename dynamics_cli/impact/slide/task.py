@@ -4,7 +4,7 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.impact.conventions import AXES, Axes, conventions, direction_of
 from dynamics_cli.impact.slide.back import Root, Target, roots
 from dynamics_cli.impact.slide.marks import marks, points
-from dynamics_cli.impact.slide.motion import TOLERANCE, Run, run
+from dynamics_cli.impact.slide.motion import TOLERANCE, Moment, Run, run
 from dynamics_cli.impact.slide.records import AtRest, Ground, Separation, SlideResult, SlideRoot
 from dynamics_cli.impact.slide.wheels import NAMES, Car, State, Verge, Wheel
 from dynamics_cli.numerics.elementary import atan2, hypot
@@ -23,6 +23,10 @@ from dynamics_cli.quantities import (
     RoadSpeed,
 )
 from dynamics_cli.records import Advice, Check, Numerics
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 ORIGIN = (0.0, 0.0)
 RIGHT_ANGLE = 1.5707963267948966
@@ -96,22 +100,12 @@ def slide(
     car = car_of(
         front_axle, rear_axle, track, radius_of_gyration, friction, shares, grip_slope, steer, gravity, grounds, axes
     )
-    begin = heading_angle(nose, axes)
     if isinstance(motion, AtRest):
-        target = Target(place, begin, motion.rest, begin + _sense(axes) * (motion.rest_nose - nose))
-        require(
-            target.distance > 0.0 or target.turn != 0.0,
-            "the car neither moved nor turned: there was no slide", code="no-motion",
-        )  # fmt: skip
-        ways = roots(car, target)
+        ways = roots(car, target_of(motion, nose, place, axes))
         done, start = ways[0].run, ways[0]
     else:
         ways = []
-        require(
-            motion.speed > 0.0 or motion.spin != 0.0,
-            "the car neither moves nor turns: there is no slide", code="no-motion",
-        )  # fmt: skip
-        state = start_of(motion, nose, place, axes)
+        state = moving(motion, nose, place, axes)
         start = Root((state.vx, state.vy, car.gyration * state.spin), car, Run())
         done = run(car, state, TOLERANCE)
     return _answer(car, start, done, ways, axes, place, nose, mass)
@@ -121,6 +115,26 @@ def start_of(motion: Separation | SlideRoot, nose: float, place: "tuple[float, f
     """The state of a car that sets out so."""
     x, y = direction_of(motion.course, axes)
     return State(*place, heading_angle(nose, axes), motion.speed * x, motion.speed * y, motion.spin)
+
+
+def moving(motion: Separation, nose: float, place: "tuple[float, float]", axes: Axes) -> State:
+    """The state of a car that sets out so; refuses one that stands."""
+    require(
+        motion.speed > 0.0 or motion.spin != 0.0,
+        "the car neither moves nor turns: there is no slide", code="no-motion",
+    )  # fmt: skip
+    return start_of(motion, nose, place, axes)
+
+
+def target_of(motion: AtRest, nose: float, place: "tuple[float, float]", axes: Axes) -> Target:
+    """Where a car has come to rest from its separation; refuses one that was there already."""
+    begin = heading_angle(nose, axes)
+    target = Target(place, begin, motion.rest, begin + _sense(axes) * (motion.rest_nose - nose))
+    require(
+        target.distance > 0.0 or target.turn != 0.0,
+        "the car neither moved nor turned: there was no slide", code="no-motion",
+    )  # fmt: skip
+    return target
 
 
 def car_of(
@@ -194,33 +208,11 @@ def _answer(
     car: Car, start: Root, done: Run, ways: "list[Root]", axes: Axes, place: "tuple[float, float]", nose: float,
     mass: float | None,
 ) -> SlideResult:  # fmt: skip
-    end, begin = done.end, done.moments[0]
-    turned = _sense(axes) * (end.nose - begin.nose)
-    speed = hypot(*start.velocity)
-    spun = car.gyration * start.spin
-    kinetic = 0.5 * (speed * speed + spun * spun)
-    taken = sum(end.work)
-    way = end.x - place[0], end.y - place[1]
-    straight = hypot(*way)
-    bend = None
-    if speed > 0.0 and straight > 0.0:
-        (vx, vy) = start.velocity
-        bend = _sense(axes) * atan2(vx * way[1] - vy * way[0], vx * way[0] + vy * way[1])
-    found = _roots(ways, axes)
-    first = found[0] if found else None
+    begin, kinetic, taken = done.moments[0], energy_of(start), sum(done.end.work)
+    found = roots_of(ways, axes)
+    numbers = numbers_of(car, start, done.end, found, axes, place, nose, mass)
     return SlideResult(
-        speed=None if first is None else first.speed,
-        course=None if first is None else first.course,
-        spin=None if first is None else first.spin,
-        rest_position=(end.x, end.y),
-        rest_heading=nose + turned,
-        turned=turned,
-        time=end.time,
-        path_length=end.path,
-        straight_distance=straight,
-        bend=bend,
-        mean_share=0.5 * speed * speed / (car.friction * car.gravity * end.path) if end.path > 0.0 else None,
-        energy=None if mass is None else mass * kinetic,
+        **numbers,
         turned_about=None if done.about is None else NAMES[done.about],
         wheels=marks(car, done),
         path=points(done, lambda angle: nose + _sense(axes) * (angle - begin.nose)),
@@ -231,11 +223,47 @@ def _answer(
             "1e-6 of the path"
         ),
         checks=(Check("work of the tyres", abs(taken / kinetic - 1.0) <= ENERGY, abs(taken / kinetic - 1.0), ENERGY),),
-        advice=_typed(car, speed) + _advice(bend, found),
+        advice=_typed(car, hypot(*start.velocity)) + _advice(numbers["bend"], found),
     )  # fmt: skip
 
 
-def _roots(ways: "list[Root]", axes: Axes) -> "tuple[SlideRoot, ...]":
+def energy_of(start: Root) -> float:
+    """Kinetic energy per mass."""
+    return 0.5 * sum(part * part for part in start.unknowns)
+
+
+def numbers_of(
+    car: Car, start: Root, end: Moment, found: "tuple[SlideRoot, ...]", axes: Axes, place: "tuple[float, float]",
+    nose: float, mass: float | None,
+) -> "dict[str, Any]":  # fmt: skip
+    """The numbers of an answer, by the name of the result."""
+    turned = _sense(axes) * (end.nose - heading_angle(nose, axes))
+    speed = hypot(*start.velocity)
+    way = end.x - place[0], end.y - place[1]
+    straight = hypot(*way)
+    bend = None
+    if speed > 0.0 and straight > 0.0:
+        (vx, vy) = start.velocity
+        bend = _sense(axes) * atan2(vx * way[1] - vy * way[0], vx * way[0] + vy * way[1])
+    first = found[0] if found else None
+    return {
+        "speed": None if first is None else first.speed,
+        "course": None if first is None else first.course,
+        "spin": None if first is None else first.spin,
+        "rest_position": (end.x, end.y),
+        "rest_heading": nose + turned,
+        "turned": turned,
+        "time": end.time,
+        "path_length": end.path,
+        "straight_distance": straight,
+        "bend": bend,
+        "mean_share": 0.5 * speed * speed / (car.friction * car.gravity * end.path) if end.path > 0.0 else None,
+        "energy": None if mass is None else mass * energy_of(start),
+    }
+
+
+def roots_of(ways: "list[Root]", axes: Axes) -> "tuple[SlideRoot, ...]":
+    """Motions at the separation as results have them."""
     listed = []
     for one in ways:
         (x, y) = one.velocity
