@@ -150,13 +150,13 @@ def test_samples_that_do_not_settle_are_solved_alone(monkeypatch: pytest.MonkeyP
     from dynamics_cli.impact.slide import many
     from dynamics_cli.sampling import Drawing
 
-    cases = [{**CAR, "motion": AtRest((x, 5.6 * x / 9.6), 192.0 * DEGREE)} for x in (0.0, 9.6, 9.7)]
+    cases = [{**CAR, "motion": AtRest((x, 5.6 * x / 9.6), 192.0 * DEGREE)} for x in (0.0, 9.6, 9.7, 9.8, 9.9)]
     cases[0]["motion"] = AtRest((0.0, 0.0), 0.0)
     with Drawing():
-        refused, _, together = many.slides(cases)
+        refused, *_, together = many.slides(cases)
     monkeypatch.setattr(many, "SETTLED", 0.0)
     with Drawing():
-        _, _, alone = many.slides(cases)
+        *_, alone = many.slides(cases)
     assert isinstance(refused, Exception)
     assert not isinstance(together, Exception)
     assert not isinstance(alone, Exception)

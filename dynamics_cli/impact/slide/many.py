@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 # Digits of the slides; and how far from the rest, in metres, the last step may begin and end.
 FINE = 1e-6
 CLOSE, SETTLED = 1e-4, 1e-4
+# Fewer take longer side by side than one after another.
+FEWEST = 5
 SHARES = ("left_front", "right_front", "left_rear", "right_rear")
 
 
@@ -68,6 +70,8 @@ class _Case:
 
 def slides(cases: "Sequence[Given]") -> "list[SlideResult | Exception]":
     """The numbers of each slide, or the error that refuses it."""
+    if len(cases) < FEWEST:
+        return [_alone(parameters) for parameters in cases]
     made: list[Any] = [None] * len(cases)
     posed: dict[int, _Case] = {}
     for row, parameters in enumerate(cases):
