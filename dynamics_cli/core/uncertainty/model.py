@@ -78,7 +78,7 @@ class TaskModel:
         self.bound = bound
         self.function = model.call()
         self.spec = task.specification.result
-        self.names = [name for name, _, _ in result_numbers(nominal, self.spec)]
+        self.names = [name for name, _, _ in result_numbers(nominal, self.spec) if name not in task.errors]
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
         self.noise = _noise(nominal, self.spec, bound)
         self.arrays = task.arrays
