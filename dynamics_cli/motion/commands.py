@@ -32,6 +32,7 @@ CHAIN = Task(
     plot=f"{PICTURES}:chain",
     arrays=False,
     tracked=False,
+    errors=("difference", "energy_error"),
 )  # fmt: skip
 
 MODES = Task(
@@ -109,6 +110,7 @@ SCENE = Task(
     writers={"svg": f"{SCENES}.pictures:moving_scene"},
     arrays=False,
     tracked=False,
+    errors=("difference", "energy_error", "start_moved", "drift"),
 )  # fmt: skip
 
 EQUILIBRIUM = Task(

@@ -528,3 +528,21 @@ def test_the_animated_drawing_runs_in_real_time_and_stands_at_its_end(tmp_path: 
     assert poses[-1] == poses[0] != poses[100] == poses[125]
     # a link of three points is a closed, shaded outline; a spring is not
     assert [text.count('fill-opacity="0.15"'), text.count('fill-opacity="0"')] == [1, 1]
+
+
+def test_errors_of_the_calculation_are_not_spread_over_inputs() -> None:
+    """They are rounding: a search for their distribution would take minutes and say nothing."""
+    scene = {
+        "links": [
+            {"name": "ground", "points": [{"name": "O", "at": "0, 0 m"}]},
+            {
+                "name": "rod", "mass": "2 ± 0.1 kg", "rod": True, "angle": "30 deg",
+                "points": [{"name": "O", "at": "0, 0 m"}, {"name": "A", "at": "0.5, 0 m"}],
+            },
+        ],
+        "duration": "0.2 s",
+    }  # fmt: skip
+    ran = run("motion", "scene", "--input", "-", "--json", stdin=json.dumps(scene))
+    results = json.loads(ran.out)["results"]
+    assert "interval" in results["largest_force"]
+    assert "interval" not in results["energy_error"]

@@ -81,6 +81,7 @@ class Task:
     its required fields alone do not make a case with an answer: {"bodies[1].mass": "2 kg"}. `verdict` says that the
     checks are the answer: a failed one is in the document, and the exit status shows it. `also` are further names that
     a call may use; help and listings show the first. `pointers` say where to find values of missing parameters.
+    `errors` names results that measure the calculation itself: rounding decides them, so none is spread over inputs.
     """
 
     def __init__(
@@ -106,9 +107,11 @@ class Task:
         scene: "dict[str, str] | None" = None,
         also: "tuple[str, ...]" = (),
         pointers: "dict[str, str] | None" = None,
+        errors: "tuple[str, ...]" = (),
     ) -> None:
         self.name = name
         self.pointers = pointers or {}
+        self.errors = errors
         self.also = also
         self.summary = summary
         self.plot = plot

@@ -80,7 +80,7 @@ class TaskModel:
         self.function = model.call()
         self.together = load(model.together) if model.together else None
         self.spec = task.specification.result
-        self.names = [name for name, _, _ in result_numbers(nominal, self.spec)]
+        self.names = [name for name, _, _ in result_numbers(nominal, self.spec) if name not in task.errors]
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
         self.noise = _noise(nominal, self.spec, bound)
         self.arrays = task.arrays
