@@ -86,7 +86,7 @@ def markup(blocks: "Sequence[Block]", title: str, author: str, paper: str) -> st
     """The report as typst's markup; its pictures are named 1.svg, 2.svg and so on."""
     head = [
         f"#set document(title: {_string(title)}, author: {_string(author or 'dynamics')})",
-        f'#set page(paper: "{PAPERS[paper]}", margin: (x: 18mm, top: 15mm, bottom: 17mm), footer: context '
+        f'#set page(paper: "{PAPERS[paper]}", margin: (x: 18mm, top: 13mm, bottom: 15mm), footer: context '
         f'align(right, text(size: 8pt)[{_escape(title)} · page #counter(page).display("1 of 1", both: true)]))',
         _STYLE,
     ]

@@ -42,7 +42,7 @@ def test_names_that_pass_through_are_told_whichever_process_saw_them() -> None:
     rows = '{"distance": "60 ft", "friction": 0.7}\n' * 40_000 + '{"distance": "60 ft", "friction": 0.7, "grad": 1}\n'
     alone = run(*SPEED, "--rows", "-", stdin=rows)
     together = run(*SPEED, "--rows", "-", "--jobs", "2", stdin=rows)
-    assert "'grad' is no parameter" in alone.err
+    assert "'grad' is not a parameter" in alone.err
     assert together == alone
 
 

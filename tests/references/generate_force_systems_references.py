@@ -138,7 +138,10 @@ def moments() -> Iterator[Case]:
 
 def supports() -> Iterator[Case]:
     """Reactions along three lines in the plane: three equations."""
-    hard = [("3.0", "5.000000001", "three links that all but meet in a point"), ("0.001", "1000.0", "a far support")]
+    hard = [
+        ("3.0", "5.000000001", "three links that all but meet in a point"),
+        ("0.001", "1000.0", "a support far away: the moments of the reactions all but cancel"),
+    ]
     for nth, (middle, far, why) in enumerate([*hard, *((drawn(1, 4), drawn(5, 9), "") for _ in range(4))]):
         links = [(["0.0", "0.0", "0.0"], ["0.6", "0.8", "0.0"]), ([middle, "0.0", "0.0"], ["0.0", "1.0", "0.0"]),
                  ([far, "0.0", "0.0"], ["-0.6", "0.8", "0.0"])]  # fmt: skip

@@ -82,9 +82,9 @@ def grades() -> Iterator[Case]:
 
 def splits() -> Iterator[Case]:
     hard = [
-        ("0.01", "0.5", "0.4999999", "0.5000002", "places all but at one angle"),
+        ("0.01", "0.5", "0.4999999", "0.5000002", "places all but at one angle: the shares are large and opposite"),
         ("0.01", "0.5", "0.4999999999", "1.7", "all but at the first place: the second mass is nearly nothing"),
-        ("0.01", "1.0", "-0.5", "2.6", "places nearly opposite"),
+        ("0.01", "1.0", "-0.5", "2.6", "places nearly opposite: the sine between them is a small difference"),
     ]
     for nth, (mass, angle, first, second, why) in enumerate(
         [*hard, *((drawn(0.001, 0.1), drawn(0.5, 0.9), drawn(0, 0.4), drawn(1, 2.2), "") for _ in range(3))]
@@ -220,7 +220,10 @@ def engines() -> Iterator[Case]:
 
 
 def lanchesters() -> Iterator[Case]:
-    hard = [("0.0001", "0.172", "a crank of nothing beside the rod"), ("0.0855", "0.1", "hardly any rod to spare")]
+    hard = [
+        ("0.0001", "0.172", "a crank of nothing beside the rod"),
+        ("0.0855", "0.1", "hardly any rod to spare: the series of the orders converges slowly"),
+    ]
     for nth, (radius, rod, why) in enumerate([*hard, *((drawn(0.02, 0.1), drawn(0.2, 0.4), "") for _ in range(3))]):
         inputs: dict[str, Any] = {
             "reciprocating_mass": drawn(0.1, 2), "crank_radius": radius, "rod_length": rod, "speed": drawn(50, 700),

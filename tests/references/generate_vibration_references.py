@@ -612,7 +612,12 @@ def hard() -> Iterator[tuple[str, str, str, dict[str, Any]]]:
     beside = of("Bar", diameter=0.04, length=0.9, position=0.001)
     yield "whirl", "a disk beside a bearing", "k₁₁·k₂₂ − k₁₂² all but cancels", thick | {"shaft": beside}
     fast = thick | {"speed": 1e6}
-    yield "whirl", "so fast that the gyroscopic moment rules", "frequencies six orders apart", fast
+    yield (
+        "whirl",
+        "so fast that the gyroscopic moment rules",
+        "frequencies six orders apart: the smaller is lost in the sum of both",
+        fast,
+    )
     yield (
         "whirl",
         "just beside the critical speed",

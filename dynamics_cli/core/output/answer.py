@@ -165,7 +165,7 @@ class _Answer:
 
     def tables(self, space: int) -> "list[str]":
         """Headline tables, without middle rows where they do not fit."""
-        named = [address for address in self.labels if address in self.table_names]
+        named = [address for address in self.labels if address in self.table_names and self.results[address]]
         lines: list[str] = []
         for address in named:
             size = {"digits": self.digits, "width": self.width, "space": space // len(named)}
@@ -284,7 +284,8 @@ class _Answer:
         if "explanation" in self.document:
             return f"--all ({', '.join(hidden_words)})" if hidden_words else ""
         more = f"--all ({', '.join(hidden_words)}), " if hidden_words else ""
-        return f"{more}--explain (formula, sensitivity, error bounds)"
+        explained = "formula, sensitivity, error bounds" if self.task.tracked else "formula, assumptions"
+        return f"{more}--explain ({explained})"
 
     def explanation(self) -> "list[str]":
         """The formula with its numbers, assumptions and sensitivities, with `--explain`."""
