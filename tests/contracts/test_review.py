@@ -269,3 +269,11 @@ def test_the_drag_factor_of_axles_is_explained_by_the_formula_it_follows() -> No
     # (0.7·5 + 0.3·4)/(9 + 2·(0.3 − 0.7))
     assert document["results"]["effective_friction"]["value"] == pytest.approx(4.7 / 8.2, rel=1e-14)
     assert "·((9 ft) − (4 ft)) + 0.6·(50 %)·(4 ft))/((9 ft) + (2 ft)·(" in document["explanation"]["with_numbers"]
+
+
+def test_files_may_write_names_as_options_do(tmp_path: Path) -> None:
+    scene = tmp_path / "skid.toml"
+    scene.write_text('distance = "60 ft"\nfriction = 0.7\nend-speed = "10 mph"\n')
+    results = answer("skid", "speed", "--input", str(scene))["results"]
+    call = ("skid", "speed", "--distance", "60 ft", "--friction", "0.7", "--end-speed", "10 mph")
+    assert results == answer(*call)["results"]

@@ -159,6 +159,10 @@ def test_what_is_refused_or_said(tmp_path: Path) -> None:
         outcome = run("vibration", "history", *two, *more, "--json")
         assert outcome.status == 3, outcome.out
         assert outcome.error["code"] == code
+    free = ("--masses", "1, 1 kg", "--stiffnesses", "10 N/m")
+    shaken = ("--base-amplitude", "10 mm", "--frequency", "2 Hz", "--duration", "1 s", "--json")
+    assert [one["code"] for one in run("vibration", "history", *free, *shaken).document["warnings"]] == ["no-base"]
+    assert run("vibration", "history", *two, *shaken).document["warnings"] == []
     stiff = ("--masses", "1, 1 kg", "--stiffnesses", "10, 1e12 N/m")
     document = answer("vibration", "history", *stiff, "--force", "1 N", "--frequency", "1 Hz", "--force-at", "1",
                       "--duration", "9 s")  # fmt: skip

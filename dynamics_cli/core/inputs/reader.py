@@ -58,6 +58,8 @@ class Reader(Context):
         self.errors.append(UsageError(message, code=code, parameter=address, hint=hint))
 
     def _object(self, fields: "tuple[Field, ...]", raw: "Raw", address: str) -> "dict[str, Bound]":
+        # files may write names as options do: force-x
+        raw = {key.replace("-", "_"): value for key, value in raw.items()} if any("-" in key for key in raw) else raw
         bound: dict[str, Bound] = {}
         known_keys: set[str] = set()
         for field in fields:

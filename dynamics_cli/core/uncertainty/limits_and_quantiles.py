@@ -38,9 +38,11 @@ def limit_entries(
     """The document's entry for each limit: within it or not, and the probability of exceeding it."""
     entries = []
     for key, _, value, reading in limits:
-        if key not in propagation.spreads:
-            continue
         entry = limit_entry(key, plain(value), reading, shown[key])
+        if key not in propagation.spreads:
+            # a result that is not spread over the inputs, such as an error of the calculation
+            entries.append(entry)
+            continue
         p = next(p for limit, p in propagation.spreads[key].beyond if limit == reading.si)
         entry["probability"] = p
         text = f"{number(reading.value, 6)} {reading.unit}".rstrip()

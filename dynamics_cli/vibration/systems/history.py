@@ -136,12 +136,18 @@ def history(
         ),
         numerics=Numerics(motion.method),
         checks=checks,
-        advice=(*model.advice, *_advice(motion)),
+        advice=(*model.advice, *_advice(model, motion)),
     )  # fmt: skip
 
 
-def _advice(motion: "Run") -> "tuple[Advice, ...]":
+def _advice(model: System, motion: "Run") -> "tuple[Advice, ...]":
+    from dynamics_cli.vibration.systems.runs import joined
+
     notes = []
+    if motion.based and not joined(model):
+        text = "nothing joins the masses to the base: it moves without them"
+        remedy = "as many --stiffnesses as masses begin at the base; of bodies, couple one to the ground"
+        notes.append(Advice("no-base", text, remedy=remedy))
     if not motion.followed:
         text = "modes above {f:3} move faster than the steps: their peaks may be missed, and the energy is not checked"
         notes.append(

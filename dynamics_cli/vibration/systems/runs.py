@@ -34,6 +34,8 @@ FINE, FEWEST, MOST, ROOM = 40, 400, 60_000, 30_000_000
 # A formula is sampled more and more closely until the limits of two pairs of step sizes agree to this.
 CLOSE = 1e-8
 NEWTON = 4
+# Elements of a row that sum to less than this beside the largest element sum to zero.
+ROUNDED = 1e-12
 
 
 class Run:
@@ -126,6 +128,13 @@ def run(model: "System", damping_ratio: "float | None", load: "Any", force_at: s
         _sampled(motion, load, end, fastest, room)
     require(bool(abs(motion.loads).max() > 0.0) or any(motion.begin), "the load is zero: nothing moves", code="no-load")
     return motion
+
+
+def joined(model: "System") -> bool:
+    """Whether a motion of all masses together strains a spring or a damper."""
+    _, *matrices = model.matrices()
+    parts = (np.array(matrix) for matrix in matrices if matrix is not None)
+    return any(abs(part.sum(axis=1)).max() > ROUNDED * abs(part).max() for part in parts if part.any())
 
 
 def _under_sine(motion: Run, load: "Any", end: float, fastest: float, room: int) -> None:
