@@ -277,3 +277,7 @@ def test_files_may_write_names_as_options_do(tmp_path: Path) -> None:
     results = answer("skid", "speed", "--input", str(scene))["results"]
     call = ("skid", "speed", "--distance", "60 ft", "--friction", "0.7", "--end-speed", "10 mph")
     assert results == answer(*call)["results"]
+    scene.write_text('distance = "60 ft"\nfriction = 0.7\nend-sped = "10 mph"\n')
+    assert "'end-sped'" in run("skid", "speed", "--input", str(scene)).err
+    scene.write_text('distance = "60 ft"\nfriction = 0.7\nend-speed = "10 mph"\nend_speed = "9 mph"\n')
+    assert run("skid", "speed", "--input", str(scene)).status == 2

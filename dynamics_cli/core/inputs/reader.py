@@ -8,6 +8,7 @@ from dynamics_cli.core.inputs.context import Context, Token
 from dynamics_cli.core.inputs.leaves import read_leaf
 from dynamics_cli.core.inputs.options import kebab
 from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged
+from dynamics_cli.core.inputs.spelling import underscored
 from dynamics_cli.core.inputs.values import Bound, Fields, Several
 from dynamics_cli.errors import DynamicsError, ManyErrors, UsageError
 
@@ -58,12 +59,11 @@ class Reader(Context):
         self.errors.append(UsageError(message, code=code, parameter=address, hint=hint))
 
     def _object(self, fields: "tuple[Field, ...]", raw: "Raw", address: str) -> "dict[str, Bound]":
-        # files may write names as options do: force-x
-        raw = {key.replace("-", "_"): value for key, value in raw.items()} if any("-" in key for key in raw) else raw
+        known_keys = {key for field in fields for key in _keys(field)}
+        if any("-" in key for key in raw):
+            raw = underscored(raw, known_keys)
         bound: dict[str, Bound] = {}
-        known_keys: set[str] = set()
         for field in fields:
-            known_keys.update(_keys(field))
             before = len(self.errors)
             member = self._field(field, raw, address)
             for error in self.errors[before:]:

@@ -37,3 +37,9 @@ class Spelling:
     def _several(self, option: "Option") -> bool:
         typed_value = self.typed.get(option.name)
         return not option.repeats or (isinstance(typed_value, list) and len(typed_value) > 1)
+
+
+def underscored(raw: "Mapping[str, Any]", known: "set[str]") -> "Mapping[str, Any]":
+    """The names that a file writes as options do, `force-x`, as those of fields; others stay for the error."""
+    names = {key: key.replace("-", "_") for key in raw if key not in known}
+    return {name if (name := names.get(key, key)) in known and name not in raw else key: raw[key] for key in raw}
