@@ -104,6 +104,19 @@ def flywheel(
     )
 
 
+def require_increasing(angles: "list[float]") -> None:
+    """Refuse angles of a cycle that are not in order."""
+    for before, angle in pairwise(angles):
+        require(
+            angle > before,
+            "the angle {other} is not larger than the one before, {one}",
+            code="order",
+            hint="list the points by increasing angle",
+            one=(before, Angle),
+            other=(angle, Angle),
+        )
+
+
 def _require_cycle(points: "tuple[Point, ...]") -> None:
     require(
         len(points) >= 3,
@@ -112,15 +125,7 @@ def _require_cycle(points: "tuple[Point, ...]") -> None:
         hint='give --point "angle=0 deg, torque=-80 N*m" for each, three or more',
         count=str(len(points)),
     )
-    for one, other in pairwise(points):
-        require(
-            other.angle > one.angle,
-            "the angle {other} is not larger than the one before, {one}",
-            code="order",
-            hint="list the points by increasing angle",
-            one=(one.angle, Angle),
-            other=(other.angle, Angle),
-        )
+    require_increasing([point.angle for point in points])
     first, last = points[0].torque, points[-1].torque
     largest = max(abs(plain(one.torque)) for one in points)
     require(

@@ -7,6 +7,7 @@ from dynamics_cli.balance.engines.crank import motion, require_rod
 from dynamics_cli.balance.engines.engine import Cylinder
 from dynamics_cli.balance.engines.firing import TURN, Strokes, firing
 from dynamics_cli.balance.engines.layouts import Preset, layout
+from dynamics_cli.balance.flywheel import require_increasing
 from dynamics_cli.balance.phasors import Phasor, polar, total
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.quadrature.gauss import legendre
@@ -204,15 +205,7 @@ def _require_cycle(pressures: "tuple[Diagram, ...]", cycle: float) -> None:
         hint="give three or more, such as those of a file: --diagram @diagram.csv",
         count=str(len(pressures)),
     )
-    for one, other in pairwise(pressures):
-        require(
-            other.angle > one.angle,
-            "the angle {other} is not larger than the one before, {one}",
-            code="order",
-            hint="list the points by increasing angle",
-            one=(one.angle, Angle),
-            other=(other.angle, Angle),
-        )
+    require_increasing([point.angle for point in pressures])
     width = pressures[-1].angle - pressures[0].angle
     require(
         abs(width - cycle) <= CLOSED * cycle, "the pressures are those of {width}, wanted {cycle}", code="cycle",
