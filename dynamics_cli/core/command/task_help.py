@@ -5,6 +5,7 @@ from dynamics_cli.core.command.help import describe_options, describe_record, pl
 from dynamics_cli.core.command.template import MOST_ALTERNATIVES, description
 from dynamics_cli.core.inputs.options import group_name, kebab, options
 from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged, members_of
+from dynamics_cli.core.output.answer_words import short_source
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.records import Advice, Check, Numerics
 
@@ -61,7 +62,7 @@ def _assembled(
     if optional:
         lines += ["", "Optional:" if required else "Parameters:", *optional]
     lines += _results(task, width, brief=brief)
-    sources = dict.fromkeys(part for model in task.models for part in model.source.split("; "))
+    sources = dict.fromkeys(part for model in task.models for part in short_source(model.source).split("; "))
     more = [f"All parameters and results described: dynamics reference {task.family}"] if brief else []
     last = [f"Source: {'; '.join(sources)}", *more, MORE]
     return [*lines, "", *(line for text in last for line in wrapped(text, width, 2))]
@@ -73,11 +74,11 @@ def _files(task: "Task") -> "list[str]":
     return list(dict.fromkeys(word.removeprefix(EXAMPLES_FOLDER) for word in words if word.startswith(EXAMPLES_FOLDER)))
 
 
-def _fitting(optional: "list[tuple[str, str, str]]", room: int, width: int) -> "list[str]":
+def _fitting(optional: "list[tuple[str, str, str, str]]", room: int, width: int) -> "list[str]":
     """A line for each of the first options, and the names of those that no longer fit."""
     for number in range(len(optional), -1, -1):
-        lines = [_cut(f"  {name:<{COLUMN - 4}}  {text}", width) for name, _, text in optional[:number]]
-        names = " ".join(name for name, _, _ in optional[number:])
+        lines = [_on_one_line(f"  {row[0]:<{COLUMN - 4}}  ", *row[2:], width) for row in optional[:number]]
+        names = " ".join(row[0] for row in optional[number:])
         lines += [f"  {line}" for line in wrapped(f"also {names}" if lines else names, width - 2, 0)] if names else []
         if len(lines) <= room - 2:
             break
@@ -104,14 +105,19 @@ def example_lines(command: str, width: int) -> "Iterator[str]":
     yield line
 
 
-def _parameters(task: "Task", width: int, chosen: "Record | None") -> "tuple[list[str], list[tuple[str, str, str]]]":
-    """Lines for required parameters, and for every other option its short name, head and text."""
+def _parameters(
+    task: "Task", width: int, chosen: "Record | None"
+) -> "tuple[list[str], list[tuple[str, str, str, str]]]":
+    """Lines for required parameters, and for every other option its short name, head, text and brief text."""
     texts = {**describe_options(task), **(describe_record(chosen) if chosen else {})}
     rows: dict[bool, dict[tuple[str, str], list[str]]] = {True: {}, False: {}}
     extra = options(chosen.fields) if chosen else {}
     sizes = {name for node in _tagged(task) for member in node.members.values() for name in options(member.fields)}
+    choices_of: dict[str, str] = {}
     for name, option in (extra | {name: item for name, item in task.options.items() if name not in sizes}).items():
         text = option_text(option, texts) if option.leaf is not None else _group_text(task, option)
+        if option.leaf is not None and option.leaf.choice is not None:
+            choices_of[text] = ", ".join(option.leaf.choice.names)
         value = "" if option.flag else placeholder(option)
         rows[option.required].setdefault((text, value), []).append(f"--{name}")
     choices = [f"either {', or '.join(item)}" for item in _choices(task.specification.fields, ())]
@@ -123,9 +129,10 @@ def _parameters(task: "Task", width: int, chosen: "Record | None") -> "tuple[lis
     for (text, value), names in rows[True].items():
         required += _row(f"{', '.join(names)} {value}".rstrip(), text, width)
     loose = [(head, text) for head, text in plain if head.startswith("[")]
-    optional = [(head, head, text) for head, text in (*loose, *_words(task, scene=True))]
+    optional = [(head, head, text, text) for head, text in (*loose, *_words(task, scene=True))]
     optional += [
-        (_joined(names), f"{', '.join(names)} {value}".rstrip(), text) for (text, value), names in rows[False].items()
+        (_joined(names), f"{', '.join(names)} {value}".rstrip(), text, choices_of.get(text, text))
+        for (text, value), names in rows[False].items()
     ]
     return required, optional
 
@@ -154,8 +161,14 @@ def _joined(names: "list[str]") -> str:
     return "--" + "|".join(name.removesuffix(tail).removeprefix("--") for name in names) + tail
 
 
-def _cut(line: str, width: int) -> str:
-    return line if len(line) <= width else line[: width - 1].rstrip() + "…"
+def _on_one_line(head: str, text: str, brief: str, width: int) -> str:
+    """An option and its text; one that is too long loses its example, gives way to `brief`, ends at a comma or word."""
+    for line in (head + text, head + text.partition(", e.g. ")[0], head + brief):
+        if len(line) <= width:
+            return line
+    line = line[: width - 1]
+    end = max(line.rfind(mark, (len(head) + width) // 2) for mark in ("; ", ", ", " ("))
+    return line[: end if end > 0 else line.rfind(" ")] + " …"
 
 
 def option_text(option: "Option", texts: "Mapping[tuple[str, ...], str]") -> str:

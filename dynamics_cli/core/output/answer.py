@@ -27,6 +27,7 @@ from dynamics_cli.core.output.answer_words import (
     node_at,
     parts_in_words,
     percent,
+    short_source,
     value_in_words,
     with_name,
     without_rounding,
@@ -53,7 +54,6 @@ WORTH_SAYING = 1e-9
 # An error bound below this share of the standard deviation does not show.
 NEGLIGIBLE = 0.02
 SEVERITIES = ("serious", "caution", "note")
-BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 MARGIN = 6
 # A non-breaking space.
 JOINED = "\u00a0"
@@ -264,7 +264,7 @@ class _Answer:
 
     def _method(self) -> str:
         model = self.document["model"]
-        source = model["source"].replace(BOOK, "Josephs & Huston ").replace("section ", "§").replace("sections ", "§")
+        source = short_source(model["source"])
         # a model named after its source is not named twice
         named = "" if source.startswith(model["name"] + ",") else model["name"]
         parts = [named + (f" ({model['why']})" if model.get("why") else ""), source]

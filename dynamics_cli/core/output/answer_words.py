@@ -22,6 +22,7 @@ ADDRESS = frozenset("abcdefghijklmnopqrstuvwxyz0123456789_.[]")
 ADDRESS_MARKS = frozenset("_.[")
 # A number of so many digits was calculated, not typed.
 CALCULATED = 16
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 # Components smaller than this share of a vector's largest are rounding.
 ROUNDING = 1e-12
 
@@ -194,3 +195,12 @@ def percent(probability: float) -> str:
     if 99.99 < percent < 100.0:
         return "> 99.99 %"
     return f"{percent:.2g} %" if percent < 99.0 else f"{percent:.4g} %"
+
+
+def short_source(source: str) -> str:
+    """A source with the book that most tasks follow by its authors alone.
+
+    >>> short_source("Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 10.10")
+    'Josephs & Huston §10.10'
+    """
+    return source.replace(BOOK, "Josephs & Huston ").replace("section ", "§").replace("sections ", "§")
