@@ -222,6 +222,17 @@ class TestVectorsAndTensors:
         argv = ("--tensor", "[[2, 1, 0], [0, 3, 0], [0, 0, 4]] kg*m^2", "--axis", "1, 0, 0 m")
         assert "not symmetric" in run("toy", "spin", *argv, "--json").error["message"]
 
+    @pytest.mark.parametrize("text", ["1 2 -3 m", "(1 2 -3 m)", "[1  2  -3 m]"])
+    def test_spaces_alone_separate_numbers_before_one_unit(self, text: str) -> None:
+        scene = {"tensor": "1, 2, 3 kg*m^2", "axis": text}
+        spaced = answer("toy", "spin", "--input", "-", stdin=json.dumps(scene))
+        commas = answer("toy", "spin", "--input", "-", stdin=json.dumps(scene | {"axis": "1, 2, -3 m"}))
+        assert spaced["results"] == commas["results"]
+
+    @pytest.mark.parametrize("text", ["1 2 1/2 m", "1 m 2 m 3 m", "1 2 3 ± 0.1 m"])
+    def test_spaces_do_not_separate_fractions_or_numbers_with_units(self, text: str) -> None:
+        assert run("toy", "spin", "--tensor", "1, 2, 3 kg*m^2", "--axis", text, "--json").status == 2
+
     def test_the_number_of_components_is_checked(self) -> None:
         argv = ("--tensor", "1, 2, 3 kg*m^2", "--axis", "1, 0, 0, 0 m")
         assert "read 4 components, wanted 3" in run("toy", "spin", *argv, "--json").error["message"]

@@ -233,11 +233,11 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
         return [f"{_text_of(kind, item)} {raw.get('unit') or ''}".strip() for item in raw["value"]]
     if isinstance(raw, list):
         return raw
-    from dynamics_cli.core.inputs.forms.lists import share_unit
+    from dynamics_cli.core.inputs.forms.lists import share_unit, spaced_numbers
 
     text = _text_of(kind, raw).strip()
-    text = text[1:-1] if text[:1] + text[-1:] == "[]" else text
-    return share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
+    text = text[1:-1] if text[:1] + text[-1:] in ("[]", "()") else text
+    return spaced_numbers(text) or share_unit(split_list(text))
 
 
 def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
@@ -248,7 +248,8 @@ def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> Vec
 
         items = [*items, share_unit(["0", items[1]])[0] if isinstance(items[1], str) else 0]
     if len(items) != kind.size:
-        raise UsageError(f"read {len(items)} components, wanted {kind.size}", hint=f"for example {kind.example!r}")
+        count = f"{len(items)} component{'s' if len(items) > 1 else ''}"
+        raise UsageError(f"read {count}, wanted {kind.size}", hint=f"for example {kind.example!r}")
     default_unit = _default_unit(kind, raw, context)
     parts = [read_number_of(kind, item, f"{address}[{i}]", context, default_unit) for i, item in enumerate(items)]
     units, si = {part.unit for part in parts}, tuple(part.si for part in parts)

@@ -1,7 +1,7 @@
 """Lists as people write them, taken apart into their items: commas or semicolons between, one unit at the end."""
 
 from dynamics_cli.core.inputs.context import Token
-from dynamics_cli.core.inputs.quantity_text import is_uncertain, number_end, split_list
+from dynamics_cli.core.inputs.quantity_text import DIGITS, is_uncertain, number_end, split_list
 from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
@@ -35,6 +35,16 @@ def _vectors_in_rows(text: str) -> "list[str]":
         raise UsageError(f"{text!r} has an empty row", code="syntax", hint="separate rows by single semicolons")
     unit = _unit_after(rows[-1].rpartition(",")[2].strip())
     return [row if not unit or _has_unit(row.rpartition(",")[2].strip()) else f"{row} {unit}" for row in rows]
+
+
+def spaced_numbers(text: str) -> "list[str]":
+    """Numbers with only spaces between them and at most one unit after the last, `0 1 0`, `3 4 0 kN`; else nothing."""
+    words = text.split()
+    count = next((nth for nth, word in enumerate(words) if number_end(word, 0) < len(word)), len(words))
+    if count < 2 or any(word[0] in f"{DIGITS},±+" for word in words[count:]):
+        return []
+    unit = " ".join(words[count:])
+    return [f"{word} {unit}".rstrip() for word in words[:count]]
 
 
 def share_unit(items: "list[str]") -> "list[str]":
