@@ -2,9 +2,7 @@
 
 from dynamics_cli.core.answering.task import Family, Model, Task
 
-TABLE = (
-    "Josephs & Huston, Dynamics of Mechanical Systems, table 1.7.1; the defining constants of SI and of the US units"
-)
+TABLE = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, table 1.7.1; constants of SI and US"
 LISTS = "dynamics_cli.convert.unit_lists"
 
 
@@ -94,7 +92,7 @@ FAMILIES = {
             Model(
                 "the book's coordinates",
                 "dynamics_cli.convert.coordinates:coords",
-                source="Josephs & Huston, Dynamics of Mechanical Systems, section 1.6",
+                source="Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 1.6",
                 formula="x = r·cosθ = ρ·sinφ·cosθ, y = r·sinθ = ρ·sinφ·sinθ, z = ρ·cosφ",
                 assumptions=("φ is measured from the z-axis, θ in the x–y plane from x",),
             ),
