@@ -35,6 +35,8 @@ class DynamicsError(Exception):
         self.hint = hint
         # The parameter as the caller writes it, where that is known.
         self.named = ""
+        # Lines of a call that works, for one that gave nothing at all.
+        self.example: Sequence[str] = ()
 
     def all(self) -> "Sequence[DynamicsError]":
         """Every single failure this one stands for."""

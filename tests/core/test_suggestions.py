@@ -31,6 +31,7 @@ from tests.harness import run
         ("impact|inverse|cars.toml", "a file of them: dynamics impact inverse --input cars.toml"),
         ("skid|speed|60 ft|0.7", 'for example: dynamics skid speed --distance "60 ft" --friction 0.7'),
         ("skid|speed|--segment|distance=20 ft, mu=0.3", "did you mean friction?"),
+        ("inertia|section|--width|5 mm", 'did you mean --piece "width=…" or --hole "width=…"?'),
     ],
 )
 def test_unknown_names(call: str, hint: str) -> None:
@@ -64,3 +65,16 @@ def test_a_beginning_that_fits_one_name_wins() -> None:
     assert suggestions("rad", ("radius", "grade")) == ["radius"]
     assert suggestions("first_m", ("first_mass", "first_speed")) == ["first_mass"]
     assert suggestions("first", ("first_mass", "first_speed")) == ["first_mass", "first_speed"]
+
+
+def test_what_is_missing_is_described_as_its_help_does() -> None:
+    assert "--friction is missing: coefficient of friction between tyre and road\n" in run("skid", "speed").err
+    assert "--first-teeth is missing: number of teeth\n" in run("gear", "pair").err
+    assert "--lengths is missing: lengths of the rods from the top\n" in run("motion", "chain").err
+
+
+def test_a_call_that_gives_nothing_is_shown_one_that_works() -> None:
+    example = 'an example:\n  dynamics skid speed --distance "60 ft" --friction 0.7\n'
+    assert run("skid", "speed").err.endswith(example)
+    assert "an example" not in run("skid", "speed", "--friction", "0.7").err
+    assert "an example" not in run("skid", "speed", "--json").err

@@ -132,7 +132,14 @@ def answered_case(
     reader = gathered.reader
     reader.uncertain = {}
     reader.pointers = task.pointers
-    bound = reader.read(task.specification.fields, gathered.raw)
+    try:
+        bound = reader.read(task.specification.fields, gathered.raw)
+    except UsageError as error:
+        if not gathered.raw and task.examples:
+            from dynamics_cli.core.command.task_help import example_lines
+
+            error.example = ["an example:", *example_lines(task.shown_examples[0], 80)]
+        raise
     display = Display(settings.units, settings.to)
     start = _clock(settings)
     try:

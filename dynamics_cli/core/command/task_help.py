@@ -2,9 +2,9 @@
 
 from dynamics_cli.core.answering.task import EXAMPLES_FOLDER
 from dynamics_cli.core.command.help import describe_options, describe_record, placeholder, word_name, written_default
-from dynamics_cli.core.command.template import MOST_ALTERNATIVES, description
+from dynamics_cli.core.command.template import MOST_ALTERNATIVES
 from dynamics_cli.core.inputs.options import group_name, kebab, options
-from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged, members_of
+from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged, description, members_of
 from dynamics_cli.core.output.answer_words import short_source
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.records import Advice, Check, Numerics
@@ -231,11 +231,11 @@ def _takes_records(node: Many) -> bool:
 
 def _group_text(task: "Task", option: "Option") -> str:
     """A repeated group, with the fields that it takes."""
-    names = [name for record in group_records(task.specification.fields, option.path) for name in _keys(record)]
+    names = [name for record in group_records(task.specification.fields, option.path) for name in group_keys(record)]
     return f"repeatable; takes {', '.join(dict.fromkeys(names))}"
 
 
-def _keys(record: Record) -> "Iterator[str]":
+def group_keys(record: Record) -> "Iterator[str]":
     """The names of a record's fields; of many alternatives only the name that chooses."""
     for field in record.fields:
         if isinstance(field.node, Tagged) and len(field.node.members) > MOST_ALTERNATIVES:

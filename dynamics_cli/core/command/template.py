@@ -6,7 +6,7 @@ are commented out.
 
 from dynamics_cli.core.command.help import written_default
 from dynamics_cli.core.inputs.options import Option
-from dynamics_cli.core.inputs.specification import Leaf, Many, OneOf, Record, Tagged
+from dynamics_cli.core.inputs.specification import Leaf, Many, OneOf, Record, Tagged, description
 from dynamics_cli.core.output.wrapping import wrapped
 
 TYPE_CHECKING = False
@@ -45,13 +45,6 @@ def template(task: "Task") -> str:
         fields += field.node.fields if field.place and isinstance(field.node, Record) else [field]
     scene.table(tuple(fields), "", active=True, inside=())
     return "\n".join(scene.lines) + "\n"
-
-
-def description(text: str) -> str:
-    """A description without the SI unit in brackets."""
-    text = text.strip().rstrip(".")
-    start = text.rfind(" [")
-    return text[:start].rstrip(".") if text.endswith("]") and start > 0 and " " not in text[start + 2 :] else text
 
 
 def _without_example(text: str) -> str:

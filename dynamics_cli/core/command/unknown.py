@@ -2,6 +2,7 @@
 
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.command.help import describe_options
+from dynamics_cli.core.command.task_help import group_keys, group_records
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
 from dynamics_cli.core.inputs.suggestions import MOST, suggestions
 from dynamics_cli.errors import ManyErrors, UsageError
@@ -14,12 +15,23 @@ if TYPE_CHECKING:
 def near_option(task: Task, word: str) -> str:
     """The option that an unknown one probably means: by its name, by its description, or one that every task has."""
     typed = word.lstrip("-").partition("=")[0].lower()
-    near = suggestions(typed, task.options) or _described(task, typed) or suggestions(typed, UNIVERSAL_OPTIONS)
+    near = [f'{name} "{typed}=…"' for name in _groups_with(task, typed)]
+    near = near or suggestions(typed, task.options) or _described(task, typed) or suggestions(typed, UNIVERSAL_OPTIONS)
     return (
         "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
         if near
         else f"try: dynamics {task.path} --help"
     )
+
+
+def _groups_with(task: Task, typed: str) -> "list[str]":
+    """The repeatable options whose records have a value of this very name: `--piece` for `--width`."""
+    groups = {name: option for name, option in task.options.items() if option.leaf is None}
+    return [
+        name
+        for name, option in groups.items()
+        if any(typed in group_keys(record) for record in group_records(task.specification.fields, option.path))
+    ]
 
 
 def _described(task: Task, typed: str) -> "list[str]":

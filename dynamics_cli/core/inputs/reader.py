@@ -97,15 +97,13 @@ class Reader(Context):
         value = raw.get(field.key)
         if value is None:
             value = self._default_of(node, raw)
-            if value is not None:
-                pass
-            elif not field.required:
+        if value is None:
+            if not field.required:
                 return None
-            elif isinstance(node, Leaf):
-                self._missing(node, field_address, word=bool(field.place))
+            if isinstance(node, Leaf):
+                self._missing(field, node, field_address)
                 return None
-            else:
-                value = {}
+            value = {}
         return self._item(node, value, field_address)
 
     def _default_of(self, node: "Node", raw: "Raw") -> str | None:
@@ -115,19 +113,19 @@ class Reader(Context):
             return None
         return self.environ.get(kind.variable) or kind.default
 
-    def _missing(self, node: Leaf, address: str, *, word: bool) -> None:
+    def _missing(self, field: Field, node: Leaf, address: str) -> None:
         example, spelled = None, self.spell(address)
         if node.kind.example and "[" in address:
             example = f"for example {address.rpartition('.')[2]}={node.kind.example}"
         elif node.kind.example:
-            name = f"{spelled} " if spelled.startswith("--") and not word else ""
+            name = f"{spelled} " if spelled.startswith("--") and not field.place else ""
             example = f"for example {name}{_quoted(node.kind.example)}"
         if node.choice is not None:
             example = f"one of {', '.join(node.choice.names)}"
         pointer = self.pointers.get(address.rpartition(".")[2])
         if pointer and example:
             example = f"{example}; {pointer}"
-        expected = node.kind.about or node.kind.name
+        expected = field.meaning or node.kind.about or node.kind.name
         self._fail(address, f"{spelled} is missing: {expected}", code="missing", hint=example)
 
     def _item(self, node: "Node", value: "Any", address: str) -> Bound | None:
@@ -256,7 +254,8 @@ class Reader(Context):
             return self._plain_item(node, {key: raw[key] for key in plain}, address)
         if value is None:
             if field.required:
-                self._fail(field_address, f"{self.spell(field_address)} is missing", code="missing")
+                message = f"{self.spell(field_address)} is missing{field.meaning and ': '}{field.meaning}"
+                self._fail(field_address, message, code="missing")
             return None
         from dynamics_cli.core.inputs.forms.lists import split_items
 

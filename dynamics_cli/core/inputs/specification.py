@@ -24,6 +24,8 @@ FLAG = Kind("flag", "", form="flag", about="true or false")
 EXACT = Kind("exact quantity", "", form="exact", example="60 mph", about="a number and its unit, kept exact")
 DRAWING = Kind("drawing", "", form="drawing", about="outlines of ordered pieces")
 DEVIATION = Kind("deviation", "m", si="mm", us="in", low=0.0, about="a bound on the distance from the exact curve")
+# Descriptions that begin so continue the parameter's name.
+CONTINUING = ("of ", "from ", "at ", "about ", "between ", "along ", "in ", "on ", "across ")
 MEASURED = Kind("quantity", "", form="measured", about="a number with a unit of its own")
 
 _PLAIN = {
@@ -144,6 +146,13 @@ class Many:
         self.columns = columns
 
 
+def description(text: str) -> str:
+    """A description without the SI unit in brackets."""
+    text = text.strip().rstrip(".")
+    start = text.rfind(" [")
+    return text[:start].rstrip(".") if text.endswith("]") and start > 0 and " " not in text[start + 2 :] else text
+
+
 class Field:
     """A named node with its default and description; `place` is "", "word" (positional) or "words" (any number)."""
 
@@ -162,9 +171,16 @@ class Field:
     @property
     def example(self) -> str:
         """The example that its description gives; empty where it gives none."""
-        said = self.text.partition("e.g. ")[2].strip().rstrip(".")
-        at = said.rfind(" [")
-        return said[:at].rstrip(".") if said.endswith("]") and at > 0 and " " not in said[at + 2 :] else said
+        return description(self.text).partition("e.g. ")[2]
+
+    @property
+    def meaning(self) -> str:
+        """What it is: its description without its example and what follows a colon, a semicolon or in brackets."""
+        words = description(self.text)
+        for mark in (", e.g. ", "; ", ": ", " ("):
+            words = words.partition(mark)[0]
+        words = words[:1].lower() + words[1:] if words[1:2].islower() else words
+        return f"{self.key.replace('_', ' ')} {words}" if words.startswith(CONTINUING) else words
 
     @property
     def required(self) -> bool:

@@ -48,7 +48,7 @@ def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = (),
         lines += wrapped(message, columns, 4) if columns else [message]
         if hint:
             lines += [f"  {line}" for line in (wrapped(hint, columns - 2, 2) if columns else [hint])]
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, *error.example]) + "\n"
 
 
 def _as_typed(parameter: str, typed: "Sequence[str]") -> str:
