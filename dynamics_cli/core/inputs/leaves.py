@@ -3,6 +3,7 @@
 from dynamics_cli.core.inputs.context import Token
 from dynamics_cli.core.inputs.quantity_text import (
     is_uncertain,
+    number_end,
     read_amount,
     read_fraction,
     read_scalar,
@@ -235,9 +236,27 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
         return raw
     from dynamics_cli.core.inputs.forms.lists import share_unit
 
-    text = _text_of(kind, raw).strip()
+    text = _unbracketed(_text_of(kind, raw).strip())
+    return share_unit(_spaced(text) or split_list(text))
+
+
+def _unbracketed(text: str) -> str:
+    """`1, 2, 3 m` of `(1, 2, 3) m` or `[1, 2, 3 m]`; brackets around the first component stay."""
+    closing = {"(": ")", "[": "]"}.get(text[:1], "")
+    if closing and text.count(text[0]) == text.count(closing) == 1:
+        inner, _, unit = text[1:].partition(closing)
+        return text if "," in unit else f"{inner} {unit}"
     text = text[1:-1] if text[:1] + text[-1:] == "[]" else text
-    return share_unit(split_list(text.removeprefix("(").removesuffix(")") if text.startswith("(") else text))
+    return text.removeprefix("(").removesuffix(")") if text.startswith("(") else text
+
+
+def _spaced(text: str) -> "list[str]":
+    """Components with spaces between them and a unit at the end, `3 4 m`; none where it is not written so."""
+    words = text.split()
+    numbers = 0
+    while numbers < len(words) and number_end(words[numbers], 0) == len(words[numbers]):
+        numbers += 1
+    return [*words[: numbers - 1], " ".join(words[numbers - 1 :])] if numbers > 1 and "," not in text else []
 
 
 def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
