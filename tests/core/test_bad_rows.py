@@ -75,3 +75,27 @@ def test_what_is_our_own_mistake_costs_its_row_too(monkeypatch: pytest.MonkeyPat
     made = [json.loads(line) for line in outcome.out.splitlines()]
     assert [index for index, row in enumerate(made) if "error" in row] == [3]
     assert "ZeroDivisionError: unlucky" in made[3]["error"]["message"]
+    assert outcome.err.count("ZeroDivisionError: unlucky") == 1
+    assert '"13 m"' in outcome.err
+    assert "please report it" in outcome.err
+
+
+@pytest.mark.parametrize("jobs", [(), ("--jobs", "2")])
+def test_our_own_mistake_in_reading_is_told_once_and_costs_its_rows(
+    jobs: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Rows are first looked at for uncertain values: a mistake there must not end the stream either."""
+    bind = Case.bind
+
+    def wrong(case: Case, row: dict[str, Any], **more: Any) -> Any:
+        if str(row.get("distance", "")).startswith("1"):
+            raise ZeroDivisionError("unlucky")
+        return bind(case, row, **more)
+
+    monkeypatch.setattr(Case, "bind", wrong)
+    rows = "".join(f'{{"distance": "{n} ± 0.5 m", "friction": 0.7}}\n' for n in range(15, 25))
+    outcome = run(*SPEED, *jobs, stdin=rows)
+    assert outcome.status == 4
+    made = [json.loads(line) for line in outcome.out.splitlines()]
+    assert [index for index, row in enumerate(made) if "error" in row] == [0, 1, 2, 3, 4]
+    assert outcome.err.count("ZeroDivisionError: unlucky") == 1

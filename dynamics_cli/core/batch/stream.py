@@ -45,6 +45,7 @@ UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
 BLOCKS_A_PIECE = 4
 # Rows answered one by one may take long: this many are written, or sent to another process, at once.
 ROWS_A_PIECE = 64
+REPORT_IT = "this is a bug: please report it with the row"
 TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a row is one line of one case")
 
 
@@ -87,7 +88,7 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
         raise reached(settings.time_limit, where) from None
     finally:
         source.close()
-    _tell_passing(stream, terminal)
+    _tell(stream, terminal)
     return ExitStatus.SOME_FAILED if stream.failed else ExitStatus.DONE
 
 
@@ -208,8 +209,10 @@ def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
     return source
 
 
-def _tell_passing(stream: "_Stream", terminal: "Terminal") -> None:
+def _tell(stream: "_Stream", terminal: "Terminal") -> None:
     _warn(stream.case, list(stream.passing), terminal)
+    if stream.fault:
+        terminal.tell(f"dynamics: {stream.fault}\n  {REPORT_IT}; the other rows are answered\n")
 
 
 def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
@@ -225,15 +228,19 @@ def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
 
 
 class _Block:
-    """The rows of one block, answered: the text, the numbers of rows and of failures, and names that pass through."""
+    """The rows of one block, answered: the text, the numbers of rows and of failures, and what is to be told of them.
 
-    __slots__ = ("failed", "passing", "rows", "text")
+    `passing` holds names that pass through, `fault` the first mistake of the program itself.
+    """
 
-    def __init__(self, text: bytes, rows: int, failed: int, passing: "list[str]") -> None:
+    __slots__ = ("failed", "fault", "passing", "rows", "text")
+
+    def __init__(self, text: bytes, rows: int, failed: int, passing: "list[str]", fault: str) -> None:
         self.text = text
         self.rows = rows
         self.failed = failed
         self.passing = passing
+        self.fault = fault
 
 
 class _Stream:
@@ -246,7 +253,9 @@ class _Stream:
         self.rows = 0
         self.failed = 0
         self.passing: dict[str, None] = {}
+        self.fault = ""
         self._failed = 0
+        self._fault = ""
         self._first = first
         self._groups: Groups | None = None
         # None: not yet looked at; False: these rows are answered one by one.
@@ -263,13 +272,14 @@ class _Stream:
         self.rows += block.rows
         self.failed += block.failed
         self.passing.update(dict.fromkeys(block.passing))
+        self.fault = self.fault or block.fault
 
     def block(self, lines: "list[bytes | None]") -> _Block:
         """The rows of one block, answered."""
-        self._failed = 0
+        self._failed, self._fault = 0, ""
         text = self._answered(lines)
         passing = list(self.source.passing) if isinstance(self.source, JsonInput) else []
-        return _Block(text, len(lines), self._failed, passing)
+        return _Block(text, len(lines), self._failed, passing, self._fault)
 
     def _answered(self, lines: "list[bytes | None]") -> bytes:
         if None in lines:
@@ -312,8 +322,8 @@ class _Stream:
         except DynamicsError as error:
             failure = error
         except Exception as error:
-            hint = "this is a bug: please report it with the row"
-            failure = FaultError(f"internal error: {type(error).__name__}: {error}", hint=hint)
+            failure = FaultError(f"internal error: {type(error).__name__}: {error}", hint=REPORT_IT)
+            self._fault = self._fault or f"{failure.message} in the row {line.decode(errors='replace')[:200]}"
         self._failed += 1
         try:
             return self.output.bad(line, failure)

@@ -92,8 +92,8 @@ class Case:
                 return
             try:  # noqa: SIM105  contextlib would have to be imported
                 self.bind(row, uncertain=True)
-            except DynamicsError:
-                pass  # reported with the row; the distributions read before the error count
+            except Exception:
+                pass  # reported with the row, a bug too; the distributions read before the error count
             if self.reader.uncertain:
                 self.layout = self._layout(self.layout.display, spread=True)
 

@@ -5,7 +5,6 @@ from abc import ABC, abstractmethod
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.plan import Plan
 from dynamics_cli.core.batch.text.conversions import ExactPlan
-from dynamics_cli.core.batch.text.shapes import NUMBER
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -69,13 +68,3 @@ def readable(data: bytes) -> bool:
     except UnicodeDecodeError:
         return False
     return True
-
-
-def _compiled() -> "Any":
-    import re
-
-    return re.compile(NUMBER).match
-
-
-# Matches the strict JSON number that a token begins with.
-number_at = _compiled()

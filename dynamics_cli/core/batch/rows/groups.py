@@ -4,11 +4,12 @@ Most blocks are one group: that is tried first, by whole-block operations. Only 
 """
 
 from dynamics_cli.core.batch.rows.case import Case
-from dynamics_cli.core.batch.rows.group import SMALLEST_GROUP, Group, Groups, number_at
+from dynamics_cli.core.batch.rows.group import SMALLEST_GROUP, Group, Groups
 from dynamics_cli.core.batch.rows.inputs import CsvInput, Input, JsonInput, TextInput
 from dynamics_cli.core.batch.text.cells import CellGroups
 from dynamics_cli.core.batch.text.columns import column_of
 from dynamics_cli.core.batch.text.conversions import Pairs
+from dynamics_cli.core.batch.text.numbers import is_number
 from dynamics_cli.core.batch.text.objects import JsonGroups
 from dynamics_cli.core.inputs.specification import Leaf
 
@@ -31,7 +32,7 @@ class WordGroups(Groups):
         column = column_of([part[0] for part in parts])
         rows: list[int] | None = None
         if column is None:
-            rows = [row for row, part in enumerate(parts) if _is_number(part[0])]
+            rows = [row for row, part in enumerate(parts) if is_number(part[0])]
             column = column_of([parts[row][0] for row in rows])
             if column is None:
                 return []
@@ -47,11 +48,6 @@ class WordGroups(Groups):
             if plan is not None:
                 result.append(Group(plan, [column.take(places)], places if rows is None else [rows[p] for p in places]))
         return result
-
-
-def _is_number(token: bytes) -> bool:
-    match = number_at(token)
-    return match is not None and match.end() == len(token)
 
 
 def groups_of(source: Input, case: Case, first: bytes) -> "Groups | None":

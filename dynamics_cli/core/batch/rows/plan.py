@@ -65,11 +65,9 @@ class Plan:
         self.failures = 0
         self.bound = case.bind(raw)
         leaves = {bound.address: bound for bound in values_of(self.bound)}
-        # A list of one number may be given by that number alone.
-        addresses = [
-            f"{name}[0]" if name not in leaves and f"{name}[0]" in leaves and f"{name}[1]" not in leaves else name
-            for name in addresses
-        ]
+        # A list of one item may be given by that item alone.
+        alone = {name.replace("[0]", ""): name for name, leaf in leaves.items() if isinstance(leaf, Value)}
+        addresses = [name if name in leaves else alone.get(name, name) for name in addresses]
         self._leaves = {address: leaves[_owner(address, leaves)] for address, _, _ in self.bound.leaves()}
         unknown = [address for address in addresses if address not in self._leaves]
         if unknown or not addresses:

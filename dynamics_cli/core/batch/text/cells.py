@@ -1,5 +1,7 @@
 """Lines of cells, grouped by the text around their numbers."""
 
+import re
+
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.group import (
     MOST_MAKES,
@@ -8,15 +10,17 @@ from dynamics_cli.core.batch.rows.group import (
     Group,
     Groups,
     make_plan,
-    number_at,
     readable,
 )
 from dynamics_cli.core.batch.rows.inputs import Input
 from dynamics_cli.core.batch.text.columns import Column, Unsuited, column_of
+from dynamics_cli.core.batch.text.numbers import QUOTED, Written, apart, written
 from dynamics_cli.errors import DynamicsError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from dynamics_cli.core.batch.rows.plan import Plan
     from dynamics_cli.core.batch.text.conversions import ExactPlan
 
@@ -27,10 +31,10 @@ def _tidy(data: bytes) -> bool:
 
 
 class _Make:
-    """Lines with the same words: for each parameter's column the unit behind its number, or the whole cell."""
+    """Lines with the same words: for each parameter's column how its numbers are written, or the whole cell."""
 
-    def __init__(self, key: "tuple[tuple[bool, bytes], ...]", plan: "Plan | ExactPlan | None") -> None:
-        self.key = key
+    def __init__(self, ways: "list[Written | bytes]", plan: "Plan | ExactPlan | None") -> None:
+        self.ways = ways
         self.plan = plan
 
 
@@ -46,21 +50,24 @@ class CellGroups(Groups):
         self.parameters = [index for index, address in enumerate(addresses) if address]
         # Columns that arrays cannot replace: counts, and columns that a plan does not accept.
         self.literal: set[int] = set()
-        self.makes: dict[tuple[tuple[bool, bytes], ...], _Make] = {}
+        self.makes: dict[tuple[Any, ...], _Make] = {}
         self.recent: _Make | None = None
+        cell = rb'(?:"[^"\n]*"|[^",\n]*)'
+        self._quoted_line = re.compile(b",".join([cell] * len(addresses))).fullmatch
 
     def _cells(self, lines: "list[bytes]") -> "list[list[bytes]] | None":
         """Columns of cells, or None when some line has a different number of them than the header."""
-        count, width = len(lines), len(self.addresses)
-        separator = self.separator
-        data = (separator + b"\n" + separator).join(lines)
-        if b'"' in data or not readable(data) or (separator == b" " and not _tidy(data)):
+        data = b"\n".join(lines)
+        if not readable(data) or (self.separator == b" " and not _tidy(data)):
             return None
-        cells = data.split(separator)
-        # A marker cell separates lines; if each marker is in its place, every line has the right number of cells.
-        if len(cells) != count * (width + 1) - 1 or cells[width :: width + 1].count(b"\n") != count - 1:
+        width = len(self.addresses)
+        if b'"' not in data:
+            return apart(lines, self.separator, width)
+        if not all(map(self._quoted_line, lines)):
             return None
-        return [cells[index :: width + 1] for index in range(width)]
+        # What is quoted may hold separators.
+        pieces = data.split(b'"')
+        return apart(QUOTED.join(pieces[::2]).split(b"\n"), self.separator, width, iter(pieces[1::2]))
 
     def uniform(self, lines: "list[bytes]") -> "list[Group] | None":
         """All lines as one group like the last one, or None."""
@@ -73,34 +80,21 @@ class CellGroups(Groups):
 
     def _columns(self, make: _Make, cells: "list[list[bytes]]") -> "list[Column] | None":
         columns = []
-        count = len(cells[0])
-        for index, (number, rest) in zip(self.parameters, make.key, strict=True):
-            tokens = cells[index]
-            if not number:
-                if tokens.count(rest) != count:
+        for index, way in zip(self.parameters, make.ways, strict=True):
+            if isinstance(way, bytes):
+                if cells[index].count(way) != len(cells[index]):
                     return None
                 continue
-            if rest:
-                if not all(token.endswith(rest) for token in tokens):
+            for tokens in way.columns(cells[index]) or ([],):
+                column = column_of(tokens) if tokens else None
+                if column is None:
                     return None
-                tokens = [token[: -len(rest)] for token in tokens]
-            column = column_of(tokens)
-            if column is None:
-                return None
-            columns.append(column)
+                columns.append(column)
         return columns
 
     def sorted(self, lines: "list[bytes]") -> "list[Group]":
         """Groups by the text around the numbers in the parameters' columns."""
-        width = len(self.addresses) - 1
-        rows = [
-            row
-            for row, line in enumerate(lines)
-            if b'"' not in line
-            and line.count(self.separator) == width
-            and readable(line)
-            and (self.separator != b" " or _tidy(line))
-        ]
+        rows = [row for row, line in enumerate(lines) if self._fits(line)]
         cells = self._cells([lines[row] for row in rows]) if len(rows) >= SMALLEST_GROUP else None
         while cells is not None:
             literal = set(self.literal)
@@ -109,9 +103,16 @@ class CellGroups(Groups):
                 return groups
         return []
 
+    def _fits(self, line: bytes) -> bool:
+        if b'"' in line:
+            return self.separator == b"," and self._quoted_line(line) is not None and readable(line)
+        if line.count(self.separator) != len(self.addresses) - 1 or not readable(line):
+            return False
+        return self.separator != b" " or _tidy(line)
+
     def _groups(self, lines: "list[bytes]", rows: "list[int]", cells: "list[list[bytes]]") -> "list[Group]":
         keys = zip(*(self._keys(index, cells[index]) for index in self.parameters), strict=True)
-        groups: dict[tuple[tuple[bool, bytes], ...], list[int]] = {}
+        groups: dict[tuple[Any, ...], list[int]] = {}
         for place, key in enumerate(keys):
             groups.setdefault(key, []).append(place)
         listed = []
@@ -127,40 +128,41 @@ class CellGroups(Groups):
                 self.recent = make if len(listed) == 1 else self.recent
         return listed
 
-    def _keys(self, index: int, cells: "list[bytes]") -> "list[tuple[bool, bytes]]":
+    def _keys(self, index: int, cells: "list[bytes]") -> "list[Any]":
         if index in self.literal:
-            return [(False, cell) for cell in cells]
-        keys = []
-        for cell in cells:
-            match = number_at(cell)
-            keys.append((True, cell[match.end() :]) if match is not None else (False, cell))
-        return keys
+            return cells
+        return [cell if (way := written(cell)) is None else way.key for cell in cells]
 
-    def _make(self, key: "tuple[tuple[bool, bytes], ...]", lines: "list[bytes]") -> "_Make | None":
+    def _make(self, key: "tuple[Any, ...]", lines: "list[bytes]") -> "_Make | None":
         make = self.makes.get(key)
         if make is None and len(self.makes) < MOST_MAKES:
-            make = self._new_make(key, lines)
+            make = self._new_make([way if isinstance(way, bytes) else Written(*way) for way in key], lines)
+            if make is not None:
+                self.makes[key] = make
         return make
 
-    def _new_make(self, key: "tuple[tuple[bool, bytes], ...]", lines: "list[bytes]") -> "_Make | None":
-        numbers = [index for index, (number, _) in zip(self.parameters, key, strict=True) if number]
-        if not numbers:
+    def _new_make(self, ways: "list[Written | bytes]", lines: "list[bytes]") -> "_Make | None":
+        addresses: list[str] = []
+        units: list[str | None] = []
+        for index, way in zip(self.parameters, ways, strict=True):
+            if isinstance(way, Written):
+                addresses += way.addresses(self.addresses[index])
+                units += [way.unit or self.units[index] or None] * way.count
+        if not addresses:
             return None
-        rests = [rest.decode().strip() for number, rest in key if number]
-        units: list[str | None] = [
-            rest or self.units[index] or None for index, rest in zip(numbers, rests, strict=True)
-        ]
         for line in lines:
             try:
-                raw = self.source.read(line)
-                plan = make_plan(self.case, raw, [self.addresses[index] for index in numbers], units)
+                return _Make(ways, make_plan(self.case, self.source.read(line), addresses, units))
             except DynamicsError:
                 continue  # this row has an error; another may serve as template
             except Unsuited as error:
                 if error.numeric is not None:
-                    self.literal |= {index for index in numbers if self.addresses[index] not in error.numeric}
-                self.makes[key] = _Make(key, None)
-                return None
-            self.makes[key] = _Make(key, plan)
-            return self.makes[key]
+                    self._take_literally(ways, error.numeric)
+                return _Make(ways, None)
         return None
+
+    def _take_literally(self, ways: "list[Written | bytes]", numeric: "set[str]") -> None:
+        """Keep columns as they are whose numbers arrays cannot replace."""
+        for index, way in zip(self.parameters, ways, strict=True):
+            if isinstance(way, Written) and not numeric.issuperset(way.addresses(self.addresses[index])):
+                self.literal.add(index)

@@ -6,6 +6,7 @@ only numbers and strings as JSON writes them, so a line that matches means the s
 
 import re
 
+from dynamics_cli.core.batch.text.numbers import NUMBER, is_number, written
 from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
@@ -13,14 +14,10 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from typing import Any
 
-# Short enough that every match is a double.
-NUMBER = rb"-?(?:0|[1-9][0-9]{0,40})(?:\.[0-9]{1,40})?(?:[eE][+-]?[0-9]{1,2})?"
 # Numbers of any length that only pass through; strings without escapes.
 _OTHER_NUMBER = rb"-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?"
 _OTHER_STRING = rb'"[^"\\\x00-\x1f]*"'
 _TOKEN = re.compile(rb'"(?:[^"\\]|\\.)*"|[{}\[\]:,]|[^\s{}\[\]:,"]+')
-_QUANTITY = re.compile(rb'"(' + NUMBER + rb')([^"\\]*)"')
-_NUMBER = re.compile(NUMBER)
 
 Path = tuple["str | int", ...]
 
@@ -120,12 +117,11 @@ class Shape:
         pattern, position = b"", 0
         for token in tokens(line):
             in_results = results is not None and token.start > results[0]
-            piece, address = _piece(token, names, pairs, numeric, in_results=in_results)
+            piece, addresses, unit = _piece(token, names, pairs, numeric, in_results=in_results)
             pattern += self._between(position, token.start) + piece
             position = token.end
-            if address:
-                self.addresses.append(address)
-                self.units.append(_unit_in(token.text))
+            self.addresses += addresses
+            self.units += [unit] * len(addresses)
         pattern += re.escape(line[position:])
         if self.cut:
             pattern = b"(" + pattern
@@ -165,36 +161,31 @@ def _pairs(line: bytes) -> "set[Path]":
 
 def _piece(
     token: Token, names: "set[str]", pairs: "set[Path]", numeric: "set[str] | None", *, in_results: bool
-) -> "tuple[bytes, str]":
-    """The pattern of one token, and the address of the number it finds."""
-    fixed = re.escape(token.text)
+) -> "tuple[bytes, list[str], str | None]":
+    """The pattern of one token, the addresses of the numbers it finds, and the unit of those in a string."""
+    fixed: tuple[bytes, list[str], None] = (re.escape(token.text), [], None)
     if token.key:
-        return fixed, ""
+        return fixed
     path = token.path[1:] if in_results else token.path
     string = token.text.startswith(b'"')
     if not path or path[0] not in names:
         if string and b"\\" not in token.text:
-            return _OTHER_STRING, ""
-        return (_OTHER_NUMBER, "") if _is_number(token.text) else (fixed, "")
+            return _OTHER_STRING, [], None
+        return (_OTHER_NUMBER, [], None) if is_number(token.text) else fixed
     address = _address(path, pairs, 1 if in_results else 0, token.path)
-    if not address or (numeric is not None and address not in numeric):
-        return fixed, ""
+    if not address:
+        return fixed
     if not string:
-        return (b"(" + NUMBER + b")", address) if _is_number(token.text) else (fixed, "")
-    quantity = _QUANTITY.fullmatch(token.text)
+        found = is_number(token.text) and (numeric is None or address in numeric)
+        return (b"(" + NUMBER + b")", [address], None) if found else fixed
+    quantity = written(token.text[1:-1]) if b"\\" not in token.text else None
     # In a value with its unit only the value is a number, and `1/s` is not a number with a unit `/s`.
-    if quantity is None or token.path[-1] == "unit" or quantity[2][:1].isdigit():
-        return fixed, ""
-    return b'"(' + NUMBER + b")" + re.escape(quantity[2]) + b'"', address
-
-
-def _unit_in(text: bytes) -> "str | None":
-    quantity = _QUANTITY.fullmatch(text)
-    return quantity[2].decode().strip() if quantity else None
-
-
-def _is_number(text: bytes) -> bool:
-    return _NUMBER.fullmatch(text) is not None
+    if quantity is None or token.path[-1] == "unit" or quantity.after[:1].isdigit():
+        return fixed
+    addresses = quantity.addresses(address)
+    if numeric is not None and not numeric.issuperset(addresses):
+        return fixed
+    return b'"' + quantity.pattern(b"(" + NUMBER + b")") + b'"', addresses, quantity.unit
 
 
 def _address(path: Path, pairs: "set[Path]", skipped: int, whole: Path) -> str:

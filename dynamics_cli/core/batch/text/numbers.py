@@ -1,0 +1,92 @@
+"""Numbers as rows write them: one in a cell or a string, or those of a vector, `0.1, 0.2, 0.3 m`."""
+
+import re
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    Tokens = list[bytes]
+    Columns = list[Tokens]
+
+# A strict JSON number, short enough that every match is a double.
+NUMBER = rb"-?(?:0|[1-9][0-9]{0,40})(?:\.[0-9]{1,40})?(?:[eE][+-]?[0-9]{1,2})?"
+number_at = re.compile(NUMBER).match
+# Stands for a quoted cell while its line is split.
+QUOTED = b'"'
+_is_number = re.compile(NUMBER).fullmatch
+# A bracket, numbers with the same text between any two, and a bracket or a unit that no number could go on with.
+_SEVERAL = re.compile(
+    rb"([\[(]?)" + NUMBER + rb"(, ?| )" + NUMBER + rb"(?:\2" + NUMBER + rb")*((?:[\s\])A-DF-Zf-z\x80-\xff%][^,]*)?)"
+)
+
+
+class Written:
+    """The text around the numbers of a cell: how many there are, what precedes, parts and follows them."""
+
+    __slots__ = ("after", "before", "between", "count")
+
+    def __init__(self, count: int, before: bytes, between: bytes, after: bytes) -> None:
+        self.count = count
+        self.before = before
+        self.between = between
+        self.after = after
+
+    @property
+    def key(self) -> "tuple[int, bytes, bytes, bytes]":
+        """What is the same for cells written alike."""
+        return self.count, self.before, self.between, self.after
+
+    @property
+    def unit(self) -> str:
+        """The unit behind the numbers."""
+        return self.after.decode().strip("]) ")
+
+    def addresses(self, address: str) -> "list[str]":
+        """Those of the numbers of the input at this address."""
+        return [address] if self.count == 1 else [f"{address}[{index}]" for index in range(self.count)]
+
+    def pattern(self, number: bytes) -> bytes:
+        """A pattern of texts written alike, given that of a number."""
+        return re.escape(self.before) + re.escape(self.between).join([number] * self.count) + re.escape(self.after)
+
+    def columns(self, cells: "Tokens") -> "Columns | None":
+        """The numbers' texts, or None where some cell is written in another way."""
+        head, tail = len(self.before), len(self.after)
+        if tail and not all(cell.endswith(self.after) for cell in cells):
+            return None
+        if head and not all(cell.startswith(self.before) for cell in cells):
+            return None
+        if head or tail:
+            cells = [cell[head : len(cell) - tail] for cell in cells]
+        return apart(cells, self.between, self.count) if self.count > 1 else [cells]
+
+
+def written(text: bytes) -> "Written | None":
+    """How a cell or a string that begins with a number, or a bracket, is written; None for other texts."""
+    several = _SEVERAL.fullmatch(text)
+    if several is not None:
+        before, between, after = several.groups()
+        inner = text[len(before) : len(text) - len(after)]
+        return Written(inner.count(between) + 1, before, between, after)
+    match = number_at(text)
+    return Written(1, b"", b"", text[match.end() :]) if match is not None else None
+
+
+def is_number(text: bytes) -> bool:
+    """Whether a text is one number."""
+    return _is_number(text) is not None
+
+
+def apart(lines: "Tokens", separator: bytes, width: int, quoted: "Iterator[bytes] | None" = None) -> "Columns | None":
+    """Columns of the texts between separators, or None where some line has another number of them.
+
+    A cell of `QUOTED` stands for the next of the quoted texts.
+    """
+    cells = (separator + b"\n" + separator).join(lines).split(separator)
+    # A marker cell parts lines; if each marker is in its place, every line has the right number of cells.
+    if len(cells) != len(lines) * (width + 1) - 1 or cells[width :: width + 1].count(b"\n") != len(lines) - 1:
+        return None
+    if quoted is not None:
+        cells = [next(quoted) if cell == QUOTED else cell for cell in cells]
+    return [cells[index :: width + 1] for index in range(width)]
