@@ -35,6 +35,10 @@ def read_leaf(leaf: "Leaf", raw: "Any", address: str, context: "Context") -> Bou
         raw = _resolved(raw, address, context)
     if leaf.choice is not None:
         return _choice(leaf, raw)
+    if context.points and isinstance(raw, str) and leaf.kind.form == "vector" and leaf.kind.unit == "m":
+        from dynamics_cli.core.inputs.sources.named_points import coordinates
+
+        raw = coordinates(raw, context.points)
     reader = _FORMS.get(leaf.kind.form, _scalar)
     return reader(leaf.kind, raw, address, context)
 
