@@ -6,12 +6,12 @@ from dynamics_cli.numerics.elementary import absolute
 
 def torque_of(torque: float | None, power: float | None, speed: float | None) -> float | None:
     """The torque as given, or power over speed; None if neither is given."""
-    require(torque is None or power is None, "torque and power are both given", code="load", hint="give one of them")
+    require(torque is None or power is None, "both torque and power are given", code="load", hint="give one of them")
     if power is None:
         return torque
     require(
         speed is not None and absolute(speed) > 0.0,
-        "a power needs a speed to become a torque",
+        "a power gives a torque only with a speed",
         code="speed",
         hint="give --speed",
     )

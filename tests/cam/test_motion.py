@@ -286,7 +286,7 @@ def test_words_that_are_not_understood(line: str) -> None:
 def test_a_law_that_is_none_suggests_the_near_ones() -> None:
     with pytest.raises(UsageError, match="did you mean cycloidal or half-cycloid-start"):
         of("rise 20 mm in 90 deg cyclodal; return in 90 deg; dwell")
-    with pytest.raises(UsageError, match="'fancy': `dynamics cam laws` lists them"):
+    with pytest.raises(UsageError, match="'fancy'; `dynamics cam laws` lists all"):
         of("rise 20 mm in 90 deg fancy; return in 90 deg; dwell")
 
 

@@ -274,7 +274,7 @@ def test_an_allowance_greater_than_the_tooth_is_refused(internal: bool) -> None:
     kept = -0.5 * thickness
     measure(teeth=72, pitch=NormalModule(0.002), internal=internal, lower_allowance=kept)
     for upper, lower in ((-1.01 * thickness, None), (0.0, -1.01 * thickness)):
-        with pytest.raises(InadmissibleError, match="leaves nothing"):
+        with pytest.raises(InadmissibleError, match="removes more than"):
             measure(
                 teeth=72,
                 pitch=NormalModule(0.002),

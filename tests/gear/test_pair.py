@@ -263,11 +263,11 @@ def test_a_tooth_cannot_be_thinned_away() -> None:
     assert pair(first=Mate(17, thinning=0.99 * thickness), second=Mate(40), pitch=TWO).circumferential_backlash > 0.0
     # nothing is left where the involute begins: m_n·z·(ψ_b − inv α_Ff), 3.648 mm
     pair(first=Mate(17, thinning=3.6e-3), second=Mate(40), pitch=TWO)
-    with pytest.raises(InadmissibleError, match=r"vanish when thinned by 0\.00364834 m") as refused:
+    with pytest.raises(InadmissibleError, match=r"vanish at 0\.00364834 m") as refused:
         pair(first=Mate(17, thinning=3.7e-3), second=Mate(40), pitch=TWO)
     assert refused.value.code == "thinning"
 
 
 def test_a_distance_that_only_absurd_shifts_reach_is_refused_by_their_sum() -> None:
-    with pytest.raises(InadmissibleError, match="shortens the tips by 22"):
+    with pytest.raises(InadmissibleError, match="tips are shortened by 22"):
         pair(first=Mate(17), second=Mate(40), pitch=TWO, centre_distance=0.1)

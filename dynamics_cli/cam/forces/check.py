@@ -25,6 +25,7 @@ from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from typing import Any
 
     from dynamics_cli.cam.geometry.contact import Geometry
@@ -36,23 +37,24 @@ DEGREE = pi / 180.0
 
 @record
 class CamCheck:
-    """Verdicts, each with its decisive number and where it occurs."""
+    """Verdicts, each with the number that decides it and the cam angle where it occurs."""
 
-    fits: Annotated[bool, "Whether all limits are kept."]
-    binding: Annotated[Text, "The limits that are not kept."]
-    undercut: Annotated[bool, "Whether the curve of the cam cuts itself or has a cusp."]
+    fits: Annotated[bool, "Whether the cam is within all limits."]
+    binding: Annotated[Text, "The limits that are exceeded."]
+    undercut: Annotated[bool, "Whether the cam profile crosses itself or has a cusp."]
     undercut_stretches: Annotated[
-        Count, "How many stretches of the envelope run backwards; zero where flanks far apart cut each other."
+        Count, "Number of stretches where the envelope runs backwards; zero if only flanks far apart cross each other."
     ]
-    pieces_cut_off: Annotated[Count | None, "Pieces that an undercut cuts off the cam."]
+    pieces_cut_off: Annotated[Count | None, "Number of pieces that the undercut cuts off the cam."]
     lift_lost: Annotated[
         Coordinate | None,
-        "Maximum lift that an undercut costs a sliding follower; on an outer flank, how far it can overshoot [m].",
+        "Maximum lift that a sliding follower loses to undercutting; on an outer flank, its possible overshoot [m].",
     ]
     swing_lost: Annotated[
-        Angle | None, "Maximum swing that an undercut costs an arm; on an outer flank, how far it can overshoot [rad]."
+        Angle | None,
+        "Maximum swing that an arm loses to undercutting; on an outer flank, its possible overshoot [rad].",
     ]
-    lost_at: Annotated[Angle | None, "Cam angle where most is lost [rad]."]
+    lost_at: Annotated[Angle | None, "Cam angle of the maximum loss [rad]."]
     least_convex_radius: Annotated[
         Coordinate | None, "Minimum radius of curvature of the cam where the pitch curve is convex [m]."
     ]
@@ -61,19 +63,19 @@ class CamCheck:
         Coordinate | None, "Minimum radius of curvature of the cam where it is concave [m]."
     ]
     least_concave_radius_at: Annotated[Angle | None, "Cam angle there [rad]."]
-    curvature_kept: Annotated[bool | None, "Whether the given minimum radius is kept."]
+    curvature_kept: Annotated[bool | None, "Whether the radius of curvature stays above the given minimum."]
     largest_pressure_angle: Annotated[Angle, "Maximum pressure angle, compared with the limit of the rise [rad]."]
     largest_pressure_angle_at: Annotated[Angle, "Cam angle there [rad]."]
     least_pressure_angle: Annotated[Angle, "Minimum pressure angle, compared with the limit of the return [rad]."]
     least_pressure_angle_at: Annotated[Angle, "Cam angle there [rad]."]
-    pressure_angle_kept: Annotated[bool, "Whether both limits of pressure angle are kept."]
+    pressure_angle_kept: Annotated[bool, "Whether the pressure angle stays within both limits."]
     face_width: Annotated[Size | None, "Length of the flat face that the cam touches [m]."]
     face_kept: Annotated[bool | None, "Whether the given flat face is long enough."]
-    velocity_jumps: Annotated[Count, "Joints where the follower's velocity jumps: an infinite force."]
-    acceleration_jumps: Annotated[Count, "Joints where its acceleration jumps."]
+    velocity_jumps: Annotated[Count, "Number of joints where the follower's velocity jumps (an infinite force)."]
+    acceleration_jumps: Annotated[Count, "Number of joints where its acceleration jumps."]
     jump_speed: Annotated[ShaftSpeed | None, "Speed of the cam at which the follower leaves it [rad/s]."]
-    jump_at: Annotated[Angle | None, "Cam angle where it leaves [rad]."]
-    jump_kept: Annotated[bool | None, "Whether the follower stays on the cam at the speed given."]
+    jump_at: Annotated[Angle | None, "Cam angle where it leaves the cam [rad]."]
+    jump_kept: Annotated[bool | None, "Whether the follower stays on the cam at the given speed."]
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
 
@@ -84,53 +86,53 @@ def check(
     *,
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
     follower: Annotated[Follower, "The follower and where it stands."],
-    rotation: Annotated[Rotation, "Which way the cam turns."] = CCW,
+    rotation: Annotated[Rotation, "Sense of rotation of the cam."] = CCW,
     flank: Annotated[Flank, "The inner surface, that of a disc cam, or the outer flank of a closed track."] = INNER,
     rise_limit: Annotated[Angle, "Largest positive pressure angle allowed [rad]."] = 30.0 * DEGREE,
     return_limit: Annotated[Angle, "Largest negative pressure angle allowed [rad]."] = 30.0 * DEGREE,
     least_radius: Annotated[Size, "Minimum radius of curvature allowed, convex or concave [m]."] = 0.0,
     face_width: Annotated[Size | None, "Length of the flat face, e.g. 25 mm [m]."] = None,
-    mass: Annotated[Mass | None, "Mass that a sliding follower moves, for the jump, e.g. 0.2 kg [kg]."] = None,
+    mass: Annotated[Mass | None, "Mass moving with a sliding follower, for the jump speed, e.g. 0.2 kg [kg]."] = None,
     spring_rate: Annotated[Stiffness | None, "Stiffness of its spring, e.g. 20 N/mm [N/m]."] = None,
     preload: Annotated[Force | None, "Force of the spring at zero lift, e.g. 100 N [N]."] = None,
     inertia: Annotated[
-        Inertia | None, "Moment of inertia of an arm about its pivot, for the jump, e.g. 0.002 kg*m^2 [kg*m^2]."
+        Inertia | None, "Moment of inertia of an arm about its pivot, for the jump speed, e.g. 0.002 kg*m^2 [kg*m^2]."
     ] = None,
     torsion_rate: Annotated[
-        TorsionStiffness | None, "Rate of an arm's spring about the pivot, e.g. 10 N*m/rad [N*m/rad]."
+        TorsionStiffness | None, "Rate of an arm's torsion spring at the pivot, e.g. 10 N*m/rad [N*m/rad]."
     ] = None,
     preload_torque: Annotated[Torque | None, "Torque of that spring at zero swing, e.g. 2 N*m [N*m]."] = None,
-    shaft_speed: Annotated[ShaftSpeed | None, "Speed of the cam to be checked, e.g. 1500 rpm [rad/s]."] = None,
-    safety: Annotated[Positive, "Factor by which the jump speed is to exceed the speed."] = 1.0,
+    shaft_speed: Annotated[ShaftSpeed | None, "Speed of the cam shaft to check, e.g. 1500 rpm [rad/s]."] = None,
+    safety: Annotated[Positive, "Required ratio of the jump speed to the speed."] = 1.0,
 ) -> CamCheck:
     """Certified verdicts about a cam: undercut and lost lift, pressure angle, curvature, face width, jump.
 
     Equation
     --------
-    Undercut where ds/dθ = w(1 − R_r κ_p) ≤ 0 (flat: R_b + s + s″ ≤ 0), or the curve crosses itself; lift lost: program
-    less the lift of the follower resting on the remaining corner; jump: ω² = min k(s + δ)/(−m s″) over s″ < 0,
+    Undercut where ds/dθ = w(1 − R_r κ_p) ≤ 0 (flat: R_b + s + s″ ≤ 0), or where the curve crosses itself; lift lost:
+    programmed lift less the lift of the follower on the remaining corner; jump: ω² = min k(s + δ)/(−m s″) over s″ < 0,
     for an arm with its inertia and torques.
 
     Returns
     -------
     CamCheck
-        Verdicts with their decisive numbers and places.
+        The verdicts, with the numbers that decide them and the cam angles where they occur.
 
     Raises
     ------
     InadmissibleError
-        When the cam is impossible, or the jump lacks mass, stiffness or preload (of an arm:
-        inertia, torsion rate or preload torque).
+        When the cam is impossible, or the jump speed lacks mass, stiffness or preload (for an arm: inertia, torsion
+        rate or preload torque).
 
     Notes
     -----
-    Verdicts do not depend on sampling: extremes come from Chebyshev proxies of every piece of every law, their errors
-    proved on discs of the complex plane, with bounds on derivatives that exclude any missed extremum. A cusp counts as
-    undercut; if rounding cannot decide whether there is one, an advice says so. Corners of an undercut cam are
-    crossings of its envelope, found by halving and Newton's method however small the undercut and even where several
-    merge; the edge is followed from corner to corner, so that a lobe cut off at its neck is recognised. The lift lost
-    is the largest gap on them, by Chebyshev proxies whose remainder is estimated, to 3e-15 of the cam's size (1e-12
-    where a loop is too small to separate its corner from its ends).
+    Nothing depends on sampling. Extremes come from Chebyshev proxies of every piece of every law. Errors of the proxies
+    are proved on discs of the complex plane, and bounds on derivatives exclude a missed extremum. A cusp counts as
+    undercut; where rounding leaves it undecided, an advice says so. The corners of an undercut cam are crossings of its
+    envelope. Bisection and Newton's method find them, however small the undercut, even where several merge. The edge
+    is followed from corner to corner, which shows where a lobe is cut off at its neck. The lift lost is the maximum gap
+    at a corner, from Chebyshev proxies with an estimated remainder of 3e-15 of the cam's size (1e-12 where a loop is
+    too small to separate its corner from its ends).
 
     References
     ----------
@@ -163,49 +165,48 @@ def check(
     )
     analysis = analyse(geometry, motion)
     (high, high_at), (low, low_at) = analysis.pressure.largest(), analysis.pressure.smallest()
-    round_, round_at = convex(geometry, analysis)
-    hollow, hollow_at = concave(geometry, analysis)
+    convex_radius, convex_at = convex(geometry, analysis)
+    concave_radius, concave_at = concave(geometry, analysis)
     forward = runs_forward(geometry, analysis)
     loss = lift_lost(geometry, motion, forward=forward)
     lost = None if loss is None or isinf(loss.lift) else loss.lift
     face = None if analysis.along is None else analysis.along.largest()[0] - analysis.along.smallest()[0]
-    jumps = joint_jumps(motion)
+    velocity_jumps, acceleration_jumps = joint_jumps(motion)
     slide, arm = (mass, spring_rate, preload), (inertia, torsion_rate, preload_torque)
     jump = asked_jump(motion, slide, arm, asked=shaft_speed is not None)
-    limits = (rise_limit, return_limit, least_radius, face_width)
-    passed = _kept(loss is None, (high, low), (round_, hollow), face, limits)
-    passed["velocity jump"] = jumps[0] == 0
-    passed["jump speed"] = (
-        jump is None or shaft_speed is None or jump[0] is None or jump[0] >= safety * abs(shaft_speed)
-    )
-    wrong = [name for name, good in passed.items() if not good]
+    radii = [radius for radius in (convex_radius, concave_radius) if radius is not None]
+    values = Decisive(high, low, min(radii, default=None), face, velocity_jumps, None if jump is None else jump[0])
+    needed_speed = None if shaft_speed is None else safety * abs(shaft_speed)
+    limits = Limits(rise_limit, return_limit, least_radius, face_width, needed_speed)
+    kept = {"undercut": loss is None, **_kept(values, limits)}
+    exceeded = [name for name, within in kept.items() if not within]
     return CamCheck(
-        fits=not wrong,
-        binding=", ".join(wrong) if wrong else "nothing",
+        fits=not exceeded,
+        binding=", ".join(exceeded) if exceeded else "nothing",
         undercut=loss is not None,
         undercut_stretches=0 if loss is None else len(loss.stretches),
         pieces_cut_off=None if loss is None else loss.pieces,
         lift_lost=None if geometry.oscillating else lost,
         swing_lost=lost if geometry.oscillating else None,
         lost_at=None if loss is None or lost is None else loss.at,
-        least_convex_radius=round_,
-        least_convex_radius_at=round_at,
-        least_concave_radius=hollow,
-        least_concave_radius_at=hollow_at,
-        curvature_kept=passed["least radius of curvature"],
+        least_convex_radius=convex_radius,
+        least_convex_radius_at=convex_at,
+        least_concave_radius=concave_radius,
+        least_concave_radius_at=concave_at,
+        curvature_kept=kept["least radius of curvature"],
         largest_pressure_angle=high,
         largest_pressure_angle_at=high_at,
         least_pressure_angle=low,
         least_pressure_angle_at=low_at,
-        pressure_angle_kept=passed["rise limit"] and passed["return limit"],
+        pressure_angle_kept=kept["rise limit"] and kept["return limit"],
         face_width=face,
-        face_kept=None if face_width is None else passed["face width"],
-        velocity_jumps=jumps[0],
-        acceleration_jumps=jumps[1],
+        face_kept=None if face_width is None else kept["face width"],
+        velocity_jumps=velocity_jumps,
+        acceleration_jumps=acceleration_jumps,
         jump_speed=None if jump is None else jump[0],
         jump_at=None if jump is None else jump[1],
-        jump_kept=None if jump is None or shaft_speed is None else passed["jump speed"],
-        advice=(*_advice(geometry, wrong, loss, (round_, hollow), least_radius, jump), *_cusp(loss, forward)),
+        jump_kept=None if jump is None or shaft_speed is None else kept["jump speed"],
+        advice=(*_on_undercut(geometry, loss, forward=forward), *_on_limits(exceeded, values, limits), *_on_jump(jump)),
         numerics=Numerics(
             "Chebyshev proxies of every piece, every extreme certified",
             (
@@ -218,20 +219,38 @@ def check(
     )
 
 
-def _kept(
-    regular: bool, pressure: tuple[float, float], radii: "tuple[float | None, float | None]", face: float | None,
-    limits: "tuple[float, float, float, float | None]",
-) -> "dict[str, bool]":  # fmt: skip
-    """Which limits a cam keeps, within rounding."""
-    high, low = pressure
-    rise_limit, return_limit, least_radius, face_width = limits
-    tightest = min((radius for radius in radii if radius is not None), default=None)
+@record
+class Decisive:
+    """The numbers that decide the verdicts."""
+
+    high: Angle
+    low: Angle
+    radius: Coordinate | None
+    face: Size | None
+    velocity_jumps: Count
+    jump_speed: ShaftSpeed | None
+
+
+@record
+class Limits:
+    """The limits for them."""
+
+    rise: Angle
+    return_: Angle
+    radius: Size
+    face: Size | None
+    speed: ShaftSpeed | None
+
+
+def _kept(values: Decisive, limits: Limits) -> "dict[str, bool]":
+    """Which limits are kept, within rounding."""
     return {
-        "undercut": regular,
-        "rise limit": high <= rise_limit * (1.0 + 1e-12),
-        "return limit": -low <= return_limit * (1.0 + 1e-12),
-        "least radius of curvature": tightest is None or tightest >= least_radius * (1.0 - 1e-12),
-        "face width": face_width is None or face is None or face <= face_width,
+        "rise limit": values.high <= limits.rise * (1.0 + 1e-12),
+        "return limit": -values.low <= limits.return_ * (1.0 + 1e-12),
+        "least radius of curvature": values.radius is None or values.radius >= limits.radius * (1.0 - 1e-12),
+        "face width": limits.face is None or values.face is None or values.face <= limits.face,
+        "velocity jump": values.velocity_jumps == 0,
+        "jump speed": limits.speed is None or values.jump_speed is None or values.jump_speed >= limits.speed,
     }
 
 
@@ -247,61 +266,69 @@ def _jump_bound(jump: "tuple[float | None, float | None, float] | None") -> tupl
     return (ErrorBound("jump_speed", jump[2] / jump[0]),)
 
 
-def _cusp(loss: "Any", forward: bool) -> tuple[Advice, ...]:
-    """Advice on a curve that is not undercut as computed, but may be within its error."""
-    if loss is not None or forward:
-        return ()
-    message = "the cam has a cusp, to the accuracy of the calculation"
-    return (Advice("cusp", message, "caution", "raise the base radius a little"),)
-
-
-def _undercut(geometry: "Geometry", loss: "Any") -> Advice:
-    """Advice on the lift lost to an undercut."""
+def _on_undercut(geometry: "Geometry", loss: "Any", *, forward: bool) -> "list[Advice]":
+    """Advice on the lift lost to undercutting, or on a cusp that rounding leaves undecided."""
+    if loss is None:
+        message = "the cam has a cusp, to the accuracy of the calculation"
+        return [] if forward else [Advice("cusp", message, "caution", "raise the base radius a little")]
     arm = geometry.oscillating
     remedy = "raise the base radius, take a smaller roller, or give the motion a larger angle"
     if isinf(loss.lift):
         message = "the cam is undercut: no surface remains to support the follower"
-        return Advice("undercut", message, "serious", remedy, "swing_lost" if arm else "lift_lost")
-    template = "the cam is undercut: it loses {amount:6} of {what}"
+        return [Advice("undercut", message, "serious", remedy, "swing_lost" if arm else "lift_lost")]
+    template = "the cam is undercut: {amount:6} of {travel} is lost"
     if geometry.side < 0.0:
-        template = "the outer flank is undercut: the follower can overshoot by {amount:6} of {what}"
+        template = "the outer flank is undercut: the follower can overshoot by {amount:6} of {travel}"
     if loss.pieces:
         template += ", and a piece of the cam is cut off"
-    amount = (loss.lift, Angle if arm else Coordinate)
-    return Advice("undercut", worded(template, amount=amount, what="swing" if arm else "lift"), "serious", remedy)
+    message = worded(template, amount=(loss.lift, Angle if arm else Coordinate), travel="swing" if arm else "lift")
+    return [Advice("undercut", message, "serious", remedy)]
 
 
-def _advice(
-    geometry: "Geometry", wrong: list[str], loss: "Any", radii: "tuple[float | None, float | None]",
-    least_radius: float, jump: "Any",
-) -> tuple[Advice, ...]:  # fmt: skip
-    advice = [] if loss is None else [_undercut(geometry, loss)]
+def _on_limits(exceeded: "Sequence[str]", values: Decisive, limits: Limits) -> "list[Advice]":
+    """Advice on every limit that is exceeded, with the number beside the limit."""
+    joints = "1 joint" if values.velocity_jumps == 1 else f"{values.velocity_jumps} joints"
     messages = {
-        "rise limit": "raise the base radius, offset the follower, or give the rise a larger angle",
-        "return limit": "raise the base radius, offset the follower, or give the return a larger angle",
-        "face width": "a longer face, or a slower motion",
-        "velocity jump": "choose laws whose velocities join",
-        "jump speed": "a stiffer spring, a larger preload or a lighter follower",
-    }
-    advice += [
-        Advice(name.replace(" ", "-"), f"the {name} is not kept", "serious", messages[name])
-        for name in wrong
-        if name in messages
-    ]
-    if "least radius of curvature" in wrong:
-        tightest = min(radius for radius in radii if radius is not None)
-        advice.append(
-            Advice(
-                "curvature",
-                worded(
-                    "the minimum radius of curvature, {radius:6}, is below the limit of {limit:6}",
-                    radius=(tightest, Coordinate), limit=(least_radius, Size),
-                ),
-                "serious",
-                "raise the base radius; `dynamics cam size` finds the smallest one",
-            )
-        )  # fmt: skip
-    if jump is not None and jump[0] is None:
-        message = "the follower never slows down: it cannot leave the cam"
-        advice.append(Advice("no-jump", message, "note", result="jump_speed"))
-    return tuple(advice)
+        "rise limit": (
+            "the pressure angle reaches {value:6}, beyond the rise limit of {limit:6}",
+            (values.high, Angle), (limits.rise, Angle),
+            "raise the base radius, offset the follower, or give the rise a larger angle",
+        ),
+        "return limit": (
+            "the pressure angle reaches {value:6}, beyond the return limit of {limit:6}",
+            (values.low, Angle), (-limits.return_, Angle),
+            "raise the base radius, offset the follower, or give the return a larger angle",
+        ),
+        "face width": (
+            "the flat face is too short: the cam touches {value:6} of it, and its length is {limit:6}",
+            (values.face, Size), (limits.face, Size),
+            "take a longer face or a slower motion",
+        ),
+        "velocity jump": (
+            "the velocity jumps at {value}: the force there is infinite",
+            joints, "",
+            "choose laws whose velocities join",
+        ),
+        "jump speed": (
+            "the follower leaves the cam at {value:6}, below the required {limit:6}",
+            (values.jump_speed, ShaftSpeed), (limits.speed, ShaftSpeed),
+            "take a stiffer spring, a larger preload or a lighter follower",
+        ),
+        "least radius of curvature": (
+            "the minimum radius of curvature, {value:6}, is below the limit of {limit:6}",
+            (values.radius, Coordinate), (limits.radius, Size),
+            "raise the base radius; `dynamics cam size` finds the smallest one",
+        ),
+    }  # fmt: skip
+    advice = []
+    for name, (template, value, limit, remedy) in messages.items():
+        if name in exceeded:
+            code = "curvature" if name == "least radius of curvature" else name.replace(" ", "-")
+            advice.append(Advice(code, worded(template, value=value, limit=limit), "serious", remedy))
+    return advice
+
+
+def _on_jump(jump: "Any") -> tuple[Advice, ...]:
+    if jump is None or jump[0] is not None:
+        return ()
+    return (Advice("no-jump", "the follower never slows down: it cannot leave the cam", "note", result="jump_speed"),)

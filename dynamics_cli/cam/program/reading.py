@@ -28,15 +28,15 @@ __all__ = ["Move", "Point", "Program", "Segment", "exact_degrees", "motion_of", 
 
 
 def motion_of(scene: Program, program: str = "") -> Motion:
-    """Give the motion of a program, from records or from one line of text.
+    """The motion of a program, from records or from one line of text.
 
-    `scene`: records, without segments if a line is given; `program`: segments separated by semicolons: `rise 20 mm in
-    90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell`. Returns the motion, closed over one turn. Raises
-    InadmissibleError when no program or two are given, its words are not understood, its spans do not make one turn, it
-    does not return to its start, or a law lacks an input.
+    `scene`: records, without segments if a line is given; `program`: segments separated by semicolons, as in `rise 20
+    mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell`. The motion is closed over one turn. Raises
+    InadmissibleError when there is no program or more than one, when a clause cannot be read, when the spans do not add
+    up to one turn, when the follower does not return to its start, or when a law lacks an input.
 
-    Spans are kept as exact numbers of degrees: those of records are converted back from radians to the shortest decimal
-    that gives the same double.
+    Spans are exact numbers of degrees. Those of records arrive in radians and are converted back to the shortest
+    decimal that gives the same double.
 
     Examples
     --------
@@ -44,8 +44,14 @@ def motion_of(scene: Program, program: str = "") -> Motion:
     6.283185307179586
     """
     require(
-        bool(scene.segments) != bool(program.strip()),
-        "two programs are given, segments and --program" if scene.segments else "no program is given",
+        not scene.segments or not program.strip(),
+        "both segments and --program are given",
+        code="program",
+        hint="leave one of them out",
+    )
+    require(
+        bool(scene.segments) or bool(program.strip()),
+        "no program is given",
         code="program",
         hint='give a file or --program "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg; dwell"',
     )
@@ -57,13 +63,13 @@ def motion_of(scene: Program, program: str = "") -> Motion:
 
         steps, written_start = read_program(program)
         start = written_start or start
-    return _joined(steps, start)
+    return _motion(steps, start)
 
 
 def program_of(line: str) -> Program:
-    """Give the records of a program written in one line.
+    """The records of a program written in one line, with spans in radians.
 
-    Returns its segments, with spans in radians. Raises UsageError where a clause is not understood.
+    Raises UsageError when a clause cannot be read.
 
     Examples
     --------
@@ -86,14 +92,14 @@ def program_of(line: str) -> Program:
 
 
 def exact_degrees(angle: float) -> "Exact":
-    """The degrees that a user wrote for this double in radians: the shortest decimal that gives it."""
+    """The degrees behind an angle in radians: the shortest decimal that gives the same double."""
     degrees = angle * (180.0 / pi)
     for parts in (1, 60, 3600):
         for digits in (6, 10, 15):
             top, bottom = _decimal(f"{degrees * parts:.{digits}g}")
-            off = abs(radians((top, bottom * parts))[0] - angle)
+            error = abs(radians((top, bottom * parts))[0] - angle)
             # With up to ten digits one rounding of an earlier conversion is tolerated.
-            if off == 0.0 or (digits <= 10 and off <= 2.0**-52 * abs(angle)):
+            if error == 0.0 or (digits <= 10 and error <= 2.0**-52 * abs(angle)):
                 return top, bottom * parts
     top, bottom = angle.as_integer_ratio()
     return from_radians((top, bottom))
@@ -116,65 +122,65 @@ def _plus(a: "Exact", b: "Exact", sign: int = 1) -> "Exact":
 
 
 def _spans(steps: "Sequence[Step]") -> "list[Exact]":
-    """Every segment's span; the segment without one gets the rest of the turn."""
+    """The span of every segment; a segment without one takes the remainder of the turn."""
     total: Exact = (0, 1)
     for number, step in enumerate(steps, 1):
         if step.span is not None:
             width = step.span[0] / step.span[1]
             require(
                 width >= SHORTEST * 360.0,
-                "segment {number} spans {width}; wanted a positive span of at least {least:2}",
+                "segment {number}: the span of {width} is too small; the minimum is {least:2}",
                 number=number,
                 width=(width * DEGREE, Angle),
                 least=(SHORTEST * 2.0 * pi, Angle),
                 code="span",
             )
             total = _plus(total, step.span)
-    open_ = [i for i, step in enumerate(steps) if step.span is None]
+    unspanned = [i for i, step in enumerate(steps) if step.span is None]
     remainder = _plus(FULL, total, -1)
-    rest = remainder[0] / remainder[1]
+    remaining = remainder[0] / remainder[1]
     require(
-        len(open_) <= 1,
-        "segments {numbers} give no span; only one segment can take the rest of the turn",
-        numbers=", ".join(str(i + 1) for i in open_),
+        len(unspanned) <= 1,
+        "segments {numbers} have no span; only one segment can take the remainder of the turn",
+        numbers=", ".join(str(i + 1) for i in unspanned),
         code="span",
     )
     spans = [step.span or remainder for step in steps]
-    if open_:
+    if unspanned:
         require(
-            rest > CLOSED_WITHIN,
-            "the spans sum to {sum:10}: no angle remains for segment {number}",
-            sum=((360.0 - rest) * DEGREE, Angle),
-            number=open_[0] + 1,
+            remaining > CLOSED_WITHIN,
+            "the spans add up to {sum:10}: no angle remains for segment {number}",
+            sum=((360.0 - remaining) * DEGREE, Angle),
+            number=unspanned[0] + 1,
             code="turn",
-            hint="leave it out" if abs(rest) <= CLOSED_WITHIN else "shorten the others by {over:6}",
-            over=((SHORTEST * 360.0 - rest) * DEGREE, Angle),
+            hint="leave it out" if abs(remaining) <= CLOSED_WITHIN else "shorten the others by {over:6}",
+            over=((SHORTEST * 360.0 - remaining) * DEGREE, Angle),
         )
         return spans
     require(
-        abs(rest) <= CLOSED_WITHIN,
-        "the spans sum to {sum:10}, {off:6} {side} a turn",
-        sum=((360.0 - rest) * DEGREE, Angle),
-        off=(abs(rest) * DEGREE, Angle),
-        side="short of" if rest > 0.0 else "over",
+        abs(remaining) <= CLOSED_WITHIN,
+        "the spans add up to {sum:10}, {difference:6} {side} one turn",
+        sum=((360.0 - remaining) * DEGREE, Angle),
+        difference=(abs(remaining) * DEGREE, Angle),
+        side="short of" if remaining > 0.0 else "over",
         code="turn",
-        hint="add a dwell of {off:6}" if rest > 0.0 else "shorten the segments by {off:6}",
+        hint="add a dwell of {difference:6}" if remaining > 0.0 else "shorten the segments by {difference:6}",
     )
     spans[-1] = _plus(spans[-1], remainder)
     return spans
 
 
-def _joined(steps: "Sequence[Step]", start: "Exact") -> Motion:
+def _motion(steps: "Sequence[Step]", start: "Exact") -> Motion:
     require(bool(steps), "the program has no segments", code="program")
     swing = _swings(steps)
     spans = _spans(steps)
     levels = _levels(steps, swing)
-    offs = _offs(steps, levels, swing)
+    errors = _level_errors(steps, levels, swing)
     ends = [start]
     for span in spans:
         ends.append(_plus(ends[-1], span))
     laws = [_law(step.segment, number) for number, step in enumerate(steps, 1)]
-    joined = []
+    program = []
     for i, step in enumerate(steps):
         law, scale = laws[i], None
         segment = step.segment
@@ -183,9 +189,11 @@ def _joined(steps: "Sequence[Step]", start: "Exact") -> Motion:
 
             width = radians(spans[i])[0]
             law, scale = fitted(i, steps, levels, [radians(span)[0] for span in spans], laws, width)
-        off = (offs[i], offs[i + 1])
-        joined.append(Span(ends[i], ends[i + 1], levels[i], levels[i + 1], law, str(segment.move), scale, off))
-    return Motion(joined, swing=swing)
+        level_errors = (errors[i], errors[i + 1])
+        program.append(
+            Span(ends[i], ends[i + 1], levels[i], levels[i + 1], law, str(segment.move), scale, level_errors)
+        )
+    return Motion(program, swing=swing)
 
 
 def _swings(steps: "Sequence[Step]") -> bool:
@@ -193,9 +201,9 @@ def _swings(steps: "Sequence[Step]") -> bool:
     lifts = [step.segment.lift is not None for step in steps]
     require(
         not (any(swings) and any(lifts)),
-        "the program has lifts and swings: a follower slides or oscillates, not both",
+        "the program has both lifts and swings: a follower either slides or oscillates",
         code="swing",
-        hint="write all as lengths, or all as angles",
+        hint="write all of them as lengths, or all as angles",
     )
     return any(swings)
 
@@ -205,70 +213,70 @@ def _levels(steps: "Sequence[Step]", swing: bool) -> "list[float]":
     for number, step in enumerate(steps, 1):
         segment = step.segment
         amount = segment.swing if swing else segment.lift
-        now = levels[-1]
+        level = levels[-1]
         if segment.move == "dwell":
             require(
                 amount is None and step.level is None,
-                "segment {number} is a dwell and has a lift",
+                "segment {number} is a dwell, which has no lift",
                 number=number,
                 code="dwell",
                 hint="leave the lift out, or make it a rise",
             )
-            levels.append(now)
+            levels.append(level)
             continue
         require(
             amount is not None or step.level is not None or segment.move == "return",
-            "segment {number} is a rise without a lift",
+            "segment {number}: the rise has no lift",
             number=number,
             code="lift",
-            hint="give its lift, for example rise 20 mm",
+            hint="give the lift, for example rise 20 mm",
         )
         require(
             amount is None or amount > 0.0,
-            "segment {number}: the {move} has a lift of {amount}; wanted a positive lift",
+            "segment {number}: the lift of the {move} is {amount}; it must be positive",
             number=number,
             move=segment.move,
             amount=_level(amount or 0.0, swing),
             code="lift",
         )
-        levels.append(_next_level(now, step, amount, number, swing))
+        levels.append(_next_level(level, step, amount, number, swing))
     _require_closed(levels, swing)
     levels[-1] = 0.0
     return levels
 
 
-def _next_level(now: float, step: Step, amount: float | None, number: int, swing: bool) -> float:
+def _next_level(level: float, step: Step, amount: float | None, number: int, swing: bool) -> float:
     rising = step.segment.move == "rise"
     if amount is not None:
-        then = now + amount if rising else now - amount
+        end = level + amount if rising else level - amount
         # 20 mm up, 5 mm and 15 mm down must end at the start although the doubles do not sum to zero.
-        return 0.0 if abs(then) <= 1e-12 * max(now, amount) else then
-    then = 0.0 if step.level is None else step.level
+        return 0.0 if abs(end) <= 1e-12 * max(level, amount) else end
+    end = 0.0 if step.level is None else step.level
     require(
-        then > now if rising else then < now,
-        "segment {number} is a {move} from {now:6} to {then:6}",
+        end > level if rising else end < level,
+        "segment {number}: a {move} cannot go from {start:6} to {end:6}",
         number=number,
         move=step.segment.move,
-        now=_level(now, swing),
-        then=_level(then, swing),
+        start=_level(level, swing),
+        end=_level(end, swing),
         code="lift",
-        hint="a dwell stays, a rise goes up and a return goes down",
+        hint="a rise goes up, a return goes down, a dwell stays",
     )
-    return then
+    return end
 
 
-def _offs(steps: "Sequence[Step]", levels: "list[float]", swing: bool) -> "list[float]":
-    """Errors of levels against the sums of the given lifts, which are doubles, and of lifts against the levels."""
-    offs, lifts = [0.0], [0.0]
+def _level_errors(steps: "Sequence[Step]", levels: "list[float]", swing: bool) -> "list[float]":
+    """Rounding errors of the levels, against exact sums of the given lifts."""
+    errors, lifts = [0.0], [0.0]
     for step, level in zip(steps, levels[1:], strict=True):
         amount = step.segment.swing if swing else step.segment.lift
         if amount is None:
-            # the previous level, or a given one: zero for a return without one
+            # a dwell stays; any other move sets a level, and a return without one goes to zero
             lifts = [level] if step.segment.move != "dwell" else lifts
         else:
             lifts.append(amount if step.segment.move == "rise" else -amount)
-        offs.append(abs(fsum((*lifts, -level))) * (1.0 + 2.0**-50))
-    return offs
+        errors.append(abs(fsum((*lifts, -level))) * (1.0 + 2.0**-50))
+    return errors
 
 
 def _level(level: float, swing: bool) -> "tuple[float, Any]":
@@ -277,11 +285,18 @@ def _level(level: float, swing: bool) -> "tuple[float, Any]":
 
 
 def _require_closed(levels: "list[float]", swing: bool) -> None:
-    most = max(abs(level) for level in levels)
-    require(most == 0.0 or SMALLEST < most < LARGEST, "a lift is outside the range of any cam", code="range")
+    highest = max(abs(level) for level in levels)
     require(
-        abs(levels[-1]) <= 1e-12 * most,
-        "the program ends {gap:6} from where it began: the cam would have a step",
+        highest == 0.0 or SMALLEST < highest < LARGEST,
+        "the lift of {lift} is outside the range of {least} to {most}",
+        lift=_level(highest, swing),
+        least=_level(SMALLEST, swing),
+        most=_level(LARGEST, swing),
+        code="range",
+    )
+    require(
+        abs(levels[-1]) <= 1e-12 * highest,
+        "the program ends {gap:6} from its start: the cam would have a step",
         gap=_level(levels[-1], swing),
         code="not-closed",
         hint="add a return" if levels[-1] > 0.0 else "add a rise",
@@ -289,33 +304,41 @@ def _require_closed(levels: "list[float]", swing: bool) -> None:
 
 
 def _law(segment: Segment, number: int) -> "Law | None":
-    """The law by its name, or None if it depends on the neighbours."""
+    """The law of a segment, or None if it depends on the neighbouring segments."""
     if segment.move == "dwell":
-        require(segment.law is None, "segment {number} is a dwell and has a law", number=number, code="dwell")
+        require(
+            segment.law is None,
+            "segment {number} is a dwell, which has no law",
+            number=number,
+            code="dwell",
+            hint="leave the law out",
+        )
         return None
     name = segment.law or "3-4-5"
-    fits = name in ("polynomial", "spline")
+    fitted = name in ("polynomial", "spline")
     states = (segment.start_velocity, segment.end_velocity, segment.start_acceleration, segment.end_acceleration)
     require(
-        fits or all(state is None for state in states),
-        "segment {number}: the law {name} has fixed velocities and accelerations at its ends",
+        fitted or all(state is None for state in states),
+        "segment {number}: the {name} law has fixed velocities and accelerations at its ends",
         number=number,
         name=name,
         code="law",
-        hint="take the law polynomial",
+        hint="use the polynomial law",
     )
     require(
         name == "spline" or not segment.points,
-        "segment {number}: the law {name} takes no points",
+        "segment {number}: the {name} law does not take points",
         number=number,
         name=name,
         code="law",
+        hint="use the spline law",
     )
     require(
         name == "polynomial" or segment.degree is None,
-        "segment {number}: the law {name} has no degree",
+        "segment {number}: the {name} law has no degree",
         number=number,
         name=name,
         code="law",
+        hint="use the polynomial law",
     )
-    return None if fits else law_named(name, segment.shares or None, segment.constant)
+    return None if fitted else law_named(name, segment.shares or None, segment.constant)

@@ -35,10 +35,9 @@ LONGEST = 40
 
 
 def read_program(text: str) -> "tuple[list[Step], Exact | None]":
-    """Segments of a program written as text, and its start angle if given.
+    """The segments of a program written as text, and its start angle in degrees if it has one.
 
-    `text`: the program. Returns the segments and the start in degrees. Raises UsageError where a clause is not
-    understood; the message names the clause and what was expected.
+    Raises UsageError when a clause cannot be read; the message quotes the clause and says what was expected.
     """
     steps: list[Step] = []
     start: Exact | None = None
@@ -108,7 +107,7 @@ def _read_law(words: "_Words", fields: "dict[str, Any]") -> None:
         fields["law"] = LawName(word)
     except ValueError:
         apart = "clauses are separated by semicolons; " if "," in words.clause else ""
-        words.fail(f"there is no law {word!r}: {apart}{_near_laws(word)}`dynamics cam laws` lists them")
+        words.fail(f"there is no law {word!r}; {apart}{_near_laws(word)}`dynamics cam laws` lists all")
     numbers = []
     while words.at_number():
         numbers.append(words.number())
@@ -131,7 +130,7 @@ def _place_numbers(words: "_Words", fields: "dict[str, Any]", numbers: "list[flo
     elif law == "modified-constant-velocity" and len(numbers) == 1:
         fields["constant"] = numbers[0]
     elif numbers:
-        words.fail(f"the law {law} does not take {len(numbers)} numbers")
+        words.fail(f"the {law} law does not take {len(numbers)} number{'s' * (len(numbers) > 1)}")
 
 
 class _Words:
@@ -155,10 +154,10 @@ class _Words:
         """The next word, or nothing."""
         return self.words[0] if self.words else ""
 
-    def take(self) -> str:
+    def take(self, wanted: str = "more") -> str:
         """The next word, which must exist."""
         if not self.words:
-            self.fail("the clause is not complete")
+            self.fail(f"the clause ends too early, wanted {wanted}")
         return self.words.pop(0)
 
     def skip(self, *fillers: str) -> bool:
@@ -179,7 +178,7 @@ class _Words:
 
     def number(self) -> "Exact":
         """The next word as an exact number."""
-        word = self.take()
+        word = self.take("a number")
         value = _ratio(word)
         if value is None:
             self.fail(f"read {word!r}, wanted a number")
@@ -188,22 +187,24 @@ class _Words:
     def amount(self) -> "tuple[float, bool]":
         """A length in metres, or an angle in radians."""
         top, bottom = self.number()
-        unit = self.take()
+        wanted = "a unit of length or angle, such as mm or deg"
+        unit = self.take(wanted)
         if unit in LENGTHS:
             a, b = LENGTHS[unit]
             return top * a / (bottom * b), False
-        return _as_radians(self._angle(top, bottom, unit)), True
+        return _as_radians(self._angle(top, bottom, unit, wanted)), True
 
     def angle(self) -> "Exact":
         """An angle in degrees, as an exact ratio."""
         top, bottom = self.number()
-        return self._angle(top, bottom, self.take())
+        wanted = "a unit of angle, such as deg"
+        return self._angle(top, bottom, self.take(wanted), wanted)
 
-    def _angle(self, top: int, bottom: int, unit: str) -> "Exact":
+    def _angle(self, top: int, bottom: int, unit: str, wanted: str) -> "Exact":
         if unit in ("rad", "radian", "radians"):
             return from_radians((top, bottom))
         if unit not in ANGLES:
-            self.fail(f"read {unit!r}, wanted a unit of angle such as deg" + (" or of length" if unit else ""))
+            self.fail(f"read {unit!r}, wanted {wanted}")
         a, b = ANGLES[unit]
         return top * a, bottom * b
 

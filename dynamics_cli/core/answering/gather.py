@@ -69,6 +69,12 @@ def over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal"
         raise UsageError("[units] names default units, one for each kind", parameter="units")
     folder = "" if file == "-" else os.path.dirname(file)
     reader = Reader(terminal.environ, folder=folder, units=units)
+    points = loaded.get("points") if "points" not in parameters else None
+    if isinstance(points, dict):
+        from dynamics_cli.core.inputs.sources.named_points import any_named
+
+        if any_named(points, [value for key, value in (*loaded.items(), *raw.items()) if key != "points"]):
+            reader.points = loaded.pop("points")
     if file != "-":
         reader.files.append(entry_of(file, data))
     below = parameters_of(loaded, parameters)

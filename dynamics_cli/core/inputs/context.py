@@ -30,6 +30,8 @@ class Context:
         # Which inputs are results of earlier documents: file, address there, and its covariance.
         self.origins: dict[str, tuple[str, str, Any]] = {}
         self.default_units: Mapping[str, str] = {}
+        # Points of the scene by their names.
+        self.points: Mapping[str, Any] = {}
         # How the caller writes the parameter at an address.
         self.spell: Callable[[str], str] = str
 
@@ -37,6 +39,11 @@ class Context:
         """Record how one input was interpreted, once for all numbers of a list."""
         list_address = address.rpartition("[")[0] if address.endswith("]") else address
         self.notes.extend(text for text in (f"{list_address}: {note}" for note in notes) if text not in self.notes)
+
+    def named(self, names: "Iterable[str]", value: "dict[str, Any]") -> "dict[str, Any]":
+        """The values of a record; without a name of its own it has that of the point where it is."""
+        point = str(value.get("at")).strip() if self.points else ""
+        return {"name": point, **value} if "name" in names and point in self.points else value
 
     def default_unit(self, kind: "Kind") -> str:
         """The unit that `[units]` gives to bare numbers of this kind, or nothing."""

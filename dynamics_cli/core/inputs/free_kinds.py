@@ -138,7 +138,7 @@ def _read(raw: "Any", address: str, context: "Context") -> VectorValue:
         if " from " in raw and " to " in raw:
             size, _, rest = raw.partition(" from ")
             start, _, end = rest.partition(" to ")
-            return _directed(size.strip(), _between(start, end, address, context), address, context)
+            return _directed(size.strip(), _between(*_placed(start, end, context), address, context), address, context)
     return _components(raw, address, context)
 
 
@@ -195,6 +195,17 @@ def _certain(raw: "Any", address: str, context: "Context") -> VectorValue:
     if type(vector) is not VectorValue or len(vector.si) == 1:
         raise UsageError("a direction is given by 2 or 3 certain numbers", code="direction", hint=HINT)
     return vector
+
+
+def _placed(start: str, end: str, context: "Context") -> "tuple[str, str]":
+    """Two points, those that the scene names as text of their coordinates."""
+    if not context.points:
+        return start, end
+    from dynamics_cli.core.inputs.sources.named_points import coordinates
+
+    places = (coordinates(text, context.points) for text in (start, end))
+    first, last = (", ".join(place) if isinstance(place, list) else place for place in places)
+    return first, last
 
 
 def _between(start: str, end: str, address: str, context: "Context") -> "tuple[float, ...]":

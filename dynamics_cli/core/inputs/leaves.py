@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 # Spellings of a flag where only text is possible: a table cell, a value of `name=value, …`.
 FLAGS = {"true": True, "yes": True, "1": True, "false": False, "no": False, "0": False}
+# With more than these a misspelt choice is answered by the nearest ones alone.
+MANY_CHOICES = 8
 
 
 def read_leaf(leaf: "Leaf", raw: "Any", address: str, context: "Context") -> Bound:
@@ -33,6 +35,10 @@ def read_leaf(leaf: "Leaf", raw: "Any", address: str, context: "Context") -> Bou
         raw = _resolved(raw, address, context)
     if leaf.choice is not None:
         return _choice(leaf, raw)
+    if context.points and isinstance(raw, str) and leaf.kind.form == "vector" and leaf.kind.unit == "m":
+        from dynamics_cli.core.inputs.sources.named_points import coordinates
+
+        raw = coordinates(raw, context.points)
     reader = _FORMS.get(leaf.kind.form, _scalar)
     return reader(leaf.kind, raw, address, context)
 
@@ -191,11 +197,15 @@ def _choice(leaf: "Leaf", raw: "Any") -> Bound:
     except ValueError:
         from dynamics_cli.core.units.near_names import nearest_words
 
-        near = nearest_words(raw, (*names, *leaf.choice.aliases))
+        # two spellings of one choice are one suggestion
+        near = list(
+            dict.fromkeys(str(leaf.choice(name)) for name in nearest_words(raw, (*names, *leaf.choice.aliases)))
+        )
         hint = f"did you mean {' or '.join(near)}?" if near else None
-        raise UsageError(
-            f"read {_brief(raw)}, wanted one of {', '.join(names)}", code="unknown-choice", hint=hint
-        ) from None
+        message = f"read {_brief(raw)}, wanted one of {', '.join(names)}"
+        if hint and len(names) > MANY_CHOICES:
+            message, hint = f"{_brief(raw)} is not one of the {len(names)} choices", f"{hint} --help lists all"
+        raise UsageError(message, code="unknown-choice", hint=hint) from None
     return Constant(chosen, str(chosen))
 
 

@@ -148,7 +148,7 @@ class Reader(Context):
             self._fail(address, f"{address}: read {value!r}, wanted named values", hint="an object such as {…}")
             return None
         if isinstance(node, Record):
-            return Fields(node.cls, self._object(node.fields, value, address))
+            return Fields(node.cls, self._object(node.fields, self.named(node.names, value), address))
         wrapper = Field("", node, ())
         if isinstance(node, OneOf):
             return self._one_of(wrapper, node, value, address, alone=True)

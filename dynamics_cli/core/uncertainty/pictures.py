@@ -37,7 +37,7 @@ def of_spread(
     panels = [_density(spread, axis, made.coverage, limits.get(spread.name, []))]
     if spread.tornado:
         panels.append(_tornado(made, spread, axis, inputs, names))
-    return Picture(tuple(panels), f"dynamics {task.path}: {axis.title}", distributions=len(panels))
+    return Picture(tuple(panels), f"{task.path}: distribution of {axis.title}", distributions=len(panels))
 
 
 def spreads_of(

@@ -188,11 +188,11 @@ def _require_allowances(upper: float | None, lower: float | None, gear: "Toothin
     if least is not None:
         require(
             least > -_thickness(gear),
-            "an allowance of {least:6} leaves nothing of teeth {thickness:6} thick",
+            "an allowance of {least:6} removes more than the tooth thickness of {thickness:6}",
             least=(plain(least), Size),
             thickness=(plain(_thickness(gear)), Size),
             code="allowances",
-            hint="an allowance reduces the tooth thickness a little, such as -0.05 mm",
+            hint="give a small negative allowance, such as -0.05 mm",
         )
     if upper is not None and lower is not None:
         require(
@@ -254,8 +254,7 @@ def _require_cut(
     except InadmissibleError as error:
         require(
             False,
-            "{name} of {size:6} would mean a profile shift of {shift:6}, which leaves no gear of {teeth} teeth: "
-            "{reason}",
+            "{name} of {size:6} would mean a profile shift of {shift:6}, impossible for {teeth} teeth: {reason}",
             name=name,
             size=(size, Size),
             shift=(shift, Ratio),

@@ -10,16 +10,16 @@ from dynamics_cli.quantities import Size
 
 
 def thinned_for(mesh: Engagement, first: Mate, second: Mate, backlash: float) -> tuple[Mate, Mate]:
-    """Both gears thinned equally for the backlash beyond that of the centre distance."""
+    """Both gears, thinned equally to add what the centre distance lacks in backlash."""
     require(
         plain(first.thinning) == 0.0 and plain(second.thinning) == 0.0,
-        "backlash and thinning are both given",
+        "both backlash and thinning are given",
         code="thinning",
         hint="give one of them: each follows from the other",
     )
     require(
         backlash >= mesh.backlash,
-        "the centre distance alone gives a backlash of {least:6}, more than {backlash:6}",
+        "the centre distance alone gives a backlash of {least:6}, which is more than {backlash:6}",
         least=(plain(mesh.backlash), Size),
         backlash=(plain(backlash), Size),
         code="backlash",
@@ -33,13 +33,13 @@ def thinned_for(mesh: Engagement, first: Mate, second: Mate, backlash: float) ->
 
 
 def as_cut(gear: Gear, thinning: float) -> Gear:
-    """The gear as its rack cuts it for thinner teeth, its blank the same."""
+    """The gear as its rack cuts thinner teeth into the same blank."""
     shift = generating_shift(gear, thinning)
     return gear if shift is None else with_shift(gear, shift, gear.tip_change + (gear.shift - shift))
 
 
 def generating_shift(gear: Gear, thinning: float) -> float | None:
-    """x_E = x − A_sn/(2 m_n tan α_n) of a gear whose teeth are thinned (ISO 21771)."""
+    """The shift x_E = x − A_sn/(2 m_n tan α_n) that thins the teeth (ISO 21771)."""
     if plain(thinning) == 0.0:
         return None
     change: float = 0.5 * thinning / (gear.module * tan(gear.rack.pressure_angle))
@@ -47,10 +47,10 @@ def generating_shift(gear: Gear, thinning: float) -> float | None:
 
 
 def total_backlash(mesh: Engagement, mates: tuple[Mate, Mate]) -> float:
-    """j_wt of the centre distance, and of the thinner teeth carried to the working circle; refuses jammed teeth."""
-    thinner = (mates[0].thinning + mates[1].thinning) / cos(mesh.first.helix_angle)
+    """Backlash j_wt on the working circles, from centre distance and thinned teeth; refuses jammed teeth."""
+    thinning = (mates[0].thinning + mates[1].thinning) / cos(mesh.first.helix_angle)
     reach = mesh.centre_distance / reference_distance(mesh.first, mesh.second)
-    total = mesh.backlash + thinner * reach
+    total = mesh.backlash + thinning * reach
     if plain(total) < -1e-2 * plain(mesh.first.module):
         require(
             False,

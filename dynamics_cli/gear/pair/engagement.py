@@ -79,11 +79,11 @@ def _require_tight(first: Gear, second: Gear) -> float:
     least = plain(-inv * total / (2.0 * tan(first.rack.pressure_angle)))
     require(
         value >= 0.0,
-        "inv α_w would be {involute:6}, below 0: the profile shifts sum to {shifts:6}, and these gears mesh "
-        "only {bound} {least:6}",
+        "inv α_w would be {involute:6}, below 0: the profile shifts add up to {shifts:6}, and these gears need "
+        "{bound} {least:6}",
         involute=(value, Ratio),
         shifts=(plain(first.shift + second.shift), Ratio),
-        bound="from" if total > 0 else "up to",
+        bound="at least" if total > 0 else "at most",
         least=(least, Ratio),
         change=(least - plain(first.shift + second.shift), Ratio),
         code="involute-below-zero",
@@ -156,7 +156,7 @@ def path(mesh: Engagement) -> Path:
     require(
         begin < stop,
         "the gears never touch at a centre distance of {distance:9} and a working pressure angle of {angle:6}: "
-        "contact would begin {gap:6} after it has ended",
+        "contact would begin {gap:6} after its end",
         distance=(abs(plain(mesh.centre_distance)), Size),
         angle=(plain(mesh.angle), Angle),
         gap=(plain(begin - stop), Size),

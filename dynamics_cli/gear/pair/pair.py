@@ -79,7 +79,7 @@ def pair(
     first_bearings: Annotated[Bearings | None, "Bearings of the first gear's shaft."] = None,
     second_bearings: Annotated[Bearings | None, "Bearings of the second gear's shaft."] = None,
 ) -> PairData:
-    """Two meshing gears: centre distance, contact, sliding, backlash, interference, forces.
+    """Two gears in mesh: centre distance, contact, sliding, backlash, interference and forces.
 
     Equation
     --------
@@ -89,19 +89,19 @@ def pair(
     Returns
     -------
     PairData
-        The pair, its path of contact, verdicts and forces.
+        The geometry of the pair, its path of contact, verdicts on interference, and forces.
 
     Raises
     ------
     InadmissibleError
-        When inv α_w would be negative, the centre distance is below that of the base circles or jams the teeth, a
-        ring has too few teeth, the gears never touch, or one gear is impossible on its own.
+        When inv α_w would be negative, when the centre distance is less than that of the base circles or jams the
+        teeth, when a ring has too few teeth, when the gears never touch, or when one gear is impossible by itself.
 
     Notes
     -----
-    Geometry without deviations or deflection. Strength (ISO 6336, AGMA 2001) is not rated. As α_wt → 0 the centre
-    distance depends on the shifts as inv α_t/tan α_wt, and its bound says so. The efficiency is Ohlendorf's estimate
-    with a constant coefficient of friction, for contact ratios between 1 and 2.
+    The geometry is nominal, without deviations or deflection. Strength (ISO 6336, AGMA 2001) is not rated. As α_wt → 0
+    the centre distance becomes ever more sensitive to the shifts (as inv α_t/tan α_wt), and its error bound grows with
+    it. The efficiency is Ohlendorf's estimate for a constant coefficient of friction and a contact ratio from 1 to 2.
 
     References
     ----------
@@ -114,10 +114,10 @@ def pair(
     >>> round(1e3 * answer.centre_distance, 4)
     56.4999
     """
-    lean = absolute(helix_angle)
-    angle = normal_pressure_angle(pressure_angle, transverse_pressure_angle, lean)
+    helix = absolute(helix_angle)
+    angle = normal_pressure_angle(pressure_angle, transverse_pressure_angle, helix)
     rack = basic_rack(profile, angle, addendum_factor, dedendum_factor, root_radius_factor)
-    module = module_of(pitch, lean)
+    module = module_of(pitch, helix)
     gears = [
         signed_gear(
             mate.teeth,
@@ -125,7 +125,7 @@ def pair(
             rack,
             internal=ring,
             sign=shift_sign,
-            helix_angle=lean,
+            helix_angle=helix,
             shift=0.0 if mate.profile_shift is None else mate.profile_shift,
         )
         for mate, ring in ((first, False), (second, internal))
@@ -134,17 +134,18 @@ def pair(
     if backlash is not None:
         first, second = thinned_for(mesh, first, second, backlash)
         mesh, tip_change = engaged(gears[0], gears[1], first, second, centre_distance, split, tips)
-    play = total_backlash(mesh, (first, second))
+    actual_backlash = total_backlash(mesh, (first, second))
     cut = as_cut(mesh.first, first.thinning), as_cut(mesh.second, second.thinning)
     contact_path = path(mesh)
-    load = torque_of(torque, power, speed)
-    interference = verdicts(mesh, contact_path, play, cut, root_radius_factor)
-    forces = None if load is None else tooth_forces(mesh, load, _own_hand(hand, helix_angle))
-    return _result(mesh, contact_path, tip_change, interference, forces, load, speed, friction, face_width,
-                   (first, second), (first_bearings, second_bearings), pitch, play)  # fmt: skip
+    input_torque = torque_of(torque, power, speed)
+    interference = verdicts(mesh, contact_path, actual_backlash, cut, root_radius_factor)
+    forces = None if input_torque is None else tooth_forces(mesh, input_torque, _first_hand(hand, helix_angle))
+    return _result(mesh, contact_path, tip_change, interference, forces, input_torque, speed, friction, face_width,
+                   (first, second), (first_bearings, second_bearings), pitch, actual_backlash)  # fmt: skip
 
 
-def _own_hand(hand: Hand, helix_angle: float) -> str:
+def _first_hand(hand: Hand, helix_angle: float) -> str:
+    """The hand of the first gear; a negative helix angle turns it round."""
     return str(hand) if plain(helix_angle) >= 0.0 else ("left" if hand == "right" else "right")
 
 
@@ -159,7 +160,7 @@ def _result(
     friction: float,
     face_width: float | None,
     mates: tuple[Mate, Mate],
-    spans: tuple[Bearings | None, Bearings | None],
+    bearings: tuple[Bearings | None, Bearings | None],
     pitch: object,
     backlash: float,
 ) -> PairData:
@@ -172,10 +173,11 @@ def _result(
     losses = loss_factor(mesh, contact_path)
     require(
         friction * losses < 1.0,
-        "a friction coefficient of {friction:6} would lose {loss:6} times the power",
+        "with a coefficient of friction of {friction:6} the losses would be {loss:6} times the power",
         friction=(friction, Ratio),
         loss=(friction * losses, Ratio),
         code="friction",
+        hint="lubricated gears have about 0.03 to 0.1",
     )
     common = gcd(first_gear.teeth, second_gear.teeth)
     turns = None if speed is None else absolute(speed) / (2.0 * pi_beside(speed))
@@ -222,7 +224,7 @@ def _result(
         torque=torque,
         second_torque=None if torque is None else torque * abs(second_gear.teeth) / first_gear.teeth,
         forces=forces,
-        bearings=_bearings(forces, working, spans),
+        bearings=_bearing_loads(forces, working, bearings),
         points=tuple(_points(mesh, contact_path, working[0], speed)),
         verdicts=interference,
         checks=_checks(mesh),
@@ -231,6 +233,7 @@ def _result(
 
 
 def _points(mesh: Engagement, contact_path: Path, working: float, speed: float | None) -> "list[ContactPoint]":
+    """Diameters, curvatures and sliding at the five points of the path of contact."""
     pitch = mesh.first.base_pitch
     places = (
         ("A", contact_path.start),
@@ -241,20 +244,19 @@ def _points(mesh: Engagement, contact_path: Path, working: float, speed: float |
     )
     points = []
     for name, curvature in places:
-        other = mesh.line - curvature
-        away = curvature - mesh.pitch_curvature
-        # 1 + 1/u
-        factor = 2.0 * away * ((mesh.first.teeth + mesh.second.teeth) / mesh.second.teeth) / working
+        second_curvature = mesh.line - curvature
+        path_length = curvature - mesh.pitch_curvature
+        factor = 2.0 * path_length * ((mesh.first.teeth + mesh.second.teeth) / mesh.second.teeth) / working
         first_sliding, second_sliding = specific_sliding(mesh, curvature)
-        base, wide = 0.5 * mesh.first.base_diameter, 0.5 * mesh.second.base_diameter
+        base1, base2 = 0.5 * mesh.first.base_diameter, 0.5 * mesh.second.base_diameter
         points.append(
             ContactPoint(
                 name,
-                away,
-                2.0 * sqrt(base * base + curvature * curvature),
-                2.0 * sqrt(wide * wide + other * other),
+                path_length,
+                2.0 * sqrt(base1 * base1 + curvature * curvature),
+                2.0 * sqrt(base2 * base2 + second_curvature * second_curvature),
                 absolute(curvature),
-                absolute(other),
+                absolute(second_curvature),
                 factor,
                 None if speed is None else 0.5 * factor * working * absolute(speed),
                 first_sliding,
@@ -264,27 +266,27 @@ def _points(mesh: Engagement, contact_path: Path, working: float, speed: float |
     return points
 
 
-def _bearings(
-    forces: ToothForces | None, working: tuple[float, float], spans: tuple[Bearings | None, Bearings | None]
+def _bearing_loads(
+    forces: ToothForces | None, working: tuple[float, float], bearings: tuple[Bearings | None, Bearings | None]
 ) -> tuple[BearingLoad, ...] | None:
-    if spans[0] is None and spans[1] is None:
+    if bearings[0] is None and bearings[1] is None:
         return None
     require_given(
         forces is not None,
-        "bearings carry the forces of a torque, and none is given",
+        "loads of the bearings need a torque",
         ("torque",),
         ("power", "speed"),
         code="load",
     )
     loads: tuple[BearingLoad, ...] = ()
-    for name, diameter, span in zip(("first", "second"), working, spans, strict=True):
-        if span is not None:
-            loads += bearing_loads(name, forces, 0.5 * absolute(diameter), span)  # type: ignore[arg-type]
+    for name, diameter, shaft in zip(("first", "second"), working, bearings, strict=True):
+        if shaft is not None:
+            loads += bearing_loads(name, forces, 0.5 * absolute(diameter), shaft)  # type: ignore[arg-type]
     return loads
 
 
 def _checks(mesh: Engagement) -> tuple[Check, ...]:
-    """Check that the working pitch circles touch, and that both base circles give the same pressure angle."""
+    """Check that working pitch circle and base circle of the first gear agree."""
     from dynamics_cli.numerics.elementary import cos as cosine
 
     pinion_base = plain(mesh.working_diameter(mesh.first)) * cosine(plain(mesh.angle))

@@ -146,11 +146,11 @@ def _require_thickness(gear: Gear, thinning: float) -> None:
     most = gear.module * gear.teeth * (gear.base_half_angle - roll_less_arc(roll))
     require(
         thinning < most,
-        "teeth that vanish when thinned by {most:6} cannot be thinned by {thinning:6}",
+        "a thinning of {thinning:6} is too large: the teeth vanish at {most:6}",
         most=(plain(most), Size),
         thinning=(plain(thinning), Size),
         code="thinning",
-        hint="thinning is the allowance of one tooth for backlash",
+        hint="thinning is a small allowance for backlash, such as 0.05 mm",
     )
 
 
@@ -169,8 +169,8 @@ def _tipped(
     if check and change is not None:
         require(
             first.rack.addendum + first.rack.dedendum + change > 0.0,
-            "this centre distance, with profile shifts that sum to {shifts:6}, shortens the tips by {change:6} "
-            "modules: no tooth is left",
+            "at this centre distance, with profile shifts that add up to {shifts:6}, the tips are shortened by "
+            "{change:6} modules: more than the whole tooth",
             shifts=(plain(first.shift + second.shift), Ratio),
             change=(-plain(change), Ratio),
             code="no-tooth",
@@ -188,11 +188,11 @@ def _tipped(
             thickness = tipped.tip_thickness
             require(
                 thickness >= 0.0,
-                "the teeth of the gear of {teeth} are pointed below their tips at {diameter:6} diameter",
+                "the {teeth} teeth are pointed before they reach the tip diameter of {diameter:6}",
                 teeth=abs(gear.teeth),
                 diameter=(plain(absolute(tipped.tip_diameter)), Size),
                 code="pointed",
-                hint="lower its profile shift, or give a smaller tip diameter",
+                hint="lower the profile shift, or give a smaller tip diameter",
             )
             _require_thickness(tipped, mate.thinning)
         point = pointed_diameter(tipped, mate.thinning)
