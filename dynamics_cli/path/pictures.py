@@ -3,7 +3,10 @@
 import math
 from itertools import pairwise
 
+from dynamics_cli.errors import worded
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.pictures.vectors import SUM, Step, head_to_tail, labelled
 from dynamics_cli.quantities import Acceleration, Length, Speed, Time
 
 TYPE_CHECKING = False
@@ -27,11 +30,12 @@ VELOCITY, ACCELERATION, PART = 0, 1, 2
 def rectilinear(result: "Any", **_: "Any") -> Picture:
     """Displacement, velocity and acceleration over time."""
     times, distances, speeds, rates = _smooth(result.motion)
-    zero = Band(0.0, 0.0, "", vertical=False)
+    stops = result.stop_time is not None and 0.0 < result.stop_time < times[-1]
+    rest = (Band(result.stop_time, result.stop_time, "at rest"),) if stops else ()
     panels = [
-        Panel(TIME, Axis("displacement", Length), (Curve(times, distances, role=0), *_marked(result, "distance"))),
-        Panel(TIME, Axis("velocity", Speed), (Curve(times, speeds, role=0), *_marked(result, "speed"))),
-        Panel(TIME, Axis("acceleration", Acceleration), (Curve(times, rates, role=0), zero)),
+        Panel(TIME, Axis("displacement", Length), (Curve(times, distances, role=0), *rest)),
+        Panel(TIME, Axis("velocity", Speed), (Curve(times, speeds, role=0), *rest)),
+        Panel(TIME, Axis("acceleration", Acceleration), (Curve(times, rates, role=0), Band(0.0, 0.0, vertical=False))),
     ]
     return Picture(tuple(panels), "straight motion")
 
@@ -55,14 +59,6 @@ def _cubic(u: float, first: float, last: float, slope: float, end: float) -> "tu
     w, rise = 1.0 - u, last - first
     value = w * w * (1 + 2 * u) * first + u * u * (1 + 2 * w) * last + u * w * (w * slope - u * end)
     return value, 6.0 * u * w * rise + w * (1 - 3 * u) * slope + u * (1 - 3 * w) * end
-
-
-def _marked(result: "Any", quantity: str) -> "list[Mark]":
-    last = result.motion[-1]
-    marks = [Mark(last.time, getattr(last, quantity), "end", (6.0, 6.0))]
-    if result.stop_time is not None and 0.0 < result.stop_time < last.time:
-        marks.append(Mark(result.stop_time, result.stop_distance if quantity == "distance" else 0.0, "at rest"))
-    return marks
 
 
 def circle(result: "Any", *, radius: float, **_: "Any") -> Picture:
@@ -92,10 +88,8 @@ def _ring(centre: "Plane", radius: float, style: "Any", label: str = "") -> Curv
     return Curve(x, [centre[1] + radius * math.sin(angle) for angle in angles], label, style, role=6)
 
 
-def _arrow(place: "Plane", vector: "Plane", largest: float, size: float, label: str, role: int = -1) -> Arrow:
-    factor = 2.0 * ARROW * size / largest if largest else 0.0
-    colour = (VELOCITY if label == "v" else ACCELERATION) if role < 0 else role
-    return Arrow(place[0], place[1], factor * vector[0], factor * vector[1], label, role=colour)
+def _arrow(place: "Plane", vector: "Plane", largest: float, size: float, label: str) -> Arrow:
+    return Arrow(*place, *_scaled(vector, largest, size), label, VELOCITY if label == "v" else ACCELERATION)
 
 
 def around(result: "Any", *, radius: float, angle: float = 0.0, **_: "Any") -> Picture:
@@ -109,24 +103,27 @@ def around(result: "Any", *, radius: float, angle: float = 0.0, **_: "Any") -> P
         ("aθ", (result.transverse_acceleration * beside[0], result.transverse_acceleration * beside[1])),
     ]
     largest = max(math.hypot(*rate), 1e-300)
+    velocity = (result.cartesian_velocity[0], result.cartesian_velocity[1])
+    steps = [
+        Step(place, _scaled(part, largest, size), name, PART, dashed=True)
+        for name, part in parts
+        if math.hypot(*part) > 0.02 * largest
+    ]
+    steps += [
+        Step(place, _scaled(velocity, math.hypot(*velocity), size), "v", VELOCITY),
+        Step(place, _scaled(rate, largest, size), "a", ACCELERATION),
+    ]
     items: list[Any] = [
         Curve([0.0, place[0]], [0.0, place[1]], "", "thin", role=6),
-        Mark(0.0, 0.0, "axis", (-22.0, -10.0)),
-    ]
-    for name, part in parts:
-        if math.hypot(*part) > 0.02 * largest:
-            items.append(Arrow(*place, *_scaled(part, largest, size), name, role=PART, dashed=True))
-    velocity = (result.cartesian_velocity[0], result.cartesian_velocity[1])
-    items += [
-        _arrow(place, velocity, math.hypot(*velocity), size, "v"),
-        _arrow(place, rate, largest, size, "a"),
+        Mark(0.0, 0.0, "axis", (-6.0, 6.0)),
+        *labelled(steps),
         Mark(*place, ""),
     ]
     return Picture((Panel(X, Y, tuple(items), equal=True),), "velocity and acceleration, with their parts")
 
 
 def _scaled(vector: "Plane", largest: float, size: float) -> "Plane":
-    factor = 2.0 * ARROW * size / largest
+    factor = 2.0 * ARROW * size / largest if largest else 0.0
     return factor * vector[0], factor * vector[1]
 
 
@@ -253,7 +250,13 @@ def relative(result: "Any", *, first: "Any", second: "Any", end: "Any" = None, l
             Mark(place[0], place[1], "", role=role),
         ]
     ends = result.first_position, result.second_position
-    items.append(Curve([ends[0][0], ends[1][0]], [ends[0][1], ends[1][1]], "closest approach", "dashed", role=6))
+    name = worded(
+        "{d} after {t}", d=(float(plain(result.closest_distance)), Length), t=(float(plain(result.closest_time)), Time)
+    )
+    items += [
+        Curve([ends[0][0], ends[1][0]], [ends[0][1], ends[1][1]], "closest approach", "dashed", role=6),
+        Mark(0.5 * (ends[0][0] + ends[1][0]), 0.5 * (ends[0][1] + ends[1][1]), name, (7.0, -10.0), dot=False, role=6),
+    ]
     paths = Panel(X, Y, tuple(items), equal=True)
     if not result.points:
         return Picture((paths,), "two paths and their closest approach")
@@ -272,15 +275,10 @@ def relative(result: "Any", *, first: "Any", second: "Any", end: "Any" = None, l
 
 def moving_frame(result: "Any", **_: "Any") -> Picture:
     """The five terms of the acceleration head to tail, seen along z of the frame, and their sum."""
-    tip = (0.0, 0.0)
-    items: list[Any] = []
-    names = (("a of O", "origin_part"), ("α×r", "angular_part"), ("ω×(ω×r)", "centripetal"), ("2ω×v", "coriolis"),
-             ("a in frame", "relative_part"))  # fmt: skip
-    for role, (label, name) in enumerate(names, 1):
-        x, y, _z = getattr(result, name)
-        if math.hypot(x, y):
-            items.append(Arrow(*tip, x, y, label, role=role))
-            tip = (tip[0] + x, tip[1] + y)
-    items.append(Arrow(0.0, 0.0, result.acceleration[0], result.acceleration[1], "a", role=0, dashed=True))
+    names = {"a of O": result.origin_part, "α×r": result.angular_part, "ω×(ω×r)": result.centripetal,
+             "2ω×v": result.coriolis, "a in frame": result.relative_part}  # fmt: skip
+    shown = {name: part for name, part in names.items() if math.hypot(part[0], part[1])}
+    total = Step((0.0, 0.0), (result.acceleration[0], result.acceleration[1]), "a", SUM, dashed=True)
+    items = labelled(head_to_tail(list(shown.values()), list(shown), total))
     panel = Panel(Axis("acceleration along x", Acceleration), Axis("along y", Acceleration), tuple(items), equal=True)
     return Picture((panel,), "the terms of the acceleration, head to tail")

@@ -34,15 +34,20 @@ _VECTOR: "dict[tuple[str, str], Any]" = {
 }  # fmt: skip
 
 
+def parts_of(given: "Any") -> "tuple[Any, ...]":
+    """The numbers of a vector as given: of a magnitude without a direction one."""
+    value = given.value if isinstance(given, Quantity) else given
+    return tuple(value) if isinstance(value, tuple | list) else (value,)
+
+
 class Vector:
     """The three components of a vector in SI, its kind, and whether it was planar."""
 
     __slots__ = ("kind", "parts", "planar")
 
     def __init__(self, given: "Any", name: str = "the vector") -> None:
-        value = given.value if isinstance(given, Quantity) else given
         self.kind: Any = given.kind if isinstance(given, Quantity) else NUMBER
-        parts = value if isinstance(value, tuple | list) else (value,)
+        parts = parts_of(given)
         require(
             len(parts) in (2, 3),
             "{name} is a magnitude without a direction",

@@ -94,6 +94,13 @@ def resultant(
     require(len(vectors) > 0, "no vector is given", code="missing", hint='for example "20 N @ 30 deg" "3, 4 N"')
     if between is not None:
         return _of_magnitudes(vectors, between)
+    bare = [item for item in vectors if len(kinds.parts_of(item)) == 1]
+    require(
+        len(bare) < 2,
+        "magnitudes alone have no sum: the directions decide it",
+        code="no-direction",
+        hint='of two give the angle, --between "60 deg"; or write them as 20 N @ 30 deg',
+    )
     those = kinds.vectors(vectors)
     kinds.require_same_kind(those, "vectors of unlike kinds have no sum")
     planar = all(vector.planar for vector in those)
@@ -148,16 +155,14 @@ def _advice(zero: bool, cancellation: "float | None") -> "list[Advice]":
 
 
 def _of_magnitudes(raw: "tuple[Any, ...]", between: float) -> Resultant:
-    numbers = [getattr(item, "value", item) for item in raw]
-    alone = [item[0] if isinstance(item, tuple) and len(item) == 1 else item for item in numbers]
-    fits = len(alone) == 2 and not any(isinstance(item, tuple) for item in alone)
+    alone = [kinds.parts_of(item) for item in raw]
     require(
-        fits,
+        [len(parts) for parts in alone] == [1, 1],
         "--between needs two magnitudes",
         code="magnitudes",
         hint='for example "15 N" "12 N" --between "60 deg"',
     )
-    a, b = map(as_typed, alone)
+    a, b = (as_typed(size) for (size,) in alone)
     require(plain(a) >= 0.0 and plain(b) >= 0.0, "a magnitude is below zero", code="negative", hint="reverse it")
     kind = getattr(raw[0], "kind", kinds.NUMBER)
     other = getattr(raw[1], "kind", kinds.NUMBER)

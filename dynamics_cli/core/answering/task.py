@@ -74,14 +74,15 @@ class Task:
     and columns would be hard to read: it takes the document's results, digits and the terminal's width (0: not a
     terminal), and gives lines. `names` says where to find the values that an option may take, for completion:
     `{"material": "module:names"}`. `headline` names the results of the short answer in the order of the trade, tables
-    among them, each with a label where its address is not the trade's term: "centre_distance: centre distance
-    a_w"; a table may name the columns that it shows first: "points: motion | angle=θ, lift=s". `columns` says that the
-    task takes --column. `listing` says that the table is the answer: CSV writes it. `notes` follows the
-    examples in the help: the language of an option. `scene` gives the values that a template shows, by address, where
-    its required fields alone do not make a case with an answer: {"bodies[1].mass": "2 kg"}. `verdict` says that the
-    checks are the answer: a failed one is in the document, and the exit status shows it. `also` are further names that
-    a call may use; help and listings show the first. `pointers` say where to find values of missing parameters.
-    `errors` names results that measure the calculation itself: rounding decides them, so none is spread over inputs.
+    among them, each with a label where its address is not the trade's term: "centre_distance: centre distance a_w", a
+    result in braces stands in it: "distance: distance at {time}"; a table may name the columns that it shows first:
+    "points: motion | angle=θ, lift=s". `columns` says that the task takes --column. `listing` says that the table is
+    the answer: CSV writes it. `notes` follows the examples in the help: the language of an option. `scene` gives the
+    values that a template shows, by address, where its required fields alone do not make a case with an answer:
+    {"bodies[1].mass": "2 kg"}. `verdict` says that the checks are the answer: a failed one is in the document, and the
+    exit status shows it. `also` are further names that a call may use; help and listings show the first. `pointers` say
+    where to find values of missing parameters. `errors` names results that measure the calculation itself: rounding
+    decides them, so none is spread over inputs.
     """
 
     def __init__(

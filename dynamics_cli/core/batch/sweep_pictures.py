@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.core.documents import flatten, quantity
-from dynamics_cli.core.output.answer_words import body_names, in_words, with_name
+from dynamics_cli.core.output.answer_words import body_names, in_words, label_in_words, with_name
 from dynamics_cli.pictures import Axis, Curve, Panel, Picture
 
 TYPE_CHECKING = False
@@ -32,7 +32,7 @@ def of_sweep(document: "dict[str, Any]", task: "Task") -> "Picture | None":
     swept = [table[axis]["value"] for axis in axes]
     changing = [name for name in names if not _constant(table[name]["value"]) and table[name]["value"] not in swept]
     bodies = body_names(document["inputs"])
-    words_by_name = {name: with_name(label or in_words(name), bodies) for name, label in task.headline}
+    words_by_name = {name: with_name(label_in_words(task, name), bodies) for name, _ in task.headline}
     drawn_names = [name for name in words_by_name if name in changing] or changing or names
     panels = tuple(_swept(table, axes, name, words_by_name) for name in drawn_names[:MOST_SWEPT])
     return (

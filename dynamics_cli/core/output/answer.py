@@ -55,6 +55,7 @@ WORTH_SAYING = 1e-9
 NEGLIGIBLE = 0.02
 SEVERITIES = ("serious", "caution", "note")
 MARGIN = 6
+AXES = 3
 # A non-breaking space.
 JOINED = "\u00a0"
 
@@ -132,7 +133,11 @@ class _Answer:
             value = 0.0
         if isinstance(value, list):
             value = without_rounding(value)
-        return quantity(value, unit, self.digits)
+        text = quantity(value, unit, self.digits)
+        if isinstance(value, list) and isinstance(value[0], list) and len(value[0]) <= AXES:
+            # a matrix breaks between its rows
+            return text.replace(" ", JOINED).replace(f"],{JOINED}[", "], [")
+        return text
 
     def _absolute_bound(self, address: str, value: float) -> float:
         entry = self.bounds.get(address) or {}

@@ -11,6 +11,8 @@ if TYPE_CHECKING:
 
     from dynamics_cli.core.answering.task import Task
 
+# Digits of a result that stands in the label of another.
+LABEL_DIGITS = 6
 # Number of results shown where a task declares no headline.
 MOST_UNDECLARED = 8
 MOST_DIGITS = 15
@@ -41,10 +43,26 @@ def headline_labels(task: "Task", flat: "dict[str, tuple[Any, str]]", tables: "l
         numbers = [name for name, (value, _) in flat.items() if not isinstance(value, str)]
         declared = dict.fromkeys([*numbers[:MOST_UNDECLARED], *(() if numbers else tables[:1])], "")
     return {
-        address: "" if label == "-" else label or in_words(address)
+        address: "" if label == "-" else _filled(label, flat) or in_words(address)
         for address, label in declared.items()
         if address in flat or address in tables
     }
+
+
+def _filled(label: str, flat: "dict[str, tuple[Any, str]]") -> str:
+    """A label with the result that it names in braces: distance at {time}; none where that result is missing."""
+    before, brace, rest = label.partition("{")
+    name, _, after = rest.partition("}")
+    if not brace:
+        return label
+    value, unit = flat.get(name, ("", ""))
+    return f"{before}{quantity(value, unit, LABEL_DIGITS)}{after}" if value != "" else ""
+
+
+def label_in_words(task: "Task", name: str) -> str:
+    """The label of a headline result for many answers at once: without what stands in it for one of them."""
+    label = dict(task.headline).get(name, "")
+    return label if label and "{" not in label else in_words(name)
 
 
 def in_words(address: str) -> str:
@@ -101,7 +119,9 @@ def listed(entries: "Iterable[tuple[str, Any, str]]") -> "list[tuple[str, Any, s
 
 def value_in_words(value: "Any", unit: str) -> str:
     """An input with its unit in full; a list of one as its value."""
-    if isinstance(value, list) and len(value) == 1 and not isinstance(value[0], list):
+    if isinstance(value, list) and all(isinstance(item, list) and len(item) == 1 for item in value):
+        value = [item[0] for item in value]
+    if isinstance(value, list) and len(value) == 1:
         value = value[0]
     return quantity(_as_typed(value), unit, 17)
 

@@ -2,7 +2,7 @@
 
 import math
 
-from dynamics_cli.core.output.answer_words import body_names, in_words, input_in_words, with_name
+from dynamics_cli.core.output.answer_words import body_names, input_in_words, label_in_words, with_name
 from dynamics_cli.pictures import Axis, Band, Bars, Curve, Panel, Picture, Spreads
 
 TYPE_CHECKING = False
@@ -32,7 +32,7 @@ def of_spread(
         return None
     spread = varying[0]
     names = body_names(inputs)
-    label = with_name(dict(task.headline).get(spread.name) or in_words(spread.name), names)
+    label = with_name(label_in_words(task, spread.name), names)
     axis = Axis(label, kinds[spread.name])
     panels = [_density(spread, axis, made.coverage, limits.get(spread.name, []))]
     if spread.tornado:

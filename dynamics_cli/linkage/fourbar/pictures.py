@@ -208,6 +208,9 @@ def synthesis_picture(result: "Any", **_: "Any") -> Picture:
             Mark(b.real, b.imag, ""),
         ]
     if result.met:
+        round_ = [exp(2j * pi * k / 90) for k in range(91)]
+        items.append(complex_curve([result.crank * turn for turn in round_], "", "thin", 6))
+        items.append(complex_curve([d + result.rocker * turn for turn in round_], "", "thin", 6))
         items += [Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(result.ground, 0.0, "O₄", (5.0, -12.0))]
     scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     return Picture((scene,), _title(lengths, str(result.kind)))

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     Pins = dict[str, complex]
 
 FRAMES = 90
-GHOSTS = 8
+GHOSTS = 5
 ARROW = 0.25
 # How far a pushed pin goes in a picture, in sizes of the linkage.
 PUSH = 0.5

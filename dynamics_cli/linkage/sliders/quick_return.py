@@ -123,8 +123,10 @@ def quick_return(
 
 
 def _ratio(crank: float, ground: float, lever: "float | None") -> "dict[str, object]":
-    if not single(crank, ground) or crank == ground:
+    if not single(crank, ground):
         return {}
+    if crank == ground:
+        return {"kind": "crank as long as the ground link: the lever turns at half the crank's speed"}
     pi = pi_beside(crank, ground)
     short, long = (crank, ground) if crank < ground else (ground, crank)
     leg = sqrt((long - short) * (long + short))

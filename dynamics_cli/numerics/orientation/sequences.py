@@ -116,6 +116,19 @@ def names_of(sequence: Sequence) -> str:
     return f"{text}; {trade}" if trade else text
 
 
+def angles_in_words(sequence: Sequence) -> str:
+    """What the three angles are called, in their order.
+
+    >>> angles_in_words(sequence_of("zyx")), angles_in_words(sequence_of("zxz"))
+    ('yaw, pitch, roll', 'angles about z, x′, z″')
+    """
+    trade = {"zyx": "yaw, pitch, roll", "XYZ": "roll, pitch, yaw"}.get(sequence.text)
+    if sequence.fixed:
+        return trade or f"angles about fixed {', '.join(sequence.text.lower())}"
+    first, second, third = tuple(sequence.text)
+    return trade or f"angles about {first}, {second}′, {third}″"
+
+
 def quaternion_of_angles(angles: Vector, sequence: Sequence) -> Quaternion:
     """The quaternion of three turns."""
     ordered = angles[::-1] if sequence.fixed else angles

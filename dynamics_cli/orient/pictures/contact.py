@@ -5,8 +5,8 @@ from math import cos, hypot, pi, sin
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, about_axis, product
-from dynamics_cli.orient.pictures.space import GREY, arrow, circle, curve, numbers, scene, words
 from dynamics_cli.pictures import Axis, Curve, Label, Mark, Panel, Picture
+from dynamics_cli.pictures.vectors import GREY, arrow, circle, curve, numbers, scene, times, words
 from dynamics_cli.quantities import Acceleration, Angle, Ratio, Size, Speed
 
 TYPE_CHECKING = False
@@ -20,23 +20,22 @@ def disk(answer: "Any", *, radius: float, tilt: float, heading: float = 0.0, **_
     """The disk on the floor, with velocity and acceleration of its centre."""
     r, theta, phi = (float(plain(number)) for number in (radius, tilt, heading))
     axes = product(about_axis(2, phi), about_axis(0, theta))
-    nodes, up = tuple(row[0] for row in axes), tuple(row[1] for row in axes)
-    centre = tuple(r * part for part in up)
+    nodes, up = (numbers(tuple(row[nth] for row in axes)) for nth in (0, 1))
+    centre = times(r, up)
     floor = circle((0.0, 0.0, 0.0), IDENTITY[0], IDENTITY[1], 1.7 * r)
     v, a = numbers(answer.fixed_centre_velocity), numbers(answer.fixed_centre_acceleration)
     items: list[Any] = [
         curve(floor, "filled", GREY),
-        curve([tuple(k * r * part for part in nodes) for k in (-1.6, 1.6)], "centre", GREY),
-        curve(circle(centre, nodes, up, r), "solid", 0),  # type: ignore[arg-type]
+        curve([times(k * r, nodes) for k in (-1.6, 1.6)], "centre", GREY),
+        curve(circle(centre, nodes, up, r), "solid", 0),
         curve([(0.0, 0.0, 0.0), centre], "thin", 0),
         curve([(0.0, 0.0, 0.0)], "points", 0),
     ]
     for vector, name, role in ((v, "v", 1), (a, "a", 2)):
         size = hypot(*vector)
         if size:
-            scaled = tuple(1.1 * r * part / size for part in vector)
-            items += [arrow(scaled, "", role, start=centre)]
-            items.append(words(tuple(c + 1.12 * w for c, w in zip(centre, scaled, strict=True)), name, role))
+            scaled = times(1.1 * r / size, vector)
+            items += [arrow(scaled, "", role, start=centre), words(times(1.12, scaled, centre), name, role)]
     subtitle = worded(
         "centre: v {v}, a {a} (directions alone are to scale)",
         v=(answer.centre_speed, Speed),

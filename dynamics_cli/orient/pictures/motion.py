@@ -4,31 +4,30 @@ from math import hypot
 
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.orient.pictures.space import GREY, arrow, curve, numbers, scene, seen, triad, view_of, words
-from dynamics_cli.pictures import Panel, Picture
+from dynamics_cli.orient.pictures.triads import ROOM, triad
+from dynamics_cli.pictures import Mark, Panel, Picture
+from dynamics_cli.pictures.vectors import (
+    GREY,
+    Step,
+    arrow,
+    curve,
+    head_to_tail,
+    labelled,
+    numbers,
+    scene,
+    seen,
+    square,
+    times,
+    unit,
+    view_of,
+    words,
+)
 from dynamics_cli.quantities import Acceleration, AngularAcceleration, AngularRate, Speed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
-
-    Vector = tuple[float, float, float]
-
-ROOM = 1.35
-
-
-def _size(v: "Sequence[float]") -> float:
-    return hypot(*v)
-
-
-def _unit(v: "Sequence[float]") -> "Vector":
-    size = _size(v) or 1.0
-    return v[0] / size, v[1] / size, v[2] / size
-
-
-def _sum(v: "Sequence[float]", w: "Sequence[float]") -> "Vector":
-    return v[0] + w[0], v[1] + w[1], v[2] + w[2]
 
 
 def _polygon(terms: "Sequence[tuple[str, Any]]", total: "Any", name: str, title: "Any") -> Panel:
@@ -37,13 +36,9 @@ def _polygon(terms: "Sequence[tuple[str, Any]]", total: "Any", name: str, title:
     terms_shown = [(label, v) for label, v in terms_shown if any(v)]
     resultant = numbers(total)
     view = view_of([resultant, *(v for _, v in terms_shown)])
-    items: list[Any] = []
-    tip: Vector = (0.0, 0.0, 0.0)
-    for role, (label, v) in enumerate(terms_shown, 1):
-        items.append(arrow(v, label, role % 6, view, start=tip))
-        tip = _sum(tip, v)
-    items.append(arrow(resultant, name, 0, view, dashed=len(terms_shown) > 1))
-    return scene(items, title)
+    sum_ = Step((0.0, 0.0), view(resultant), name, GREY, dashed=len(terms_shown) > 1)
+    steps = head_to_tail([view(v) for _, v in terms_shown], [label for label, _ in terms_shown], sum_)
+    return scene(labelled(steps), title)
 
 
 def rates(answer: "Any", **_: "Any") -> Picture:
@@ -53,12 +48,12 @@ def rates(answer: "Any", **_: "Any") -> Picture:
     axes = (answer.first_partial, answer.second_partial, answer.third_partial)
     for nth, axis in enumerate(axes):
         n = numbers(axis)
-        items += [curve([(0.0, 0.0, 0.0), tuple(0.8 * part for part in n)], "centre", 2)]
-        items.append(words(tuple(0.87 * part for part in n), "u₁u₂u₃"[2 * nth : 2 * nth + 2], 2))
+        items += [curve([(0.0, 0.0, 0.0), times(0.8, n)], "centre", 2)]
+        items.append(words(times(0.87, n), "u₁u₂u₃"[2 * nth : 2 * nth + 2], 2))
     for v, name, role in ((answer.angular_velocity, "ω", 0), (answer.angular_acceleration, "α", 1)):
         if any(numbers(v)):
-            n = _unit(numbers(v))
-            items += [arrow(n, "", role), words(tuple(1.12 * part for part in n), name, role)]
+            n = unit(numbers(v))
+            items += [arrow(n, "", role), words(times(1.12, n), name, role)]
     subtitle = worded(
         "directions of ω ({w}) and α ({a}); u₁ u₂ u₃ are the axes of the angles",
         w=(answer.angular_speed, AngularRate),
@@ -74,12 +69,12 @@ def addition(answer: "Any", **_: "Any") -> Picture:
     for link in answer.links:
         terms += [(link.name, link.relative_acceleration), (f"ω × {link.name}", link.carried)]
     panels = [
-        _polygon(velocities, answer.angular_velocity, "ω", worded("ω {v}", v=(answer.angular_speed, AngularRate))),
+        _polygon(velocities, answer.angular_velocity, "ω", worded("|ω| = {v}", v=(answer.angular_speed, AngularRate))),
         _polygon(
             terms,
             answer.angular_acceleration,
             "α",
-            worded("α {v}", v=(answer.angular_acceleration_size, AngularAcceleration)),
+            worded("|α| = {v}", v=(answer.angular_acceleration_size, AngularAcceleration)),
         ),
     ]
     return Picture(tuple(panels), "addition along the chain", columns=2)
@@ -89,11 +84,13 @@ def moving_point(answer: "Any", *, relative_velocity: "Any" = (0.0, 0.0, 0.0), *
     """Velocity and acceleration with their terms, tip to tail."""
     carried, relative = numbers(answer.carried_velocity), numbers(relative_velocity)
     total = numbers(answer.velocity)
-    origin = tuple(v - a - b for v, a, b in zip(total, carried, relative, strict=True))
-    tiny = 1e-12 * (_size(total) + _size(carried))
+    origin = times(-1.0, carried, times(-1.0, relative, total))
+    tiny = 1e-12 * (hypot(*total) + hypot(*carried))
     velocities = [
-        ("v_O", origin if _size(origin) > tiny else (0.0, 0.0, 0.0)), ("ω × r", carried), ("v_rel", relative)
-    ]  # fmt: skip
+        ("v_O", origin if hypot(*origin) > tiny else (0.0, 0.0, 0.0)),
+        ("ω × r", carried),
+        ("v_rel", relative),
+    ]
     terms = [
         ("a_O", answer.origin_acceleration),
         ("α × r", answer.tangential),
@@ -102,8 +99,8 @@ def moving_point(answer: "Any", *, relative_velocity: "Any" = (0.0, 0.0, 0.0), *
         ("a_rel", answer.relative),
     ]
     panels = (
-        _polygon(velocities, total, "v", worded("v {v}", v=(answer.speed, Speed))),
-        _polygon(terms, answer.acceleration, "a", worded("a {v}", v=(answer.acceleration_size, Acceleration))),
+        _polygon(velocities, total, "v", worded("|v| = {v}", v=(answer.speed, Speed))),
+        _polygon(terms, answer.acceleration, "a", worded("|a| = {v}", v=(answer.acceleration_size, Acceleration))),
     )
     return Picture(panels, "a point moving on a moving body", columns=2)
 
@@ -112,55 +109,41 @@ def points(answer: "Any", **_: "Any") -> Picture:
     """The points with their velocities, and the screw axis."""
     places = [numbers(point.position) for point in answer.points]
     speeds = [numbers(point.velocity) for point in answer.points]
-    fastest = max((_size(v) for v in speeds), default=0.0) or 1.0
-    reach = max((_size(p) for p in places), default=0.0) or 1.0
-    if answer.axis_point is not None:
-        reach = max(reach, _size(numbers(answer.axis_point)))
-    scale = 0.5 * reach / fastest
-    view = view_of([*places, *speeds]) if answer.axis is None or abs(plain(answer.axis[2])) > 1.0 - 1e-12 else seen
-    items: list[Any] = []
-    for point, place, v in zip(answer.points, places, speeds, strict=True):
-        items.append(curve([place], "points", 0, view))
-        items.append(arrow(tuple(scale * part for part in v), "", 1, view, start=place))
-        items.append(words(tuple(1.08 * part for part in place), point.name, 0, view))
-    items.append(curve([*places, places[0]], "thin", GREY, view))
+    fastest = max((hypot(*v) for v in speeds), default=0.0) or 1.0
+    reach = max((hypot(*p) for p in places), default=0.0) or 1.0
     if answer.axis is not None:
         foot, n = numbers(answer.axis_point), numbers(answer.axis)
-        if view is seen:
-            ends = [_sum(foot, tuple(k * reach * part for part in n)) for k in (-0.3, 0.9)]
-            items += [curve(ends, "centre", 3), words(ends[1], "axis", 3)]
-        else:
-            items += [curve([foot], "points", 3, view), words(tuple(f - 0.08 * reach for f in foot), "axis", 3, view)]
+        reach = max(reach, hypot(*foot))
+    upright = answer.axis is None or abs(n[2]) > 1.0 - 1e-12
+    view = view_of([*places, *speeds]) if upright else seen
+    items: list[Any] = [curve([*places, places[0]], "thin", GREY, view)]
+    for point, place, v in zip(answer.points, places, speeds, strict=True):
+        items.append(arrow(times(0.5 * reach / fastest, v), "", 1, view, start=place))
+        x, y = view(place)
+        items.append(Mark(x, y, point.name, (-6.0, -12.0), role=0))
+    if answer.axis is not None and view is seen:
+        ends = [times(k * reach, n, foot) for k in (-0.3, 0.9)]
+        items += [curve(ends, "centre", 3), words(ends[1], "axis", 3)]
+    elif answer.axis is not None:
+        x, y = view(foot)
+        items.append(Mark(x, y, "axis", role=3))
     subtitle = worded("velocities, the fastest {v}; screw axis dash-dotted", v=(fastest, Speed))
     return Picture((scene(items, subtitle),), "points of a rigid body")
 
 
 def rolling(answer: "Any", *, normal: "Any", **_: "Any") -> Picture:
     """Relative angular velocity at the contact, with its spin and roll parts."""
-    n = _unit(numbers(normal))
-    spin = float(plain(answer.spin))
-    roll = numbers(answer.roll)
-    relative = _sum(roll, tuple(spin * part for part in n))
-    size = _size(relative) or 1.0
-    first = _unit(roll) if any(roll) else _unit((n[1] - n[2], n[2] - n[0], n[0] - n[1]))
-    across = (
-        n[1] * first[2] - n[2] * first[1],
-        n[2] * first[0] - n[0] * first[2],
-        n[0] * first[1] - n[1] * first[0],
-    )
-    plane = [tuple(0.9 * (a * p + b * q) for p, q in zip(first, across, strict=True))
-             for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1), (1, 1))]  # fmt: skip
+    n, roll, spin = unit(numbers(normal)), numbers(answer.roll), float(plain(answer.spin))
+    relative = times(spin, n, roll)
+    size = hypot(*relative) or 1.0
     items: list[Any] = [
-        curve(plane, "filled", GREY),
-        curve([(0.0, 0.0, 0.0), tuple(0.9 * part for part in n)], "centre", GREY),
-        words(tuple(part for part in n), "normal", GREY),
+        square((0.0, 0.0, 0.0), n, 0.9, GREY, unit(roll) if any(roll) else None),
+        curve([(0.0, 0.0, 0.0), times(0.9, n)], "centre", GREY),
+        words(n, "normal", GREY),
     ]
     if abs(spin) > 1e-12 * size and any(roll):
-        items += [
-            arrow(tuple(part / size for part in roll), "roll", 2),
-            arrow(tuple(spin / size * part for part in n), "spin", 1),
-        ]
-    items.append(arrow(tuple(part / size for part in relative), "ω₁ − ω₂", 0))
+        items += [arrow(times(1.0 / size, roll), "roll", 2), arrow(times(spin / size, n), "spin", 1)]
+    items.append(arrow(times(1.0 / size, relative), "ω₁ − ω₂", 0))
     subtitle = worded(
         "roll {r}, spin {s}, slip {v}",
         r=(answer.roll_speed, AngularRate),

@@ -1,32 +1,54 @@
 """Pictures of turns: axes before and after, and the ways their tips take."""
 
+from math import hypot
+
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.orientation.quaternions import multiply, rotated
+from dynamics_cli.numerics.orientation.quaternions import multiply, of_axis_angle, rotated
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, from_quaternion
-from dynamics_cli.orient.pictures.space import GREY, arrow, curve, numbers, scene, swept, triad, words
 from dynamics_cli.pictures import Picture
+from dynamics_cli.pictures.vectors import GREY, arrow, curve, numbers, scene, times, tipped, unit, words
 from dynamics_cli.quantities import Angle, Length
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from typing import Any
+
+    from dynamics_cli.pictures.vectors import Vector
 
 UNITS = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 ROOM = 1.35
+STEPS = 48
+
+
+def triad(matrix: "Any", mark: str, role: int, *, dashed: bool = False) -> "list[Any]":
+    """Three arrows along the columns of a rotation matrix."""
+    items: list[Any] = []
+    for k, name in enumerate("xyz"):
+        tip = numbers([row[k] for row in matrix])
+        # primed names farther out, for axes that fall together
+        items += [
+            arrow(tip, "", role, dashed=dashed),
+            words(times(1.2 if mark in ("′", "₂") else 1.08, tip), name + mark, role),
+        ]
+    return items
+
+
+def _swept(axis: "Sequence[float]", angle: float, start: "Vector") -> "list[Vector]":
+    """The way of a vector that turns about an axis."""
+    turns = (of_axis_angle(numbers(axis), angle * k / STEPS) for k in range(STEPS + 1))
+    return [rotated(from_quaternion(turn), start) for turn in turns]
 
 
 def _axis_line(axis: "Any", angle: float) -> "list[Any]":
     """The axis of a turn, through the origin."""
-    if not angle:
-        return []
     n = numbers(axis)
-    ends = [tuple(-0.5 * part for part in n), tuple(1.15 * part for part in n)]
-    return [curve(ends, "centre", 3), words(tuple(1.25 * part for part in n), "n", 3)]
+    return [curve([times(-0.5, n), times(1.15, n)], "centre", 3), words(times(1.25, n), "n", 3)] if angle else []
 
 
 def _ways(axis: "Any", angle: float, starts: "Any") -> "list[Any]":
-    return [curve(swept(axis, angle, numbers(start)), "dots", 1) for start in starts] if angle else []
+    return [curve(_swept(axis, angle, numbers(start)), "dots", 1) for start in starts] if angle else []
 
 
 def converted(answer: "Any", **_: "Any") -> Picture:
@@ -63,41 +85,36 @@ def between(answer: "Any", *, first: "Any", **_: "Any") -> Picture:
 
 def aligned(answer: "Any", *, pairs: "Any", **_: "Any") -> Picture:
     """Directions as measured, and as the rotation gives them."""
-    from dynamics_cli.numerics.orientation.quaternions import unit
-
-    matrix = tuple(numbers(row) for row in answer.rotation_matrix)
+    x, y, z = (numbers(row) for row in answer.rotation_matrix)
+    matrix = (x, y, z)
     items: list[Any] = triad(matrix, "′", GREY, dashed=True)
     for pair, fit in zip(pairs if isinstance(pairs, tuple) else (pairs,), answer.pairs, strict=True):
         measured = unit(numbers(pair.after))
-        items += [arrow(measured, "", 1), words(tuple(1.12 * part for part in measured), fit.name, 1)]
-        items.append(arrow(rotated(matrix, unit(numbers(pair.before))), "", 0, dashed=True))  # type: ignore[arg-type]
+        items += [
+            *tipped(measured, fit.name, 1),
+            arrow(rotated(matrix, unit(numbers(pair.before))), "", 0, dashed=True),
+        ]
     subtitle = worded("measured, and rotated (dashed); {off} remains", off=(answer.residual, Angle))
     return Picture((scene(items, subtitle, room=ROOM),), "directions and the rotation that fits")
 
 
 def screw(answer: "Any", **_: "Any") -> Picture:
     """The screw axis, and the helix on which the point at the origin moves."""
-    d = numbers(answer.displacement)
-    n = numbers(answer.axis)
-    size = max(sum(part * part for part in d) ** 0.5, 1e-300)
-    start = (0.0, 0.0, 0.0)
-    foot = numbers(answer.point) if answer.point is not None else start
+    d, n = numbers(answer.displacement), numbers(answer.axis)
+    size = max(hypot(*d), 1e-300)
+    foot = numbers(answer.point) if answer.point is not None else (0.0, 0.0, 0.0)
     travel, angle = float(plain(answer.travel)), float(plain(answer.rotation_angle))
-    arm = tuple(-part for part in foot)
-    turned = swept(n, angle, arm) if angle else [arm] * 49  # type: ignore[arg-type]
-    helix = [
-        tuple(f + t + travel * k / (len(turned) - 1) * e for f, t, e in zip(foot, turned_point, n, strict=True))
-        for k, turned_point in enumerate(turned)
-    ]
-    ends = [tuple(f + k * size * e for f, e in zip(foot, n, strict=True)) for k in (-0.6, 1.2)]
+    arm = times(-1.0, foot)
+    turned = _swept(n, angle, arm) if angle else [arm] * (STEPS + 1)
+    helix = [times(travel * k / STEPS, n, times(1.0, point, foot)) for k, point in enumerate(turned)]
+    ends = [times(k * size, n, foot) for k in (-0.6, 1.2)]
     items: list[Any] = [
         curve(ends, "centre", 3),
         curve(helix, "solid", 0),
         arrow(d, "", 1, dashed=True),
-        words(tuple(0.5 * part for part in d), "d", 1),
+        words(times(0.5, d), "d", 1),
         words(ends[1], "n", 3),
+        *(arrow(times(0.3 * size, axis), name, GREY) for axis, name in zip(UNITS, "xyz", strict=True)),
     ]
-    for unit, name in zip(UNITS, "xyz", strict=True):
-        items.append(arrow(tuple(0.3 * size * part for part in unit), name, GREY))
     title = worded("{angle} about the axis, {travel} along it", angle=(angle, Angle), travel=(travel, Length))
     return Picture((scene(items, title),), "displacement as a screw")

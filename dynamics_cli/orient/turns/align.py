@@ -5,7 +5,7 @@ from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, of_rotation, rotated, unit, upright
 from dynamics_cli.numerics.orientation.rotations import Matrix, from_quaternion, product, transposed
-from dynamics_cli.numerics.orientation.sequences import angles_of_quaternion, sequence_of
+from dynamics_cli.numerics.orientation.sequences import angles_in_words, angles_of_quaternion, sequence_of
 from dynamics_cli.numerics.vectors import Vector, cross, dot, length, scale, subtract
 from dynamics_cli.orient.turns.jacobi4 import largest
 from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Direction, Positive, Quaternion, Ratio, Text
@@ -57,6 +57,7 @@ class Aligned:
     rotation_matrix: Annotated[RotationMatrixKind, "Takes directions before to those after [-]."]
     euler_angles: Annotated[AngleTriple, "Angles in the sequence asked for [rad]."]
     euler_order: Annotated[Text, "The sequence."]
+    angle_names: Annotated[Text, "The three angles in words, in their order."]
     residual: Annotated[Angle, "Weighted root mean square of the remaining angles [rad]."]
     largest_residual: Annotated[Angle, "The largest of them [rad]."]
     sharpness: Annotated[
@@ -131,6 +132,7 @@ def align(
         rotation_matrix=matrix,
         euler_angles=angles_of_quaternion(q, order).angles,
         euler_order=order.text,
+        angle_names=angles_in_words(order),
         residual=sum(weight * off * off for weight, off in zip(weights, misfits, strict=True)) ** 0.5,
         largest_residual=max(misfits),
         sharpness=gap,

@@ -5,7 +5,14 @@ from dynamics_cli.numerics.number import is_many, plain, single
 from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, normalized, vector_of
 from dynamics_cli.numerics.orientation.rotations import ORDERS, ByMatrix, Euler, determinant, product, transposed
 from dynamics_cli.numerics.orientation.rotations import from_quaternion as matrix_of
-from dynamics_cli.numerics.orientation.sequences import Angles, Sequence, names_of, nearest, sequence_of
+from dynamics_cli.numerics.orientation.sequences import (
+    Angles,
+    Sequence,
+    angles_in_words,
+    names_of,
+    nearest,
+    sequence_of,
+)
 from dynamics_cli.orient.turns.attitude import Attitude, Orientation, given_digits, orientation
 from dynamics_cli.quantities import (
     Angle,
@@ -72,6 +79,7 @@ class Converted:
     euler_order: Annotated[Text, "The sequence: small letters about the body's axes, capitals about fixed ones."]
     lock: Annotated[Text, "Gimbal lock: none, near, or locked, where the input does not determine two of the angles."]
     names: Annotated[Text, "What others call these angles."]
+    angle_names: Annotated[Text, "The three angles in words, in their order."]
     convention: Annotated[Text, "Meaning of the numbers."]
     departure: Annotated[Ratio | None, "How far a given matrix is from the rotation nearest to it [-]."] = None
     sequences: Annotated[tuple[SequenceAngles, ...], "The angles of all 24 sequences."] = ()
@@ -143,6 +151,7 @@ def convert(
         euler_order=order.text,
         lock=_state(rotation, angles) if alone else "",
         names=names_of(order),
+        angle_names=angles_in_words(order),
         convention="right-handed; the matrix takes body components to fixed ones; the quaternion is scalar first",
         departure=rotation.departure,
         sequences=_all_sequences(rotation) if alone else (),

@@ -176,9 +176,8 @@ RELATIVE = Task(
         "closest_distance_noise: its noise",
         "closest_time: closest after",
         "closest_speed: relative speed there",
-        "shown_time: relative motion at",
-        "closing_speed",
-        "distance: distance at the given time",
+        "distance: distance at {shown_time}",
+        "closing_speed: closing speed at {shown_time}",
     ),
     table="points",
     examples=(

@@ -52,7 +52,8 @@ class Relative:
     closest_distance: Annotated[Distance, "Distance at the closest approach, from time 0 on [m]."]
     closest_time: Annotated[Time, "When they are closest [s]."]
     closest_speed: Annotated[Speed, "Relative speed there [m/s]."]
-    distance: Annotated[Distance, "Distance at the time asked for [m]."]
+    shown_time: Annotated[Time, "The time asked for, else 0 or where the tracks begin to overlap [s]."]
+    distance: Annotated[Distance, "Distance at that time [m]."]
     closing_speed: Annotated[Speed | None, "Rate at which the distance shrinks at that time [m/s]."]
     position: Annotated[Position, "Relative position at that time [m]."]
     velocity: Annotated[Velocity, "Relative velocity at that time [m/s]."]
@@ -61,7 +62,6 @@ class Relative:
     acceleration_size: Annotated[Acceleration, "Magnitude of the relative acceleration [m/s^2]."]
     first_position: Annotated[Position, "Where the first is at the closest approach [m]."]
     second_position: Annotated[Position, "Where the second is at the closest approach [m]."]
-    shown_time: Annotated[Time | None, "The time asked for, or where the tracks begin to overlap [s]."] = None
     closest_distance_noise: Annotated[Distance | None, "Standard deviation of the closest distance, of tracks [m]."] = (
         None
     )
@@ -130,6 +130,7 @@ def relative(
     moment = 0.0 if time is None else time
     when, gap = closest(r, v, a)
     fields, advice = _shown((place_at(r, v, a, moment), add(v, scale(moment, a)), a))
+    fields["shown_time"] = moment
     if plain(when) == 0.0 and not any(map(plain, a)) and not any(map(plain, v)):
         advice += (Advice("at-rest", "they do not move relative to each other: their distance never changes", "note"),)
     elif plain(when) == 0.0:
@@ -185,6 +186,7 @@ def _searched(pair: Pair, time: "float | None", end: "float | None") -> Relative
     r, v, _ = state = pair.seen(when)
     places = [motion.at(when)[0] for motion in pair.motions]
     fields, advice = _shown(pair.seen(moment))
+    fields["shown_time"] = moment
     if when in (start, last):
         edge = "start" if when == start else "end"
         advice += (Advice("edge", f"they are closest at the {edge} of the times that were searched", "note"),)
@@ -244,7 +246,6 @@ def _noise(pair: Pair, moment: float, when: float, gap: float, last: float) -> "
         )
     noise_now = _at(pair, moment)
     return {
-        "shown_time": moment,
         "closest_distance_noise": _at(pair, when)[0],
         "distance_noise": noise_now[0],
         "closing_speed_noise": noise_of_rates(pair.seen(moment), noise_now)[0],
