@@ -73,13 +73,13 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
                         break
                 if stream is None:
                     return ExitStatus.DONE
-                source.expect(len(case.layout.parts))
                 every = itertools.chain([lines], blocks)
                 rows = cleared(records(every) if isinstance(stream.source, CsvInput) else every)
                 pieces = _pieces(rows, settings.jobs, singly=stream.singly)
                 for block in spread(stream.block, pieces, settings.jobs):
                     stream.take(block)
-                    write(block.text)
+                    for text in block.texts:
+                        write(text)
                     if not settings.output:
                         terminal.stdout.flush()
                     progress.advance(stream.rows)
@@ -228,15 +228,15 @@ def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
 
 
 class _Block:
-    """The rows of one block, answered: the text, the numbers of rows and of failures, and what is to be told of them.
+    """The rows of one block, answered: their texts, the numbers of rows and of failures, and what is to be told.
 
     `passing` holds names that pass through, `fault` the first mistake of the program itself.
     """
 
-    __slots__ = ("failed", "fault", "passing", "rows", "text")
+    __slots__ = ("failed", "fault", "passing", "rows", "texts")
 
-    def __init__(self, text: bytes, rows: int, failed: int, passing: "list[str]", fault: str) -> None:
-        self.text = text
+    def __init__(self, texts: "list[bytes]", rows: int, failed: int, passing: "list[str]", fault: str) -> None:
+        self.texts = texts
         self.rows = rows
         self.failed = failed
         self.passing = passing
@@ -277,14 +277,14 @@ class _Stream:
     def block(self, lines: "list[bytes | None]") -> _Block:
         """The rows of one block, answered."""
         self._failed, self._fault = 0, ""
-        text = self._answered(lines)
+        texts = self._answered(lines)
         passing = list(self.source.passing) if isinstance(self.source, JsonInput) else []
-        return _Block(text, len(lines), self._failed, passing, self._fault)
+        return _Block(texts, len(lines), self._failed, passing, self._fault)
 
-    def _answered(self, lines: "list[bytes | None]") -> bytes:
+    def _answered(self, lines: "list[bytes | None]") -> "list[bytes]":
         if None in lines:
             self._failed += len(lines)
-            return b"".join([self.output.bad(b"", TOO_LONG) for _ in lines])
+            return [self.output.bad(b"", TOO_LONG) for _ in lines]
         complete: list[bytes] = lines  # type: ignore[assignment]
         if self._wants_arrays(len(complete)):
             import gc
@@ -299,7 +299,7 @@ class _Stream:
             finally:
                 gc.enable()
             self._failed = 0
-        return b"".join(map(self._single, complete))
+        return [b"".join(map(self._single, complete))]
 
     def _wants_arrays(self, count: int) -> bool:
         if self._by_arrays is None and count >= FIRST_ARRAY_ROWS:
@@ -330,7 +330,7 @@ class _Stream:
         except Exception:
             return self.output.bad(b"", failure)
 
-    def _together(self, lines: "list[bytes]") -> bytes:
+    def _together(self, lines: "list[bytes]") -> "list[bytes]":
         assert self._groups is not None
         groups = self._groups.uniform(lines)
         if groups is None:
@@ -338,16 +338,18 @@ class _Stream:
         rows: list[bytes | None] = [None] * len(lines)
         for group in groups:
             all_rows = range(len(lines)) if group.rows is None else group.rows
-            for places, text in self._group([lines[row] for row in all_rows], group):
+            chosen = lines if group.rows is None else [lines[row] for row in all_rows]
+            for places, texts in self._group(chosen, group):
                 if len(places) == len(lines):
-                    return text
-                for place, answer_text in zip(places, text.split(b"\n"), strict=False):
+                    return texts
+                for place, answer_text in zip(places, b"".join(texts).split(b"\n"), strict=False):
                     rows[all_rows[place]] = answer_text + b"\n"
-        return b"".join([self._single(line) if text is None else text for line, text in zip(lines, rows, strict=True)])
+        every = [self._single(line) if text is None else text for line, text in zip(lines, rows, strict=True)]
+        return [b"".join(every)]
 
-    def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], bytes]]":
-        """The rows of a group that could be answered together: their indices in it, and their text."""
-        from dynamics_cli.core.batch.rows.answered import written
+    def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], list[bytes]]]":
+        """The rows of a group that could be answered together: their indices in it, and their texts."""
+        from dynamics_cli.core.batch.rows.answered import sliced, written
         from dynamics_cli.core.batch.text.columns import Unsuited, weave
 
         plan = group.plan
@@ -364,13 +366,16 @@ class _Stream:
             complete = len(places) == len(lines)
             answered_lines = lines if complete else [lines[place] for place in places]
             echoes = self._echoes(answered_lines, group, None if complete else places)
-            text = weave(self.output.pieces(echoes, written(part.results, self.output.format)), len(answered_lines))
+            texts = []
+            for rows, results in sliced(part.results, len(places)):
+                pieces = self.output.pieces(echoes[rows], written(results, self.output.format))
+                texts.append(weave(pieces, rows.stop - rows.start))
             if part.signature not in plan.proved:
-                if not self._agrees(answered_lines, text):
+                if not self._agrees(answered_lines, texts):
                     plan.failures = MOST_FAILURES + 1
                     return
                 plan.proved.add(part.signature)
-            yield places, text
+            yield places, texts
 
     def _echoes(self, lines: "list[bytes]", group: "Group", places: "list[int] | None") -> "list[bytes]":
         if self.output.format != self.source.format:
@@ -379,10 +384,10 @@ class _Stream:
             return lines
         return group.echoes if places is None else [group.echoes[place] for place in places]
 
-    def _agrees(self, lines: "list[bytes]", text: bytes) -> bool:
+    def _agrees(self, lines: "list[bytes]", texts: "list[bytes]") -> bool:
         """Whether the first and the last row are the same as from a single call."""
-        rows = text.split(b"\n")
-        return all(self._as_single(lines[place]) == rows[place] for place in (0, len(lines) - 1))
+        first, last = texts[0].partition(b"\n")[0], texts[-1][:-1].rpartition(b"\n")[2]
+        return self._as_single(lines[0]) == first and self._as_single(lines[-1]) == last
 
     def _as_single(self, line: bytes) -> bytes:
         try:

@@ -10,6 +10,7 @@ from dynamics_cli.numerics.exact.factors import Factor, scale
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from typing import Any
 
     from numpy.typing import NDArray
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
     Result = tuple[Part, str, Any]
 
 NAN = float("nan")
+# Numbers whose texts are put together at once, and the fewest rows.
+SLICE_NUMBERS, LEAST_SLICE = 5_000, 100
 
 
 class Answered:
@@ -101,6 +104,24 @@ def shown_factor(shown: "Shown | None") -> "Factor | None":
         return None
     shift, over = unit.offset
     return Factor(unit.denominator, unit.numerator, -unit.pi, (-shift * unit.denominator, over * unit.numerator))
+
+
+def sliced(results: "list[Result]", count: int) -> "Iterator[tuple[slice, list[Result]]]":
+    """The results of a few rows at a time: their texts are put together while they are in the processor's cache."""
+    step = max(LEAST_SLICE, SLICE_NUMBERS // max(len(results), 1))
+    if count <= step:
+        yield slice(0, count), results
+        return
+    for start in range(0, count, step):
+        rows = slice(start, min(start + step, count))
+        yield rows, [(part, how, _rows(how, value, rows)) for part, how, value in results]
+
+
+def _rows(how: str, value: "Any", rows: slice) -> "Any":
+    if how == "measured":
+        columns, units = value
+        return [column[rows] for column in columns], units
+    return value[rows] if how == "each" else value
 
 
 def written(results: "list[Result]", form: str) -> "list[Result]":

@@ -11,8 +11,6 @@ if TYPE_CHECKING:
 
 # Enough rows to amortise array calls, few enough to stay in the processor's cache.
 BLOCK_ROWS = 6000
-# Texts of so many results stay in the cache until they are put together.
-BLOCK_NUMBERS, FEWEST_ROWS = 60_000, 2000
 LEAST_BYTES, MOST_BYTES = 1 << 16, 1 << 22
 # A longer line cannot be a case, and must not fill the memory.
 LONGEST_LINE = 1 << 24
@@ -34,7 +32,6 @@ class Source:
         self._read = getattr(self._file, "read1", self._file.read)
         self._first = True
         self._block = LEAST_BYTES
-        self._rows = BLOCK_ROWS
 
     def _open(self, name: str) -> "BinaryIO":
         import os
@@ -128,11 +125,7 @@ class Source:
         self._fit(len(data), len(lines))
         return lines  # type: ignore[return-value]
 
-    def expect(self, numbers: int) -> None:
-        """Take fewer rows at once where each has many results."""
-        self._rows = max(FEWEST_ROWS, min(BLOCK_ROWS, BLOCK_NUMBERS // max(numbers, 1)))
-
     def _fit(self, length: int, count: int) -> None:
         """Choose how much to read next: about so many rows as a block should have."""
-        size = length * self._rows // (count + 1)
+        size = length * BLOCK_ROWS // (count + 1)
         self._block = max(LEAST_BYTES, min(size, MOST_BYTES))

@@ -70,13 +70,20 @@ class CellGroups(Groups):
         return apart(QUOTED.join(pieces[::2]).split(b"\n"), self.separator, width, iter(pieces[1::2]))
 
     def uniform(self, lines: "list[bytes]") -> "list[Group] | None":
-        """All lines as one group like the last one, or None."""
-        make = self.recent
-        cells = self._cells(lines) if make is not None and make.plan is not None else None
+        """All lines as one group like the last one, or like the first of them; or None."""
+        cells = self._cells(lines)
+        make = self.recent if self.recent is not None or cells is None else self._first_make(lines, cells)
         if cells is None or make is None or make.plan is None:
             return None
         columns = self._columns(make, cells)
-        return [Group(make.plan, columns)] if columns is not None else None
+        if columns is None:
+            return None
+        self.recent = make
+        return [Group(make.plan, columns)]
+
+    def _first_make(self, lines: "list[bytes]", cells: "list[list[bytes]]") -> "_Make | None":
+        key = tuple([self._keys(index, cells[index][:1])[0] for index in self.parameters])
+        return self._make(key, lines[:1])
 
     def _columns(self, make: _Make, cells: "list[list[bytes]]") -> "list[Column] | None":
         columns = []

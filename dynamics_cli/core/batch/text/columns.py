@@ -70,7 +70,7 @@ def column_of(tokens: "list[bytes]") -> "Column | None":
         values = _decode(b"[" + b",".join(tokens) + b"]")
     except (msgspec.MsgspecError, ValueError):
         return None
-    return Column(tokens, np.array(values)) if len(values) == len(tokens) else None
+    return Column(tokens, np.fromiter(values, float, len(values))) if len(values) == len(tokens) else None
 
 
 def exact_scale(
@@ -138,9 +138,11 @@ class Slot:
 def texts(values: "Array") -> "list[bytes]":
     """The shortest text of each number that reads back as it: what `repr` writes."""
     listed = values.tolist()
-    tokens = _encode(listed)[1:-1].split(b",") if listed else []
-    for row in _odd_sized(values):
-        tokens[row] = repr(listed[row]).encode()
+    encoded = _encode(listed)
+    tokens = encoded[1:-1].split(b",") if listed else []
+    if b"e" in encoded:
+        for row in _odd_sized(values):
+            tokens[row] = repr(listed[row]).encode()
     return tokens
 
 
@@ -150,16 +152,19 @@ def joined_texts(columns: "list[Array]") -> "list[bytes]":
         return texts(columns[0])
     matrix = np.stack(columns, axis=1)
     listed = matrix.tolist()
-    rows = _encode(listed)[2:-2].split(b"],[") if listed else []
-    for row in sorted({row for column in columns for row in _odd_sized(column)}):
-        rows[row] = ",".join(map(repr, listed[row])).encode()
+    encoded = _encode(listed)
+    rows = encoded[2:-2].split(b"],[") if listed else []
+    if b"e" in encoded:
+        for row in _odd_sized(matrix):
+            rows[row] = ",".join(map(repr, listed[row])).encode()
     return rows
 
 
 def _odd_sized(values: "Array") -> "list[int]":
+    """The rows with a number that msgspec writes in another way than `repr`: it has an exponent."""
     size = np.abs(values)
     odd = ((size < _PLAIN_LOW) & (size != 0.0)) | (size >= _PLAIN_HIGH)
-    return np.flatnonzero(odd).tolist() if odd.any() else []
+    return sorted(set(np.nonzero(odd)[0].tolist()))
 
 
 def weave(pieces: "list[bytes | list[bytes]]", count: int) -> bytes:

@@ -27,7 +27,7 @@ def records(blocks: "Iterable[Lines]") -> "Iterator[Lines]":
         if None in lines:
             yield joiner.rest()
             yield lines
-        elif joiner.held or any(b'"' in line for line in lines):  # type: ignore[operator]
+        elif joiner.held or b'"' in b"".join(lines):  # type: ignore[arg-type]
             yield joiner.joined(lines)  # type: ignore[arg-type]
         else:
             yield lines
