@@ -129,7 +129,7 @@ def test_listed_values_among_normal_inputs_are_a_mixture() -> None:
     values = (0.0, 0.7, 3.0)
     given = {"a": Normal(1.0, 0.3), "b": Empirical(values), "c": Normal(0.0, 0.4)}
     spread = propagate(total, given).spreads["sum"]
-    assert "listed values" in spread.method
+    assert "3 listed or bounded values" in spread.method
 
     def below(v: float) -> float:
         return sum(normal.upper((1.0 + value - v) / 0.5) for value in values) / 3.0

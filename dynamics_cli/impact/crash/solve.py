@@ -8,7 +8,7 @@ from dynamics_cli.impact.crash.results import BeforeImpact, Course, Crash, Crash
 from dynamics_cli.impact.crash.scene import CrashScene, named
 from dynamics_cli.impact.crash.ways import After, Before, along
 from dynamics_cli.impact.diagnostics import balance, require_sizes
-from dynamics_cli.impact.reconstruction.momentum import momentum, momentum_and_energy
+from dynamics_cli.impact.reconstruction.momentum import momentum, momentum_and_energy, momentum_of_samples
 from dynamics_cli.impact.reconstruction.momentum_records import MomentumResult, Reconstructed, Vehicle
 from dynamics_cli.quantities import STANDARD_GRAVITY, Annotated, Gravity
 from dynamics_cli.sampling import drawing
@@ -67,7 +67,7 @@ def crash(
     >>> round(found.first.approach_speed, 4), round(found.first.start.speed, 4)
     (16.4903, 20.8969)
     """
-    return _solved(scene, gravity, momentum)
+    return _solved(scene, gravity, momentum_of_samples if drawing() else momentum)
 
 
 def crash_with_energy(

@@ -91,6 +91,27 @@ def momentum(
     >>> round(result.first.approach_speed, 6), round(result.second.approach_speed, 6)
     (11.618973, 12.10263)
     """
+    return _solved(first, second, damage, branch, axes, pdof_zero, gravity, judged=True)
+
+
+def momentum_of_samples(
+    *,
+    first: Vehicle,
+    second: Vehicle,
+    damage: CrushEnergies | EquivalentSpeeds | None = None,
+    branch: Branch | None = None,
+    axes: Axes = AXES,
+    pdof_zero: PdofZero = PDOF_ZERO,
+    gravity: float = STANDARD_GRAVITY,
+) -> MomentumResult:
+    """As `momentum`, without verdicts: a crash has none in its samples, and they take half of the time."""
+    return _solved(first, second, damage, branch, axes, pdof_zero, gravity, judged=False)
+
+
+def _solved(
+    first: Vehicle, second: Vehicle, damage: object, branch: Branch | None, axes: Axes, zero: PdofZero, gravity: float,
+    *, judged: bool,
+) -> MomentumResult:  # fmt: skip
     require(
         damage is None,
         "energies of deformation are for vehicles on one line; these do not need them",
@@ -102,10 +123,12 @@ def momentum(
     terms = _terms(first, second, masses)
     unknown = Unknowns(terms)
     solution = solve(terms, branch)
-    verdicts = unknown.verdicts()
-    answer = _answer(terms, (first, second), axes, pdof_zero, solution.closure)
+    verdicts = unknown.verdicts() if judged else []
+    answer = _answer(terms, (first, second), axes, zero, solution.closure)
     answer = with_verdicts(answer, terms, verdicts, solution.condition)
     answer = certified(answer, terms, check=solution.closure is None)
+    if not judged:
+        return answer
     if solution.condition is not None:
         judge_crossing(verdicts, solution.condition)
     advice = verdict_advice(unknown, verdicts, solution.condition) + answer.advice
@@ -274,7 +297,7 @@ def _answer(
 ) -> MomentumResult:
     exchange = Exchange(terms, axes, straight)
     velocities = exchange.plane
-    impulse = exchange.components(None)
+    impulse = exchange.impulse
     size = hypot(*impulse)
     struck = size > 0.0
     require(struck, "no impact: neither vehicle changes its velocity", code="no-impact", hint="check the speeds after")

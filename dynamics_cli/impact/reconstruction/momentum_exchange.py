@@ -11,6 +11,7 @@ from dynamics_cli.impact.conventions import (
 from dynamics_cli.impact.reconstruction.momentum_terms import Term
 from dynamics_cli.numerics.elementary import absolute, cos, hypot, sin, where
 from dynamics_cli.numerics.number import is_array
+from dynamics_cli.sampling import drawing
 
 Pair = tuple[float, float]
 
@@ -35,6 +36,7 @@ class Exchange:
         self.left = -1.0 if axes == "compass" else 1.0
         amounts = [absolute(t.amount) for t in terms]
         self.first_smaller = amounts[0] + amounts[2] <= amounts[1] + amounts[3]
+        self.impulse = self.components(None)
 
     def _turned(self, index: int, heading: float | None) -> Pair:
         """Velocity of one vehicle along a heading (None: along the x-axis) and across it."""
@@ -58,6 +60,10 @@ class Exchange:
         """Impulse along a heading, and to its left (in SAE axes to its right); along the axes x and y for None."""
         if self.straight is not None:
             return self._along_the_line(*self.straight, heading)
+        if heading is not None and drawing():
+            # of samples no digit is lost that counts, and sines of arrays are slow
+            (px, py), (x, y) = self.impulse, direction_of(heading, self.axes)
+            return px * x + py * y, py * x - px * y
         smaller = self.first_smaller
         impulses: list[Pair] = []
         for before, after, mass, required in (

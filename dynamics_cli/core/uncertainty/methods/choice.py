@@ -14,8 +14,8 @@ from dynamics_cli.core.uncertainty.methods.grids import grids
 from dynamics_cli.core.uncertainty.methods.lattices import lattices
 from dynamics_cli.core.uncertainty.methods.lines import Lines, side_by_side
 from dynamics_cli.core.uncertainty.methods.lines import alone as stepped
-from dynamics_cli.core.uncertainty.methods.listed_grids import listed_grids
-from dynamics_cli.core.uncertainty.methods.listed_grids import suits as suits_listed_grids
+from dynamics_cli.core.uncertainty.methods.mixtures import mixtures
+from dynamics_cli.core.uncertainty.methods.mixtures import suits as suits_mixtures
 from dynamics_cli.core.uncertainty.methods.nested import nested
 from dynamics_cli.core.uncertainty.methods.nested import suits as suits_nested
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR, GOOD, Goal, Outcome, direction_of
@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from numpy.typing import NDArray
+
+    from dynamics_cli.core.uncertainty.methods.lines import Steps
 
     Array = NDArray[Any]
     Method = Callable[[Space, int, Array, Array, Goal], Outcome | None]
@@ -59,6 +61,7 @@ class Problem:
         self.asked = asked
         self.narrow = space.size <= MOST_DIMENSIONS
         self.several = len(space.results) > FEW_RESULTS
+        self.mixture = asked == "auto" and suits_mixtures(space)
         self.counted = asked == "auto" and result in space.whole and not (space.slow or space.heavy or goal.limits)
         # The model is called case by case for many results: points must be shared.
         self.dear = self.several and space.slow
@@ -97,7 +100,14 @@ def _grids(space: Space, result: int, direction: "Array", across: "Array", goal:
     """Grids along the gradient, where they have not been started beside those of other results."""
     if result in space.started:
         return space.started[result][1]  # type: ignore[no-any-return]
-    return stepped(grids(space, result, direction, across, goal))
+    return stepped(_levels(space, result, direction, None, goal))
+
+
+def _levels(space: Space, result: int, direction: "Array", axes: "Array | None", goal: Goal) -> "Steps[Outcome | None]":
+    """Grids of one result across the axes that bear on it (None: all); a mixture where these are not smooth."""
+    if suits_mixtures(space, axes):
+        return mixtures(space, result, direction, axes, goal)
+    return grids(space, result, direction, complement(direction, axes), goal)
 
 
 def _rising(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
@@ -114,9 +124,8 @@ WAYS = (
     # 1e3 to 1e5: two or three bounded or triangular inputs
     Way(_nested, lambda p: p.asked == "auto" and suits_nested(p.space, p.goal)),
     # 1e2 to 1e5: results that rise along every line; exact to many digits where they are smooth
-    GRIDS := Way(_grids, lambda p: p.asked != "lattice" and not p.space.stepped),
-    # 1e3 to 1e5: lists of values among inputs that are smooth
-    Way(lambda *problem: stepped(listed_grids(*problem)), lambda p: p.asked == "auto" and suits_listed_grids(p.space)),
+    # (bounded inputs and lists among smooth ones: value by value)
+    GRIDS := Way(_grids, lambda p: p.asked != "lattice" and (not p.space.stepped or p.mixture)),
     # 1e5: a result among many that rises along the lines of its grids, which have not settled
     Way(_rising, lambda p: p.sharing and p.rises, above=OWN_ACCURACY),
     # 5e4, or 2e5, once for all results that rise in like directions: kinks, turns, jumps
@@ -152,7 +161,8 @@ def start(space: Space, goals: "Mapping[int, Goal]", probe: "Array", asked: str)
     rest = set(space.whole)
     for result, goal in goals.items():
         own = goal.own(space)
-        if next(way for way in WAYS if way.suits(Problem(space, own, asked, result))) is not GRIDS:
+        problem = Problem(space, own, asked, result)
+        if next(way for way in WAYS if way.suits(problem)) is not GRIDS:
             rest.add(result)
             continue
         direction = direction_of(space, probe, result)
@@ -161,10 +171,12 @@ def start(space: Space, goals: "Mapping[int, Goal]", probe: "Array", asked: str)
             direction = np.where(axes, direction, 0.0)
             direction /= np.sqrt(direction @ direction)
         if axes is not None and axes.sum() == 1:
-            space.started[result] = direction, _single(Problem(space, own, asked, result), result, direction, goal)
+            space.started[result] = direction, _single(problem, result, direction, goal)
             continue
         space.started[result] = direction, None
-        calculations[result] = grids(space, result, direction, complement(direction, axes), own)
+        if problem.sharing and suits_mixtures(space, axes):
+            own.accuracy = max(own.accuracy, OWN_ACCURACY)
+        calculations[result] = _levels(space, result, direction, axes, own)
     for result, outcome in side_by_side(calculations).items():
         space.started[result] = space.started[result][0], outcome
         if outcome is None or outcome.estimate > max(ACCURACY, goals[result].accuracy):

@@ -108,10 +108,12 @@ def _evaluated(asked: "Mapping[int, tuple[Lines, Array]]") -> "dict[int, Array]"
         room -= s.size
     for rows in blocks:
         parts = [asked[row] for row in rows]
-        found = parts[0][0].space.evaluate(np.concatenate([lines.points(s) for lines, s in parts], axis=1))
+        needed = sorted({lines.result for lines, _ in parts})
+        points = np.concatenate([lines.points(s) for lines, s in parts], axis=1)
+        found = dict(zip(needed, parts[0][0].space.some(points, needed), strict=True))
         ends = np.cumsum([s.size for _, s in parts])
         for row, (lines, s), end in zip(rows, parts, ends.tolist(), strict=True):
-            values[row] = found[lines.result, end - s.size : end].reshape(s.shape)
+            values[row] = found[lines.result][end - s.size : end].reshape(s.shape)
     return values
 
 
@@ -259,8 +261,8 @@ _projections: "dict[tuple[object, object], Array]" = {}
 
 
 def fitted(terms: "Array", values: "Array") -> "Array":
-    """Least squares over many lines of one weight; their terms are independent, and a full factorization slow."""
-    coefficients: Array = np.linalg.solve(terms.T @ terms, terms.T @ values)
+    """Least squares over many lines of one weight, for which a full factorization is slow; the shortest solution."""
+    coefficients: Array = np.linalg.pinv(terms.T @ terms, rcond=1e-12, hermitian=True) @ (terms.T @ values)
     return coefficients
 
 

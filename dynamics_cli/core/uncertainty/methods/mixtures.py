@@ -1,0 +1,171 @@
+"""Grids along the gradient at chosen values of the inputs that are not smooth in their score: smooth problems mixed.
+
+An input of listed values (`empirical(…)`) is a step in its score, and one between bounds has corners there; no smooth
+rule integrates either. At each listed value, or each Gauss point between the bounds, the other inputs are integrated
+as usual; all lines of all values are solved together.
+"""
+
+import numpy as np
+
+from dynamics_cli.core.inputs.uncertain.distributions import Empirical
+from dynamics_cli.core.uncertainty.axes import Axis
+from dynamics_cli.core.uncertainty.axes import points as points_of
+from dynamics_cli.core.uncertainty.methods.grids import MOST_LEVEL, TENSOR_COUNTS, rule
+from dynamics_cli.core.uncertainty.methods.lines import ORDERS, Lines, carry, order_moments, solve
+from dynamics_cli.core.uncertainty.methods.outcome import FLOOR, Goal, Outcome, width_of
+from dynamics_cli.core.uncertainty.space import Space, complement
+from dynamics_cli.numerics.distributions.normal_arrays import quantile
+from dynamics_cli.numerics.quadrature import smolyak
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from numpy.typing import NDArray
+
+    from dynamics_cli.core.uncertainty.methods.lines import Roots, Steps
+
+    Array = NDArray[Any]
+
+# Values of all such inputs together at the first level, and lines of all of them.
+MOST_VALUES, MOST_LINES = 64, 20_000
+# Gauss points of a panel between bounds, by level.
+COUNTS = (3, 4, 6, 8, 12, 16, 20, 24)
+# The error of a level as a share of its difference from the one before: at least, and where levels settle slowly.
+GAIN, SLOW = 0.3, 1.5
+# A difference of two levels, in deviations, that no further one would settle (a kink), and how far off it may be.
+KINK, UNSETTLED = 0.1, 3.0
+
+
+def _listed(space: Space, axis: int) -> bool:
+    return isinstance(space.distributions[axis], Empirical)
+
+
+def _mixed(space: Space) -> "list[int]":
+    """The axes that are not smooth in their score, and can be taken value by value."""
+    return [
+        axis
+        for axis, distribution in enumerate(space.distributions)
+        if _listed(space, axis) or (not distribution.smooth and Axis(distribution).bounded)
+    ]
+
+
+def suits(space: Space, bears: "Array | None" = None) -> bool:
+    """Whether some inputs that bear on a result are short lists or bounded, and the others smooth and independent."""
+    every = [axis for axis in range(space.size) if bears is None or bears[axis]]
+    axes = [axis for axis in _mixed(space) if axis in every]
+    others = [space.distributions[axis] for axis in every if axis not in axes]
+    if not axes or not others or space.factor is not None or space.heavy:
+        return False
+    # lists are exact, and what is integrated beside them may have corners
+    smooth = all(one.smooth for one in others) or all(_listed(space, axis) for axis in axes)
+    return smooth and _values(space, axes, COUNTS[0])[1].size <= MOST_VALUES
+
+
+def _values(space: Space, axes: "list[int]", count: int) -> "tuple[Array, Array]":
+    """Scores (axes, values) of all values together, and their weights."""
+    scores, weights = [], []
+    for axis in axes:
+        distribution = space.distributions[axis]
+        if isinstance(distribution, Empirical):
+            size = distribution.values.size
+            scores.append(quantile((np.arange(size) + 0.5) / size))
+            weights.append(np.full(size, 1.0 / size))
+            continue
+        own = Axis(distribution)
+        _, t, weight = points_of(own, np.empty((1, 0)), count)
+        scores.append(quantile(own.below(t)))
+        weights.append(weight / weight.sum())
+    product = np.prod(np.meshgrid(*weights, indexing="ij"), axis=0)
+    return np.array([part.ravel() for part in np.meshgrid(*scores, indexing="ij")]), product.ravel()
+
+
+def mixtures(
+    space: Space, result: int, direction: "Array", axes: "Array | None", goal: Goal
+) -> "Steps[Outcome | None]":
+    """Levels of grids until two agree; None where the result does not rise along every line.
+
+    `axes` are those that bear on the result (None: all).
+    """
+    bears = np.ones(space.size, dtype=bool) if axes is None else axes
+    mixed = [axis for axis in _mixed(space) if bears[axis]]
+    smooth = [axis for axis in range(space.size) if bears[axis] and axis not in mixed]
+    along = direction[smooth]
+    size = float(np.sqrt(along @ along))
+    if not size > 1e-6:
+        return None
+    own = np.zeros(space.size)
+    own[smooth] = along / size
+    best: Outcome | None = None
+    before: Outcome | None = None
+    apart = np.inf
+    for level in range(1, (MOST_LEVEL if len(smooth) > 3 else len(TENSOR_COUNTS)) + 1):
+        lines = _lines(space, result, own, (smooth, mixed), level, goal.accuracy)
+        if lines is None:
+            break
+        guess = None if before is None else _guess(before, lines)
+        roots = yield from solve(lines, goal.p, goal.scores, goal.tolerance, guess)
+        if roots is None and guess is not None:
+            roots = yield from solve(lines, goal.p, goal.scores, goal.tolerance)
+        if roots is None or (level == 1 and not (yield from order_moments(lines, ORDERS[1])).rising):
+            return None
+        values = np.unique(lines.base[mixed], axis=1).shape[1]
+        method = f"grids along the gradient for {values} listed or bounded values, {lines.weights.size} lines"
+        outcome = Outcome(method, roots.quantiles, lines)
+        outcome.roots = roots
+        if before is not None:
+            outcome.before = before.lines
+            width, last = width_of(roots.quantiles, goal), apart
+            apart = float(np.abs(roots.quantiles - before.quantiles).max()) / width if width > 0.0 else 0.0
+            part = UNSETTLED if apart > KINK else max(GAIN, min(UNSETTLED * apart / last, SLOW))
+            outcome.estimate = max(part * apart, FLOOR)
+        elif len(smooth) == 1 and all(_listed(space, axis) for axis in mixed):
+            outcome.estimate = FLOOR
+        outcome.estimate = max(outcome.estimate, roots.residual)
+        best = outcome if best is None or outcome.estimate <= best.estimate else best
+        before = outcome
+        if outcome.estimate <= goal.accuracy or KINK < apart < np.inf:
+            break
+    return None if best is None else (yield from _with_moments(best))
+
+
+def _lines(
+    space: Space, result: int, own: "Array", axes: "tuple[list[int], list[int]]", level: int, accuracy: float
+) -> Lines | None:
+    """The lines of a level; None where they are too many."""
+    smooth, mixed = axes
+    scores, shares = _values(space, mixed, COUNTS[level - 1])
+    if len(smooth) == 1:
+        points, weights = np.zeros((0, 1)), np.ones(1)
+    elif level > 1 and len(smooth) > 3 and smolyak.size(len(smooth) - 1, level) * shares.size > MOST_LINES:
+        return None
+    else:
+        points, weights = rule(len(smooth) - 1, level, accuracy)
+    lines = Lines.__new__(Lines)
+    lines.space, lines.result, lines.direction = space, result, own
+    lines.rest = np.concatenate([np.tile(points, shares.size), np.repeat(scores, weights.size, axis=1)])
+    lines.base = np.zeros((space.size, lines.rest.shape[1]))
+    lines.base[smooth] = np.tile(complement(own[smooth]) @ points, shares.size)
+    lines.base[mixed] = np.repeat(scores, weights.size, axis=1)
+    lines.weights = np.outer(shares, weights).ravel()
+    return lines
+
+
+def _guess(before: Outcome, lines: Lines) -> "tuple[Array, Array]":
+    roots: Roots | None = before.roots
+    assert roots is not None
+    return carry(before.lines, roots, lines)
+
+
+def _with_moments(outcome: Outcome) -> "Steps[Outcome | None]":
+    spread = yield from order_moments(outcome.lines, ORDERS[1])
+    if not spread.rising:
+        return None
+    outcome.mean, outcome.std = spread.mean, spread.std
+    if outcome.before is not None and spread.std > 0.0:
+        apart = 0.0
+        for order in ORDERS[:2]:
+            other = yield from order_moments(outcome.before, order)
+            apart = max(abs(other.mean - spread.mean), abs(other.std - spread.std), apart)
+        outcome.estimate = max(outcome.estimate, GAIN * apart / spread.std)
+    return outcome
