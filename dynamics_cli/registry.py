@@ -156,6 +156,8 @@ FAMILIES: "dict[str, Entry]" = {
         "dynamics_cli.stability.commands",
         GROUPS[5],
         "Stability: root counts, gains, delays, equilibria.",
+        references=("stability_roots.json",),
+        questions="dynamics_cli.accuracy.alternatives.stability",
     ),
     "accuracy": Entry(
         "dynamics_cli.accuracy.commands", GROUPS[6], "Speed against error of every method, measured here and now."

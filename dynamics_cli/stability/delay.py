@@ -175,9 +175,8 @@ def _crossings(p: "Sequence[int]", q: "Sequence[int]") -> "list[Crossing]":
         with localcontext(Context(prec=DIGITS)):
             squared = (Decimal(low[0]) / low[1] + Decimal(high[0]) / high[1]) / 2
             frequency = squared.sqrt()
-            phase = _angle(q, squared, frequency) - _angle(p, squared, frequency) + pi
+            turn = _turn(p, q, squared, frequency)
         omega = float(frequency)
-        turn = phase % (2.0 * pi)
         if touches and min(turn, 2.0 * pi - turn) < NOTHING:
             turn = 0.0
         crossings_met.append(
@@ -227,9 +226,11 @@ def _derivative_sign(p: "Sequence[int]", at: "Pair", order: int) -> int:
     return sign_at(part, at)
 
 
-def _angle(p: "Sequence[int]", squared: "Decimal", frequency: "Decimal") -> float:
-    even, odd = _parts(p)
-    return atan2(float(frequency * _value(odd, squared)), float(_value(even, squared)))
+def _turn(p: "Sequence[int]", q: "Sequence[int]", squared: "Decimal", frequency: "Decimal") -> float:
+    """The angle of −q/p from 0 to 2π: of their product in many digits, so that small angles keep theirs."""
+    (a, b), (c, d) = ([_value(part, squared) for part in _parts(one)] for one in (p, q))
+    turn = atan2(float(frequency * (b * c - a * d)), float(-(a * c + squared * b * d)))
+    return turn if turn >= 0.0 else turn + 2.0 * pi
 
 
 def _value(p: "Sequence[int]", x: "Decimal") -> "Decimal":

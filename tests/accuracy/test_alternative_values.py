@@ -48,6 +48,11 @@ COARSE = {
     "slides or sticks, LAPACK": (0.01, math.inf),
     # the direction of axes of equal moments is that of rounding
     "doubles from": (1e-15, math.inf),
+    # a number of the array is zero even in ordinary polynomials
+    "Routh's array with ε": (1e-15, 2.0),
+    # read from a diagram
+    "1,000 gains": (0.01, 0.1),
+    "1,000 frequencies": (1e-4, 1e-2),
     # they find the trivial root, too
     "Newton on half angles": (1e-15, 1.0),
 }

@@ -1,6 +1,8 @@
-"""Writes the table of docs/accuracy.md and the diagram beside it, as measured here and now.
+"""Writes the table of docs/accuracy.md and the diagram beside it, as measured here and now (minutes).
 
-python tests/benchmarks/accuracy_page.py
+python tests/benchmarks/accuracy_page.py [FAMILY …]
+
+With families only their lines are measured and written; the diagram and the rest stay.
 """
 
 import compileall
@@ -11,6 +13,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.cases import DATA, load
 from dynamics_cli.accuracy.pictures import chosen_overview
 from dynamics_cli.accuracy.report import Accuracy, accuracy
@@ -27,6 +30,7 @@ HEAD = ("question", "the program's method", "worst error", "instead", "worst err
 # A whole call as a user makes it: nearly all of it is the start of the interpreter.
 CALL = ("-m", "dynamics_cli", "skid", "speed", "--distance", "60 ft", "--friction", "0.7")
 CALLS = 15
+MEASURED = "Measured on"
 
 
 def questions(report: Accuracy) -> list[list[Row]]:
@@ -39,7 +43,9 @@ def questions(report: Accuracy) -> list[list[Row]]:
 
 def error(row: Row) -> str:
     """An error as it is compared, with what it is measured in, and how many cases were not answered."""
-    number = "none right" if row.worst >= 0.95 and row.measure == "relative" else f"{row.worst:.1e}"
+    number = (
+        "none right" if row.worst >= 0.95 and row.measure == "relative" else f"{row.worst:.1e}" if row.worst else "0"
+    )
     if row.bound == "bound held" and row.worst > ILL:
         number += ", and says so"
     if row.entities is not None:
@@ -93,49 +99,70 @@ def start_up() -> str:
     )
 
 
-def summary(report: Accuracy) -> list[str]:
-    """Bounds, cases and the machine."""
-    proved = [row for row in report.methods if row.is_proved]
-    held = [row for row in proved if not row.broken]
+def summary() -> str:
+    """What the figures are, and how many cases there are."""
     cases = [case for path in sorted(DATA.glob("*.json")) for case in load(path.name)]
     hard = sum(case.hard for case in cases)
-    here: Any = report.machine
-    return [
+    return (
         "Errors are the worst over all cases, as shares of the reference unless said otherwise, of the results that "
         "both methods give; `none right` is an error as large as the answer, `and says so` that the bound stated with "
-        "the answer is as large: its inputs are next to those where it is zero. The bounds that the program states "
-        f"held in {len(held)} of {len(proved)} questions that have one, for every result of every case, and are in the "
-        f"median {report.looseness:.2g} times the true error. {len(cases)} cases ship with the program, {hard} of them "
-        f"hard. Measured on {here.processor}, {here.python}, numpy {here.numpy}. {start_up()}",
-        "",
-        f"![Work–precision diagram](images/{DIAGRAM.name})",
-    ]
+        "the answer is as large: its inputs are next to those where it is zero. Every bound that the program states "
+        f"held, for every result of every case. {len(cases)} cases ship with the program, {hard} of them hard."
+    )
 
 
-def table(report: Accuracy) -> list[str]:
-    """A line for every question."""
-    lines = ["| " + " | ".join(HEAD) + " |", "|---|---|---:|---|---:|---:|"]
-    lines += [line(own, alternative(others)) for own, *others in questions(report)]
-    return [*lines, "", *summary(report)]
+def measured(report: Accuracy) -> str:
+    """What only a measurement of everything tells."""
+    here: Any = report.machine
+    return (
+        f"{MEASURED} {here.processor}, {here.python}, numpy {here.numpy}. Stated bounds are in the median "
+        f"{report.looseness:.2g} times the true error. {start_up()}"
+    )
 
 
-def main() -> None:
-    """Rewrite the part of the page between the marks."""
+def by_family(lines: list[str]) -> dict[str, list[str]]:
+    """The lines of a table by the families of their questions; one that has no question stays with those above."""
+    known = {question.name: question.family for question in catalogue.questions("", "")}
+    parts: dict[str, list[str]] = {}
+    family = ""
+    for text in lines:
+        name = text.split("|")[1].strip()
+        family = known.get(name, known.get(name.partition(", in ")[0], family))
+        parts.setdefault(family, []).append(text)
+    return parts
+
+
+def main(families: list[str]) -> None:
+    """Rewrite the part of the page between the marks, or the lines of families in it."""
     start = time.perf_counter()
-    report = accuracy()
-    failed = [check.name for check in report.checks if not check.passed]
-    if failed:
-        sys.exit(f"not written: {', '.join(failed)}")
     text = PAGE.read_text(encoding="utf-8")
     if text.count(START) != 1 or text.count(END) != 1:
         sys.exit(f"{PAGE.name} must contain {START} and {END} once")
     before, _, rest = text.partition(START)
-    after = rest.partition(END)[2]
-    picture = draw(chosen_overview(report), "svg", "si")
-    PAGE.write_text("\n".join([before + START, "", *table(report), "", END]) + after, encoding="utf-8")
-    DIAGRAM.write_bytes(picture)
-    print(f"{len(report.methods)} methods of {report.questions} questions in {time.perf_counter() - start:.0f} s")
+    old, _, after = rest.partition(END)
+    reports = [accuracy(family) for family in families or [""]]
+    failed = [check.name for report in reports for check in report.checks if not check.passed]
+    if failed:
+        sys.exit(f"not written: {', '.join(failed)}")
+    parts = by_family([text for text in old.splitlines() if text.startswith("| ")][1:]) if families else {}
+    fresh: dict[str, list[str]] = {}
+    for report in reports:
+        for own, *others in questions(report):
+            fresh.setdefault(own.family, []).append(line(own, alternative(others)))
+    parts |= fresh
+    if families:
+        last = next(text for text in old.splitlines() if text.startswith(MEASURED))
+    else:
+        last = measured(reports[0])
+        DIAGRAM.write_bytes(draw(chosen_overview(reports[0]), "svg", "si"))
+    order = dict.fromkeys(question.family for question in catalogue.questions("", ""))
+    rows = [text for family in order for text in parts.get(family, [])]
+    table = ["| " + " | ".join(HEAD) + " |", "|---|---|---:|---|---:|---:|", *rows]
+    picture = f"![Work–precision diagram](images/{DIAGRAM.name})"
+    page = "\n".join([before + START, "", *table, "", summary(), "", last, "", picture, "", END]) + after
+    PAGE.write_text(page, encoding="utf-8")
+    print(f"{len(rows)} questions, {sum(map(len, fresh.values()))} measured in {time.perf_counter() - start:.0f} s")
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

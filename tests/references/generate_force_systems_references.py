@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from case_files import Case, write
-from mpmath import cos, lu_solve, matrix, mp, mpf, sin, sqrt
+from mpmath import atan, cos, lu_solve, matrix, mp, mpf, sin, sqrt, tan
 
 mp.dps = 90
 ABOUT = (
@@ -237,8 +237,37 @@ def frictions() -> Iterator[Case]:
         yield "friction", f"block {nth}", why, inputs, results
 
 
+def wedges() -> Iterator[Case]:
+    """Load and wedge on their own, each with the forces of its faces and their friction."""
+    hard = [
+        ("0.29145679447786715", "0.15", "0.15", "0.0", "on the limit of holding: what pulls it out all but vanishes"),
+        ("1.15", "0.3", "0.05", "0.1", "close to where it jams: the drive grows without limit"),
+        ("1e-06", "0.1", "0.2", "0.05", "a wedge as flat as a shim: friction is all there is"),
+    ]
+    drawings = [(drawn(0.05, 0.4), *(drawn(0, 0.4) for _ in range(3)), "") for _ in range(5)]
+    for nth, (angle, face, ground, guide, why) in enumerate([*hard, *drawings]):
+        load = drawn(100, 9000)
+        inputs = {"load": load, "angle": angle, "friction": face, "ground_friction": ground, "guide_friction": guide}
+        weight, a, mu, under, side = (exact(text) for text in inputs.values())
+        # across the face and by the guide: nothing up or down, nothing sideways is left of the load
+        normal, beside = lu_solve(
+            matrix([[cos(a) - mu * sin(a), -side], [-(sin(a) + mu * cos(a)), 1]]), matrix([weight, 0])
+        )
+        drive = beside + under * (normal * (cos(a) - mu * sin(a)))
+        # friction turned round; the guide is pressed on the side to which the face now leans
+        lean = sin(a) - mu * cos(a)
+        up = cos(a) + mu * sin(a)
+        back, held = lu_solve(matrix([[up, side], [-abs(lean), 1]]), matrix([weight, 0]))
+        results = {
+            "drive": drive, "release": under * back * up - (held if lean > 0 else -held),
+            "limit_angle": atan(mu) + atan(under), "efficiency": weight * tan(a) / drive,
+            "face_force": normal * sqrt(1 + mu**2), "guide_force": beside * sqrt(1 + side**2),
+        }  # fmt: skip
+        yield "wedge", f"wedge {nth}", why, inputs, results
+
+
 def every() -> Iterator[Case]:
-    for part in (systems, moments, supports, springs, weights, frictions):
+    for part in (systems, moments, supports, springs, weights, frictions, wedges):
         yield from part()
 
 

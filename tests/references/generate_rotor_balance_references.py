@@ -1,7 +1,8 @@
 """Writes rotor_balance.json: corrections, grades, engines and flywheels to 40 digits.
 
 Unbalances are complex exponentials, corrections come from real linear equations of forces and moments, orders of
-engines from sums over the exact acceleration of the pistons, flywheels from crossings by linear equations; the program
+engines from sums over the exact acceleration of the pistons, flywheels from crossings by linear equations, turning
+moments from the pistons' energy; the program
 has products of sines and cosines, shares of a beam, a power series, and sums of trapezia.
 Run: python tests/references/generate_rotor_balance_references.py [FILE]. The same bytes every time.
 """
@@ -11,6 +12,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
+from balance_runs import four_runs, turnings
 from case_files import Case, write
 from mpmath import arg, cos, expj, lu_solve, matrix, mp, mpf, pi, sin, sqrt
 
@@ -281,6 +283,8 @@ def flywheels() -> Iterator[Case]:
 def every() -> Iterator[Case]:
     for part in (statics, planes, trials, splits, grades, engines, lanchesters, flywheels):
         yield from part()
+    yield from four_runs()
+    yield from turnings()
 
 
 if __name__ == "__main__":

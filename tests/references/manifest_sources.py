@@ -103,14 +103,25 @@ FILES: dict[str, Origin] = {
         "90 digits", "", ".",
     ),
     "rotor_balance": Origin(
-        "balance", _same("static", "planes", "trial", "split", "grade", "engine", "lanchester", "flywheel"),
+        "balance",
+        _same(
+            "static", "planes", "trial", "four_runs", "split", "grade", "engine", "lanchester", "flywheel", "turning"
+        ),
         "unbalances as complex exponentials, corrections by linear equations of forces and moments, orders of engines "
         "by means of the pistons' exact acceleration over a turn",
         "90 digits", "", ".",
     ),
+    "stability_roots": Origin(
+        "stability", _same("routh", "discrete", "interval", "gain", "delay", "matrix", "equilibrium"),
+        "roots of the factors one by one, gains by the real axis of p(iω)/q(iω), delays by Newton's method on the "
+        "loop, eigenvalues by QR, equilibria with slopes derived by hand",
+        "110 digits", "", "drawn",
+    ),
     "force_systems": Origin(
         "force",
-        _same("resultant", "moment", "equivalent", "equilibrium", "spring", "gravity", "friction", "first_moment"),
+        _same(
+            "resultant", "moment", "equivalent", "equilibrium", "spring", "gravity", "friction", "first_moment", "wedge"
+        ),
         "moments about a far point brought back, axes and reactions by linear equations, tips by moments about edges",
         "90 digits", "", ".",
     ),

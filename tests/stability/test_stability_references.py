@@ -8,6 +8,9 @@ from typing import Any
 
 import pytest
 
+from dynamics_cli.accuracy import catalogue
+from dynamics_cli.accuracy.cases import load
+from dynamics_cli.accuracy.measure import errors_of
 from dynamics_cli.numerics.exact.polynomial_text import read, whole
 from dynamics_cli.records import Formula, Let
 from dynamics_cli.stability.array import array
@@ -252,3 +255,12 @@ def test_a_node_of_one_direction_and_both_laws_agree() -> None:
         assert point.at == pytest.approx((place.position, 0.0), abs=1e-12)
         assert point.frequency == (place.frequency and pytest.approx(place.frequency, rel=1e-12))
         assert point.rightmost == pytest.approx(place.growth or 0.0, rel=1e-12, abs=1e-12)
+
+
+@pytest.mark.parametrize("question", catalogue.questions("stability", ""), ids=lambda question: question.name)
+def test_reference_cases_to_the_last_bits(question: Any) -> None:
+    """Slopes and their roots at an equilibrium are those of a place that is a double."""
+    cases = [case for case in load(question.file) if case.task == question.cases]
+    errors = errors_of(question.methods[0].call(), cases, catalogue.groups("stability"), tracked=False)
+    assert (errors.refused, errors.cases) == (0, len(cases))
+    assert max(errors.relative) <= (1e-9 if question.task == "equilibrium" else 3e-16), errors.worst

@@ -23,7 +23,7 @@ from dynamics_cli.stability.roots import Root, roots
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
     from typing import Any
 
     Point = tuple[float, ...]
@@ -104,15 +104,25 @@ def state_places(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> "t
     # a third of a step off, so that symmetric laws are not begun at their equilibria
     grids = [[low + (k + 1.0 / 3.0) * (high - low) / each for k in range(each)] for low, high in ranges]
     places: list[Point] = []
-    for start in itertools.product(*grids):
+    _search(rates, itertools.product(*grids), ranges, places)
+    # one that lies between two others, and so close that no start led to it
+    pairs = itertools.combinations(tuple(places), 2)
+    _search(rates, [tuple(0.5 * (a + b) for a, b in zip(*pair, strict=True)) for pair in pairs], ranges, places)
+    require(bool(places), "no equilibrium was found within the ranges", code="no-equilibrium",
+            hint="widen low and high, or check the signs; where equilibria form a line, leave out a state")  # fmt: skip
+    return tuple(_judged(rates, place) for place in sorted(places))
+
+
+def _search(
+    rates: Rates, starts: "Iterable[Point]", ranges: "Sequence[tuple[float, float]]", places: "list[Point]"
+) -> None:
+    """Add the equilibria that starts lead to."""
+    for start in starts:
         place = _newton(rates, start, ranges)
         if place is not None and not any(_same(place, other, ranges) for other in places):
             places.append(place)
             require(len(places) <= MOST_PLACES, "there are more than {most} equilibria, or they form a curve",
                     most=str(MOST_PLACES), code="curve", hint="narrow the ranges of the states")  # fmt: skip
-    require(bool(places), "no equilibrium was found within the ranges", code="no-equilibrium",
-            hint="widen low and high, or check the signs; where equilibria form a line, leave out a state")  # fmt: skip
-    return tuple(_judged(rates, place) for place in sorted(places))
 
 
 def _newton(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]") -> "Point | None":

@@ -28,11 +28,15 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     Potential = Callable[[float, int], list[float]]
+    # A place and the Taylor coefficients there.
+    Sample = tuple[float, list[float]]
 
 SAMPLES = 1200
 ORDER = 8
 # A derivative below this share of the potential's own variation is taken for zero.
 NOTHING = 1e-9
+# Slopes that pass zero by less than this share of the largest touch it; zeros are parted by derivatives up to this one.
+TOUCH, DEEPEST = 1e-13, 4
 ANGLES = ("theta", "θ")
 POSITION = "x"
 
@@ -183,22 +187,15 @@ def _equilibria(value: "Potential", low: float, high: float) -> "list[float]":
     step = (high - low) / SAMPLES
     # a third of a step off, so that symmetric potentials are not sampled at their equilibria
     places = [low + (k + 1.0 / 3.0) * step for k in range(-1, SAMPLES + 1)]
-    slopes = [value(at, 2) for at in places]
+    slopes = [value(at, DEEPEST) for at in places]
     largest = max((abs(parts[1]) for parts in slopes if math.isfinite(parts[1])), default=0.0)
     require(largest > 0.0, "the potential is the same everywhere within the range", code="constant",
             hint="check the formula and its range")  # fmt: skip
     found = []
     for k, (one, other) in enumerate(itertools.pairwise(slopes)):
-        if not (math.isfinite(one[1]) and math.isfinite(other[1])):
-            continue
-        if one[1] == 0.0:
-            found.append(places[k])
-        elif (one[1] < 0.0) != (other[1] < 0.0) and other[1] != 0.0:
-            found.append(_halved(value, 1, places[k], places[k + 1]))
-        elif (one[2] < 0.0) != (other[2] < 0.0):
-            touch = _halved(value, 2, places[k], places[k + 1])
-            if abs(value(touch, 1)[1]) <= NOTHING * largest:
-                found.append(touch)
+        if math.isfinite(one[1]) and math.isfinite(other[1]):
+            found += [places[k]] if one[1] == 0.0 else []
+            found += _roots(value, 1, (places[k], one), (places[k + 1], other), TOUCH * largest)
     span = high - low
     found = [0.0 if abs(at) < NOTHING * step else at for at in found]
     inside = [at for at in found if low - NOTHING * span < at <= high + NOTHING * span]
@@ -206,6 +203,27 @@ def _equilibria(value: "Potential", low: float, high: float) -> "list[float]":
     require(bool(kept), "the potential has no equilibrium within the range", code="no-equilibrium",
             hint="widen the range, or check the signs of the formula")  # fmt: skip
     return kept
+
+
+def _roots(value: "Potential", order: int, low: "Sample", high: "Sample", nothing: float) -> "list[float]":
+    """Where a derivative is zero between two samples: between the zeros of the next one it is monotonic.
+
+    Zeros that it hardly passes beyond, by no more than `nothing`, are one, and one where it only touches zero.
+    """
+    beyond = _roots(value, order + 1, low, high, 0.0) if order < DEEPEST else []
+    marks = [(low[0], low[1][order]), *((at, value(at, order)[order]) for at in beyond), (high[0], high[1][order])]
+    found = []
+    before, touch = marks[0], None
+    for k, (at, slope) in enumerate(marks[1:], 1):
+        if slope == 0.0 or (k < len(marks) - 1 and abs(slope) <= nothing):
+            touch = at
+            continue
+        if before[1] * slope < 0.0:
+            found.append(_halved(value, order, before[0], at))
+        elif touch is not None and before[1] * slope > 0.0:
+            found.append(touch)
+        before, touch = (at, slope), None
+    return found
 
 
 def _is_zero(value: "Potential", at: float, largest: float) -> bool:
