@@ -146,6 +146,7 @@ EQUILIBRIUM = Task(
     ),
     headline=(
         "stable: stable equilibria", "unstable: unstable ones", "undecided: undecided ones",
+        "growth: fastest growth", "decay: slowest decay", "frequency: lowest frequency of a stable one",
         "points: equilibria | at, verdict, rightmost=growth, frequency",
         "places: equilibria | position=x, angle=θ, energy=V, verdict, frequency, growth",
     ),
@@ -162,6 +163,7 @@ EQUILIBRIUM = Task(
     table="places",
     arrays=False,
     tracked=False,
+    points=400,
     plot=f"{PICTURES}:equilibrium",
 )  # fmt: skip
 

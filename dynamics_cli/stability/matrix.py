@@ -92,11 +92,12 @@ def matrix(
     if matrix is not None:
         extra = [name for name, rows in given.items() if rows is not None and name != "matrix"]
         if extra:
-            raise UsageError(f"A is given and {extra[0]} too", code="ambiguous", hint="give A alone, or M, C, G and K")
-        _require_square(matrix, "A", len(matrix))
+            raise UsageError(f"MATRIX and --{extra[0]} are both given", code="ambiguous",
+                             hint="give MATRIX alone, or --mass, --damping, --gyroscopic and --stiffness")  # fmt: skip
+        _require_size(matrix, "MATRIX", len(matrix), "a square matrix")
         system = [list(row) for row in matrix]
     else:
-        require_given(mass is not None and stiffness is not None, "neither A nor M and K are given",
+        require_given(mass is not None and stiffness is not None, "neither MATRIX nor --mass and --stiffness are given",
                       ("matrix",), ("mass", "stiffness"), ("file",))  # fmt: skip
         system = _first_order(mass, damping, gyroscopic, stiffness)
     counts, judged, p, denominator = _judged(system)
@@ -126,8 +127,8 @@ def _with_file(given: "dict[str, Any]", file: str) -> "dict[str, Any]":
     system = read_system(file, alone=not any(given.values()))
     twice = [name for name in system if given[name] is not None]
     if twice:
-        raise UsageError(f"{twice[0]} is typed, and the file has it too", code="ambiguous",
-                         hint="leave out one of them")  # fmt: skip
+        name = "MATRIX" if twice[0] == "matrix" else f"--{twice[0]}"
+        raise UsageError(f"{name} is given, and --file has it too", code="ambiguous", hint="leave out one of them")
     return {**given, **system}
 
 
@@ -142,17 +143,17 @@ def _growth(roots_proved: "Sequence[Root]") -> "str | None":
 def _advice(judged: str, plain: "str | None", damping: "Rows | None") -> "tuple[Advice, ...]":
     if plain == "unstable" and judged == MARGINAL and damping is None:
         message = "the gyroscopic forces alone hold it: with damping in every direction, however small, it is unstable"
-        return (Advice("gyroscopic", message, severity="serious", remedy="give the damping as C and ask again"),)
+        return (Advice("gyroscopic", message, severity="serious", remedy="give --damping and ask again"),)
     if judged in (MARGINAL, REPEATED):
         message = "roots on the axis are there for the elements exactly as typed: the smallest change moves them"
-        return (Advice("axis", message, remedy="give the damping too, if there is any"),)
+        return (Advice("axis", message, remedy="give --damping too, if there is any"),)
     return ()
 
 
-def _require_square(rows: "Rows", name: str, size: int) -> None:
+def _require_size(rows: "Rows", name: str, size: int, wanted: str) -> None:
     fits = len(rows) == size and all(len(row) == size for row in rows)
-    require(fits, "{name} is {rows} by {columns}, wanted {size} by {size}", name=name, rows=str(len(rows)),
-            columns=str(len(rows[0])), size=str(size), code="sizes")  # fmt: skip
+    require(fits, "{name} is {rows} by {columns}, wanted {wanted}", name=name, rows=str(len(rows)),
+            columns=str(len(rows[0])), wanted=wanted, code="sizes")  # fmt: skip
 
 
 def _first_order(
@@ -162,23 +163,24 @@ def _first_order(
     assert mass is not None
     assert stiffness is not None
     size = len(mass)
-    _require_square(mass, "M", size)
-    _require_square(stiffness, "K", size)
+    alike = f"{size} by {size} as --mass"
+    _require_size(mass, "--mass", size, "a square matrix")
+    _require_size(stiffness, "--stiffness", size, alike)
     rates: list[list[Pair]] = [[(0, 1)] * size for _ in range(size)]
-    for name, rows in (("C", damping), ("G", gyroscopic)):
+    for name, rows in (("--damping", damping), ("--gyroscopic", gyroscopic)):
         if rows is not None:
-            _require_square(rows, name, size)
+            _require_size(rows, name, size, alike)
             rates = [
                 [total((a, b)) for a, b in zip(one, two, strict=True)] for one, two in zip(rates, rows, strict=True)
             ]
     if gyroscopic is not None:
         skew = all(total((gyroscopic[i][j], gyroscopic[j][i]))[0] == 0 for i in range(size) for j in range(size))
-        require(skew, "G is not skew-symmetric", code="gyroscopic", hint="its elements below the diagonal are those "
-                "above with the other sign; give the rest as C")  # fmt: skip
+        require(skew, "--gyroscopic is not skew-symmetric", code="gyroscopic", hint="its elements below the diagonal "
+                "are those above with the other sign; give the rest as --damping")  # fmt: skip
     augmented = [_whole_row([*mass[i], *stiffness[i], *rates[i]]) for i in range(size)]
     reduced, pivots = reduce_rows(augmented)
-    require(pivots[:size] == list(range(size)) and len(reduced) == size, "the mass matrix is singular", code="singular",
-            hint="give every coordinate a mass, or leave it out")  # fmt: skip
+    require(pivots[:size] == list(range(size)) and len(reduced) == size, "the mass matrix (--mass) is singular",
+            code="singular", hint="give every coordinate a mass, or leave it out")  # fmt: skip
     order = sorted(range(size), key=lambda i: pivots[i])
     lower = [[lowest(-cell, reduced[i][pivots[i]]) for cell in reduced[i][size:]] for i in order]
     upper: list[list[Pair]] = [[(int(j == size + i), 1) for j in range(2 * size)] for i in range(size)]

@@ -126,7 +126,34 @@ def test_matrices_from_files(tmp_path: Path) -> None:
         assert (out.error["code"] if code else out.status) == (code or 0), content
 
 
-def test_a_task_whose_only_numbers_are_in_a_table_says_so_of_an_uncertain_input() -> None:
-    ran = run("stability", "equilibrium", "--state", "name=x, rate=k*x, low=-1, high=1", "--let", "k=-2 ± 0.1")
-    assert ran.status == 0
-    assert "only tables depend on the uncertain inputs" in " ".join((ran.out + ran.err).split())
+def test_growth_decay_and_frequency_are_spread_over_uncertain_inputs() -> None:
+    (spread,) = (
+        answer("stability", "equilibrium", "--state", "name=x, rate=k*x, low=-1, high=1", "--let", "k=-2 ± 0.1")[
+            "results"
+        ][name]
+        for name in ("decay",)
+    )
+    assert spread["interval"] == pytest.approx([1.804, 2.196], abs=2e-3)
+    well = (
+        "--potential",
+        "k*x^2 J",
+        "--lowest",
+        "-1 m",
+        "--highest",
+        "1.1 m",
+        "--mass",
+        "2 kg",
+        "--let",
+        "k=100 ± 1 N/m",
+    )
+    assert answer("stability", "equilibrium", *well)["results"]["frequency"]["std"] == pytest.approx(0.00796, rel=1e-2)
+
+
+def test_messages_name_the_matrices_as_they_are_typed() -> None:
+    for typed, words in (
+        (("--mass", "1, 0; 0, 1", "--stiffness", "1"), "--stiffness is 1 by 1, wanted 2 by 2 as --mass"),
+        (("0, 1; -4, 1", "--mass", "1"), "MATRIX and --mass are both given"),
+        (("--mass", "1, 0; 0", "--stiffness", "1"), "row 2 has 1, row 1 has 2"),
+        ((), "neither MATRIX nor --mass and --stiffness are given"),
+    ):
+        assert words in run("stability", "matrix", *typed).err

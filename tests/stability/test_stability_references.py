@@ -6,6 +6,7 @@ from decimal import Decimal
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from dynamics_cli.accuracy import catalogue
@@ -17,8 +18,8 @@ from dynamics_cli.stability.array import array
 from dynamics_cli.stability.counting import count
 from dynamics_cli.stability.delay import delay
 from dynamics_cli.stability.discrete import discrete
-from dynamics_cli.stability.equilibria.autonomous import State
 from dynamics_cli.stability.equilibria.equilibrium import equilibrium
+from dynamics_cli.stability.equilibria.rates import Rates, State
 from dynamics_cli.stability.gain import gain
 from dynamics_cli.stability.interval import interval
 from dynamics_cli.stability.matrix import matrix
@@ -222,8 +223,17 @@ VERDICTS = {
     "saddle": ("x", "-y"),
     "stable focus": ("y", "-x-y/2"),
     "unstable focus": ("y", "(1-x^2)*y - x"),
-    "undecided: centre of the linear terms": ("y", "-sin(x)"),
-    "undecided: a root at zero": ("y", "-y - x^3"),
+    "undecided: centre of the linear terms": ("y*(1 + x)", "-x*(1 + x)"),
+    "undecided: a root at zero": ("x^5", "-y"),
+    "stable centre: the area of states is kept": ("y", "-sin(x)"),
+    "stable focus, by terms of third order": ("y + x*y", "-x - x^2 - x^2*y"),
+    "unstable focus, by terms of third order": ("y + x*z", "-x + y*z", "-z + x^2"),
+    "stable, by terms of third order": ("y", "-y - x^3"),
+    "unstable, by terms of third order": ("x*y - x^3", "-y + 2*x^2"),
+    "unstable on one side, by terms of second order": ("x^2 - x*y", "-y + x^2"),
+    "unstable on one side, by the term of order 2": ("x^2 - x^4",),
+    "stable equilibrium, by the term of order 3": ("-x^3",),
+    "unstable equilibrium, by the term of order 5": ("x^5",),
     "stable equilibrium": ("-x",),
     "unstable equilibrium": ("x - x^3/9e9",),
     "saddle-focus: 2 unstable, 1 stable": ("x/10 - y", "x + y/10", "-z"),
@@ -240,6 +250,37 @@ def test_verdicts_on_states(verdict: str) -> None:
     points = equilibrium(states=states).points
     assert points is not None
     assert [point.verdict for point in points if not any(point.at)] == [verdict]
+
+
+@pytest.mark.parametrize(
+    "rates",
+    [("x^2 - x*y", "-y + x^2"), ("y", "-x - x^2*y"), ("y", "-x + x*y + 2*x^2*y"), ("y + x*z", "-x + y*z", "-z + x^2")],
+)
+def test_a_weak_focus_is_what_its_motion_shows(rates: tuple[str, ...]) -> None:
+    """Third-order terms against integration from beside the equilibrium, through a hundred turns."""
+    from scipy.integrate import solve_ivp
+
+    states = tuple(State(name, rate) for name, rate in zip("xyz", rates, strict=False))
+    points = equilibrium(states=states).points
+    assert points is not None
+    (point,) = (point for point in points if "third order" in point.verdict)
+    law = Rates(states, ())
+    start = [at + 0.02 for at in point.at]
+    run = solve_ivp(lambda _, x: law.at(x), (0.0, 700.0), start, method="DOP853", rtol=1e-11, atol=1e-13)
+    sizes = np.linalg.norm(run.y - np.array(point.at)[:, None], axis=0)
+    early, late = sizes[(run.t > 20.0) & (run.t < 40.0)].max(), sizes[run.t > 680.0].max()
+    assert (late < early) == point.verdict.startswith("stable")
+
+
+def test_a_triple_zero_is_decided_only_where_it_is_found_to_all_digits() -> None:
+    """Expanded, its place is lost to a third of the digits, and lower terms remain."""
+    for rate, verdict in (
+        ("-(x - 1)^3", "stable equilibrium, by the term of order 3"),
+        ("-x^3 + 3*x^2 - 3*x + 1", "undecided: equilibria coincide, or nearly so"),
+    ):
+        points = equilibrium(states=(State("x", rate),)).points
+        assert points is not None
+        assert [point.verdict for point in points] == [verdict]
 
 
 def test_a_node_of_one_direction_and_both_laws_agree() -> None:

@@ -83,6 +83,7 @@ class Task:
     exit status shows it. `also` are further names that a call may use; help and listings show the first. `pointers` say
     where to find values of missing parameters. `errors` names results that measure the calculation itself: rounding
     decides them, so none is spread over inputs.
+    `points` is how many samples are taken at most where --samples is not given (0: as many as of any task).
     """
 
     def __init__(
@@ -109,10 +110,12 @@ class Task:
         also: "tuple[str, ...]" = (),
         pointers: "dict[str, str] | None" = None,
         errors: "tuple[str, ...]" = (),
+        points: int = 0,
     ) -> None:
         self.name = name
         self.pointers = pointers or {}
         self.errors = errors
+        self.points = points
         self.also = also
         self.summary = summary
         self.plot = plot

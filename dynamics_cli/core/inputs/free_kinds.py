@@ -247,9 +247,10 @@ def _from_angles(text: str, address: str, context: "Context") -> "tuple[float, .
 def _matrix(raw: "Any") -> Bound:
     rows = _rows(raw)
     width = len(rows[0])
-    if any(len(row) != width for row in rows):
-        lengths = ", ".join(str(len(row)) for row in rows)
-        raise UsageError(f"the rows have {lengths} numbers: a matrix has as many in each", code="matrix")
+    for number, row in enumerate(rows, 1):
+        if len(row) != width:
+            lengths = f"row {number} has {len(row)}, row 1 has {width}"
+            raise UsageError(f"the rows differ in length: {lengths}", code="matrix", hint="for example '2, 1; 1, 3'")
     if len(rows) > MOST_ROWS or width > MOST_ROWS:
         raise UsageError(f"the matrix is {len(rows)} by {width}, the largest is 6 by 6", code="matrix")
     numbers = tuple(tuple(read_fraction(str(cell).strip()) for cell in row) for row in rows)

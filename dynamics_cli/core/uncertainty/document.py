@@ -136,7 +136,7 @@ def spread_of(
             coverage=read_coverage(settings.coverage),
             method=read_method(settings.method),
             accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
-            samples=settings.samples or (0 if task.arrays else SLOW_POINTS),
+            samples=settings.samples or task.points or (0 if task.arrays else SLOW_POINTS),
             seed=settings.seed or DEFAULT_SEED,
             shares=shares,
             **(more or {}),

@@ -3,10 +3,8 @@
 import itertools
 import math
 
-from dynamics_cli.errors import UsageError, require
+from dynamics_cli.errors import require
 from dynamics_cli.numerics.exact.rational import exact
-from dynamics_cli.numerics.expressions import check_names, parse
-from dynamics_cli.numerics.expressions.jets import Jet
 from dynamics_cli.quantities import (
     Annotated,
     Count,
@@ -18,33 +16,31 @@ from dynamics_cli.quantities import (
     Variable,
 )
 from dynamics_cli.records import record
+from dynamics_cli.stability.equilibria.beyond_linear import (
+    CENTRE,
+    critical_root,
+    keeps_area,
+    of_one_state,
+    weak_focus,
+)
+from dynamics_cli.stability.equilibria.rates import Rates, State
 from dynamics_cli.stability.matrix import characteristic_of
 from dynamics_cli.stability.roots import Root, roots
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
-    from typing import Any
+    from collections.abc import Iterable, Iterator, Sequence
 
-    Point = tuple[float, ...]
+    from dynamics_cli.stability.equilibria.rates import Point
 
 MOST_STATES, MOST_PLACES = 6, 60
 # Newton's method begins at so many places in all, evenly in each range.
 STARTS, NEWTON = 700, 100
+HALVINGS = 20
 # Places nearer than this share of the ranges are one; double ones are found to half the digits only.
 APART = 1e-5
 # A rate below this share of the sizes of its Jacobian, and a root below that of the largest, are taken for zero.
 ZERO, ON_AXIS = 1e-10, 1e-9
-
-
-@record
-class State:
-    """One state and its rate."""
-
-    name: Annotated[Text, "The state, a name for formulas, e.g. x."]
-    rate: Annotated[Text, "Its rate, a formula of the states, e.g. y - x^3."]
-    low: Annotated[Ratio, "Where its range of search begins, e.g. -5."] = -5.0
-    high: Annotated[Ratio, "Where it ends, e.g. 5."] = 5.0
 
 
 @record
@@ -60,39 +56,6 @@ class StatePlace:
     jacobian: Annotated[MatrixOfNumbers, "Slopes of the rates, a row for each state."]
 
 
-class Rates:
-    """The rates of the states as one function of doubles or jets."""
-
-    def __init__(self, states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> None:
-        self.names = [state.name for state in states]
-        if len(set(self.names)) < len(self.names):
-            raise UsageError("two states have one name", code="names", parameter="states")
-        values = {one.name: one.value for one in let}
-        self.values = {name: value for name, value in values.items() if name not in self.names}
-        self.formulas = [parse(state.rate) for state in states]
-        for formula in self.formulas:
-            check_names(formula, {*self.names, *values})
-
-    def at(self, place: "Point") -> "list[float]":
-        """The rates at a place; what has no value is not a number."""
-        return self._evaluated(dict(zip(self.names, place, strict=True)))
-
-    def _evaluated(self, given: "dict[str, Any]") -> "list[Any]":
-        try:
-            return [formula(**self.values, **given) for formula in self.formulas]
-        except (ArithmeticError, ValueError):
-            return [math.nan] * len(self.names)
-
-    def jacobian(self, place: "Point") -> "list[list[float]]":
-        """The slopes by every state, a row for each rate, exact but for rounding."""
-        given = dict(zip(self.names, place, strict=True))
-        columns = []
-        for name, value in given.items():
-            parts = self._evaluated({**given, name: Jet.variable(value, 1)})
-            columns.append([part.parts[1] if isinstance(part, Jet) else 0.0 * part for part in parts])
-        return [list(row) for row in zip(*columns, strict=True)]
-
-
 def state_places(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> "tuple[StatePlace, ...]":
     """The equilibria within the ranges, in order, each with its verdict."""
     require(len(states) <= MOST_STATES, "there are {count} states; {most} are the most", count=str(len(states)),
@@ -104,13 +67,30 @@ def state_places(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> "t
     # a third of a step off, so that symmetric laws are not begun at their equilibria
     grids = [[low + (k + 1.0 / 3.0) * (high - low) / each for k in range(each)] for low, high in ranges]
     places: list[Point] = []
-    _search(rates, itertools.product(*grids), ranges, places)
+    starts = _near_zeros(rates, grids[0]) if len(states) == 1 else itertools.product(*grids)
+    _search(rates, starts, ranges, places)
     # one that lies between two others, and so close that no start led to it
     pairs = itertools.combinations(tuple(places), 2)
     _search(rates, [tuple(0.5 * (a + b) for a, b in zip(*pair, strict=True)) for pair in pairs], ranges, places)
     require(bool(places), "no equilibrium was found within the ranges", code="no-equilibrium",
             hint="widen low and high, or check the signs; where equilibria form a line, leave out a state")  # fmt: skip
-    return tuple(_judged(rates, place) for place in sorted(places))
+    return tuple(_judged(rates, place, ranges) for place in sorted(places))
+
+
+def _near_zeros(rates: Rates, grid: "list[float]") -> "Iterator[Point]":
+    """Starts for one state: zeros between places of a grid by halving, and places where the rate is smallest."""
+    values = [rates.at((at,))[0] for at in grid]
+    for k, (one, two) in enumerate(itertools.pairwise(values)):
+        if (one < 0.0) != (two < 0.0):
+            low, high = grid[k], grid[k + 1]
+            for _ in range(HALVINGS):
+                middle = 0.5 * (low + high)
+                low, high = (middle, high) if (rates.at((middle,))[0] < 0.0) == (one < 0.0) else (low, middle)
+            yield (low,)
+    sizes = [math.inf, *map(abs, values), math.inf]
+    for k, at in enumerate(grid, 1):
+        if sizes[k] <= min(sizes[k - 1], sizes[k + 1]):
+            yield (at,)
 
 
 def _search(
@@ -128,8 +108,7 @@ def _search(
 def _newton(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]") -> "Point | None":
     """The equilibrium that a start leads to, if one lies within the ranges."""
     for _ in range(NEWTON):
-        slopes, values = rates.jacobian(place), rates.at(place)
-        step = _solved(slopes, values)
+        step = _solved(*rates.linear(place))
         if step is None:
             return None
         place = tuple(x - d for x, d in zip(place, step, strict=True))
@@ -140,7 +119,7 @@ def _newton(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]
     place = tuple(0.0 if abs(x) < ZERO * (high - low) else x for x, (low, high) in zip(place, ranges, strict=True))
     inside = all(low - APART * (high - low) <= x <= high + APART * (high - low)
                  for x, (low, high) in zip(place, ranges, strict=True))  # fmt: skip
-    values, slopes = rates.at(place), rates.jacobian(place)
+    slopes, values = rates.linear(place)
     sizes = [sum(abs(slope) * (high - low) for slope, (low, high) in zip(row, ranges, strict=True)) for row in slopes]
     still = all(abs(value) <= ZERO * max(size, 1e-3) for value, size in zip(values, sizes, strict=True))
     return place if inside and still else None
@@ -166,7 +145,7 @@ def _same(one: "Point", two: "Point", ranges: "Sequence[tuple[float, float]]") -
     return all(abs(a - b) <= APART * (high - low) for a, b, (low, high) in zip(one, two, ranges, strict=True))
 
 
-def _judged(rates: Rates, place: "Point") -> StatePlace:
+def _judged(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]") -> StatePlace:
     """The equilibrium with the roots of its linear terms, which are exact of the Jacobian's doubles."""
     slopes = rates.jacobian(place)
     require(all(math.isfinite(x) for row in slopes for x in row), "the rates have no slope at {place}",
@@ -181,13 +160,32 @@ def _judged(rates: Rates, place: "Point") -> StatePlace:
     leading = found[0]
     return StatePlace(
         at=place,
-        verdict=_words(found, sides, counts),
+        verdict=_beyond(rates, place, slopes, ranges, counts, leading) or _words(found, sides, counts),
         rightmost=leading.real,
         frequency=leading.imaginary / (2.0 * math.pi) if leading.pair else None,
         unstable_directions=counts[1.0],
         roots=found,
         jacobian=tuple(map(tuple, slopes)),
     )
+
+
+def _beyond(
+    rates: Rates,
+    place: "Point",
+    slopes: "list[list[float]]",
+    ranges: "Sequence[tuple[float, float]]",
+    counts: "dict[float, int]",
+    leading: Root,
+) -> "str | None":
+    """The verdict by more than the linear terms, where those leave it open and the rest decides."""
+    reach = 0.1 * min(high - low for low, high in ranges)
+    if len(place) == 1:
+        return of_one_state(rates, place[0], reach)
+    if counts[1.0] or leading.multiplicity > 1 or counts[0.0] != (2 if leading.pair else 1):
+        return None
+    if not leading.pair:
+        return critical_root(rates, place, slopes, reach)
+    return weak_focus(rates, place, slopes) or (CENTRE if len(place) == 2 and keeps_area(rates, ranges) else None)
 
 
 def _words(found: "Sequence[Root]", sides: "Sequence[float]", counts: "dict[float, int]") -> str:

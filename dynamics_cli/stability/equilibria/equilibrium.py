@@ -21,11 +21,12 @@ from dynamics_cli.quantities import (
     Variable,
 )
 from dynamics_cli.records import Advice, Numerics, record
-from dynamics_cli.stability.equilibria.autonomous import State, StatePlace
+from dynamics_cli.stability.equilibria.autonomous import StatePlace
+from dynamics_cli.stability.equilibria.rates import State
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     Potential = Callable[[float, int], list[float]]
     # A place and the Taylor coefficients there.
@@ -60,7 +61,12 @@ class Equilibria:
 
     stable: Annotated[Count, "Stable equilibria."]
     unstable: Annotated[Count, "Unstable equilibria."]
-    undecided: Annotated[Count | None, "Equilibria of states that their linear terms do not decide."]
+    undecided: Annotated[Count | None, "Equilibria of states that neither linear nor higher terms decide."]
+    growth: Annotated[
+        GrowthRate | None, "Fastest growth, at an unstable equilibrium; zero where none is unstable [1/s]."
+    ]
+    decay: Annotated[GrowthRate | None, "Slowest decay, at a stable equilibrium of states [1/s]."]
+    frequency: Annotated[Frequency | None, "Lowest frequency of oscillations at a stable equilibrium [Hz]."]
     places: Annotated[tuple[Place, ...] | None, "The equilibria of a potential, in order."]
     points: Annotated[tuple[StatePlace, ...] | None, "The equilibria of states, in order."]
     numerics: Numerics
@@ -81,12 +87,14 @@ def equilibrium(
         Inertia | None, "The moment of inertia about the pivot, for frequencies, e.g. 0.5 kg*m^2."
     ] = None,
 ) -> Equilibria:
-    """Equilibria of a potential, stable where it has a minimum, or of states with any rates, by their linear terms.
+    """Equilibria of a potential, stable where it has a minimum, or of states with any rates, by their roots.
 
     Equation
     --------
     V′ = 0; stable where the first derivative after it that is not zero is of even order and positive; ω = √(V″/m).
-    Or ẋ = f(x) = 0; stable where all roots of det(s·1 − ∂f/∂x) lie on the left.
+    Or ẋ = f(x) = 0; stable where all roots of det(s·1 − ∂f/∂x) lie on the left. Where one root or one pair lies on
+    the axis and the rest on the left, terms of third order decide; where they vanish too, two states without
+    divergence have a centre.
 
     Returns
     -------
@@ -149,6 +157,9 @@ def equilibrium(
         stable=stable,
         unstable=len(places) - stable,
         undecided=None,
+        growth=max(place.growth or 0.0 for place in places) if unit else None,
+        decay=None,
+        frequency=_smallest(place.frequency for place in places),
         places=places,
         points=None,
         numerics=Numerics("roots by halving on exact derivatives"),
@@ -159,14 +170,37 @@ def _of_states(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> Equi
     from dynamics_cli.stability.equilibria.autonomous import state_places
 
     points = state_places(states, let)
-    stable, undecided = (sum(point.verdict.startswith(word) for point in points) for word in ("stable", "undecided"))
-    text = "the linear terms do not decide where a root lies on the axis: the others do"
-    remedy = "integrate from beside it, or look for a conserved energy (--potential)"
+    stable, undecided = ([p for p in points if p.verdict.startswith(word)] for word in ("stable", "undecided"))
     return Equilibria(
-        stable=stable, unstable=len(points) - stable - undecided, undecided=undecided, places=None, points=points,
+        stable=len(stable),
+        unstable=len(points) - len(stable) - len(undecided),
+        undecided=len(undecided),
+        growth=max((point.rightmost for point in points if point.unstable_directions), default=0.0),
+        decay=_smallest(-point.rightmost for point in stable if point.rightmost < 0.0),
+        frequency=_smallest(point.frequency for point in stable),
+        places=None,
+        points=points,
         numerics=Numerics("Newton's method from even starts, exact slopes; roots of the slopes enclosed"),
-        advice=(Advice("undecided", text, remedy=remedy),) if undecided else (),
-    )  # fmt: skip
+        advice=_advice(points),
+    )
+
+
+def _advice(points: "tuple[StatePlace, ...]") -> "tuple[Advice, ...]":
+    """What linear terms cannot say, where they leave an equilibrium open."""
+    open_points = [point for point in points if point.verdict.startswith("undecided")]
+    if not open_points:
+        return ()
+    if any(point.frequency for point in open_points):
+        kind = "the linear motion goes round with the frequency shown and neither grows nor decays"
+    else:
+        kind = "in the direction of a root at zero the linear motion neither leaves nor returns"
+    text = f"{kind}: the linear terms leave open whether the full equations do, and so do the terms of third order"
+    remedy = "look for a conserved energy (--potential), or integrate from beside it"
+    return (Advice("undecided", text, remedy=remedy),)
+
+
+def _smallest(values: "Iterable[float | None]") -> "float | None":
+    return min((value for value in values if value is not None), default=None)
 
 
 def _taylor(potential: EnergyFormula, let: "tuple[Variable, ...]", name: str) -> "Potential":

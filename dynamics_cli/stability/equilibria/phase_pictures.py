@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
-from dynamics_cli.stability.equilibria.autonomous import Rates
+from dynamics_cli.stability.equilibria.rates import Rates
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,7 +39,12 @@ def portrait(points: "Any", states: "Any", let: "Any") -> Picture:
     for point in points:
         stable = point.verdict.startswith("stable")
         items.append(
-            Mark(point.at[0], point.at[1], point.verdict.partition(":")[0], role=STABLE if stable else UNSTABLE)
+            Mark(
+                point.at[0],
+                point.at[1],
+                point.verdict.partition(":")[0].partition(",")[0],
+                role=STABLE if stable else UNSTABLE,
+            )
         )
     axes = Axis(states[0].name, ends=(low, high)), Axis(states[1].name, ends=(bottom, top))
     return Picture((Panel(*axes, tuple(items)),), "phase portrait")
