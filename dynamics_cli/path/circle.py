@@ -83,11 +83,6 @@ def circle(
     v = rω, a_t = rα, a_n = rω² = v²/r, ‖a‖ = √(a_t² + a_n²), angle to the inward radius atan2(a_t, a_n);
     ω₁ = ω + αt, θ = ωt + αt²/2, ω₁² = ω² + 2αθ.
 
-    Returns
-    -------
-    Circle
-        The state at the start and at the end, time, angle, turns and arc.
-
     Raises
     ------
     InadmissibleError

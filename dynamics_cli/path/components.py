@@ -71,11 +71,6 @@ def components(
     --------
     a_t = v·a/‖v‖, a_n = ‖v×a‖/‖v‖, ρ = ‖v‖³/‖v×a‖, τ = (v×a)·j/‖v×a‖², T = v/‖v‖, B = v×a/‖v×a‖, N = B×T.
 
-    Returns
-    -------
-    Components
-        The components in every system, T, N, B, curvature, torsion and centre of curvature.
-
     Raises
     ------
     InadmissibleError

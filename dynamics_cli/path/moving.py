@@ -70,11 +70,6 @@ def moving_frame(
     --------
     v = v_O + ω×r + v_rel; a = a_O + α×r + ω×(ω×r) + 2ω×v_rel + a_rel.
 
-    Returns
-    -------
-    InMovingFrame
-        The five terms of the acceleration, their sum, and both in fixed axes where the orientation is given.
-
     Raises
     ------
     InadmissibleError

@@ -53,11 +53,6 @@ def frame(
     --------
     e₁ = a/|a|, e₃ = (a×b)/|a×b|, e₂ = e₃×e₁, and so in turn; components v·e₁, v·e₂, v·e₃.
 
-    Returns
-    -------
-    Frame
-        The axes, how far the input was from right angles, and a vector in the triad.
-
     Raises
     ------
     InadmissibleError

@@ -82,11 +82,6 @@ def lines(*, first: Item, second: Item) -> Lines:
     --------
     Skew lines: d = |(q − p)·(u×v)|/|u×v|; parallel: |(q − p)×u|/|u|; from a plane: |n·(q − p)|/|n|.
 
-    Returns
-    -------
-    Lines
-        How they lie to one another, with the points that decide it.
-
     Raises
     ------
     InadmissibleError

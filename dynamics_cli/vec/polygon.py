@@ -59,11 +59,6 @@ def polygon(
     --------
     p + q = T; magnitudes A and B: p = T(u ± iv)/|T|, u = (T² + (A − B)(A + B))/(2|T|), v = √(A² − u²) in factors.
 
-    Returns
-    -------
-    Polygon
-        The unknown vectors of every solution.
-
     Raises
     ------
     InadmissibleError

@@ -72,11 +72,6 @@ def resultant(
     --------
     R = Σ aᵢ; of two magnitudes at an angle φ: R² = (A − B)² + 4·A·B·cos²(φ/2).
 
-    Returns
-    -------
-    Resultant
-        The sum with magnitude, direction angles and cosines, the equilibrant, and how far the vectors cancel.
-
     Raises
     ------
     InadmissibleError
@@ -197,11 +192,6 @@ def direction(
     Equation
     --------
     cos θx = v_x/|v|; computed as θx = atan2(√(v_y² + v_z²), v_x), which keeps small angles.
-
-    Returns
-    -------
-    DirectionOf
-        Magnitude, direction cosines, angles with the axes.
 
     Raises
     ------

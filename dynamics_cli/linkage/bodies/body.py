@@ -98,11 +98,6 @@ def body(
     ω = r×Δv/r², α = r×Δa/r²; instant centre A + k×v/ω; zero acceleration A + a(ω² + iα)/(ω⁴ + α²); v = v_A + ω k×r,
     a = a_A + α k×r − ω²r; inflection circle: diameter from the instant centre P to P + a_P/ω².
 
-    Returns
-    -------
-    BodyMotion
-        Rotation, centres, and the motion of further points.
-
     Raises
     ------
     InadmissibleError

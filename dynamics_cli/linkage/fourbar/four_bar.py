@@ -56,11 +56,6 @@ def four_bar(
     f² = (a − d)² + 4ad·sin²(θ₂/2), D₁ = (b + c)² − f², D₂ = f² − (b − c)²; B = A + (f⃗(f² + b² − c²) ± √(D₁D₂)
     k×f⃗)/2f²; μ = 2 atan2(√D₂, √D₁); ω₃, ω₄ from ω₂ k×a⃗ + ω₃ k×b⃗ = ω₄ k×c⃗; T₂ = T₄·ω₄/ω₂.
 
-    Returns
-    -------
-    FourBar
-        The pose, or the table where no crank angle is given.
-
     Raises
     ------
     InadmissibleError

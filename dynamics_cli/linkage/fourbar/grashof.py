@@ -103,11 +103,6 @@ def classify(
     distance A–O₄; time ratio (φ_f − φ_e)/(2π − (φ_f − φ_e)) from the crank angles of the rocker's ends. At a change
     point of signed lengths a + b = d + c: ω₃/ω₂ = (ab ± √(abcd))/(b(c − b)), ω₄/ω₂ = (a + b·ω₃/ω₂)/c.
 
-    Returns
-    -------
-    Class
-        The class with its margin, and its consequences.
-
     Raises
     ------
     InadmissibleError

@@ -102,11 +102,6 @@ def synthesize(
     each pivot is the centre of the circle through the three places of its pin; swing: O₂ sees the rocker's ends under
     π(Q − 1)/(Q + 1), a and b half the difference and the sum of its distances, best smallest |sin μ|.
 
-    Returns
-    -------
-    Synthesis
-        Lengths, class, and whether all are reached on one branch and in order.
-
     Raises
     ------
     InadmissibleError

@@ -47,11 +47,6 @@ def centres(
     --------
     v_i + ω_i k×(p − r_i) = v_j + ω_j k×(p − r_j); homogeneous, so that equal angular velocities give a direction.
 
-    Returns
-    -------
-    Centres
-        The centres, with the speed ratios that they give.
-
     Raises
     ------
     InadmissibleError

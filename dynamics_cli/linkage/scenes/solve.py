@@ -67,11 +67,6 @@ def solve(
     Φ(q) = 0: lengths ½(|P − Q|² − L²), slides (R − P)×(Q − P), drivers; J·q̇ = −Φ_t, J·q̈ = −q̇·H·q̇ − …; Kantorovich
     h = ‖J⁻¹‖·√Σ‖H‖²·‖J⁻¹Φ‖ ≤ ½ proves one solution within 2η/(1 + √(1 − 2h)).
 
-    Returns
-    -------
-    Solution
-        Links and pins, and the certificate of the pose.
-
     Raises
     ------
     InadmissibleError

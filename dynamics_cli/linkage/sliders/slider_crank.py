@@ -103,11 +103,6 @@ def slider_crank(
     x = a cos θ ± √((b − h)(b + h)), h = e − a sin θ; ω₃ = −aω cos θ/b_x, v = −aω sin θ − ω₃h; stroke
     4ab/(√((b + a)² − e²) + √((b − a)² − e²)); from dead centre in line 2a sin²(θ/2) + a² sin²θ/(b + √(b² − a² sin²θ)).
 
-    Returns
-    -------
-    SliderCrank
-        The pose and the stroke, or the table.
-
     Raises
     ------
     InadmissibleError

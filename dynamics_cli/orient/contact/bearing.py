@@ -48,11 +48,6 @@ def bearing(
     b = a·(1 + sin θ)/(cos θ − sin θ); ball on floor and wall of the race: ω = w·(1, 1) with
     w = −Ω·(b − a·cos θ)/(a·(1 + cos θ + sin θ)), cage −w·a/b, spin w·(cos θ − sin θ) + Ω·sin θ.
 
-    Returns
-    -------
-    Bearing
-        The radius, and cage, ball and spin speeds relative to the shaft speed.
-
     Raises
     ------
     InadmissibleError

@@ -67,11 +67,6 @@ def disk(
     with u = ψ̇ + φ̇·cos θ: ω = (θ̇, φ̇·sin θ, u), v_G = (−r·u, 0, r·θ̇),
     a_G = (−r·(ψ̈ + φ̈·cos θ − 2·φ̇·θ̇·sin θ), −r·φ̇·u·cos θ − r·θ̇², r·θ̈ + r·φ̇·u·sin θ).
 
-    Returns
-    -------
-    Disk
-        ω, α, velocity and acceleration of the centre, the contact and a rim point; at a steady tilt its circles.
-
     Raises
     ------
     InadmissibleError

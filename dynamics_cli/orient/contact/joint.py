@@ -52,11 +52,6 @@ def joint(
     --------
     tan θ₂ = tan θ₁/cos β, ω₂/ω₁ = cos β/(1 − sin²β·cos²θ₁), α₂ = i·α₁ + ω₁²·di/dθ₁.
 
-    Returns
-    -------
-    Joint
-        The driven shaft's angle, its speed ratio and acceleration, and the extremes.
-
     Raises
     ------
     InadmissibleError

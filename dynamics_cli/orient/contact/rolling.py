@@ -82,11 +82,6 @@ def rolling(
     --------
     v₁ + ω₁ × r₁ = v₂ + ω₂ × r₂ along the surfaces, ωᵢ = known part + rateᵢ·nᵢ; for one rate by least squares.
 
-    Returns
-    -------
-    Rolling
-        Motion of both bodies, slip, spin (about the normal) and roll (along the surfaces).
-
     Raises
     ------
     InadmissibleError

@@ -66,11 +66,6 @@ def addition(*, links: Annotated[Link | tuple[Link, ...], "The bodies of the cha
     --------
     ω_AC = ω_AB + ω_BC; α_AC = α_AB + α_BC + ω_AB × ω_BC, with α_BC as seen in B.
 
-    Returns
-    -------
-    Chain
-        ω and α of the last body and of each, term by term.
-
     Raises
     ------
     InadmissibleError

@@ -54,16 +54,6 @@ def moving_point(
     --------
     v = v_O + ω × r + v_rel; a = a_O + α × r + ω × (ω × r) + 2·ω × v_rel + a_rel.
 
-    Returns
-    -------
-    MovingPoint
-        Velocity and acceleration with their terms.
-
-    Raises
-    ------
-    InadmissibleError
-        Never: a point of any motion has a velocity and an acceleration.
-
     References
     ----------
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 4.10.

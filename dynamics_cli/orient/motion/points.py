@@ -88,11 +88,6 @@ def points(
     v_Q = v_P + ω × r, a_Q = a_P + α × r + ω × (ω × r); from n points (tr S·1 − S)·ω = Σ d × u with S = Σ d dᵀ of
     positions d and velocities u from their means; screw axis at P + ω × v_P/ω².
 
-    Returns
-    -------
-    Points
-        The body's angular velocity, its instantaneous screw axis, and each point's motion.
-
     Raises
     ------
     InadmissibleError

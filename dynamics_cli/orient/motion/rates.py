@@ -104,11 +104,6 @@ def rates(
     ω = ȧu₁ + ḃu₂ + ċu₃ with the axes u₁ = eᵢ, u₂ = R₁eⱼ, u₃ = R₁R₂eₖ;
     α = äu₁ + b̈u₂ + c̈u₃ + ȧu₁×ḃu₂ + (ȧu₁ + ḃu₂)×ċu₃.
 
-    Returns
-    -------
-    Rates
-        ω and α in fixed and in body components, the rates, the partial angular velocities and the condition.
-
     Raises
     ------
     InadmissibleError

@@ -80,11 +80,6 @@ def align(
     --------
     Σ wᵢ·|R·bᵢ − aᵢ|² least: the quaternion is the eigenvector of Davenport's K with the largest eigenvalue.
 
-    Returns
-    -------
-    Aligned
-        The rotation, the remaining angle of each pair, and how well the directions determine it.
-
     Raises
     ------
     InadmissibleError

@@ -70,11 +70,6 @@ def between(
     --------
     q = q₁⁻¹·q₂ with the sign of the shorter way; part about n: 2·atan2(v·n, w); on the way q₁·(cos ½sθ, n sin ½sθ).
 
-    Returns
-    -------
-    Between
-        The turn in axes of the first orientation and of the frame, and the steps.
-
     Raises
     ------
     InadmissibleError

@@ -105,12 +105,6 @@ def convert(
     --------
     q = (cos ½θ, n sin ½θ), R = 1 + sin θ [n×] + (1 − cos θ) [n×]², R = Rᵢ(a)·Rⱼ(b)·Rₖ(c) of the body sequence ijk.
 
-    Returns
-    -------
-    Converted
-        All notations; the angles of the sequence wanted, their alternative and their distance from lock; the angles of
-        all 24 sequences.
-
     Raises
     ------
     InadmissibleError

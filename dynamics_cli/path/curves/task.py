@@ -104,11 +104,6 @@ def curve(
     --------
     v = dr/dt, a = dv/dt, j = da/dt; a_t = v·a/‖v‖, a_n = ‖v×a‖/‖v‖, κ = ‖v×a‖/‖v‖³, τ = (v×a)·j/‖v×a‖²; s = ∫‖v‖dt.
 
-    Returns
-    -------
-    CurveMotion
-        The state at one time, arc length, extremes, cusps and inflections over the range, and a table.
-
     Raises
     ------
     UsageError

@@ -92,11 +92,6 @@ def relative(
     r = r₂ − r₁, v = v₂ − v₁, a = a₂ − a₁; closest where r·v = 0: t = −r·v/‖v‖², distance ‖r×v‖/‖v‖ without relative
     acceleration, else the real roots of r·v + (‖v‖² + r·a)t + (3/2)v·a t² + ‖a‖²t³/2 = 0.
 
-    Returns
-    -------
-    Relative
-        Relative motion at a time, and time, distance and places of the closest approach.
-
     Raises
     ------
     InadmissibleError

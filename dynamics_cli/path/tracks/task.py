@@ -97,11 +97,6 @@ def table(
     The quintic spline that minimises Σ(y − f)² + λ∫f‴²dt; λ by generalised cross-validation, or by the unbiased risk
     for a known σ. Raw second differences at equal steps h would have the noise σ√6/h².
 
-    Returns
-    -------
-    TrackMotion
-        Extremes with their times, noise, the smoothing chosen and why, and a table at the measured times.
-
     Raises
     ------
     InadmissibleError
