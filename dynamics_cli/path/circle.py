@@ -70,9 +70,7 @@ def circle(
     *,
     radius: Annotated[Distance, "Radius of the circle, e.g. 0.5 m."],
     state: Annotated[Turning | Running, "Angular velocity and acceleration, or speed and its rate, at the start."],
-    time: Annotated[
-        Time | None, "Time after which the state is calculated, at constant angular acceleration, e.g. 3 s."
-    ] = None,
+    time: Annotated[Time | None, "Time to the end, at constant angular acceleration, e.g. 3 s."] = None,
     angle: Annotated[Angle | None, "Angle turned, in place of the time, e.g. 90 deg."] = None,
     arc: Annotated[Length | None, "Length along the circle, in place of the time, e.g. 3 m."] = None,
 ) -> Circle:

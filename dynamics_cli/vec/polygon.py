@@ -46,12 +46,8 @@ class Polygon:
 def polygon(
     *known: Annotated[FreeVector, "Known vectors of the sum, planar and of one kind."],
     sum_: Annotated[FreeVector | None, "Sum of all vectors; zero (a closed polygon) if left out."] = None,
-    magnitudes: Annotated[
-        FreeVector | None, "Magnitudes of one or two vectors of unknown direction, e.g. 5, 4 kN."
-    ] = None,
-    directions: Annotated[
-        tuple[Angle, ...], "Directions from x of one or two vectors of unknown magnitude, e.g. 30, 135 deg."
-    ] = (),
+    magnitudes: Annotated[FreeVector | None, "Magnitudes of vectors of unknown direction, e.g. 5, 4 kN."] = None,
+    directions: Annotated[tuple[Angle, ...], "Directions of vectors of unknown magnitude, e.g. 30, 135 deg."] = (),
 ) -> Polygon:
     """Planar sum with two unknowns: two directions, two magnitudes, or one of each; every solution.
 

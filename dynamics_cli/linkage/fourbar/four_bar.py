@@ -39,9 +39,7 @@ def four_bar(
     coupler: Annotated[Size, "Length b of the link between the pins A and B, e.g. 120 mm."],
     rocker: Annotated[Size, "Length c of the driven link, from O₄ to B, e.g. 80 mm."],
     ground: Annotated[Size, "Distance d of the pivots O₂ and O₄, e.g. 100 mm."],
-    crank_angle: Annotated[
-        Angle | None, "Crank angle θ₂ from the line O₂–O₄, counter-clockwise; without it a table, e.g. 40 deg."
-    ] = None,
+    crank_angle: Annotated[Angle | None, "Crank angle θ₂ from O₂–O₄; without it a table, e.g. 40 deg."] = None,
     branch: Annotated[Branch, "The side of the line from A to O₄ where B lies: left (open) or right (crossed)."] = OPEN,
     speed: Annotated[TurnRate | None, "Angular velocity ω₂ of the crank, e.g. 10 rad/s."] = None,
     angular_acceleration: Annotated[AngularAcceleration, "Angular acceleration α₂ of the crank [rad/s^2]."] = 0.0,

@@ -31,12 +31,8 @@ class Class:
     kind: Annotated[Text, "The class by Grashof's rule, on the decimals as typed."]
     margin: Annotated[Coordinate, "Longest and shortest link together fall short of the other two by this [m]."]
     rotates: Annotated[Text, "Which links turn fully."]
-    outer_limit: Annotated[
-        Angle | None, "The crank reaches ± this angle, where coupler and rocker are stretched; none if it passes [rad]."
-    ]
-    inner_limit: Annotated[
-        Angle | None, "The crank comes no nearer to zero than ± this angle, where coupler and rocker are folded [rad]."
-    ]
+    outer_limit: Annotated[Angle | None, "The crank stays within ± this angle, or passes [rad]."]
+    inner_limit: Annotated[Angle | None, "The crank stays beyond ± this angle, or passes [rad]."]
     swing: Annotated[Angle | None, "Angle through which the rocker swings; none if it turns fully [rad]."]
     rocker_least: Annotated[Angle | None, "Smallest rocker angle, of the half above the ground link [rad]."]
     rocker_greatest: Annotated[Angle | None, "Largest rocker angle there [rad]."]
@@ -46,8 +42,7 @@ class Class:
     least_transmission_angle: Annotated[Angle, "Smallest transmission angle μ [rad]."]
     greatest_transmission_angle: Annotated[Angle, "Largest transmission angle μ [rad]."]
     change_points: Annotated[
-        tuple[ChangePoint, ...] | None,
-        "Poses with all links in line, with both continuations; most linkages have none.",
+        tuple[ChangePoint, ...] | None, "Poses with all links in line; most linkages have none."
     ] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()

@@ -31,9 +31,7 @@ class Centres:
 
     count: Annotated[Count, "Their number, n(n − 1)/2."]
     centres: Annotated[tuple[Centre, ...], "The centres."]
-    kennedy: Annotated[
-        Ratio | None, "How far the three centres of any three links are from one line, relative to their distances."
-    ]
+    kennedy: Annotated[Ratio | None, "How far centres of three links are from one line, relatively."]
     checks: tuple[Check, ...] = ()
 
 

@@ -69,9 +69,7 @@ class SliderCrank:
     rod_angle: Annotated[Angle | None, "Angle of the rod to the slide: the pressure angle [rad]."] = None
     rod_speed: Annotated[TurnRate | None, "Angular velocity ω₃ of the rod [rad/s]."] = None
     rod_acceleration: Annotated[AngularAcceleration | None, "Its angular acceleration α₃ [rad/s^2]."] = None
-    crank_torque: Annotated[
-        Torque | None, "Torque at the crank that balances the force of the slider, without friction [N*m]."
-    ] = None
+    crank_torque: Annotated[Torque | None, "Torque at the crank that balances the slider's force [N*m]."] = None
     stroke: Annotated[Size | None, "Distance between the dead centres; none unless the crank turns fully [m]."] = None
     time_ratio: Annotated[Ratio | None, "Time of the slow stroke over that of the quick one."] = None
     outer_at: Annotated[Angle | None, "Crank angle at the outer dead centre [rad]."] = None

@@ -35,7 +35,7 @@ class Disk:
     centre_speed: Annotated[Speed, "Its magnitude [m/s]."]
     centre_acceleration: Annotated[AccelerationVector, "Acceleration of the centre [m/s^2]."]
     contact_acceleration: Annotated[
-        AccelerationVector, "Acceleration of the disk's point that touches the floor; its velocity is zero [m/s^2]."
+        AccelerationVector, "Acceleration of the disk's point at rest on the floor [m/s^2]."
     ]
     rim_velocity: Annotated[Velocity, "Velocity of the rim point asked for [m/s]."]
     rim_acceleration: Annotated[AccelerationVector, "Acceleration of the rim point [m/s^2]."]

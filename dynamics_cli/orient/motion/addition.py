@@ -41,9 +41,7 @@ class LinkMotion:
     angular_velocity: Annotated[AngularVelocity, "Its angular velocity [rad/s]."]
     angular_acceleration: Annotated[AngularAccelerationVector, "Its angular acceleration [rad/s^2]."]
     relative_velocity: Annotated[AngularVelocity, "Its angular velocity in the body before [rad/s]."]
-    relative_acceleration: Annotated[
-        AngularAccelerationVector, "Its angular acceleration as seen in the body before [rad/s^2]."
-    ]
+    relative_acceleration: Annotated[AngularAccelerationVector, "Its second rate in the body before [rad/s^2]."]
     carried: Annotated[AngularAccelerationVector, "What the turning of the body before adds: ω × ω_rel [rad/s^2]."]
 
 

@@ -68,12 +68,8 @@ class Points:
 
 def points(
     *,
-    angular_velocity: Annotated[
-        AngularVelocity | None, "Angular velocity of the body, where it is known, e.g. 0, 0, 2 rad/s."
-    ] = None,
-    angular_acceleration: Annotated[AngularAccelerationVector, "Its angular acceleration, e.g. 0, 0, 5 rad/s^2."] = (
-        NOTHING
-    ),
+    angular_velocity: Annotated[AngularVelocity | None, "Angular velocity, where known, e.g. 0, 0, 2 rad/s."] = None,
+    angular_acceleration: Annotated[AngularAccelerationVector, "Its rate α, e.g. 0, 0, 5 rad/s^2."] = (NOTHING),
     base: Annotated[Position, "The point whose motion is known; the origin unless given."] = NOTHING,
     base_velocity: Annotated[Velocity, "Its velocity, e.g. 3, 0, 1 m/s."] = NOTHING,
     base_acceleration: Annotated[AccelerationVector, "Its acceleration, e.g. 0, 0, 3 m/s^2."] = NOTHING,

@@ -85,9 +85,7 @@ def table(
     file: Annotated[InputFile, "CSV with t[s] and x[m], y[m], z[m], or lat[deg], lon[deg]."],
     /,
     *,
-    sigma: Annotated[
-        Noise | None, "Standard deviation of a measured coordinate; estimated if left out, e.g. 3 cm."
-    ] = None,
+    sigma: Annotated[Noise | None, "Standard deviation of a coordinate; estimated if left out, e.g. 3 cm."] = None,
     smoothing: Annotated[Smoothing, "spline; none is refused, and the message gives the noise it would have."] = SPLINE,
 ) -> TrackMotion:
     """Speed, acceleration and curvature from measured positions, by a smoothing spline, with the noise of each.
