@@ -83,14 +83,8 @@ def polygon(
     if sizes:
         sized = getattr(magnitudes, "kind", kinds.NUMBER)
         kind = sized if kind is None else kind
-        require(
-            sized.unit == kind.unit,
-            "vectors of different kinds cannot be added: a {first} and a {other}",
-            first=kind.name,
-            other=sized.name,
-            code="mixed-kinds",
-            hint="give all vectors and magnitudes in one kind",
-        )
+        message = "vectors of different kinds cannot be added: a {first} and a {other}"
+        kinds.require_one_kind(kind, sized, message, "give all vectors and magnitudes in one kind")
     kind = kind or kinds.NUMBER
     if len(sizes) == 2:
         pairs = _two_directions(total, sizes[0], sizes[1], kind)
@@ -100,14 +94,12 @@ def polygon(
         pairs = _two_magnitudes(total, directions[0], directions[1])
     solutions = tuple(_solution(p, q, kind, sizes, directions) for p, q in pairs)
     against = any(plain(s.value) < 0.0 for row in solutions for s in (row.first_magnitude, row.second_magnitude))
-    advice = (
-        Advice("against", "a negative magnitude means a vector opposite to the given direction", severity="note"),
-    )
+    note = Advice("against", "a negative magnitude means a vector opposite to the given direction", severity="note")
     return Polygon(
         solutions=solutions,
         missing=kinds.vector((*total, 0.0), kind, planar=True),
         checks=tuple(_closed(p, q, total) for p, q in pairs),
-        advice=advice if against else (),
+        advice=(note,) if against else (),
     )
 
 

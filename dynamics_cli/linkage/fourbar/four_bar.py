@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, Closed, Frame, close, discriminants, frame, ratios
-from dynamics_cli.linkage.fourbar.grashof import closeness, kind_of, limits
+from dynamics_cli.linkage.fourbar.grashof import POOR, closeness, kind_of, limits, poor
 from dynamics_cli.linkage.fourbar.lengths import require_links
 from dynamics_cli.linkage.fourbar.records import FourBar
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt, where
@@ -29,8 +29,7 @@ if TYPE_CHECKING:
 MANY = 1_000_000
 # Rounding of a closed loop, relative to the sum of its lengths.
 CLOSES = 1e-12
-# Transmission angles nearer than this to 0 or 180 degrees are poor in a machine (the usual 40 degrees).
-POOR = 0.6981317007977318
+PI = 3.141592653589793
 
 
 def four_bar(
@@ -253,13 +252,7 @@ def _poor(transmission: float, regular: bool) -> "tuple[Advice, ...]":
             ),
         )
     angle = plain(transmission)
-    if POOR <= angle <= 3.141592653589793 - POOR:
+    if POOR <= angle <= PI - POOR:
         return ()
-    return (
-        Advice(
-            "poor-transmission",
-            "the transmission angle is more than 50 deg from 90 deg: friction may lock the linkage here",
-            severity="note",
-            remedy="keep it between 40 and 140 deg where force is transmitted",
-        ),
-    )
+    remedy = "keep it between 40 and 140 deg where force is transmitted"
+    return (poor("is more than 50 deg from 90 deg here", remedy),)

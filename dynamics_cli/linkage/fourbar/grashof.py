@@ -8,6 +8,8 @@ from dynamics_cli.records import Advice, Check, record
 
 # A margin below this share of the perimeter is nearly a change point: play decides the motion.
 NEARLY = 1e-3
+# Transmission angles nearer than this to 0 or 180 degrees are poor in a machine (the usual 40 degrees).
+POOR = 0.6981317007977318
 TURNS = {"crank": "crank-rocker", "coupler": "double rocker", "rocker": "rocker-crank", "ground": "double crank"}
 
 
@@ -282,3 +284,9 @@ def closeness(lengths: "tuple[float, ...]", kind: str) -> "tuple[Advice, ...]":
             ),
         )
     return ()
+
+
+def poor(where: str, remedy: str) -> Advice:
+    """Remark on a transmission angle far from a right angle."""
+    message = f"the transmission angle {where}: friction may lock the linkage"
+    return Advice("poor-transmission", message, severity="note", remedy=remedy)
