@@ -70,9 +70,7 @@ def circle(
     *,
     radius: Annotated[Distance, "Radius of the circle, e.g. 0.5 m."],
     state: Annotated[Turning | Running, "Angular velocity and acceleration, or speed and its rate, at the start."],
-    time: Annotated[
-        Time | None, "Time after which the state is calculated, at constant angular acceleration, e.g. 3 s."
-    ] = None,
+    time: Annotated[Time | None, "Time to the end, at constant angular acceleration, e.g. 3 s."] = None,
     angle: Annotated[Angle | None, "Angle turned, in place of the time, e.g. 90 deg."] = None,
     arc: Annotated[Length | None, "Length along the circle, in place of the time, e.g. 3 m."] = None,
 ) -> Circle:
@@ -82,11 +80,6 @@ def circle(
     --------
     v = rω, a_t = rα, a_n = rω² = v²/r, ‖a‖ = √(a_t² + a_n²), angle to the inward radius atan2(a_t, a_n);
     ω₁ = ω + αt, θ = ωt + αt²/2, ω₁² = ω² + 2αθ.
-
-    Returns
-    -------
-    Circle
-        The state at the start and at the end, time, angle, turns and arc.
 
     Raises
     ------

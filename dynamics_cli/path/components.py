@@ -58,23 +58,14 @@ def components(
     velocity: Annotated[Velocity, "Velocity, e.g. 20, 5, 0 m/s."],
     acceleration: Annotated[AccelerationVector, "Acceleration, e.g. -2, 3, 0 m/s^2."],
     position: Annotated[Position | None, "Cartesian position, for the other systems, e.g. 3, 4, 1 m."] = None,
-    jerk: Annotated[
-        JerkVector | None, "Rate of change of the acceleration, for the torsion, e.g. 0, 1, 0 m/s^3."
-    ] = None,
-    axes: Annotated[
-        Axes, "Directions of the components: cartesian, cylindrical (r, θ, z), spherical (ρ, φ, θ)."
-    ] = Axes("cartesian"),  # noqa: B008
+    jerk: Annotated[JerkVector | None, "Rate of the acceleration, for the torsion, e.g. 0, 1, 0 m/s^3."] = None,
+    axes: Annotated[Axes, "Directions: cartesian, cylindrical (r, θ, z) or spherical (ρ, φ, θ)."] = Axes("cartesian"),  # noqa: B008
 ) -> Components:
     """Velocity and acceleration along x, y, z; r, θ, z; ρ, φ, θ; and along and across the path.
 
     Equation
     --------
     a_t = v·a/‖v‖, a_n = ‖v×a‖/‖v‖, ρ = ‖v‖³/‖v×a‖, τ = (v×a)·j/‖v×a‖², T = v/‖v‖, B = v×a/‖v×a‖, N = B×T.
-
-    Returns
-    -------
-    Components
-        The components in every system, T, N, B, curvature, torsion and centre of curvature.
 
     Raises
     ------

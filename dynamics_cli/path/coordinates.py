@@ -85,11 +85,6 @@ def polar(
     --------
     v = (ṙ, rθ̇), a = (r̈ − rθ̇², rθ̈ + 2ṙθ̇).
 
-    Returns
-    -------
-    AroundAxis
-        Components along and across the radius, the terms named, and the path's own a_t, a_n and ρ.
-
     Raises
     ------
     InadmissibleError
@@ -126,11 +121,6 @@ def cylindrical(
     Equation
     --------
     v = (ṙ, rθ̇, ż), a = (r̈ − rθ̇², rθ̈ + 2ṙθ̇, z̈).
-
-    Returns
-    -------
-    AroundAxis
-        Components by the axis, the terms named, and the path's own a_t, a_n and ρ.
 
     Raises
     ------
@@ -209,11 +199,6 @@ def spherical(
     --------
     v = (ρ̇, ρφ̇, ρθ̇ sinφ); a = (ρ̈ − ρφ̇² − ρθ̇² sin²φ, ρφ̈ + 2ρ̇φ̇ − ρθ̇² sinφ cosφ, (ρθ̈ + 2ρ̇θ̇) sinφ + 2ρφ̇θ̇
     cosφ).
-
-    Returns
-    -------
-    FromPole
-        Components along ρ, φ and θ, and the path's own a_t, a_n and radius of curvature.
 
     Raises
     ------

@@ -39,9 +39,7 @@ class InMovingFrame:
     relative_part: Annotated[AccelerationVector, "Relative to the frame, a_rel [m/s^2]."]
     coriolis_size: Annotated[Acceleration, "Magnitude of the Coriolis term [m/s^2]."]
     fixed_velocity: Annotated[Velocity | None, "Velocity in fixed axes; needs the orientation [m/s]."]
-    fixed_acceleration: Annotated[
-        AccelerationVector | None, "Acceleration in fixed axes; needs the orientation [m/s^2]."
-    ]
+    fixed_acceleration: Annotated[AccelerationVector | None, "In fixed axes; needs the orientation [m/s^2]."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -50,30 +48,18 @@ def moving_frame(
     *,
     position: Annotated[Position, "Position r in the frame, e.g. 0.3, 0, 0 m."],
     angular_velocity: Annotated[AngularVelocity, "Angular velocity ω of the frame, e.g. 0, 0, 5 rad/s."] = ZERO,
-    angular_acceleration: Annotated[
-        AngularAccelerationVector, "Angular acceleration α of the frame, e.g. 0, 0, 2 rad/s^2."
-    ] = ZERO,
+    angular_acceleration: Annotated[AngularAccelerationVector, "Its rate α, e.g. 0, 0, 2 rad/s^2."] = ZERO,
     relative_velocity: Annotated[Velocity, "Velocity in the frame, v_rel, e.g. 0.8, 0, 0 m/s."] = ZERO,
-    relative_acceleration: Annotated[
-        AccelerationVector, "Acceleration in the frame, a_rel, e.g. 0, 0, 0 m/s^2."
-    ] = ZERO,
+    relative_acceleration: Annotated[AccelerationVector, "Acceleration in it, a_rel, e.g. 0, 0, 1 m/s^2."] = ZERO,
     origin_velocity: Annotated[Velocity, "Velocity v_O of the frame's origin, e.g. 1, 0, 0 m/s."] = ZERO,
     origin_acceleration: Annotated[AccelerationVector, "Acceleration a_O of the origin, e.g. 0, 0, 1 m/s^2."] = ZERO,
-    orientation: Annotated[
-        Quaternion | None,
-        "Quaternion from the frame's components to fixed ones, scalar first, e.g. 0.92388, 0, 0, 0.382683.",
-    ] = None,
+    orientation: Annotated[Quaternion | None, "Quaternion to fixed components, e.g. 0.9239, 0, 0, 0.3827."] = None,
 ) -> InMovingFrame:
     """Velocity and acceleration of a point moving in a frame that moves and turns; all vectors in the frame's axes.
 
     Equation
     --------
     v = v_O + ω×r + v_rel; a = a_O + α×r + ω×(ω×r) + 2ω×v_rel + a_rel.
-
-    Returns
-    -------
-    InMovingFrame
-        The five terms of the acceleration, their sum, and both in fixed axes where the orientation is given.
 
     Raises
     ------

@@ -47,11 +47,6 @@ def angle(
     --------
     θ = atan2(|a×b|, a·b); about an axis n: θ = atan2(|n|·n·(a×b), (n×a)·(n×b)).
 
-    Returns
-    -------
-    AngleBetween
-        The angle, its supplement, both products, and whether the vectors are parallel or perpendicular.
-
     Raises
     ------
     InadmissibleError

@@ -30,9 +30,7 @@ class Frame:
     kept: Annotated[Text, "Which input kept its direction, and which one its plane."]
     departure: Annotated[Angle, "How far the directions given were from right angles, at most [rad]."]
     handedness: Annotated[Text | None, "Of three directions: right-handed or left-handed."]
-    rotation_matrix: Annotated[
-        RotationMatrix, "Its columns are the axes: it takes components in the triad to those the axes are given in."
-    ]
+    rotation_matrix: Annotated[RotationMatrix, "Its columns are the axes: from the triad outward."]
     components: Annotated[FreeVector | None, "The components of the vector in the triad."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -52,11 +50,6 @@ def frame(
     Equation
     --------
     e₁ = a/|a|, e₃ = (a×b)/|a×b|, e₂ = e₃×e₁, and so in turn; components v·e₁, v·e₂, v·e₃.
-
-    Returns
-    -------
-    Frame
-        The axes, how far the input was from right angles, and a vector in the triad.
 
     Raises
     ------

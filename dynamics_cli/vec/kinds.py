@@ -73,16 +73,13 @@ def vectors(raw: "Sequence[Any]", names: "Sequence[str]" = ()) -> "list[Vector]"
 def require_same_kind(those: "Sequence[Vector]", context: str) -> None:
     """Refuse a sum of unlike kinds."""
     for index, other in enumerate(those[1:], 2):
-        require(
-            other.kind.unit == those[0].kind.unit,
-            "{what}: vector 1 is a {first}, vector {index} a {other}",
-            what=context,
-            first=those[0].kind.name,
-            index=str(index),
-            other=other.kind.name,
-            code="mixed-kinds",
-            hint="give vectors of one kind, with their units",
-        )
+        words = f"{context}: vector 1 is a {{first}}, vector {index} a {{other}}"
+        require_one_kind(those[0].kind, other.kind, words, "give vectors of one kind, with their units")
+
+
+def require_one_kind(first: "Any", other: "Any", message: str, hint: str) -> None:
+    """Refuse two kinds where one is wanted; the message names them."""
+    require(first.unit == other.unit, message, first=first.name, other=other.name, code="mixed-kinds", hint=hint)
 
 
 def require_direction(vector: Vector, name: str) -> None:

@@ -82,11 +82,6 @@ def lines(*, first: Item, second: Item) -> Lines:
     --------
     Skew lines: d = |(q − p)·(u×v)|/|u×v|; parallel: |(q − p)×u|/|u|; from a plane: |n·(q − p)|/|n|.
 
-    Returns
-    -------
-    Lines
-        How they lie to one another, with the points that decide it.
-
     Raises
     ------
     InadmissibleError
@@ -103,14 +98,8 @@ def lines(*, first: Item, second: Item) -> Lines:
     3.0
     """
     left, right = _Read(first, "first"), _Read(second, "second")
-    require(
-        left.kind.unit == right.kind.unit,
-        "the points are of different kinds: a {first} and a {other}",
-        first=left.kind.name,
-        other=right.kind.name,
-        code="mixed-kinds",
-        hint="give both points in units of length, or both without units",
-    )
+    message = "the points are of different kinds: a {first} and a {other}"
+    kinds.require_one_kind(left.kind, right.kind, message, "give both points in units of length, or both without units")
     order = ("point", "line", "plane")
     swapped = order.index(left.shape) > order.index(right.shape)
     a, b = (right, left) if swapped else (left, right)

@@ -49,11 +49,6 @@ def matrix(
     --------
     A⁻¹·A = 1 and A·x = b by elimination in ratios of whole numbers.
 
-    Returns
-    -------
-    MatrixAnswer
-        Decimals, rounded once, beside the exact ratios.
-
     Raises
     ------
     InadmissibleError

@@ -46,23 +46,14 @@ class Polygon:
 def polygon(
     *known: Annotated[FreeVector, "Known vectors of the sum, planar and of one kind."],
     sum_: Annotated[FreeVector | None, "Sum of all vectors; zero (a closed polygon) if left out."] = None,
-    magnitudes: Annotated[
-        FreeVector | None, "Magnitudes of one or two vectors of unknown direction, e.g. 5, 4 kN."
-    ] = None,
-    directions: Annotated[
-        tuple[Angle, ...], "Directions from x of one or two vectors of unknown magnitude, e.g. 30, 135 deg."
-    ] = (),
+    magnitudes: Annotated[FreeVector | None, "Magnitudes of vectors of unknown direction, e.g. 5, 4 kN."] = None,
+    directions: Annotated[tuple[Angle, ...], "Directions of vectors of unknown magnitude, e.g. 30, 135 deg."] = (),
 ) -> Polygon:
     """Planar sum with two unknowns: two directions, two magnitudes, or one of each; every solution.
 
     Equation
     --------
     p + q = T; magnitudes A and B: p = T(u ± iv)/|T|, u = (T² + (A − B)(A + B))/(2|T|), v = √(A² − u²) in factors.
-
-    Returns
-    -------
-    Polygon
-        The unknown vectors of every solution.
 
     Raises
     ------
@@ -92,14 +83,8 @@ def polygon(
     if sizes:
         sized = getattr(magnitudes, "kind", kinds.NUMBER)
         kind = sized if kind is None else kind
-        require(
-            sized.unit == kind.unit,
-            "vectors of different kinds cannot be added: a {first} and a {other}",
-            first=kind.name,
-            other=sized.name,
-            code="mixed-kinds",
-            hint="give all vectors and magnitudes in one kind",
-        )
+        message = "vectors of different kinds cannot be added: a {first} and a {other}"
+        kinds.require_one_kind(kind, sized, message, "give all vectors and magnitudes in one kind")
     kind = kind or kinds.NUMBER
     if len(sizes) == 2:
         pairs = _two_directions(total, sizes[0], sizes[1], kind)
@@ -109,14 +94,12 @@ def polygon(
         pairs = _two_magnitudes(total, directions[0], directions[1])
     solutions = tuple(_solution(p, q, kind, sizes, directions) for p, q in pairs)
     against = any(plain(s.value) < 0.0 for row in solutions for s in (row.first_magnitude, row.second_magnitude))
-    advice = (
-        Advice("against", "a negative magnitude means a vector opposite to the given direction", severity="note"),
-    )
+    note = Advice("against", "a negative magnitude means a vector opposite to the given direction", severity="note")
     return Polygon(
         solutions=solutions,
         missing=kinds.vector((*total, 0.0), kind, planar=True),
         checks=tuple(_closed(p, q, total) for p, q in pairs),
-        advice=advice if against else (),
+        advice=(note,) if against else (),
     )
 
 

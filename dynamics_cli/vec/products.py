@@ -44,11 +44,6 @@ def product(
     --------
     a·b = Σ aᵢbᵢ, (a×b)_x = a_y·b_z − a_z·b_y, a·(b×c) the determinant, a×(b×c) = b(a·c) − c(a·b).
 
-    Returns
-    -------
-    Products
-        Every product, exact for the numbers as typed and rounded once.
-
     Raises
     ------
     InadmissibleError

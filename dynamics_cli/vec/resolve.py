@@ -90,11 +90,6 @@ def resolve(
     --------
     Along n: (v·n)n/n², across: n×(v×n)/n²; in a basis: (v·(b₂×b₃))/(b₁·(b₂×b₃)) and so on in turn.
 
-    Returns
-    -------
-    Resolved
-        The parts, whose sum is the vector again, and how sensitive they are.
-
     Raises
     ------
     InadmissibleError

@@ -72,11 +72,6 @@ def resultant(
     --------
     R = Σ aᵢ; of two magnitudes at an angle φ: R² = (A − B)² + 4·A·B·cos²(φ/2).
 
-    Returns
-    -------
-    Resultant
-        The sum with magnitude, direction angles and cosines, the equilibrant, and how far the vectors cancel.
-
     Raises
     ------
     InadmissibleError
@@ -166,14 +161,8 @@ def _of_magnitudes(raw: "tuple[Any, ...]", between: float) -> Resultant:
     require(plain(a) >= 0.0 and plain(b) >= 0.0, "a magnitude is below zero", code="negative", hint="reverse it")
     kind = getattr(raw[0], "kind", kinds.NUMBER)
     other = getattr(raw[1], "kind", kinds.NUMBER)
-    require(
-        kind.unit == other.unit,
-        "vectors of unlike kinds have no sum: a {first} and a {other}",
-        first=kind.name,
-        other=other.name,
-        code="mixed-kinds",
-        hint="give two magnitudes of one kind",
-    )
+    message = "vectors of unlike kinds have no sum: a {first} and a {other}"
+    kinds.require_one_kind(kind, other, message, "give two magnitudes of one kind")
     cosine, sine = turned(between)
     half, _ = turned(0.5 * between)
     apart = sum_of_products((a,), (-1.0, b))
@@ -197,11 +186,6 @@ def direction(
     Equation
     --------
     cos θx = v_x/|v|; computed as θx = atan2(√(v_y² + v_z²), v_x), which keeps small angles.
-
-    Returns
-    -------
-    DirectionOf
-        Magnitude, direction cosines, angles with the axes.
 
     Raises
     ------

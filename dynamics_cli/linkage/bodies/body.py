@@ -59,9 +59,7 @@ class PlacedPoint:
     velocity: Annotated[PartVelocity, "Its velocity [m/s]."]
     speed: Annotated[Speed, "The magnitude of it [m/s]."]
     acceleration: Annotated[PartAcceleration | None, "Its acceleration [m/s^2]."]
-    radius_of_curvature: Annotated[
-        Coordinate | None, "Radius of curvature of its path, positive where it turns left; absent where straight [m]."
-    ]
+    radius_of_curvature: Annotated[Coordinate | None, "Radius of curvature of its path, positive to the left [m]."]
 
 
 @record
@@ -73,9 +71,7 @@ class BodyMotion:
     instant_centre: Annotated[PartPoint | None, "The point without velocity; none in translation [m]."]
     distance: Annotated[Size | None, "Distance of the first point from it [m]."]
     zero_acceleration: Annotated[PartPoint | None, "The point without acceleration [m]."]
-    inflection_diameter: Annotated[
-        Size | None, "Diameter of the inflection circle, on which paths are straight for the moment [m]."
-    ]
+    inflection_diameter: Annotated[Size | None, "Diameter of the inflection circle, where paths are straight now [m]."]
     inflection_direction: Annotated[Angle | None, "Direction of that diameter from the instant centre [rad]."]
     parting: Annotated[Speed | None, "Speed at which two given points part: zero of a rigid body [m/s]."]
     points: Annotated[tuple[PlacedPoint, ...] | None, "Further points."] = None
@@ -97,11 +93,6 @@ def body(
     --------
     ω = r×Δv/r², α = r×Δa/r²; instant centre A + k×v/ω; zero acceleration A + a(ω² + iα)/(ω⁴ + α²); v = v_A + ω k×r,
     a = a_A + α k×r − ω²r; inflection circle: diameter from the instant centre P to P + a_P/ω².
-
-    Returns
-    -------
-    BodyMotion
-        Rotation, centres, and the motion of further points.
 
     Raises
     ------

@@ -73,11 +73,6 @@ def chain(
     r = Σ l_k e^{iθ_k}, v = Σ iω_k l_k e^{iθ_k}, a = Σ (iα_k − ω_k²) l_k e^{iθ_k}; partial velocity ∂r/∂θ_k: i l_k
     e^{iθ_k} of absolute angles, i (r − r_{k−1}) of relative ones.
 
-    Returns
-    -------
-    Chain
-        The tip and every joint.
-
     Raises
     ------
     InadmissibleError

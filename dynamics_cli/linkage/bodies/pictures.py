@@ -1,11 +1,10 @@
 """Pictures of a body in plane motion and of a chain."""
 
 from itertools import pairwise
-from math import cos, pi, sin
 
 from dynamics_cli.linkage.bodies.body import body_line
-from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
-from dynamics_cli.quantities import Coordinate
+from dynamics_cli.linkage.drawing import BELOW, circle, plan, turned
+from dynamics_cli.pictures import Arrow, Curve, Mark, Picture, complex_curve
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,7 +12,6 @@ if TYPE_CHECKING:
 
 # The longest arrow is this share of the picture.
 ARROW = 0.3
-CIRCLE = [2.0 * pi * k / 120 for k in range(121)]
 
 
 def _arrows(points: "list[tuple[Any, Any, str]]", size: float, role: int, label: str) -> "list[Arrow]":
@@ -45,22 +43,14 @@ def body_picture(
         items += [Curve([px, position[0]], [py, position[1]], "", "thin", 6) for position, _, _ in marks]
         items.append(Mark(px, py, "instant centre"))
     if result.inflection_diameter and result.inflection_diameter < 10.0 * size:
-        px, py = result.instant_centre
         radius = 0.5 * result.inflection_diameter
-        cx, cy = (
-            px + radius * cos(result.inflection_direction or 0.0),
-            py + radius * sin(result.inflection_direction or 0.0),
-        )
-        items.append(
-            Curve([cx + radius * cos(t) for t in CIRCLE], [cy + radius * sin(t) for t in CIRCLE], "inflection circle",
-                  "dashed", 5)
-        )  # fmt: skip
+        centre = complex(*result.instant_centre) + radius * turned(result.inflection_direction or 0.0)
+        items.append(complex_curve(circle(centre, radius), "inflection circle", "dashed", 5))
     if result.zero_acceleration:
-        items.append(Mark(result.zero_acceleration[0], result.zero_acceleration[1], "zero acceleration", (5.0, -12.0)))
+        items.append(Mark(result.zero_acceleration[0], result.zero_acceleration[1], "zero acceleration", BELOW))
     items += [Mark(position[0], position[1], name.strip(), (-12.0, -12.0)) for position, _, name in marks]
     items += _arrows(marks, size, 0, "v")
-    panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    return Picture((panel,), f"plane motion of a body\n{body_line(result)}")
+    return Picture((plan(items),), f"plane motion of a body\n{body_line(result)}")
 
 
 def chain_picture(result: "Any", **_: "Any") -> Picture:
@@ -74,5 +64,4 @@ def chain_picture(result: "Any", **_: "Any") -> Picture:
     items += [Mark(position[0], position[1], "") for position in joints]
     items += _arrows([(joint.position, joint.velocity, "") for joint in result.joints], size, 2, "v")
     items += _arrows([(joint.position, joint.acceleration, "") for joint in result.joints], size, 3, "a")
-    panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    return Picture((panel,), "open chain; v and a each to one scale")
+    return Picture((plan(items),), "open chain; v and a each to one scale")

@@ -130,11 +130,6 @@ def close(
         +1 for the open branch, −1 for the crossed one.
     drop : tuple, optional
         D₁ and D₂ where they are known.
-
-    Returns
-    -------
-    Closed
-        The loop. Where a root vanishes away from a change point (a toggle) the response is infinite.
     """
     sine, (half_cosine, half_sine) = turn[1], half
     first, second = drop or discriminants(links, half)

@@ -81,11 +81,6 @@ def coupler(
     P = A + (p + iq)·(B − A)/b over a parameter in which the motion is analytic; length = ∮|P′|du. Cognates with
     z = (P − A)/(B − A): third pivot O₂ + z(O₄ − O₂), links |z|·(b, a, c, d) and |1 − z|·(b, c, a, d).
 
-    Returns
-    -------
-    CouplerCurve
-        The curve with its properties; `--drawing` writes it with the deviation proved.
-
     Raises
     ------
     InadmissibleError

@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, Closed, Frame, close, discriminants, frame, ratios
-from dynamics_cli.linkage.fourbar.grashof import closeness, kind_of, limits
+from dynamics_cli.linkage.fourbar.grashof import POOR, closeness, kind_of, limits, poor
 from dynamics_cli.linkage.fourbar.lengths import require_links
 from dynamics_cli.linkage.fourbar.records import FourBar
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt, where
@@ -29,8 +29,7 @@ if TYPE_CHECKING:
 MANY = 1_000_000
 # Rounding of a closed loop, relative to the sum of its lengths.
 CLOSES = 1e-12
-# Transmission angles nearer than this to 0 or 180 degrees are poor in a machine (the usual 40 degrees).
-POOR = 0.6981317007977318
+PI = 3.141592653589793
 
 
 def four_bar(
@@ -39,9 +38,7 @@ def four_bar(
     coupler: Annotated[Size, "Length b of the link between the pins A and B, e.g. 120 mm."],
     rocker: Annotated[Size, "Length c of the driven link, from O₄ to B, e.g. 80 mm."],
     ground: Annotated[Size, "Distance d of the pivots O₂ and O₄, e.g. 100 mm."],
-    crank_angle: Annotated[
-        Angle | None, "Crank angle θ₂ from the line O₂–O₄, counter-clockwise; without it a table, e.g. 40 deg."
-    ] = None,
+    crank_angle: Annotated[Angle | None, "Crank angle θ₂ from O₂–O₄; without it a table, e.g. 40 deg."] = None,
     branch: Annotated[Branch, "The side of the line from A to O₄ where B lies: left (open) or right (crossed)."] = OPEN,
     speed: Annotated[TurnRate | None, "Angular velocity ω₂ of the crank, e.g. 10 rad/s."] = None,
     angular_acceleration: Annotated[AngularAcceleration, "Angular acceleration α₂ of the crank [rad/s^2]."] = 0.0,
@@ -55,11 +52,6 @@ def four_bar(
     --------
     f² = (a − d)² + 4ad·sin²(θ₂/2), D₁ = (b + c)² − f², D₂ = f² − (b − c)²; B = A + (f⃗(f² + b² − c²) ± √(D₁D₂)
     k×f⃗)/2f²; μ = 2 atan2(√D₂, √D₁); ω₃, ω₄ from ω₂ k×a⃗ + ω₃ k×b⃗ = ω₄ k×c⃗; T₂ = T₄·ω₄/ω₂.
-
-    Returns
-    -------
-    FourBar
-        The pose, or the table where no crank angle is given.
 
     Raises
     ------
@@ -260,13 +252,7 @@ def _poor(transmission: float, regular: bool) -> "tuple[Advice, ...]":
             ),
         )
     angle = plain(transmission)
-    if POOR <= angle <= 3.141592653589793 - POOR:
+    if POOR <= angle <= PI - POOR:
         return ()
-    return (
-        Advice(
-            "poor-transmission",
-            "the transmission angle is more than 50 deg from 90 deg: friction may lock the linkage here",
-            severity="note",
-            remedy="keep it between 40 and 140 deg where force is transmitted",
-        ),
-    )
+    remedy = "keep it between 40 and 140 deg where force is transmitted"
+    return (poor("is more than 50 deg from 90 deg here", remedy),)

@@ -8,6 +8,8 @@ from dynamics_cli.records import Advice, Check, record
 
 # A margin below this share of the perimeter is nearly a change point: play decides the motion.
 NEARLY = 1e-3
+# Transmission angles nearer than this to 0 or 180 degrees are poor in a machine (the usual 40 degrees).
+POOR = 0.6981317007977318
 TURNS = {"crank": "crank-rocker", "coupler": "double rocker", "rocker": "rocker-crank", "ground": "double crank"}
 
 
@@ -31,12 +33,8 @@ class Class:
     kind: Annotated[Text, "The class by Grashof's rule, on the decimals as typed."]
     margin: Annotated[Coordinate, "Longest and shortest link together fall short of the other two by this [m]."]
     rotates: Annotated[Text, "Which links turn fully."]
-    outer_limit: Annotated[
-        Angle | None, "The crank reaches ± this angle, where coupler and rocker are stretched; none if it passes [rad]."
-    ]
-    inner_limit: Annotated[
-        Angle | None, "The crank comes no nearer to zero than ± this angle, where coupler and rocker are folded [rad]."
-    ]
+    outer_limit: Annotated[Angle | None, "The crank stays within ± this angle, or passes [rad]."]
+    inner_limit: Annotated[Angle | None, "The crank stays beyond ± this angle, or passes [rad]."]
     swing: Annotated[Angle | None, "Angle through which the rocker swings; none if it turns fully [rad]."]
     rocker_least: Annotated[Angle | None, "Smallest rocker angle, of the half above the ground link [rad]."]
     rocker_greatest: Annotated[Angle | None, "Largest rocker angle there [rad]."]
@@ -46,8 +44,7 @@ class Class:
     least_transmission_angle: Annotated[Angle, "Smallest transmission angle μ [rad]."]
     greatest_transmission_angle: Annotated[Angle, "Largest transmission angle μ [rad]."]
     change_points: Annotated[
-        tuple[ChangePoint, ...] | None,
-        "Poses with all links in line, with both continuations; most linkages have none.",
+        tuple[ChangePoint, ...] | None, "Poses with all links in line; most linkages have none."
     ] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -102,11 +99,6 @@ def classify(
     s + l < p + q: the shortest link s turns fully; =: change point; >: none turns. Limits where b + c or |b − c| is the
     distance A–O₄; time ratio (φ_f − φ_e)/(2π − (φ_f − φ_e)) from the crank angles of the rocker's ends. At a change
     point of signed lengths a + b = d + c: ω₃/ω₂ = (ab ± √(abcd))/(b(c − b)), ω₄/ω₂ = (a + b·ω₃/ω₂)/c.
-
-    Returns
-    -------
-    Class
-        The class with its margin, and its consequences.
 
     Raises
     ------
@@ -292,3 +284,9 @@ def closeness(lengths: "tuple[float, ...]", kind: str) -> "tuple[Advice, ...]":
             ),
         )
     return ()
+
+
+def poor(where: str, remedy: str) -> Advice:
+    """Remark on a transmission angle far from a right angle."""
+    message = f"the transmission angle {where}: friction may lock the linkage"
+    return Advice("poor-transmission", message, severity="note", remedy=remedy)

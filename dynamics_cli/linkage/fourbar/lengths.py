@@ -63,11 +63,6 @@ def margin(signs: "Sequence[int]", lengths: "Sequence[float]") -> float:
         +1 or −1 for each length.
     lengths : sequence of float
         The lengths: doubles, arrays or tracked numbers.
-
-    Returns
-    -------
-    float
-        The sum; zero means zero for the decimals as typed.
     """
     total, size = 0.0 * lengths[0], 0.0 * lengths[0]
     for sign, length in zip(signs, lengths, strict=True):

@@ -5,10 +5,11 @@ from math import pi
 
 from dynamics_cli.animation import animated
 from dynamics_cli.errors import worded
+from dynamics_cli.linkage.drawing import BELOW, LEFT, ZERO, circle, pin, plan
 from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, frame
 from dynamics_cli.linkage.fourbar.grashof import kind_of
-from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
-from dynamics_cli.quantities import Angle, Coordinate, Size
+from dynamics_cli.pictures import Axis, Band, Curve, Panel, Picture, complex_curve
+from dynamics_cli.quantities import Angle, Size
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -70,10 +71,12 @@ def linkage_items(
     if point is not None:
         tip = pins[0] + turn * point
         items.append(complex_curve((pins[0], tip, pins[1]), "", "solid", 1))
-        items.append(Mark(tip.real, tip.imag, "P"))
-    items += [Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(d, 0.0, "O₄", (5.0, -12.0))]
-    items += [Mark(pins[0].real, pins[0].imag, "A", (-12.0, 5.0)), Mark(pins[1].real, pins[1].imag, "B")]
-    return items
+        items.append(pin(tip, "P"))
+    return [*items, *_pivots(complex(d)), pin(pins[0], "A", (-12.0, 5.0)), pin(pins[1], "B")]
+
+
+def _pivots(rocker_pivot: complex) -> "list[Any]":
+    return [pin(0j, "O₂", LEFT), pin(rocker_pivot, "O₄", BELOW)]
 
 
 def four_bar_picture(
@@ -88,8 +91,7 @@ def four_bar_picture(
     if result.crank_pin is not None:
         now = complex(*result.crank_pin), complex(*result.rocker_pin)
     items = linkage_items(lengths, _circuit_side(lengths, side, crank_angle), place, now)
-    scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    return Picture((scene, *_curves(lengths, side, crank_angle)), _title(lengths, kind_of(lengths)))
+    return Picture((plan(items), *_curves(lengths, side, crank_angle)), _title(lengths, kind_of(lengths)))
 
 
 def _circuit_side(lengths: "tuple[float, ...]", side: float, crank_angle: "float | None") -> float:
@@ -121,16 +123,18 @@ def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | Non
     marks = () if crank_angle is None or not low <= crank_angle <= high else (Band(crank_angle, crank_angle),)
     mu = (2.0 * np.arctan2(np.abs(loop.second), np.abs(loop.first))).tolist()
     angles = theta.tolist()
+    ratios = (
+        ("speed ratio", ("ω₄/ω₂", "ω₃/ω₂"), clipped[:2], "speeds of rocker and coupler over that of the crank"),
+        ("α/ω₂²", ("α₄/ω₂²", "α₃/ω₂²"), clipped[2:], "accelerations, crank at uniform speed"),
+    )
     return (
-        Panel(
-            angle_axis, Axis("speed ratio"),
-            (Curve(angles, clipped[1], "ω₄/ω₂", role=2), Curve(angles, clipped[0], "ω₃/ω₂", "dashed", 1),
-             Band(0.0, 0.0, vertical=False), *marks), "speeds of rocker and coupler over that of the crank",
-        ),
-        Panel(
-            angle_axis, Axis("α/ω₂²"),
-            (Curve(angles, clipped[3], "α₄/ω₂²", role=2), Curve(angles, clipped[2], "α₃/ω₂²", "dashed", 1),
-             Band(0.0, 0.0, vertical=False), *marks), "accelerations, crank at uniform speed",
+        *(
+            Panel(
+                angle_axis, Axis(axis),
+                (Curve(angles, rocker, names[0], role=2), Curve(angles, coupler, names[1], "dashed", 1), ZERO, *marks),
+                title,
+            )
+            for axis, names, (coupler, rocker), title in ratios
         ),
         Panel(
             angle_axis, Axis("transmission angle μ", Angle, ends=(0.0, pi), step=pi / 4.0),
@@ -149,32 +153,25 @@ def coupler_picture(
     side, place = (1.0 if branch == OPEN else -1.0), complex(*point)
     items = linkage_items(lengths, side, place, None)
     for name, group in (("cusp", result.cusps), ("crossing", result.crossings)):
-        items += [Mark(pose.x, pose.y, name) for pose in group or ()]
-    first = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+        items += [pin(complex(pose.x, pose.y), name) for pose in group or ()]
     every = _frames(lengths, side, place, SAMPLES - 1)
     a, b, tip = every[SHOWN]
     scale = place / coupler
     third = scale * ground
     first_leg, second_leg = tip - a, complex(ground) + tip - b
     second_left, second_right = first_leg + scale * a, second_leg + (1.0 - scale) * (b - ground)
-    second = Panel(
-        Axis("x", Coordinate),
-        Axis("y", Coordinate),
-        (
-            complex_curve([*(pose[2] for pose in every), every[0][2]], "one curve", "solid", 3),
-            complex_curve((0j, a, b, complex(ground)), "linkage", "thick", 0),
-            complex_curve((a, tip, b), "", "thin", 0),
-            complex_curve((0j, first_leg, second_left, third), "left cognate", "solid", 1),
-            complex_curve((first_leg, tip, second_left), "", "thin", 1),
-            complex_curve((complex(ground), second_leg, second_right, third), "right cognate", "dashed", 2),
-            complex_curve((second_leg, tip, second_right), "", "thin", 2),
-            Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(ground, 0.0, "O₄", (5.0, -12.0)),
-            Mark(third.real, third.imag, "C₀"), Mark(tip.real, tip.imag, "P"),
-        ),
-        "three linkages that trace the same curve",
-        equal=True,
-    )  # fmt: skip
-    return Picture((first, second), _title(lengths, "coupler curve"), columns=2)
+    o4 = complex(ground)
+    cognates: list[Any] = [complex_curve([*(pose[2] for pose in every), every[0][2]], "one curve", "solid", 3)]
+    for role, (name, style, (one, other), pivots) in enumerate((
+        ("linkage", "thick", (a, b), (0j, o4)),
+        ("left cognate", "solid", (first_leg, second_left), (0j, third)),
+        ("right cognate", "dashed", (second_leg, second_right), (o4, third)),
+    )):  # fmt: skip
+        cognates.append(complex_curve((pivots[0], one, other, pivots[1]), name, style, role))
+        cognates.append(complex_curve((one, tip, other), "", "thin", role))
+    cognates += [*_pivots(o4), pin(third, "C₀"), pin(tip, "P")]
+    second = plan(cognates, "three linkages that trace the same curve")
+    return Picture((plan(items), second), _title(lengths, "coupler curve"), columns=2)
 
 
 def class_picture(result: "Any", *, crank: float, coupler: float, rocker: float, ground: float, **_: "Any") -> Picture:
@@ -190,8 +187,7 @@ def class_picture(result: "Any", *, crank: float, coupler: float, rocker: float,
         if angle is not None:
             tip = ground + 1.15 * rocker * exp(1j * angle)
             items.append(complex_curve((complex(ground), tip), "", "centre", 6))
-    scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    return Picture((scene,), _title(lengths, str(result.kind)))
+    return Picture((plan(items),), _title(lengths, str(result.kind)))
 
 
 def synthesis_picture(result: "Any", **_: "Any") -> Picture:
@@ -205,15 +201,12 @@ def synthesis_picture(result: "Any", **_: "Any") -> Picture:
         a, b = result.crank * exp(1j * target.crank_angle), d + result.rocker * exp(1j * target.rocker_angle)
         items += [
             complex_curve((0j, a, b, d), f"pair {index + 1}, {target.branch}", "thick", index),
-            Mark(b.real, b.imag, ""),
+            pin(b, ""),
         ]
     if result.met:
-        round_ = [exp(2j * pi * k / 90) for k in range(91)]
-        items.append(complex_curve([result.crank * turn for turn in round_], "", "thin", 6))
-        items.append(complex_curve([d + result.rocker * turn for turn in round_], "", "thin", 6))
-        items += [Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(result.ground, 0.0, "O₄", (5.0, -12.0))]
-    scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    return Picture((scene,), _title(lengths, str(result.kind)))
+        items += [complex_curve(circle(*each), "", "thin", 6) for each in ((0j, result.crank), (d, result.rocker))]
+        items += _pivots(d)
+    return Picture((plan(items),), _title(lengths, str(result.kind)))
 
 
 def moving_four_bar(

@@ -37,18 +37,14 @@ class FourBar:
 
     rocker_angle: Annotated[Angle | None, "Rocker angle θ₄, at O₄ from the line O₂–O₄ on [rad]."] = None
     coupler_angle: Annotated[Angle | None, "Coupler angle θ₃, of the ray from the crank's pin A to B [rad]."] = None
-    transmission_angle: Annotated[
-        Angle | None, "Angle μ between coupler and rocker at B, best at 90 degrees [rad]."
-    ] = None
+    transmission_angle: Annotated[Angle | None, "Angle μ at B, best at 90 degrees [rad]."] = None
     rocker_ratio: Annotated[Ratio | None, "ω₄/ω₂, the speed of the rocker over that of the crank."] = None
     coupler_ratio: Annotated[Ratio | None, "ω₃/ω₂."] = None
     rocker_speed: Annotated[TurnRate | None, "ω₄ [rad/s]."] = None
     coupler_speed: Annotated[TurnRate | None, "ω₃ [rad/s]."] = None
     rocker_acceleration: Annotated[AngularAcceleration | None, "α₄ [rad/s^2]."] = None
     coupler_acceleration: Annotated[AngularAcceleration | None, "α₃ [rad/s^2]."] = None
-    crank_torque: Annotated[
-        Torque | None, "Torque at the crank that balances the load torque at the rocker, without friction [N*m]."
-    ] = None
+    crank_torque: Annotated[Torque | None, "Torque at the crank that balances the load, without friction [N*m]."] = None
     other_rocker_angle: Annotated[Angle | None, "θ₄ on the other branch, at the same crank angle [rad]."] = None
     other_coupler_angle: Annotated[Angle | None, "θ₃ on the other branch [rad]."] = None
     other_rocker_ratio: Annotated[Ratio | None, "ω₄/ω₂ on the other branch."] = None

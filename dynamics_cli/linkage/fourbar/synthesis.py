@@ -4,7 +4,7 @@ from itertools import pairwise
 
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.fourbar.closure import frame
-from dynamics_cli.linkage.fourbar.grashof import kind_of, transmission
+from dynamics_cli.linkage.fourbar.grashof import POOR, kind_of, poor, transmission
 from dynamics_cli.numerics.elementary import absolute, acos, atan2, cos, hypot, sin, sqrt
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, PartPoint, Positive, Size, Text
 from dynamics_cli.records import Advice, Check, record
@@ -15,7 +15,6 @@ PLACES = 720
 STEPS = 60
 GOLDEN = 0.6180339887498949
 CLOSES = 1e-9
-POOR = 0.6981317007977318
 # Maximum length of a crank-rocker's links, in rockers: in line, longer ones are always slightly better.
 LONGEST = 3.0
 
@@ -101,11 +100,6 @@ def synthesize(
     Freudenstein: R₁ cos θ₄ − R₂ cos θ₂ + R₃ = cos(θ₂ − θ₄), R₁ = d/a, R₂ = d/c, R₃ = (a² − b² + c² + d²)/2ac; poses:
     each pivot is the centre of the circle through the three places of its pin; swing: O₂ sees the rocker's ends under
     π(Q − 1)/(Q + 1), a and b half the difference and the sum of its distances, best smallest |sin μ|.
-
-    Returns
-    -------
-    Synthesis
-        Lengths, class, and whether all are reached on one branch and in order.
 
     Raises
     ------
@@ -233,16 +227,8 @@ def _least(lengths: "tuple[float, float, float, float]") -> float:
 
 
 def _poor(least: float) -> "tuple[Advice, ...]":
-    if least >= POOR:
-        return ()
-    return (
-        Advice(
-            "poor-transmission",
-            "the transmission angle comes within 40 deg of 0 or 180 deg: friction may lock the linkage there",
-            severity="note",
-            remedy="try other lengths or pairs, or keep the crank away from there",
-        ),
-    )
+    remedy = "try other lengths or pairs, or keep the crank away from there"
+    return () if least >= POOR else (poor("comes within 40 deg of 0 or 180 deg", remedy),)
 
 
 def _by_swing(task: QuickSwing) -> Synthesis:

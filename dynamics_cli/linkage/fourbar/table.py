@@ -38,11 +38,6 @@ def poses(links: Frame, theta: "Any", side: float) -> "tuple[Closed, tuple[Any, 
         Crank angles.
     side : float
         +1 or −1.
-
-    Returns
-    -------
-    tuple
-        The loop; ω₃/ω₂, ω₄/ω₂ and their derivatives by the crank angle.
     """
     turn, half = turns(theta)
     loop = close(links, turn, half, side)
@@ -74,11 +69,6 @@ def table(links: Frame, side: float, steps: int, speed: float | None = None, gai
         Steps over each range.
     speed, gain : float
         Angular velocity of the crank, if it is known, and its angular acceleration.
-
-    Returns
-    -------
-    tuple
-        The rows; quantities that do not exist at a toggle are left out.
     """
     require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
     links = in_doubles(links)

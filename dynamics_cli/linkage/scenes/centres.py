@@ -31,9 +31,7 @@ class Centres:
 
     count: Annotated[Count, "Their number, n(n − 1)/2."]
     centres: Annotated[tuple[Centre, ...], "The centres."]
-    kennedy: Annotated[
-        Ratio | None, "How far the three centres of any three links are from one line, relative to their distances."
-    ]
+    kennedy: Annotated[Ratio | None, "How far centres of three links are from one line, relatively."]
     checks: tuple[Check, ...] = ()
 
 
@@ -46,11 +44,6 @@ def centres(
     Equation
     --------
     v_i + ω_i k×(p − r_i) = v_j + ω_j k×(p − r_j); homogeneous, so that equal angular velocities give a direction.
-
-    Returns
-    -------
-    Centres
-        The centres, with the speed ratios that they give.
 
     Raises
     ------

@@ -40,11 +40,6 @@ def mobility(
     --------
     M = 3(n − 1) − 2j₁ − j₂; true: unknowns less the rank of the Jacobian of all conditions without drivers.
 
-    Returns
-    -------
-    Mobility
-        Both counts, and the redundant conditions.
-
     Raises
     ------
     InadmissibleError

@@ -3,8 +3,10 @@
 from math import pi
 
 from dynamics_cli.animation import animated
+from dynamics_cli.linkage.drawing import pin as pin_mark
+from dynamics_cli.linkage.drawing import plan
 from dynamics_cli.numerics.linkages.records import GROUND, Scene
-from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture, complex_curve
+from dynamics_cli.pictures import Arrow, Axis, Curve, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Angle, Coordinate, TurnRate
 
 TYPE_CHECKING = False
@@ -80,13 +82,12 @@ def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     speeds = {pin.name: complex(*pin.velocity) for pin in result.pins if pin.velocity is not None}
     longest = max((abs(speed) for speed in speeds.values()), default=0.0)
     for pin, place in places.items():
-        items.append(Mark(place.real, place.imag, pin))
+        items.append(pin_mark(place, pin))
         if longest and abs(speeds.get(pin, 0j)) > 0.0:
             arrow = speeds[pin] * (ARROW * size / longest)
             items.append(Arrow(place.real, place.imag, arrow.real, arrow.imag, "", 6))
-    panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     words = "with velocities" if longest else "paths of its pins"
-    return Picture((panel, *curves), f"linkage of {len(scene.links)} links, {words}")
+    return Picture((plan(items), *curves), f"linkage of {len(scene.links)} links, {words}")
 
 
 def _curves(result: "Any") -> "tuple[Panel, ...]":
@@ -134,11 +135,10 @@ def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
             place = complex(*centre.position)
             beside = sum(abs(place - other) < CLOSE * size for other, _ in placed)
             placed.append((place, beside))
-            items.append(Mark(place.real, place.imag, label, ASIDE[beside % len(ASIDE)]))
-    panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
+            items.append(pin_mark(place, label, ASIDE[beside % len(ASIDE)]))
     order = ", ".join(f"{number} {name}" for name, number in names.items())
     title = f"instant centres: {order}" + (f"\nfar away: {', '.join(far)}" if far else "")
-    return Picture((panel,), title)
+    return Picture((plan(items),), title)
 
 
 def moving_scene(result: "Any", scene: Scene, **_: "Any") -> str:

@@ -34,9 +34,7 @@ class Solution:
     assemblies: Annotated[Count, "Number of assemblies at this position of the drivers."]
     solved_by: Annotated[Text, "Method of the solution."]
     pin_error: Annotated[Size | None, "All pins together are within this of the true ones, as proved [m]."] = None
-    nearest_other: Annotated[
-        Size | None, "No other assembly is nearer than this, all pins together, as proved [m]."
-    ] = None
+    nearest_other: Annotated[Size | None, "No other assembly is nearer, as proved [m]."] = None
     kantorovich: Annotated[Ratio | None, "Kantorovich's h: at most one half proves the pose."] = None
     driver_from: Annotated[Angle | None, "Where the range of a driver that turns begins [rad]."] = None
     driver_to: Annotated[Angle | None, "Where it ends [rad]."] = None
@@ -55,9 +53,7 @@ def solve(
     assemblies: Annotated[bool, "List every assembly."] = False,
     follow: Annotated[Text, "A link or pin to follow over the first driver's range, e.g. six."] = "",
     steps: Annotated[Count, "Steps of that range."] = 24,
-    turn: Annotated[
-        Angle | None, "How far the driver turns from its angle on, e.g. -90 deg; else a turn, or to its limits."
-    ] = None,
+    turn: Annotated[Angle | None, "How far the driver turns, e.g. -90 deg; else to its limits."] = None,
     travel: Annotated[Coordinate | None, "How far a pushed pin goes from its position on, e.g. 80 mm."] = None,
 ) -> Solution:
     """Position, velocity and acceleration of a planar linkage from a scene of links, pins, slides and drivers.
@@ -66,11 +62,6 @@ def solve(
     --------
     Φ(q) = 0: lengths ½(|P − Q|² − L²), slides (R − P)×(Q − P), drivers; J·q̇ = −Φ_t, J·q̈ = −q̇·H·q̇ − …; Kantorovich
     h = ‖J⁻¹‖·√Σ‖H‖²·‖J⁻¹Φ‖ ≤ ½ proves one solution within 2η/(1 + √(1 − 2h)).
-
-    Returns
-    -------
-    Solution
-        Links and pins, and the certificate of the pose.
 
     Raises
     ------

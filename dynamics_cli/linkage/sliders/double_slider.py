@@ -69,11 +69,6 @@ def scotch_yoke(
     x = a cos(θ + β)/cos β, v = −aω sin(θ + β)/cos β, dv/dt = −a(ω² cos(θ + β) + α sin(θ + β))/cos β; the pin slips
     along the slot at aω cos θ/cos β; stroke 2a/cos β; T = F·dx/dθ.
 
-    Returns
-    -------
-    ScotchYoke
-        The pose, the stroke and the extremes over a turn.
-
     Raises
     ------
     InadmissibleError
@@ -144,11 +139,6 @@ def oldham(
     The centre is e cos θ along the first slot and e sin θ along the second: on the circle over the shafts' distance e
     as its diameter, at 2ω; sliding −eω sin θ and eω cos θ; force 2meω².
 
-    Returns
-    -------
-    Oldham
-        Sliding, and the motion of the disc's centre.
-
     Raises
     ------
     InadmissibleError
@@ -217,11 +207,6 @@ def trammel(
     --------
     P = ((L − p) cos φ, p sin φ), half axes |L − p| and |p|; instant centre (L cos φ, L sin φ); with A pulled at v:
     φ̇ = −v/(L sin φ), φ̈ = −(dv/dt + Lφ̇² cos φ)/(L sin φ).
-
-    Returns
-    -------
-    Trammel
-        The point and both ends.
 
     Raises
     ------

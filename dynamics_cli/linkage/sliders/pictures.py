@@ -1,12 +1,13 @@
 """Pictures of slider-cranks and quick returns, and a moving SVG."""
 
-from math import cos, pi, sin
+from math import pi, sin
 
 from dynamics_cli.animation import animated
 from dynamics_cli.errors import worded
+from dynamics_cli.linkage.drawing import LEFT, TURN, ZERO, block, circle, here, over_turn, pin, plan, turned
 from dynamics_cli.linkage.sliders.slider_crank import RIGHT, End, slider_crank
-from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
-from dynamics_cli.quantities import Acceleration, Angle, CamVelocity, Coordinate, Size, Speed
+from dynamics_cli.pictures import Axis, Curve, Panel, Picture, complex_curve
+from dynamics_cli.quantities import Acceleration, CamVelocity, Coordinate, Size, Speed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -22,12 +23,8 @@ def _pins(crank: float, rod: float, offset: float, end: End, angle: float) -> "t
     if abs(height) > rod:
         return None
     side = 1.0 if end == RIGHT else -1.0
-    pin = crank * complex(cos(angle), sin(angle))
-    return pin, complex(pin.real + side * ((rod - height) * (rod + height)) ** 0.5, offset)
-
-
-def _block(at: complex, size: float) -> "list[complex]":
-    return [at + size * corner for corner in (-1 - 0.6j, 1 - 0.6j, 1 + 0.6j, -1 + 0.6j, -1 - 0.6j)]
+    crank_pin = crank * turned(angle)
+    return crank_pin, complex(crank_pin.real + side * ((rod - height) * (rod + height)) ** 0.5, offset)
 
 
 def slider_picture(
@@ -56,24 +53,17 @@ def slider_picture(
         items += [
             complex_curve((0j, pins[0]), "crank", "thick", 0),
             complex_curve(pins, "rod", "thick", 1),
-            complex_curve(_block(pins[1], size), "slider", "solid", 2),
-            Mark(pins[0].real, pins[0].imag, "A", (-12.0, 5.0)),
+            complex_curve(block(pins[1], size), "slider", "solid", 2),
+            pin(pins[0], "A", (-12.0, 5.0)),
         ]
     ends = (complex(low - 1.5 * size, offset), complex(high + 1.5 * size, offset))
-    items += [complex_curve(ends, "", "centre", 5), Mark(0.0, 0.0, "O", (-14.0, -12.0))]
-    scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    turn = Axis("crank angle θ", Angle, ends=(0.0, 2.0 * pi), step=pi / 6.0)
-    mark = () if crank_angle is None else (Band(crank_angle % (2.0 * pi), crank_angle % (2.0 * pi)),)
-    angle = columns["crank_angle"]
-    zero = Band(0.0, 0.0, vertical=False)
+    items += [complex_curve(ends, "", "centre", 5), pin(0j, "O", LEFT)]
+    angles, bands = columns["crank_angle"], here(crank_angle)
     return Picture(
         (
-            scene,
-            Panel(turn, Axis("position x", Coordinate), (Curve(angle, columns["position"], role=2), *mark)),
-            *(
-                Panel(turn, axis, (Curve(angle, columns[name], role=2), zero, *mark))
-                for name, axis in zip(names, axes, strict=True)
-            ),
+            plan(items),
+            over_turn(Axis("position x", Coordinate), angles, columns["position"], 2, *bands),
+            *(over_turn(axis, angles, columns[name], 2, ZERO, *bands) for name, axis in zip(names, axes, strict=True)),
         ),
         worded("slider-crank: crank {a}, rod {b}, offset {e}", a=(crank, Size), b=(rod, Size), e=(offset, Coordinate)),
     )
@@ -94,7 +84,7 @@ def moving_slider(
         stretch = [pins for pins in ordered if pins]
         every = stretch + stretch[::-1]
     size = 0.1 * rod
-    frames = [((0j, a), (a, b), _block(b, size)) for a, b in every]
+    frames = [((0j, a), (a, b), block(b, size)) for a, b in every]
     low, high = min(b.real for _, b in every), max(b.real for _, b in every)
     slide = (complex(low - 1.5 * size, offset), complex(high + 1.5 * size, offset))
     return animated("One turn of a slider-crank", frames, [slide], (0j,), [(a, b) for a, b in every])
@@ -107,27 +97,21 @@ def quick_return_picture(
     """Crank and lever in several poses; the lever's angle and speed ratio over the crank angle."""
     pivot = complex(ground)
     length = lever or 1.1 * (crank + ground)
-    items: list[Any] = [
-        complex_curve(
-            [crank * complex(cos(0.01745 * k), sin(0.01745 * k)) for k in range(361)], "path of the pin", "thin", 6
-        )
-    ]
+    items: list[Any] = [complex_curve(circle(0j, crank), "path of the pin", "thin", 6)]
 
     def lever_at(angle: float) -> "tuple[complex, complex]":
-        pin = crank * complex(cos(angle), sin(angle))
-        along = pin - pivot
-        return pin, pivot + length * along / abs(along) if along else pivot
+        place = crank * turned(angle)
+        along = place - pivot
+        return place, pivot + length * along / abs(along) if along else pivot
 
     for index in range(12):
-        pin, tip = lever_at(index * pi / 6.0 + 1e-9)
-        items.append(complex_curve((0j, pin), "", "dots", 6))
-        items.append(complex_curve((pivot, tip), "", "dots", 6))
-    pin, tip = lever_at(SHOWN if crank_angle is None else crank_angle)
+        place, tip = lever_at(index * pi / 6.0 + 1e-9)
+        items += [complex_curve((0j, place), "", "dots", 6), complex_curve((pivot, tip), "", "dots", 6)]
+    place, tip = lever_at(SHOWN if crank_angle is None else crank_angle)
     items += [
-        complex_curve((0j, pin), "crank", "thick", 0), complex_curve((pivot, tip), "lever", "thick", 1),
-        Mark(0.0, 0.0, "O₂", (-14.0, -12.0)), Mark(ground, 0.0, "O₄"), Mark(pin.real, pin.imag, "A"),
+        complex_curve((0j, place), "crank", "thick", 0), complex_curve((pivot, tip), "lever", "thick", 1),
+        pin(0j, "O₂", LEFT), pin(pivot, "O₄"), pin(place, "A"),
     ]  # fmt: skip
-    scene = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
     angles = [2.0 * pi * k / STEPS for k in range(STEPS + 1)]
     ratios = []
     for angle in angles:
@@ -135,10 +119,7 @@ def quick_return_picture(
         way_out = place - pivot
         square = abs(way_out) ** 2
         ratios.append((place * way_out.conjugate()).real / square if square else float("nan"))
-    axis = Axis("crank angle θ₂", Angle, ends=(0.0, 2.0 * pi), step=pi / 6.0)
-    speeds = Panel(
-        axis, Axis("speed ratio ω₄/ω₂"), (Curve(angles, ratios, role=1), Band(0.0, 0.0, vertical=False)),
-        "the return is where the lever runs against the crank" if crank < ground else "",
-    )  # fmt: skip
+    words = "the return is where the lever runs against the crank" if crank < ground else ""
+    speeds = Panel(TURN, Axis("speed ratio ω₄/ω₂"), (Curve(angles, ratios, role=1), ZERO), words)
     title = worded("quick return: crank {a}, pivots {d} apart", a=(crank, Size), d=(ground, Size))
-    return Picture((scene, speeds), title)
+    return Picture((plan(items), speeds), title)

@@ -59,11 +59,6 @@ def quick_return(
     r⃗ = a⃗ − d⃗; ω₄ = ω₂ a⃗·r⃗/r², slip ṙ = ω₂ a⃗×r⃗/r, α₄ = (a⃗_A·n − 2ṙω₄)/r; time ratio (π + 2γ)/(π − 2γ) with
     sin γ = a/d of an oscillating lever, d/a of Whitworth's.
 
-    Returns
-    -------
-    QuickReturn
-        The pose and the time ratio.
-
     Raises
     ------
     InadmissibleError

@@ -69,9 +69,7 @@ class SliderCrank:
     rod_angle: Annotated[Angle | None, "Angle of the rod to the slide: the pressure angle [rad]."] = None
     rod_speed: Annotated[TurnRate | None, "Angular velocity ω₃ of the rod [rad/s]."] = None
     rod_acceleration: Annotated[AngularAcceleration | None, "Its angular acceleration α₃ [rad/s^2]."] = None
-    crank_torque: Annotated[
-        Torque | None, "Torque at the crank that balances the force of the slider, without friction [N*m]."
-    ] = None
+    crank_torque: Annotated[Torque | None, "Torque at the crank that balances the slider's force [N*m]."] = None
     stroke: Annotated[Size | None, "Distance between the dead centres; none unless the crank turns fully [m]."] = None
     time_ratio: Annotated[Ratio | None, "Time of the slow stroke over that of the quick one."] = None
     outer_at: Annotated[Angle | None, "Crank angle at the outer dead centre [rad]."] = None
@@ -102,11 +100,6 @@ def slider_crank(
     --------
     x = a cos θ ± √((b − h)(b + h)), h = e − a sin θ; ω₃ = −aω cos θ/b_x, v = −aω sin θ − ω₃h; stroke
     4ab/(√((b + a)² − e²) + √((b − a)² − e²)); from dead centre in line 2a sin²(θ/2) + a² sin²θ/(b + √(b² − a² sin²θ)).
-
-    Returns
-    -------
-    SliderCrank
-        The pose and the stroke, or the table.
 
     Raises
     ------

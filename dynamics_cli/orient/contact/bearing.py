@@ -36,9 +36,7 @@ def bearing(
     *,
     cone_angle: Annotated[Angle, "Half-angle of the shaft's cone, below 45 deg, e.g. 25 deg."],
     ball_radius: Annotated[Size, "Radius of a ball, e.g. 12 mm."],
-    centre_radius: Annotated[
-        Size | None, "Radius of the ball centres' circle, where it is given, e.g. 35 mm; else that without spin."
-    ] = None,
+    centre_radius: Annotated[Size | None, "Radius of the ball centres' circle, e.g. 35 mm; else without spin."] = None,
     shaft_speed: Annotated[ShaftSpeed | None, "Speed of the shaft, e.g. 1500 rpm."] = None,
 ) -> Bearing:
     """Radius at which balls roll without spin between a fixed race and a conical shaft, and the speeds of all parts.
@@ -47,11 +45,6 @@ def bearing(
     --------
     b = a·(1 + sin θ)/(cos θ − sin θ); ball on floor and wall of the race: ω = w·(1, 1) with
     w = −Ω·(b − a·cos θ)/(a·(1 + cos θ + sin θ)), cage −w·a/b, spin w·(cos θ − sin θ) + Ω·sin θ.
-
-    Returns
-    -------
-    Bearing
-        The radius, and cage, ball and spin speeds relative to the shaft speed.
 
     Raises
     ------

@@ -35,7 +35,7 @@ class Disk:
     centre_speed: Annotated[Speed, "Its magnitude [m/s]."]
     centre_acceleration: Annotated[AccelerationVector, "Acceleration of the centre [m/s^2]."]
     contact_acceleration: Annotated[
-        AccelerationVector, "Acceleration of the disk's point that touches the floor; its velocity is zero [m/s^2]."
+        AccelerationVector, "Acceleration of the disk's point at rest on the floor [m/s^2]."
     ]
     rim_velocity: Annotated[Velocity, "Velocity of the rim point asked for [m/s]."]
     rim_acceleration: Annotated[AccelerationVector, "Acceleration of the rim point [m/s^2]."]
@@ -66,11 +66,6 @@ def disk(
     --------
     with u = ψ̇ + φ̇·cos θ: ω = (θ̇, φ̇·sin θ, u), v_G = (−r·u, 0, r·θ̇),
     a_G = (−r·(ψ̈ + φ̈·cos θ − 2·φ̇·θ̇·sin θ), −r·φ̇·u·cos θ − r·θ̇², r·θ̈ + r·φ̇·u·sin θ).
-
-    Returns
-    -------
-    Disk
-        ω, α, velocity and acceleration of the centre, the contact and a rim point; at a steady tilt its circles.
 
     Raises
     ------

@@ -26,9 +26,7 @@ class Joint:
     ratio_slope: Annotated[Ratio, "Change of the ratio per radian of the driving shaft [1/rad]."]
     output_speed: Annotated[ShaftSpeed | None, "Speed of the driven shaft [rad/s]."] = None
     output_acceleration: Annotated[AngularAcceleration | None, "Its angular acceleration [rad/s^2]."] = None
-    intermediate_ratio: Annotated[
-        Ratio | None, "Speed of the intermediate shaft of two joints over that of the driving one [-]."
-    ] = None
+    intermediate_ratio: Annotated[Ratio | None, "Speed of the intermediate shaft over the driving one's [-]."] = None
     advice: tuple[Advice, ...] = ()
 
 
@@ -38,24 +36,14 @@ def joint(
     input_angle: Annotated[Angle, "Angle of the driving fork from the plane of the shafts, e.g. 50 deg."] = 0.0,
     speed: Annotated[ShaftSpeed | None, "Speed of the driving shaft, e.g. 1500 rpm."] = None,
     acceleration: Annotated[AngularAcceleration, "Its angular acceleration, e.g. 3 rad/s^2."] = 0.0,
-    second_joint_angle: Annotated[
-        Angle | None, "Angle of a second joint on the intermediate shaft, all shafts in one plane, e.g. 30 deg."
-    ] = None,
-    fork_angle: Annotated[
-        Angle,
-        "Angle between the forks of the intermediate shaft: in line they cancel at equal joint angles, e.g. 90 deg.",
-    ] = 0.0,
+    second_joint_angle: Annotated[Angle | None, "Angle of a second joint in the same plane, e.g. 30 deg."] = None,
+    fork_angle: Annotated[Angle, "Angle between the intermediate shaft's forks, 0 in line, e.g. 90 deg."] = 0.0,
 ) -> Joint:
     """Angle, speed ratio and acceleration of a universal joint, or of two on an intermediate shaft.
 
     Equation
     --------
     tan θ₂ = tan θ₁/cos β, ω₂/ω₁ = cos β/(1 − sin²β·cos²θ₁), α₂ = i·α₁ + ω₁²·di/dθ₁.
-
-    Returns
-    -------
-    Joint
-        The driven shaft's angle, its speed ratio and acceleration, and the extremes.
 
     Raises
     ------

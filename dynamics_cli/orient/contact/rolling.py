@@ -28,13 +28,8 @@ class Roller:
     """A body: the known part of its motion, and the axis of the unknown rate."""
 
     angular_velocity: Annotated[AngularVelocity, "Known part of its angular velocity, e.g. 0, 0, 2 rad/s."] = NOTHING
-    axis: Annotated[
-        Direction | None,
-        "Axis about which its rate is unknown; the known part carries it, e.g. 1, 0, 0.",
-    ] = None
-    point: Annotated[Position, "A point of it (on that axis) whose velocity is known; the origin if left out."] = (
-        NOTHING
-    )
+    axis: Annotated[Direction | None, "Axis of its unknown rate; the known part carries it, e.g. 1, 0, 0."] = None
+    point: Annotated[Position, "A point of it (on that axis) of known velocity; else the origin."] = NOTHING
     velocity: Annotated[Velocity, "Velocity of that point, e.g. 3, 0, 0 m/s."] = NOTHING
 
 
@@ -48,9 +43,7 @@ class RollerMotion:
     rate: Annotated[AngularRate | None, "The rate that was unknown [rad/s]."]
     angular_velocity: Annotated[AngularVelocity, "Angular velocity [rad/s]."]
     angular_speed: Annotated[AngularRate, "Its magnitude [rad/s]."]
-    angular_acceleration: Annotated[
-        AngularAccelerationVector, "Angular acceleration at constant rates: the known part × the rest [rad/s^2]."
-    ]
+    angular_acceleration: Annotated[AngularAccelerationVector, "At constant rates: known part × the rest [rad/s^2]."]
     contact_velocity: Annotated[Velocity, "Velocity of its point of contact [m/s]."]
 
 
@@ -81,11 +74,6 @@ def rolling(
     Equation
     --------
     v₁ + ω₁ × r₁ = v₂ + ω₂ × r₂ along the surfaces, ωᵢ = known part + rateᵢ·nᵢ; for one rate by least squares.
-
-    Returns
-    -------
-    Rolling
-        Motion of both bodies, slip, spin (about the normal) and roll (along the surfaces).
 
     Raises
     ------

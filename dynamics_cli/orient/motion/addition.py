@@ -41,9 +41,7 @@ class LinkMotion:
     angular_velocity: Annotated[AngularVelocity, "Its angular velocity [rad/s]."]
     angular_acceleration: Annotated[AngularAccelerationVector, "Its angular acceleration [rad/s^2]."]
     relative_velocity: Annotated[AngularVelocity, "Its angular velocity in the body before [rad/s]."]
-    relative_acceleration: Annotated[
-        AngularAccelerationVector, "Its angular acceleration as seen in the body before [rad/s^2]."
-    ]
+    relative_acceleration: Annotated[AngularAccelerationVector, "Its second rate in the body before [rad/s^2]."]
     carried: Annotated[AngularAccelerationVector, "What the turning of the body before adds: ω × ω_rel [rad/s^2]."]
 
 
@@ -65,11 +63,6 @@ def addition(*, links: Annotated[Link | tuple[Link, ...], "The bodies of the cha
     Equation
     --------
     ω_AC = ω_AB + ω_BC; α_AC = α_AB + α_BC + ω_AB × ω_BC, with α_BC as seen in B.
-
-    Returns
-    -------
-    Chain
-        ω and α of the last body and of each, term by term.
 
     Raises
     ------

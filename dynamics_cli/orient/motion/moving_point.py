@@ -37,32 +37,16 @@ def moving_point(
     angular_velocity: Annotated[AngularVelocity, "Angular velocity ω of the body, e.g. 0, 0, 2 rad/s."],
     position: Annotated[Position, "Where the point is, from the body's origin, e.g. 1, 0, 0 m."],
     relative_velocity: Annotated[Velocity, "Velocity of the point on the body, e.g. 0.5, 0, 0 m/s."] = NOTHING,
-    relative_acceleration: Annotated[
-        AccelerationVector, "Acceleration of the point on the body, e.g. 0, 0, 3 m/s^2."
-    ] = NOTHING,
-    angular_acceleration: Annotated[AngularAccelerationVector, "Angular acceleration α, e.g. 0, 0, 5 rad/s^2."] = (
-        NOTHING
-    ),
+    relative_acceleration: Annotated[AccelerationVector, "Its acceleration on the body, e.g. 0, 0, 3 m/s^2."] = NOTHING,
+    angular_acceleration: Annotated[AngularAccelerationVector, "α of the body, e.g. 0, 0, 5 rad/s^2."] = (NOTHING),
     origin_velocity: Annotated[Velocity, "Velocity of the body's origin, e.g. 3, 0, 0 m/s."] = NOTHING,
-    origin_acceleration: Annotated[AccelerationVector, "Acceleration of the body's origin, e.g. 0, 0, 3 m/s^2."] = (
-        NOTHING
-    ),
+    origin_acceleration: Annotated[AccelerationVector, "Acceleration of the origin, e.g. 0, 0, 3 m/s^2."] = (NOTHING),
 ) -> MovingPoint:
     """Velocity and acceleration of a point that moves on a moving body, all vectors in one set of axes.
 
     Equation
     --------
     v = v_O + ω × r + v_rel; a = a_O + α × r + ω × (ω × r) + 2·ω × v_rel + a_rel.
-
-    Returns
-    -------
-    MovingPoint
-        Velocity and acceleration with their terms.
-
-    Raises
-    ------
-    InadmissibleError
-        Never: a point of any motion has a velocity and an acceleration.
 
     References
     ----------

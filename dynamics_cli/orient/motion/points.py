@@ -68,12 +68,8 @@ class Points:
 
 def points(
     *,
-    angular_velocity: Annotated[
-        AngularVelocity | None, "Angular velocity of the body, where it is known, e.g. 0, 0, 2 rad/s."
-    ] = None,
-    angular_acceleration: Annotated[AngularAccelerationVector, "Its angular acceleration, e.g. 0, 0, 5 rad/s^2."] = (
-        NOTHING
-    ),
+    angular_velocity: Annotated[AngularVelocity | None, "Angular velocity, where known, e.g. 0, 0, 2 rad/s."] = None,
+    angular_acceleration: Annotated[AngularAccelerationVector, "Its rate α, e.g. 0, 0, 5 rad/s^2."] = (NOTHING),
     base: Annotated[Position, "The point whose motion is known; the origin unless given."] = NOTHING,
     base_velocity: Annotated[Velocity, "Its velocity, e.g. 3, 0, 1 m/s."] = NOTHING,
     base_acceleration: Annotated[AccelerationVector, "Its acceleration, e.g. 0, 0, 3 m/s^2."] = NOTHING,
@@ -87,11 +83,6 @@ def points(
     --------
     v_Q = v_P + ω × r, a_Q = a_P + α × r + ω × (ω × r); from n points (tr S·1 − S)·ω = Σ d × u with S = Σ d dᵀ of
     positions d and velocities u from their means; screw axis at P + ω × v_P/ω².
-
-    Returns
-    -------
-    Points
-        The body's angular velocity, its instantaneous screw axis, and each point's motion.
 
     Raises
     ------

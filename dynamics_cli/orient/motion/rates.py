@@ -37,9 +37,7 @@ class ByRates:
     """Rates of the angles."""
 
     angle_rates: Annotated[AngleRates, "Rates of the three angles, in their order, e.g. 0.1, 0.2, 0.3 rad/s."]
-    angle_accelerations: Annotated[
-        AngleAccelerations, "Second rates of the three angles, e.g. 0.4, -0.5, 0.6 rad/s^2."
-    ] = NOTHING
+    angle_accelerations: Annotated[AngleAccelerations, "Their second rates, e.g. 0.4, -0.5, 0.6 rad/s^2."] = NOTHING
 
 
 @record
@@ -47,21 +45,15 @@ class ByFixed:
     """Angular velocity in fixed components."""
 
     angular_velocity: Annotated[AngularVelocity, "Angular velocity in fixed components, e.g. 0.1, 0.3, 0 rad/s."]
-    angular_acceleration: Annotated[
-        AngularAccelerationVector, "Angular acceleration in fixed components, e.g. 0, 0, 5 rad/s^2."
-    ] = NOTHING
+    angular_acceleration: Annotated[AngularAccelerationVector, "Its rate α, e.g. 0, 0, 5 rad/s^2."] = NOTHING
 
 
 @record
 class ByBody:
     """Angular velocity in body components, as gyroscopes on the body measure it."""
 
-    body_angular_velocity: Annotated[
-        AngularVelocity, "Angular velocity in body components, as gyroscopes read it, e.g. 0.1, 0.3, 0 rad/s."
-    ]
-    body_angular_acceleration: Annotated[
-        AngularAccelerationVector, "Angular acceleration in body components, e.g. 0, 0, 5 rad/s^2."
-    ] = NOTHING
+    body_angular_velocity: Annotated[AngularVelocity, "Angular velocity as gyroscopes read it, e.g. 0.1, 0.3, 0 rad/s."]
+    body_angular_acceleration: Annotated[AngularAccelerationVector, "Its rate α, e.g. 0, 0, 5 rad/s^2."] = NOTHING
 
 
 @record
@@ -82,9 +74,7 @@ class Rates:
     second_partial: Annotated[Direction, "That of the second angle [-]."]
     third_partial: Annotated[Direction, "That of the third angle [-]."]
     names: Annotated[Text, "Other names of these angles."]
-    condition: Annotated[
-        Positive | None, "How many times the angular velocity the rates of angles may be; at lock without limit [-]."
-    ]
+    condition: Annotated[Positive | None, "How many times ω the rates of the angles may be; none at lock [-]."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -103,11 +93,6 @@ def rates(
     --------
     ω = ȧu₁ + ḃu₂ + ċu₃ with the axes u₁ = eᵢ, u₂ = R₁eⱼ, u₃ = R₁R₂eₖ;
     α = äu₁ + b̈u₂ + c̈u₃ + ȧu₁×ḃu₂ + (ȧu₁ + ḃu₂)×ċu₃.
-
-    Returns
-    -------
-    Rates
-        ω and α in fixed and in body components, the rates, the partial angular velocities and the condition.
 
     Raises
     ------

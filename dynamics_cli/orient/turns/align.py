@@ -60,9 +60,7 @@ class Aligned:
     angle_names: Annotated[Text, "The three angles in words, in their order."]
     residual: Annotated[Angle, "Weighted root mean square of the remaining angles [rad]."]
     largest_residual: Annotated[Angle, "The largest of them [rad]."]
-    sharpness: Annotated[
-        Ratio, "How well the directions determine the rotation: 0 on one line, 1 and more spread out [-]."
-    ]
+    sharpness: Annotated[Ratio, "How well the directions are spread: 0 on one line, 1 and more good [-]."]
     pairs: Annotated[tuple[Fit, ...], "Each pair."]
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None
@@ -79,11 +77,6 @@ def align(
     Equation
     --------
     Σ wᵢ·|R·bᵢ − aᵢ|² least: the quaternion is the eigenvector of Davenport's K with the largest eigenvalue.
-
-    Returns
-    -------
-    Aligned
-        The rotation, the remaining angle of each pair, and how well the directions determine it.
 
     Raises
     ------

@@ -58,9 +58,7 @@ def between(
     *,
     first: Annotated[Oriented, "The orientation before."],
     second: Annotated[Oriented, "The orientation after."],
-    about: Annotated[
-        Direction | None, "An axis in the first body; the part of the rotation about it is given, e.g. 0, 0, 1."
-    ] = None,
+    about: Annotated[Direction | None, "An axis of the first body: the part about it, e.g. 0, 0, 1."] = None,
     count: Annotated[Count, "Number of orientations in between, e.g. 5."] = 0,
     sequence: Annotated[Text, "Angles to report in between: zyx, zxz, XYZ …, or rpy, e.g. zyx."] = "zyx",
 ) -> Between:
@@ -69,11 +67,6 @@ def between(
     Equation
     --------
     q = q₁⁻¹·q₂ with the sign of the shorter way; part about n: 2·atan2(v·n, w); on the way q₁·(cos ½sθ, n sin ½sθ).
-
-    Returns
-    -------
-    Between
-        The turn in axes of the first orientation and of the frame, and the steps.
 
     Raises
     ------

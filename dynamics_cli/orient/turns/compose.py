@@ -78,16 +78,6 @@ def compose(
     --------
     R = R₁·R₂·…·Rₙ about the body's axes, Rₙ·…·R₂·R₁ about the fixed ones.
 
-    Returns
-    -------
-    Composed
-        The total turn in several notations, and the table of direction cosines, which the configuration graph shows.
-
-    Raises
-    ------
-    InadmissibleError
-        Never: a chain of any turns has a total.
-
     References
     ----------
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 4.3.

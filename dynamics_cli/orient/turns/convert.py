@@ -92,9 +92,7 @@ def convert(
     turn: Annotated[Attitude, "The rotation, in one of the notations."],
     sequence: Annotated[
         Text,
-        "Angles to report: zyx, zxz … about the body's turned axes, XYZ … about the fixed ones, or yaw-pitch-roll, "
-        "rpy, "
-        "bryan, euler, e.g. zyx.",
+        "Angles to report: zyx, zxz … about the turned axes, XYZ … about fixed ones, or rpy, bryan, euler, e.g. zyx.",
     ] = "zyx",
     near: Annotated[AngleTriple | None, "Give the angles nearest to these, e.g. 170, 0, 0 deg."] = None,
     zero: Annotated[Zeroed, "The angle that is zero at lock: first or third."] = FIRST,
@@ -104,12 +102,6 @@ def convert(
     Equation
     --------
     q = (cos ½θ, n sin ½θ), R = 1 + sin θ [n×] + (1 − cos θ) [n×]², R = Rᵢ(a)·Rⱼ(b)·Rₖ(c) of the body sequence ijk.
-
-    Returns
-    -------
-    Converted
-        All notations; the angles of the sequence wanted, their alternative and their distance from lock; the angles of
-        all 24 sequences.
 
     Raises
     ------

@@ -42,11 +42,6 @@ def screw(
     --------
     travel n·d, point ½·(d⊥ + cot(θ/2)·n × d⊥) for the displacement d of the point at the origin, d⊥ its part across n.
 
-    Returns
-    -------
-    Screw
-        The axis by its direction and its point nearest to the origin, the angle, the travel and the lead.
-
     Raises
     ------
     InadmissibleError

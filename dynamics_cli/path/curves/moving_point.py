@@ -85,34 +85,27 @@ class MovingPoint:
 
     def plainly(self) -> "MovingPoint":
         """The same with doubles in place of tracked numbers."""
-        let = tuple(
-            Let(variable.name, plain(variable.value), variable.unit, variable.dimension) for variable in self.let
-        )
-        shape = self.shape
-        if shape is not None:
-            values = {name: _in_doubles(getattr(shape, name)) for name in shape.fields}
-            shape = type(shape)(**values)
-        return MovingPoint(self._all(), shape, self.parameter, let)
-
-    def _all(self) -> "dict[str, Formula | None]":
-        return {name: self.formulas.get(name) for name in "xyz"}
+        return self._with(plain)
 
     def many(self) -> "MovingPoint":
         """The same with numbers of many digits."""
         from dynamics_cli.numerics.exact.many_digits import ManyDigits
 
-        def exact(value: "Any") -> "Any":
-            if isinstance(value, tuple):
-                return tuple(map(exact, value))
-            return value if value is None else ManyDigits.inputs([plain(value)])[0]
+        return self._with(lambda value: ManyDigits.inputs([plain(value)])[0])
 
-        let = tuple(
-            Let(variable.name, exact(variable.value), variable.unit, variable.dimension) for variable in self.let
-        )
+    def _with(self, convert: "Callable[[Any], Any]") -> "MovingPoint":
+        """The same with other numbers."""
+
+        def converted(value: "Any") -> "Any":
+            if isinstance(value, tuple):
+                return tuple(map(converted, value))
+            return value if value is None else convert(value)
+
+        let = tuple(Let(each.name, converted(each.value), each.unit, each.dimension) for each in self.let)
         shape = self.shape
         if shape is not None:
-            shape = type(shape)(**{name: exact(getattr(shape, name)) for name in shape.fields})
-        return MovingPoint(self._all(), shape, self.parameter, let)
+            shape = type(shape)(**{name: converted(getattr(shape, name)) for name in shape.fields})
+        return MovingPoint({name: self.formulas.get(name) for name in "xyz"}, shape, self.parameter, let)
 
     def sharp(self, time: "Any") -> State:
         """The state at a time, evaluated in 60 digits where terms of the formulas cancel."""
@@ -173,10 +166,6 @@ class MovingPoint:
 
 def _vector(parts: "list[Any]") -> Vector:
     return parts[0], parts[1], parts[2]
-
-
-def _in_doubles(value: "Any") -> "Any":
-    return tuple(map(plain, value)) if isinstance(value, tuple) else plain(value)
 
 
 def _numbers(motion: Bend) -> "list[Any]":

@@ -89,9 +89,7 @@ def curve(
     z: Annotated[LengthFormula | None, "z as a function of t, e.g. exp(-t) m."] = None,
     shape: Annotated[Shape | None, "A curve by its name, in place of formulas."] = None,
     angle_law: Annotated[AngleFormula | None, "Angle along a named curve as a function of t, e.g. 90*t deg."] = None,
-    length_law: Annotated[
-        LengthFormula | None, "Length or x along a named curve as a function of t, e.g. 3*t m."
-    ] = None,
+    length_law: Annotated[LengthFormula | None, "Length or x along a named curve over t, e.g. 3*t m."] = None,
     let: Annotated[tuple[Variable, ...], "Variables of the formulas, e.g. a=3 m, w=2 rad/s."] = (),
     start: Annotated[Time, "Start of the range of times, e.g. 0 s."] = 0.0,
     end: Annotated[Time | None, "End of the range, where the state is shown, e.g. 5 s."] = None,
@@ -103,11 +101,6 @@ def curve(
     Equation
     --------
     v = dr/dt, a = dv/dt, j = da/dt; a_t = v·a/‖v‖, a_n = ‖v×a‖/‖v‖, κ = ‖v×a‖/‖v‖³, τ = (v×a)·j/‖v×a‖²; s = ∫‖v‖dt.
-
-    Returns
-    -------
-    CurveMotion
-        The state at one time, arc length, extremes, cusps and inflections over the range, and a table.
 
     Raises
     ------

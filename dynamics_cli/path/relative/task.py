@@ -62,9 +62,7 @@ class Relative:
     acceleration_size: Annotated[Acceleration, "Magnitude of the relative acceleration [m/s^2]."]
     first_position: Annotated[Position, "Where the first is at the closest approach [m]."]
     second_position: Annotated[Position, "Where the second is at the closest approach [m]."]
-    closest_distance_noise: Annotated[Distance | None, "Standard deviation of the closest distance, of tracks [m]."] = (
-        None
-    )
+    closest_distance_noise: Annotated[Distance | None, "Its standard deviation, of tracks [m]."] = None
     closest_time_noise: Annotated[Time | None, "Standard deviation of its time [s]."] = None
     distance_noise: Annotated[Distance | None, "Standard deviation of the distance at the time shown [m]."] = None
     closing_speed_noise: Annotated[Speed | None, "Standard deviation of the closing speed [m/s]."] = None
@@ -78,10 +76,7 @@ def relative(
     *,
     first: Annotated[Mover, "The point from which the other is seen."],
     second: Annotated[Mover, "The point that is seen."],
-    time: Annotated[
-        Time | None,
-        "Time of the relative position and velocity shown, e.g. 2 s; else 0 s, or the first with both tracks.",
-    ] = None,
+    time: Annotated[Time | None, "Time of the relative motion shown, e.g. 2 s; else the first time."] = None,
     end: Annotated[Time | None, "Until when the closest approach is searched; formulas need it, e.g. 60 s."] = None,
     let: Annotated[tuple[Variable, ...], "Variables of formulas, e.g. r=3 m, w=2 rad/s."] = (),
 ) -> Relative:
@@ -91,11 +86,6 @@ def relative(
     --------
     r = r₂ − r₁, v = v₂ − v₁, a = a₂ − a₁; closest where r·v = 0: t = −r·v/‖v‖², distance ‖r×v‖/‖v‖ without relative
     acceleration, else the real roots of r·v + (‖v‖² + r·a)t + (3/2)v·a t² + ‖a‖²t³/2 = 0.
-
-    Returns
-    -------
-    Relative
-        Relative motion at a time, and time, distance and places of the closest approach.
 
     Raises
     ------

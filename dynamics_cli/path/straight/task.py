@@ -82,11 +82,6 @@ def rectilinear(
     --------
     v = u + a·t, s = t·(u + v)/2, v² = u² + 2·a·s.
 
-    Returns
-    -------
-    Straight
-        The five numbers, other motions with the same numbers, where it stops, and a table.
-
     Raises
     ------
     InadmissibleError
@@ -153,11 +148,6 @@ def rectilinear_law(
     Equation
     --------
     dv/dt = a(t, x, v), dx/dt = v, from x = 0 at t = 0.
-
-    Returns
-    -------
-    Straight
-        Time, distance and speeds, where it stops, and a table.
 
     Raises
     ------

@@ -85,9 +85,7 @@ def table(
     file: Annotated[InputFile, "CSV with t[s] and x[m], y[m], z[m], or lat[deg], lon[deg]."],
     /,
     *,
-    sigma: Annotated[
-        Noise | None, "Standard deviation of a measured coordinate; estimated if left out, e.g. 3 cm."
-    ] = None,
+    sigma: Annotated[Noise | None, "Standard deviation of a coordinate; estimated if left out, e.g. 3 cm."] = None,
     smoothing: Annotated[Smoothing, "spline; none is refused, and the message gives the noise it would have."] = SPLINE,
 ) -> TrackMotion:
     """Speed, acceleration and curvature from measured positions, by a smoothing spline, with the noise of each.
@@ -96,11 +94,6 @@ def table(
     --------
     The quintic spline that minimises Σ(y − f)² + λ∫f‴²dt; λ by generalised cross-validation, or by the unbiased risk
     for a known σ. Raw second differences at equal steps h would have the noise σ√6/h².
-
-    Returns
-    -------
-    TrackMotion
-        Extremes with their times, noise, the smoothing chosen and why, and a table at the measured times.
 
     Raises
     ------
