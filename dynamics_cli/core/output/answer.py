@@ -132,7 +132,8 @@ class _Answer:
             value = 0.0
         if isinstance(value, list):
             value = without_rounding(value)
-        return quantity(value, unit, self.digits)
+        # an estimate of the calculation's own error is no better known than to two digits
+        return quantity(value, unit, 2 if address in self.task.errors and not self.asked else self.digits)
 
     def _absolute_bound(self, address: str, value: float) -> float:
         entry = self.bounds.get(address) or {}
