@@ -1,4 +1,4 @@
-"""Equations of equilibrium solved exactly: reactions, or which motion is free, or how many unknowns are too many."""
+"""Equations of equilibrium, solved exactly: the reactions, a motion that is free, or the surplus of unknowns."""
 
 from dynamics_cli.errors import worded
 from dynamics_cli.force import ratios
@@ -19,10 +19,10 @@ NO_UNKNOWNS = float("inf")
 
 
 class Balance:
-    """Unknowns against a load, in the plane or in space.
+    """Unknowns of the supports against a load, in the plane or in space.
 
-    `values` are the unknowns where there is one answer; `rank` of `equations` are independent; `consistent` says
-    whether the supports can bear this load at all; `motions` are the motions that they leave free.
+    `values`: the unknowns, where they have one solution; `rank`: how many of the `equations` are independent;
+    `consistent`: whether the supports can carry this load at all; `motions`: the motions that they leave free.
     """
 
     __slots__ = ("consistent", "equations", "motions", "rank", "rows", "unknowns", "values")
@@ -42,27 +42,27 @@ class Balance:
         if self.consistent and self.rank == count:
             self.values = [lowest(row[-1], row[place]) for place, row in enumerate(reduced)]
         self.motions = _motions(columns, self.equations)
-        # the motion that the load drives is the one to name
+        # a motion that the load drives comes first: messages name it
         self.motions.sort(key=lambda motion: not any_work(motion, load))
 
     @property
     def excess(self) -> int:
-        """How many unknowns there are beyond what equilibrium can tell."""
+        """The number of unknowns that equilibrium does not determine."""
         return len(self.unknowns) - self.rank
 
-    def smallest_stretch(self, spread: float) -> float:
-        """Below the least factor by which the equations, their columns of length one, shrink a vector."""
+    def least_singular_value(self, spread: float) -> float:
+        """A lower bound of the least singular value of the equations, their columns scaled to length one."""
         if len(self.unknowns) != self.equations:
             return NO_UNKNOWNS
         columns = []
         for unknown in self.unknowns:
-            length = ratios.size(unknown.way) * (spread if unknown.couple else 1.0)
+            length = ratios.size(unknown.axis) * (spread if unknown.couple else 1.0)
             scale = ratios.of_number(1.0 / length)
             arm = ratios.of_number(1.0 / spread)
-            column = [*ratios.times(scale, unknown.force), *ratios.times(arm, ratios.times(scale, unknown.turning))]
+            column = [*ratios.times(scale, unknown.force), *ratios.times(arm, ratios.times(scale, unknown.moment))]
             columns.append([column[row] for row in self.rows])
-        one = [[(int(i == j), 1) for j in range(self.equations)] for i in range(self.equations)]
-        rows = [_whole([*line, *other]) for line, other in zip(zip(*columns, strict=True), one, strict=True)]
+        identity = [[(int(i == j), 1) for j in range(self.equations)] for i in range(self.equations)]
+        rows = [_whole([*left, *right]) for left, right in zip(zip(*columns, strict=True), identity, strict=True)]
         reduced, _ = reduce_rows(rows)
         inverse = [nearest((value, row[i])) for i, row in enumerate(reduced) for value in row[self.equations :]]
         return 1.0 / sqrt(sum(value * value for value in inverse))
@@ -70,20 +70,22 @@ class Balance:
 
 def any_work(motion: "Sequence[Pair]", load: "Sequence[Pair]") -> bool:
     """Whether the load does work in a motion."""
-    top = sum(a[0] * b[0] * _others(motion, load, i) for i, (a, b) in enumerate(zip(motion, load, strict=True)))
-    return top != 0
+    work = sum(
+        a[0] * b[0] * _other_denominators(motion, load, i) for i, (a, b) in enumerate(zip(motion, load, strict=True))
+    )
+    return work != 0
 
 
-def _others(motion: "Sequence[Pair]", load: "Sequence[Pair]", but: int) -> int:
-    out = 1
+def _other_denominators(motion: "Sequence[Pair]", load: "Sequence[Pair]", left_out: int) -> int:
+    product = 1
     for i, (a, b) in enumerate(zip(motion, load, strict=True)):
-        if i != but:
-            out *= a[1] * b[1]
-    return out
+        if i != left_out:
+            product *= a[1] * b[1]
+    return product
 
 
 def _whole(line: "Sequence[Pair]") -> "list[int]":
-    """A row times its common denominator."""
+    """A row of ratios as whole numbers, over a common denominator."""
     common = 1
     for _, bottom in line:
         common = common * bottom // _gcd(common, bottom)
@@ -97,7 +99,7 @@ def _gcd(a: int, b: int) -> int:
 
 
 def _motions(columns: "Sequence[Sequence[Pair]]", equations: int) -> "list[list[Pair]]":
-    """Motions in which no support does work: velocities of the origin, then rates of turning."""
+    """Motions in which no support does work: velocity of the origin, then angular velocity."""
     reduced, pivots = reduce_rows([_whole(column) for column in columns])
     motions = []
     for free in (column for column in range(equations) if column not in pivots):
@@ -117,23 +119,23 @@ def described(motion: "Sequence[Pair]", *, planar: bool) -> str:
     else:
         speed, turning = (motion[0], motion[1], motion[2]), (motion[3], motion[4], motion[5])
     if ratios.is_zero(turning):
-        return worded("it slides along {way}", way=_way(speed, planar=planar))
+        return worded("it slides along {line}", line=_line(speed, planar=planar))
     top, bottom = ratios.dot(turning, turning)
     x, y, z = ratios.rounded(ratios.times((bottom, top), ratios.cross(turning, speed)))
     if planar:
         return worded("it turns about the point {x}, {y}", x=(x, Length), y=(y, Length))
     return worded(
-        "it {twist} about the axis through {x}, {y}, {z} along {way}",
+        "it {twist} about the axis through {x}, {y}, {z} along {line}",
         twist="turns and slides" if ratios.dot(turning, speed)[0] else "turns",
-        x=(x, Length), y=(y, Length), z=(z, Length), way=_way(turning, planar=False),
+        x=(x, Length), y=(y, Length), z=(z, Length), line=_line(turning, planar=False),
     )  # fmt: skip
 
 
-def _way(direction: "Ratios", *, planar: bool) -> str:
-    """A direction as its cosines, or the axis that it is."""
+def _line(direction: "Ratios", *, planar: bool) -> str:
+    """A direction by the name of its axis, or by its cosines."""
     for axis, name in zip(ratios.AXES, "xyz", strict=True):
         if ratios.is_zero(ratios.cross(direction, axis)):
             return name
     size = ratios.size(direction)
-    parts = ratios.rounded(direction)[: 2 if planar else 3]
-    return ", ".join(f"{part / size:.4g}" for part in parts)
+    components = ratios.rounded(direction)[: 2 if planar else 3]
+    return ", ".join(f"{component / size:.4g}" for component in components)

@@ -19,8 +19,8 @@ RESULTANT = Task(
         method=METHOD,
     ),
     headline=(
-        "system", "arrangement: forces are", "force: resultant R", "magnitude: magnitude |R|", "angle: angle from x",
-        "moment: moment M", "axis_point: axis through", "direction: along", "crosses_x: crosses the x-axis at",
+        "system", "arrangement", "force: resultant R", "magnitude: magnitude |R|", "angle: angle from x",
+        "moment: moment M", "axis_point: axis through", "direction: axis along", "crosses_x: crosses the x-axis at",
         "crosses_y: crosses the y-axis at", "pitch: pitch p", "wrench_moment: moment of the wrench",
     ),
     examples=(
@@ -46,7 +46,7 @@ MOMENT = Task(
     ),
     headline=(
         "moment: moment M", "magnitude: magnitude |M|", "lever", "foot: foot on the line of action",
-        "about_line: moment about the line", "line_lever: distance of the lines",
+        "about_line: moment about the line", "line_lever: distance between the lines",
     ),
     examples=(
         'dynamics force moment --force "200 N @ -60 deg" --at "0.3, 0.1 m"',
@@ -112,12 +112,12 @@ SPRING = Task(
         "dynamics_cli.force.laws.spring:spring",
         source=BOOK + "section 6.7",
         formula="{tension|T} = {stiffness|k}·({length|ℓ} − {free_length|ℓ₀}) + {damping|c}·{rate|ℓ̇}",
-        assumptions=("force in proportion to stretch, and to its rate", "the spring pushes as well as pulls"),
+        assumptions=("force proportional to stretch and to its rate", "the spring pushes as well as pulls"),
     ),
     headline=(
-        "state", "tension: tension T", "spring_force: of the spring", "damper_force: of the damper",
-        "stiffness: stiffness of the group", "stretch", "energy: energy stored", "first_force: on the first end",
-        "second_force: on the second end", "members: springs | stiffness, force, stretch, energy",
+        "state", "tension: tension T", "spring_force: force of the spring", "damper_force: force of the damper",
+        "stiffness: stiffness of the group", "stretch", "energy: energy stored", "first_force: force on the first end",
+        "second_force: force on the second end", "members: springs | stiffness, force, stretch, energy",
     ),
     examples=(
         'dynamics force spring --length "120 mm" --free-length "100 mm" --stiffness "20 N/mm"',
@@ -136,9 +136,12 @@ GRAVITY = Task(
         "dynamics_cli.force.laws.masses:gravity",
         source=BOOK + "section 6.7; CODATA 2018",
         formula="g = {gravity|g₀}·(R/(R + h))², F = m·g, or F = G·m₁·m₂/r²",
-        assumptions=("round bodies, each a mass at its centre", "the earth does not turn; its mean radius is 6371 km"),
+        assumptions=(
+            "spherical bodies, as point masses at their centres",
+            "no rotation of the earth; its mean radius is 6371 km",
+        ),
     ),
-    headline=("force: force F", "acceleration: acceleration g", "share: of that on the ground"),
+    headline=("force: force F", "acceleration: acceleration g", "share: ratio to that on the ground"),
     examples=(
         'dynamics force gravity --mass "80 kg" --altitude "400 km"',
         'dynamics force gravity --mass "1000 kg" --other-mass "5.972e24 kg" --distance "7000 km"',
@@ -147,7 +150,7 @@ GRAVITY = Task(
 
 FRICTION = Task(
     "friction",
-    "A pushed block on an incline: holds, slides or tips; least and largest push.",
+    "A pushed block on an incline: holds, slides or tips; minimum and maximum push.",
     Model(
         "Coulomb friction and tipping",
         "dynamics_cli.force.laws.friction:friction",
@@ -159,8 +162,8 @@ FRICTION = Task(
         ),
     ),
     headline=(
-        "verdict", "margin", "least_push: least push", "below: below that it", "largest_push: largest push",
-        "above: above that it", "needed_friction: friction needed", "pressure_point: normal force off the middle",
+        "verdict", "margin", "least_push: minimum push", "below: under less push", "largest_push: maximum push",
+        "above: under more push", "needed_friction: friction needed", "pressure_point: normal force from the middle",
     ),
     examples=(
         'dynamics force friction --mass "80 kg" --friction 0.4 --width "0.5 m" --centre-height "0.6 m" '
@@ -177,7 +180,7 @@ WEDGE = Task(
     Model(
         "Coulomb friction on every face",
         "dynamics_cli.force.laws.wedge:wedge",
-        source="each force leans by its angle of friction",
+        source="the force on each face is inclined by the angle of friction",
         formula="{drive|P} = {load|W}·cos φ_g·sin({angle|α} + φ + φ₀)/(cos φ₀·cos({angle|α} + φ + φ_g)), φ = atan μ",
         assumptions=("the load moves straight up and down in its guide", "the wedge has no weight"),
     ),
@@ -190,6 +193,31 @@ WEDGE = Task(
         'dynamics force wedge --load "5 kN" --angle "8 deg" --friction 0.15',
         'dynamics force wedge --load "1200 lbf" --angle "12 deg" --friction 0.1 --ground-friction 0.3 '
         "--guide-friction 0.2 --units us",
+    ),
+)  # fmt: skip
+
+SCREW = Task(
+    "screw",
+    "A screw under load: torques to raise and lower, self-locking, efficiency.",
+    Model(
+        "unrolled thread",
+        "dynamics_cli.force.laws.screw:screw",
+        source="Scilab Textbook Companion to Bhandari, Design of Machine Elements, chapter 6",
+        formula="T = {load|W}·d_m/2·(tan λ + μ′)/(1 − μ′·tan λ) + {collar_friction|μ_c}·{load|W}·"
+        "{collar_diameter|d_c}/2, tan λ = l/(π·d_m), μ′ = {friction|μ}/cos α",
+        assumptions=(
+            "friction acts at the mean diameters", "the flank angle across the thread is that along the axis",
+        ),
+    ),
+    headline=(
+        "raising_torque: torque to raise the load", "lowering_torque: torque to lower it", "verdict", "efficiency",
+        "lead_angle: lead angle λ", "locking_friction: holds by itself from μ",
+    ),
+    examples=(
+        'dynamics force screw --load "15 kN" --thread square --diameter "50 mm" --pitch "8 mm" --starts 3 '
+        '--friction 0.15 --collar-diameter "82.5 mm"',
+        'dynamics force screw --load "2000 lbf" --thread acme --diameter "1 in" --pitch "0.2 in" --friction 0.12 '
+        "--units us",
     ),
 )  # fmt: skip
 
@@ -216,6 +244,6 @@ FAMILIES = {
     "force": Family(
         "force",
         "Forces: resultants, moments, reactions, springs, friction.",
-        RESULTANT, MOMENT, EQUIVALENT, EQUILIBRIUM, SPRING, GRAVITY, FRICTION, WEDGE, FIRST_MOMENT,
+        RESULTANT, MOMENT, EQUIVALENT, EQUILIBRIUM, SPRING, GRAVITY, FRICTION, WEDGE, SCREW, FIRST_MOMENT,
     )
 }  # fmt: skip

@@ -2,6 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.force import ratios
+from dynamics_cli.force.supports import Support, left_out
 from dynamics_cli.force.system import Couple, Load, System
 from dynamics_cli.numerics.exact.rational import nearest
 from dynamics_cli.quantities import Annotated, ForceVector, Length, LoadPoint, Position, Text, Torque, TorqueVector
@@ -16,21 +17,21 @@ ORIGIN = (0.0, 0.0, 0.0)
 
 
 class Form(Choice):
-    """What the system is to be brought to."""
+    """The form of the equivalent system."""
 
     names = ("force-couple", "wrench", "two-forces")
 
 
 @record
 class Equivalent:
-    """A system that does the same to a rigid body."""
+    """A system with the same effect on a rigid body."""
 
     form: Annotated[Text, "What it consists of."]
-    force: Annotated[ForceVector, "The force; of two, the one at the point given [N]."]
+    force: Annotated[ForceVector, "The force; of two, the one at the given point [N]."]
     at: Annotated[Position, "Where it acts [m]."]
     couple: Annotated[TorqueVector | None, "The couple with it [N·m]."]
     second_force: Annotated[ForceVector | None, "The second of two forces [N]."]
-    second_at: Annotated[Position | None, "Where that acts [m]."]
+    second_at: Annotated[Position | None, "Where the second force acts [m]."]
     pitch: Annotated[Length | None, "Moment along the force over the force [m]."]
     wrench_moment: Annotated[Torque | None, "Moment about the central axis, positive along the force [N·m]."]
     numerics: Numerics
@@ -43,6 +44,7 @@ def equivalent(
     loads: Annotated[Load | tuple[Load, ...] | None, "Forces at points; one may be given by its plain fields."] = None,
     couples: Annotated[Couple | tuple[Couple, ...] | None, "Couples, in the plane one number, in space three."] = None,
     about: Annotated[LoadPoint, "The new point, e.g. 1, 0 m."] = ORIGIN,
+    supports: Annotated[tuple[Support, ...] | None, "Left out here: a scene of force equilibrium has them."] = None,
     form: Annotated[Form, "force-couple, wrench or two-forces."] = Form("force-couple"),  # noqa: B008
 ) -> Equivalent:
     """The same system as one force with a couple at another point, as a wrench, or as two forces.
@@ -59,11 +61,11 @@ def equivalent(
     Raises
     ------
     InadmissibleError
-        When nothing is given, or a wrench is asked of a couple or of nothing.
+        When nothing is given, or when the wrench of a couple is asked for.
 
     Notes
     -----
-    Of two forces the first acts at the point given and the second a metre from it, square to the moment.
+    The first of two forces acts at the given point, the second a metre away, at right angles to the moment.
 
     References
     ----------
@@ -76,13 +78,13 @@ def equivalent(
     """
     system = System(loads, couples)
     point = ratios.of_vector(about)
-    parts, couple = _brought(system, point, form)
-    pitch = turning = None
+    forces, couple = _moved(system, point, form)
+    pitch = wrench_moment = None
     square = ratios.dot(system.force, system.force)
     if form == "wrench":
         power = ratios.dot(system.force, couple)
-        pitch, turning = nearest(ratios.over(power, square)), nearest(power) / ratios.size(system.force)
-    (force, at), *second = parts
+        pitch, wrench_moment = nearest(ratios.over(power, square)), nearest(power) / ratios.size(system.force)
+    (force, at), *second = forces
     return Equivalent(
         form={"force-couple": "force and couple", "wrench": "wrench", "two-forces": "two forces"}[form],
         force=ratios.rounded(force),
@@ -91,25 +93,25 @@ def equivalent(
         second_force=ratios.rounded(second[0][0]) if second else None,
         second_at=ratios.rounded(second[0][1]) if second else None,
         pitch=pitch,
-        wrench_moment=turning,
+        wrench_moment=wrench_moment,
         numerics=Numerics(METHOD),
-        checks=(_same(system, parts, couple),),
-        advice=system.advice(),
+        checks=(_same(system, forces, couple),),
+        advice=(*system.advice(), *left_out(supports)),
     )
 
 
-def _brought(system: System, point: "Ratios", form: str) -> "tuple[list[tuple[Ratios, Ratios]], Ratios]":
-    """Forces with their points, and the couple that is left."""
+def _moved(system: System, point: "Ratios", form: str) -> "tuple[list[tuple[Ratios, Ratios]], Ratios]":
+    """Forces with their points, and the remaining couple."""
     force, moment = system.force, system.moment_about(point)
     if form == "force-couple":
         return [(force, point)], moment
     if form == "wrench":
         require(
             not ratios.is_zero(force),
-            "the forces add up to nothing: {what} has no axis",
-            what="zero" if ratios.is_zero(moment) else "a couple",
+            "the forces add up to zero: {what} has no axis",
+            what="a system in equilibrium" if ratios.is_zero(moment) else "a couple",
             code="couple",
-            hint="ask for --form force-couple",
+            hint="use --form force-couple",
         )
         top, bottom = ratios.dot(force, force)
         foot = ratios.plus(point, ratios.times((bottom, top), ratios.cross(force, moment)))
@@ -122,7 +124,7 @@ def _brought(system: System, point: "Ratios", form: str) -> "tuple[list[tuple[Ra
 
 
 def _square_to(moment: "Ratios") -> "Ratios":
-    """A vector about a metre long that is exactly square to the moment; along x where that will do."""
+    """A vector of about a metre, exactly at right angles to the moment; along an axis where possible."""
     axis = min((0, 1, 2), key=lambda i: (abs(nearest(moment[i])), i))
     if not moment[axis][0]:
         return ratios.AXES[axis]
@@ -131,10 +133,10 @@ def _square_to(moment: "Ratios") -> "Ratios":
     return ratios.times((whole[1], whole[0]), arm)
 
 
-def _same(system: System, parts: "list[tuple[Ratios, Ratios]]", couple: "Ratios") -> Check:
-    """Both systems have one moment about three points that are not on a line, and one force."""
-    worst = ratios.size(ratios.minus(ratios.plus(*(force for force, _ in parts)), system.force))
+def _same(system: System, forces: "list[tuple[Ratios, Ratios]]", couple: "Ratios") -> Check:
+    """Both systems have the same force, and the same moment about three points that are not on a line."""
+    worst = ratios.size(ratios.minus(ratios.plus(*(force for force, _ in forces)), system.force))
     for point in (ratios.NONE, *ratios.AXES[:2]):
-        turning = [ratios.cross(ratios.minus(at, point), force) for force, at in parts]
-        worst = max(worst, ratios.size(ratios.minus(ratios.plus(couple, *turning), system.moment_about(point))))
+        moments = [ratios.cross(ratios.minus(at, point), force) for force, at in forces]
+        worst = max(worst, ratios.size(ratios.minus(ratios.plus(couple, *moments), system.moment_about(point))))
     return Check("equivalent about three points", worst == 0.0, worst, 0.0)

@@ -31,10 +31,10 @@ class Moment:
 
     moment: Annotated[TorqueVector, "Moment about the point [N·m]."]
     magnitude: Annotated[Torque, "Its size [N·m]."]
-    lever: Annotated[Distance | None, "From the point to the line of action [m]."]
-    foot: Annotated[Position | None, "The point of the line of action next to it [m]."]
-    about_line: Annotated[Torque | None, "Moment about the line, positive by the right hand along it [N·m]."]
-    line_lever: Annotated[Distance | None, "Shortest distance of the two lines [m]."]
+    lever: Annotated[Distance | None, "Distance from the point to the line of action [m]."]
+    foot: Annotated[Position | None, "The point of the line of action that is nearest to it [m]."]
+    about_line: Annotated[Torque | None, "Moment about the line, by the right-hand rule [N·m]."]
+    line_lever: Annotated[Distance | None, "Shortest distance between the two lines [m]."]
     numerics: Numerics
     advice: tuple[Advice, ...] = ()
 
@@ -43,7 +43,7 @@ def moment(
     *,
     force: Annotated[FreeVector, "The force, e.g. 200 N @ 30 deg."],
     at: Annotated[LoadPoint, "A point on its line of action, e.g. 0.3, 0.1 m."],
-    about: Annotated[LoadPoint, "The point about which it turns, or one on the line, e.g. 0, 0 m."] = ORIGIN,
+    about: Annotated[LoadPoint, "The point of reference, or a point on the line, e.g. 0, 0 m."] = ORIGIN,
     axis: Annotated[FreeVector | None, "Direction of a line through that point, e.g. 0, 0, 1."] = None,
 ) -> Moment:
     """Moment of a force about a point, with its lever, and about a line.
@@ -60,7 +60,7 @@ def moment(
     Raises
     ------
     InadmissibleError
-        When the force is not one, or the axis has no direction.
+        When the vector is not a force, or the axis has no direction.
 
     References
     ----------
@@ -71,26 +71,26 @@ def moment(
     >>> moment(force=(0.0, -200.0, 0.0), at=(0.3, 0.1, 0.0)).moment
     (0.0, 0.0, -60.0)
     """
-    pull = vector(force, Force, "the force", "'3, 4 N' or '20 N @ 30 deg'")
+    components = vector(force, Force, "the force", "'3, 4 N' or '20 N @ 30 deg'")
     point = ratios.of_vector(about)
     arm = ratios.minus(ratios.of_vector(at), point)
-    turning = ratios.cross(arm, pull)
-    size, strength = ratios.size(turning), ratios.size(pull)
+    moment_vector = ratios.cross(arm, components)
+    size, strength = ratios.size(moment_vector), ratios.size(components)
     foot = None
     if strength:
-        foot = ratios.plus(point, ratios.times(_inverse_square(pull), ratios.cross(pull, turning)))
+        foot = ratios.plus(point, ratios.times(_inverse_square(components), ratios.cross(components, moment_vector)))
     about_line = line_lever = None
     advice: tuple[Advice, ...] = ()
     if axis is not None:
-        way = direction(axis, "the axis")
-        about_line = nearest(ratios.dot(turning, way)) / ratios.size(way)
-        across = ratios.size(ratios.cross(pull, way))
-        line_lever = abs(nearest(ratios.dot(turning, way))) / across if across else None
+        line = direction(axis, "the axis")
+        about_line = nearest(ratios.dot(moment_vector, line)) / ratios.size(line)
+        across = ratios.size(ratios.cross(components, line))
+        line_lever = abs(nearest(ratios.dot(moment_vector, line))) / across if across else None
         if not across and strength:
             advice = (Advice("parallel", worded("the force is parallel to the axis: it has no moment about it"),
                              severity="note"),)  # fmt: skip
     return Moment(
-        moment=ratios.rounded(turning),
+        moment=ratios.rounded(moment_vector),
         magnitude=size,
         lever=size / strength if strength else None,
         foot=None if foot is None else ratios.rounded(foot),

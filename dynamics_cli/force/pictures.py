@@ -1,4 +1,4 @@
-"""Forces where they act, with their resultant, its line of action, and what supports do."""
+"""Forces where they act, with their resultant and its line of action, or with the reactions of supports."""
 
 import math
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    # Where it starts, which way, its words, its colour.
+    # Tail, vector, label and colour of an arrow.
     Drawn = tuple[tuple[float, ...], tuple[float, ...], str, int]
 
 GIVEN, ANSWER, LEVER = 0, 1, 2
@@ -25,31 +25,34 @@ LONGEST = 0.45
 SYMBOL = 0.05
 
 
-def resultant(made: "Any", *, loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
+def resultant(answer: "Any", *, loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
     """The forces where they act and the resultant on its axis."""
     drawn, planar = _given(loads, couples)
-    if made.axis_point is not None:
-        name = worded("R = {size}", size=(made.magnitude, Force))
-        drawn.append((made.axis_point, made.force, name, ANSWER))
-    title = f"forces and their resultant: {made.system}"
+    if answer.axis_point is not None:
+        name = worded("R = {size}", size=(answer.magnitude, Force))
+        drawn.append((answer.axis_point, answer.force, name, ANSWER))
+    title = f"resultant: {answer.system}"
     words = _couples(couples, planar=planar)
-    if made.wrench_moment is not None:
-        words.append(worded("about the axis {moment}", moment=(made.wrench_moment, Torque)))
-    elif made.axis_point is None:
-        words.append(worded("moment {moment}", moment=(math.hypot(*made.moment), Torque)))
-    return _picture(drawn, title, planar=planar, axis=made.axis_point and (made.axis_point, made.force), words=words)
+    if answer.wrench_moment is not None:
+        words.append(worded("about the axis {moment}", moment=(answer.wrench_moment, Torque)))
+    elif answer.axis_point is None:
+        words.append(worded("moment {moment}", moment=(math.hypot(*answer.moment), Torque)))
+    return _picture(
+        drawn, title, planar=planar, axis=answer.axis_point and (answer.axis_point, answer.force), words=words
+    )
 
 
-def equilibrium(made: "Any", *, supports: "Any", loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
+def equilibrium(answer: "Any", *, supports: "Any", loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
     """The body with its supports, the loads, and the reactions."""
     drawn, planar = _given(loads, couples)
     words = _couples(couples, planar=planar)
-    for one in made.reactions:
-        planar = planar and not one.force[2] and not one.at[2]
-        drawn.append((one.at, one.force, worded("{name}: {size}", name=one.name, size=(one.size, Force)), ANSWER))
-        if one.moment is not None and any(one.moment):
-            turning = one.moment[2] if planar else math.hypot(*one.moment)
-            words.append(worded("{name}: {moment}", name=one.name, moment=(turning, Torque)))
+    for reaction in answer.reactions:
+        planar = planar and not reaction.force[2] and not reaction.at[2]
+        label = worded("{name}: {size}", name=reaction.name, size=(reaction.size, Force))
+        drawn.append((reaction.at, reaction.force, label, ANSWER))
+        if reaction.moment is not None and any(reaction.moment):
+            couple = reaction.moment[2] if planar else math.hypot(*reaction.moment)
+            words.append(worded("{name}: {moment}", name=reaction.name, moment=(couple, Torque)))
     shapes: list[Curve] = []
     if planar:
         points = [(tail[0], tail[1]) for tail, *_ in drawn]
@@ -59,23 +62,23 @@ def equilibrium(made: "Any", *, supports: "Any", loads: "Any" = None, couples: "
     return _picture(drawn, title, planar=planar, axis=None, words=words, shapes=shapes)
 
 
-def moment(made: "Any", *, force: "Any", at: "Any", about: "Any" = (0.0, 0.0, 0.0), **_: "Any") -> Picture:
+def moment(answer: "Any", *, force: "Any", at: "Any", about: "Any" = (0.0, 0.0, 0.0), **_: "Any") -> Picture:
     """The force, the point and the lever between."""
     drawn, planar = _given(Load(force, at), None)
     planar = planar and at[2] == about[2]
     drawn = [(at, way, name, role) for _, way, name, role in drawn]
-    lever = (about, made.foot, worded("lever {lever}", lever=(made.lever, Length))) if made.foot else None
+    lever = (about, answer.foot, worded("lever {lever}", lever=(answer.lever, Length))) if answer.foot else None
     axis = (at, drawn[0][1]) if drawn else None
-    words = [worded("M = {moment}", moment=(made.moment[2] if planar else made.magnitude, Torque))]
-    return _picture(drawn, "force and its moment about a point", planar=planar, axis=axis, words=words, lever=lever)
+    words = [worded("M = {moment}", moment=(answer.moment[2] if planar else answer.magnitude, Torque))]
+    return _picture(drawn, "moment of a force about a point", planar=planar, axis=axis, words=words, lever=lever)
 
 
 def _couples(couples: "Any", *, planar: bool) -> "list[str]":
-    """The couples given, in words: they have no place."""
+    """Labels of the couples, which have no place in the picture."""
     words: list[str] = []
-    for one in System(None, couples, needed=False).couples:
-        parts = ratios.rounded(one)
-        words.append(worded("couple {moment}", moment=(parts[2] if planar else math.hypot(*parts), Torque)))
+    for couple in System(None, couples, needed=False).couples:
+        moment = ratios.rounded(couple)
+        words.append(worded("couple {moment}", moment=(moment[2] if planar else math.hypot(*moment), Torque)))
     return words
 
 
@@ -135,7 +138,7 @@ def _view(
         seen = math.hypot(dx, dy) > 0.02 * extent
         answer = role == ANSWER
         # beside the line of action, on the side that falls away from it
-        aside = (6.0, 6.0 if dx * dy < 0.0 else -14.0)
+        aside = (6.0, 6.0 if dx * dy <= 0.0 else -14.0)
         items.append(Mark(tail[i], tail[j], name if answer or not seen else "", aside, role=role))
         if seen:
             items.append(Arrow(tail[i], tail[j], dx, dy, "" if answer else name, role))
@@ -152,8 +155,8 @@ def _line(axis: "Any", view: "tuple[int, int]", box: "tuple[float, float, float,
     low, high = -math.inf, math.inf
     for start, part, least, most in ((point[i], u, box[0], box[1]), (point[j], v, box[2], box[3])):
         if part:
-            one, other = (least - start) / part, (most - start) / part
-            low, high = max(low, min(one, other)), min(high, max(one, other))
+            ends = (least - start) / part, (most - start) / part
+            low, high = max(low, min(ends)), min(high, max(ends))
     if not low < high:
         return []
     return [

@@ -1,7 +1,7 @@
 """Vectors of exact ratios: sums and products of what was typed, rounded once at the end.
 
-A component that was worked out, as of `20 N @ 120 deg`, is taken to 15 digits of its vector: there the sines and
-cosines of simple angles cancel as they do on paper.
+A calculated component, as of `20 N @ 120 deg`, is taken to 15 digits of its vector: then sines and cosines of simple
+angles cancel as they do on paper.
 """
 
 from math import floor, frexp, isfinite, lcm
@@ -27,8 +27,8 @@ DIGITS = 15
 
 
 def of_number(x: float, largest: float = 0.0) -> "Pair":
-    """The exact ratio of a number; one that was worked out, to 15 digits beside the largest of its vector."""
-    require(isfinite(x), "a number leaves the range of a double", code="range", hint="check the inputs")
+    """The exact ratio of a typed number; a calculated one to 15 digits of the largest component of its vector."""
+    require(isfinite(x), "a number is too large for a double", code="range", hint="check the inputs")
     if isinstance(x, TypedNumber):
         return x.ratio
     size = max(abs(x), largest)
@@ -44,7 +44,7 @@ def of_number(x: float, largest: float = 0.0) -> "Pair":
 
 
 def of_vector(parts: "Sequence[float]") -> "Ratios":
-    """Three exact components, of two or three; one alone is along z, as a couple in the plane is."""
+    """Three exact components from two or three; a single one is along z, as a couple in the plane is."""
     largest = max(abs(float(part)) for part in parts)
     x = [of_number(part, largest) for part in parts]
     if len(x) == 1:
@@ -52,13 +52,13 @@ def of_vector(parts: "Sequence[float]") -> "Ratios":
     return x[0], x[1], x[2] if len(x) == 3 else ZERO
 
 
-def plus(*those: "Ratios") -> "Ratios":
+def plus(*vectors: "Ratios") -> "Ratios":
     """The exact sum."""
-    x, y, z = (total(one[axis] for one in those) for axis in range(3))
+    x, y, z = (total(vector[axis] for vector in vectors) for axis in range(3))
     return x, y, z
 
 
-def turning(points: "Sequence[Ratios]", forces: "Sequence[Ratios]") -> "tuple[Ratios, Ratios]":
+def sums(points: "Sequence[Ratios]", forces: "Sequence[Ratios]") -> "tuple[Ratios, Ratios]":
     """The sum of forces and of their moments about the origin, in whole numbers over common denominators."""
     of_points, of_forces = _denominator(points), _denominator(forces)
     total_force, total_moment = [0, 0, 0], [0, 0, 0]
@@ -74,8 +74,9 @@ def turning(points: "Sequence[Ratios]", forces: "Sequence[Ratios]") -> "tuple[Ra
     return (a, b, c), (d, e, f)
 
 
-def _denominator(those: "Sequence[Ratios]") -> int:
-    return lcm(*{bottom for one in those for _, bottom in one})
+def _denominator(vectors: "Sequence[Ratios]") -> int:
+    """The least common denominator of all components."""
+    return lcm(*{bottom for vector in vectors for _, bottom in vector})
 
 
 def times(factor: "Pair", a: "Ratios") -> "Ratios":
@@ -84,13 +85,13 @@ def times(factor: "Pair", a: "Ratios") -> "Ratios":
 
 
 def minus(a: "Ratios", b: "Ratios") -> "Ratios":
-    """From `b` to `a`."""
+    """The vector from `b` to `a`."""
     return plus(a, times((-1, 1), b))
 
 
 def dot(a: "Ratios", b: "Ratios") -> "Pair":
     """Scalar product."""
-    return total(product(one, other) for one, other in zip(a, b, strict=True))
+    return total(product(x, y) for x, y in zip(a, b, strict=True))
 
 
 def cross(a: "Ratios", b: "Ratios") -> "Ratios":
@@ -103,7 +104,7 @@ def cross(a: "Ratios", b: "Ratios") -> "Ratios":
 
 
 def over(a: "Pair", b: "Pair") -> "Pair":
-    """The exact quotient; the caller has seen that `b` is not zero."""
+    """The exact quotient, where `b` is not zero."""
     return product(a, lowest(b[1], b[0]))
 
 

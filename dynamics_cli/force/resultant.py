@@ -1,7 +1,8 @@
-"""The task `resultant`: what forces and couples add up to, and on which line."""
+"""The task `resultant`: the sum of forces and couples, and its line of action."""
 
 from dynamics_cli.errors import worded
 from dynamics_cli.force import ratios
+from dynamics_cli.force.supports import Support, left_out
 from dynamics_cli.force.system import Couple, Load, System
 from dynamics_cli.numerics.elementary import atan2
 from dynamics_cli.numerics.exact.rational import nearest
@@ -32,25 +33,26 @@ NO_FORCE = "a couple has no axis: its moment is the same about every point"
 
 @record
 class Resultant:
-    """What a system of forces and couples adds up to."""
+    """The resultant of a system of forces and couples."""
 
     system: Annotated[Text, "Zero, couple, single force or wrench."]
     arrangement: Annotated[
-        Text | None, "How the forces lie: on one line, concurrent, parallel, in one plane, in space."
+        Text | None, "Arrangement of the forces: on one line, concurrent, parallel, in one plane, in space."
     ]
     force: Annotated[ForceVector, "The resultant force [N]."]
     magnitude: Annotated[Force, "Its size [N]."]
     angle: Annotated[Angle | None, "Its angle from x, of a planar system [rad]."]
     moment: Annotated[TorqueVector, "Moment about the point of reference [N·m]."]
     axis_point: Annotated[
-        Position | None, "The point of the line of action, or central axis, next to the reference [m]."
+        Position | None,
+        "The point of the line of action, or of the central axis, that is nearest to the reference [m].",
     ]
-    direction: Annotated[Vector | None, "Direction of that line [-]."]
+    direction: Annotated[Vector | None, "Direction of the line [-]."]
     crosses_x: Annotated[Length | None, "Where the line of action of a planar system crosses the x-axis [m]."]
     crosses_y: Annotated[Length | None, "Where it crosses the y-axis [m]."]
     pitch: Annotated[Length | None, "Moment along the force over the force [m]."]
     wrench_moment: Annotated[Torque | None, "Moment about the central axis, positive along the force [N·m]."]
-    cancellation: Annotated[Ratio | None, "Sizes of the forces added, over that of the resultant [-]."]
+    cancellation: Annotated[Ratio | None, "Sum of the sizes of the forces, over the size of the resultant [-]."]
     numerics: Numerics
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -61,6 +63,7 @@ def resultant(
     loads: Annotated[Load | tuple[Load, ...] | None, "Forces at points; one may be given by its plain fields."] = None,
     couples: Annotated[Couple | tuple[Couple, ...] | None, "Couples, in the plane one number, in space three."] = None,
     about: Annotated[LoadPoint, "The point of reference, e.g. 0, 0 m."] = ORIGIN,
+    supports: Annotated[tuple[Support, ...] | None, "Left out here: a scene of force equilibrium has them."] = None,
 ) -> Resultant:
     """Resultant of forces at points and couples: its class, its moment and its line of action or central axis.
 
@@ -76,11 +79,11 @@ def resultant(
     Raises
     ------
     InadmissibleError
-        When nothing is given, or a force is not one.
+        When nothing is given, or a given vector is not a force.
 
     Notes
     -----
-    Classes are decided on the decimals as typed: forces of 0.1, 0.2 and −0.3 N add up to nothing.
+    The class is decided with the decimals as typed: forces of 0.1, 0.2 and −0.3 N add up to zero.
 
     References
     ----------
@@ -104,30 +107,30 @@ def resultant(
         name = "zero: in equilibrium" if ratios.is_zero(moment) else "couple"
     size = ratios.size(force)
     pitch = ratios.over(power, square) if exists else ratios.ZERO
-    foot = ratios.plus(reference, _toward(force, moment)) if exists else None
-    planar, level = system.planar, ratios.rounded(force)
+    foot = ratios.plus(reference, _to_axis(force, moment)) if exists else None
+    planar, components = system.planar, ratios.rounded(force)
     return Resultant(
         system=name,
         arrangement=arrangement(system),
-        force=ratios.rounded(force),
+        force=components,
         magnitude=size,
-        angle=atan2(level[1], level[0]) if planar and exists else None,
+        angle=atan2(components[1], components[0]) if planar and exists else None,
         moment=ratios.rounded(moment),
         axis_point=None if foot is None else ratios.rounded(foot),
-        direction=tuple(part / size for part in level) if exists else None,
+        direction=tuple(component / size for component in components) if exists else None,
         crosses_x=_crossing(system, 1) if planar and exists else None,
         crosses_y=_crossing(system, 0) if planar and exists else None,
         pitch=nearest(pitch) if name == "wrench" else None,
         wrench_moment=nearest(power) / size if name == "wrench" else None,
-        cancellation=system.flow / size if exists else None,
+        cancellation=system.total_size / size if exists else None,
         numerics=Numerics(METHOD),
         checks=(_along_the_axis(system, foot),) if foot is not None else (),
-        advice=(*system.advice(), *_on_couple(name)),
+        advice=(*system.advice(), *_on_couple(name), *left_out(supports)),
     )
 
 
-def _toward(force: "Ratios", moment: "Ratios") -> "Ratios":
-    """R × M/R², from the point of the moment square to the axis."""
+def _to_axis(force: "Ratios", moment: "Ratios") -> "Ratios":
+    """R × M/R²: from the point of reference at right angles to the axis."""
     square = ratios.dot(force, force)
     return ratios.times((square[1], square[0]), ratios.cross(force, moment))
 

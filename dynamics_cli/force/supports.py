@@ -1,11 +1,11 @@
-"""Supports by name: along which lines they push, about which axes they hold."""
+"""Supports by their type: the lines along which they push, the axes about which they hold."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.force import ratios
 from dynamics_cli.force.system import direction
 from dynamics_cli.numerics.exact.rational import nearest
 from dynamics_cli.quantities import Annotated, FreeVector, LoadPoint, Text
-from dynamics_cli.records import Choice, Quantity, record
+from dynamics_cli.records import Advice, Choice, Quantity, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
     from dynamics_cli.numerics.exact.rational import Pair
 
 ALONG_ONE_LINE = ("roller", "smooth", "link", "cable")
-# What lies in a plane holds by x, y and about z; in space along and about three axes.
+# Rows of equilibrium: in the plane x, y and about z; in space along and about three axes.
 PLANE = (0, 1, 5)
 SPACE = (0, 1, 2, 3, 4, 5)
 
 
 class Holding(Choice):
-    """What a support is."""
+    """Types of support."""
 
     names = ("pin", "roller", "fixed", "link", "cable", "smooth", "guide", "ball", "hinge")
     aliases = {"hinged": "pin", "built-in": "fixed", "clamped": "fixed", "rope": "cable", "slider": "guide"}  # noqa: RUF012
@@ -29,7 +29,7 @@ class Holding(Choice):
 
 @record
 class Support:
-    """What holds the body at a point."""
+    """A support of the body at a point."""
 
     type: Annotated[Holding, "pin, roller, fixed, link, cable, smooth, guide; in space ball, hinge."]
     at: Annotated[LoadPoint, "Where it holds, e.g. 0, 0 m."]
@@ -39,43 +39,51 @@ class Support:
     name: Annotated[Text | None, "Its name, e.g. A."] = None
 
 
+def left_out(supports: "Sequence[Support] | None") -> "tuple[Advice, ...]":
+    """Say that the supports of a scene take no part in a sum of loads."""
+    if not supports:
+        return ()
+    message = "the supports take no part: these are the loads alone, without reactions"
+    return (Advice("supports", message, "note", "`dynamics force equilibrium` gives the reactions"),)
+
+
 class Unknown:
-    """One unknown of a support: a force along a line, or a couple about an axis; `turning` is its moment."""
+    """One unknown of a support: a force along an axis, or a couple about it."""
 
-    __slots__ = ("couple", "force", "support", "turning", "way")
+    __slots__ = ("axis", "couple", "force", "moment", "support")
 
-    def __init__(self, support: int, way: "Ratios", at: "Ratios", *, couple: bool) -> None:
+    def __init__(self, support: int, axis: "Ratios", at: "Ratios", *, couple: bool) -> None:
         self.support = support
         self.couple = couple
-        self.way = way
-        self.force = ratios.NONE if couple else way
-        self.turning = way if couple else ratios.cross(at, way)
+        self.axis = axis
+        self.force = ratios.NONE if couple else axis
+        self.moment = axis if couple else ratios.cross(at, axis)
 
     @property
     def column(self) -> "tuple[Pair, ...]":
         """Its part in the six equations of equilibrium."""
-        return (*self.force, *self.turning)
+        return (*self.force, *self.moment)
 
 
-class Read:
-    """A support as read."""
+class ExactSupport:
+    """A support with its unknowns, in exact numbers."""
 
-    __slots__ = ("at", "name", "type", "unknowns", "way")
+    __slots__ = ("at", "direction", "name", "type", "unknowns")
 
     def __init__(self, given: Support, index: int, *, planar: bool) -> None:
         self.type = str(given.type)
         self.name = str(given.name) if given.name else chr(65 + index) if index < 26 else str(index + 1)
         self.at = ratios.of_vector(given.at)
-        self.way = self._way(given, planar=planar)
-        self.unknowns = [Unknown(index, way, self.at, couple=couple) for way, couple in self._ways(planar=planar)]
+        self.direction = self._direction(given, planar=planar)
+        self.unknowns = [Unknown(index, axis, self.at, couple=couple) for axis, couple in self._axes(planar=planar)]
 
-    def _way(self, given: Support, *, planar: bool) -> "Ratios | None":
+    def _direction(self, given: Support, *, planar: bool) -> "Ratios | None":
         if given.direction is not None:
             return direction(given.direction, f"the direction of support {self.name}")
         needed = self.type in ("link", "cable", "hinge") or (not planar and self.type in (*ALONG_ONE_LINE, "guide"))
         require(
             not needed,
-            "support {name} is a {type} without a direction",
+            "support {name} is a {type} and needs a direction",
             name=self.name,
             type=self.type,
             code="no-direction",
@@ -83,39 +91,39 @@ class Read:
         )
         return ratios.AXES[1] if self.type in (*ALONG_ONE_LINE, "guide") else None
 
-    def _ways(self, *, planar: bool) -> "list[tuple[Ratios, bool]]":
-        """Each unknown's line or axis, and whether it is a couple."""
+    def _axes(self, *, planar: bool) -> "list[tuple[Ratios, bool]]":
+        """The axis of each unknown, and whether it is a couple."""
         x, y, z = ratios.AXES
-        spatial = [(way, False) for way in ratios.AXES]
+        spatial = [(axis, False) for axis in ratios.AXES]
         require(
             planar or self.type not in ("pin", "guide"),
-            "support {name} is a {type}, which is one of the plane; this problem is in space",
+            "support {name} is a {type}, which holds in the plane only; this problem is in space",
             name=self.name,
             type=self.type,
             code="space",
-            hint="give ball, hinge, fixed, link, cable, roller or smooth",
+            hint="use ball, hinge, fixed, link, cable, roller or smooth",
         )
         if self.type in ALONG_ONE_LINE:
-            assert self.way is not None
-            return [(self.way, False)]
+            assert self.direction is not None
+            return [(self.direction, False)]
         if self.type == "guide":
-            assert self.way is not None
-            return [(self.way, False), (z, True)]
+            assert self.direction is not None
+            return [(self.direction, False), (z, True)]
         if planar:
             return [(x, False), (y, False), *([(z, True)] if self.type == "fixed" else [])]
         if self.type == "ball":
             return spatial
         if self.type == "fixed":
-            return [*spatial, *((way, True) for way in ratios.AXES)]
-        assert self.way is not None
-        axis = min((0, 1, 2), key=lambda i: (abs(nearest(self.way[i])), i))  # type: ignore[index]
-        first = ratios.cross(self.way, ratios.AXES[axis])
-        return [*spatial, (first, True), (ratios.cross(self.way, first), True)]
+            return [*spatial, *((axis, True) for axis in ratios.AXES)]
+        assert self.direction is not None
+        smallest = min((0, 1, 2), key=lambda i: (abs(nearest(self.direction[i])), i))  # type: ignore[index]
+        first = ratios.cross(self.direction, ratios.AXES[smallest])
+        return [*spatial, (first, True), (ratios.cross(self.direction, first), True)]
 
 
 def lie_in_a_plane(supports: "Sequence[Support]") -> bool:
-    """Whether no support reaches out of the x–y plane."""
-    heights = {ratios.of_vector(one.at)[2] for one in supports}
-    ways = [one.direction.value if isinstance(one.direction, Quantity) else one.direction for one in supports]
-    upright = any(way is not None and len(way) == 3 and way[2] != 0.0 for way in ways if not isinstance(way, float))
-    return len(heights) <= 1 and not upright and not any(one.type in ("ball", "hinge") for one in supports)
+    """Whether all supports lie in a plane parallel to x–y."""
+    heights = {ratios.of_vector(support.at)[2] for support in supports}
+    directions = [given.value if isinstance(given, Quantity) else given for given in (s.direction for s in supports)]
+    upright = any(v is not None and len(v) == 3 and v[2] != 0.0 for v in directions if not isinstance(v, float))
+    return len(heights) <= 1 and not upright and not any(support.type in ("ball", "hinge") for support in supports)

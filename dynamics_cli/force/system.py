@@ -1,4 +1,4 @@
-"""A system of forces at points and couples, summed exactly."""
+"""A system of forces at points, and of couples, with exact sums."""
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.force import ratios
@@ -26,20 +26,20 @@ class Load:
 
 @record
 class Couple:
-    """A couple, which has a moment and no place."""
+    """A couple: a moment without a place."""
 
     adds = True
     moment: Annotated[FreeVector, "Its moment, e.g. 5 N*m."]
 
 
 def vector(given: "Any", kind: "Any", what: str, example: str) -> "Ratios":
-    """The exact components of a vector that must be of this kind; one number alone is a couple in the plane."""
+    """The exact components of a vector of this kind; a single number is a couple in the plane."""
     value = given.value if isinstance(given, Quantity) else given
     parts = value if isinstance(value, tuple | list) else (value,)
     if isinstance(given, Quantity):
         require(
             given.kind.unit == kind.unit,
-            "{what} is a {name}, wanted a {kind}",
+            "{what} is a {name}; wanted a {kind}",
             what=what,
             name=given.kind.name or "number",
             kind=kind.name or "direction without a unit",
@@ -57,37 +57,37 @@ def vector(given: "Any", kind: "Any", what: str, example: str) -> "Ratios":
 
 
 def direction(given: "Any", what: str) -> "Ratios":
-    """The exact components of a direction, which is not zero."""
-    way = vector(given, Ratio, what, "'0, 1' or '1 @ 60 deg'")
-    require(not ratios.is_zero(way), "{what} is zero", what=what, code="zero-vector", hint="give a direction")
-    return way
+    """The exact components of a direction; refuses a zero vector."""
+    components = vector(given, Ratio, what, "'0, 1' or '1 @ 60 deg'")
+    require(not ratios.is_zero(components), "{what} is zero", what=what, code="zero-vector", hint="give a direction")
+    return components
 
 
 class System:
-    """Forces with their points and couples, and what they add up to about the origin."""
+    """Forces at their points and couples, with their sum and its moment about the origin."""
 
-    __slots__ = ("couples", "flow", "force", "forces", "moment", "points")
+    __slots__ = ("couples", "force", "forces", "moment", "points", "total_size")
 
     def __init__(self, loads: "Any", couples: "Any", *, needed: bool = True) -> None:
-        those = _several(loads)
-        turns = _several(couples)
+        load_records, couple_records = _several(loads), _several(couples)
         require(
-            bool(those or turns) or not needed,
-            "no force and no couple is given",
+            bool(load_records or couple_records) or not needed,
+            "neither a force nor a couple is given",
             code="missing",
             hint=f"such as {EXAMPLE}",
         )
         self.forces = [
-            vector(one.force, Force, f"force {n}", "'3, 4 N' or '20 N @ 30 deg'") for n, one in enumerate(those, 1)
+            vector(load.force, Force, f"force {n}", "'3, 4 N' or '20 N @ 30 deg'")
+            for n, load in enumerate(load_records, 1)
         ]
-        self.points = [ratios.of_vector(one.at) for one in those]
+        self.points = [ratios.of_vector(load.at) for load in load_records]
         self.couples = [
-            vector(one.moment, Torque, f"couple {n}", "'5 N*m', or '2, -3, 0.5 N*m' in space")
-            for n, one in enumerate(turns, 1)
+            vector(couple.moment, Torque, f"couple {n}", "'5 N*m', or '2, -3, 0.5 N*m' in space")
+            for n, couple in enumerate(couple_records, 1)
         ]
-        self.force, turning = ratios.turning(self.points, self.forces)
-        self.moment = ratios.plus(turning, *self.couples)
-        self.flow = sum(ratios.size(one) for one in self.forces)
+        self.force, moment_of_forces = ratios.sums(self.points, self.forces)
+        self.moment = ratios.plus(moment_of_forces, *self.couples)
+        self.total_size = sum(ratios.size(force) for force in self.forces)
 
     def moment_about(self, point: "Ratios") -> "Ratios":
         """M_Q = M_O − Q × R."""
@@ -95,24 +95,25 @@ class System:
 
     @property
     def planar(self) -> bool:
-        """Whether all of it lies in the x–y plane, or one parallel to it."""
-        level = {point[2] for point in self.points}
+        """Whether everything lies in the x–y plane or in a parallel plane."""
+        heights = {point[2] for point in self.points}
         return (
-            len(level) <= 1
+            len(heights) <= 1
             and not any(force[2][0] for force in self.forces)
             and not any(part[0] for couple in self.couples for part in couple[:2])
         )
 
     def advice(self) -> "tuple[Advice, ...]":
-        """What cancels leaves few digits of measured forces."""
+        """A caution where forces cancel: measured ones then leave few digits."""
         size = ratios.size(self.force)
-        if not size or self.flow / size <= MOST_CANCELLED:
+        if not size or self.total_size / size <= MOST_CANCELLED:
             return ()
         message = worded(
-            "the forces cancel: their sizes add to {times} times the resultant", times=(self.flow / size, Ratio)
+            "the forces cancel: their sizes add up to {times} times the resultant",
+            times=(self.total_size / size, Ratio),
         )
         return (
-            Advice("cancellation", message, remedy="the answer is that of the digits typed: check that they are known"),
+            Advice("cancellation", message, remedy="typed digits count as exact: check that they are known so well"),
         )
 
 

@@ -148,6 +148,15 @@ def direction_of(heading: float, axes: Axes = AXES) -> tuple[float, float]:
     return (sine, cosine) if axes == "compass" else (cosine, sine)
 
 
+def travel_of(velocity: tuple[float, float], axes: Axes) -> tuple[float, float]:
+    """Unit vector of travel, of a body at rest the direction of heading zero."""
+    speed = hypot(velocity[0], velocity[1])
+    moves = speed > 0.0
+    safe = where(moves, speed, 1.0)
+    zero = direction_of(0.0, axes)
+    return where(moves, velocity[0] / safe, zero[0]), where(moves, velocity[1] / safe, zero[1])
+
+
 def heading_of(x: float, y: float, axes: Axes = AXES) -> float:
     """Heading of a vector, in (−π, π]; minus zero is zero, which an arc tangent would turn to −π."""
     x, y = x + 0.0, y + 0.0

@@ -4,9 +4,10 @@ from math import cos, pi, sin, sqrt
 
 from dynamics_cli.inertia.assembly.parts import Walk
 from dynamics_cli.inertia.assembly.report import bare
-from dynamics_cli.inertia.bodies.mass_moments import plus, times
+from dynamics_cli.inertia.bodies.mass_moments import times
 from dynamics_cli.inertia.shapes.wires import wires
 from dynamics_cli.numerics.orientation.rotations import IDENTITY
+from dynamics_cli.numerics.vectors import add
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Coordinate, Inertia, Mass
 
@@ -41,7 +42,7 @@ def body_picture(answer: "MassProperties", scene: "Assembly", **_: object) -> Pi
     groups = []
     for leaf in walk.leaves:
         shape_wires = wires(leaf.part.shape) if leaf.part.shape is not None else []
-        placed = [[plus(leaf.origin, times(leaf.rotation, point)) for point in wire] for wire in shape_wires]
+        placed = [[add(leaf.origin, times(leaf.rotation, point)) for point in wire] for wire in shape_wires]
         groups.append((placed, leaf.sign < 0.0))
     return _picture(bare(answer), groups, scene.name or "assembly")
 

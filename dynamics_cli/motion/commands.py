@@ -177,6 +177,7 @@ EQUATIONS = Task(
         "dynamics motion equations examples/sleigh/sleigh.toml",
     ),
     table="equations",
+    errors=("difference",),
     arrays=False,
 )  # fmt: skip
 

@@ -1,9 +1,10 @@
-"""Three-component vectors and symmetric tensors as tuples, for numbers, arrays and tracked numbers alike."""
+"""Vectors of three or two components and symmetric tensors as tuples, for numbers, arrays and tracked numbers alike."""
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot, multiply_add
 
 Vector = tuple[float, float, float]
+Pair = tuple[float, float]
 Tensor = tuple[Vector, Vector, Vector]
 
 
@@ -15,6 +16,16 @@ def dot(a: Vector, b: Vector) -> float:
 def cross(a: Vector, b: Vector) -> Vector:
     """Vector product."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def planar_dot(a: Pair, b: Pair) -> float:
+    """Scalar product in the plane, rounded as if in twice the precision."""
+    return multiply_add(a[0], b[0], a[1] * b[1])
+
+
+def planar_cross(a: Pair, b: Pair) -> float:
+    """The component of a × b out of the plane."""
+    return multiply_add(a[0], b[1], -(a[1] * b[0]))
 
 
 def product_difference(a: float, b: float, c: float, d: float) -> float:

@@ -30,6 +30,16 @@ REFUSED = {
     "group with none": ('spring --length "1 m" --free-length 1m --stiffness "1, 0 N/m" --group series', "no-stiffness"),
     "wedge that jams": ('wedge --load "1 kN" --angle "60 deg" --friction 1', "jams"),
     "wedge without load": ('wedge --load "0 kN" --angle "6 deg" --friction 1', "no-load"),
+    "thread that jams": (
+        'screw --load "1 kN" --flank-angle 60deg --mean-diameter 8mm --pitch 20mm --friction 0.7', "jams"),
+    "lead for a pitch": ('screw --load "1 kN" --thread tr --diameter "8 mm" --pitch "10 mm" --friction 0.1', "pitch"),
+    "flank of no thread": (
+        'screw --load "1 kN" --flank-angle 90deg --mean-diameter 8mm --pitch 2mm --friction 0.1', "angle"),
+    "flank and nominal diameter": (
+        'screw --load "1 kN" --flank-angle 3deg --diameter 8mm --pitch 2mm --friction 0.1', "mean-diameter"),
+    "collar without diameter": (
+        'screw --load 1kN --thread tr --diameter 8mm --pitch 2mm --friction 0.1 --collar-friction 0.1', "collar"),
+    "screw without load": ('screw --load "0 N" --thread tr --diameter 8mm --pitch 2mm --friction 0.1', "zero"),
     "no wedge": ('wedge --load "1 kN" --angle "0 deg" --friction 1', "angle"),
     "no mass": ('first-moment --mass "0 kg" --at "1, 0 m"', "no-mass"),
     "underground": ('gravity --mass "1 kg" --altitude "-1 m"', "altitude"),
@@ -142,6 +152,26 @@ def test_a_wedge_holds_by_itself_up_to_the_sum_of_its_angles_of_friction() -> No
         assert (made["release"]["value"] > 0.0) == (off < 0.0)
 
 
+def test_a_screw_holds_by_itself_from_its_friction_on() -> None:
+    call = ("force", "screw", "--load", "1 kN", "--thread", "trapezoidal", "--diameter", "20 mm", "--pitch", "4 mm")
+    call += ("--starts", "3")
+    limit = answer(*call, "--friction", "0.1")["results"]["locking_friction"]["value"]
+    for off, verdict in ((1e-9, "holds by itself"), (-1e-9, "runs back by itself")):
+        result = answer(*call, "--friction", str(limit + off))
+        assert result["results"]["verdict"] == verdict
+        assert (result["results"]["lowering_torque"]["value"] >= 0.0) == (off > 0.0)
+        assert ([warning["code"] for warning in result["warnings"]] == ["only-just"]) == (off > 0.0)
+    more = ("--collar-diameter", "30 mm", "--friction", str(limit - 1e-3))
+    assert answer(*call, *more)["results"]["verdict"] == "holds by the friction of its collar alone"
+
+
+def test_a_screw_without_friction_loses_nothing() -> None:
+    call = "force screw --load 1kN --thread square --mean-diameter 20mm --pitch 4mm --friction 0"
+    results = answer(*shlex.split(call))["results"]
+    assert results["efficiency"]["value"] == pytest.approx(1.0 if "unit" not in results["efficiency"] else 100.0)
+    assert results["raising_torque"]["value"] == pytest.approx(-results["lowering_torque"]["value"])
+
+
 def test_springs_of_a_group_share_stretch_or_force() -> None:
     call = ("force", "spring", "--length", "120 mm", "--free-length", "100 mm", "--stiffness", "20, 30 N/mm", "--group")
     series, parallel = (answer(*call, group)["results"] for group in ("series", "parallel"))
@@ -164,3 +194,10 @@ def test_supports_are_drawn(support: str, tmp_path: Path) -> None:
     call = ("--load", "force=0, -3 N, at=1, 1 m", "--support", support, *more, "--plot", str(picture))
     outcome = run("force", "equilibrium", *call)
     assert "<svg" in picture.read_text(encoding="utf-8"), outcome.err
+
+
+def test_a_resultant_of_a_scene_with_supports_leaves_them_out() -> None:
+    for task in ("resultant", "equivalent"):
+        result = answer(*shlex.split(f"force {task} {DOWN} {SIDE} {PIN} {ROLLER}"))
+        assert [warning["code"] for warning in result["warnings"]] == ["supports"]
+        assert result["results"] == answer(*shlex.split(f"force {task} {DOWN} {SIDE}"))["results"]

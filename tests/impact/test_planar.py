@@ -253,7 +253,8 @@ class TestStiffness:
 
 def marched(scene: dict[str, Any], force: Spring | Hertz, found: PlanarImpact) -> tuple[float, float]:
     """Impulse and duration by explicit steps of the normal deflection."""
-    from dynamics_cli.impact.planar.bodies import contact_velocity, dot, mobility, solid
+    from dynamics_cli.impact.planar.bodies import contact_velocity, mobility, solid
+    from dynamics_cli.numerics.vectors import planar_dot as dot
 
     axes = Axes("mathematical")
     one = solid(RigidBody(ByMass(scene["m"][0]), ByInertia(scene["j"][0]), Lever(scene["r"][0]),

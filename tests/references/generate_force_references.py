@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import permutations
 from pathlib import Path
 
-from mpmath import cos, mp, mpf, nstr, sin, sqrt, tan
+from mpmath import atan, cos, mp, mpf, nstr, pi, sin, sqrt, tan
 
 mp.dps = 60
 FILE = Path(__file__).resolve().parents[1] / "force" / "force.json"
@@ -192,7 +192,7 @@ def bounded():
     pull = stretch * first * second / (first + second)
     call = 'spring --length "1.125 m" --free-length "1 m" --stiffness "1024, 3072 N/m" --group series'
     out.append({"call": call, "results": {"tension": text(pull), "stiffness": text(pull / stretch)}})
-    return out + wedges()
+    return out + wedges() + screws()
 
 
 def wedges():
@@ -214,6 +214,34 @@ def wedges():
             f"--guide-friction {guide}"
         )
         out.append({"call": call, "results": results})
+    return out
+
+
+def screws():
+    """Torques by the angles of lead and of friction, as on an inclined plane."""
+    out = []
+    load, mean, pitch = mpf(4096), mpf("0.03125"), mpf("0.00390625")
+    for starts, friction, flank, collar in ((1, "0.125", "0.25", "0.0625"), (4, "0.0625", "0.5", "0.125")):
+        lead = starts * pitch
+        rise, grip = atan(lead / (pi * mean)), atan(mpf(friction) / cos(mpf(flank)))
+        held = load * mpf(collar) * mpf("0.0625") / 2
+        raising = load * mean / 2 * tan(rise + grip) + held
+        results = {
+            "raising_torque": text(raising),
+            "lowering_torque": text(load * mean / 2 * tan(grip - rise) + held),
+            "efficiency": text(load * lead / (2 * pi * raising)),
+            "lead_angle": text(rise),
+            "locking_friction": text(tan(rise) * cos(mpf(flank))),
+        }
+        call = (
+            f'screw --load "4096 N" --flank-angle "{flank} rad" --mean-diameter "0.03125 m" --pitch "0.00390625 m" '
+            f'--starts {starts} --friction {friction} --collar-diameter "0.0625 m" --collar-friction {collar}'
+        )
+        out.append({"call": call, "results": results})
+    metric = mpf("0.0625") - 3 * sqrt(mpf(3)) / 8 * pitch
+    call = 'screw --load "4096 N" --thread metric --diameter "0.0625 m" --pitch "0.00390625 m" --friction 0.125'
+    torque = load * metric / 2 * tan(atan(pitch / (pi * metric)) + atan(mpf("0.125") / (sqrt(mpf(3)) / 2)))
+    out.append({"call": call, "results": {"mean_diameter": text(metric), "raising_torque": text(torque)}})
     return out
 
 

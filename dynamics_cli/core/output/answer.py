@@ -133,7 +133,8 @@ class _Answer:
             value = 0.0
         if isinstance(value, list):
             value = without_rounding(value)
-        text = quantity(value, unit, self.digits)
+        # an estimate of the calculation's own error is no better known than to two digits
+        text = quantity(value, unit, 2 if address in self.task.errors and not self.asked else self.digits)
         if isinstance(value, list) and isinstance(value[0], list) and len(value[0]) <= AXES:
             # a matrix breaks between its rows
             return text.replace(" ", JOINED).replace(f"],{JOINED}[", "], [")

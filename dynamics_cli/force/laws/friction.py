@@ -22,22 +22,22 @@ if TYPE_CHECKING:
     Limit = tuple[float, str]
 
 QUARTER = 1.5707963267948966
-NONE_HOLDS = "no push along the incline holds this block: it {low} below and {high} above"
+NONE_HOLDS = "no push along the incline holds this block: it {low} under a small one and {high} under a large one"
 
 
 @record
 class FrictionAnswer:
-    """Whether a block holds, and between which pushes."""
+    """Whether a block holds, and the pushes that it withstands."""
 
-    verdict: Annotated[Text, "Holds, slides or tips, by the limit that is reached first."]
-    margin: Annotated[Force, "The push may change by so much; negative where it does not hold [N]."]
-    least_push: Annotated[Force | None, "Least push along the incline, up positive, that holds it [N]."]
-    below: Annotated[Text | None, "What it does below that."]
-    largest_push: Annotated[Force | None, "Largest push that holds it [N]."]
-    above: Annotated[Text | None, "What it does above that."]
-    normal_force: Annotated[Force, "Force of the incline across it [N]."]
-    friction_force: Annotated[Force, "Friction that holding takes, up the incline positive [N]."]
-    needed_friction: Annotated[Friction, "Coefficient of friction that holding takes [-]."]
+    verdict: Annotated[Text, "Holds, slides or tips, by whichever limit comes first."]
+    margin: Annotated[Force, "How much the push may change; negative if the block does not hold [N]."]
+    least_push: Annotated[Force | None, "Minimum push along the incline that holds it, uphill positive [N]."]
+    below: Annotated[Text | None, "What the block does under a smaller push."]
+    largest_push: Annotated[Force | None, "Maximum push that holds it [N]."]
+    above: Annotated[Text | None, "What the block does under a larger push."]
+    normal_force: Annotated[Force, "Normal force of the incline [N]."]
+    friction_force: Annotated[Force, "Friction force needed to hold, uphill positive [N]."]
+    needed_friction: Annotated[Friction, "Coefficient of friction needed to hold [-]."]
     pressure_point: Annotated[
         Length, "Where the normal force must act, from the middle of the base, uphill positive [m]."
     ]
@@ -51,11 +51,11 @@ def friction(
     friction: Annotated[Friction, "Coefficient of friction, e.g. 0.4."],
     width: Annotated[Distance, "Length of its base along the incline, e.g. 0.5 m."],
     centre_height: Annotated[Distance, "Height of its mass centre above the base, e.g. 0.6 m."],
-    push: Annotated[Force, "Push along the incline, up positive, e.g. 200 N."] = 0.0,
+    push: Annotated[Force, "Push along the incline, uphill positive, e.g. 200 N."] = 0.0,
     push_height: Annotated[Distance, "Height of the push above the base, e.g. 1 m."],
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> FrictionAnswer:
-    """A block on an incline, pushed at a height: whether it holds, slides or tips, and the pushes that it bears.
+    """A block on an incline, pushed at a height: whether it holds, slides or tips, and the pushes that it withstands.
 
     Equation
     --------
@@ -64,7 +64,7 @@ def friction(
     Returns
     -------
     FrictionAnswer
-        The verdict, its margin, and the least and the largest push.
+        The verdict, its margin, and the minimum and the maximum push.
 
     Raises
     ------
@@ -82,19 +82,19 @@ def friction(
     'tips uphill'
     """
     for value, name in ((mass, "mass"), (width, "base"), (centre_height, "height of the mass centre")):
-        require(plain(value) > 0.0, "the {name} is zero", name=name, hint="give one above zero")
-    require(plain(absolute(angle)) < QUARTER, "{angle} is no incline", angle=(angle, Angle), code="angle",
+        require(plain(value) > 0.0, "the {name} is zero", name=name, hint="give a value above zero")
+    require(plain(absolute(angle)) < QUARTER, "an incline cannot be at {angle}", angle=(angle, Angle), code="angle",
             hint="give an angle between -90 and 90 deg")  # fmt: skip
     weight = mass * gravity
     normal, down = weight * cos(angle), weight * sin(angle)
     lows: list[Limit] = [(down - friction * normal, "slides down")]
     highs: list[Limit] = [(down + friction * normal, "slides up")]
-    turning, base = centre_height * down, 0.5 * width * normal
+    overturning, restoring = centre_height * down, 0.5 * width * normal
     if plain(push_height) > 0.0:
-        lows.append(((turning - base) / push_height, "tips downhill"))
-        highs.append(((turning + base) / push_height, "tips uphill"))
+        lows.append(((overturning - restoring) / push_height, "tips downhill"))
+        highs.append(((overturning + restoring) / push_height, "tips uphill"))
     low, high = max(lows, key=_value), min(highs, key=_value)
-    point = (push_height * push - turning) / normal
+    point = (push_height * push - overturning) / normal
     topples = plain(push_height) == 0.0 and abs(plain(point)) > 0.5 * plain(width)
     exists = plain(low[0]) <= plain(high[0]) and not topples
     margin = min(push - low[0], high[0] - push, key=plain)
@@ -127,4 +127,4 @@ def _value(limit: "Limit") -> float:
 
 
 def _none(low: str, high: str, *, topples: bool) -> str:
-    return "at this height no push keeps it from tipping" if topples else NONE_HOLDS.format(low=low, high=high)
+    return "no push at this height keeps the block from tipping" if topples else NONE_HOLDS.format(low=low, high=high)

@@ -27,7 +27,7 @@ ORIGIN = (0.0, 0.0, 0.0)
 
 @record
 class AtAltitude:
-    """Above the ground."""
+    """At an altitude above the ground."""
 
     altitude: Annotated[Length, "Height above the ground, e.g. 400 km."]
     radius: Annotated[Distance, "Radius of the earth, or of another body, e.g. 6371 km."] = MEAN_RADIUS
@@ -35,10 +35,10 @@ class AtAltitude:
 
 @record
 class Beside:
-    """Beside another mass."""
+    """At a distance from another mass."""
 
     other_mass: Annotated[Mass, "The other mass, e.g. 5.972e24 kg."]
-    distance: Annotated[Distance, "Between the centres, e.g. 7000 km."]
+    distance: Annotated[Distance, "Distance between the centres, e.g. 7000 km."]
 
 
 @record
@@ -46,8 +46,8 @@ class Attraction:
     """The force of gravity on a mass."""
 
     force: Annotated[Force, "Force on the mass [N]."]
-    acceleration: Annotated[Acceleration, "Acceleration that it gives the mass [m/s^2]."]
-    share: Annotated[Ratio | None, "Of the gravity on the ground [-]."]
+    acceleration: Annotated[Acceleration, "Acceleration of the mass [m/s^2]."]
+    share: Annotated[Ratio | None, "Ratio to the acceleration of gravity on the ground [-]."]
 
 
 def gravity(
@@ -65,7 +65,7 @@ def gravity(
     Returns
     -------
     Attraction
-        The force, the acceleration, and at an altitude its share of that on the ground.
+        The force, the acceleration, and at an altitude its ratio to that on the ground.
 
     Raises
     ------
@@ -82,10 +82,10 @@ def gravity(
     8.6822
     """
     if isinstance(place, AtAltitude):
-        require(plain(place.radius) > 0.0, "the radius is zero", code="radius", hint="give one such as 6371 km")
+        require(plain(place.radius) > 0.0, "the radius is zero", code="radius", hint="give for example 6371 km")
         require(
             plain(place.altitude) >= 0.0,
-            "an altitude of {altitude} is below the ground, where gravity falls with depth",
+            "an altitude of {altitude} is below the ground, where gravity decreases with depth",
             altitude=(place.altitude, Length),
             code="altitude",
             hint="give an altitude of zero or more",
@@ -94,7 +94,12 @@ def gravity(
         share = ratio * ratio
         acceleration = gravity * share
         return Attraction(force=mass * acceleration, acceleration=acceleration, share=share)
-    require(plain(place.distance) > 0.0, "the distance is zero", code="distance", hint="give that of the centres")
+    require(
+        plain(place.distance) > 0.0,
+        "the distance is zero",
+        code="distance",
+        hint="give the distance between the centres",
+    )
     acceleration = NEWTON * (place.other_mass / place.distance) / place.distance
     return Attraction(force=mass * acceleration, acceleration=acceleration, share=None)
 
@@ -111,9 +116,9 @@ class Particle:
 class FirstMoment:
     """First moment and mass centre."""
 
-    first_moment: Annotated[MassMoment, "Sum of the masses times their positions from the reference [kg·m]."]
-    mass: Annotated[Mass, "All of the mass [kg]."]
-    centre: Annotated[Position, "The mass centre [m]."]
+    first_moment: Annotated[MassMoment, "Sum of mass times position from the reference [kg·m]."]
+    mass: Annotated[Mass, "Total mass [kg]."]
+    centre: Annotated[Position, "Mass centre [m]."]
 
 
 def first_moment(
@@ -147,17 +152,19 @@ def first_moment(
     >>> first_moment(particles=two).centre
     (0.75, 1.5, 0.0)
     """
-    those = particles if isinstance(particles, tuple) else (particles,)
-    require(len(those) > 0, "no particle is given", code="missing", hint='such as --particle "mass=2 kg, at=1, 0 m"')
-    mass = sum_of_products(*((one.mass,) for one in those))
+    several = particles if isinstance(particles, tuple) else (particles,)
+    require(
+        len(several) > 0, "no particle is given", code="missing", hint='for example --particle "mass=2 kg, at=1, 0 m"'
+    )
+    mass = sum_of_products(*((particle.mass,) for particle in several))
     require(plain(mass) > 0.0, "the masses are zero: there is no mass centre", code="no-mass")
     moment = tuple(
-        sum_of_products(*(term for one in those for term in ((one.mass, one.at[i]), (-1.0, one.mass, about[i]))))
+        sum_of_products(*(term for p in several for term in ((p.mass, p.at[i]), (-1.0, p.mass, about[i]))))
         for i in range(3)
     )
-    about_origin = [sum_of_products(*((one.mass, one.at[i]) for one in those)) for i in range(3)]
+    about_origin = [sum_of_products(*((p.mass, p.at[i]) for p in several)) for i in range(3)]
     return FirstMoment(
         first_moment=moment,  # type: ignore[arg-type]
         mass=mass,
-        centre=tuple(part / mass for part in about_origin),  # type: ignore[arg-type]
+        centre=tuple(component / mass for component in about_origin),  # type: ignore[arg-type]
     )

@@ -14,6 +14,7 @@ from dynamics_cli.impact.conventions import (
     direction_of,
     heading_of,
     mass_of,
+    travel_of,
     velocity_of,
 )
 from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, require_sizes
@@ -38,6 +39,8 @@ from dynamics_cli.impact.particles.oblique_records import (
 )
 from dynamics_cli.impact.particles.springs import Hertz, Spring
 from dynamics_cli.numerics.elementary import absolute, hypot, multiply_add, sqrt, where
+from dynamics_cli.numerics.vectors import planar_cross as cross
+from dynamics_cli.numerics.vectors import planar_dot as dot
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Annotated,
@@ -134,16 +137,6 @@ def oblique(
     return ObliqueImpact(**{**answer.__dict__, "checks": _checks(answer, (mass, two), before, normal, contact)})
 
 
-def dot(a: Pair, b: Pair) -> float:
-    """Scalar product, rounded as if in twice the precision."""
-    return multiply_add(a[0], b[0], a[1] * b[1])
-
-
-def cross(a: Pair, b: Pair) -> float:
-    """The component of a × b out of the plane."""
-    return multiply_add(a[0], b[1], -(a[1] * b[0]))
-
-
 def _normal(line: Normal | Centres | Offset, relative: Pair, axes: Axes) -> tuple[Pair, float]:
     """Unit vector of the line of impact, from the first body to the second, and the closing speed along it."""
     if isinstance(line, Normal):
@@ -190,15 +183,6 @@ def _nose(nose: float | None, velocity: Pair, axes: Axes) -> Pair:
     if nose is not None:
         return direction_of(nose, axes)
     return travel_of(velocity, axes)
-
-
-def travel_of(velocity: Pair, axes: Axes) -> Pair:
-    """Unit vector of travel, of a body at rest the direction of heading zero."""
-    speed = hypot(velocity[0], velocity[1])
-    moves = speed > 0.0
-    safe = where(moves, speed, 1.0)
-    zero = direction_of(0.0, axes)
-    return where(moves, velocity[0] / safe, zero[0]), where(moves, velocity[1] / safe, zero[1])
 
 
 def _after(

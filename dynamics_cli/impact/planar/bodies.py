@@ -12,10 +12,13 @@ from dynamics_cli.impact.conventions import (
     direction_of,
     mass_of,
     side_of,
+    travel_of,
     velocity_of,
 )
 from dynamics_cli.impact.planar.path import Mobility
-from dynamics_cli.numerics.elementary import absolute, hypot, multiply_add, where
+from dynamics_cli.numerics.elementary import absolute, hypot, multiply_add
+from dynamics_cli.numerics.vectors import planar_cross as cross
+from dynamics_cli.numerics.vectors import planar_dot as dot
 from dynamics_cli.quantities import Angle, AngularSpeed, Annotated, Distance, Inertia, PlanarPosition
 from dynamics_cli.records import record
 
@@ -160,15 +163,6 @@ def nose_of(nose: float | None, velocity: Pair, axes: Axes) -> Pair:
     return travel_of(velocity, axes) if nose is None else direction_of(nose, axes)
 
 
-def travel_of(velocity: Pair, axes: Axes) -> Pair:
-    """Unit vector of travel, of a body at rest the direction of heading zero."""
-    speed = hypot(velocity[0], velocity[1])
-    moves = speed > 0.0
-    safe = where(moves, speed, 1.0)
-    zero = direction_of(0.0, axes)
-    return where(moves, velocity[0] / safe, zero[0]), where(moves, velocity[1] / safe, zero[1])
-
-
 def _lever(arm: Lever | Placed | OnBody, contact: Pair | None, nose: Pair, name: str) -> Pair:
     if isinstance(arm, Lever):
         return arm.lever
@@ -187,16 +181,6 @@ def _lever(arm: Lever | Placed | OnBody, contact: Pair | None, nose: Pair, name:
         code="no-contact-point",
     )
     return contact[0] - arm.centre[0], contact[1] - arm.centre[1]  # type: ignore[index]
-
-
-def dot(a: Pair, b: Pair) -> float:
-    """Scalar product."""
-    return multiply_add(a[0], b[0], a[1] * b[1])
-
-
-def cross(a: Pair, b: Pair) -> float:
-    """The part of a × b out of the plane."""
-    return multiply_add(a[0], b[1], -(a[1] * b[0]))
 
 
 def contact_velocity(a: Solid, b: Solid) -> Pair:

@@ -2,11 +2,13 @@
 
 from dynamics_cli.errors import worded
 from dynamics_cli.impact.diagnostics import balance, not_above
-from dynamics_cli.impact.planar.bodies import Pair, Solid, cross, dot, far_levers
+from dynamics_cli.impact.planar.bodies import Pair, Solid, far_levers
 from dynamics_cli.impact.planar.laws import ON_THE_PATH, Meeting, Outcome
 from dynamics_cli.impact.planar.path import travel
 from dynamics_cli.numerics.elementary import absolute, hypot
 from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.vectors import planar_cross as cross
+from dynamics_cli.numerics.vectors import planar_dot as dot
 from dynamics_cli.quantities import Ratio
 from dynamics_cli.records import Advice, Check
 

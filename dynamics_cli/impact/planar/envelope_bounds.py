@@ -11,13 +11,14 @@ from decimal import Decimal, localcontext
 
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.impact.conventions import direction_of
-from dynamics_cli.impact.planar.bodies import Solid, cross, solid
+from dynamics_cli.impact.planar.bodies import Solid, solid
 from dynamics_cli.impact.planar.impact import meeting_of
 from dynamics_cli.impact.planar.laws import Meeting, outcome
 from dynamics_cli.impact.planar.path import Mobility
 from dynamics_cli.impact.spatial.arithmetic import widened
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.exact.many_digits import CONTEXT, DIGITS, ManyDigits
+from dynamics_cli.numerics.vectors import planar_cross as cross
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

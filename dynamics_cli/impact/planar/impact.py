@@ -24,7 +24,6 @@ from dynamics_cli.impact.planar.bodies import (
     RigidTarget,
     Solid,
     contact_velocity,
-    dot,
     mobility,
     solid,
 )
@@ -38,6 +37,7 @@ from dynamics_cli.impact.planar.laws import LAW, LAWS, Law, Meeting, Outcome, cr
 from dynamics_cli.impact.planar.results import Alternative, Critical, PlanarImpact, after_impact
 from dynamics_cli.numerics.elementary import absolute, hypot, maximum, sqrt, where
 from dynamics_cli.numerics.number import single
+from dynamics_cli.numerics.vectors import planar_dot as dot
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,

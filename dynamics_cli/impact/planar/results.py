@@ -1,8 +1,9 @@
 """Results of a planar impact, body by body."""
 
-from dynamics_cli.impact.conventions import Axes, Conventions, DeltaV, PdofZero, delta_v, heading_of
-from dynamics_cli.impact.planar.bodies import Pair, Solid, cross, travel_of
+from dynamics_cli.impact.conventions import Axes, Conventions, DeltaV, PdofZero, delta_v, heading_of, travel_of
+from dynamics_cli.impact.planar.bodies import Pair, Solid
 from dynamics_cli.numerics.elementary import hypot
+from dynamics_cli.numerics.vectors import planar_cross as cross
 from dynamics_cli.quantities import (
     Angle,
     AngularImpulse,

@@ -7,6 +7,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.impact.planar.bodies import Pair
 from dynamics_cli.impact.spatial.arithmetic import fused, length, root, total
 from dynamics_cli.numerics.inertia_tensor import require_inertia_of_body
+from dynamics_cli.numerics.vectors import add
 
 Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
@@ -127,16 +128,6 @@ def times(matrix: Matrix, vector: Vector) -> Vector:
 def combine(frame: Matrix, parts: Vector) -> Vector:
     """Sum of the frame's vectors times `parts`."""
     return tuple(sum(part * axis[i] for part, axis in zip(parts, frame, strict=True)) for i in range(3))  # type: ignore[return-value]
-
-
-def add(a: Vector, b: Vector) -> Vector:
-    """Sum."""
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
-def subtract(a: Vector, b: Vector) -> Vector:
-    """Difference."""
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 def determinant(matrix: Matrix) -> float:

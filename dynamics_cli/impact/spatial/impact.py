@@ -14,12 +14,12 @@ from dynamics_cli.impact.spatial.bodies import (
     nothing,
     relative_velocity,
     require_inertia,
-    subtract,
     unit,
 )
 from dynamics_cli.impact.spatial.hodograph import ORDER, STRIDE, travel
 from dynamics_cli.impact.spatial.results import Solved, SpatialImpact
 from dynamics_cli.impact.spatial.straight_slip import End
+from dynamics_cli.numerics.vectors import subtract
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     AngularVelocity,

@@ -7,16 +7,15 @@ from dynamics_cli.impact.spatial.bodies import (
     Matrix,
     SolidInSpace,
     Vector,
-    add,
     combine,
     cross,
     dot,
     nothing,
     scaled,
-    subtract,
     times,
 )
 from dynamics_cli.impact.spatial.straight_slip import End, stick_ratio
+from dynamics_cli.numerics.vectors import add, subtract
 from dynamics_cli.quantities import (
     Angle,
     AngularVelocity,

@@ -15,11 +15,11 @@ from dynamics_cli.impact.spatial.bodies import (
     nothing,
     relative_velocity,
     require_inertia,
-    subtract,
     unit,
 )
 from dynamics_cli.impact.spatial.impact import approach, lever_of
 from dynamics_cli.impact.spatial.scene_records import ByMoment, ByRadius, ByTensor, Scene, SceneBody, YawRate
+from dynamics_cli.numerics.vectors import subtract
 
 # A value smaller than this share of its reference is rounding of the inputs and counts as absent.
 ABSENT = 10**13

@@ -6,11 +6,12 @@ from dynamics_cli.errors import DynamicsError, require
 from dynamics_cli.inertia.assembly.assembly import Assembly, compose_scene
 from dynamics_cli.inertia.assembly.parts import each_number
 from dynamics_cli.inertia.assembly.report import stated
-from dynamics_cli.inertia.bodies.mass_moments import less, tensor_of
+from dynamics_cli.inertia.bodies.mass_moments import tensor_of
 from dynamics_cli.inertia.bodies.principal_tracked import in_many_digits
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt, total
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import product, transposed
+from dynamics_cli.numerics.vectors import subtract
 from dynamics_cli.quantities import (
     Angle,
     Annotated,
@@ -109,7 +110,7 @@ def compare(scene: Annotated[Pair, "The bodies, `first` and `second`, each with 
     2.0
     """
     a, b = compose_scene(scene.first), compose_scene(scene.second)
-    shift = less(b.lump.centroid, a.lump.centroid)
+    shift = subtract(b.lump.centroid, a.lump.centroid)
     rows = tuple(_row(*row) for row in _numbers(a, b))
     angle, advice = _angle(a, b)
     tilt = None if angle is None or in_many_digits(a.spread.axes) else _turn_error(scene, a, b, angle)

@@ -1,9 +1,10 @@
 """Plausibility of holes: inside their bodies, and with a density that a body has."""
 
-from dynamics_cli.inertia.bodies.mass_moments import less, plus, times
+from dynamics_cli.inertia.bodies.mass_moments import times
 from dynamics_cli.inertia.shapes.wires import wires
 from dynamics_cli.numerics.number import is_tracked, plain
 from dynamics_cli.numerics.orientation.rotations import transposed
+from dynamics_cli.numerics.vectors import add, subtract
 from dynamics_cli.records import Advice, over_parts
 
 TYPE_CHECKING = False
@@ -64,7 +65,7 @@ class _Box:
 
     def holds(self, point: "Vector") -> bool:
         """Whether a point is within it."""
-        local = times(self.back, less(point, self.origin))
+        local = times(self.back, subtract(point, self.origin))
         return all(low <= x <= high for low, x, high in zip(self.low, local, self.high, strict=True))
 
 
@@ -72,7 +73,7 @@ def _leaves(hole: "Leaf", boxes: "list[_Box]") -> bool:
     """Whether a point of a hole is outside the boxes of all bodies."""
     origin, rotation = _plain(hole.origin), _plain(hole.rotation)
     points = [point for wire in wires(_plain(hole.part.shape)) for point in wire]
-    return any(not any(box.holds(plus(origin, times(rotation, point))) for box in boxes) for point in points)
+    return any(not any(box.holds(add(origin, times(rotation, point))) for box in boxes) for point in points)
 
 
 def _plain(tree: "Any") -> "Any":

@@ -1,9 +1,9 @@
 """Standard uncertainties of measured parts rolled up to the assembly, in first order and for independent parts."""
 
-from dynamics_cli.inertia.bodies.mass_moments import less
 from dynamics_cli.inertia.bodies.records import Deviation
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, product
+from dynamics_cli.numerics.vectors import subtract
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def deviation(assembly: "Composed") -> Deviation | None:
     for leaf, piece in leaves:
         sigma = plain(leaf.part.mass_std or 0.0)
         mass_variance += sigma * sigma
-        away = tuple(plain(x) for x in less(piece.centroid, middle))  # type: ignore[arg-type]
+        away = tuple(plain(x) for x in subtract(piece.centroid, middle))  # type: ignore[arg-type]
         along = _centroid_variances(leaf)
         fraction = plain(piece.mass) / total
         for k in range(3):

@@ -7,9 +7,7 @@ from dynamics_cli.inertia.bodies.mass_moments import (
     Lump,
     added,
     each,
-    less,
     outer,
-    plus,
     scaled,
     times,
     turned,
@@ -26,6 +24,7 @@ from dynamics_cli.inertia.bodies.principal_tracked import (
 )
 from dynamics_cli.numerics.number import is_tracked, plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, departure, product
+from dynamics_cli.numerics.vectors import add, subtract
 from dynamics_cli.quantities import Inertia, Mass
 
 TYPE_CHECKING = False
@@ -64,13 +63,13 @@ def composed(walk: "Walk", *, asked: bool) -> Composed:
         group = Group((0.0, 0.0, 0.0), IDENTITY, 1.0)
         group.members.extend(leaves)
     total = _sum(pieces if group is not walk.group else _pieces(group, base, IDENTITY))  # type: ignore[arg-type]
-    centroid = plus(base, total.centroid)  # type: ignore[arg-type]
+    centroid = add(base, total.centroid)  # type: ignore[arg-type]
     first = spread_of(total.second)
     if any(not piece.mass > 0.0 for piece in pieces):
         _require_body(total, first)
     spread = _second_pass(group, base, first)  # type: ignore[arg-type]
     properties = Lump(total.mass, centroid, total.second)
-    placed = [Lump(piece.mass, plus(base, piece.centroid), piece.second) for piece in pieces]  # type: ignore[arg-type]
+    placed = [Lump(piece.mass, add(base, piece.centroid), piece.second) for piece in pieces]  # type: ignore[arg-type]
     return Composed(walk, properties, spread, placed, asked=asked)
 
 
@@ -137,10 +136,10 @@ def _piece(
     ahead: bool = False,
 ) -> "Lump | _Sums":
     """A member of an assembly from `base`; holes are negative. `ahead`: its moments are along `frame` already."""
-    away = less(member.origin, base)
+    away = subtract(member.origin, base)
     if frame is not IDENTITY:
         away = times(frame, away)
-    centroid = plus(away, own.centroid if rotation is IDENTITY else times(rotation, own.centroid))
+    centroid = add(away, own.centroid if rotation is IDENTITY else times(rotation, own.centroid))
     mass, second = own.mass, own.second if ahead else turned(own.second, rotation)
     if member.sign < 0.0:
         mass, second = -mass, scaled(-1.0, second)
@@ -154,13 +153,13 @@ def _added(pieces: "Sequence[Lump | _Sums]", near: "Vector") -> "tuple[float, Ve
     """Mass, first and second moments of all pieces about a point."""
     mass, first, second = 0.0, (0.0, 0.0, 0.0), NOTHING
     for piece in pieces:
-        d = less(piece.centroid, near)
+        d = subtract(piece.centroid, near)
         mass = piece.mass + mass
-        first = plus(first, (piece.mass * d[0], piece.mass * d[1], piece.mass * d[2]))
+        first = add(first, (piece.mass * d[0], piece.mass * d[1], piece.mass * d[2]))
         second = added(second, added(piece.second, outer(piece.mass, d)))
         if isinstance(piece, _Sums):
             f = piece.first
-            first = plus(first, f)
+            first = add(first, f)
             cross = [[d[i] * f[j] + f[i] * d[j] for j in range(3)] for i in range(3)]
             second = added(second, tuple(map(tuple, cross)))  # type: ignore[arg-type]
     return mass, first, second
@@ -178,7 +177,7 @@ def _sum(pieces: "Sequence[Lump | _Sums]") -> Lump:
         mass=(mass, Mass),
     )
     rest = (first[0] / mass, first[1] / mass, first[2] / mass)
-    return Lump(mass, plus(near, rest), added(second, outer(-mass, rest)))
+    return Lump(mass, add(near, rest), added(second, outer(-mass, rest)))
 
 
 def _near(pieces: "Sequence[Lump | _Sums]") -> "Vector":

@@ -1,10 +1,11 @@
 """Moments about lines and shafts."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.bodies.mass_moments import less, turned
+from dynamics_cli.inertia.bodies.mass_moments import turned
 from dynamics_cli.inertia.bodies.principal_tracked import root
 from dynamics_cli.inertia.bodies.records import ShaftMoment
 from dynamics_cli.numerics.elementary import hypot
+from dynamics_cli.numerics.vectors import subtract
 from dynamics_cli.records import Measured
 
 TYPE_CHECKING = False
@@ -41,7 +42,7 @@ def complement(u: "Vector") -> "tuple[Vector, Vector]":
 def moment_about(body: "Lump", point: "Vector", direction: "Vector") -> "tuple[float, float]":
     """Moment of inertia about a line, as a sum of two second moments, and the mass centre's distance."""
     moment = distance = 0.0
-    d = less(body.centroid, point)
+    d = subtract(body.centroid, point)
     for e in complement(unit(direction)):
         along = turned(body.second, (e, e, e))[0][0]
         off = e[0] * d[0] + e[1] * d[1] + e[2] * d[2]

@@ -6,6 +6,7 @@ is any matrix without a negative eigenvalue, so laminae, rods and needles need n
 
 from dynamics_cli.numerics.number import is_array, is_tracked
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, product
+from dynamics_cli.numerics.vectors import add, subtract
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -68,16 +69,6 @@ def each(change: "Callable[[float], float]", v: "tuple[float, ...]") -> "Vector"
     return change(a), change(b), change(c)
 
 
-def less(a: "Vector", b: "Vector") -> "Vector":
-    """The vector from `b` to `a`."""
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-def plus(a: "Vector", b: "Vector") -> "Vector":
-    """The sum of two vectors."""
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
 def times(matrix: "Matrix", vector: "Vector") -> "Vector":
     """A matrix applied to a vector."""
     return tuple(row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2] for row in matrix)  # type: ignore[return-value]
@@ -103,7 +94,7 @@ def outer(scale: float, d: "Vector") -> "Matrix":
 
 def added(a: "Matrix", b: "Matrix") -> "Matrix":
     """The sum of two matrices."""
-    return tuple(plus(x, y) for x, y in zip(a, b, strict=True))  # type: ignore[return-value]
+    return tuple(add(x, y) for x, y in zip(a, b, strict=True))  # type: ignore[return-value]
 
 
 def scaled(scale: float, a: "Matrix") -> "Matrix":
@@ -113,5 +104,5 @@ def scaled(scale: float, a: "Matrix") -> "Matrix":
 
 def about(body: Lump, point: "Vector") -> "Matrix":
     """Second moments about another point: S + m d dᵀ."""
-    d = less(body.centroid, point)
+    d = subtract(body.centroid, point)
     return added(body.second, outer(body.mass, d))

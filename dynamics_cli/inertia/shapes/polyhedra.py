@@ -1,10 +1,10 @@
 """Solids with flat faces. The measure is the volume."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.bodies.mass_moments import less, plus
 from dynamics_cli.inertia.shapes.polygon import Vertex, polygon_unit
 from dynamics_cli.inertia.shapes.unit import CENTRE, PI, Unit
 from dynamics_cli.numerics.elementary import cos, sin
+from dynamics_cli.numerics.vectors import add, subtract
 from dynamics_cli.quantities import Annotated, Count, PartPosition, Size
 from dynamics_cli.records import record, tagged
 
@@ -120,13 +120,13 @@ class Tetrahedron:
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         corners = (self.first, self.second, self.third, self.fourth)
-        a, b, c = (less(corner, self.first) for corner in corners[1:])
-        edges = (a, b, c, less(b, a), less(c, b), less(a, c))
+        a, b, c = (subtract(corner, self.first) for corner in corners[1:])
+        edges = (a, b, c, subtract(b, a), subtract(c, b), subtract(a, c))
         volume = (
             a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
         ) / 6.0
-        away = plus(plus(a, b), c)
-        middle = plus(self.first, (0.25 * away[0], 0.25 * away[1], 0.25 * away[2]))
+        away = add(add(a, b), c)
+        middle = add(self.first, (0.25 * away[0], 0.25 * away[1], 0.25 * away[2]))
         ixx = [
             [sum((e[i] * e[j] for e in edges[1:]), edges[0][i] * edges[0][j]) / 80.0 for j in range(3)]
             for i in range(3)

@@ -1,8 +1,9 @@
 """Inertia force and torque of a moving rigid body: d'Alembert's addition to the applied forces."""
 
 from dynamics_cli.errors import require_given
-from dynamics_cli.inertia.bodies.mass_moments import minus, plus, times
+from dynamics_cli.inertia.bodies.mass_moments import minus, times
 from dynamics_cli.numerics.elementary import hypot
+from dynamics_cli.numerics.vectors import add
 from dynamics_cli.quantities import (
     AccelerationVector,
     AngularAccelerationVector,
@@ -93,7 +94,7 @@ def torque(
     momentum = times(tensor, angular_velocity)
     inertial = opposite(times(tensor, angular_acceleration))
     gyroscopic = _gyroscopic(tensor, angular_velocity)
-    total = plus(inertial, gyroscopic)
+    total = add(inertial, gyroscopic)
     w = angular_velocity
     force = None
     if mass is not None or acceleration is not None:
