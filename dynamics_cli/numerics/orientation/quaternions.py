@@ -111,21 +111,25 @@ def of_rotation(m: Matrix) -> Quaternion:
 
 def axis_and_angle(q: Quaternion) -> tuple[Vector, float]:
     """Axis and angle of a unit quaternion with w ≥ 0: the angle from 0 to 180°; for no turn the axis is z."""
+    axis, angle, _ = axis_angle_and_vector(q)
+    return axis, angle
+
+
+def vector_of(q: Quaternion) -> Vector:
+    """The rotation vector of a unit quaternion with w ≥ 0: the logarithm."""
+    return axis_angle_and_vector(q)[2]
+
+
+def axis_angle_and_vector(q: Quaternion) -> tuple[Vector, float, Vector]:
+    """Axis, angle and rotation vector."""
     w, x, y, z = q
     size = length((x, y, z))
     still = size == 0.0
     divisor = where(still, 1.0, size)
     axis = (x / divisor, y / divisor, where(still, 1.0, z / divisor))
-    return axis, 2.0 * atan2(size, w)
-
-
-def vector_of(q: Quaternion) -> Vector:
-    """The rotation vector of a unit quaternion with w ≥ 0: the logarithm."""
-    w, x, y, z = q
-    size = length((x, y, z))
-    still = size == 0.0
-    factor = where(still, 2.0, 2.0 * atan2(size, w) / where(still, 1.0, size))
-    return factor * x, factor * y, factor * z
+    angle = 2.0 * atan2(size, w)
+    factor = where(still, 2.0, angle / divisor)
+    return axis, angle, (factor * x, factor * y, factor * z)
 
 
 def between_directions(first: Vector, second: Vector) -> Quaternion:

@@ -5,7 +5,7 @@ fixed axes are those about the body's in reverse order, so one kernel serves all
 """
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import atan2, hypot, pi_beside, where
+from dynamics_cli.numerics.elementary import atan2, hypot, maximum, minimum, pi_beside, where
 from dynamics_cli.numerics.orientation.quaternions import Quaternion, multiply, opposite
 from dynamics_cli.numerics.orientation.rotations import ORDERS, Matrix
 from dynamics_cli.numerics.turns import turned
@@ -194,7 +194,7 @@ def angles_of_quaternion(q: Quaternion, sequence: Sequence, *, zero_third: bool 
         first, second = hypot(p, r), hypot(s, t)
         b = 2.0 * atan2(second, first)
         margin = 2.0 * first * second
-        distance = 2.0 * where(first < second, atan2(first, second), atan2(second, first))
+        distance = 2.0 * atan2(minimum(first, second), maximum(first, second))
     else:
         p, r, s, t = w - v[j], v[i] - _signed(e, v[last]), w + v[j], v[i] + _signed(e, v[last])
         first, second = hypot(p, r), hypot(s, t)
@@ -202,7 +202,7 @@ def angles_of_quaternion(q: Quaternion, sequence: Sequence, *, zero_third: bool 
         # 2·atan2(second, first) − 90° would lose the digits of a small angle
         b = 2.0 * atan2(4.0 * (w * v[j] + _signed(e, v[i] * v[last])), total * total)
         margin = first * second
-        distance = 2.0 * where(first < second, atan2(first, second), atan2(second, first))
+        distance = 2.0 * atan2(minimum(first, second), maximum(first, second))
     plus, minus = _angle_or_zero(r, p, first), _angle_or_zero(t, s, second)
     locked = margin == 0.0
     a, c = plus + minus, plus - minus

@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import is_many, plain, single
-from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, normalized, vector_of
+from dynamics_cli.numerics.orientation.quaternions import axis_angle_and_vector, normalized
 from dynamics_cli.numerics.orientation.rotations import ORDERS, ByMatrix, Euler, determinant, product, transposed
 from dynamics_cli.numerics.orientation.rotations import from_quaternion as matrix_of
 from dynamics_cli.numerics.orientation.sequences import (
@@ -124,7 +124,7 @@ def convert(
     rotation = orientation(turn)
     angles = rotation.angles(order, zero_third=zero == "third")
     q = rotation.quaternion
-    axis, angle = axis_and_angle(q)
+    axis, angle, vector = axis_angle_and_vector(q)
     # words, tables and checks are about one case in doubles
     alone = single(*q) and not is_many(q[0])
     w, x, y, z = q
@@ -135,7 +135,7 @@ def convert(
         rotation_axis=axis,
         euler_angles=angles.angles if near is None else nearest(angles, near),
         quaternion=q,
-        rotation_vector=vector_of(q),
+        rotation_vector=vector,
         rotation_matrix=rotation.matrix,
         alternative_angles=angles.alternative,
         lock_distance=angles.distance,

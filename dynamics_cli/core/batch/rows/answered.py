@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from dynamics_cli.core.batch.text.columns import Unsuited, joined_texts, texts
+from dynamics_cli.core.batch.text.columns import Unsuited, joined_texts
 from dynamics_cli.core.output.row_layout import Part, compact
 from dynamics_cli.core.units.display import Shown
 from dynamics_cli.errors import UsageError
@@ -18,12 +18,13 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
     Mask = NDArray[Any]
     Rows = NDArray[np.int64]
-    # (part, "each", one value or text a row), (part, "measured", (texts, units)) or (part, "all", that of every row).
+    # (part, "each", one value or text a row), (part, "measured", (texts, units)), (part, "all", that of every row) or
+    # (part, "beside", None) where its text is that of the part before.
     Result = tuple[Part, str, Any]
 
 NAN = float("nan")
 # Numbers whose texts are put together at once, and the fewest rows.
-SLICE_NUMBERS, LEAST_SLICE = 5_000, 100
+SLICE_NUMBERS, LEAST_SLICE = 10_000, 100
 
 
 class Answered:
@@ -125,28 +126,33 @@ def _rows(how: str, value: "Any", rows: slice) -> "Any":
 
 
 def written(results: "list[Result]", form: str) -> "list[Result]":
-    """Columns as texts: the shortest text of every number, flags and compound numbers as the format writes them."""
+    """Columns as texts: the shortest text of every number, flags and compound numbers as the format writes them.
+
+    Neighbours with nothing but commas between them are written together, which saves a split and a join for each row;
+    those after the first are then (part, "beside", None).
+    """
     made: list[Result] = []
     side: list[Array] = []
     for part, how, value in results:
-        if how == "each" and isinstance(value, np.ndarray):
-            if value.dtype == object:
-                value = _listed(value.tolist(), part, form)
-            elif form == "csv":
-                # Neighbouring columns are written together, which saves a split and a join for each row.
-                side.append(value)
-                if len(side) > 1:
-                    made.pop()
-                made.append((part, how, side))
-                continue
-            else:
-                value = texts(value)
-        side = []
-        made.append((part, how, value))
+        if how != "each" or not isinstance(value, np.ndarray) or value.dtype == object:
+            side = []
+            listed = how == "each" and isinstance(value, np.ndarray)
+            made.append((part, how, _listed(value.tolist(), part, form) if listed else value))
+        elif side and (form == "csv" or (form == "ndjson" and _in_one_list(part, made[-1][0]))):
+            side.append(value)
+            made.append((part, "beside", None))
+        else:
+            side = [value]
+            made.append((part, how, side))
     return [
         (part, how, joined_texts(value) if how == "each" and value and isinstance(value[0], np.ndarray) else value)
         for part, how, value in made
     ]
+
+
+def _in_one_list(part: Part, before: Part) -> bool:
+    """Whether two results are components of the same vector, or of the same row of a matrix."""
+    return isinstance(part.steps[-1], int) and part.steps[:-1] == before.steps[:-1]
 
 
 def _listed(rows: "list[Any]", part: Part, form: str) -> "list[bytes]":

@@ -73,7 +73,8 @@ class Output(ABC):
     def pieces(self, echoes: "list[bytes]", results: "list[tuple[Part, str, Any]]") -> "list[Piece]":
         """Many rows with their results, for weaving.
 
-        A result is (part, "each", list of cells) or (part, "all", the value that every row has).
+        A result is (part, "each", list of cells), (part, "all", the value that every row has) or (part, "beside", None)
+        where its cells are with those of the result before.
         """
 
 
@@ -115,6 +116,8 @@ class CsvOutput(Output):
         """Cells between commas, the last one (the error's) empty."""
         pieces: list[Piece] = [echoes, b","] if self.source.heads else []
         for part, how, value in results:
+            if how == "beside":
+                continue
             if how == "each":
                 pieces.append(value)
             elif how == "measured":
