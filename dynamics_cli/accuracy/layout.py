@@ -1,5 +1,7 @@
 """The report for people: a line for each question, or every method of the questions of one task."""
 
+from statistics import median
+
 from dynamics_cli.accuracy import listing
 from dynamics_cli.accuracy.rows import CHOSEN, ESTIMATE
 from dynamics_cli.core.documents import quantity
@@ -21,19 +23,23 @@ FEW_QUESTIONS = 4
 FEW_DIGITS = 1e-10
 # What columns and marks mean, by the first word of the column's title; said of those that are there.
 LEGEND = {
-    "worst": "worst, median: errors as shares of the true value; 1e-16 is its last digit, 1 is no digit right",
-    "few": "a worst error this large is that of a result close to zero, and its bound is as large",
+    "worst": "errors are shares of the true value (1e-16: its last digit, 1: no digit right)",
+    "°": "°: of a result close to zero, and its stated error is as large",
     "truly": "truly: a result so close to zero that a small error is a large share of it",
-    "bound": "held ×n: the error stated with the answer was never too small, typically n times the true one",
+    "stated": "held ×n: stated errors were never too small, typically n times the true one",
     "~": "~: an estimate",
     "ratio": "ratio: time over that of the program's own method (▸), for the formula alone",
     "arrays": "arrays: time per case in one call on arrays",
     "gives": "gives: how many of our results the method gives",
     "cases": "a/b: a of b cases answered",
     "*": "*: no other method is as quick and as exact",
-    "instead": "instead: the worst error of the textbook's method",
+    "textbook": "textbook: its worst error (wrong: no digit right)",
+    "its": "its time: over ours",
+    "wrong": "wrong: textbooks' methods with a case without a right digit",
     "¹": "¹: errors in another measure, named with the question alone",
 }
+# The least error that is called wrong.
+WRONG = 0.95
 
 
 class Column:
@@ -51,8 +57,12 @@ def lines(results: "Entry", digits: int, width: int) -> "list[str]":
     if "cases" in results:
         return listing.lines(results["cases"], _wrapped, width)
     blocks = _blocks(results["methods"])
+    families = {rows[0]["family"] for rows in blocks}
     several = len(blocks) > 1 and len({(rows[0]["family"], rows[0]["task"]) for rows in blocks}) > 1
-    if (several or len(blocks) > FEW_QUESTIONS) and "peers" not in results:
+    if len(families) > 1 and "peers" not in results:
+        text, seen = _of_families(blocks, digits, width)
+        more = "a line for each task: dynamics accuracy FAMILY"
+    elif (several or len(blocks) > FEW_QUESTIONS) and "peers" not in results:
         text, seen = _overview(blocks, digits, width)
         more = f"every method of a task: dynamics accuracy {_example(blocks)}"
     else:
@@ -67,31 +77,86 @@ def _example(blocks: "list[list[Entry]]") -> str:
     return f"{rows[0]['family']} {rows[0]['task']}".strip()
 
 
-def _overview(blocks: "list[list[Entry]]", digits: int, width: int) -> "tuple[list[str], set[str]]":
-    """A line for each question: the program's own method, and the worst error of the first alternative."""
-    rows = [rows[0] | {"instead": _instead(rows, digits)} for rows in blocks]
+def _of_families(blocks: "list[list[Entry]]", digits: int, width: int) -> "tuple[list[str], set[str]]":
+    """A line for each family: the program's own methods, and how often the textbook's go wrong."""
+    by_family: dict[str, list[list[Entry]]] = {}
+    for block in blocks:
+        by_family.setdefault(block[0]["family"], []).append(block)
+    rows = [_summed(asked) for asked in by_family.values()]
     columns = _fitting(
-        [*_columns(rows, digits, brief=True), Column("instead", lambda row: row["instead"])], rows, width
-    )
-    names = [row["question"] + ("" if row["measure"] == "relative" else " ¹") for row in rows]
-    title = "the program's own methods"
-    room = min(max(map(len, (title, *names))), width - 2 - sum(2 + size for _, size in columns))
-    text = ["", f"  {title:<{room}}" + "".join(f"  {column.title:>{size}}" for column, size in columns)]
+        [
+            Column("questions", lambda row: str(row["asked"])),
+            *_columns(rows, digits, brief=True),
+            Column("wrong", lambda row: row["wrong"]),
+        ],
+        rows, width,
+    )  # fmt: skip
+    return _listed("our own methods", list(by_family), rows, columns, width)
+
+
+def _summed(asked: "list[list[Entry]]") -> "Entry":
+    """The worst of the program's methods for questions of a family, and the medians of all."""
+    own = [block[0] for block in asked]
+    row = dict(max([one for one in own if one["measure"] == "relative"] or own, key=lambda one: one["worst"]["value"]))
+    for name in ("median", "looseness", "time"):
+        entries = [one[name] for one in own if name in one]
+        row |= {name: entries[0] | {"value": median(entry["value"] for entry in entries)}} if entries else {}
+    row |= {name: {"value": sum(one[name]["value"] for one in own)} for name in ("stated", "broken")}
+    others = [other for other in map(_other, asked) if other]
+    wrong = sum(_is_wrong(other) for other in others)
+    return row | {"asked": len(asked), "wrong": f"{wrong} of {len(others)}" if others else ""}
+
+
+def _overview(blocks: "list[list[Entry]]", digits: int, width: int) -> "tuple[list[str], set[str]]":
+    """A line for each question: the program's own method, and the first alternative."""
+    rows = [rows[0] | {"other": _other(rows)} for rows in blocks]
+    columns = _fitting(
+        [
+            *_columns(rows, digits, brief=True),
+            Column("textbook", lambda row: _instead(row["other"], digits)),
+            Column("its time", lambda row: _slower(row["other"]), 1),
+        ],
+        rows, width,
+    )  # fmt: skip
+    return _listed("our own methods", [row["question"] for row in rows], rows, columns, width)
+
+
+def _listed(
+    title: str, names: "list[str]", rows: "list[Entry]", columns: "list[tuple[Column, int]]", width: int
+) -> "tuple[list[str], set[str]]":
+    """Rows by their names, and what of the legend they need."""
+    names = [
+        name + ("" if row["measure"] == "relative" else " ¹") for name, row in zip(names, rows, strict=True)
+    ]  # fmt: skip
+    room = min(max(map(len, (title, *names))), width - sum(2 + size for _, size in columns))
+    text = [f"{title:<{room}}" + "".join(f"  {column.title:>{size}}" for column, size in columns)]
     for name, row in zip(names, rows, strict=True):
         figures = "".join(f"  {column.text(row):>{size}}" for column, size in columns)
-        text.append(f"  {_clipped(name, room):<{room}}{figures}".rstrip())
-    marks = {"¹"} if any(name.endswith("¹") for name in names) else set()
-    if any(row["worst"]["value"] > FEW_DIGITS and row["stated"]["value"] for row in rows):
-        marks.add("few")
+        text.append(f"{_clipped(name, room):<{room}}{figures}".rstrip())
+    marks = {mark for mark in "¹°" if any(mark in line for line in text)}
     return text, _seen(columns, rows) | marks
 
 
-def _instead(rows: "list[Entry]", digits: int) -> str:
-    """The worst error of the first alternative that answers, or its pieces."""
-    other = next((row for row in rows[1:] if row["cases"]["value"]), None)
-    if other is None:
+def _other(rows: "list[Entry]") -> "Entry | None":
+    """The first alternative that answers."""
+    return next((row for row in rows[1:] if row["cases"]["value"]), None)
+
+
+def _is_wrong(row: "Entry") -> bool:
+    return bool(row["measure"] == "relative" and row["worst"]["value"] >= WRONG)
+
+
+def _instead(row: "Entry | None", digits: int) -> str:
+    """The worst error of an alternative, or its pieces."""
+    if row is None:
         return ""
-    return whole(other["entities"]["value"], digits) if "entities" in other else error(other["worst"]["value"], digits)
+    if "entities" in row:
+        return whole(row["entities"]["value"], digits)
+    return "wrong" if _is_wrong(row) else error(row["worst"]["value"], digits)
+
+
+def _slower(row: "Entry | None") -> str:
+    return f"×{short(row['slower']['value'], 2)}" if row and "slower" in row else ""
 
 
 def _details(blocks: "list[list[Entry]]", digits: int, width: int) -> "tuple[list[str], set[str]]":
@@ -114,42 +179,40 @@ def _seen(columns: "list[tuple[Column, int]]", rows: "list[Entry]") -> "set[str]
 
 
 def _legend(seen: "set[str]", width: int) -> "list[str]":
-    return [
-        f"  {line}" for line in _wrapped("; ".join(words for key, words in LEGEND.items() if key in seen), width - 2)
-    ]
+    return _wrapped("; ".join(words for key, words in LEGEND.items() if key in seen), width)
 
 
 def _about(results: "Entry", more: str, width: int) -> "list[str]":
     """What times were measured on, libraries of others, and what can be asked next."""
     notes = []
-    if "call_time" in results:
-        call = results["call_time"]
+    if "machine" in results and "call_time" in results:
+        machine, call = results["machine"], results["call_time"]
         notes.append(
-            f"a whole call takes {short(call['value'], 3)} {call['unit']}, nearly all of it the start of Python"
+            f"measured on {machine['processor']}, {machine['python']}; a whole call takes {short(call['value'], 2)} "
+            f"{call['unit']}, mostly the start of Python"
         )
-    if "machine" in results:
-        machine = results["machine"]
-        notes.append(f"measured on {machine['processor']}, {machine['python']}, numpy {machine['numpy']}")
     if "peers" in results:
         there = [f"{peer['name']} {peer['version']}" for peer in results["peers"] if peer["installed"]]
         gone = [peer["name"] for peer in results["peers"] if not peer["installed"]]
         notes.append(f"libraries of others: {', '.join(there) or 'none'}")
         notes += [f"not here: {', '.join(gone)}"] if gone else []
     notes += [more] if more else []
-    return ["", *(f"  {line}" for text in notes for line in _wrapped(text, width - 2))] if notes else []
+    return [line for text in notes for line in _wrapped(text, width)]
 
 
 def _columns(rows: "list[Entry]", digits: int, *, brief: bool = False) -> "list[Column]":
     def unit(name: str) -> str:
-        return next((f" {row[name]['unit']}" for row in rows if name in row), "")
+        return next((f" {row[name]['unit']}" for row in rows if name in row), "").replace(" us", " µs")
 
     def figure(name: str, form: "Callable[[float, int], str]" = short) -> "Callable[[Entry], str]":
         return lambda row: form(row[name]["value"], digits) if name in row else ""
 
+    small = brief and any(map(_is_small, rows))
+    worst = figure("worst", error)
     columns = [
-        Column("worst", figure("worst", error)),
+        Column("worst", (lambda row: worst(row) + ("°" if _is_small(row) else " ")) if small else worst),
         Column("median", figure("median", error), 5),
-        Column("bound", _bound),
+        Column("stated", _bound),
         Column(f"time{unit('time')}", figure("time", whole), 2),
         Column(f"arrays{unit('array_time')}", figure("array_time"), 4),
         Column("ratio", figure("slower")),
@@ -157,9 +220,13 @@ def _columns(rows: "list[Entry]", digits: int, *, brief: bool = False) -> "list[
         Column("gives", _gives, 4),
         Column("cases", _cases),
     ]
-    return [
-        column for column in columns if not brief or column.title.split()[0] in ("worst", "median", "bound", "time")
-    ]
+    return columns[:4] if brief else columns
+
+
+def _is_small(row: "Entry") -> bool:
+    """Whether an error that looks large is that of a result which all but vanishes, and is stated."""
+    stated = row["stated"]["value"] and not row["broken"]["value"]
+    return bool(stated and row["measure"] == "relative" and row["worst"]["value"] > FEW_DIGITS)
 
 
 def short(value: float, digits: int) -> str:

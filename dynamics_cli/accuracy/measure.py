@@ -28,6 +28,8 @@ HALF_ULP = Decimal(2.0**-53)
 SMALLEST = Decimal(2.0**-1074)
 # The reference itself is rounded to 40 digits.
 REFERENCE = Decimal("1e-39")
+# What takes longer than this in all [s] is not timed again.
+LONG = 0.25
 
 
 class Errors:
@@ -176,7 +178,7 @@ def seconds(call: "Callable[[], Any]", *, repeats: int, least: float) -> float:
             break
         count = max(2 * count, min(1 << 20, int(1.2 * count * least / max(took, 1e-9))))
     times = [took / count]
-    for _ in range(repeats - 1):
+    for _ in range(min(repeats - 1, int(LONG / max(took, 1e-9)))):
         start = perf_counter()
         for _ in range(count):
             call()
@@ -206,7 +208,7 @@ def scalar_time(
         except Exception:
             continue
         times.append(seconds(lambda: function(**arguments), repeats=pace.repeats, least=pace.least))  # noqa: B023
-        if len(times) == pace.timed_cases:
+        if len(times) == pace.timed_cases or sum(times) > LONG:
             break
     return median(times) if times else None
 

@@ -66,11 +66,23 @@ class TestTable:
 
     def test_a_family_is_told_in_a_line_for_each_question(self) -> None:
         shown = run("accuracy", "skid", "--untimed").out.splitlines()
-        assert len(shown) <= 32
-        questions = [line for line in shown if "held ×" in line and line.startswith("  skid ")]
+        assert len(shown) <= 20
+        questions = [line for line in shown if "held ×" in line and line.startswith("skid ")]
         assert len(questions) == 11
-        assert next(line for line in shown if "own methods" in line).endswith("instead")
-        assert "  every method of a task: dynamics accuracy skid speed" in shown
+        assert shown[0].endswith("textbook")
+        assert "every method of a task: dynamics accuracy skid speed" in shown
+
+    def test_everything_is_told_in_a_line_for_each_family(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        questions = [one for name in ("skid", "vec", "spin") for one in catalogue.questions(name, "")]
+        monkeypatch.setattr(catalogue, "questions", lambda family, task: questions)
+        shown = run("accuracy", "--untimed").out.splitlines()
+        assert [line.split()[:2] for line in shown[1:4]] == [["skid", "11"], ["vec", "8"], ["spin", "6"]]
+        assert shown[1].endswith("6 of 11")
+        assert "a line for each task: dynamics accuracy FAMILY" in shown
+
+    def test_what_passed_is_told_in_full_on_request(self) -> None:
+        assert "check: " not in run("accuracy", "vec", "--untimed").out
+        assert "check: stated bounds below a true error: passed" in run("accuracy", "vec", "--untimed", "--all").out
 
     def test_every_method_stands_in_its_question_with_its_own_first(self, gears: dict) -> None:
         shown = [line for line in layout.lines(gears, 3, 120) if not line.startswith("      ")]
@@ -106,7 +118,7 @@ class TestTable:
     def test_columns_that_are_empty_are_left_out(self) -> None:
         text = run("accuracy", "gear", "ratio", "--untimed").out
         assert "ratio: time" not in text
-        assert "time us" not in text
+        assert "time µs" not in text
         assert "in ulp" not in text
 
     def test_json_and_csv_keep_every_column(self, gears: dict) -> None:

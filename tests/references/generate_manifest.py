@@ -41,7 +41,7 @@ def listed(name: str, case: dict[str, Any]) -> dict[str, str]:
     origin = FILES[name]
     why = {"why": case["why"]} if case.get("why") else {}
     return {
-        "task": case["task"], "command": origin.commands.get(case["task"], ""), "name": case["name"],
+        "task": case["task"], "command": origin.command(case["task"]), "name": case["name"],
         "kind": case["kind"], **why, "source": origin.source(case),
     }  # fmt: skip
 

@@ -18,12 +18,13 @@ SOURCES = {
 class Origin:
     """A file of references.
 
-    `commands` gives the task of the command line for each task of the cases ("" for a family that is one task);
+    `commands` gives the task of the command line where its name is not that of the cases ("" for a family that is one
+    task), and is none where no task asks them;
     `drawn` matches the names of ordinary cases that were drawn at random, the others were chosen.
     """
 
     def __init__(
-        self, family: str, commands: dict[str, str], method: str, working: str, search: str, drawn: str = "",
+        self, family: str, commands: "dict[str, str] | None", method: str, working: str, search: str, drawn: str = "",
     ) -> None:  # fmt: skip
         self.family = family
         self.commands = commands
@@ -31,6 +32,10 @@ class Origin:
         self.working = working
         self.search = search
         self.drawn = drawn
+
+    def command(self, task: str) -> str:
+        """The task of the command line that cases ask."""
+        return "" if self.commands is None else self.commands.get(task, task.replace("_", "-"))
 
     def source(self, case: dict[str, Any]) -> str:
         """Where a case comes from."""
@@ -49,16 +54,11 @@ class Origin:
         return "search, nearest to its bound" if "bound" in why else "search, largest error"
 
 
-def _same(*tasks: str) -> dict[str, str]:
-    return {task: task.replace("_", "-") for task in tasks}
-
-
 BOUNDS = "tests/accuracy/bound_search.py"
 INDEPENDENT = "tests/accuracy/independent_search.py"
 CAMS, IMPACTS = "tests/accuracy/cam_search.py", "tests/accuracy/impact_search.py"
 GEARS, MESHES = "tests/accuracy/gear_search.py", "tests/accuracy/mesh_search.py"
 SYSTEMS = ("cartesian", "cylindrical", "spherical")
-PARTICLES = ("central", "oblique", "drop", "pendulum", "seize", "step", "chain", "momentum", "crush", "yaw_inertia")
 FILES: dict[str, Origin] = {
     "convert": Origin(
         "convert", {"convert": ""},
@@ -72,83 +72,73 @@ FILES: dict[str, Origin] = {
     ),
     "skid": Origin(
         "skid",
-        _same("speed", "distance", "friction", "drag_factor", "stop", "yaw", "avoid", "spin")
-        | {"vault_least_speed": "vault", "vault_known_angle": "vault", "pedestrian": "throw"},
+        {"vault_least_speed": "vault", "vault_known_angle": "vault", "pedestrian": "throw"},
         "laws of motion: work and energy marched from surface to surface, angles for slopes, forces for drag factors",
         "60 digits", BOUNDS, ".",
     ),
     "path": Origin(
         "path",
-        _same("rectilinear", "circle", "polar", "cylindrical", "spherical", "components", "curve", "relative")
-        | {"rectilinear_law": "rectilinear", "moving_frame": "moving-frame"},
+        {"rectilinear_law": "rectilinear", "moving_frame": "moving-frame"},
         "positions as functions of time in fixed axes, differentiated; Gram determinants; roots of polynomials",
         "90 digits", BOUNDS, "drawn|motion",
     ),
     "pendulum": Origin(
-        "pendulum", _same("simple", "compound", "rod", "conical"),
+        "pendulum", {},
         "periods by hypergeometric series, speeds by energies, forces by Newton's law, cones by the polygon of forces",
         "90 digits", "", "swing|by speed|rod|body",
     ),
     "particle": Origin(
         "particle",
-        _same("projectile", "fall", "tube", "hoop", "incline", "circle") | {"rotating_frame": "rotating-frame"},
+        {"rotating_frame": "rotating-frame"},
         "flights and targets by roots of polynomials, tubes by the exponential of their matrix, slopes by polygons, "
         "turning frames by matrices",
         "90 digits", "", ".",
     ),
     "energy": Origin(
         "energy",
-        _same("work", "body", "speed", "drop", "roll", "power", "drive", "impulse") | {"draw_in": "draw-in"},
+        {"draw_in": "draw-in"},
         "speeds and compressions by roots of polynomials, works by integrals, energies by pairs of bodies",
         "90 digits", "", ".",
     ),
     "rotor_balance": Origin(
         "balance",
-        _same(
-            "static", "planes", "trial", "four_runs", "split", "grade", "engine", "lanchester", "flywheel", "turning"
-        ),
+        {},
         "unbalances as complex exponentials, corrections by linear equations of forces and moments, orders of engines "
         "by means of the pistons' exact acceleration over a turn",
         "90 digits", "", ".",
     ),
     "stability_roots": Origin(
-        "stability", _same("routh", "discrete", "interval", "gain", "delay", "matrix", "equilibrium"),
+        "stability", {},
         "roots of the factors one by one, gains by the real axis of p(iω)/q(iω), delays by Newton's method on the "
         "loop, eigenvalues by QR, equilibria with slopes derived by hand",
         "110 digits", "", "drawn",
     ),
     "force_systems": Origin(
         "force",
-        _same(
-            "resultant", "moment", "equivalent", "equilibrium", "spring", "gravity", "friction", "first_moment", "wedge"
-        ),
+        {},
         "moments about a far point brought back, axes and reactions by linear equations, tips by moments about edges",
         "90 digits", "", ".",
     ),
     "spin": Origin(
-        "spin", _same("gyro", "free", "top", "shaft", "rod", "disk"),
+        "spin", {},
         "torques by products of vectors, periods by Legendre's integral, precession by roots of polynomials",
         "90 digits", "", ".",
     ),
     "linkage": Origin(
         "linkage",
-        _same("four_bar", "slider_crank", "quick_return", "scotch_yoke", "oldham", "trammel", "body", "chain")
-        | {"classify": "class"},
+        {"classify": "class"},
         "angles by the cosine rule, rates by linear loop equations; of double sliders by differentiation over time",
         "60 digits", "", "drawn|\\d links",
     ),
     "inertia_bodies": Origin(
-        "inertia", _same("body", "compare", "shape", "tensor", "torque"),
+        "inertia", {},
         "shapes by quadrature of patches, assemblies from the origin by the parallel axis theorem, principal moments "
         "by QR",
         "90 digits", "tests/inertia/exact_search.py", ".",
     ),
     "orient": Origin(
         "orient",
-        _same(
-            "convert", "compose", "between", "screw", "rates", "addition", "points", "moving_point", "rolling", "disk",
-            "bearing", "joint",
-        ),
+        {},
         "turns as exponentials of matrices, angles by arc sines and arc cosines, velocities and accelerations as "
         "derivatives of motions, contacts as linear equations",
         "130 digits", "", r"angles|quaternion to|any|matrix in|two dir|Rodrigues|\d+ |apart|turn of|two rates|from",
@@ -159,7 +149,7 @@ FILES: dict[str, Origin] = {
         "exact, then 80 digits", MESHES,
     ),
     "inertia_sections": Origin(
-        "inertia", _same("section"),
+        "inertia", {},
         "triangles from the first corner, each by its corners and centroid; moments by the roots of the matrix",
         "90 digits", "tests/inertia/exact_search.py", "star",
     ),
@@ -169,7 +159,7 @@ FILES: dict[str, Origin] = {
         "400 digits", "tests/inertia/exact_search.py", ".",
     ),
     "impact_particles": Origin(
-        "impact", _same(*PARTICLES) | {"momentum_and_energy": "momentum", "approach": "momentum"},
+        "impact", {"momentum_and_energy": "momentum", "approach": "momentum"},
         "linear equations of momentum and restitution, kinetic energies as differences, constraints by multipliers",
         "300 digits", BOUNDS, ".",
     ),
@@ -185,21 +175,18 @@ FILES: dict[str, Origin] = {
     ),
     "vibration": Origin(
         "vibration",
-        _same(
-            "free", "forced", "base", "unbalance", "isolator", "decrement", "absorber", "modes", "shaft", "beam",
-            "whirl",
-        ),
+        {},
         "exponentials of the state matrix, complex steady states, roots of definitions, eigenvalues",
         "120 digits", "", r"drawn",
     ),
     "motion": Origin(
-        "motion", _same("equations", "chain", "modes"),
+        "motion", {},
         "Lagrange's energies by differences of 150 digits, chains by partial velocities in the plane and extrapolated "
         "midpoints, frequencies by eigenvalues",
         "46 to 150 digits", "", r"drawn",
     ),
     "vec": Origin(
-        "vec", _same("resultant", "direction", "angle", "product", "resolve", "polygon", "frame", "lines"),
+        "vec", {},
         "sums in ratios, angles by arc cosines, the law of cosines, projection by normal equations, Gram–Schmidt, "
         "Cramer's rule",
         "exact, then 400 digits", "", r"drawn",
@@ -215,12 +202,12 @@ FILES: dict[str, Origin] = {
         "90 digits", CAMS,
     ),
     "cam_forces": Origin(
-        "cam", _same("force"),
+        "cam", {},
         "statics of the follower at the envelope's point, by Taylor arithmetic; extremes as roots of derivatives",
         "90 digits", CAMS,
     ),
     "cam_design": Origin(
-        "cam", _same("check", "size"),
+        "cam", {},
         "corners, losses and smallest sizes as roots of the conditions that define them, all at once",
         "90 digits", CAMS,
     ),
@@ -232,7 +219,7 @@ FILES: dict[str, Origin] = {
     ),
     "gear_geometry": Origin(
         "gear",
-        _same("spur", "helical", "pair", "bevel", "crossed", "worm") | {"inv": "involute", "inverse": "involute"},
+        {"inv": "involute", "inverse": "involute"},
         "involutes by Newton's method, paths of contact as intersections of circles and a line, cones as "
         "intersections of unit vectors, friction as a balance of forces",
         "80 digits", BOUNDS, r"\w+ [\d.]",
@@ -249,7 +236,7 @@ FILES: dict[str, Origin] = {
         "72 digits", GEARS, r"\w+ \d",
     ),
     "uncertainty": Origin(
-        "uncertainty", {},
+        "uncertainty", None,
         "distribution functions in closed form or as one-dimensional integrals, their roots as quantiles; every number "
         "twice, by rules of other fineness in 48 and 60 digits",
         "48 and 60 digits", "",

@@ -306,7 +306,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
         from dynamics_cli.core.output.answer import to_answer
 
         return to_answer(document, task, digits, width or 80, quiet=settings.quiet, asked=bool(settings.digits))
-    from dynamics_cli.core.output.render import only, render, to_full_table, whole_table
+    from dynamics_cli.core.output.render import only, render, to_full_table, to_verdict, whole_table
 
     if settings.only:
         return only(document, settings.only, digits, settings.format, asked=bool(settings.digits), width=width)
@@ -317,6 +317,9 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
         return render(document, settings.format, digits, table if table == "sweep" else listed)
     if laid_out:
         layout = load(laid_out)
+        if task.verdict and not settings.all:
+            # what passed is told by the status
+            return to_verdict(document, layout(document["results"], digits, width), width or 80)
         return to_full_table(document, digits, lambda results: layout(results, digits, width), width or 80)
     return to_full_table(document, digits, width=width, screen=width)
 

@@ -107,6 +107,13 @@ def to_full_table(
     return "\n".join(lines) + "\n"
 
 
+def to_verdict(document: "Document", lines: "list[str]", width: int) -> str:
+    """Results laid out by their task, and of the notes what is wrong, or to be known."""
+    passed = [f"check: {check_line(check)}" for check in document["checks"] if check["passed"]]
+    notes = [note for note in _notes(document) if note not in passed and not note.startswith(("model: ", "source: "))]
+    return "\n".join([*lines, *(line for note in notes for line in wrapped(note, width, 2))]) + "\n"
+
+
 def _notes(document: "Document") -> "list[str]":
     """The notes under the results: limits, checks, warnings, the model and its source, files."""
     model = document["model"]
