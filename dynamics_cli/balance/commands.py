@@ -27,6 +27,7 @@ STATIC = Task(
         'dynamics balance static --mass "5 g" --radius "120 mm" --angle "40 deg" --rotor-mass "12 kg" '
         '--speed "2900 rpm"',
     ),
+    plot=f"{PICTURES}:static",
     arrays=False,
 )  # fmt: skip
 
@@ -50,6 +51,7 @@ GRADE = Task(
         'dynamics balance grade --grade "2.5 mm/s" --speed "3600 rpm" --mass "80 lb" --first-distance "9 in" '
         '--second-distance "14 in" --measured "3 oz*in" --units us',
     ),
+    plot=f"{PICTURES}:grade",
 )  # fmt: skip
 
 FOUR_RUNS = Task(
@@ -68,6 +70,7 @@ FOUR_RUNS = Task(
     headline=(
         "mass: add", "angle: at", "consistency: consistency, 1 is best", "miss: circles miss one point by",
         "effect: effect of the trial weight",
+        "runs: runs | weight_at=weight at, reading, miss=circle off by",
     ),
     examples=(
         'dynamics balance four-runs --initial "6 mm/s" --first "4 mm/s" --second "9 mm/s" --third "7.5 mm/s" '
@@ -75,6 +78,7 @@ FOUR_RUNS = Task(
         'dynamics balance four-runs --initial "4.2 mil" --first "5.9 mil" --second "2.1 mil" --third "5.6 mil" '
         '--trial-mass "0.5 oz" --second-angle "110 deg" --third-angle "250 deg" --units us',
     ),
+    table="runs",
     plot=f"{PICTURES}:four_runs",
     arrays=False,
     also=("four-run",),
@@ -99,6 +103,7 @@ SPLIT = Task(
         'dynamics balance split --mass "10 g" --angle "37 deg" --first-angle "20 deg" --second-angle "65 deg"',
         'dynamics balance split --mass "10 g" --angle "37 deg" --holes 12 --stock "0.5 g"',
     ),
+    plot=f"{PICTURES}:split",
     arrays=False,
 )  # fmt: skip
 

@@ -22,6 +22,15 @@ OFF = 0.1
 
 
 @record
+class Run:
+    """One run with the trial weight."""
+
+    weight_at: Annotated[Angle, "Where the weight was [rad]."]
+    reading: Annotated[FreeNumber, "Reading of this run."]
+    miss: Annotated[FreeNumber, "Distance of this run's circle from the point found, positive where it is too large."]
+
+
+@record
 class FourRuns:
     """The correction of four runs, and how well they agree."""
 
@@ -30,6 +39,7 @@ class FourRuns:
     consistency: Annotated[Ratio, "1 where the circles meet in one point: quality of the readings [-]."]
     miss: Annotated[FreeNumber, "By how much the circles miss one point at most."]
     effect: Annotated[FreeNumber, "What the trial weight alone makes the sensor read."]
+    runs: Annotated[tuple[Run, ...], "The three runs with the weight."]
     advice: tuple[Advice, ...] = ()
 
 
@@ -88,13 +98,17 @@ def four_runs(
     consistency = response.size / (still * effect)
     centre = -response.times(1.0 / still)
     number = Kind(kind.name, kind.unit, si=kind.si, us=kind.si)  # in the unit that was written
-    misses = [absolute((centre - place.times(still)).size - size) for place, size in zip(places, sizes, strict=True)]
+    misses = [size - (centre - place.times(still)).size for place, size in zip(places, sizes, strict=True)]
     return FourRuns(
         mass=trial_mass * response.size / square,
         angle=(-response).angle,
         consistency=consistency,
-        miss=Quantity(max(misses, key=plain), number),
+        miss=Quantity(max(map(absolute, misses), key=plain), number),
         effect=Quantity(effect, number),
+        runs=tuple(
+            Run(angle, *(Quantity(value, number) for value in values))
+            for angle, *values in zip((first_angle, second_angle, third_angle), sizes, misses, strict=True)
+        ),
         advice=_advice(plain(consistency), plain(effect) / plain(still)),
     )
 

@@ -51,6 +51,21 @@ def solved(columns: "Sequence[Sequence[Phasor]]", right: "Sequence[Phasor]") -> 
     return [_share(first, left), other]
 
 
+def solved_together(columns: "Sequence[Sequence[Phasor]]", right: "Sequence[Phasor]") -> "list[Phasor]":
+    """The x of what two columns do together: least squares without the smaller singular value of scaled columns.
+
+    Of columns of length 1 with the inner product c = |c|·e^{iγ} the larger singular value is √(1 + |c|), its
+    direction (1, e^{−iγ})/√2.
+    """
+    lengths = [norm(column) for column in columns]
+    first, second = ([a.times(1.0 / length) for a in column] for column, length in zip(columns, lengths, strict=True))
+    inner = _inner(first, second)
+    turn = inner.conjugate.times(1.0 / inner.size)
+    common = [a + b * turn for a, b in zip(first, second, strict=True)]
+    share = _share(common, right)
+    return [share.times(1.0 / lengths[0]), (turn * share).times(1.0 / lengths[1])]
+
+
 def _share(column: "Sequence[Phasor]", right: "Sequence[Phasor]") -> Phasor:
     inner, length = _inner(column, right), norm(column)
     return Phasor(inner.x / (length * length), inner.y / (length * length))

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from dynamics_cli.errors import worded
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
-from dynamics_cli.quantities import Angle, BalanceMass, Force, Kind, ShaftSpeed, Torque, Unbalance
+from dynamics_cli.quantities import Angle, BalanceMass, Force, Kind, Mass, ShaftSpeed, Torque, Unbalance
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,11 +18,14 @@ ROUND = 121
 THIRD = 2.0 * math.pi / 3.0
 SPOKES = 12
 INITIAL = "initial"
-# Sizes stand beside the rings, between two spokes.
-NEAR = (math.cos(math.radians(285.0)), math.sin(math.radians(285.0)))
+# Sizes stand on the rings between two spokes, at the first of these angles that no arrow comes near.
+FREE, CLEAR = (285.0, 255.0, 345.0, 195.0, 75.0, 105.0), 25.0
 STEPS = 361
 # Forces below this share of one cylinder's are not drawn beside couples.
 SLIGHT = 5e-3
+# Grades of ISO 21940-11 in m/s, those within a factor of the one asked for, over so much less and more of the speed.
+GRADES = [g * 1e-3 for g in (0.4, 1.0, 2.5, 6.3, 16.0, 40.0, 100.0, 250.0, 630.0, 1600.0, 4000.0)]
+NEAR_GRADES, SPEEDS = 20.0, 5.0
 GREY = 6
 
 
@@ -32,11 +35,12 @@ def _polar(arrows: "Sequence[tuple[Plane, Plane, str, int]]", kind: "Any", title
     reach = 1.05 * max(math.hypot(*end) for end in ends) or 1.0
     items: list[Any] = []
     turns = [2.0 * math.pi * i / (ROUND - 1) for i in range(ROUND)]
+    near = _free(arrows)
     for share in (0.5, 1.0):
         x = [share * reach * math.cos(turn) for turn in turns]
         items.append(Curve(x, [share * reach * math.sin(turn) for turn in turns], "", "dots", role=GREY))
         text = worded("{size:3}", size=(share * reach, kind))
-        items.append(Label(share * reach * NEAR[0], share * reach * NEAR[1], text))
+        items.append(Label(share * reach * near[0], share * reach * near[1], text))
     for spoke in range(SPOKES):
         turn = 2.0 * math.pi * spoke / SPOKES
         cosine, sine = math.cos(turn), math.sin(turn)
@@ -48,6 +52,14 @@ def _polar(arrows: "Sequence[tuple[Plane, Plane, str, int]]", kind: "Any", title
             items.append(_named(dx, dy, label, role, [way for start, way, _, _ in arrows if start == (0.0, 0.0)]))
     side = (-1.25 * reach, 1.25 * reach)
     return Panel(Axis("", kind, ends=side), Axis("", kind, ends=side), tuple(items), title, equal=True, bare=True)
+
+
+def _free(arrows: "Sequence[tuple[Plane, Plane, str, int]]") -> "Plane":
+    """A direction between the arrows for the sizes of the rings."""
+    ways = [math.degrees(math.atan2(y + dy, x + dx)) for (x, y), (dx, dy), _, _ in arrows]
+    apart = {free: min(abs((free - way + 180.0) % 360.0 - 180.0) for way in ways) for free in FREE}
+    free = next((free for free in FREE if apart[free] >= CLEAR), max(FREE, key=lambda each: apart[each]))
+    return math.cos(math.radians(free)), math.sin(math.radians(free))
 
 
 def _named(dx: float, dy: float, label: str, role: int, others: "Sequence[Plane]") -> Mark:
@@ -85,7 +97,7 @@ def trial(result: "Any", *, sensors: "Any", **_: "Any") -> Picture:
             words = worded("left: {size}", size=(left, kind))
             rest: list[Any] = [
                 _circle((0.0, 0.0), left, "thick", 3),
-                Mark(left * NEAR[0], -left * NEAR[1], words, dot=False, role=3),
+                Mark(left * 0.26, left * 0.97, words, dot=False, role=3),
             ]
             last = panels[-1]
             panels[-1] = Panel(last.x, last.y, (*last.items, *rest), last.title, equal=True, bare=True)
@@ -138,6 +150,76 @@ def planes(result: "Any", *, unbalances: "Any", **_: "Any") -> Picture:
     ]
     panels = (_polar(given, Unbalance, "unbalances"), _polar(added, Unbalance, "corrections, mass added"))
     return Picture(panels, "two-plane balance", columns=2)
+
+
+def static(result: "Any", *, weights: "Any", **_: "Any") -> Picture:
+    """The unbalance of each mass, what they add up to, and its correction."""
+    rows = weights if isinstance(weights, tuple) else (weights,)
+    zero = (0.0, 0.0)
+    arrows = [(zero, _at(one.mass * one.radius, one.angle), str(nth), 0) for nth, one in enumerate(rows, 1)]
+    if len(rows) > 1:
+        arrows.append((zero, _at(result.unbalance, result.angle), "sum", 1))
+    arrows.append((zero, _at(result.unbalance, result.correction_angle), "correction", 2))
+    return Picture((_polar(arrows, Unbalance, ""),), "unbalance of the masses in one plane")
+
+
+def split(result: "Any", *, mass: float, angle: float, places: "Any", **_: "Any") -> Picture:
+    """The correction and the two masses that make it, with the holes of a pattern."""
+    zero = (0.0, 0.0)
+    names = [f"hole {hole}" if hole else name for hole, name in
+             ((result.first_hole, "1st place"), (result.second_hole, "2nd place"))]  # fmt: skip
+    wanted = _at(mass, angle)
+    arrows = [
+        (zero, wanted, "", 0),
+        (zero, _at(result.first_mass, result.first_angle), names[0], 1),
+        (zero, _at(result.second_mass, result.second_angle), names[1], 2),
+    ]
+    panel = _polar(arrows, BalanceMass, "")
+    count = getattr(places, "holes", 0)
+    ring = 1.05 * max(mass, result.first_mass, result.second_mass)
+    holes = [Mark(*_at(ring, places.first_hole + 2.0 * math.pi * k / count), role=GREY) for k in range(count)]
+    # the correction lies between the places, and has its name beyond its tip
+    name = Mark(*wanted, "correction", (0.0, math.copysign(9.0, wanted[1])), dot=False, role=0)
+    items = (*panel.items, *holes, name)
+    return Picture((Panel(panel.x, panel.y, items, "", equal=True, bare=True),), "a correction on two places")
+
+
+def grade(
+    result: "Any", *, grade: float, speed: float, mass: float, measured: "float | None" = None, **_: "Any"
+) -> Picture:
+    """Lines of equal grade over speed for the mass of the rotor, with what is permitted and what was measured."""
+    ends = abs(speed) / SPEEDS, abs(speed) * SPEEDS
+    asked = any(abs(grade / each - 1.0) < 1e-9 for each in GRADES)
+    near = [each for each in GRADES if grade / NEAR_GRADES <= each <= grade * NEAR_GRADES]
+    items: list[Any] = []
+    for each in near if asked else sorted([*near, grade]):
+        this = abs(each / grade - 1.0) < 1e-9
+        items.append(
+            Curve(ends, [each * mass / end for end in ends], "", "thick" if this else "thin", role=0 if this else GREY)
+        )
+        items.append(
+            Mark(ends[1], each * mass / ends[1], f"G {each * 1e3:.4g}", (5.0, 0.0), dot=False, role=0 if this else GREY)
+        )
+    up = -12.0 if measured and measured > result.unbalance else 12.0
+    items.append(
+        Mark(
+            abs(speed),
+            result.unbalance,
+            worded("permitted {most:4}", most=(result.unbalance, Unbalance)),
+            (6.0, up),
+            role=0,
+        )
+    )
+    if measured:
+        items.append(
+            Mark(abs(speed), measured, worded("measured {size:4}", size=(measured, Unbalance)), (-6.0, -up), role=1)
+        )
+    panel = Panel(
+        Axis("speed", ShaftSpeed, logarithmic=True, ends=(ends[0], 1.6 * ends[1])),
+        Axis("permissible unbalance", Unbalance, logarithmic=True),
+        tuple(items),
+    )
+    return Picture((panel,), worded("balance grades of a rotor of {mass}", mass=(mass, Mass)))
 
 
 def engine(result: "Any", *, reciprocating_mass: float, crank_radius: float, speed: float, **_: "Any") -> Picture:

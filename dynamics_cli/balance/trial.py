@@ -1,6 +1,6 @@
 """Balancing from trial weights: influence coefficients from readings, and the corrections that still them best."""
 
-from dynamics_cli.balance.influence import condition, norm, solved
+from dynamics_cli.balance.influence import condition, norm, solved, solved_together
 from dynamics_cli.balance.phasors import Phasor, polar, scale_of, total
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import plain
@@ -86,7 +86,10 @@ class TrialBalance:
     first_angle: Annotated[Angle | None, "Where to add it; none of nothing [rad]."]
     second_mass: Annotated[BalanceMass | None, "Mass to add in the second plane; none without one [kg]."]
     second_angle: Annotated[Angle | None, "Where to add it; none of nothing [rad]."]
-    condition: Annotated[Ratio | None, "How well the readings separate the planes: 1 is best, above 10 is poor [-]."]
+    condition: Annotated[
+        Ratio | None,
+        "How well the readings separate the planes: 1 is best, above 10 is poor; none of planes that act alike [-].",
+    ]
     coefficients: Annotated[tuple[Coefficient, ...], "Influence coefficients."]
     predicted: Annotated[tuple[Predicted, ...], "Readings before, and those expected afterwards."]
     checks: tuple[Check, ...] = ()
@@ -103,6 +106,9 @@ def trial(
     left_on: Annotated[bool, "The first weight stayed on during the second trial run."] = False,
     phase: Annotated[Phase, "lead: phases are measured in the sense of the weights' angles; lag: against it."] = LEAD,
     largest_condition: Annotated[Ratio, "A worse condition of the planes than this is refused."] = 100.0,
+    drop_dependent: Annotated[
+        bool, "Where planes cannot be told apart, correct only what both do together (truncated SVD)."
+    ] = False,
 ) -> TrialBalance:
     """Corrections in one or two planes from readings with trial weights, by influence coefficients.
 
@@ -148,21 +154,24 @@ def trial(
     scales = [one.weight for one in rows]
     scaled = [[a.times(s) for a, s in zip(column, scales, strict=True)] for column in columns]
     apart = condition(scaled)
-    _require_apart(apart, plain(largest_condition))
-    masses = solved(scaled, [-v.times(s) for v, s in zip(initial, scales, strict=True)])
+    right = [-v.times(s) for v, s in zip(initial, scales, strict=True)]
+    together = apart > min(plain(largest_condition), BEYOND)
+    masses = (solved_together if together else solved)(scaled, right)
     left = [
         total([v, *(column[row] * mass for column, mass in zip(columns, masses, strict=True))])
         for row, v in enumerate(initial)
     ]
-    exact = len(rows) == len(weights)
+    exact = len(rows) == len(weights) and not together
     off = plain(norm(left)) / (plain(norm(initial)) or 1.0)
+    if together and not drop_dependent:
+        _refuse_dependent(apart, off)
     number = _number(kind)
     return TrialBalance(
         first_mass=masses[0].size,
         first_angle=masses[0].angle_beside(scale_of(masses)),
         second_mass=masses[1].size if len(masses) > 1 else None,
         second_angle=masses[1].angle_beside(scale_of(masses)) if len(masses) > 1 else None,
-        condition=apart if len(masses) > 1 else None,
+        condition=apart if len(masses) > 1 and apart < BEYOND else None,
         coefficients=tuple(
             Coefficient(row, nth, Quantity(a.size * 1e-3, number), a.angle)
             for nth, column in enumerate(columns, 1)
@@ -174,31 +183,41 @@ def trial(
             for row, (v, rest) in enumerate(zip(initial, left, strict=True), 1)
         ),
         checks=(Check("the corrections cancel the readings", off <= 1e-11, off, 1e-11),) if exact else (),
-        advice=tuple(_advice(apart, columns, weights, initial)),
+        advice=tuple(_advice(apart, columns, weights, initial, off if together else None)),
     )  # fmt: skip
 
 
-def _require_apart(apart: float, largest: float) -> None:
-    """Refuse planes that the readings do not tell apart."""
-    hint = "balance in one plane, or add a sensor or a speed at which the planes act differently"
+def _refuse_dependent(apart: float, off: float) -> None:
+    """Refuse planes that the readings do not tell apart, with what a correction of both together would reach."""
     require(
-        apart < BEYOND, "the two planes act alike on every reading: the masses are not determined",
-        code="dependent-planes", hint=hint,
-    )  # fmt: skip
-    require(
-        apart <= largest,
-        "the two planes act almost alike on every reading (condition {apart}): their masses would nearly cancel",
+        False,
+        "the two planes act alike on every reading: the masses are not determined"
+        if apart >= BEYOND
+        else "the two planes act almost alike on every reading (condition {apart}): their masses would nearly cancel",
         code="dependent-planes",
-        hint=hint,
+        hint="balance in one plane, or add a sensor or a speed at which the planes act differently; --drop-dependent "
+        "corrects what they do together and leaves {off} of the readings",
         apart=(apart, Ratio),
+        off=(off, Fraction),
     )
 
 
 def _advice(
-    apart: float, columns: "list[list[Phasor]]", weights: "list[TrialWeight]", initial: "list[Phasor]"
+    apart: float,
+    columns: "list[list[Phasor]]",
+    weights: "list[TrialWeight]",
+    initial: "list[Phasor]",
+    off: "float | None",
 ) -> "list[Advice]":
     out = []
-    if apart > POOR:
+    if off is not None:
+        text = (
+            "the readings do not separate the planes: only what both do together is corrected, and {off} of the "
+            "readings stays"
+        )
+        out.append(Advice("dependent-planes", worded(text, off=(off, Fraction)),
+                          remedy="add a sensor or a speed at which the planes act differently"))  # fmt: skip
+    elif apart > POOR:
         text = "the readings separate the planes poorly (condition {apart}): reading errors are magnified"
         out.append(Advice("condition", worded(text, apart=(apart, Ratio)), remedy="add a sensor or a speed"))
     for nth, (column, one) in enumerate(zip(columns, weights, strict=True), 1):

@@ -194,7 +194,8 @@ def component_texts(node: "dict[str, Any]") -> "tuple[str, str]":
         unit = part.get("unit", "") if part else ""
         suffix = f" {unit}" if unit != node.get("unit", "") else ""
         texts.append(f"{distribution_text(part)}{suffix}" if part else number(value, 17))
-    return f"[{', '.join(texts)}]", node.get("unit", "")
+    listed = ", ".join(texts)
+    return listed if len(texts) == 1 else f"[{listed}]", node.get("unit", "")
 
 
 def bound_text(entry: "dict[str, Any] | None") -> str:

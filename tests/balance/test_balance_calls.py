@@ -3,6 +3,7 @@
 import shlex
 from pathlib import Path
 
+import numpy as np
 import pytest
 from harness import answer, run
 
@@ -169,3 +170,61 @@ def test_the_picture_of_four_runs_speaks_in_the_units_of_the_answer(tmp_path: Pa
     picture = tmp_path / "runs.svg"
     assert run("balance", "four-runs", *readings, "--trial-mass", "10 g", "--plot", str(picture)).status == 0
     assert "where to add 12.56 g, at -22.16 deg" in picture.read_text()
+
+
+def test_what_dependent_planes_do_together_is_corrected_on_demand() -> None:
+    """Against a truncated singular value decomposition of the columns scaled to length 1."""
+    readings = [(170, 112, 235, 94, 236, 93.8), (53, 78, 58, 68, 58.2, 68.3), (90, 12, 75, 30, 75.5, 29.5)]
+    names = ("initial", "first", "second")
+    typed = [
+        word
+        for row in readings
+        for word in (
+            "--sensor",
+            ", ".join(f"{name}={row[2 * k]} um @ {row[2 * k + 1]} deg" for k, name in enumerate(names)),
+        )
+    ] + shlex.split(TWO)
+    refused = run("balance", "trial", *typed, "--json").error
+    assert refused["code"] == "dependent-planes"
+    document = answer("balance", "trial", *typed, "--drop-dependent")
+
+    runs = np.array(
+        [
+            [size * np.exp(1j * np.radians(angle)) for size, angle in zip(row[::2], row[1::2], strict=True)]
+            for row in readings
+        ]
+    )
+    influence = runs[:, 1:] - runs[:, :1]
+    lengths = np.linalg.norm(influence, axis=0)
+    left, sizes, right = np.linalg.svd(influence / lengths)
+    masses = -right[0].conj() * (left[:, 0].conj() @ runs[:, 0]) / sizes[0] / lengths
+    made = document["results"]
+    for name, mass in zip(("first", "second"), masses, strict=True):
+        assert made[f"{name}_mass"]["value"] == pytest.approx(abs(mass), rel=1e-10)
+        assert made[f"{name}_angle"]["value"] == pytest.approx(np.degrees(np.angle(mass)), rel=1e-10)
+    share = np.linalg.norm(runs[:, 0] + influence @ masses) / np.linalg.norm(runs[:, 0])
+    assert f"{100 * share:.4g} %" in refused["hint"]
+    assert document["warnings"][0]["code"] == "dependent-planes"
+    alike = [
+        word.replace("236 um @ 93.8", "235 um @ 94")
+        .replace("58.2 um @ 68.3", "58 um @ 68")
+        .replace("75.5 um @ 29.5", "75 um @ 30")
+        for word in typed
+    ]
+    same = answer("balance", "trial", *alike, "--drop-dependent")["results"]
+    assert same["first_mass"]["value"] == pytest.approx(same["second_mass"]["value"], rel=1e-12)
+    assert "condition" not in same
+
+
+def test_four_runs_say_which_of_them_is_off() -> None:
+    """Readings made from one unbalance, one of them read wrong: the others miss by less."""
+    agree = [abs(6.0 + 4.0 * np.exp(1j * np.radians(turn - 50.0))) for turn in (0.0, 120.0, 240.0)]
+    typed = [
+        word
+        for name, size in zip(("first", "second", "third"), agree, strict=True)
+        for word in (f"--{name}", f"{size} mm/s")
+    ]
+    made = answer("balance", "four-runs", "--initial", "6 mm/s", *typed, "--trial-mass", "10 g")["results"]
+    assert all(abs(row["miss"]["value"]) < 1e-12 for row in made["runs"])
+    text = run("balance", "four-runs", "--initial", "6 mm/s", *typed, "--trial-mass", "10 g", "--explain").out
+    assert "along" not in text

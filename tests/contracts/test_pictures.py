@@ -16,7 +16,7 @@ from dynamics_cli.core.terminal import Terminal
 # What answers with words, lists or a file alone has nothing to look at.
 WITHOUT = {
     "linkage mobility",
-    "balance grade", "balance lanchester", "balance split", "balance static",
+    "balance lanchester",
     "convert", "coords", "units list", "units show", "units search", "units table", "gear glossary", "gear data-block",
     "inertia shapes", "inertia materials", "cam laws", "cam size", "cam check", "cam export",
     "force equivalent", "force spring", "force gravity", "force friction", "force wedge", "force screw",

@@ -3,6 +3,7 @@
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.command.help import describe_options
 from dynamics_cli.core.command.task_help import group_keys, group_records
+from dynamics_cli.core.documents import singular
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
 from dynamics_cli.core.inputs.suggestions import MOST, suggestions
 from dynamics_cli.errors import ManyErrors, UsageError
@@ -15,8 +16,13 @@ if TYPE_CHECKING:
 def near_option(task: Task, word: str) -> str:
     """The option that an unknown one probably means: by its name, by its description, or one that every task has."""
     typed = word.lstrip("-").partition("=")[0].lower()
-    near = [f'{name} "{typed}=…"' for name in _groups_with(task, typed)]
-    near = near or suggestions(typed, task.options) or _described(task, typed) or suggestions(typed, UNIVERSAL_OPTIONS)
+    near = (
+        [f'{name} "{typed}=…"' for name in _groups_with(task, typed)]
+        or suggestions(typed, task.options)
+        or _each_of(task, typed)
+        or _described(task, typed)
+        or suggestions(typed, UNIVERSAL_OPTIONS)
+    )
     return (
         "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
         if near
@@ -32,6 +38,12 @@ def _groups_with(task: Task, typed: str) -> "list[str]":
         for name, option in groups.items()
         if any(typed in group_keys(record) for record in group_records(task.specification.fields, option.path))
     ]
+
+
+def _each_of(task: Task, typed: str) -> "list[str]":
+    """The few options for each of what was typed as several: `--first-plane` and `--second-plane` for `--planes`."""
+    near = [name for name in task.options if singular(typed) != typed and singular(typed) in name.split("-")]
+    return near if len(near) <= MOST else []
 
 
 def _described(task: Task, typed: str) -> "list[str]":

@@ -75,9 +75,10 @@ def input_in_words(address: str, inputs: "dict[str, Any]", names: "dict[str, str
     """An input as people name it: a body by its name, `segments[0].friction` as segment 1, `velocity[0]` along x."""
     words = with_name(in_words(address), names)
     node = node_at(inputs, address.rpartition("[")[0]) if address.endswith("]") else None
-    vector = isinstance(node, dict) and isinstance(node.get("value"), list) and len(node["value"]) <= len(AXES)
-    if vector:
-        return f"{words[: words.rindex('[')]} along {AXES[int(address[:-1].rpartition('[')[2])]}"
+    parts = node.get("value") if isinstance(node, dict) else None
+    if isinstance(parts, list) and len(parts) <= len(AXES):
+        name = words[: words.rindex("[")]
+        return name if len(parts) == 1 else f"{name} along {AXES[int(address[:-1].rpartition('[')[2])]}"
     return " ".join(_counted(word) for word in words.split(" "))
 
 
