@@ -2,7 +2,6 @@
 
 from dynamics_cli.core.answering.task import Family, Model, Task
 
-BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 PLANAR = "a planar vector lies in the x–y plane of the others; angles are counter-clockwise from x"
 TYPED = "products are exact for the numbers as typed, to 15 digits"
 PICTURES = "dynamics_cli.vec.pictures"
@@ -13,7 +12,6 @@ RESULTANT = Task(
     Model(
         "vector sum",
         "dynamics_cli.vec.sums:resultant",
-        source=BOOK + "sections 2.3 and 2.4",
         formula="{resultant|R} = Σ aᵢ; |R| = √((A − B)² + 4·A·B·cos²({between|φ}/2)) of two magnitudes at an angle",
         assumptions=(PLANAR, TYPED),
     ),
@@ -36,7 +34,6 @@ DIRECTION = Task(
     Model(
         "direction cosines",
         "dynamics_cli.vec.sums:direction",
-        source=BOOK + "section 2.4",
         formula="{magnitude|v} = √(v_x² + v_y² + v_z²), {angle_x|θx} = atan2(√(v_y² + v_z²), v_x)",
         assumptions=(PLANAR,),
     ),
@@ -58,7 +55,6 @@ ANGLE = Task(
     Model(
         "two products",
         "dynamics_cli.vec.angles:angle",
-        source=BOOK + "sections 2.5 to 2.7",
         formula="{angle|θ} = atan2(|a×b|, {scalar_product|a·b})",
         assumptions=(PLANAR, TYPED),
     ),
@@ -77,7 +73,6 @@ PRODUCT = Task(
     Model(
         "exact products",
         "dynamics_cli.vec.products:product",
-        source=BOOK + "sections 2.6 to 2.8",
         formula="a·b = Σ aᵢ·bᵢ, (a×b)_x = a_y·b_z − a_z·b_y, a·(b×c) = determinant, a×(b×c) = b(a·c) − c(a·b)",
         assumptions=(PLANAR, TYPED),
     ),
@@ -99,7 +94,6 @@ RESOLVE = Task(
     Model(
         "projection",
         "dynamics_cli.vec.resolve:resolve",
-        source=BOOK + "sections 2.4 and 2.11",
         formula="{component|v_n} = v·n/|n|, {across|v_t} = |v×n|/|n|; in a basis (v·(b₂×b₃))/(b₁·(b₂×b₃)) in turn",
         assumptions=(PLANAR, TYPED),
     ),
@@ -124,7 +118,6 @@ POLYGON = Task(
     Model(
         "vector triangle",
         "dynamics_cli.vec.polygon:polygon",
-        source=BOOK + "sections 2.3 and 5.5",
         formula="p + q = T; p = T·(u ± i·v)/|T|, u = (T² + (A − B)·(A + B))/(2·|T|)",
         assumptions=("all vectors lie in one plane; angles are counter-clockwise from x", TYPED),
     ),
@@ -147,7 +140,6 @@ FRAME = Task(
     Model(
         "one kept, the others perpendicular to it",
         "dynamics_cli.vec.frame:frame",
-        source=BOOK + "section 2.11",
         formula="e₁ = a/|a|, e₃ = (a×b)/|a×b|, e₂ = e₃×e₁",
         assumptions=("the first given direction is kept, the second stays in its plane with the first", TYPED),
     ),
@@ -169,7 +161,6 @@ LINES = Task(
     Model(
         "common perpendicular",
         "dynamics_cli.vec.lines:lines",
-        source=BOOK + "sections 2.7 and 2.8",
         formula="{distance|d} = |(q − p)·(u×v)|/|u×v|, parallel |(q − p)×u|/|u|, from a plane |n·(q − p)|/|n|",
         assumptions=("lines and planes are infinite", TYPED),
     ),
@@ -192,7 +183,6 @@ MATRIX = Task(
     Model(
         "elimination in whole numbers",
         "dynamics_cli.vec.matrix:matrix",
-        source=BOOK + "section 2.10",
         formula="A⁻¹·A = 1, A·x = b",
         assumptions=("the numbers typed are exact",),
         method="exact rational arithmetic",

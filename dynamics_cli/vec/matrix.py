@@ -27,9 +27,9 @@ class MatrixAnswer:
     condition: Annotated[Ratio | None, "Condition number: norm of the matrix times that of its inverse (row sums) [-]."]
     transpose: Annotated[MatrixOfNumbers, "Rows and columns exchanged."]
     sum: Annotated[MatrixOfNumbers | None, "The sum with the matrix to add."]
-    sum_exact: Annotated[Text | None, "The solution in ratios."]
+    sum_exact: Annotated[Text | None, "The sum in ratios."]
     product: Annotated[MatrixOfNumbers | None, "The product, with the second matrix on the right."]
-    product_exact: Annotated[Text | None, "The solution in ratios."]
+    product_exact: Annotated[Text | None, "The product in ratios."]
     solution: Annotated[MatrixOfNumbers | None, "x of A·x = b, one row for each unknown."]
     solution_exact: Annotated[Text | None, "The solution in ratios."]
     advice: tuple[Advice, ...] = ()

@@ -37,7 +37,7 @@ REFUSED = [
         'orient rates --euler-angles "30, 90, 10 deg" --angular-velocity "1, 0, 0 rad/s"', 3,
         "about the direction (-0.866, -0.5, 0)",
     ),
-    ('orient points --body-point "position=(1, 0, 0 m), velocity=(0, 1, 0 m/s)"', 3, "velocities of 1 points do not"),
+    ('orient points --body-point "position=(1, 0, 0 m), velocity=(0, 1, 0 m/s)"', 3, "the velocities given (1) do not"),
     (
         'orient points --body-point "position=(1, 0, 0 m), velocity=(0, 1, 0 m/s)" --body-point "position=(2, 0, 0 m), '
         'velocity=(0, 2, 0 m/s)" --body-point "position=(3, 0, 0 m), velocity=(0, 3, 0 m/s)"', 3, "on one line",

@@ -3,6 +3,7 @@
 from dynamics_cli.core.inputs.options import Option, options
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
 from dynamics_cli.core.inputs.specification import DRAWING, Specification, SpecificationError, specification
+from dynamics_cli.records import docstring
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -13,6 +14,8 @@ if TYPE_CHECKING:
 UNIVERSAL = (*UNIVERSAL_OPTIONS, "help", "version")
 # Folder of the example files in a checkout; `dynamics examples NAME --copy` writes them into the current folder.
 EXAMPLES_FOLDER = "examples/"
+# The head of the section of a docstring that says where a calculation comes from.
+REFERENCES = "References\n    ----------\n"
 
 
 def load(reference: str) -> "Any":
@@ -36,7 +39,7 @@ class Model:
         name: str,
         function: str,
         *,
-        source: str,
+        source: str = "",
         formula: "str | tuple[str, ...]" = "",
         assumptions: "tuple[str, ...]" = (),
         method: str = "closed form",
@@ -46,11 +49,19 @@ class Model:
         self.name = name
         self.together = together
         self.function = function
-        self.source = source
+        self._source = source
         self.formulas = (formula,) if isinstance(formula, str) else formula
         self.assumptions = assumptions
         self.method = method
         self.suffices = suffices
+
+    @property
+    def source(self) -> str:
+        """Where it comes from: as stated, else the references of its function."""
+        if not self._source:
+            section = docstring(self.call()).partition(REFERENCES)[2].partition("\n\n")[0]
+            self._source = " ".join(section.split()).rstrip(".")
+        return self._source
 
     @property
     def key(self) -> str:

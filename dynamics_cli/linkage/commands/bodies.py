@@ -2,15 +2,12 @@
 
 from dynamics_cli.core.answering.task import Model, Task
 
-BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
-
 BODY = Task(
     "body",
     "Plane motion of a body: ω, α, instant centre, centre of zero acceleration, motion of further points.",
     Model(
         "rigid body in plane motion",
         "dynamics_cli.linkage.bodies.body:body",
-        source=BOOK + "sections 5.3, 5.4, 5.7 and 5.8",
         formula="P = A + k×v/{angular_velocity|ω}; "
         "J = A + a·({angular_velocity|ω}² + i·α)/({angular_velocity|ω}⁴ + α²)",
         assumptions=("the body is rigid and moves in one plane",),
@@ -41,7 +38,6 @@ CHAIN = Task(
     Model(
         "sum of links",
         "dynamics_cli.linkage.bodies.chain:chain",
-        source=BOOK + "section 5.6",
         formula="r = Σ l·e^(iθ), v = Σ iω·l·e^(iθ), a = Σ (iα − ω²)·l·e^(iθ)",
         assumptions=("rigid links in one plane, pins without play",),
     ),

@@ -12,7 +12,6 @@ FOUR_BAR = Task(
     Model(
         "two circles",
         "dynamics_cli.linkage.fourbar.four_bar:four_bar",
-        source=BOOK + "sections 5.3 to 5.5",
         formula="f² = ({crank|a} − {ground|d})² + 4·{crank|a}·{ground|d}·sin²({crank_angle|θ₂}/2); "
         "D₁ = ({coupler|b} + {rocker|c})² − f², D₂ = f² − ({coupler|b} − {rocker|c})²; "
         "{transmission_angle|μ} = 2·atan2(√D₂, √D₁)",
@@ -54,7 +53,6 @@ CLASS = Task(
     Model(
         "Grashof's rule",
         "dynamics_cli.linkage.fourbar.grashof:classify",
-        source=BOOK + "section 5.5; Grashof, Theoretische Maschinenlehre, 1883",
         formula="s + l < p + q; cos φ at O₂ = (({crank|a} ± {coupler|b})² + {ground|d}² − {rocker|c}²)/"
         "(2·({crank|a} ± {coupler|b})·{ground|d})",
         assumptions=(RIGID,),

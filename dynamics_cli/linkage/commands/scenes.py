@@ -66,7 +66,6 @@ CENTRES = Task(
     Model(
         "velocities of the links",
         "dynamics_cli.linkage.scenes.centres:centres",
-        source=BOOK + "sections 5.4 and 5.7",
         formula="I_ij = i·(v_j − v_i)/(ω_j − ω_i), v of the links' points at the origin",
         assumptions=(RIGID,),
     ),
@@ -88,7 +87,6 @@ MOBILITY = Task(
     Model(
         "Grübler's count and the rank of the Jacobian",
         "dynamics_cli.linkage.scenes.mobility:mobility",
-        source=BOOK + "section 5.2",
         formula="{counted|M} = 3·({links|n} − 1) − 2·{pins|j₁} − {slides|j₂}",
         assumptions=(RIGID,),
         method="singular values",

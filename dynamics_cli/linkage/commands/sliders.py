@@ -2,7 +2,6 @@
 
 from dynamics_cli.core.answering.task import Model, Task
 
-BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 5.3"
 RIGID = "rigid links in one plane, pins and slides without play"
 
 SLIDER_CRANK = Task(
@@ -11,7 +10,6 @@ SLIDER_CRANK = Task(
     Model(
         "closed form",
         "dynamics_cli.linkage.sliders.slider_crank:slider_crank",
-        source=BOOK,
         formula="{position|x} = {crank|a}·cos{crank_angle|θ} + "
         "√({rod|b}² − ({offset|e} − {crank|a}·sin{crank_angle|θ})²)",
         assumptions=(RIGID, "no friction where torques are given"),
@@ -50,7 +48,6 @@ QUICK_RETURN = Task(
     Model(
         "closed form",
         "dynamics_cli.linkage.sliders.quick_return:quick_return",
-        source=BOOK,
         formula="r⃗ = a⃗ − d⃗; ω₄ = ω₂·a⃗·r⃗/r²; {time_ratio|Q} = (π + 2γ)/(π − 2γ), sin γ = {crank|a}/{ground|d} or its "
         "inverse",
         assumptions=(RIGID,),
@@ -82,7 +79,6 @@ SCOTCH_YOKE = Task(
     Model(
         "closed form",
         "dynamics_cli.linkage.sliders.double_slider:scotch_yoke",
-        source=BOOK,
         formula="{position|x} = {crank|a}·cos({crank_angle|θ} + {slot_angle|β})/cos{slot_angle|β}",
         assumptions=(RIGID, "no friction where torques are given"),
     ),
@@ -110,7 +106,6 @@ OLDHAM = Task(
     Model(
         "closed form",
         "dynamics_cli.linkage.sliders.double_slider:oldham",
-        source=BOOK,
         formula="slip = {offset|e}·{speed|ω}; {centre_acceleration|a} = 2·{offset|e}·{speed|ω}²",
         assumptions=(RIGID, "both shafts turn at the same, constant speed"),
     ),
@@ -137,7 +132,6 @@ TRAMMEL = Task(
     Model(
         "closed form",
         "dynamics_cli.linkage.sliders.double_slider:trammel",
-        source=BOOK + " and section 5.4",
         formula="P = (({bar|L} − {point|p})·cos{angle|φ}, {point|p}·sin{angle|φ})",
         assumptions=(RIGID,),
     ),

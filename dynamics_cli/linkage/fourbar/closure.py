@@ -118,18 +118,10 @@ def close(
     side: float,
     drop: "tuple[Any, Any] | None" = None,
 ) -> Closed:
-    """Close the loop at a crank angle.
+    """Close the loop at a crank angle, given by cosine and sine of itself and of its half, with B on a side of A–O₄.
 
-    Parameters
-    ----------
-    links : Frame
-        The lengths.
-    turn, half : tuple
-        Cosine and sine of the crank angle, and of its half.
-    side : float
-        +1 for the open branch, −1 for the crossed one.
-    drop : tuple, optional
-        D₁ and D₂ where they are known.
+    The side is +1 on the open branch, −1 on the crossed one. `drop` are D₁ and D₂ where they are known; where a root
+    vanishes away from a change point (a toggle) the response is infinite.
     """
     sine, (half_cosine, half_sine) = turn[1], half
     first, second = drop or discriminants(links, half)

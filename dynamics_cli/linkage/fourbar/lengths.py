@@ -55,15 +55,7 @@ def _signed_sum(signs: "Sequence[int]", lengths: "Sequence[float]") -> float:
 
 
 def margin(signs: "Sequence[int]", lengths: "Sequence[float]") -> float:
-    """A sum of lengths with signs, exact for the decimals where it nearly vanishes.
-
-    Parameters
-    ----------
-    signs : sequence of int
-        +1 or −1 for each length.
-    lengths : sequence of float
-        The lengths: doubles, arrays or tracked numbers.
-    """
+    """A sum of lengths with signs, exact for the decimals where it nearly vanishes: zero means zero as typed."""
     total, size = 0.0 * lengths[0], 0.0 * lengths[0]
     for sign, length in zip(signs, lengths, strict=True):
         total = total + length if sign > 0 else total - length

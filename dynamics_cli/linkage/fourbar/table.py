@@ -28,17 +28,7 @@ def turns(theta: "Any") -> "tuple[tuple[Any, Any], tuple[Any, Any]]":
 
 
 def poses(links: Frame, theta: "Any", side: float) -> "tuple[Closed, tuple[Any, ...]]":
-    """The loop and the speed ratios at many crank angles that can be reached.
-
-    Parameters
-    ----------
-    links : Frame
-        The lengths, in doubles.
-    theta : array
-        Crank angles.
-    side : float
-        +1 or −1.
-    """
+    """The loop, and the speed ratios with their derivatives, at many crank angles that can be reached."""
     turn, half = turns(theta)
     loop = close(links, turn, half, side)
     return loop, ratios(links, loop)
@@ -57,19 +47,7 @@ def reachable(links: Frame) -> "tuple[tuple[float, float], ...]":
 
 
 def table(links: Frame, side: float, steps: int, speed: float | None = None, gain: float = 0.0) -> "tuple[Step, ...]":
-    """Rows over every range of crank angles, including its ends.
-
-    Parameters
-    ----------
-    links : Frame
-        The lengths.
-    side : float
-        +1 or −1.
-    steps : int
-        Steps over each range.
-    speed, gain : float
-        Angular velocity of the crank, if it is known, and its angular acceleration.
-    """
+    """Rows over every range of crank angles, including its ends; what does not exist at a toggle is left out."""
     require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
     links = in_doubles(links)
     parts = []

@@ -2,7 +2,6 @@
 
 from dynamics_cli.core.answering.task import Model, Task
 
-BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 SENSE = "axes are right-handed, angles counter-clockwise seen from the tip of the axis"
 RIGID = "the bodies are rigid"
 
@@ -12,7 +11,6 @@ RATES = Task(
     Model(
         "turning axes",
         "dynamics_cli.orient.motion.rates:rates",
-        source=BOOK + "sections 4.5 and 4.8",
         formula="ω = ȧ·u₁ + ḃ·u₂ + ċ·u₃, α = ä·u₁ + b̈·u₂ + c̈·u₃ + ȧ·u₁×ḃ·u₂ + (ȧ·u₁ + ḃ·u₂)×ċ·u₃",
         assumptions=(SENSE, "fixed components unless body components are named"),
     ),
@@ -42,7 +40,6 @@ ADDITION = Task(
     Model(
         "addition theorem",
         "dynamics_cli.orient.motion.addition:addition",
-        source=BOOK + "sections 4.4, 4.7, 4.8",
         formula="ω_AC = ω_AB + ω_BC, α_AC = α_AB + α_BC + ω_AB × ω_BC",
         assumptions=(SENSE, "each axis is fixed in the body before"),
     ),
@@ -68,7 +65,6 @@ POINTS = Task(
     Model(
         "rigid body",
         "dynamics_cli.orient.motion.points:points",
-        source=BOOK + "section 4.9",
         formula="v_Q = v_P + ω × r, a_Q = a_P + α × r + ω × (ω × r)",
         assumptions=(RIGID, "all vectors in one set of axes"),
     ),
@@ -108,7 +104,6 @@ MOVING_POINT = Task(
     Model(
         "moving frame",
         "dynamics_cli.orient.motion.moving_point:moving_point",
-        source=BOOK + "section 4.10",
         formula="v = v_O + ω × r + v_rel, a = a_O + α × r + ω × (ω × r) + 2·ω × v_rel + a_rel",
         assumptions=(RIGID, "all vectors in one set of axes"),
     ),
@@ -135,7 +130,6 @@ ROLLING = Task(
     Model(
         "equal velocities at the contact",
         "dynamics_cli.orient.contact.rolling:rolling",
-        source=BOOK + "section 4.11",
         formula="v₁ + ω₁ × r₁ = v₂ + ω₂ × r₂ along the surfaces",
         assumptions=(RIGID, "they touch at one point", "rates are constant where α is given"),
     ),
@@ -166,7 +160,6 @@ DISK = Task(
     Model(
         "thin disk rolling without slip",
         "dynamics_cli.orient.contact.disk:disk",
-        source=BOOK + "section 4.12",
         formula="v_G = (−r·u, 0, r·θ̇), u = ψ̇ + φ̇·cos θ",
         assumptions=(
             "components are along the line of nodes, up the disk, and along its axis",
@@ -201,7 +194,6 @@ BEARING = Task(
     Model(
         "rolling at three contacts",
         "dynamics_cli.orient.contact.bearing:bearing",
-        source=BOOK + "section 4.13",
         formula="{rolling_radius|b} = {ball_radius|a}·(1 + sin{cone_angle|θ})/(cos{cone_angle|θ} − sin{cone_angle|θ})",
         assumptions=("floor and wall of the race are fixed, at right angles", "balls roll without slipping"),
     ),
@@ -228,7 +220,6 @@ JOINT = Task(
     Model(
         "universal joint",
         "dynamics_cli.orient.contact.joint:joint",
-        source=BOOK + "section 1.4",
         formula="{ratio|i} = cos{joint_angle|β}/(1 − sin²{joint_angle|β}·cos²{input_angle|θ})",
         assumptions=("axes meet at the centre of the joint", "of two joints, all shafts are in one plane"),
     ),

@@ -42,7 +42,6 @@ COMPOSE = Task(
     Model(
         "product of turns",
         "dynamics_cli.orient.turns.compose:compose",
-        source=BOOK + "section 4.3",
         formula="R = R₁·R₂·…·Rₙ about the body's axes, Rₙ·…·R₂·R₁ about the fixed ones",
         assumptions=(SENSE, "each turn is about an axis of its frame"),
     ),
@@ -70,7 +69,6 @@ BETWEEN = Task(
     Model(
         "quaternions",
         "dynamics_cli.orient.turns.between:between",
-        source=BOOK + "section 4.2",
         formula="q = q₁⁻¹·q₂ = (cos ½{rotation_angle|θ}, n·sin ½{rotation_angle|θ})",
         assumptions=(SENSE, "the shorter way round"),
     ),
@@ -99,7 +97,6 @@ SCREW = Task(
     Model(
         "screw axis",
         "dynamics_cli.orient.turns.screw:screw",
-        source="Chasles' theorem",
         formula="{travel|s} = n·d, p = ½·(d⊥ + cot ½{rotation_angle|θ}·n × d⊥)",
         assumptions=(SENSE, "d is the displacement of the body's point that was at the origin"),
     ),

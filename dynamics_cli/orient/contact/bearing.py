@@ -53,7 +53,7 @@ def bearing(
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 4.13; speeds from the same conditions.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 4.13.
 
     Examples
     --------

@@ -150,7 +150,7 @@ def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, 
     velocities = [point.velocity for point in points if point.velocity is not None]
     require(
         len(velocities) == len(points) and len(points) >= 3,
-        "the body's motion is not given, and velocities of {count} points do not determine it",
+        "the body's motion is not given, and the velocities given ({count}) do not determine it",
         code="missing",
         hint="give --angular-velocity, or velocities of 3 or more points that are not on one line; of two points of a "
         "plane motion: dynamics linkage body",

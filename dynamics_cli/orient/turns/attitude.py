@@ -88,13 +88,7 @@ class Orientation:
 
 
 def orientation(turn: Attitude) -> Orientation:
-    """Read a rotation.
-
-    Raises
-    ------
-    InadmissibleError
-        When an axis or quaternion is zero, a sequence unknown, a matrix not a rotation, or two directions opposite.
-    """
+    """Read a rotation; refuse zero axes and quaternions, unknown sequences, mirrors and the like, opposite directions."""
     if isinstance(turn, ByMatrix):
         return _of_matrix(turn)
     if isinstance(turn, YawPitchRoll):

@@ -2,7 +2,6 @@
 
 from dynamics_cli.core.answering.task import Model, Task
 
-BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section "
 RIGHT_HANDED = "right-handed axes; angles counter-clockwise about z from x"
 
 CIRCLE = Task(
@@ -11,7 +10,6 @@ CIRCLE = Task(
     Model(
         "circular motion",
         "dynamics_cli.path.circle:circle",
-        source=BOOK + "3.7",
         formula="{normal|a_n} = {speed|v}²/{radius|r}; {tangential|a_t} = {radius|r}·{angular_acceleration|α}; "
         "{acceleration|a} = √({tangential|a_t}² + {normal|a_n}²)",
         assumptions=("the angular acceleration is constant", "counter-clockwise is positive"),
@@ -56,7 +54,6 @@ POLAR = Task(
     Model(
         "polar coordinates",
         "dynamics_cli.path.coordinates:polar",
-        source=BOOK + "3.8",
         formula="{radial_acceleration|a_r} = {radial_speed_rate|r̈} − {radius|r}·{angular_velocity|θ̇}²; "
         "{transverse_acceleration|a_θ} = {radius|r}·{angular_acceleration|θ̈} + "
         "2·{radial_speed|ṙ}·{angular_velocity|θ̇}",
@@ -77,7 +74,6 @@ CYLINDRICAL = Task(
     Model(
         "cylindrical coordinates",
         "dynamics_cli.path.coordinates:cylindrical",
-        source=BOOK + "3.8",
         formula="{radial_acceleration|a_r} = {radial_speed_rate|r̈} − {radius|r}·{angular_velocity|θ̇}²; "
         "{transverse_acceleration|a_θ} = {radius|r}·{angular_acceleration|θ̈} + 2·{radial_speed|ṙ}·"
         "{angular_velocity|θ̇}; {axial_acceleration|a_z} = {axial_speed_rate|z̈}",
@@ -99,7 +95,6 @@ SPHERICAL = Task(
     Model(
         "spherical coordinates",
         "dynamics_cli.path.coordinates:spherical",
-        source=BOOK + "3.8",
         formula="{radial_acceleration|a_ρ} = ρ̈ − ρ·φ̇² − ρ·θ̇²·sin²φ; "
         "{polar_acceleration|a_φ} = ρ·φ̈ + 2·ρ̇·φ̇ − ρ·θ̇²·sin φ·cos φ; "
         "{azimuth_acceleration|a_θ} = (ρ·θ̈ + 2·ρ̇·θ̇)·sin φ + 2·ρ·φ̇·θ̇·cos φ",
@@ -132,7 +127,6 @@ COMPONENTS = Task(
     Model(
         "components",
         "dynamics_cli.path.components:components",
-        source=BOOK + "3.6",
         formula="{tangential|a_t} = v·a/{speed|v}; {normal|a_n} = ‖v×a‖/{speed|v}; "
         "{radius_of_curvature|ρ} = {speed|v}²/{normal|a_n}",
         assumptions=(RIGHT_HANDED, "T, N and B are the tangent, the normal and their cross product"),
@@ -163,7 +157,6 @@ RELATIVE = Task(
     Model(
         "two motions",
         "dynamics_cli.path.relative.task:relative",
-        source=BOOK + "3.4",
         formula="{closest_time|t} = −Δr·Δv/‖Δv‖²; {closest_distance|d} = ‖Δr×Δv‖/‖Δv‖ (without relative acceleration)",
         assumptions=(
             "accelerations are constant, positions formulas of t, or smoothed tracks whose times count on one clock",
@@ -196,7 +189,6 @@ MOVING_FRAME = Task(
     Model(
         "moving frame",
         "dynamics_cli.path.moving:moving_frame",
-        source=BOOK + "4.10",
         formula="{velocity|v} = {origin_velocity|v_O} + ω×r + {relative_velocity|v_rel}; "
         "{acceleration|a} = {origin_part|a_O} + {angular_part|α×r} + {centripetal|ω×(ω×r)} + {coriolis|2ω×v_rel} + "
         "{relative_part|a_rel}",

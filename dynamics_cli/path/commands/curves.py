@@ -2,15 +2,12 @@
 
 from dynamics_cli.core.answering.task import Model, Task
 
-BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section "
-
 RECTILINEAR = Task(
     "rectilinear",
     "Straight motion: any three of two speeds, acceleration, distance and time; or a law of the acceleration.",
     Model(
         "constant acceleration",
         "dynamics_cli.path.straight.task:rectilinear",
-        source=BOOK + "3.3",
         formula="{end_speed|v} = {start_speed|u} + {acceleration|a}·{time|t}; "
         "{distance|s} = {time|t}·({start_speed|u} + {end_speed|v})/2",
         assumptions=("a straight line", "constant acceleration in each phase"),
@@ -19,7 +16,6 @@ RECTILINEAR = Task(
     Model(
         "law of acceleration",
         "dynamics_cli.path.straight.task:rectilinear_law",
-        source=BOOK + "3.3; Moore, Methods and Applications of Interval Analysis, SIAM 1979, section 8.1",
         formula="d{end_speed|v}/dt = a(t, x, v); d{distance|x}/dt = {end_speed|v}",
         assumptions=("a straight line", "t, x and v in the law are in s, m and m/s, counted from time and place zero"),
         method="Taylor series",
@@ -53,7 +49,6 @@ CURVE = Task(
     Model(
         "Taylor jets",
         "dynamics_cli.path.curves.task:curve",
-        source=BOOK + "3.2 to 3.6",
         formula="{tangential|a_t} = v·a/‖v‖; {normal|a_n} = ‖v×a‖/‖v‖; {curvature|κ} = ‖v×a‖/‖v‖³; "
         "{torsion|τ} = (v×a)·(da/dt)/‖v×a‖²",
         assumptions=("formulas are in s, m and rad", "derivatives are exact, not differences"),

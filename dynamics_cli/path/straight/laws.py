@@ -38,10 +38,7 @@ class Run:
 def run(law: "Callable[..., Any]", phase: "Phase", *, halved: bool = False) -> Run:
     """Follow the law from the start speed until the time, the distance or the end speed given; else to rest.
 
-    Raises
-    ------
-    InadmissibleError
-        When that is never reached, or the law has a pole on the way.
+    Refused where that is never reached, or the law has a pole on the way.
     """
     speed = plain(phase.start_speed)
     time, distance = plain(phase.time), plain(phase.distance)

@@ -157,7 +157,7 @@ def rectilinear_law(
     References
     ----------
     Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 3.3; Moore, Methods and Applications of
-    Interval Analysis, SIAM 1979, section 8.1 (Taylor series).
+    Interval Analysis, SIAM 1979, section 8.1.
 
     Examples
     --------

@@ -52,11 +52,6 @@ def read_track(file: str, origin: Origin | None = None) -> Track:
 
     Latitudes and longitudes become east and north of the origin given, or of the track's first point, on the plane that
     touches the ellipsoid half way.
-
-    Raises
-    ------
-    InadmissibleError
-        When the file has no columns of time and position, a cell is not a number, or times do not increase.
     """
     with open(file, encoding="utf-8-sig", newline="") as stream:
         rows = [row for row in csv.reader(stream) if row and not row[0].lstrip().startswith("#")]
