@@ -15,7 +15,7 @@ from dynamics_cli.impact.particles import pictures
 from dynamics_cli.impact.particles.drop import drop
 from dynamics_cli.impact.reconstruction.crush import Damaged, MeanCrush, Stations, crush
 from dynamics_cli.impact.reconstruction.crush_stiffness import Coefficients
-from dynamics_cli.impact.reconstruction.momentum import Vehicle, momentum
+from dynamics_cli.impact.reconstruction.momentum import CrushEnergies, Vehicle, momentum, momentum_and_energy
 from dynamics_cli.impact.scene_pictures import LENGTH, WIDTH, apart
 from dynamics_cli.pictures import Arrow, Band, Curve, Label, Mark, Picture, Ruler, Spreads
 
@@ -44,6 +44,25 @@ def test_the_tasks_with_a_scene_have_a_picture() -> None:
 
 def arrows(picture: Picture, panel: int) -> list[tuple[float, float]]:
     return [(item.dx, item.dy) for item in picture.panels[panel].items if isinstance(item, Arrow)]
+
+
+def test_speeds_are_drawn_over_three_degrees_of_their_worst_heading() -> None:
+    first = Vehicle(ByMass(1500.0), None, 0.2, 8.0, 0.9)
+    second = Vehicle(ByMass(1200.0), None, 1.7, 9.0, 0.8)
+    made = momentum(first=first, second=second)
+    panel = pictures.momentum(made, first=first, second=second, gravity=9.80665).panels[-1]
+    curves = [item for item in panel.items if isinstance(item, Curve)]
+    for curve, body in zip(curves, (made.first, made.second), strict=True):
+        assert (curve.x[0], curve.x[-1]) == pytest.approx((-math.radians(3.0), math.radians(3.0)))
+        assert curve.y[len(curve.y) // 2] == pytest.approx(body.approach_speed, rel=1e-12)
+        degrees = abs(curve.y[-1] - curve.y[0]) / 6.0
+        assert body.determined is not None
+        assert degrees == pytest.approx(body.determined.per_degree, rel=0.02)
+    # vehicles that met on one line are decided by energy
+    one = Vehicle(ByMass(1000.0), None, 0.0, 5.0, 0.0)
+    line = momentum_and_energy(first=one, second=one, damage=CrushEnergies(20000.0, 5000.0))
+    picture = pictures.momentum(line, first=one, second=one, gravity=9.80665, damage=CrushEnergies(20000.0, 5000.0))
+    assert len(picture.panels) == 2
 
 
 @pytest.mark.parametrize("axes", Axes.names)

@@ -125,9 +125,9 @@ MOMENTUM = Task(
         "second.delta_v.pdof: second PDOF",
         "energy_lost: energy lost E",
         "first.determined.verdict: first verdict",
-        "first.determined.per_degree: one degree changes v₁ by",
+        "first.determined.per_degree: v₁ per degree of heading",
         "second.determined.verdict: second verdict",
-        "second.determined.per_degree: one degree changes v₂ by",
+        "second.determined.per_degree: v₂ per degree of heading",
     ),
 )
 

@@ -4,7 +4,7 @@ from math import inf
 
 from dynamics_cli.impact.crash.results import LinkVerdict
 from dynamics_cli.impact.reconstruction.momentum_records import MomentumResult
-from dynamics_cli.impact.reconstruction.momentum_verdict import CAUTION, DEGREE, GOOD, HALF_TURN, LEVELS
+from dynamics_cli.impact.reconstruction.momentum_verdict import CAUTION, GOOD, LEVELS
 from dynamics_cli.numerics.elementary import absolute, minimum, summed, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.drag import secant
@@ -47,7 +47,7 @@ def verdicts(
                     _called(verdict.worst_heading or "", names),
                     None,
                     verdict.heading_tolerance,
-                    _per_degree(body, verdict.heading_tolerance),
+                    verdict.per_degree,
                 )
             )
     for name, way in zip(names, ways, strict=True):
@@ -56,14 +56,6 @@ def verdicts(
             grip = summed([_grip(leg, phase, way.gravity) for leg, phase in braked])
             links.append(_by_friction(f"braking of {name}", way.start_speed, grip))
     return tuple(links)
-
-
-def _per_degree(body: "Any", tolerance: "Any") -> "Any":
-    """What one degree changes a speed by that the tolerance changes by a tenth; none where no heading does."""
-    if tolerance is None:
-        return None
-    moves = tolerance < HALF_TURN
-    return where(moves, 0.1 * DEGREE * body.approach_speed / where(moves, tolerance, 1.0), 0.0)
 
 
 def _called(address: "Any", names: "list[str]") -> str:

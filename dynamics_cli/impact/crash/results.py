@@ -60,6 +60,9 @@ class CrashCourse:
     delta_v: Annotated[CrashDeltaV, "Change of velocity in the impact, and where the force came from."]
     slide_distance: Annotated[Distance | None, "Length of the slide; none without one [m]."]
     rest_position: Annotated[PlanarPosition | None, "Where the slide ends, straight along its exit heading [m]."]
+    per_degree: Annotated[
+        RoadSpeed | None, "What one degree of the worst heading changes its speed into the impact by [m/s]."
+    ] = None
 
 
 @record

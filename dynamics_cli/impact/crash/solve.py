@@ -165,6 +165,7 @@ def _course(scene: CrashScene, body: Reconstructed, slide: After, way: Before) -
         start, body.approach_speed, body.approach_heading, body.exit_speed, body.exit_heading,
         None if spun is None else spun.spin, CrashDeltaV(change.magnitude, change.pdof),
         slide_distance=slide.distance if slid or spun is not None else None, rest_position=rest,
+        per_degree=None if body.determined is None else body.determined.per_degree,
     )  # fmt: skip
 
 

@@ -6,6 +6,7 @@ from dynamics_cli.impact.conventions import Axes, direction_of, mass_of
 from dynamics_cli.impact.scene_pictures import LENGTH, collision, velocities
 from dynamics_cli.impact.uncertain_shapes import at_tip, fan
 from dynamics_cli.impact.vector_pictures import polygon
+from dynamics_cli.impact.verdict_pictures import worst_headings
 from dynamics_cli.pictures import Axis, Band, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Count, Energy, Inertia, Length, Size, Speed, Time
 
@@ -40,8 +41,9 @@ def oblique(result: "Any", *, first: "Any" = None, second: "Any" = None, **_: "A
 
 
 def momentum(
-    result: "Any", *, first: "Any", second: "Any", gravity: float, spreads: "Spreads | None" = None, **_: "Any"
-) -> Picture:
+    result: "Any", *, first: "Any", second: "Any", gravity: float, damage: "Any" = None,
+    spreads: "Spreads | None" = None, **_: "Any",
+) -> Picture:  # fmt: skip
     """The vehicles at the impact with their velocities and what is uncertain of them, and the polygon of momenta."""
     axes = result.conventions.axes.partition(":")[0]
     bodies = (result.first, result.second)
@@ -79,8 +81,12 @@ def momentum(
     held = (
         "" if spreads is None else f"fans of headings and ellipses of velocities hold {100.0 * spreads.coverage:.4g} %"
     )
+    panels = [scene, polygon(names, masses, before, after)]
+    if damage is None and first.approach_speed is None and second.approach_speed is None:
+        bulks = [vehicle.bulk for vehicle in (first, second)]
+        panels += worst_headings(bodies, bulks, names, Axes(axes), gravity, wide=spreads is None)
     return Picture(
-        (scene, polygon(names, masses, before, after)),
+        tuple(panels),
         title,
         columns=2,
         scene=True,

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 TENSOR_COUNTS = (3, 5, 8, 12, 18, 27, 40, 60)
 # A level whose change is less than this share of the change before is converging.
 CONVERGING = 0.2
+# A first difference of sparse grids, in deviations, that no further level would settle.
+KINK = 0.1
 # Levels that do not settle, at a kink, may be off by this multiple of their difference.
 UNSETTLED = 3.0
 MOST_LEVEL = 4
@@ -128,6 +130,8 @@ def _stalled(differences: "list[float]", rest: int) -> bool:
     """Whether a kink or a bounded input keeps the levels from converging."""
     if rest <= 2:
         return len(differences) >= 4 and differences[-1] > 0.7 * differences[-2]
+    if len(differences) == 1:
+        return differences[-1] > KINK
     return len(differences) >= 2 and differences[-1] > CONVERGING * differences[-2]
 
 

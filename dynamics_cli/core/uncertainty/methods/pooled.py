@@ -17,6 +17,7 @@ from dynamics_cli.core.uncertainty.methods.outcome import (
     width_of,
 )
 from dynamics_cli.core.uncertainty.methods.scanned_lines import Listed
+from dynamics_cli.core.uncertainty.methods.shared_lines import principal
 from dynamics_cli.core.uncertainty.space import Space
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.numerics.distributions.normal_arrays import quantile
@@ -57,7 +58,9 @@ class Pool:
         else:
             uniform = np.random.default_rng(goal.seed).random((space.size, total))
         self._rows = {row: place for place, row in enumerate(space.rest())}
-        self._values = space.some(quantile(uniform), list(self._rows)).reshape(-1, self.shifts, self.count)
+        self._values = space.some(principal(space, np.eye(space.size)) @ quantile(uniform), list(self._rows)).reshape(
+            -1, self.shifts, self.count
+        )
 
     def outcome(self, result: int, goal: Goal, centre: Lines) -> Outcome:
         """One result's quantiles, mean and deviation."""

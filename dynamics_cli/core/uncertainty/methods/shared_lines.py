@@ -66,7 +66,7 @@ class SharedLines:
         self.direction = direction
         self.count = count
         self.sole = sole = sole or space.size == 1
-        across = complement(direction)[:, : 0 if sole else None]
+        across = principal(space, complement(direction))[:, : 0 if sole else None]
         rest, weights, self.group = crossings(across.shape[1], count, seed)
         self.lines = weights.size
         many = POINTS if space.size - 1 in GRIDS else POINTS_OF_MANY
@@ -84,7 +84,9 @@ class SharedLines:
         every = np.repeat(np.arange(self.lines), self.points)
         values = at(self.s.ravel(), every).reshape(-1, self.lines, self.points)
         low, high = self.s[:, :-1].copy(), self.s[:, 1:].copy()
-        first, last = values[:, :, :-1].copy(), values[:, :, 1:].copy()
+        first, last = values[:, :, :-1], values[:, :, 1:]
+        if np.isnan(values).any():
+            first, last = first.copy(), last.copy()
         _cut(at, (low, high), (first, last))
         self.between = low, high
         self.ends = {row: (first[place], last[place]) for place, row in enumerate(rows)}
@@ -110,6 +112,18 @@ class SharedLines:
     def sound(self, result: int) -> bool:
         """Whether a result is admissible at all points."""
         return all(bool(np.isfinite(part).all()) for part in self.ends[result])
+
+
+def principal(space: Space, across: "Array") -> "Array":
+    """Orthonormal columns turned so that the first are those along which most results change most.
+
+    The leading coordinates of a lattice are its best.
+    """
+    gradients = np.array([direction for direction, _ in space.started.values()])
+    if not gradients.size:
+        return across
+    turn: Array = np.linalg.svd(gradients @ across)[2]
+    return across @ turn.T
 
 
 def _cut(at: "Callable[[Array, Array], Array]", between: "Pair", ends: "Pair") -> None:
