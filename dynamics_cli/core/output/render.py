@@ -109,22 +109,22 @@ def to_full_table(
 
 def to_verdict(document: "Document", lines: "list[str]", width: int) -> str:
     """Results laid out by their task, and of the notes what is wrong, or to be known."""
-    passed = [f"check: {check_line(check)}" for check in document["checks"] if check["passed"]]
-    notes = [note for note in _notes(document) if note not in passed and not note.startswith(("model: ", "source: "))]
-    return "\n".join([*lines, *(line for note in notes for line in wrapped(note, width, 2))]) + "\n"
+    notes = [line for note in _notes(document, brief=True) for line in wrapped(note, width, 2)]
+    return "\n".join([*lines, *notes]) + "\n"
 
 
-def _notes(document: "Document") -> "list[str]":
-    """The notes under the results: limits, checks, warnings, the model and its source, files."""
+def _notes(document: "Document", *, brief: bool = False) -> "list[str]":
+    """The notes under the results: limits, checks, warnings, the model and its source, files; `brief` what matters."""
     model = document["model"]
     notes = [f"limit: {item['message']}" for item in document.get("limits", ())]
     notes += [f"quantile: {item['message']}" for item in document.get("quantiles", ())]
-    notes += [f"check: {check_line(check)}" for check in document["checks"]]
+    notes += [f"check: {check_line(check)}" for check in document["checks"] if not (brief and check["passed"])]
     for item in document["warnings"]:
         remedy = f" ({item['remedy']})" if item.get("remedy") else ""
         notes.append(f"{item['severity']}: {item['message']}{remedy}")
-    notes.append(f"model: {model['name']}" + (f" ({model['why']})" if model.get("why") else ""))
-    notes.append(f"source: {model['source']}")
+    if not brief:
+        notes.append(f"model: {model['name']}" + (f" ({model['why']})" if model.get("why") else ""))
+        notes.append(f"source: {model['source']}")
     return notes + [f"written: {file['name']}" for file in document.get("files", ()) if file.get("written")]
 
 
