@@ -109,8 +109,9 @@ def to_full_table(
 
 def to_verdict(document: "Document", lines: "list[str]", width: int) -> str:
     """Results laid out by their task, and of the notes what is wrong, or to be known."""
-    notes = [line for note in _notes(document, brief=True) for line in wrapped(note, width, 2)]
-    return "\n".join([*lines, *notes]) + "\n"
+    return (
+        "\n".join([*lines, *(line for note in _notes(document, brief=True) for line in wrapped(note, width, 2))]) + "\n"
+    )
 
 
 def _notes(document: "Document", *, brief: bool = False) -> "list[str]":
@@ -122,9 +123,8 @@ def _notes(document: "Document", *, brief: bool = False) -> "list[str]":
     for item in document["warnings"]:
         remedy = f" ({item['remedy']})" if item.get("remedy") else ""
         notes.append(f"{item['severity']}: {item['message']}{remedy}")
-    if not brief:
-        notes.append(f"model: {model['name']}" + (f" ({model['why']})" if model.get("why") else ""))
-        notes.append(f"source: {model['source']}")
+    why = f" ({model['why']})" if model.get("why") else ""
+    notes += [] if brief else [f"model: {model['name']}{why}", f"source: {model['source']}"]
     return notes + [f"written: {file['name']}" for file in document.get("files", ()) if file.get("written")]
 
 
