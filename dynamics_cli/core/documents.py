@@ -212,3 +212,9 @@ def bound_text(entry: "dict[str, Any] | None") -> str:
 def quantity_node(value: "Any", unit: str) -> "dict[str, Any]":
     """A number (or numbers) with its unit, if it has one."""
     return {"value": value, "unit": unit} if unit else {"value": value}
+
+
+def check_line(check: "dict[str, Any]") -> str:
+    """A check in one line."""
+    value = f" ({check['value']:.2g})" if check.get("value") is not None else ""
+    return f"{check['name']}: {'passed' if check['passed'] else 'FAILED'}{value}"

@@ -2,8 +2,8 @@
 
 import os
 
-from dynamics_cli.core.documents import bound_text, flatten, is_table, number, quantity
-from dynamics_cli.core.output.render import check_line, to_pretty_json
+from dynamics_cli.core.documents import bound_text, check_line, flatten, is_table, number, quantity
+from dynamics_cli.core.output.render import to_pretty_json
 from dynamics_cli.report.blocks import Code, Heading, Items, Paragraph, Table
 from dynamics_cli.report.calculation import Calculation, spreads
 from dynamics_cli.report.recalculation import read_files

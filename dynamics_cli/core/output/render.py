@@ -5,6 +5,7 @@ Every number is the document's own: JSON and CSV carry the shortest text that ro
 
 from dynamics_cli.core.documents import (
     bound_text,
+    check_line,
     columns,
     decimals,
     flatten,
@@ -151,12 +152,6 @@ def _blocks(widths: "list[int]", room: int) -> "list[list[int]]":
             blocks.append([0])
         blocks[-1].append(column)
     return blocks
-
-
-def check_line(check: "dict[str, Any]") -> str:
-    """A check in one line."""
-    value = f" ({check['value']:.2g})" if check.get("value") is not None else ""
-    return f"{check['name']}: {'passed' if check['passed'] else 'FAILED'}{value}"
 
 
 def _explanation(explanation: "dict[str, Any]") -> "list[str]":
