@@ -88,7 +88,7 @@ class Orientation:
 
 
 def orientation(turn: Attitude) -> Orientation:
-    """Read a rotation; refuse zero axes and quaternions, unknown sequences, mirrors and the like, opposite directions."""
+    """Read a rotation; refuse zero axes and quaternions, unknown sequences, mirrors, opposite directions."""
     if isinstance(turn, ByMatrix):
         return _of_matrix(turn)
     if isinstance(turn, YawPitchRoll):
