@@ -3,11 +3,12 @@
 import math
 
 from dynamics_cli.errors import worded
-from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
+from dynamics_cli.pictures import Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.pictures.vectors import (
     SUM,
     Step,
     beside,
+    corner,
     curve,
     from_above,
     head_to_tail,
@@ -204,20 +205,7 @@ def lines(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
     elif meeting is not None:
         items.append(Mark(*seen(meeting), "they meet", (6.0, -8.0), role=SUM))
     shown = "; black: the shortest connection" if result.distance.value > 0.0 else ""
-    return _scene([*items, *_corner(items)], f"relative position: {result.relation}", f"seen obliquely{shown}")
-
-
-def _corner(items: "Sequence[Any]") -> "list[Any]":
-    """Small axes at the lower left of what is drawn."""
-    x = [number for item in items if isinstance(item, Curve) for number in item.x] or [-1.0, 1.0]
-    y = [number for item in items if isinstance(item, Curve) for number in item.y] or [-1.0, 1.0]
-    size = 0.12 * max(max(x) - min(x), max(y) - min(y))
-    left, low = min(x) - 2.0 * size, min(y)
-    corner: list[Any] = []
-    for name, axis in zip("xyz", ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), strict=True):
-        dx, dy = seen(times(size, axis))
-        corner += [Arrow(left, low, dx, dy, "", SUM), Label(left + 1.3 * dx, low + 1.3 * dy, name, SUM)]
-    return corner
+    return _scene([*items, *corner(items)], f"relative position: {result.relation}", f"seen obliquely{shown}")
 
 
 def frame(result: "Any", *points: "Any", **directions: "Any") -> Picture:
