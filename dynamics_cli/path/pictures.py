@@ -6,7 +6,8 @@ from itertools import pairwise
 from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Mark, Panel, Picture
-from dynamics_cli.pictures.vectors import SUM, Step, head_to_tail, labelled
+from dynamics_cli.pictures.vectors import SUM, Step, arrow, corner, head_to_tail, labelled, scene, seen, times
+from dynamics_cli.pictures.vectors import curve as in_view
 from dynamics_cli.quantities import Acceleration, Length, Speed, Time
 
 TYPE_CHECKING = False
@@ -144,7 +145,8 @@ def in_space(result: "Any", **_: "Any") -> Picture:
         _arrow((0.0, 0.0), (tangential, normal), math.hypot(tangential, normal), size, "a"),
         Mark(0.0, 0.0, ""),
     )  # fmt: skip
-    along, across = Axis("along the path, T", Length), Axis("to the centre, N", Length)
+    kind = None if result.radius_of_curvature is None else Length
+    along, across = Axis("along the path, T", kind), Axis("to the centre, N", kind)
     return Picture((Panel(along, across, items, equal=True),), "velocity and acceleration along and across the path")
 
 
@@ -166,14 +168,14 @@ def curve(result: "Any", *, x: "Any" = None, y: "Any" = None, z: "Any" = None, s
     first, last = rows[0].time, rows[-1].time
     times = [first + (last - first) * i / DRAWN for i in range(DRAWN + 1)]
     states = [motion.state(time) for time in times]
-    path = _path_panel(result, states)
+    path = _path_panel(result, states) if motion.flat else _path_in_space(result, states)
     rates = [
         Curve(times, [_or_gap(state.bend.tangential) for state in states], "aₜ", role=ACCELERATION),
         Curve(times, [_or_gap(state.bend.normal) for state in states], "aₙ", "dashed", role=PART),
     ]
     speeds = Panel(TIME, Axis("speed", Speed), (Curve(times, [state.bend.speed for state in states], role=VELOCITY),))
     panels = (path, speeds, Panel(TIME, Axis("acceleration", Acceleration), tuple(rates)))
-    return Picture(panels, "motion along the curve" + ("" if motion.flat else " (seen along z)"))
+    return Picture(panels, "motion along the curve" + ("" if motion.flat else ", seen obliquely"))
 
 
 def _or_gap(value: "float | None") -> float:
@@ -185,9 +187,8 @@ def _path_panel(result: "Any", states: "Sequence[Any]") -> Panel:
     size = 0.5 * max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
     place = (result.position[0], result.position[1])
     items: list[Any] = [Curve(xs, ys, role=3, style="thick")]
-    flat = abs(result.velocity[2]) + abs(result.acceleration[2]) == 0.0
     radius = result.radius_of_curvature
-    if flat and radius is not None and radius < LARGE * size and result.speed > 0.0:
+    if radius is not None and radius < LARGE * size and result.speed > 0.0:
         v, turn = (
             result.velocity,
             result.velocity[0] * result.acceleration[1] - result.velocity[1] * result.acceleration[0],
@@ -206,6 +207,18 @@ def _path_panel(result: "Any", states: "Sequence[Any]") -> Panel:
         items.append(_arrow(place, rate, math.hypot(*rate), size, "a"))
     items.append(Mark(*place, ""))
     return Panel(X, Y, tuple(items), equal=True)
+
+
+def _path_in_space(result: "Any", states: "Sequence[Any]") -> Panel:
+    """The path seen obliquely, with velocity and acceleration at the time shown."""
+    places = [state.position for state in states]
+    size = max(math.dist(place, places[0]) for place in places) or 1.0
+    items: list[Any] = [in_view(places, "thick", 3)]
+    for name, vector, role in (("v", result.velocity, VELOCITY), ("a", result.acceleration, ACCELERATION)):
+        length = math.hypot(*vector)
+        if length:
+            items.append(arrow(times(ARROW * size / length, vector), name, role, start=result.position))
+    return scene([*items, Mark(*seen(result.position), ""), *corner(items)])
 
 
 def table(result: "Any", _file: str = "", **_: "Any") -> Picture:

@@ -55,17 +55,17 @@ def labelled(steps: "Sequence[Step]") -> "list[Any]":
     low, high = min(y for _, y in points), max(y for _, y in points)
     size = max(right - left, high - low) or 1.0
     visible = [step for step in steps if math.hypot(*step.way) > HIDDEN * size]
-    items: list[Any] = []
+    arrows: list[Any] = [Arrow(*step.tail, *step.way, "", step.role, step.dashed) for step in visible]
+    marks: list[Mark] = []
     for step in visible:
-        items.append(Arrow(*step.tail, *step.way, "", step.role, step.dashed))
-        items.append(beside(step, [other for other in visible if other is not step], size))
+        marks.append(beside(step, [other for other in visible if other is not step], size, marks))
     # words stand beyond the outermost arrows: unseen corners keep room for them
     room_x, room_y = 0.3 * size, 0.08 * size
-    return [*items, Curve([left - room_x, right + room_x], [low - room_y, high + room_y], "", "fill", SUM)]
+    return [*arrows, *marks, Curve([left - room_x, right + room_x], [low - room_y, high + room_y], "", "fill", SUM)]
 
 
-def beside(step: Step, others: "Sequence[Step]", size: float) -> Mark:
-    """Words beside an arrow, on the side and at the place that is farthest from the other arrows."""
+def beside(step: Step, others: "Sequence[Step]", size: float, marks: "Sequence[Mark]" = ()) -> Mark:
+    """Words beside an arrow, on the side and at the place that is farthest from the other arrows and their words."""
     length = math.hypot(*step.way)
     ends = [step.tail, *(end for other in others for end in (other.tail, other.tip))]
     centre = sum(x for x, _ in ends) / len(ends), sum(y for _, y in ends) / len(ends)
@@ -78,6 +78,16 @@ def beside(step: Step, others: "Sequence[Step]", size: float) -> Mark:
             clearance = min((_distance(middle, other) for other in others), default=size)
             away = normal[0] * (anchor[0] - centre[0]) + normal[1] * (anchor[1] - centre[1]) > 0.0
             score = min(clearance, 0.12 * size) - 0.02 * size * abs(fraction - 0.5) + 0.06 * size * away
+            # words of arrows that coincide take different sides
+            score -= (
+                0.2
+                * size
+                * any(
+                    math.hypot(anchor[0] - mark.x, anchor[1] - mark.y) < 0.2 * size
+                    and normal[0] * mark.aside[0] + normal[1] * mark.aside[1] > 0.0
+                    for mark in marks
+                )
+            )
             if best is None or score > best[0] + 1e-9 * size:
                 best = (score, anchor, normal)
     assert best is not None
@@ -176,6 +186,20 @@ def circle(centre: "Vector", first: "Vector", second: "Vector", radius: float) -
     """A circle in the plane of two unit vectors."""
     turns = [2.0 * math.pi * k / STEPS for k in range(STEPS + 1)]
     return [times(radius * math.sin(t), second, times(radius * math.cos(t), first, centre)) for t in turns]
+
+
+def corner(items: "Sequence[Any]") -> "list[Any]":
+    """Small axes at the lower left of what is drawn."""
+    points = [(x, y) for item in items if isinstance(item, Curve) for x, y in zip(item.x, item.y, strict=True)]
+    points += [(item.x + item.dx, item.y + item.dy) for item in items if isinstance(item, Arrow)]
+    x, y = zip(*points, strict=True) if points else ((-1.0, 1.0), (-1.0, 1.0))
+    size = 0.12 * max(max(x) - min(x), max(y) - min(y))
+    left, low = min(x) - 2.0 * size, min(y)
+    axes: list[Any] = []
+    for name, axis in zip("xyz", ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), strict=True):
+        dx, dy = seen(times(size, axis))
+        axes += [Arrow(left, low, dx, dy, "", SUM), Label(left + 1.3 * dx, low + 1.3 * dy, name, SUM)]
+    return axes
 
 
 def scene(items: "Sequence[Any]", title: "Any" = "", *, room: float = 0.0) -> Panel:

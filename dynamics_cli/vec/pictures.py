@@ -3,11 +3,12 @@
 import math
 
 from dynamics_cli.errors import worded
-from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
+from dynamics_cli.pictures import Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.pictures.vectors import (
     SUM,
     Step,
     beside,
+    corner,
     curve,
     from_above,
     head_to_tail,
@@ -149,7 +150,9 @@ def direction(result: "Any", *_: "Any", **__: "Any") -> Picture:
         if part:
             middle = seen([0.5 * (a + b) for a, b in zip(*corners[nth : nth + 2], strict=True)])
             label = worded(name + " = {part}", part=(part, kind))
-            items.append(Mark(*middle, label, (-5.0, 4.0) if nth == 0 else (5.0, -5.0), dot=False, role=SUM))
+            items.append(
+                Mark(*middle, label, (-5.0, 4.0) if nth == 0 and part > 0.0 else (5.0, -5.0), dot=False, role=SUM)
+            )
     items += tipped(v, worded("{size}", size=(result.magnitude.value, kind)), 0)
     return _scene(items, "a direction in space", "seen obliquely; the arrow is of unit length")
 
@@ -184,7 +187,7 @@ def lines(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
         far = max(1.3 * reach, math.dist(foot, point) + 0.3 * reach if foot else 0.0)
         end = times(-far, u, point)
         if item.normal is not None:
-            items.append(square(point, u, 1.2 * reach, role))
+            items.append(square(point, u, max(1.2 * reach, 1.2 * math.dist(point, meeting) if meeting else 0.0), role))
         else:
             items.append(curve((end, times(far, u, point)), "solid", role))
         items += [
@@ -196,26 +199,13 @@ def lines(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
         ends = [seen(foot) for foot in (result.first_foot.value, result.second_foot.value)]
         step = Step(ends[0], (ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]), name, SUM)
         items += [curve(ends, "thick", view=from_above), beside(step, (), reach)]
-    if meeting is not None:
+    if meeting is not None and result.common_direction is not None:
+        way = unit(result.common_direction.value)
+        items.append(curve((times(-1.2 * reach, way, meeting), times(1.2 * reach, way, meeting)), "thick"))
+    elif meeting is not None:
         items.append(Mark(*seen(meeting), "they meet", (6.0, -8.0), role=SUM))
-    return _scene(
-        [*items, *_corner(items)],
-        f"relative position: {result.relation}",
-        "seen obliquely; black: the shortest connection",
-    )
-
-
-def _corner(items: "Sequence[Any]") -> "list[Any]":
-    """Small axes at the lower left of what is drawn."""
-    x = [number for item in items if isinstance(item, Curve) for number in item.x] or [-1.0, 1.0]
-    y = [number for item in items if isinstance(item, Curve) for number in item.y] or [-1.0, 1.0]
-    size = 0.12 * max(max(x) - min(x), max(y) - min(y))
-    left, low = min(x) - size, min(y)
-    corner: list[Any] = []
-    for name, axis in zip("xyz", ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), strict=True):
-        dx, dy = seen(times(size, axis))
-        corner += [Arrow(left, low, dx, dy, "", SUM), Label(left + 1.3 * dx, low + 1.3 * dy, name, SUM)]
-    return corner
+    shown = "; black: the shortest connection" if result.distance.value > 0.0 else ""
+    return _scene([*items, *corner(items)], f"relative position: {result.relation}", f"seen obliquely{shown}")
 
 
 def frame(result: "Any", *points: "Any", **directions: "Any") -> Picture:

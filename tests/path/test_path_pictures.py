@@ -10,7 +10,7 @@ from dynamics_cli.path import pictures
 from dynamics_cli.path.circle import Turning, circle
 from dynamics_cli.path.components import components
 from dynamics_cli.path.coordinates import polar
-from dynamics_cli.path.curves.named import Cycloid
+from dynamics_cli.path.curves.named import Cycloid, Helix
 from dynamics_cli.path.curves.task import curve
 from dynamics_cli.path.moving import moving_frame
 from dynamics_cli.path.relative.motions import Mover
@@ -83,3 +83,14 @@ def test_circle_and_rest_are_drawn() -> None:
     assert len(items(drawn, Arrow)) == 4
     rest = components(velocity=(0.0, 0.0, 0.0), acceleration=(1.0, 0.0, 0.0))
     assert [arrow.label for arrow in items(pictures.in_space(rest), Arrow)] == ["a"]
+
+
+def test_a_curve_in_space_is_seen_obliquely() -> None:
+    shape = Helix(0.5, 0.3)
+    made = curve(shape=shape, start=0.0, end=12.0)
+    drawn = pictures.curve(made, shape=shape)
+    path = items(drawn, Curve)[0]
+    assert "obliquely" in drawn.title
+    # the pitch shows: the ends of two turns do not fall together
+    assert abs(path.y[-1] - path.y[0]) > 0.1
+    assert len(items(drawn, Arrow)) == 5

@@ -127,7 +127,8 @@ def points(answer: "Any", **_: "Any") -> Picture:
     elif answer.axis is not None:
         x, y = view(foot)
         items.append(Mark(x, y, "axis", role=3))
-    subtitle = worded("velocities, the fastest {v}; screw axis dash-dotted", v=(fastest, Speed))
+    axis_words = "; screw axis dash-dotted" if answer.axis is not None and view is seen else ""
+    subtitle = worded("velocities, the fastest {v}" + axis_words, v=(fastest, Speed))
     return Picture((scene(items, subtitle),), "points of a rigid body")
 
 

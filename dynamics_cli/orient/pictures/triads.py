@@ -60,7 +60,8 @@ def converted(answer: "Any", **_: "Any") -> Picture:
         *_axis_line(answer.rotation_axis, angle),
         *triad(answer.rotation_matrix, "′", 0),
     ]
-    subtitle = worded("fixed axes dashed; body axes x′ y′ z′ after {angle} about n", angle=(angle, Angle))
+    words_ = "fixed axes dashed; body axes x′ y′ z′ " + ("after {angle} about n" if angle else "have not turned")
+    subtitle = worded(words_, angle=(angle, Angle))
     return Picture((scene(items, subtitle, room=ROOM),), "orientation")
 
 
@@ -109,6 +110,8 @@ def screw(answer: "Any", **_: "Any") -> Picture:
     helix = [times(travel * k / STEPS, n, times(1.0, point, foot)) for k, point in enumerate(turned)]
     ends = [times(k * size, n, foot) for k in (-0.6, 1.2)]
     items: list[Any] = [
+        # an unseen line keeps the name of z off the title
+        curve([(0.0, 0.0, 0.0), (0.0, 0.0, 0.4 * size)], "fill"),
         curve(ends, "centre", 3),
         curve(helix, "solid", 0),
         arrow(d, "", 1, dashed=True),
