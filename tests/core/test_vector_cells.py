@@ -79,3 +79,19 @@ def test_blocks_of_them_are_answered_together(way: str, monkeypatch: pytest.Monk
     assert status == 0, out
     assert out.count(b"\n") == 401
     assert len(singly) <= 30  # the first and the last row of each way are compared
+
+
+@pytest.mark.parametrize("spaces", ["{}, {}", "{} ,  {} ", "  {},{}   "])
+@pytest.mark.parametrize("unit", ["", " ft"])
+def test_spaces_around_cells_are_no_reason_to_go_one_by_one(
+    spaces: str, unit: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    draw = random.Random(spaces)
+    rows = [spaces.format(f"{draw.choice(numbers(draw))}{unit}".lstrip("-"), draw.random()) for _ in range(400)]
+    data = "\n".join([f"marks.distance{'' if unit else '[ft]'},marks.friction", *rows]).encode()
+    expected = run(PROBE, data, arrays=False)
+    singly = []
+    values = Case.values
+    monkeypatch.setattr(Case, "values", lambda case, row: singly.append(row) or values(case, row))
+    assert run(PROBE, data) == expected
+    assert len(singly) <= 30

@@ -9,7 +9,8 @@ import csv
 from io import StringIO
 
 from dynamics_cli.core.answering.task import Task
-from dynamics_cli.core.batch.rows.inputs import decode_line, split_header
+from dynamics_cli.core.batch.rows.heads import split_header
+from dynamics_cli.core.batch.rows.inputs import decode_line
 from dynamics_cli.core.batch.text.blocks import Source
 from dynamics_cli.core.batch.text.records import cleared, records
 from dynamics_cli.core.inputs.quantity_text import is_uncertain, read_amount, total

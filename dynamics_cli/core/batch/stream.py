@@ -9,6 +9,7 @@ import itertools
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.batch.jobs import spread
 from dynamics_cli.core.batch.rows.case import Case
+from dynamics_cli.core.batch.rows.heads import split_header, split_title
 from dynamics_cli.core.batch.rows.inputs import (
     CsvInput,
     Input,
@@ -16,11 +17,11 @@ from dynamics_cli.core.batch.rows.inputs import (
     TextInput,
     decode_line,
     split_csv,
-    split_header,
 )
 from dynamics_cli.core.batch.rows.outputs import OUTPUTS, Output
+from dynamics_cli.core.batch.rows.tally import REPORT_IT, Tally
 from dynamics_cli.core.batch.text.blocks import Source
-from dynamics_cli.core.batch.text.records import cleared, first_record, records
+from dynamics_cli.core.batch.text.records import cleared, first_record, records, with_commas
 from dynamics_cli.core.deadline import Reached, held, reached
 from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.output.files import output
@@ -45,7 +46,7 @@ UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
 BLOCKS_A_PIECE = 4
 # Rows answered one by one may take long: this many are written, or sent to another process, at once.
 ROWS_A_PIECE = 64
-REPORT_IT = "this is a bug: please report it with the row"
+ONE_A_LINE = 'one object a line, for example {"distance": "60 ft", "friction": 0.7}'
 TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a row is one line of one case")
 
 
@@ -68,6 +69,7 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
                 for lines in blocks:
                     lines = _without_blank_head(lines)
                     if lines:
+                        lines, blocks = _in_commas(case, lines, blocks)
                         stream, lines = _begin(case, lines, form, terminal)
                         sink.write(stream.output.head())
                         break
@@ -82,14 +84,16 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
                         write(text)
                     if not settings.output:
                         terminal.stdout.flush()
-                    progress.advance(stream.rows)
+                    progress.advance(stream.tally.rows)
     except Reached:
-        where = f"after {stream.rows if stream else 0} rows" + ("; no file was written" if settings.output else "")
+        where = f"after {stream.tally.rows if stream else 0} rows" + (
+            "; no file was written" if settings.output else ""
+        )
         raise reached(settings.time_limit, where) from None
     finally:
         source.close()
     _tell(stream, terminal)
-    return ExitStatus.SOME_FAILED if stream.failed else ExitStatus.DONE
+    return ExitStatus.SOME_FAILED if stream.tally.failed else ExitStatus.DONE
 
 
 def _without_blank_head(lines: "list[bytes | None]") -> "list[bytes | None]":
@@ -97,6 +101,19 @@ def _without_blank_head(lines: "list[bytes | None]") -> "list[bytes | None]":
         if line is None or line.strip():
             return lines[start:]
     return []
+
+
+def _in_commas(
+    case: Case, lines: "list[bytes | None]", blocks: "Iterator[list[bytes | None]]"
+) -> "tuple[list[bytes | None], Iterator[list[bytes | None]]]":
+    """The first rows and the following ones, with commas where the header has semicolons or tabs."""
+    first = lines[0] or b""
+    for separator in (b";", b"\t"):
+        if separator in first and first.lstrip()[:1] != b"{" and not _is_header(case, first):
+            changed = with_commas(itertools.chain([lines], blocks), separator)
+            if _is_header(case, first.replace(separator, b",")):
+                return next(changed), changed
+    return lines, blocks
 
 
 def _pieces(blocks: "Iterator[list[bytes | None]]", jobs: int, *, singly: bool) -> "Iterator[list[bytes | None]]":
@@ -140,8 +157,11 @@ def _begin(
         raise UsageError("the first row is longer than 16 MB", parameter="rows", code="too-long")
     start = first.lstrip()[:1]
     if start == b"[":
-        hint = 'one object a line, for example {"distance": "60 ft", "friction": 0.7}'
+        hint = f"{ONE_A_LINE}, as from jq -c '.[]'"
         raise UsageError("rows begin with '[': a JSON list is not a stream", parameter="rows", code="json", hint=hint)
+    if first.strip() == b"{":
+        hint = f"{ONE_A_LINE}, as from jq -c ."
+        raise UsageError("the first row is '{' alone", parameter="rows", code="json", hint=hint)
     if b"\r" in first and b'"' not in first:
         message = "the rows' lines end in bare carriage returns"
         hint = "save them with line feeds, or send them through: tr '\\r' '\\n'"
@@ -186,9 +206,10 @@ def _readable(source: Input, lines: "list[bytes | None]") -> "Iterator[dict[str,
 def _is_header(case: Case, line: bytes) -> bool:
     """Whether some cell is the name of a parameter or of an earlier step's result; words are not names."""
     try:
-        names = [split_header(cell)[0].removeprefix("results.") for cell in split_csv(decode_line(line))]
+        cells = split_csv(decode_line(line))
     except UsageError:
         return False
+    names = [name for cell in cells for name in (split_header(cell)[0].removeprefix("results."), split_title(cell)[0])]
     return any(name.partition(".")[0].partition("[")[0].replace("-", "_") in case.names for name in names)
 
 
@@ -203,7 +224,7 @@ def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
             f"no column of the header {decode_line(first)[:80]!r} is a parameter of {case.task.path}",
             parameter="rows",
             code="header",
-            hint=f"cells are separated by commas; parameters are {', '.join(sorted(case.names))}",
+            hint=f"cells are separated by commas, semicolons or tabs; parameters are {', '.join(sorted(case.names))}",
         )
     _warn(case, [column.name for column in source.columns if not column.path], terminal)
     return source
@@ -211,8 +232,8 @@ def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
 
 def _tell(stream: "_Stream", terminal: "Terminal") -> None:
     _warn(stream.case, list(stream.passing), terminal)
-    if stream.fault:
-        terminal.tell(f"dynamics: {stream.fault}\n  {REPORT_IT}; the other rows are answered\n")
+    for text in stream.tally.told():
+        terminal.tell(text)
 
 
 def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
@@ -228,19 +249,14 @@ def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
 
 
 class _Block:
-    """The rows of one block, answered: their texts, the numbers of rows and of failures, and what is to be told.
+    """The rows of one block, answered: their texts, their tally, and names that pass through."""
 
-    `passing` holds names that pass through, `fault` the first mistake of the program itself.
-    """
+    __slots__ = ("passing", "tally", "texts")
 
-    __slots__ = ("failed", "fault", "passing", "rows", "texts")
-
-    def __init__(self, texts: "list[bytes]", rows: int, failed: int, passing: "list[str]", fault: str) -> None:
+    def __init__(self, texts: "list[bytes]", tally: Tally, passing: "list[str]") -> None:
         self.texts = texts
-        self.rows = rows
-        self.failed = failed
+        self.tally = tally
         self.passing = passing
-        self.fault = fault
 
 
 class _Stream:
@@ -250,12 +266,10 @@ class _Stream:
         self.case = case
         self.source = source
         self.output = output
-        self.rows = 0
-        self.failed = 0
+        self.tally = Tally(source.format)
         self.passing: dict[str, None] = {}
-        self.fault = ""
-        self._failed = 0
-        self._fault = ""
+        # That of the block in progress.
+        self._block = Tally(source.format)
         self._first = first
         self._groups: Groups | None = None
         # None: not yet looked at; False: these rows are answered one by one.
@@ -269,21 +283,21 @@ class _Stream:
 
     def take(self, block: _Block) -> None:
         """Count a block that has been answered, here or in another process."""
-        self.rows += block.rows
-        self.failed += block.failed
+        self.tally.add(block.tally)
         self.passing.update(dict.fromkeys(block.passing))
-        self.fault = self.fault or block.fault
 
     def block(self, lines: "list[bytes | None]") -> _Block:
         """The rows of one block, answered."""
-        self._failed, self._fault = 0, ""
+        self._block = Tally(self.source.format)
         texts = self._answered(lines)
         passing = list(self.source.passing) if isinstance(self.source, JsonInput) else []
-        return _Block(texts, len(lines), self._failed, passing, self._fault)
+        self._block.rows = len(lines)
+        return _Block(texts, self._block, passing)
 
     def _answered(self, lines: "list[bytes | None]") -> "list[bytes]":
         if None in lines:
-            self._failed += len(lines)
+            for _ in lines:
+                self._block.refuse(TOO_LONG, b"")
             return [self.output.bad(b"", TOO_LONG) for _ in lines]
         complete: list[bytes] = lines  # type: ignore[assignment]
         if self._wants_arrays(len(complete)):
@@ -298,7 +312,7 @@ class _Stream:
                 self._by_arrays = False
             finally:
                 gc.enable()
-            self._failed = 0
+            self._block = Tally(self.source.format)
         return [b"".join(map(self._single, complete))]
 
     def _wants_arrays(self, count: int) -> bool:
@@ -323,8 +337,7 @@ class _Stream:
             failure = error
         except Exception as error:
             failure = FaultError(f"internal error: {type(error).__name__}: {error}", hint=REPORT_IT)
-            self._fault = self._fault or f"{failure.message} in the row {line.decode(errors='replace')[:200]}"
-        self._failed += 1
+        self._block.refuse(failure, line)
         try:
             return self.output.bad(line, failure)
         except Exception:

@@ -7,9 +7,9 @@ from abc import ABC, abstractmethod
 from itertools import pairwise
 
 from dynamics_cli.core.batch.rows.case import Case
+from dynamics_cli.core.batch.rows.heads import Column
 from dynamics_cli.core.documents import flatten
 from dynamics_cli.core.inputs.sources.files import parse_json
-from dynamics_cli.core.inputs.sources.references import split_address
 from dynamics_cli.core.json_text import quote
 from dynamics_cli.core.output.csv_cells import csv_cell, header, without_guard
 from dynamics_cli.core.output.row_layout import compact
@@ -60,43 +60,6 @@ def split_csv(line: str) -> "list[str]":
         message = f"the row is not CSV: {error}"
         hint = 'close its quotes; a quote within a quoted cell is written ""'
         raise UsageError(message, code="csv", hint=hint) from None
-
-
-class Column:
-    """A column of CSV: the path of the parameter it gives (none when it only passes through), and its unit."""
-
-    __slots__ = ("address", "flag", "name", "path", "unit")
-
-    def __init__(self, text: str, case: Case) -> None:
-        self.name, self.unit = split_header(text)
-        self.address = self.name.replace("-", "_")
-        self.path: tuple[str | int, ...] = ()
-        if self.address.startswith("results."):
-            self.address = self.address.removeprefix("results.")
-        option = case.task.options.get(self.name.replace("_", "-"))
-        try:
-            steps = tuple(split_address(self.address))
-        except UsageError:
-            steps = ()
-        if steps and steps[0] in case.names:
-            self.path = steps
-        elif option is not None and not option.repeats:
-            self.path = option.path
-            self.address = ".".join(option.path)
-
-    def raw(self, cell: str) -> "Any":
-        """A cell as raw input; a bare number takes the header's unit."""
-        cell = without_guard(cell)
-        return f"{cell} {self.unit}" if self.unit and cell.rstrip()[-1:] in tuple("0123456789.") else cell
-
-
-def split_header(text: str) -> "tuple[str, str]":
-    """`distance[ft]` as its name and unit; `segments[1]` has no unit."""
-    text = text.strip()
-    name, bracket, unit = text.rpartition("[")
-    if not bracket or not text.endswith("]") or (unit[:-1].isascii() and unit[:-1].isdigit()):
-        return text, ""
-    return name.strip(), unit[:-1].strip()
 
 
 def nest(raw: "Raw", path: "tuple[str | int, ...]", value: "Any") -> None:
@@ -169,7 +132,10 @@ class CsvInput(Input):
         self.heads = split_csv(decode_line(first))
         self.line = first
         self.columns = [Column(head, case) for head in self.heads]
-        self.errors = [index for index, column in enumerate(self.columns) if _is_error(column)]
+        self.errors = [index for index, column in enumerate(self.columns) if column.is_error]
+        for column, head in zip(self.columns, self.heads, strict=True):
+            if not column.path:
+                column.take_title(head, case, {column.path for column in self.columns})
         paths: set[tuple[str | int, ...]] = set()
         for column in self.columns:
             if column.path in paths and not column.name.startswith("results."):
@@ -191,7 +157,8 @@ class CsvInput(Input):
         """The cells that are not empty, each where its header says."""
         cells = split_csv(decode_line(line))
         if len(cells) != len(self.columns):
-            raise UsageError(f"the row has {len(cells)} cells, wanted {len(self.columns)}", code="csv")
+            count = "1 cell" if len(cells) == 1 else f"{len(cells)} cells"
+            raise UsageError(f"the row has {count}, wanted {len(self.columns)}", code="csv")
         for index in self.errors:
             if cells[index]:
                 raise CarriedError(cells[index])
@@ -230,10 +197,6 @@ class CsvInput(Input):
                 else:
                     object_[column.name] = f"{without_guard(cell)} {column.unit}".strip()
         return compact(object_)[:-1].encode()
-
-
-def _is_error(column: Column) -> bool:
-    return not column.path and column.address.split(".")[-1] == "error"
 
 
 class TextInput(Input):

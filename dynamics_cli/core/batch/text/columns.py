@@ -38,7 +38,7 @@ class Unsuited(Exception):
 
 
 class Column:
-    """Tokens that are all strict JSON numbers, and the doubles nearest to them."""
+    """Tokens that are all strict JSON numbers, with spaces around them perhaps, and the doubles nearest to them."""
 
     __slots__ = ("long", "tokens", "values")
 
@@ -91,7 +91,7 @@ def exact_scale(
 def exactly(token: bytes, exact: "Callable[[int, int], float]") -> float:
     """One token by exact integers; NaN when a single call would refuse it."""
     try:
-        return exact(*read_number(token.decode()))
+        return exact(*read_number(token.decode().strip()))
     except UsageError:
         return NAN
 

@@ -53,6 +53,9 @@ class Written:
     def columns(self, cells: "Tokens") -> "Columns | None":
         """The numbers' texts, or None where some cell is written in another way."""
         head, tail = len(self.before), len(self.after)
+        if head or tail or self.count > 1:
+            # a number alone may have spaces around it
+            cells = [cell.strip(b" ") for cell in cells]
         if tail and not all(cell.endswith(self.after) for cell in cells):
             return None
         if head and not all(cell.startswith(self.before) for cell in cells):
@@ -64,6 +67,7 @@ class Written:
 
 def written(text: bytes) -> "Written | None":
     """How a cell or a string that begins with a number, or a bracket, is written; None for other texts."""
+    text = text.strip(b" ")
     several = _SEVERAL.fullmatch(text)
     if several is not None:
         before, between, after = several.groups()

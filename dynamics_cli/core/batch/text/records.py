@@ -45,6 +45,29 @@ def first_record(lines: "Lines") -> "tuple[bytes, Lines]":
     return lines[0], lines[1:]
 
 
+def with_commas(blocks: "Iterable[Lines]", separator: bytes) -> "Iterator[Lines]":
+    """Blocks whose cells were parted by another separator: with commas instead."""
+    for lines in blocks:
+        data = b"" if None in lines else b"\n".join(lines)  # type: ignore[arg-type]
+        if data and b'"' not in data and b"," not in data:
+            yield data.replace(separator, b",").split(b"\n")  # type: ignore[misc]
+        else:
+            yield [line and _with_commas(line, separator.decode()) for line in lines]
+
+
+def _with_commas(line: bytes, separator: str) -> bytes:
+    import csv
+    from io import StringIO
+
+    written = StringIO()
+    try:
+        cells = next(csv.reader([line.decode(errors="surrogateescape")], delimiter=separator, strict=True))
+    except csv.Error:
+        return line  # refused in its place
+    csv.writer(written, lineterminator="").writerow(cells)
+    return written.getvalue().encode(errors="surrogateescape")
+
+
 class _Joiner:
     """Lines that wait for the end of a quoted cell.
 

@@ -1,0 +1,67 @@
+"""Heads of columns: the parameter that a column gives, and its unit."""
+
+from dynamics_cli.core.batch.rows.case import Case
+from dynamics_cli.core.inputs.sources.references import split_address
+from dynamics_cli.core.output.csv_cells import without_guard
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class Column:
+    """A column of CSV: the path of the parameter it gives (none when it only passes through), and its unit."""
+
+    __slots__ = ("address", "flag", "name", "path", "unit")
+
+    def __init__(self, text: str, case: Case) -> None:
+        self.name, self.unit = split_header(text)
+        self.address = self.name.replace("-", "_")
+        self.path: tuple[str | int, ...] = ()
+        if self.address.startswith("results."):
+            self.address = self.address.removeprefix("results.")
+        option = case.task.options.get(self.name.replace("_", "-"))
+        try:
+            steps = tuple(split_address(self.address))
+        except UsageError:
+            steps = ()
+        if steps and steps[0] in case.names:
+            self.path = steps
+        elif option is not None and not option.repeats:
+            self.path = option.path
+            self.address = ".".join(option.path)
+
+    def take_title(self, text: str, case: Case, taken: "set[tuple[str | int, ...]]") -> None:
+        """Give the parameter that a title like `End speed (km/h)` means, if no other column gives it."""
+        name, unit = split_title(text)
+        if name in case.names and (name,) not in taken:
+            self.name = self.address = name
+            self.unit, self.path = unit, (name,)
+
+    def raw(self, cell: str) -> "Any":
+        """A cell as raw input; a bare number takes the header's unit."""
+        cell = without_guard(cell)
+        return f"{cell} {self.unit}" if self.unit and cell.rstrip()[-1:] in tuple("0123456789.") else cell
+
+    @property
+    def is_error(self) -> bool:
+        """Whether it holds the errors of an earlier step."""
+        return not self.path and self.address.split(".")[-1] == "error"
+
+
+def split_header(text: str) -> "tuple[str, str]":
+    """`distance[ft]` as its name and unit; `segments[1]` has no unit."""
+    text = text.strip()
+    name, bracket, unit = text.rpartition("[")
+    if not bracket or not text.endswith("]") or (unit[:-1].isascii() and unit[:-1].isdigit()):
+        return text, ""
+    return name.strip(), unit[:-1].strip()
+
+
+def split_title(text: str) -> "tuple[str, str]":
+    """`End speed (km/h)` as the parameter's name that it may mean, and its unit."""
+    name, unit = split_header(text)
+    if not unit and name.endswith(")"):
+        name, _, unit = name[:-1].partition("(")
+    return name.strip().lower().replace(" ", "_").replace("-", "_"), unit.strip()

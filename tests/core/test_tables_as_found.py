@@ -1,0 +1,64 @@
+"""Tables as people have them: other separators, titles for names, mistakes in every row."""
+
+import pytest
+from harness import run
+
+SPEED = ("skid", "speed", "--rows", "-", "--only", "speed")
+PLAIN = "60,0.7,57.04399891126848,"
+
+
+@pytest.mark.parametrize("separator", [";", "\t"])
+def test_semicolons_and_tabs_part_cells_too(separator: str) -> None:
+    rows = ["name,distance[ft],friction", "a,60,0.7", '"b,c",60,0.7', '"d ""e""",60,0.7', "f,60"]
+    rows[2:2] = ["a,60,0.7"] * 400
+    with_commas = run(*SPEED, stdin="\n".join(rows) + "\n")
+    found = "\n".join(rows).replace(",", separator).replace(f'"b{separator}c"', '"b,c"') + "\n"
+    assert run(*SPEED, stdin=found) == with_commas
+
+
+def test_a_separator_within_quotes_stays() -> None:
+    outcome = run(*SPEED, stdin='note;distance[ft];friction\r\n"a;b";60;0.7\r\n"open;60;0.7\r\nc;60,5;0,7\r\n')
+    lines = outcome.out.splitlines()
+    assert lines[1] == f"a;b,{PLAIN}"
+    assert "the row is not CSV" in lines[2]
+    assert "'60,5' is not a decimal number" in lines[3]
+
+
+@pytest.mark.parametrize(
+    "head", ["distance (ft),friction", "Distance [ft], Friction ", "DISTANCE (ft);friction", "distance[ft],friction"]
+)
+def test_titles_are_read_as_names(head: str) -> None:
+    outcome = run(*SPEED, stdin=f"{head}\n60,0.7\n".replace("\n60,", "\n60;" if ";" in head else "\n60,"))
+    assert outcome.status == 0
+    assert outcome.out.splitlines()[1] == PLAIN
+
+
+def test_a_name_comes_before_a_title() -> None:
+    outcome = run(*SPEED, stdin="Distance (m),distance[ft],friction\n1,60,0.7\n")
+    assert outcome.out.splitlines()[1] == f"1,{PLAIN}"
+
+
+def test_a_title_with_several_words_and_a_remark_that_is_none() -> None:
+    outcome = run(*SPEED, stdin="End speed (km/h),Remark (free),distance[ft],friction\n10,x,60,0.7\n")
+    assert outcome.out.splitlines()[1] == "10,x,60,0.7,57.913882720715584,"
+    assert not outcome.err
+
+
+def test_rows_that_failed_are_counted_and_the_first_is_told_with_its_remedy() -> None:
+    outcome = run(*SPEED, stdin="distance,friction\n60,0.7\n60 ft,0.7\n80,0.7\n")
+    assert outcome.status == 4
+    assert "2 rows could not be answered; the first: distance: '60' has no unit" in outcome.err
+    assert "name the unit in the header: distance[…]" in outcome.err
+
+
+def test_what_failed_in_an_earlier_step_is_not_told_again() -> None:
+    first = run(*SPEED, "--format", "ndjson", stdin='{"distance": "60", "friction": 0.7}\n')
+    again = run(*SPEED, stdin=first.out)
+    assert again.status == 4
+    assert not again.err
+
+
+def test_an_object_over_several_lines_is_refused_at_once() -> None:
+    outcome = run(*SPEED, stdin='{\n  "distance": "60 ft",\n  "friction": 0.7\n}\n')
+    assert outcome.status == 2
+    assert "jq -c" in outcome.err
