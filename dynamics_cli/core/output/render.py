@@ -109,9 +109,9 @@ def to_full_table(
 
 def to_verdict(document: "Document", lines: "list[str]", width: int) -> str:
     """Results laid out by their task, and of the notes what is wrong, or to be known."""
-    passed = [f"check: {check_line(check)}" for check in document["checks"] if check["passed"]]
-    notes = [note for note in _notes(document) if note not in passed and not note.startswith(("model: ", "source: "))]
-    return "\n".join([*lines, *(line for note in notes for line in wrapped(note, width, 2))]) + "\n"
+    told = ("model: ", "source: ", *(f"check: {check_line(check)}" for check in document["checks"] if check["passed"]))
+    notes = [line for note in _notes(document) if not note.startswith(told) for line in wrapped(note, width, 2)]
+    return "\n".join([*lines, *notes]) + "\n"
 
 
 def _notes(document: "Document") -> "list[str]":
