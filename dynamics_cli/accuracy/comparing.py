@@ -43,13 +43,9 @@ class Comparing:
         most: int = 1,
         shared: bool = False,
         repeats: int = 0,
-        arrays: "Callable[[Any], float | None] | None" = None,
         **options: "Any",
     ) -> "list[Row]":
-        """A row for every method; `most` cases are timed, and where answers are `shared` all are set beside the first.
-
-        `arrays` gives a method's time per case of an array.
-        """
+        """A row for every method; `most` cases are timed, and where answers are `shared` all stand beside the first."""
         rows: list[Row] = []
         base: float | None = None
         first: Errors | None = None
@@ -66,8 +62,7 @@ class Comparing:
                     calls.append(call)
             time = self.time(calls[:: max(1, len(calls) // most)], repeats)
             base = base or time
-            many = arrays(method) if arrays and self.timed else None
-            rows.append(row(self.name, name, errors, time, base, array_time=many, own=first, **options))
+            rows.append(row(self.name, name, errors, time, base, own=first, **options))
             first = (first or errors) if shared else None
         return rows
 

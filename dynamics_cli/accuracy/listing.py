@@ -3,14 +3,11 @@
 import json
 from functools import cache
 from importlib.resources import files
+from typing import Any
 
 from dynamics_cli.pictures import Axis, Bars, Panel, Picture
 from dynamics_cli.quantities import Annotated, Text
 from dynamics_cli.records import record
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
 
 MANIFEST = files(__package__) / "manifest.json"
 HARD = "hard"

@@ -121,9 +121,9 @@ class TestInertia:
         assert hollow < set(inertia_book.SHAPES) < shapes
         assert shapes - hollow == set(inertia_quadrature.SHAPES)
 
-    def test_sections_from_a_corner(self) -> None:
+    def test_sections_from_the_origin(self) -> None:
         case = next(case for case in load("inertia_sections.json") if not case.hard)
-        found = inertia_sections.about_corner(**arguments(case))
+        found = inertia_sections.about_origin(**arguments(case))
         assert found.keys() == case.results.keys()
         for name, text in case.results.items():
             assert found[name] == pytest.approx(float(text), rel=1e-13), name

@@ -1,12 +1,9 @@
 """Four-bars by the forms of textbooks: Freudenstein's quotient for tan(θ₄/2), and the cosine rule."""
 
 import math
+from typing import Any
 
 from dynamics_cli.accuracy.questions import textbooks
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
 
 
 def _rates(a: float, c: float, angles: "tuple[float, float, float]") -> "dict[str, float]":

@@ -1,14 +1,12 @@
 """Motion as scripts have it: an integrator as it comes, modes of assembled matrices, differences of formulas."""
 
+from typing import Any
+
 from dynamics_cli.accuracy.alternatives.vibration import frequencies
 from dynamics_cli.accuracy.questions import textbooks
 from dynamics_cli.motion.equations.records import Turning
 from dynamics_cli.motion.equations.system import System
 from dynamics_cli.motion.rods import chain_of, many
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
 
 # The usual choice for second differences: the fourth root of the roundoff.
 STEP = 1e-4

@@ -1,12 +1,9 @@
 """Skids and flights as the textbook prints them: sine and cosine of the slope, differences of squares."""
 
 from math import atan, cos, pi, sin, sqrt, tan
+from typing import Any
 
 from dynamics_cli.accuracy.questions import textbooks
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
 
 
 def _drag(friction: float, grade: float, braking: float = 1.0) -> float:

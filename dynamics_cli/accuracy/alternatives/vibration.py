@@ -2,12 +2,9 @@
 
 import cmath
 import math
+from typing import Any
 
 from dynamics_cli.accuracy.questions import textbooks
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
 
 
 def _assembled(system: "Any") -> "tuple[Any, Any]":

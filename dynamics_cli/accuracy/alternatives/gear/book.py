@@ -2,7 +2,7 @@
 
 from math import acos, asin, atan, cos, pi, sin, sqrt, tan
 
-from dynamics_cli.accuracy.alternatives.gear.involute import newton, root_by_halving
+from dynamics_cli.accuracy.alternatives.gear.involute import newton
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -195,17 +195,3 @@ def profile(
     depth = pitch.module * (DEDENDUM - root_radius_factor * (1.0 - sin(pressure_angle)) - profile_shift)
     along = gear.reference * sin(gear.transverse) - 2.0 * depth / sin(gear.transverse)
     return {"base_diameter": gear.base, "form_diameter": sqrt(gear.base * gear.base + along * along)}
-
-
-def profile_by_halving(
-    *, teeth: int, pitch: "Any", pressure_angle: float, profile_shift: float, internal: bool, helix_angle: float,
-    root_radius_factor: float = CORNER, **other: "Any",
-) -> "dict[str, float]":  # fmt: skip
-    """The form circle where trochoid and involute meet, by halving of the textbook's equation of half angles."""
-    if internal or "addendum_factor" in other:
-        raise ArithmeticError
-    form = root_by_halving(
-        teeth=teeth, pressure_angle=pressure_angle, helix_angle=helix_angle, shift=profile_shift, dedendum=DEDENDUM,
-        tip_radius=root_radius_factor,
-    )  # fmt: skip
-    return {"form_diameter": 2.0 * pitch.module * form["form_radius"]}

@@ -1,6 +1,6 @@
 """The inverse involute and the end of undercut by iteration on residuals, which cancel however they are solved."""
 
-from math import acos, atan, cbrt, pi, sin, sqrt, tan
+from math import acos, cbrt, pi, sin, sqrt, tan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -41,17 +41,6 @@ def newton(value: float) -> "dict[str, float]":
         if abs(step) <= TINY * abs(phi):
             break
     return {"phi": phi}
-
-
-def newton_in_tangent(value: float) -> "dict[str, float]":
-    """Newton on t − tan⁻¹ t in t = tan φ, whose start and steps hold for every angle."""
-    t = cbrt(3.0 * value) if value < 1.0 else value + 1.5
-    for _ in range(MOST_STEPS):
-        step = (t - atan(t) - value) * (1.0 + t * t) / (t * t)
-        t -= step
-        if abs(step) <= TINY * abs(t):
-            break
-    return {"phi": atan(t)}
 
 
 def chosen_root(**given: "Any") -> "Any":

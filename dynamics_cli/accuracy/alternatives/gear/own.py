@@ -1,10 +1,8 @@
 """The program's own methods whose references are in other words than their tasks' results."""
 
-from dynamics_cli.accuracy.cases import flat
+from typing import Any
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
+from dynamics_cli.accuracy.cases import flat
 
 
 class Stated(dict):  # type: ignore[type-arg]

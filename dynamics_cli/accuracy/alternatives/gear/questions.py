@@ -11,7 +11,6 @@ QUESTIONS = (
         "gear", "pair", "inverse involute", SIZES, "inverse",
         Method("series", INVOLUTE + "chosen_inverse", chosen=True, tracked=True, arrays=True),
         Method("Newton on tan φ − φ", INVOLUTE + "newton"),
-        Method("Newton in tan φ", INVOLUTE + "newton_in_tangent"),
     ),
     Question(
         "gear", "pair", "involute function", SIZES, "inv",
@@ -56,6 +55,5 @@ QUESTIONS = (
     *textbooks(
         "gear", MESHES, HERE,
         ("profile", "textbook: end of the rack's flank, external", "book:profile"),
-        ("profile", "trochoid and involute by halving, external", "book:profile_by_halving"),
     ),
 )  # fmt: skip

@@ -1,12 +1,9 @@
 """Bevels, worms and crossed gears as textbooks print them: by angles, their differences and tan α − α."""
 
 from math import atan, cos, sin, tan
+from typing import Any
 
 from dynamics_cli.accuracy.alternatives.gear.involute import newton
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
 
 
 def bevel(

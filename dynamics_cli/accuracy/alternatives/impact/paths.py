@@ -1,4 +1,4 @@
-"""The path of an impact by its impulse: the program's own beside its sums for maps and the textbook's two cases.
+"""The path of an impact by its impulse: the program's own beside the textbook's two cases.
 
 Errors are shares of the whole impulse.
 """
@@ -6,7 +6,7 @@ Errors are shares of the whole impulse.
 from decimal import Decimal
 from math import copysign, hypot, inf, isfinite
 
-from dynamics_cli.accuracy.measure import DIGITS, Errors, seconds
+from dynamics_cli.accuracy.measure import DIGITS, Errors
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -44,26 +44,6 @@ def closed_form(case: "Case") -> "Call":
         return path.normal, path.tangential
 
     return answer
-
-
-def plain_sums(case: "Case") -> "Call":
-    """The program's own for whole maps, in plain sums; here one at a time."""
-    from dynamics_cli.impact.planar.path_arrays import planar_impacts
-
-    numbers, law = contact_of(case), case.inputs["law"]["word"]
-    return lambda: tuple(map(float, planar_impacts(*numbers, law=law)))
-
-
-def plain_arrays(case: "Case", rows: int) -> "Callable[[], Any]":
-    """So many of one contact, each with a friction of its own."""
-    import numpy as np
-
-    from dynamics_cli.impact.planar.path_arrays import planar_impacts
-
-    *contact, _, e = contact_of(case)
-    kt, kx, kn, ut, un = (np.full(rows, number) for number in contact)
-    law = case.inputs["law"]["word"]
-    return lambda: planar_impacts(kt, kx, kn, ut, un, np.linspace(0.0, 1.0, rows), e, law=law)
 
 
 def two_cases(case: "Case") -> "Call":
@@ -154,13 +134,7 @@ def _compared(
         errors.by_result[f"{index} impulse"] = error
         return call
 
-    def arrays(prepare: "Any") -> "float | None":
-        if prepare is not plain_sums:
-            return None
-        pace = comparing.pace
-        return seconds(plain_arrays(cases[0], pace.rows), repeats=3, least=pace.least) / pace.rows
-
-    return comparing.rows(ways, cases, answer, most=4, repeats=3, shared=True, arrays=arrays)
+    return comparing.rows(ways, cases, answer, most=4, repeats=3, shared=True)
 
 
 def compare(comparing: "Comparing") -> "list[Row]":
@@ -168,7 +142,6 @@ def compare(comparing: "Comparing") -> "list[Row]":
     ways = (
         ("closed form by cases (chosen)", closed_form),
         ("slides or sticks, as in textbooks", two_cases),
-        ("the same in plain sums, for maps", plain_sums),
     )
     return _compared(comparing, comparing.cases("impact_rigid.json", task="path"), ways, PLANE, PROMISE)
 

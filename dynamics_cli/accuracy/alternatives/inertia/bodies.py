@@ -64,8 +64,8 @@ def named(centre: "Any", tensor: "Any", moments: "Any") -> "dict[str, Any]":
     return results | {f"principal_moments.{name}": moments[k] for k, name in enumerate(NAMES)}
 
 
-def _composed(scene: "Any", *, about_centre: bool) -> "tuple[float, Array, Array]":
-    """Mass, mass centre and tensor about it, by parallel axes to the mass centre or from the origin."""
+def _composed(scene: "Any") -> "tuple[float, Array, Array]":
+    """Mass, mass centre and tensor about it, by parallel axes from the origin."""
     import numpy as np
 
     from dynamics_cli.inertia.assembly.parts import Walk
@@ -80,37 +80,27 @@ def _composed(scene: "Any", *, about_centre: bool) -> "tuple[float, Array, Array
         parts.append((leaf.sign * leaf.lump.mass, place, leaf.sign * (turn @ inner @ turn.T)))
     mass = sum(part[0] for part in parts)
     centre = np.sum([m * place for m, place, _ in parts], axis=0) / mass
-    origin = centre if about_centre else np.zeros(3)
 
     def moved(m: float, d: "Array") -> "Array":
         return m * (d @ d * np.eye(3) - np.outer(d, d))  # type: ignore[no-any-return]
 
-    tensor = np.sum([inner + moved(m, place - origin) for m, place, inner in parts], axis=0)
-    return mass, centre, tensor - moved(mass, centre - origin)
-
-
-def _assembly(scene: "Any", *, about_centre: bool) -> "dict[str, Any]":
-    import numpy as np
-
-    mass, centre, tensor = _composed(scene, about_centre=about_centre)
-    return {"mass": mass, **named(centre.tolist(), tensor.tolist(), np.linalg.eigvalsh(tensor).tolist())}
+    tensor = np.sum([inner + moved(m, place) for m, place, inner in parts], axis=0)
+    return mass, centre, tensor - moved(mass, centre)
 
 
 def body_from_origin(scene: "Any") -> "dict[str, Any]":
     """The textbook: tensors summed about the origin, I = I₀ − m (c²·1 − c cᵀ) at the end, LAPACK."""
-    return _assembly(scene, about_centre=False)
+    import numpy as np
 
-
-def body_from_centre(scene: "Any") -> "dict[str, Any]":
-    """The mass centre first, each tensor moved to it, LAPACK."""
-    return _assembly(scene, about_centre=True)
+    mass, centre, tensor = _composed(scene)
+    return {"mass": mass, **named(centre.tolist(), tensor.tolist(), np.linalg.eigvalsh(tensor).tolist())}
 
 
 def pair_from_origin(scene: "Any") -> "dict[str, float]":
     """Two bodies, each from the origin, and their numbers subtracted; the turn between their axes by an arc cosine."""
     import numpy as np
 
-    (m, c, a), (n, d, b) = (_composed(side, about_centre=False) for side in (scene.first, scene.second))
+    (m, c, a), (n, d, b) = (_composed(side) for side in (scene.first, scene.second))
     shift = d - c
     results = {
         "first_mass": m, "second_mass": n, "mass_difference": n - m, "mass_ratio": n / m,

@@ -13,7 +13,6 @@ MOMENTS = (
 SECTIONS = (
     Method("whole numbers, rounded once", "dynamics_cli.inertia.section.task:section", chosen=True),
     Method("doubles from the origin, parallel axes at the end", HERE + "sections:about_origin"),
-    Method("doubles from a corner, parallel axes at the end", HERE + "sections:about_corner"),
 )
 QUESTIONS = (
     *textbooks(
@@ -24,7 +23,6 @@ QUESTIONS = (
     *textbooks(
         "inertia", "inertia_bodies.json", HERE,
         ("body", "tensors about the origin, parallel axes at the end, LAPACK", "bodies:body_from_origin"),
-        ("body", "tensors about the mass centre, LAPACK", "bodies:body_from_centre"),
         ("compare", "textbook: about the origin, arc cosines", "bodies:pair_from_origin"),
         ("tensor", "textbook: roots by an arc cosine", "bodies:tensor_by_cardano"),
         ("tensor", "LAPACK eigvalsh", "bodies:tensor_by_lapack"),

@@ -1,4 +1,4 @@
-"""Plane sections by sums in doubles about the origin and about a corner, as textbooks have them."""
+"""Plane sections by sums in doubles about the origin of the drawing, as textbooks have them."""
 
 from math import atan2, cos, hypot, pi, sin, sqrt
 
@@ -27,10 +27,9 @@ def _contours(polygon: "tuple[float, ...]", pieces: "tuple[Piece, ...]", holes: 
     return contours
 
 
-def _sums(contour: "Contour", near: "tuple[float, float]") -> "list[float]":
-    """∫ of 1, x, y, y², x², xy seen from a point: the shoelace formula and its like."""
-    sign, corners, diameter = contour
-    points = [(x - near[0], y - near[1]) for x, y in corners]
+def _sums(contour: "Contour") -> "list[float]":
+    """∫ of 1, x, y, y², x², xy: the shoelace formula and its like."""
+    sign, points, diameter = contour
     if diameter:
         (x, y), area = points[0], pi * diameter**2 / 4.0
         own = pi * diameter**4 / 64.0
@@ -49,16 +48,15 @@ def _sums(contour: "Contour", near: "tuple[float, float]") -> "list[float]":
     return [way * part for part in sums]
 
 
-def _answer(contours: "list[Contour]", near: "tuple[float, float]") -> "dict[str, float]":
+def _answer(contours: "list[Contour]") -> "dict[str, float]":
     """Area, centroid, and moments about it by parallel axes, the principal ones by Mohr's circle."""
-    parts = [_sums(contour, near) for contour in contours]
+    parts = [_sums(contour) for contour in contours]
     area, mx, my, ix, iy, ixy = (sum(column) for column in zip(*parts, strict=True))
     x, y = mx / area, my / area
     ix, iy, ixy = ix - area * y * y, iy - area * x * x, ixy - area * x * y
     radius = sqrt(((ix - iy) / 2.0) ** 2 + ixy**2)
     one, two = (ix + iy) / 2.0 + radius, (ix + iy) / 2.0 - radius
     angle = 0.5 * atan2(-2.0 * ixy, ix - iy)
-    x, y = near[0] + x, near[1] + y
     about = ix + area * y * y, iy + area * x * x, ixy + area * x * y
     return {
         "area": area, "perimeter": _perimeter(contours), "x": x, "y": y, "centroidal.ix": ix, "centroidal.iy": iy,
@@ -106,12 +104,4 @@ def about_origin(
     *, polygon: "tuple[float, ...]" = (), pieces: "tuple[Piece, ...]" = (), holes: "tuple[Hole, ...]" = ()
 ) -> "dict[str, float]":
     """The textbook: sums about the origin of the drawing, parallel axes at the end."""
-    return _answer(_contours(polygon, pieces, holes), (0.0, 0.0))
-
-
-def about_corner(
-    *, polygon: "tuple[float, ...]" = (), pieces: "tuple[Piece, ...]" = (), holes: "tuple[Hole, ...]" = ()
-) -> "dict[str, float]":
-    """The same seen from a corner of the section."""
-    shapes = _contours(polygon, pieces, holes)
-    return _answer(shapes, shapes[0][1][0])
+    return _answer(_contours(polygon, pieces, holes))
