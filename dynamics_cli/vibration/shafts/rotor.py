@@ -20,6 +20,7 @@ from dynamics_cli.quantities import (
     TorsionStiffness,
 )
 from dynamics_cli.records import Advice, Numerics, record
+from dynamics_cli.sampling import drawing
 from dynamics_cli.vibration.shafts.beam_elements import Matrices, critical_rates, stations_of, whirl_rates
 from dynamics_cli.vibration.shafts.campbell import BACKWARD, FORWARD, WhirlCritical
 
@@ -33,6 +34,8 @@ ELEMENTS, MODES, DIAGRAM_STEPS = 40, 3, 12
 MARGIN = 0.2
 # A place this share of the length beyond an end is rounding.
 BEYOND = 1e-12
+# A deflection below this share of the largest is rounding.
+NOTHING = 1e-9
 # Rounding of an element of a matrix; the share of a lowest frequency that is refused.
 ROUNDING, POOR = 2.3e-16, 1e-3
 
@@ -86,12 +89,13 @@ class RotorAtSpeed:
 
 
 @record
-class RotorShape:
-    """The bent shaft at a critical speed."""
+class RotorPlace:
+    """The bent shaft at one place, at the first critical speeds of unbalance; the largest deflection of each is 1."""
 
-    speed: Annotated[ShaftSpeed, "The critical speed, forward, of the lowest order [rad/s]."]
-    positions: Annotated[tuple[Size, ...], "Places along the shaft [m]."]
-    deflections: Annotated[tuple[Ratio, ...], "Deflections there; the largest is 1 [-]."]
+    position: Annotated[Size, "From the left end [m]."]
+    first: Annotated[Ratio, "Deflection at the first critical speed [-]."]
+    second: Annotated[Ratio | None, "At the second [-]."]
+    third: Annotated[Ratio | None, "At the third [-]."]
 
 
 @record
@@ -104,7 +108,7 @@ class RotorCriticals:
     criticals: Annotated[tuple[WhirlCritical, ...], "Where the orders meet whirls, from the lowest speed."]
     whirls: Annotated[tuple[RotorWhirl, ...] | None, "Free whirls at the running speed."]
     campbell: Annotated[tuple[RotorAtSpeed, ...], "Whirl frequencies over speed."]
-    shapes: Annotated[tuple[RotorShape, ...], "Shapes at the critical speeds of unbalance."]
+    shapes: Annotated[tuple[RotorPlace, ...], "Shapes of the shaft at the critical speeds of unbalance, by place."]
     numerics: Numerics
     advice: tuple[Advice, ...] = ()
 
@@ -153,7 +157,7 @@ def rotor(
     >>> shaft = Section(1.0, 0.02)
     >>> made = rotor(sections=shaft, bearings=(Bearing(0.0), Bearing(1.0)))
     >>> round(made.critical_speed, 1)
-    255.2
+    255.3
     """
     stretches = sections if isinstance(sections, tuple) else (sections,)
     shaft_mass, ends = _checked(stretches, disks, bearings)
@@ -187,9 +191,9 @@ def rotor(
         ),
         campbell=tuple(
             RotorAtSpeed(top * k / DIAGRAM_STEPS, *_frequencies(matrices, top * k / DIAGRAM_STEPS))
-            for k in range(DIAGRAM_STEPS + 1)
+            for k in range(0 if drawing() else DIAGRAM_STEPS + 1)
         ),
-        shapes=tuple(_shape(system.stations, rest, *pair) for pair in unbalance),
+        shapes=_shapes(system.stations, rest, [shape for _, shape in unbalance]),
         numerics=Numerics(_method(unbalance, check, rounding)),
         advice=_advice(margin),
     )
@@ -267,13 +271,17 @@ def _frequencies(matrices: "Sequence[Any]", speed: float) -> "tuple[tuple[float,
     return tuple(rate / (2.0 * math.pi) for rate in backward), tuple(rate / (2.0 * math.pi) for rate in forward)
 
 
-def _shape(stations: "list[float]", rest: "Any", rate: float, shape: "Any") -> RotorShape:
-    deflections = [0.0] * len(stations)
-    for number, value in zip(rest, shape, strict=True):
-        if number % 2 == 0:
-            deflections[number // 2] = float(value)
-    largest = max(deflections, key=abs)
-    return RotorShape(rate, tuple(stations), tuple(value / largest for value in deflections))
+def _shapes(stations: "list[float]", rest: "Any", shapes: "list[Any]") -> "tuple[RotorPlace, ...]":
+    columns: list[Any] = []
+    for shape in shapes:
+        deflections = [0.0] * len(stations)
+        for number, value in zip(rest, shape, strict=True):
+            if number % 2 == 0:
+                deflections[number // 2] = float(value)
+        largest = max(deflections, key=abs)
+        columns.append([0.0 if abs(value) < NOTHING * abs(largest) else value / largest for value in deflections])
+    columns += [[None] * len(stations)] * (MODES - len(columns))
+    return tuple(RotorPlace(*row) for row in zip(stations, *columns, strict=True)) if shapes else ()
 
 
 def _advice(margin: "float | None") -> "tuple[Advice, ...]":

@@ -80,9 +80,11 @@ def rotor(
     ]
     axes = Axis("speed", ShaftSpeed, ends=(0.0, top)), Axis("frequency", Frequency, ends=(0.0, ceiling))
     along = Axis("along the shaft", Size)
+    places = [row.position for row in result.shapes]
     curves = [
-        Curve(shape.positions, shape.deflections, f"{nth + 1} forward", role=nth)
-        for nth, shape in enumerate(result.shapes[:3])
+        Curve(places, [getattr(row, name) for row in result.shapes], f"{nth} forward", role=nth - 1)
+        for nth, name in enumerate(("first", "second", "third"), 1)
+        if result.shapes and getattr(result.shapes[0], name) is not None
     ]
     parts: list[Any] = [Band(0.0, 0.0, "", vertical=False)]
     parts += [Curve([disk.position] * 2, [-0.25, 0.25], "", "thick", role=GREY) for disk in disks]
