@@ -113,4 +113,40 @@ WHIRL = Task(
     plot=f"{ROTORS}:whirl",
 )  # fmt: skip
 
-TASKS = (SHAFT, ABSORBER, BEAM, WHIRL)
+ROTOR = Task(
+    "rotor",
+    "Critical speeds, whirl and Campbell diagram of a stepped shaft with disks on bearings.",
+    Model(
+        "beam elements with gyroscopic moments",
+        "dynamics_cli.vibration.shafts.rotor:rotor",
+        source="Rayleigh beam, cubic elements",
+        formula="(K + λΩ·G − λ²·M)·z = 0; K·z = λ²·(M ∓ G/h)·z at λ = ±hΩ",
+        assumptions=(
+            "a slender round shaft (no shear) with rotary inertia; rigid disks",
+            "bearings alike in every direction; no damping",
+        ),
+        method="beam elements, symmetric eigenvalues",
+    ),
+    headline=(
+        "critical_speed: first critical speed (unbalance)", "margin: running speed over the nearest",
+        "mass: mass of the rotor",
+        "criticals: critical speeds | speed, order, whirl, mode, frequency",
+        "whirls: at the running speed | mode, backward, forward",
+    ),
+    examples=(
+        'dynamics vibration rotor --section "length=200 mm, diameter=50 mm" --section "length=500 mm, diameter=65 mm" '
+        '--section "length=300 mm, diameter=50 mm" --bearing "position=60 mm, stiffness=80 kN/mm" '
+        '--bearing "position=750 mm, stiffness=60 kN/mm" --disk "position=400 mm, mass=35 kg, '
+        'polar-inertia=0.8 kg*m^2" '
+        '--disk "position=970 mm, mass=12 kg, polar-inertia=0.2 kg*m^2" --speed "3000 rpm"',
+        'dynamics vibration rotor --length "1 m" --diameter "40 mm" --bearing "position=0 m" --bearing "position=1 m"',
+    ),
+    scene={"bearings[0].position": "0 mm", "bearings[1].position": "200 mm"},
+    table="criticals whirls campbell",
+    plot=f"{ROTORS}:rotor",
+    arrays=False,
+    tracked=False,
+    points=400,
+)  # fmt: skip
+
+TASKS = (SHAFT, ABSORBER, BEAM, WHIRL, ROTOR)
