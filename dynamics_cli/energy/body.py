@@ -68,7 +68,7 @@ def body(
     Raises
     ------
     InadmissibleError
-        When there is no body, or none has a mass.
+        When no body is given, or none has a mass.
 
     References
     ----------
@@ -80,7 +80,7 @@ def body(
     >>> result.energy, result.angular_momentum
     (29.0, (0.0, 0.0, -4.0))
     """
-    require(len(bodies) > 0, "there is no body", code="none", hint='give --body "mass=2 kg, velocity=3, 0 m/s"')
+    require(len(bodies) > 0, "no body is given", code="none", hint='give --body "mass=2 kg, velocity=3, 0 m/s"')
     mass = summed([solid.mass for solid in bodies])
     require(mass > 0.0, "the bodies have no mass", code="mass", hint="give a mass above zero")
     velocity = _weighted([solid.velocity for solid in bodies], bodies, mass)

@@ -100,7 +100,7 @@ def drop(
     if isinstance(arrival, Falling):
         height = arrival.height
         if isinstance(spring, Known):
-            require(spring.stiffness > 0.0, "a spring without stiffness stops nothing", code="stiffness")
+            require(spring.stiffness > 0.0, "a spring without stiffness cannot stop it", code="stiffness")
             stiffness = spring.stiffness
             sag = weight / stiffness
             travel = sag + sqrt(sag * (sag + 2.0 * height))
@@ -125,7 +125,7 @@ def drop(
     require(plain(speed) > 0.0, "at {speed} it does not run into the spring", speed=(speed, Speed), code="speed",
             hint="give a speed above zero, or a --height")  # fmt: skip
     if isinstance(spring, Known):
-        require(spring.stiffness > 0.0, "a spring without stiffness stops nothing", code="stiffness")
+        require(spring.stiffness > 0.0, "a spring without stiffness cannot stop it", code="stiffness")
         stiffness = spring.stiffness
         travel = speed * sqrt(mass / stiffness)
     else:

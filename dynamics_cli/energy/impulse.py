@@ -116,7 +116,7 @@ class Drawn:
     """A turning body whose moment of inertia has changed."""
 
     end_rotation: Annotated[ShaftSpeed, "Its speed then [rad/s]."]
-    work: Annotated[PotentialEnergy, "Work of what draws it in, below zero as it is let out [J]."]
+    work: Annotated[PotentialEnergy, "Work of the force that draws it in; negative when let out [J]."]
     energy_ratio: Annotated[Ratio, "Kinetic energy over that at the start [-]."]
     angular_momentum: Annotated[AngularImpulse, "Angular momentum, which stays [N·m·s]."]
 

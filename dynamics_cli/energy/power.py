@@ -96,7 +96,7 @@ def power(
     result = load.torque * load.rotation if isinstance(load, Turning) else load.force * load.speed * cos(load.angle)
     given = None
     if efficiency is not None:
-        require(efficiency > 0.0, "with an efficiency of zero nothing arrives", code="efficiency",
+        require(efficiency > 0.0, "with an efficiency of zero no power arrives", code="efficiency",
                 hint="give it above zero, e.g. 90 %")  # fmt: skip
         # a machine that is driven backwards gives back less than it takes up
         given = result / efficiency if plain(result) >= 0.0 else result * efficiency
@@ -126,7 +126,7 @@ class WithPower:
 class Resistance:
     """What a vehicle needs at a speed."""
 
-    power: Annotated[Power, "Power of the engine; below zero: what brakes take at the wheels [W]."]
+    power: Annotated[Power, "Power of the engine; if negative, the power of the brakes at the wheels [W]."]
     speed: Annotated[RoadSpeed, "Speed [m/s]."]
     force: Annotated[Force, "Force at the wheels [N]."]
     rolling: Annotated[Force, "Rolling resistance [N]."]
@@ -178,7 +178,7 @@ def drive(
     """
     require(mass > 0.0, "the mass of {mass} is not above zero", mass=(mass, Mass))
     require(density > 0.0, "air without density has no drag", code="density", hint="leave out --drag-area instead")
-    require(efficiency > 0.0, "with an efficiency of zero nothing arrives", code="efficiency",
+    require(efficiency > 0.0, "with an efficiency of zero no power arrives", code="efficiency",
             hint="give it above zero, e.g. 92 %")  # fmt: skip
     angle = atan(slope)
     weight = mass * gravity

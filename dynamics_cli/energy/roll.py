@@ -56,7 +56,7 @@ class Roll:
     speed: Annotated[Speed | None, "Speed after the distance from rest [m/s]."]
     time: Annotated[Time | None, "Time for it [s]."]
     rim_speed: Annotated[Speed | None, "Speed of its rim beside its centre; slipping it is below the speed [m/s]."]
-    turning_share: Annotated[Fraction, "Share of its kinetic energy that is in turning [-]."]
+    turning_share: Annotated[Fraction, "Share of rotation in its kinetic energy [-]."]
     lost_share: Annotated[Fraction, "Share of the energy that friction takes [-]."]
 
 
@@ -94,8 +94,13 @@ def roll(
     >>> round(roll(body=Shape(Form("disk")), angle=0.5235987755982988).acceleration, 6)
     3.268883
     """
-    require(0.0 < plain(angle) < QUARTER, "nothing rolls down a slope of {angle}", angle=(angle, Angle), code="angle",
-            hint="give an angle between 0 and 90 deg")  # fmt: skip
+    require(
+        0.0 < plain(angle) < QUARTER,
+        "a slope of {angle} is too flat or too steep to roll down",
+        angle=(angle, Angle),
+        code="angle",
+        hint="give an angle between 0 and 90 deg",
+    )
     ratio = RATIOS[str(body.form)] if isinstance(body, Shape) else body.inertia_ratio
     whole = 1.0 + ratio
     needed = ratio * tan(angle) / whole

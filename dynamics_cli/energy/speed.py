@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 class Rolling:
     """What turns with the body as it moves: wheels, drums, gears."""
 
-    inertia: Annotated[Inertia, "Moment of inertia of what rolls or turns with it, e.g. 2 kg*m^2."]
+    inertia: Annotated[Inertia, "Moment of inertia of its rolling or rotating parts, e.g. 2 kg*m^2."]
     radius: Annotated[Size, "Radius at which it rolls or the rope runs, e.g. 300 mm."]
 
 
@@ -39,11 +39,11 @@ class Balance:
     change: Annotated[Speed, "Change of the speed [m/s]."]
     distance: Annotated[Distance | None, "The way [m]."]
     force: Annotated[Force | None, "Force along the way [N]."]
-    work: Annotated[PotentialEnergy, "Work beside that of gravity [J]."]
+    work: Annotated[PotentialEnergy, "Work other than that of gravity [J]."]
     gravity_work: Annotated[PotentialEnergy | None, "Work of gravity; with the drop [J]."]
     start_energy: Annotated[PotentialEnergy, "Kinetic energy at the start [J]."]
     end_energy: Annotated[PotentialEnergy, "Kinetic energy at the end [J]."]
-    effective_mass: Annotated[Mass | None, "Mass with what turns; with its inertia [kg]."]
+    effective_mass: Annotated[Mass | None, "Effective mass, rotating parts included; needs their inertia [kg]."]
 
 
 def speed(

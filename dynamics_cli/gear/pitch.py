@@ -116,7 +116,7 @@ def require_module(module: float) -> None:
         "the module {module:6} is outside the range for gears",
         module=(module, Size),
         code="module",
-        hint="modules from 1e-9 mm to 1e6 mm are taken",
+        hint="modules may be from 1e-9 mm to 1e6 mm",
     )
 
 

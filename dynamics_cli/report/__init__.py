@@ -8,8 +8,8 @@ REPORT = Command(
     "report",
     "FILE...",
     "Gather result documents into one report: HTML, PDF or Markdown.",
-    "Each FILE is a result document (or several, as NDJSON; - is standard input). Each is calculated again from the "
-    "inputs it holds: the report shows what was calculated now, and everything in which the document differs. "
+    "Each FILE is a result document (or several, as NDJSON; - is standard input). Each is calculated again from its "
+    "inputs: the report shows the new results, and everything in which the document differs. "
     "A gear pair or a cam alone is a data sheet of one page.",
     "dynamics report skid.json crash.json --output report.html",
     (

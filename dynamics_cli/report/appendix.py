@@ -23,11 +23,11 @@ READING = (
     "a ± b: an input with the standard uncertainty b, normally distributed; a..b: anywhere between, equally likely.",
     "Interval: the middle part of a result's distribution, with the probability that it stands for. A result's value "
     "is the one at the nominal inputs and need not be the middle of its interval.",
-    "A result of an earlier section as an input is shown as that section found it. The calculation takes its whole "
-    "distribution, and the mean of that distribution as its nominal value; both are in appendix B.",
-    "Share of the variance: how much of a result's uncertainty an input brings, together with other inputs.",
-    "Rounding error at most: what the arithmetic itself may have added, for the inputs as written. It does not say how "
-    "well they were measured.",
+    "An input that is a result of an earlier section is shown as in that section. The calculation takes its whole "
+    "distribution, with the mean as nominal value; both are in appendix B.",
+    "Share of the variance: the part of a result's uncertainty due to an input, alone or together with others.",
+    "Maximum rounding error: the error of the arithmetic itself, for the inputs as written. It does not include errors "
+    "of measurement.",
     "Calculated again: this program repeated each calculation from its inputs while it wrote the report.",
 )
 
@@ -77,7 +77,7 @@ def _complete(case: Calculation) -> "list[Block]":
             row += _spread(spread.get(name), sensitivities.get(name, {}))
         rows.append([*row, bound_text(bounds[name]) if name in bounds else ""])
     caption = f"Section {case.section}, {case.name}: dynamics {document['command']}, complete"
-    head = [*head, "rounding error at most"]
+    head = [*head, "maximum rounding error"]
     blocks: list[Block] = [Table(head, rows, caption, small=True)] if rows else []
     return [*blocks, *([Paragraph(f"Section {case.section}: {'; '.join(notes)}.", small=True)] if notes else [])]
 
@@ -112,8 +112,8 @@ def _propagation(uncertainty: "Document") -> "list[str]":
 def _reproduction(calculations: "Sequence[Calculation]") -> "list[Block]":
     """The inputs as data: what `--input` takes to calculate everything again."""
     text = (
-        "Each block is what --input reads: save it in a file and give the command above it to calculate the section "
-        "again (the ranges of a sweep are given with --sweep instead). dynamics report also repeats every calculation."
+        "To repeat a section, save its block in a file and run the command above it, which reads the file with --input "
+        "(ranges of a sweep are given with --sweep). dynamics report also repeats every calculation."
     )
     blocks: list[Block] = [Heading(2, "Appendix B: How to reproduce"), Paragraph(text)]
     for case in calculations:
@@ -139,7 +139,7 @@ def _options(document: "Document") -> str:
 
 
 def _files(calculations: "Sequence[Calculation]") -> "list[Block]":
-    """Every file that the report rests on with its SHA-256, and which section read it."""
+    """Every file behind the report with its SHA-256, and the section that read it."""
     digests = {case.source.digest: case.section for case in calculations}
     rows: dict[tuple[str, str], list[str]] = {}
     for case in calculations:
@@ -156,5 +156,5 @@ def _files(calculations: "Sequence[Calculation]") -> "list[Block]":
             use = f"written by section {case.section}, as its document says"
             rows.setdefault((os.path.basename(name), digest), []).append(use)
     rows_written = [[name, "; ".join(dict.fromkeys(uses)), digest] for (name, digest), uses in rows.items()]
-    caption = "Files this report rests on"
+    caption = "Files used for this report"
     return [Heading(2, "Appendix D: Files"), Table(["file", "use", "SHA-256"], rows_written, caption, small=True)]

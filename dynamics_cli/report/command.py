@@ -167,7 +167,7 @@ def _drawn(cases: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, l
                 images[case.section] = [_image(case, picture, part, 0.36 if width else 0.85)]
         spread = intervals(cases, FRONT)
         if spread is not None:
-            image = Image(draw(spread, "svg", "si"), "What was found, with intervals and limits", description(spread))
+            image = Image(draw(spread, "svg", "si"), "Results with intervals and limits", description(spread))
             images.setdefault(0, []).append(image)
     except UsageError as error:
         terminal.tell(f"dynamics: the report has no pictures: {error.message}\n  {error.hint}\n")

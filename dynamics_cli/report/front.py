@@ -22,10 +22,10 @@ def front(
     images: "Sequence[Image]",
     across: "Sequence[Image]" = (),
 ) -> "list[Block]":
-    """Title block, a wide picture, the others beside findings, and whether everything came out the same."""
+    """Title block, a wide picture, the others beside findings, and whether the repeated calculations agree."""
     findings: list[Block] = [Heading(2, "Findings")]
     findings.append(Items([finding(case) for case in calculations], ordered=True))
-    findings += [Paragraph(text, small=True) for text in _decided(calculations)]
+    findings += [Paragraph(text, small=True) for text in _drivers(calculations)]
     findings.append(Paragraph(verdict(calculations), small=True))
     cautions = _cautions(calculations)
     if cautions:
@@ -89,13 +89,13 @@ def _owned(address: str, label: str) -> str:
     return label
 
 
-def _decided(calculations: "Sequence[Calculation]") -> "list[str]":
+def _drivers(calculations: "Sequence[Calculation]") -> "list[str]":
     """The drivers of the findings with limits, or else of the last calculation."""
     for case in reversed(calculations):
         for address, label in sorted(_found(case), key=lambda item: not case.limits(item[0])):
             drivers = case.drivers(address)
             if drivers:
-                return [f"{case.name}: the {_owned(address, label)} is decided by {drivers} (shares of the variance)."]
+                return [f"{case.name}: the {_owned(address, label)} is driven by {drivers} (shares of the variance)."]
     return []
 
 
@@ -113,15 +113,16 @@ def _cautions(calculations: "Sequence[Calculation]") -> str:
 
 
 def verdict(cases: "Sequence[Calculation]") -> str:
-    """Whether the calculations came out the same when repeated, and whether their checks passed."""
+    """Whether the calculations gave the same results when repeated, and whether their checks passed."""
     same = sum(case.again.same for case in cases)
     documents = [case.document for case in cases if case.document is not None]
     failed = sum(not check["passed"] for document in documents for check in document["checks"])
     calculations = f"{len(cases)} calculation{'s' * (len(cases) > 1)}"
-    text = f"{same} of {calculations} came out the same when calculated again from these inputs"
-    rest = [case.again.words for case in cases if not case.again.same]
-    differing = f"; the other: {'; '.join(rest)}" if rest else ""
-    return f"{text}{differing}. {failed or 'No'} check{'s' * (failed != 1)} of the program on its own results failed."
+    text = f"{same} of {calculations} gave the same results when repeated from these inputs"
+    different = [case.again.words for case in cases if not case.again.same]
+    others = f"; the other: {'; '.join(different)}" if different else ""
+    checks = f"{failed} internal check{'s' * (failed > 1)} failed" if failed else "All internal checks passed"
+    return f"{text}{others}. {checks}."
 
 
 def intervals(calculations: "Sequence[Calculation]", width: float) -> "Picture | None":

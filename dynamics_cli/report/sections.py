@@ -32,7 +32,7 @@ def section(one: "Calculation", drawn: "Sequence[Image]" = ()) -> "list[Block]":
     blocks: list[Block] = [Heading(2, f"{one.section}. {one.title}")]
     if one.document is None:
         inputs_left_out = {key: node for key, node in one.source.document.items() if key != "inputs"}
-        text = f"{_sentence(one.again.words)} What the file says; nothing of it was calculated here:"
+        text = f"{_sentence(one.again.words)} From the file, not calculated here:"
         return [*blocks, Paragraph(text), Code(to_pretty_json(inputs_left_out).rstrip())]
     blocks += _given(one)
     for steps in one.formulas():

@@ -149,7 +149,9 @@ def _table(block: Table) -> str:
     sides = ["right" if nth in block.right else "left" for nth in range(len(block.head))]
     head = ", ".join(f"[*{write(text)}*]" for text in block.head)
     rows = "\n".join("  " + ", ".join(f"[{_breakable(write(text))}]" for text in row) + "," for row in block.rows)
-    inset = ", inset: (x: 0pt, y: 2.5pt), column-gutter: 5pt" if block.tight else ""
+    # the first of a few columns has room to spare for wider gaps
+    gutter = "12pt" if len(block.head) <= MOST_COLUMNS else "5pt"
+    inset = f", inset: (x: 0pt, y: 2.5pt), column-gutter: {gutter}" if block.tight else ""
     table = (
         f"text(size: {size}, table(columns: ({', '.join(columns)},), align: ({', '.join(sides)},){inset},\n"
         f"  table.header({head}), table.hline(stroke: 0.9pt),\n{_ruled(rows)}\n))"

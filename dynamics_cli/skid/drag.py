@@ -62,8 +62,8 @@ class Axles:
     wheelbase: Annotated[Distance, "Distance between the axles, e.g. 2.7 m [m]."]
     cm_position: Annotated[Distance, "Distance of the mass centre behind the front axle, e.g. 1.2 m [m]."]
     cm_height: Annotated[Distance, "Height of the mass centre above the road, e.g. 0.55 m [m]."]
-    front_braking: Annotated[Fraction, "Share of its friction that the front axle uses, 0 when unbraked [-]."] = 1.0
-    rear_braking: Annotated[Fraction, "Share of its friction that the rear axle uses, 0 when unbraked [-]."] = 1.0
+    front_braking: Annotated[Fraction, "Share of the friction used by the front axle, 0 when unbraked [-]."] = 1.0
+    rear_braking: Annotated[Fraction, "Share of the friction used by the rear axle, 0 when unbraked [-]."] = 1.0
     grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0
 
     @property

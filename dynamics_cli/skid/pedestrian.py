@@ -47,7 +47,9 @@ def pedestrian(
         Fraction | None, "Projection efficiency: the body's projection speed over the vehicle's, e.g. 0.8 [-]."
     ] = None,
     body_mass: Annotated[Mass | None, "Mass of the body thrown, e.g. 75 kg [kg]."] = None,
-    vehicle_mass: Annotated[Mass | None, "Mass of the vehicle; with that of the body, e.g. 1300 kg [kg]."] = None,
+    vehicle_mass: Annotated[
+        Mass | None, "Mass of the vehicle, given together with that of the body, e.g. 1300 kg [kg]."
+    ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Throw:
     """Projection speed of a pedestrian or rider from the throw: its bounds, and its value if the launch angle is known.

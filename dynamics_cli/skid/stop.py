@@ -64,7 +64,7 @@ def stop(
     friction: Annotated[Friction, "Coefficient of friction between tyre and road [-]."],
     reaction_time: Annotated[Time, "Time from the perception of the hazard until the brakes begin to act [s]."],
     build_up_time: Annotated[
-        Time | None, "Time in which the deceleration rises linearly from nothing to its full value, e.g. 0.2 s [s]."
+        Time | None, "Time in which the deceleration rises linearly from zero to its full value, e.g. 0.2 s [s]."
     ] = None,
     grade: Annotated[Slope, "Rise over run of the road in the direction of travel, uphill positive [-]."] = 0.0,
     braking: Annotated[

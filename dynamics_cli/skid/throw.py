@@ -85,7 +85,7 @@ def vehicle_share(
     masses = body_mass is not None or vehicle_mass is not None
     require_given(
         not masses or (body_mass is not None and vehicle_mass is not None),
-        "what the impact takes from the vehicle needs both masses",
+        "the speed that the vehicle loses in the impact needs both masses",
         ("body_mass", "vehicle_mass"),
     )
     require_given(
@@ -118,7 +118,9 @@ def on_grade(
         Fraction | None, "Projection efficiency: the body's projection speed over the vehicle's, e.g. 0.8 [-]."
     ] = None,
     body_mass: Annotated[Mass | None, "Mass of the body thrown, e.g. 75 kg [kg]."] = None,
-    vehicle_mass: Annotated[Mass | None, "Mass of the vehicle; with that of the body, e.g. 1300 kg [kg]."] = None,
+    vehicle_mass: Annotated[
+        Mass | None, "Mass of the vehicle, given together with that of the body, e.g. 1300 kg [kg]."
+    ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Throw:
     """Projection speed of a pedestrian or rider thrown along a grade: the least, and that of a known launch angle.

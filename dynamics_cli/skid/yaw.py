@@ -145,7 +145,12 @@ def yaw(
     grip = _share(sideways, superelevation, lean)
     speed = sqrt(gravity * path_radius * grip)
     if test_error is not None:
-        require(test_error > -1.0, "a test error of {e} leaves no speed", e=(test_error, Ratio), code="test-error")
+        require(
+            test_error > -1.0,
+            "with a test error of {e} the speed would not be above zero",
+            e=(test_error, Ratio),
+            code="test-error",
+        )
         speed = speed / (1.0 + test_error)
     return CriticalSpeed(
         speed=speed,
@@ -189,7 +194,7 @@ def _share(friction: float, bank: float, lean: float) -> float:
 def _left_for_the_curve(friction: float, braking: float) -> float:
     """The lateral friction that braking leaves on the friction circle."""
     require(
-        braking < friction, "braking with {braking} leaves nothing of a friction of {friction} for the curve",
+        braking < friction, "braking with {braking} uses all of the friction of {friction}: none is left for the curve",
         braking=(braking, DragFactor), friction=(friction, Friction), code="no-side-friction",
     )  # fmt: skip
     return sqrt((friction - braking) * (friction + braking))

@@ -150,7 +150,7 @@ def test_where_nothing_is_left_only_the_plate_is_refused() -> None:
         assert results[name] is None
         assert name not in found["numerics"]["error_bound"]
     assert results["least_convex_radius"]["value"] < 0.0
-    assert sum("nothing is left of the plate" in one["message"] for one in found["warnings"]) == 7
+    assert sum("no plate remains" in one["message"] for one in found["warnings"]) == 7
 
 
 def test_pieces_cut_off_do_not_count() -> None:

@@ -214,7 +214,7 @@ def test_parallel_ways_leave_torques_open() -> None:
         ({"arrangement": Planetary(sun=24, ring=72), "driver": "ring", "fixed": "ring"}, "fixed-driver", "also held"),
         ({"arrangement": Planetary(sun=24, ring=71)}, "planet", r"47/2 is not whole"),
         ({"arrangement": Planetary(sun=24, ring=72, planets=6)}, "planets-touch", "overlap by 2 modules"),
-        ({"arrangement": Planetary(sun=72, ring=24)}, "no-planet", "24 teeth leaves no space"),
+        ({"arrangement": Planetary(sun=72, ring=24)}, "no-planet", "24 teeth has no space"),
         ({"arrangement": Stages("20:-20")}, "no-room", "20 teeth cannot hold a gear of 20"),
         ({"arrangement": Stages("-20:-30")}, "two-internal-gears", "-20 and -30"),
         ({"arrangement": Stages("20")}, "stage", "the stage '20', wanted two"),

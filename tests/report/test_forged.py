@@ -11,7 +11,7 @@ from harness import run
 
 SPEED = ("skid", "speed", "--distance", "60 ± 2 ft", "--friction", "0.7 ± 0.05", "--limit", "35 mph", "--units", "us")
 CERTAIN = ("skid", "speed", "--distance", "60 ft", "--friction", "0.7", "--limit", "35 mph", "--explain")
-SAME = "1 of 1 calculation came out the same"
+SAME = "1 of 1 calculation gave the same results"
 FORGED = "certified by the court"
 OTHERS: tuple[Any, ...] = (None, 5, -1.5, True, "x", [], {}, [1, [2]], {"value": "x"}, {"value": [1, 2], "unit": 7})
 
@@ -86,9 +86,9 @@ def test_a_generous_estimate_lets_no_figure_pass(genuine: dict[str, Any]) -> Non
 
 def test_what_another_version_says_is_shown_as_data_alone(genuine: dict[str, Any]) -> None:
     text = reported({**genuine, "command": "skid leap"})
-    assert "nothing of it was calculated here" in text
+    assert "not calculated here" in text
     assert "1. Standard input: not calculated again: this version has no command 'skid leap'" in text
-    assert "0 of 1 calculation came out the same" in text
+    assert "0 of 1 calculation gave the same results" in text
 
 
 def places(node: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:

@@ -193,7 +193,7 @@ def test_a_report_leads_with_its_case_and_what_was_found(tmp_path: Path) -> None
     assert text.startswith("# Calculations\n\n- Case: 2026-17\n- Prepared by: A. Expert\n- 1 May 2026\n- dynamics ")
     assert "1. Before: the speed was **57.0 km/h** (95 %: 52.5 to 61.4), above the limit of 35 mph with" in text
     assert "2. After: the distance was **" in text
-    assert "2 of 2 calculations came out the same" in text
+    assert "2 of 2 calculations gave the same results" in text
     assert "## 2. After: distance and time in which" in text
     files = text.partition("Appendix D: Files")[2]
     digest = hashlib.sha256(Path(first).read_bytes()).hexdigest()
@@ -237,7 +237,7 @@ def test_a_document_of_an_unknown_command_is_shown_and_not_calculated(tmp_path: 
     Path(name).write_text(Path(name).read_text().replace('"skid speed"', '"skid leap"'))
     text = run("report", name).out
     assert "this version has no command 'skid leap'" in text
-    assert "nothing of it was calculated here" in text
+    assert "not calculated here" in text
     assert '"value": 35.44' in text
     assert "| speed |" not in text
 

@@ -422,13 +422,13 @@ REFUSED = {
     ),
     "too soft": (
         "rollover --track-width|5 ft|--cm-height|2 ft|--roll-gyration|2 ft|--trip-deceleration|30 ft/s^2",
-        "takes more than 40.22 ft/s²",
+        "more than 40.22 ft/s²",
     ),
     "tips alone": ("rollover --track-width|1 m|--cm-height|1 m|--superelevation|-60 %", "tips by itself"),
     "no rolling": ("rollover --track-width|1 m|--cm-height|1 m|--roll-distance|9 m", "--roll-drag"),
     "half a point": ("yaw --points|0, 0, 5, 1, 10 m|--friction|0.7", "5 numbers"),
     "a line": ("yaw --points|0, 0, 5, 5, 10, 10 m|--friction|0.7", "lie on a line"),
-    "all braking": ("yaw --radius|95 m|--friction|0.7|--braking-drag|0.7", "leaves nothing"),
+    "all braking": ("yaw --radius|95 m|--friction|0.7|--braking-drag|0.7", "uses all of the friction"),
     "a turn": ("swerve --speed|5 km/h|--lateral-shift|3.5 m|--lateral-acceleration|0.4 g", "more than two arcs"),
     "no room": ("swerve --speed|0 km/h|--lateral-shift|3.5 m|--lateral-acceleration|0.4 g", "at rest"),
     "beyond": (

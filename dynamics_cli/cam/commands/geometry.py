@@ -109,8 +109,8 @@ CHECK = Task(
         method="Chebyshev proxies; crossings of the envelope by halving and Newton",
     ),
     headline=(
-        "fits: all limits kept",
-        "binding: limits not kept",
+        "fits: within all limits",
+        "binding: limits exceeded",
         "undercut",
         "lift_lost: lift lost to undercut",
         "swing_lost: swing lost to undercut",

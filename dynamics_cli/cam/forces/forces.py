@@ -39,7 +39,7 @@ def force(
     shaft_speed: Annotated[ShaftSpeed, "Speed of the cam shaft [rad/s]."],
     train: Annotated[
         Train,
-        "The moving parts and what loads them: mass and forces of a slide, moment of inertia and torques of an arm.",
+        "Mass and forces of a slide, or moment of inertia and torques of an arm.",
     ],
     follower: Annotated[
         DrivenFollower | None, "The follower and where it stands, for the force along the common normal."
@@ -151,7 +151,7 @@ def _geometry(motion: Motion, follower: "Any", rotation: Rotation, contact: Cont
     if follower is None:
         if contact is not None:
             raise UsageError(
-                "follower is missing: a stress needs what touches the cam",
+                "follower is missing: the contact stress depends on its shape",
                 parameter="follower", code="missing",
                 hint='for example --follower roller --base-radius "40 mm" --roller-radius "10 mm"',
             )  # fmt: skip

@@ -69,14 +69,14 @@ def load_of(train: Train, motion: "Motion", omega: float = 0.0) -> Load:
     """
     if motion.swing and isinstance(train, Slide):
         raise UsageError(
-            "mass: the program swings an arm, and a mass, a force and a spring rate are those of a slide",
+            "mass: the program swings an arm; mass, force and spring rate describe a slide",
             parameter="mass", code="lift-kind",
             hint='give --inertia "0.002 kg*m^2" with --torsion-rate and --preload-torque, or with --spring-radius, '
             f"--spring-rate and --preload; or {SLIDES}",
         )  # fmt: skip
     if not motion.swing and not isinstance(train, Slide):
         raise UsageError(
-            "inertia: the program's lift is a length, and a moment of inertia and torques are those of an arm",
+            "inertia: the program's lift is a length; moment of inertia and torques describe an arm",
             parameter="inertia", code="lift-kind",
             hint=f'give --mass "0.5 kg" with --spring-rate and --preload; or {SWINGS}',
         )  # fmt: skip

@@ -46,7 +46,8 @@ class ArmOnTorsionSpring:
     """An arm, and a torsion spring about its pivot."""
 
     inertia: Annotated[
-        Inertia, "Moment of inertia of the arm and what moves with it about the pivot, e.g. 0.002 kg*m^2 [kg*m^2]."
+        Inertia,
+        "Moment of inertia about the pivot, of the arm and all parts that move with it, e.g. 0.002 kg*m^2 [kg*m^2].",
     ]
     torsion_rate: Annotated[TorsionStiffness, "Rate of the torsion spring about the pivot [N*m/rad]."] = 0.0
     preload_torque: Annotated[Torque, "Torque of the torsion spring at no swing [N*m]."] = 0.0
@@ -64,7 +65,8 @@ class ArmOnSpring:
     """An arm with a linear spring that acts perpendicular to a radius of the arm."""
 
     inertia: Annotated[
-        Inertia, "Moment of inertia of the arm and what moves with it about the pivot, e.g. 0.002 kg*m^2 [kg*m^2]."
+        Inertia,
+        "Moment of inertia about the pivot, of the arm and all parts that move with it, e.g. 0.002 kg*m^2 [kg*m^2].",
     ]
     spring_radius: Annotated[Size, "Distance of the spring's line of force from the arm's pivot, e.g. 50 mm [m]."]
     spring_rate: Annotated[Stiffness, "Rate of the spring [N/m]."] = 0.0
@@ -148,20 +150,21 @@ class Forces:
 
     least_force: Annotated[
         Force | None,
-        "Minimum force between cam and a sliding follower, along its way; negative, the follower leaves the cam [N].",
+        "Minimum force of the cam on a sliding follower, along its travel; if negative, it leaves the cam [N].",
     ]
     least_force_at: Annotated[Angle | None, "Where [rad]."]
     greatest_force: Annotated[Force | None, "Maximum of the same [N]."]
     greatest_force_at: Annotated[Angle | None, "Where [rad]."]
     least_arm_torque: Annotated[
         Torque | None,
-        "Minimum torque about its pivot that the cam gives an arm; negative, the arm leaves the cam [N*m].",
+        "Minimum torque of the cam on an arm, about its pivot; if negative, the arm leaves the cam [N*m].",
     ]
     least_arm_torque_at: Annotated[Angle | None, "Where [rad]."]
     greatest_arm_torque: Annotated[Torque | None, "Maximum of the same [N*m]."]
     greatest_arm_torque_at: Annotated[Angle | None, "Where [rad]."]
     least_contact_force: Annotated[
-        Force | None, "Minimum force along the common normal, for the follower given; negative, it leaves the cam [N]."
+        Force | None,
+        "Minimum force along the common normal, for the given follower; if negative, it leaves the cam [N].",
     ]
     least_contact_force_at: Annotated[Angle | None, "Where [rad]."]
     greatest_contact_force: Annotated[Force | None, "Maximum of the same [N]."]
@@ -172,7 +175,7 @@ class Forces:
     least_torque_at: Annotated[Angle, "Where [rad]."]
     greatest_power: Annotated[Power, "Maximum power between shaft and follower, either way [W]."]
     jump_speed: Annotated[ShaftSpeed | None, "Speed of the shaft above which the follower leaves the cam [rad/s]."]
-    jump_at: Annotated[Angle | None, "Where it leaves first [rad]."]
+    jump_at: Annotated[Angle | None, "Cam angle where it leaves first [rad]."]
     preload_needed: Annotated[Force | None, "Minimum preload that keeps contact at this speed [N]."]
     preload_torque_needed: Annotated[
         Torque | None, "Minimum preload of a torsion spring that keeps contact at this speed [N*m]."

@@ -133,7 +133,7 @@ def stress(motion: "Motion", touching: Touching, contact: "Contact") -> Found:
     least, _ = survey.extremes(1)
     require(
         least.value > 0.0,
-        "the cam is undercut at {at:6}: there is no contact to carry a stress",
+        "the cam is undercut at {at:6}: the follower does not touch it there",
         at=(least.at, Angle),
         code="undercut",
         hint="take a larger base circle or a smaller roller; `dynamics cam size` finds the smallest",

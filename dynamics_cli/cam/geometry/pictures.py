@@ -72,7 +72,7 @@ def check_picture(
     del inputs
     cam = profile(scene, program=program, follower=follower, rotation=rotation, flank=flank, points=SMOOTH)
     geometry = Geometry(follower, rotation, flank)
-    verdict = "all limits kept" if getattr(result, "fits", True) else f"not kept: {result.binding}"
+    verdict = "within all limits" if getattr(result, "fits", True) else f"exceeded: {result.binding}"
     title = _title("Cam for {follower}, base circle radius {base}{pair}\n" + verdict, follower, scene, program)
     limits = (rise_limit, -return_limit)
     return _picture(title, cam, geometry, motion_of(scene, program), limits=limits, least_radius=least_radius)

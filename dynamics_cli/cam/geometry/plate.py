@@ -258,14 +258,12 @@ def weighed(
 
 
 def _missing(name: str) -> Advice:
-    message = f"nothing is left of the plate about the axis of the cam: it has no {name.replace('_', ' ')}"
+    message = f"no plate remains around the axis of the cam: it has no {name.replace('_', ' ')}"
     return Advice("no-plate", message, "serious", "raise the base radius", result=name)
 
 
 def _trimmed(loss: "Loss") -> Advice:
-    message = (
-        "area, perimeter, centroid and inertia are those of the plate that is left; the table covers the whole curve"
-    )
+    message = "area, perimeter, centroid and inertia are of the remaining plate; the table covers the whole curve"
     if loss.pieces:
         message += f"; pieces cut off: {loss.pieces}"
     return Advice("trimmed-plate", message, "note")

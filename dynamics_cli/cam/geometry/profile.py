@@ -57,7 +57,7 @@ class CamProfile:
 
     largest_pressure_angle: Annotated[Angle, "Largest positive pressure angle [rad]."]
     largest_pressure_angle_at: Annotated[Angle, "Cam angle there [rad]."]
-    least_pressure_angle: Annotated[Angle, "Lowest pressure angle, usually that of the return [rad]."]
+    least_pressure_angle: Annotated[Angle, "Minimum pressure angle, usually in the return [rad]."]
     least_pressure_angle_at: Annotated[Angle, "Cam angle there [rad]."]
     least_convex_radius: Annotated[
         Coordinate | None,

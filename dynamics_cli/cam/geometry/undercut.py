@@ -33,14 +33,12 @@ class Loss:
     """The effect of an undercut."""
 
     lift: Annotated[
-        float, "Maximum lift lost [m, or rad for an arm]; infinite where nothing is left for the follower to rest on."
+        float, "Maximum lift lost [m, or rad for an arm]; infinite where no surface remains to support the follower."
     ]
     at: Annotated[float, "Cam angle there [rad]."]
     error: Annotated[float, "Bound of the error of the lift lost [m or rad]."]
     stretches: Annotated[tuple[tuple[float, float], ...], "Cam angles between which the envelope runs backwards."]
-    corners: Annotated[
-        tuple[Corner, ...], "Corners of the piece that is left about the axis; empty if nothing is left."
-    ]
+    corners: Annotated[tuple[Corner, ...], "Corners of the remaining piece around the axis; empty if none remains."]
     pieces: Annotated[int, "Pieces of the cam that are cut off."]
 
 

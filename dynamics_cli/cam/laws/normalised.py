@@ -171,7 +171,7 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
     )
     require(
         0.0 <= constant < 1.0,
-        "a share of {constant:6} at constant velocity leaves no angle for acceleration",
+        "with a share of {constant:6} at constant velocity no angle remains for acceleration",
         code="constant",
         constant=(constant, Ratio),
     )

@@ -77,15 +77,13 @@ def rise(
     *,
     law: Annotated[LawName, "The law."],
     lift: Annotated[Size, "How far the follower rises, e.g. 20 mm [m]."],
-    span: Annotated[Angle, "Cam angle it takes, e.g. 90 deg [rad]."],
+    span: Annotated[Angle, "Cam angle of the rise, e.g. 90 deg [rad]."],
     at: Annotated[
         tuple[Angle, ...],
         "Angles from the start of the rise; a table of `count` when not given, e.g. 0, 30, 60 deg [rad].",
     ] = (),
     count: Annotated[Count, "Number of points of the table."] = 19,
-    falling: Annotated[
-        bool, "A return from the lift to zero that follows the law downwards, h (1 − f(θ/β)): that of `cam motion`."
-    ] = False,
+    falling: Annotated[bool, "A return from the lift to zero, h (1 − f(θ/β)), as in `cam motion`."] = False,
     mirrored: Annotated[
         bool, "A return that is the rise run backwards, h f(1 − θ/β); it differs where a law is not symmetric."
     ] = False,

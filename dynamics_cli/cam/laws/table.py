@@ -31,7 +31,7 @@ class Peaks:
     jerk_inside: Annotated[Ratio, "Maximum finite jerk, apart from where the acceleration jumps."]
     continuity: Annotated[Text, "C0 to C4: the highest derivative without a jump between rest and rest."]
     jumps: Annotated[Text, "Which derivative jumps first, and where."]
-    also: Annotated[Text, "Other names, those of VDI 2143 among them."]
+    also: Annotated[Text, "Other names, including those of VDI 2143."]
 
 
 @record

@@ -42,7 +42,8 @@ class Segment:
 
     move: Annotated[Move, "Rise, return or dwell."]
     span: Annotated[
-        Angle | None, "Cam angle it takes; one segment may leave it out and takes what is left of the turn [rad]."
+        Angle | None,
+        "Cam angle of the segment; one segment may leave it out and takes the remainder of the turn [rad].",
     ] = None
     lift: Annotated[
         Coordinate | None,
@@ -61,17 +62,17 @@ class Segment:
     ] = None
     start_velocity: Annotated[
         CamVelocity | None,
-        "Velocity at the start of a polynomial or spline; that of the segment before when not given [m/rad].",
+        "Velocity at the start of a polynomial or spline; unless given, as in the previous segment [m/rad].",
     ] = None
     end_velocity: Annotated[
-        CamVelocity | None, "Velocity at its end; that of the segment after when not given [m/rad]."
+        CamVelocity | None, "Velocity at its end; unless given, as in the next segment [m/rad]."
     ] = None
     start_acceleration: Annotated[
         CamAcceleration | None,
-        "Acceleration at the start of a polynomial; that of the segment before when not given [m/rad^2].",
+        "Acceleration at the start of a polynomial; unless given, as in the previous segment [m/rad^2].",
     ] = None
     end_acceleration: Annotated[
-        CamAcceleration | None, "Acceleration at its end; that of the segment after when not given [m/rad^2]."
+        CamAcceleration | None, "Acceleration at its end; unless given, as in the next segment [m/rad^2]."
     ] = None
     points: Annotated[tuple[Point, ...], "Points a spline goes through between its ends."] = ()
 

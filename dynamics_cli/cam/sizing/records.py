@@ -94,7 +94,7 @@ class SecondCam:
 
     start_radius: Annotated[Size, "Distance of the second roller's centre from the cam's axis at zero lift [m]."]
     largest_pressure_angle: Annotated[
-        Angle, "Largest positive pressure angle of the second cam, that of the stroke it drives [rad]."
+        Angle, "Maximum pressure angle of the second cam, in the stroke that it drives [rad]."
     ]
     least_pressure_angle: Annotated[Angle, "Lowest pressure angle of the second cam [rad]."]
     least_convex_radius: Annotated[

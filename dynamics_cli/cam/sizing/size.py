@@ -34,9 +34,8 @@ def size(
     *,
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
     follower: Annotated[Wanted, "The follower; its base circle is calculated, and its offset too unless given."],
-    rise_limit: Annotated[Angle, "Largest positive pressure angle allowed: that of the rise [rad]."] = 30.0 * DEGREE,
-    return_limit: Annotated[Angle, "Largest negative pressure angle allowed: that of the return [rad]."] = 30.0
-    * DEGREE,
+    rise_limit: Annotated[Angle, "Largest positive pressure angle allowed, in the rise [rad]."] = 30.0 * DEGREE,
+    return_limit: Annotated[Angle, "Largest negative pressure angle allowed, in the return [rad]."] = 30.0 * DEGREE,
     least_radius: Annotated[
         Size | None,
         "Minimum radius of curvature allowed where the cam is convex; of an outer flank, where the roller's path is "

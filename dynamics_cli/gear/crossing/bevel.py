@@ -44,7 +44,7 @@ def _require_spiral(spiral: float, kind: Kind) -> None:
         "{kind} teeth have no spiral angle at the middle of the face",
         kind=kind,
         code="spiral-angle",
-        hint="ask for --kind spiral",
+        hint="use --kind spiral",
     )
 
 
@@ -167,7 +167,7 @@ def _cones(first: int, second: int, shaft_angle: float) -> tuple[float, float]:
     other = atan2(ratio * sine, 1.0 + ratio * cosine)
     require(
         pitch_angle < 0.5 * pi,
-        "the first gear would be internal (its pitch angle is {pitch_angle:6})",
+        "the first gear would be internal: its pitch angle is {pitch_angle:6}",
         pitch_angle=(pitch_angle, Angle),
         code="internal-pinion",
         hint="exchange the gears",
@@ -195,7 +195,7 @@ def _depths(
         "Gleason's proportions do not exist for an internal wheel; its pitch angle is {pitch_angle:6}",
         pitch_angle=(angles[1], Angle),
         code="internal-wheel",
-        hint="ask for --kind standard",
+        hint="use --kind standard",
     )
     wheel = (least + more * equivalent) * module
     pinion = working * module - wheel

@@ -51,7 +51,7 @@ def hypoid(
     ] = None,
     wheel_pitch_angle: Annotated[
         Angle | None,
-        "Pitch angle of the wheel δ₂; that of the bevel pair without offset unless given, e.g. 70 deg [rad].",
+        "Pitch angle of the wheel δ₂; unless given, as in the bevel pair without offset, e.g. 70 deg [rad].",
     ] = None,
     shaft_angle: Annotated[Angle, "Shaft angle Σ [rad]."] = RIGHT_ANGLE,
     speed: Annotated[ShaftSpeed | None, "Speed of the pinion [rad/s]."] = None,
@@ -121,7 +121,7 @@ def hypoid(
     first, turned, radius = point.at(eta)
     require(
         first > 0.0,
-        "a wheel pitch angle of {wheel:6} leaves no pinion at this offset angle",
+        "no pinion fits a wheel pitch angle of {wheel:6} at this offset angle",
         wheel=(plain(wheel), Angle),
         code="wheel-pitch-angle",
     )
@@ -181,7 +181,7 @@ def _solved(point: _Point) -> float:
     least = doubles.at(0.0)[0]
     require(
         least > 0.0,
-        "a wheel pitch angle of {wheel:6} leaves no pinion at this shaft angle",
+        "no pinion fits a wheel pitch angle of {wheel:6} at this shaft angle",
         wheel=(plain(doubles.wheel), Angle),
         code="wheel-pitch-angle",
     )

@@ -19,8 +19,8 @@ class HypoidData:
     second_pitch_radius: Annotated[Size, "Pitch radius of the wheel r₂ [m]."]
     first_cone_distance: Annotated[Size, "Cone distance of the pinion R₁ [m]."]
     second_cone_distance: Annotated[Size, "Cone distance of the wheel R₂ [m]."]
-    offset: Annotated[Coordinate | None, "Hypoid offset E that both spiral angles ask for [m]."]
-    enlargement: Annotated[Ratio, "Pinion radius over that of a bevel pinion of the same wheel and ratio."]
+    offset: Annotated[Coordinate | None, "Hypoid offset E that follows from both spiral angles [m]."]
+    enlargement: Annotated[Ratio, "Ratio of the pinion radius to that of a bevel pinion with the same wheel and ratio."]
     normal_module: Annotated[Size, "Mean normal module [m]."]
     first_apex_distance: Annotated[
         Coordinate,

@@ -259,7 +259,7 @@ def _worm(
     rise = threads * size.normal_module
     require(
         rise < diameter,
-        "a worm of {diameter:6} diameter has no room for {threads} threads of {normal_module:6} normal "
+        "a worm of {diameter:6} diameter is too small for {threads} threads of {normal_module:6} normal "
         "module: sin γ would be {sine:6}",
         diameter=(diameter, Size),
         threads=threads,

@@ -37,7 +37,7 @@ class SpanRead:
 class Candidate:
     """A gear that agrees with the measurements."""
 
-    size: Annotated[Text, "Its module or diametral pitch, as it is ordered."]
+    size: Annotated[Text, "Its module or diametral pitch, as in an order."]
     module: Annotated[Module, "Normal module [m]."]
     pressure_angle: Annotated[Angle, "Normal pressure angle [rad]."]
     profile_shift: Annotated[Ratio, "Profile shift factor, from the spans."]
@@ -65,7 +65,7 @@ def identify(
     spans: Annotated[tuple[SpanRead, ...], "Spans over different numbers of teeth; two give the base pitch."],
     tip_diameter: Annotated[Size | None, "Tip diameter, e.g. 80 mm [m]."] = None,
     helix_angle: Annotated[Angle, "Helix angle, measured at the pitch cylinder [rad]."] = 0.0,
-    reading: Annotated[Size, "What a reading is good for [m]."] = 2e-5,
+    reading: Annotated[Size, "Accuracy of a reading [m]."] = 2e-5,
     count: Annotated[Count, "Number of candidates to show."] = 5,
 ) -> Identified:
     """Name an unknown gear from its teeth, spans and tip diameter.

@@ -81,7 +81,7 @@ def measure(
         Ratio | None,
         "Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given), e.g. 0.38.",
     ] = None,
-    tip_diameter: Annotated[Size | None, "Tip diameter, where it is not that of the rack, e.g. 80 mm [m]."] = None,
+    tip_diameter: Annotated[Size | None, "Tip diameter, in place of that of the rack, e.g. 80 mm [m]."] = None,
     face_width: Annotated[
         Size | None, "Face width, to see whether a helical gear is wide enough for its span, e.g. 20 mm [m]."
     ] = None,

@@ -45,7 +45,7 @@ def advice(
     advices = []
     if ratio < 1.0:
         text = worded(
-            "the contact ratio is {ratio:6}: between one pair of teeth and the next there is no contact",
+            "the contact ratio is {ratio:6}: contact is lost between one pair of teeth and the next",
             ratio=(ratio, Ratio),
         )
         remedy = "bring the gears closer together, or give them longer teeth"

@@ -101,10 +101,10 @@ def mesh(
         "Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given), e.g. 0.38.",
     ] = None,
     first_tip_diameter: Annotated[
-        Size | None, "Tip diameter of gear 1, where it is not that of the rack, e.g. 44.8 mm [m]."
+        Size | None, "Tip diameter of gear 1, in place of that of the rack, e.g. 44.8 mm [m]."
     ] = None,
     second_tip_diameter: Annotated[
-        Size | None, "Tip diameter of gear 2, where it is not that of the rack, e.g. 79.4 mm [m]."
+        Size | None, "Tip diameter of gear 2, in place of that of the rack, e.g. 79.4 mm [m]."
     ] = None,
     points: Annotated[Count, "Points of contact to check."] = 100000,
     shown: Annotated[Count, "Number of them to show."] = 11,

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from dynamics_cli.gear.single.flanks import ToothForm
 
 POINTS = 41
-PATH = Axis("place on the path of contact, from the pitch point", Coordinate)
+PATH = Axis("position along the path of contact, from the pitch point", Coordinate)
 X, Y = Axis("x", Coordinate), Axis("y", Coordinate)
 # Specific sliding beyond this leaves the panel: it has no bound at a base circle.
 _STEEPEST = 6.0
@@ -255,7 +255,7 @@ def _sliding(result: "PairData", internal: bool, brief: bool) -> Panel:
     names = [Label(point.path + across, high + 0.6 * margin, point.point, left=True) for point in result.points]
     curves = (Curve(steps, zeta1, role=0), Curve(steps, zeta2, "", "dashed", role=1))
     names += _beside(steps, zeta1, zeta2)
-    up = Axis("sliding ζ" if brief else "specific sliding ζ", Ratio, ends=(low - 0.3 * margin, high + margin))
+    up = Axis("ζ" if brief else "specific sliding ζ", Ratio, ends=(low - 0.3 * margin, high + margin))
     along = Axis("along the path of contact", Coordinate) if brief else PATH
     return Panel(along, up, (*curves, *marks, *names), wide=True)
 

@@ -24,12 +24,10 @@ class Mate:
     """Inputs of one gear of a pair."""
 
     teeth: Annotated[Teeth, "Number of teeth (AGMA: N)."]
-    profile_shift: Annotated[
-        Ratio | None, "Profile shift factor x; left out, it is 0, or found from the centre distance."
-    ] = None
-    tip_diameter: Annotated[Size | None, "Tip diameter as it is, in place of the one of the rack, e.g. 80 mm [m]."] = (
+    profile_shift: Annotated[Ratio | None, "Profile shift factor x; unless given, 0 or from the centre distance."] = (
         None
     )
+    tip_diameter: Annotated[Size | None, "Tip diameter, in place of that of the rack, e.g. 80 mm [m]."] = None
     thinning: Annotated[
         Size, "Allowance by which each tooth is thinner, in the normal plane at the reference circle, for backlash [m]."
     ] = 0.0

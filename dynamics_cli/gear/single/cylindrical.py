@@ -241,7 +241,7 @@ def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
     if form is not None:
         require(
             form < tip,
-            "the rack leaves no involute: the root reaches {form:9} diameter, the tips {tip:9}",
+            "the teeth have no involute: the root reaches {form:9} diameter, the tips {tip:9}",
             form=(form, Size),
             tip=(tip, Size),
             code="no-flank",

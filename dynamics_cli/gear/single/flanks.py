@@ -114,7 +114,9 @@ def internal_form(
     require(centre > base_radius, "a fillet of {fillet:6} does not fit", fillet=(fillet, Size), code="fillet")
     reach = sqrt((centre - base_radius) * (centre + base_radius)) + fillet
     form = sqrt(base_radius * base_radius + reach * reach)
-    require(form > tip_radius, "the fillet of {fillet:6} leaves no flank", fillet=(fillet, Size), code="fillet")
+    require(
+        form > tip_radius, "a fillet of {fillet:6} is too large: no flank remains", fillet=(fillet, Size), code="fillet"
+    )
     shape = ToothForm(
         teeth=teeth,
         internal=True,

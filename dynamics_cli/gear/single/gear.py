@@ -195,7 +195,7 @@ def require_number(teeth: int, most: int) -> None:
     """Refuse more teeth than any gear has."""
     require(
         teeth <= most,
-        "{teeth} teeth are too many: at most {most} are taken",
+        "{teeth} teeth are too many: the maximum is {most}",
         teeth=teeth,
         most=most,
         code="too-many-teeth",

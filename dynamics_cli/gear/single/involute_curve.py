@@ -174,7 +174,7 @@ def _roll(diameter: float, base: float) -> float:
             "the diameter {size:6} is outside the range of the calculation",
             size=(size, Size),
             code="size",
-            hint="diameters from 1e-150 m to 1e150 m are taken",
+            hint="diameters may be from 1e-150 m to 1e150 m",
         )
     require(
         diameter >= base,

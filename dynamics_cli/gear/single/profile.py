@@ -94,7 +94,7 @@ def profile(
         Ratio | None,
         "Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given), e.g. 0.38.",
     ] = None,
-    tip_diameter: Annotated[Size | None, "Tip diameter, where it is not that of the rack, e.g. 80 mm [m]."] = None,
+    tip_diameter: Annotated[Size | None, "Tip diameter, in place of that of the rack, e.g. 80 mm [m]."] = None,
     rack: Annotated[bool, "Draw the rack that meshes with the gear, in its normal plane."] = False,
     only_teeth: Annotated[
         Count | None, "Draw only this many teeth, as an open outline; tooth 0 points along +y, e.g. 3."

@@ -91,7 +91,7 @@ def _require_rack(rack: BasicRack) -> None:
     )
     require(
         rack.addendum + rack.dedendum > 0.0,
-        "addendum and dedendum factors sum to {depth:6}: there is no tooth",
+        "addendum and dedendum factors add up to {depth:6}: the teeth have no height",
         depth=(rack.addendum + rack.dedendum, Ratio),
         code="no-tooth",
     )

@@ -105,7 +105,7 @@ class Planetary:
             require(self.stepped is None, "a stepped planet needs the teeth of both its gears", code="planet")
             require(
                 self.ring - self.sun >= 2,
-                "a ring of {ring} teeth leaves no space for a planet about a sun of {sun}",
+                "a ring of {ring} teeth has no space for a planet beside a sun of {sun}",
                 ring=self.ring,
                 sun=self.sun,
                 code="no-planet",

@@ -26,8 +26,8 @@ class ShaftMotion:
     per_driver: Annotated[Text | None, "Its turns for each turn of the driver, exact."] = None
     turns: Annotated[Ratio | None, "The same as a number."] = None
     speed: Annotated[ShaftSpeed | None, "Its speed [rad/s]."] = None
-    torque: Annotated[Torque | None, "The torque put on it from outside; on a fixed shaft, what holds it [N*m]."] = None
-    power: Annotated[Power | None, "The power put in at it from outside; negative where it is taken out [W]."] = None
+    torque: Annotated[Torque | None, "External torque; on a fixed shaft, the holding torque [N*m]."] = None
+    power: Annotated[Power | None, "External power; negative where it is taken out [W]."] = None
 
 
 @record
@@ -41,7 +41,7 @@ class MeshMotion:
     frequency: Annotated[Frequency | None, "Teeth that meet in a second [Hz]."] = None
     rolling_power: Annotated[
         Power | None,
-        "Power through the teeth as seen from the carrier: what the losses of the mesh are a share of [W].",
+        "Power through the teeth seen from the carrier, on which the losses of the mesh are based [W].",
     ] = None
 
 
@@ -76,7 +76,7 @@ def train(
     driver: Annotated[Text, "The shaft that drives. First of the stages, or the sun, unless given."] = "",
     driven: Annotated[Text, "The shaft that is driven. Last of the stages, or the carrier, unless given."] = "",
     fixed: Annotated[
-        Text, "Shafts held still, commas between them. The ring of a planetary set unless given; `none` holds nothing."
+        Text, "Shafts held still, separated by commas; unless given, the ring of a planetary set; `none` for no shaft."
     ] = "",
     speed: Annotated[ShaftSpeed | None, "Speed of the driver [rad/s]."] = None,
     torque: Annotated[Torque | None, "Torque put in at the driver, e.g. 12 N*m [N*m]."] = None,

@@ -71,7 +71,7 @@ class CentralImpact:
     first: Annotated[AfterCentral, "The first body, which was behind."]
     second: Annotated[AfterCentral, "The second body, ahead of the first."]
     impulse: Annotated[Impulse, "Size of the impulse: it pushes the second body ahead and the first back [N·s]."]
-    compression_impulse: Annotated[Impulse, "The part of it until the bodies move as one [N·s]."]
+    compression_impulse: Annotated[Impulse, "Its part until the bodies move at one velocity [N·s]."]
     closing_speed: Annotated[Speed, "Relative speed before [m/s]."]
     separation_speed: Annotated[Speed, "Relative speed after [m/s]."]
     common_velocity: Annotated[

@@ -23,7 +23,7 @@ class Body:
     mass: Annotated[Mass, "Its mass [kg]."]
     velocity: Annotated[Speed, "Velocity along the line, positive from the first body to the last [m/s]."] = 0.0
     restitution: Annotated[
-        Restitution | None, "Restitution with the next body, where it is not that of the chain [-]."
+        Restitution | None, "Restitution with the next body, where it differs from that of the chain [-]."
     ] = None
 
 

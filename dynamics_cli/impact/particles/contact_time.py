@@ -39,7 +39,7 @@ def push(
         if isinstance(force, HuntCrossley):
             return _lossy(force, stiffness, reduced, closing, restitution)
         work = 1.25 * reduced * closing * closing
-        require(work > 1e-290, "the impact is too weak: it leaves the range of a double", code="range")
+        require(work > 1e-290, "the impact is too weak to be calculated in doubles", code="range")
         depth, quarter = exp(0.4 * log(work / stiffness)), HERTZ_QUARTER
         peak, pace = work / depth, depth / closing
     duration = (1.0 + restitution) * quarter * pace

@@ -32,7 +32,7 @@ class Moving:
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
     motion: Annotated[ByVelocity | BySpeed, "Its velocity before, by components or by speed and heading."]
-    nose: Annotated[Angle | None, "Heading of its nose, for PDOF; its direction of travel when left out [rad]."] = None
+    nose: Annotated[Angle | None, "Heading of its nose, for PDOF; unless given, its direction of travel [rad]."] = None
     name: BodyName = None
 
 
@@ -42,7 +42,7 @@ class Met:
 
     bulk: Annotated[ByMass | ByWeight | Fixed, "Its mass or its weight, or that it is fixed."]
     motion: Annotated[ByVelocity | BySpeed, "Its velocity before; at rest when left out."] = ByVelocity((0.0, 0.0))
-    nose: Annotated[Angle | None, "Heading of its nose, for PDOF; its direction of travel when left out [rad]."] = None
+    nose: Annotated[Angle | None, "Heading of its nose, for PDOF; unless given, its direction of travel [rad]."] = None
     name: BodyName = None
 
 

@@ -30,7 +30,7 @@ PI = 3.141592653589793
 class Rise:
     """Rise of the block."""
 
-    rise: Annotated[Size, "Rise of the mass centre of what swings, e.g. 10 cm [m]."]
+    rise: Annotated[Size, "Rise of the mass centre of the pendulum, e.g. 10 cm [m]."]
 
 
 @record
@@ -38,7 +38,7 @@ class Swing:
     """Swing of the block on its cords."""
 
     swing: Annotated[Angle, "Greatest angle of swing, e.g. 18 deg [rad]."]
-    length: Annotated[Distance, "Length of the cords to the mass centre of what swings, e.g. 1.2 m [m]."]
+    length: Annotated[Distance, "Length of the cords, to the mass centre of the pendulum, e.g. 1.2 m [m]."]
 
     @property
     def rise(self) -> float:
@@ -52,7 +52,7 @@ class Sideways:
     """Sideways movement of the block."""
 
     travel: Annotated[Size, "Greatest horizontal travel of the mass centre, e.g. 350 mm [m]."]
-    length: Annotated[Distance, "Length of the cords to the mass centre of what swings, e.g. 1.2 m [m]."]
+    length: Annotated[Distance, "Length of the cords, to the mass centre of the pendulum, e.g. 1.2 m [m]."]
 
     @property
     def rise(self) -> float:
@@ -91,7 +91,7 @@ class Shot:
         Speed, "Speed of the shot just after: that of the place it struck when it stays in it [m/s]."
     ]
     angular_velocity: Annotated[AngularSpeed | None, "Angular velocity just after, of a hinged pendulum [rad/s]."]
-    rise: Annotated[Size, "Rise of the mass centre of what swings, e.g. 10 cm [m]."]
+    rise: Annotated[Size, "Rise of the mass centre of the pendulum, e.g. 10 cm [m]."]
     impulse: Annotated[Impulse, "Impulse on the pendulum [N·s]."]
     hinge_impulse: Annotated[
         Impulse | None,

@@ -78,7 +78,7 @@ def answer(
     stated: "tuple[float, float] | None" = None,
 ) -> RecordResult:
     """The complete answer from record and model."""
-    require(tolerance < 1.0, "a tolerance of the record of 100 % or more leaves no information", code="tolerance")
+    require(tolerance < 1.0, "a tolerance of the record of 100 % or more: it contains no information", code="tolerance")
     contact = Contact(crash, values)
     first = _first(crash, tolerance, zero)
     verdict = None

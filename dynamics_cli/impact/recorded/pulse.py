@@ -80,8 +80,10 @@ def pulse(
     ] = (),
     interval: Annotated[Time, "Time between samples, e.g. 10 ms [s]."] = TEN_MS,
     tolerance: Annotated[Fraction, "Limits of the recorded ΔV; 49 CFR 563.8 allows 10 %."] = 0.1,
-    resolution: Annotated[RoadSpeed, "Smallest change that the record shows [m/s]."] = KM_H,
-    friction: Annotated[Friction | None, "Friction of the road, for what tyres add during the pulse [-]."] = None,
+    resolution: Annotated[RoadSpeed, "Resolution of the record [m/s]."] = KM_H,
+    friction: Annotated[
+        Friction | None, "Friction of the road, for the effect of the tyres during the pulse [-]."
+    ] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Pulse:
     """Greatest ΔV of a recorded pulse, whether it had ended, and its direction with the turn of the car taken out.
@@ -123,7 +125,7 @@ def pulse(
             "{name} has {has} samples, longitudinal {count}", name=name, has=len(table), count=count, code="lengths",
         )  # fmt: skip
     require(interval > 0.0, "samples must be some time apart", code="no-time")
-    require(tolerance < 1.0, "a tolerance of 100 % or more leaves nothing", code="tolerance")
+    require(tolerance < 1.0, "a tolerance of 100 % or more: the record contains no information", code="tolerance")
     across = lateral or (0.0,) * count
     sizes = [hypot(x, y) for x, y in zip(longitudinal, across, strict=True)]
     top = max(range(count), key=sizes.__getitem__)

@@ -37,7 +37,9 @@ class Recorder:
     approach_speed: Annotated[
         RoadSpeed | None, "Its speed just before the impact, from the pre-crash record, e.g. 13.2 m/s."
     ] = None
-    approach_heading: Annotated[Angle | None, "Its direction of travel before; that of its nose if left out."] = None
+    approach_heading: Annotated[
+        Angle | None, "Its direction of travel before the impact; unless given, that of its nose."
+    ] = None
     approach_spin: Annotated[AngularSpeed, "Its angular velocity just before."] = 0.0
     turning: Annotated[ByInertia | ByGyration | None, "Its yaw inertia; without it, its turning is neglected."] = None
     arm: Annotated[Lever | Placed | OnBody | None, "Where it was struck; goes with the inertia."] = None
@@ -110,7 +112,7 @@ class RecordResult:
         Angle | None, "Error of a heading of the other vehicle that changes its speed before by a tenth [rad]."
     ]
     worst_heading: Annotated[Text | None, "The heading that this is of, as the parameter is called."]
-    per_degree: Annotated[RoadSpeed | None, "What one degree of it changes that speed by [m/s]."]
+    per_degree: Annotated[RoadSpeed | None, "Change of that speed for one degree of it [m/s]."]
     verdict: Annotated[Text | None, "How well the headings determine that speed: good, caution, undetermined."]
     conventions: Annotated[Conventions, "Axes, headings and the zero of PDOF."]
     checks: tuple[Check, ...] = ()

@@ -75,7 +75,7 @@ class BodyInSpace:
     velocity: Annotated[SpaceVelocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
     spin: Annotated[AngularVelocity, "Angular velocity before [rad/s]."] = (0.0, 0.0, 0.0)
     nose: Annotated[
-        Direction | None, "Direction of its nose, for PDOF; its direction of travel when left out, e.g. 1, 0, 0."
+        Direction | None, "Direction of its nose, for PDOF; unless given, its direction of travel, e.g. 1, 0, 0."
     ] = None
 
 
@@ -91,7 +91,7 @@ class TargetInSpace:
     velocity: Annotated[SpaceVelocity, "Velocity of the mass centre before [m/s]."] = (0.0, 0.0, 0.0)
     spin: Annotated[AngularVelocity, "Angular velocity before [rad/s]."] = (0.0, 0.0, 0.0)
     nose: Annotated[
-        Direction | None, "Direction of its nose, for PDOF; its direction of travel when left out, e.g. 1, 0, 0."
+        Direction | None, "Direction of its nose, for PDOF; unless given, its direction of travel, e.g. 1, 0, 0."
     ] = None
 
 

@@ -65,13 +65,11 @@ class SpatialImpact:
     impulse: Annotated[ImpulseVector, "Impulse on the second body; the first gets the opposite [N·s]."]
     impulse_magnitude: Annotated[Impulse, "Its size [N·s]."]
     normal_impulse: Annotated[Impulse, "Its part along the normal [N·s]."]
-    tangential_impulse: Annotated[Impulse, "Size of its part across [N·s]."]
+    tangential_impulse: Annotated[Impulse, "Size of its tangential part [N·s]."]
     impulse_ratio: Annotated[Ratio, "Tangential over normal impulse [-]."]
     stick_friction: Annotated[Ratio, "Friction that holds the contact once slip has stopped [-]."]
     compression_impulse: Annotated[Impulse, "Normal impulse until the greatest compression [N·s]."]
-    slip_impulse: Annotated[
-        Impulse, "Normal impulse until the first slip stopped, or all of it when it never did [N·s]."
-    ]
+    slip_impulse: Annotated[Impulse, "Normal impulse until the slip first stops, or all of it if it never does [N·s]."]
     closing_speed: Annotated[RoadSpeed, "Normal relative speed at the contact before [m/s]."]
     separation_speed: Annotated[RoadVelocity, "Normal relative speed at the contact after [m/s]."]
     sliding_before: Annotated[

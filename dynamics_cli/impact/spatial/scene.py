@@ -31,7 +31,7 @@ def central_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> s
     view = viewed(scene, gravity)
     if view.rubs or view.eccentric or view.across:
         return None
-    return "both bodies move along the normal, which passes through their mass centres: nothing acts across it"
+    return "both bodies move along the normal, which passes through their mass centres: no impulse acts across it"
 
 
 def oblique_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:

@@ -75,7 +75,7 @@ class SceneBody:
     motion: Annotated[ByComponents | BySpeed, "Its velocity before; at rest when left out."] = ByComponents(ZERO)
     rotation: Annotated[SpinVector | YawRate, "Its angular velocity before; zero if left out."] = YawRate(0.0)
     nose: Annotated[
-        Direction | None, "Direction of its nose, for PDOF; its direction of travel when left out, e.g. 1, 0, 0."
+        Direction | None, "Direction of its nose, for PDOF; unless given, its direction of travel, e.g. 1, 0, 0."
     ] = None
     name: BodyName = None
 

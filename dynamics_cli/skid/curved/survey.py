@@ -54,7 +54,7 @@ class Survey:
     """Result of the survey: the radius, its deviation, and those of both halves."""
 
     radius: Annotated[Distance, "Radius of the circle nearest to the points [m]."]
-    deviation: Annotated[Distance | None, "Its standard deviation by the points; none where nothing tells it [m]."]
+    deviation: Annotated[Distance | None, "Its standard deviation from the points, where they show it [m]."]
     residual: Annotated[Distance | None, "Scatter of the points about the circle; needs four [m]."]
     sagitta: Annotated[Distance | None, "Height of the arc over the chord of its ends [m]."]
     centre: Annotated[tuple[Length, Length] | None, "Centre of the circle [m]."]
@@ -162,7 +162,7 @@ def _halves(x: "list[float]", y: "list[float]") -> "tuple[Circle, Circle] | None
 
 def _advice(circle: Circle, sigma: "float | None", halves: "tuple[Circle, Circle] | None") -> tuple[Advice, ...]:
     if sigma is None:
-        message = "three points lie on their circle, whatever their errors: nothing says how well the radius is known"
+        message = "three points always lie on a circle: they do not show how well the radius is known"
         return (Advice(code="no-scatter", message=message, remedy="give --point-deviation, or a fourth point"),)
     if halves is None:
         return ()

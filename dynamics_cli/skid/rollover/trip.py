@@ -28,7 +28,7 @@ def soil_trip(
     excess = deceleration * height - gravity * half
     require(
         excess > 0.0,
-        "a deceleration of {given} does not tip the vehicle: it takes more than {least}",
+        "a deceleration of {given} does not tip the vehicle: more than {least} is needed",
         given=(deceleration, Acceleration), least=(gravity * half / height, Acceleration), code="no-trip",
         hint="a soft edge, a kerb or a furrow gives more than a plain road",
     )  # fmt: skip

@@ -36,12 +36,12 @@ class Following:
     """Whether the follower reaches the leader."""
 
     contact: Annotated[bool, "Whether it runs into the leader [-]."]
-    contact_time: Annotated[Time | None, "Time from the start to the contact; there is none without contact [s]."]
+    contact_time: Annotated[Time | None, "Time from the start to the contact, if they touch [s]."]
     closing_speed: Annotated[RoadSpeed | None, "By how much the follower is faster then; none without contact [m/s]."]
     leader_speed: Annotated[RoadSpeed | None, "Speed of the leader then; none without contact [m/s]."]
     follower_speed: Annotated[RoadSpeed | None, "Speed of the follower then; none without contact [m/s]."]
     follower_distance: Annotated[Distance | None, "Distance of the follower up to then; none without contact [m]."]
-    least_gap: Annotated[Length | None, "Least free distance while nothing touches; none with a contact [m]."]
+    least_gap: Annotated[Length | None, "Minimum free distance, if they do not touch [m]."]
     least_gap_time: Annotated[Time | None, "When that is; none with a contact [s]."]
     moments: Annotated[tuple[OneBehind, ...], "Both, at equal steps of time up to the contact or to the end."]
 
@@ -89,7 +89,7 @@ def follow(
     3.620055
     """
     require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {steps} rows", code="steps", steps=steps)
-    require(gap > 0.0, "a gap of {gap} leaves no distance to close", code="no-gap", gap=(gap, Length))
+    require(gap > 0.0, "the vehicles already touch: the gap is {gap}", code="no-gap", gap=(gap, Length))
     front, behind = (
         Course(motion_of(one, gravity, whose), 0.0, 0.0)
         for one, whose in ((leader, "the leader"), (follower, "the follower"))

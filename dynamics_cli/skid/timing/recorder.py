@@ -45,7 +45,7 @@ class SkidRecord:
     """Results from the recorded speeds."""
 
     distance: Annotated[Distance, "Distance from the first sample to the last [m]."]
-    distance_deviation: Annotated[Distance, "Standard deviation of it by tolerance and rounding of the record [m]."]
+    distance_deviation: Annotated[Distance, "Its standard deviation, from tolerance and rounding of the record [m]."]
     common_deviation: Annotated[Distance, "The part of an error that all samples share [m]."]
     rounding_deviation: Annotated[Distance, "The part of the rounding of each sample [m]."]
     least_distance: Annotated[
@@ -58,7 +58,7 @@ class SkidRecord:
         RoadSpeed, "Least speed at the event: the last deceleration goes on up to it, less slip of the wheels [m/s]."
     ]
     greatest_event_speed: Annotated[
-        RoadSpeed, "Greatest speed at the event: that of the last sample, with the greatest slip [m/s]."
+        RoadSpeed, "Maximum speed at the event: the last sample with the largest slip [m/s]."
     ]
     greatest_to_event: Annotated[Distance, "Greatest distance from the last sample to the event [m]."]
     greatest_deceleration: Annotated[Acceleration, "Greatest mean deceleration between two samples [m/s^2]."]

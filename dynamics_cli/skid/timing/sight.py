@@ -179,7 +179,7 @@ def _corner(before: "float | None", aside: "float | None", recognition: "float |
     if before is None or aside is None:
         return None
     require(
-        aside > 0.0, "a corner {aside} aside hides nothing on a way beside it", code="no-corner",
+        aside > 0.0, "a corner {aside} aside does not hide a path beside it", code="no-corner",
         hint="corner-aside is measured from the way of the first toward the second", aside=(aside, Length),
     )  # fmt: skip
     return before, aside
@@ -199,7 +199,7 @@ def _unhidden(rows: "tuple[SightChange, ...]") -> "tuple[Advice, ...]":
         not rows, "the corner hides the second at the impact itself", code="never-shows",
         hint="look at the corner's place: it lies on the way between the two",
     )  # fmt: skip
-    message = "nothing hides the second as far back as the phases go: the sight was open from their start"
+    message = "the second is in sight from the start of the phases"
     remedy = "give longer phases to look farther back"
     return (Advice(code="always-in-sight", message=message, severity="note", remedy=remedy),)
 

@@ -44,7 +44,7 @@ class PhaseTravelled:
     from_distance: Annotated[Distance, "How far before the end it begins [m]."]
     start_speed: Annotated[RoadSpeed, "Speed where it begins [m/s]."]
     end_speed: Annotated[RoadSpeed, "Speed where it ends [m/s]."]
-    duration: Annotated[Time, "How long it takes [s]."]
+    duration: Annotated[Time, "Its duration [s]."]
     distance: Annotated[Distance, "How far it goes [m]."]
     acceleration: Annotated[
         Acceleration,

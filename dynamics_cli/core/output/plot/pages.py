@@ -126,7 +126,10 @@ def sentence(text: str) -> str:
 
 def _settle(figure: "Any") -> None:
     """Keep the layout, rounded: its last bits depend on the order in which a solver finds it."""
-    figure.get_layout_engine().execute(figure)
+    engine = figure.get_layout_engine()
+    engine.execute(figure)
+    # the first layout may change the ticks, and with them the room for their labels
+    engine.execute(figure)
     figure.set_layout_engine("none")
     for axes in figure.axes:
         if axes.get_label() == WHOLE:
