@@ -164,8 +164,8 @@ EQUATIONS = Task(
         method="exact derivatives by jets",
     ),
     headline=(
-        "equations: coordinate | name, acceleration=q̈, by_lagrange=by Lagrange, active_force=F_r, "
-        "velocity_force=F*_r of speeds",
+        "equations: coordinate | name, acceleration=q̈, by_lagrange=by Lagrange, active_force=active F_r, "
+        "velocity_force=inertia F*_r at q̈ = 0",
         "speeds: speed | name, value=u, acceleration=u̇, active_force=F̃_r",
         "conditions: condition | name, force=kept by, by_lagrange=λ by Lagrange",
         "difference: Kane and Lagrange differ by",
