@@ -70,10 +70,10 @@ def given_inputs(node: "Any", name: str = "") -> "Iterator[tuple[str, Any, str]]
 
 
 def singular(name: str) -> str:
-    """The name of one of several: bodies, body; meshes, mesh; `axis` and `radius` are one already."""
+    """The name of one of several: bodies, body; meshes, mesh; masses, mass; `axis` and `radius` are one already."""
     if name.endswith("ies"):
         return f"{name[:-3]}y"
-    if name.endswith("hes"):
+    if name.endswith(("hes", "sses")):
         return name[:-2]
     return name[:-1] if name.endswith("s") and name[-2:-1] not in ("s", "u", "i") else name
 

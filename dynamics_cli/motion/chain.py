@@ -71,6 +71,10 @@ class Chain:
     frequencies: Annotated[
         tuple[Frequency, ...], "Frequencies of small oscillations about hanging, from the lowest [Hz]."
     ]
+    angle: Annotated[Angle | None, "Angle of the lowest rod at the end; null past the horizon [rad]."]
+    rate: Annotated[TurnRate | None, "Its angular velocity then [rad/s]."]
+    across: Annotated[Coordinate | None, "Its lower end from the upper pin then, to the right [m]."]
+    up: Annotated[Coordinate | None, "Its lower end from the upper pin then, upwards [m]."]
     rods: Annotated[tuple[RodState, ...] | None, "The rods at the end; null past the horizon."]
     motion: Annotated[tuple[Instant, ...], "The motion over time, up to the horizon."]
     numerics: Numerics
@@ -125,19 +129,19 @@ def chain(
     >>> round(made.rods[1].angle, 6)
     1.62861
     """
-    rods = chain_of(lengths, masses, end_masses, inertias, count, gravity)
-    start = many(angles, rods.n, "angles", 0.0) + many(rates, rods.n, "rates", 0.0)
-    require(duration > 0.0, "a time of {duration} is not above zero", duration=(duration, Time))
     require(steps >= 1, "a table of no steps shows nothing", code="steps", hint="give 1 or more")
-    still = all(abs(math.sin(q)) < STILL for q in start[: rods.n]) and not any(start[rods.n :])
-    require(not still, "it is let go at rest in equilibrium: nothing moves", code="at-rest",
-            hint="turn a rod away from the vertical, or give --rates")  # fmt: skip
+    rods, start = let_go(lengths, masses, angles, duration, rates, end_masses, inertias, count, gravity)
     longest = LONGEST / rods.scale(start[: rods.n], start[rods.n :])
     require(duration <= longest, "{duration} are too many swings to follow", duration=(duration, Time),
             code="too-long", hint="give {longest} or less", longest=(longest, Time))  # fmt: skip
+    import numpy as np
+
+    from dynamics_cli.motion.peaks import peaks
+
     runs = Runs(rods, start, duration)
     slowness, shapes = rods.oscillations()
     kept, tenfold, horizon = runs.energy_error(), runs.growth.tenfold(), runs.horizon()
+    end = None if runs.reached else _end(rods, runs.states[-1])
     checks = [Check("energy is kept", kept < KEPT, kept, KEPT), *_small(runs, slowness, shapes)]
     numerics = Numerics("DOP853, two tolerances", bounds=(ErrorBound("motion", runs.difference, relative=False),))
     return Chain(
@@ -146,14 +150,33 @@ def chain(
         tenfold=tenfold,
         difference=runs.difference,
         energy_error=kept,
-        top_force=max(rods.pin_forces(state)[0] for state in runs.states),
+        top_force=float(peaks(np.array([[rods.pin_forces(state)[0] for state in runs.states]]))[0]),
         frequencies=tuple(1.0 / (2.0 * math.pi * slow) for slow in slowness),
-        rods=None if runs.reached else _end(rods, runs.states[-1]),
+        angle=end[-1].angle if end else None,
+        rate=end[-1].rate if end else None,
+        across=end[-1].across if end else None,
+        up=end[-1].up if end else None,
+        rods=end,
         motion=_motion(runs, steps),
         numerics=numerics,
         checks=tuple(checks),
         advice=_advice(runs),
     )
+
+
+def let_go(
+    lengths: "Sequence[float]", masses: "Sequence[float]", angles: "Sequence[float]", duration: float,
+    rates: "Sequence[float]", end_masses: "Sequence[float]", inertias: "Sequence[float]", count: int | None,
+    gravity: float,
+) -> "tuple[Rods, list[float]]":  # fmt: skip
+    """The rods, and their angles and rates at the start."""
+    rods = chain_of(lengths, masses, end_masses, inertias, count, gravity)
+    start = many(angles, rods.n, "angles", 0.0) + many(rates, rods.n, "rates", 0.0)
+    require(duration > 0.0, "a time of {duration} is not above zero", duration=(duration, Time))
+    still = all(abs(math.sin(q)) < STILL for q in start[: rods.n]) and not any(start[rods.n :])
+    require(not still, "it is let go at rest in equilibrium: nothing moves", code="at-rest",
+            hint="turn a rod away from the vertical, or give --rates")  # fmt: skip
+    return rods, start
 
 
 def _verdict(runs: Runs, horizon: float | None) -> str:

@@ -15,10 +15,12 @@ CHAIN = Task(
         formula="Σ_j a_ij·[q̈_j·cos(q_i − q_j) + q̇_j²·sin(q_i − q_j)] + {gravity|g}·b_i·sin q_i = 0",
         assumptions=("rigid rods in one vertical plane, their centres in the middle", "no friction, no drag"),
         method="DOP853, two tolerances",
+        together="dynamics_cli.motion.side_by_side:chains",
     ),
     headline=(
         "verdict: answer", "difference: two runs apart by",
         "energy_error: energy kept to", "top_force: largest force in the top pin",
+        "angle: lowest rod at the end", "across: its lower end, across", "up: its lower end, up",
         "rods: at the end",
         "motion: motion | time, angles",
     ),
@@ -32,7 +34,7 @@ CHAIN = Task(
     plot=f"{PICTURES}:chain",
     arrays=False,
     tracked=False,
-    errors=("difference", "energy_error"),
+    errors=("horizon", "tenfold", "difference", "energy_error"),
 )  # fmt: skip
 
 MODES = Task(
@@ -94,7 +96,7 @@ SCENE = Task(
         "difference: two runs apart by", "energy_error: energy and work balance to",
         "driver_work: work of drivers", "load_work: work of loads", "damper_loss: lost in dampers",
         "largest_force: largest joint force",
-        "time: state at",
+        "time: state at", "angle: angle then", "speed: speed then", "x: x then", "y: y then",
         "links: link | name, angle, speed, centre, velocity",
         "reactions: joint | joint, on, force, moment, largest, largest_moment, when",
         "motion: motion | time, angle, speed, angular_acceleration=α, position, velocity, acceleration, force_x, "
@@ -110,7 +112,7 @@ SCENE = Task(
     writers={"svg": f"{SCENES}.pictures:moving_scene"},
     arrays=False,
     tracked=False,
-    errors=("difference", "energy_error", "start_moved", "drift"),
+    errors=("ends", "horizon", "tenfold", "difference", "energy_error", "start_moved", "drift", "time"),
 )  # fmt: skip
 
 EQUILIBRIUM = Task(
@@ -162,8 +164,8 @@ EQUATIONS = Task(
         method="exact derivatives by jets",
     ),
     headline=(
-        "equations: coordinate | name, acceleration=q̈, by_lagrange=by Lagrange, active_force=F_r, "
-        "velocity_force=F*_r of speeds",
+        "equations: coordinate | name, acceleration=q̈, by_lagrange=by Lagrange, active_force=active F_r, "
+        "velocity_force=inertia F*_r at q̈ = 0",
         "speeds: speed | name, value=u, acceleration=u̇, active_force=F̃_r",
         "conditions: condition | name, force=kept by, by_lagrange=λ by Lagrange",
         "difference: Kane and Lagrange differ by",

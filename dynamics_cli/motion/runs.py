@@ -18,8 +18,13 @@ if TYPE_CHECKING:
 FINE, COARSE = 1e-13, 1e-12
 # How far the two runs may part [rad].
 APART = 1e-3
-# Pieces of the time; in each, samples for the fastest motion, but not fewer and not more.
-PIECES, FEWEST, MOST = 40, 16, 64
+# Pieces of the time, and samples for the fastest motion, but not fewer and not more.
+PIECES, DENSITY, FEWEST, MOST = 40, 12.0, 640, 40_000
+
+
+def samples_of(turned: float) -> int:
+    """How many samples show a motion whose largest rate times its duration is this; a multiple of the pieces."""
+    return PIECES * round(min(max(DENSITY * turned, FEWEST), MOST) / PIECES)
 
 
 class Runs:
@@ -37,7 +42,7 @@ class Runs:
 
     def _integrate(self, start: "list[float]") -> None:
         n = self.rods.n
-        samples = round(min(max(3.0 * self.duration / PIECES * self.speed, FEWEST), MOST))
+        samples = samples_of(self.duration * self.speed) // PIECES
         states = [list(start), list(start)]
         for piece in range(PIECES):
             times = [self.duration * (piece + k / samples) / PIECES for k in range(samples + 1)]

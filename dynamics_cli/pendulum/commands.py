@@ -14,7 +14,7 @@ SIMPLE = Task(
         "simple pendulum",
         "dynamics_cli.pendulum.simple:simple",
         source=BOOK + "sections 8.4 and 10.8" + AGM,
-        formula="T = 2π·√({length|L}/{gravity|g})/M(1, cos(θ₀/2))",
+        formula="{period|T} = 2π·√({length|L}/{gravity|g})/M(1, cos({amplitude|θ₀}/2))",
         assumptions=("a point mass on a rigid, massless rod", NO_FRICTION),
     ),
     headline=(
@@ -132,7 +132,7 @@ DESIGN = Task(
         "simple pendulum",
         "dynamics_cli.pendulum.design:design",
         source="Borwein & Borwein, Pi and the AGM, Wiley 1987, section 1.1",
-        formula="L = {gravity|g}·({period|T}·M(1, cos(θ₀/2))/(2π))²",
+        formula="{length|L} = {gravity|g}·({period|T}·M(1, cos({amplitude|θ₀}/2))/(2π))²",
         assumptions=("a point mass on a rigid, massless rod", NO_FRICTION),
     ),
     headline=(

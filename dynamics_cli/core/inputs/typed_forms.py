@@ -96,7 +96,9 @@ def _without_clock(text: str) -> str:
     parts = text.removeprefix(sign).split(":")
     digits_only = all(part.isascii() and part.isdigit() for part in parts[:-1])
     if not digits_only or not parts[-1].replace(".", "", 1).isdigit() or not parts[-1].isascii() or len(parts) > GROUP:
-        raise UsageError(f"{text[:60]!r} is not a time", code="number", hint="write 2:30:00, or 2 h 30 min")
+        message = f"{text[:60]!r} has a colon, which only times such as 2:30:00 have"
+        hint = "write 2..16 deg for an uncertain value, --sweep NAME=START:STOP:COUNT for a series"
+        raise UsageError(message, code="number", hint=hint)
     if len(parts) < GROUP:
         first, second = parts
         hint = f"write {first} h {second} min, or {first} min {second} s; with hours, minutes and seconds: 2:30:00"

@@ -6,6 +6,7 @@ from dynamics_cli.core.answering.models import arguments, result_numbers
 from dynamics_cli.core.answering.task import load
 from dynamics_cli.errors import DynamicsError, FaultError, InadmissibleError
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.progress import going
 from dynamics_cli.sampling import Drawing
 
 TYPE_CHECKING = False
@@ -23,8 +24,9 @@ if TYPE_CHECKING:
 
 # How often a formula may refuse further rows, for one reason after another.
 MOST_REFUSALS = 20
-# Rounding of other numbers: some dozens of last bits. And a relative deviation smaller than any measured input has.
-ROUNDING, STEADY = 1e-14, 1e-12
+# Rounding of other numbers: some dozens of last bits. And a relative deviation smaller than any measured input has: the
+# second where cases are integrated or solved one by one, each to no more digits than a sample needs.
+ROUNDING, STEADY, SOLVED = 1e-14, 1e-12, 1e-8
 _FUNCTIONS: "dict[str, Callable[..., Any]]" = {
     "sqrt": np.sqrt, "sin": np.sin, "cos": np.cos, "tan": np.tan, "asin": np.arcsin, "acos": np.arccos,
     "sinh": np.sinh, "cosh": np.cosh, "tanh": np.tanh,
@@ -45,7 +47,7 @@ class Sampled(np.ndarray):
         return _FUNCTIONS[name](*arguments)
 
 
-def _noise(record: "Any", spec: "Record", bound: "Fields") -> "dict[str, float]":
+def _noise(record: "Any", spec: "Record", bound: "Fields", steady: float) -> "dict[str, float]":
     """Error of the results, as their arithmetic or a solver states it: a variation within it is not real.
 
     A result that may be zero at the means, within its error or as a component of a vector, has elsewhere the rounding
@@ -67,7 +69,7 @@ def _noise(record: "Any", spec: "Record", bound: "Fields") -> "dict[str, float]"
         if stem in bounds:
             own = max(own, bounds[stem].bound * (size if bounds[stem].relative else 1.0))
         others = max(sizes.get(stem, 0.0), sizes.get(kind.unit, 0.0) if size <= own else 0.0)
-        noise[name] = max(own, STEADY * size, ROUNDING * others)
+        noise[name] = max(own, steady * size, ROUNDING * others)
     return noise
 
 
@@ -82,7 +84,7 @@ class TaskModel:
         self.spec = task.specification.result
         self.names = [name for name, _, _ in result_numbers(nominal, self.spec) if name not in task.errors]
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
-        self.noise = _noise(nominal, self.spec, bound)
+        self.noise = _noise(nominal, self.spec, bound, STEADY if task.arrays else SOLVED)
         self.arrays = task.arrays
         self.drawing = Drawing()
 
@@ -183,11 +185,13 @@ class TaskModel:
             arguments(self.task, self.bound, {**inputs, **{name: column[row] for name, column in columns.items()}})
             for row in rows
         )
-        for row, record in zip(rows, self._answers(cases), strict=True):
-            if isinstance(record, Exception):
-                bad[row] = True
-                continue
-            for name, _, value in result_numbers(record, self.spec):
-                if name in results:
-                    results[name][row] = value
+        with going(len(rows), "cases of uncertain inputs") as progress:
+            for done, (row, record) in enumerate(zip(rows, self._answers(cases), strict=True), 1):
+                progress(done)
+                if isinstance(record, Exception):
+                    bad[row] = True
+                    continue
+                for name, _, value in result_numbers(record, self.spec):
+                    if name in results:
+                        results[name][row] = value
         return results, bad if bad.any() else None

@@ -146,7 +146,7 @@ def propagate(
     try:
         probe = _probe(space, seed)
         stand_in = None
-        if space.slow and method == "auto" and len(space.results) > FEW_RESULTS and suits(space):
+        if space.slow and method == "auto" and suits(space):
             stand_in = StandIn(space, seed, goal.accuracy)
         _distribute(
             space, propagation, goal, method, samples, probe, (limits or {}, levels or {}), slopes or {}, stand_in

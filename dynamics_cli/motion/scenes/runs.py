@@ -10,6 +10,7 @@ from dynamics_cli.motion.scenes.march import March
 from dynamics_cli.motion.scenes.small import rates_of
 from dynamics_cli.progress import going
 from dynamics_cli.quantities import Time
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 # Tolerances of DOP853, and of Radau, whose order is lower.
 FINE, COARSE = 1e-11, 1e-10
 STIFF_FINE, STIFF_COARSE = 1e-9, 1e-8
+# That of a sample of uncertain inputs, which goes once: eight digits of its results.
+SAMPLED = 1e-9
 # How far the runs may part, and by how much the third start is off, in sizes of the scene and rad.
 APART, NUDGE = 1e-3, 1e-7
 # A decay of so many times the rest's rate, over so many of its own times, takes Radau.
@@ -47,9 +50,9 @@ class Runs:
         inside = [knot for knot in knots if 0.0 < knot < duration]
         self.stops = [*(inside if len(inside) <= MOST_STOPS else []), duration]
         fine, coarse = (STIFF_FINE, STIFF_COARSE) if self.stiff else (FINE, COARSE)
+        fine = max(fine, SAMPLED) if drawing() else fine
         self.fine = March(self.system, start.state, self.stops, fine, stiff=self.stiff, dense=True)
-        self.coarse = March(self.system, start.state, self.stops, coarse, stiff=self.stiff)
-        self.nudged = March(self.system, self._nudged(), self.stops, coarse, stiff=self.stiff)
+        self.nudged: March | None = None
         self.reached, self.stuck = False, False
         self.crossed: list[float] = []
         self.difference = 0.0
@@ -57,8 +60,15 @@ class Runs:
         self._energies: list[tuple[float, float]] = []
         self._side: Any = None
         self.end = duration
+        if drawing():  # the spread of a sample drowns what further runs would say
+            self._integrate([], float)
+            return
+        others = [March(self.system, start.state, self.stops, coarse, stiff=self.stiff)]
+        if start.freedom:
+            self.nudged = March(self.system, self._nudged(), self.stops, coarse, stiff=self.stiff)
+            others.append(self.nudged)
         with going(duration, "seconds of motion") as progress:
-            self._integrate(progress)
+            self._integrate(others, progress)
 
     def _nudged(self) -> "Any":
         """The start moved by a hair the way its joints leave free."""
@@ -70,19 +80,18 @@ class Runs:
         state[: system.end] += NUDGE * way / np.abs(way).max()
         return system.projected(0.0, state, 1e-14)
 
-    def _integrate(self, progress: "Any") -> None:
-        others = [self.coarse] if self.start.freedom == 0 else [self.coarse, self.nudged]
+    def _integrate(self, others: "list[March]", progress: "Any") -> None:
         try:
             self._watch()
             while not all(run.over for run in (self.fine, *others)):
-                run = min(others, key=lambda one: one.t)
-                if not run.over:
+                run = min(others, key=lambda one: one.t, default=None)
+                if run is not None and not run.over:
                     run.step()
-                while self.fine.t < run.t or (run.over and not self.fine.over):
+                while not self.fine.over and (run is None or run.over or self.fine.t < run.t):
                     self.fine.step()
                     self._watch()
                     progress(self.fine.t)
-                if not self._compared(run):
+                if run is not None and not self._compared(run):
                     return
         except SingularError:
             self.stuck = True

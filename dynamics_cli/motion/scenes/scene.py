@@ -12,13 +12,16 @@ from dynamics_cli.motion.scenes.states import (
     forces_of,
     joint_rows,
     links_of,
+    moment_of,
     peaks_of,
     points_of,
     springs_of,
 )
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
+    Angle,
     Annotated,
+    Coordinate,
     Count,
     Force,
     Fraction,
@@ -27,17 +30,26 @@ from dynamics_cli.quantities import (
     Size,
     Text,
     Time,
+    TurnRate,
 )
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from dynamics_cli.motion.scenes.runs import Runs
+
+    Peaks = list[tuple[float, float, float]]
 
 MANY = 20_000
 # Joints between steps, in sizes of the scene.
 TOGETHER = 1e-7
 STILL = 1e-12
+# What a sample does not ask.
+UNSAMPLED = ("verdict", "ends", "horizon", "tenfold", "difference", "energy_error", "start_moved", "drift", "time",
+             "links", "points", "reactions", "springs", "motion", "numerics")  # fmt: skip
 
 
 @record
@@ -58,6 +70,10 @@ class SceneMotion:
     start_moved: Annotated[Size, "How far the start as given was moved so that it closes [m]."]
     drift: Annotated[Size, "Largest gap of a joint after a step, before it was put right [m]."]
     time: Annotated[Time | None, "When links, points and forces are as told [s]."]
+    angle: Annotated[Angle | None, "Angle of the link that is followed, then [rad]."]
+    speed: Annotated[TurnRate | None, "Its angular velocity then [rad/s]."]
+    x: Annotated[Coordinate | None, "Of its mass centre, or of the point that is followed, then [m]."]
+    y: Annotated[Coordinate | None, "The same, upwards [m]."]
     links: Annotated[tuple[LinkState, ...] | None, "The links then; null past the horizon, or if one is followed."]
     points: Annotated[tuple[PointState, ...] | None, "The points then."]
     reactions: Annotated[tuple[JointForce, ...] | None, "Forces in the joints and of drivers then."]
@@ -113,16 +129,17 @@ def scene(
     _require_motion(runs)
     require(at is None or at <= runs.end, "at {at} the motion is not known: it ends at {end}", at=(at or 0.0, Time),
             end=(runs.end, Time), code="past-horizon", hint="ask for {end} or less")  # fmt: skip
-    system, kept = runs.system, runs.energy_error()
+    system = runs.system
     last = None if runs.reached and at is None else runs.end if at is None else at
-    state = None if last is None or follow else runs.fine.at(last)
+    then = None if last is None else runs.fine.at(last)
+    state = None if follow else then
     # next to a change point forces grow without limit
     peaks = None if runs.stuck or runs.crossed else peaks_of(runs)
-    largest = max(((peak[0], joint) for peak, joint in zip(peaks or (), system.joints, strict=False)
-                   if not system.left & set(joint.rows())), key=lambda pair: pair[0], default=(0.0, None))  # fmt: skip
-    energy = system.mass * system.size**2
-    work = [float(x) * energy for x in runs.fine.at(runs.end)[-3:]]
-    tenfold = runs.tenfold()
+    numbers = _numbers(runs, peaks, scene, moment_of(system, last or 0.0, then, follow) if follow else None)
+    if drawing():
+        unsampled: dict[str, Any] = dict.fromkeys(UNSAMPLED)
+        return SceneMotion(**numbers, **unsampled)
+    kept, tenfold = runs.energy_error(), runs.tenfold()
     return SceneMotion(
         verdict=_verdict(runs, tenfold),
         ends=runs.end if runs.end < duration else None,
@@ -130,14 +147,10 @@ def scene(
         tenfold=tenfold,
         difference=runs.difference * system.size,
         energy_error=kept,
-        driver_work=work[0] if system.driven else None,
-        load_work=work[1] if scene.loads else None,
-        damper_loss=work[2] if work[2] else None,
-        largest_force=largest[0] if largest[1] else None,
-        largest_in=f"{largest[1].name} on {largest[1].link}" if largest[1] else None,
+        **numbers,
         start_moved=runs.start.moved,
         drift=runs.fine.drift * system.size,
-        time=None if state is None else last,
+        time=last,
         links=None if state is None else links_of(system, state),
         points=None if state is None else points_of(system, state),
         reactions=None if state is None else joint_rows(system, forces_of(system, last or 0.0, state), peaks),
@@ -150,6 +163,26 @@ def scene(
         checks=_checks(runs, kept) if kept < KEPT else (),
         advice=(*runs.start.advice, *_advice(runs, kept)),
     )
+
+
+def _numbers(runs: "Runs", peaks: "Peaks | None", scene: Scene, there: "Moment | None") -> "dict[str, Any]":
+    """Works, the largest force, and how what is followed moves then."""
+    system = runs.system
+    largest = max(((peak[0], joint) for peak, joint in zip(peaks or (), system.joints, strict=False)
+                   if not system.left & set(joint.rows())), key=lambda pair: pair[0], default=(0.0, None))  # fmt: skip
+    energy = system.mass * system.size**2
+    work = [float(x) * energy for x in runs.fine.at(runs.end)[-3:]]
+    return {
+        "driver_work": work[0] if system.driven else None,
+        "load_work": work[1] if scene.loads else None,
+        "damper_loss": work[2] if work[2] else None,
+        "largest_force": largest[0] if largest[1] else None,
+        "largest_in": f"{largest[1].name} on {largest[1].link}" if largest[1] else None,
+        "angle": there and there.angle,
+        "speed": there and there.speed,
+        "x": there and there.position and there.position[0],
+        "y": there and there.position and there.position[1],
+    }
 
 
 def _require_motion(runs: "Runs") -> None:

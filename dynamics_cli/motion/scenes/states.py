@@ -215,16 +215,16 @@ def _refined(value: "Any", low: float, high: float, at: float, best: float) -> "
 
 def followed(runs: "Any", name: str, steps: int) -> "tuple[Moment, ...]":
     """A link, a point or a joint over time; a pin's name gives the point and its force."""
-    system = runs.system
+    return tuple(moment_of(runs.system, runs.end * k / steps, runs.fine.at(runs.end * k / steps), name)
+                 for k in range(steps + 1))  # fmt: skip
+
+
+def moment_of(system: "System", t: float, y: "Any", name: str) -> Moment:
+    """The same at one time."""
     joints = [k for k, joint in enumerate(system.joints) if joint.name == name]
     known = sorted({*system.index, *system.holders, *(joint.name for joint in system.joints)} - {"ground"})
     require(name in known, "no link, point or joint is called {name}", name=repr(name), code="name",
             hint="one of {list}", list=", ".join(known))  # fmt: skip
-    return tuple(_moment(system, runs.end * k / steps, runs.fine.at(runs.end * k / steps), name, joints)
-                 for k in range(steps + 1))  # fmt: skip
-
-
-def _moment(system: "System", t: float, y: "Any", name: str, joints: "list[int]") -> Moment:
     end, size = system.end, system.size
     accelerations = system.solved(t, y)[0]
     given: dict[str, Any] = {"time": t}

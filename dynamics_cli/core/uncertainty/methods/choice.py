@@ -63,8 +63,8 @@ class Problem:
         self.several = len(space.results) > FEW_RESULTS
         self.mixture = asked == "auto" and suits_mixtures(space)
         self.counted = asked == "auto" and result in space.whole and not (space.slow or space.heavy or goal.limits)
-        # The model is called case by case for many results: points must be shared.
-        self.dear = self.several and space.slow
+        # The model is called case by case: points must be shared.
+        self.dear = space.slow
         self.sharing = self.several and not goal.limits and asked in SHARING and suits_shared_lines(space)
         grid = space.started.get(result, (None, None))[1]
         self.rises = not space.slow and grid is not None and grid.estimate <= OWN_FROM
@@ -139,7 +139,9 @@ WAYS = (
     Way(pooled, lambda p: p.several and not p.sharing, above=GOOD, whole=True),
     Way(pooled, lambda p: p.sharing, above=FAIR, whole=True),
     # 1e4 to 1e6: few inputs, results that turn or jump
-    Way(scanned_grids, lambda p: p.space.size <= FEW_INPUTS and not p.space.stepped and not p.several, above=GOOD),
+    Way(
+        scanned_grids, lambda p: p.space.size <= FEW_INPUTS and not (p.space.stepped or p.several or p.dear), above=GOOD
+    ),
     # 1e5 to 3e6: the same of more inputs
     Way(scanned, lambda p: p.narrow and not p.dear and not p.sharing, above=FAIR),
     # 2e5 to 2e6
@@ -151,7 +153,11 @@ def _single(problem: Problem, result: int, direction: "Array", goal: Goal) -> Ou
     """A result on which a single input bears."""
     space = problem.space
     turning = sole_line(space, result, direction, problem.goal) if problem.sharing and not space.slow else None
-    return turning or alone(space, result, direction, goal)
+    return (
+        turning
+        or alone(space, result, direction, goal)
+        or pooled(space, result, direction, complement(direction), goal)
+    )
 
 
 def start(space: Space, goals: "Mapping[int, Goal]", probe: "Array", asked: str) -> None:

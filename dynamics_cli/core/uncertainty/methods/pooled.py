@@ -38,6 +38,8 @@ MOST_TIMES = 10.0
 FEWEST_POINTS = 64
 # Points that whole numbers are counted at: a share of the cases is then known to about a thousandth.
 COUNTED = 1 << 15
+# Points of a single input of a model that is called case by case: they lie evenly, so few do.
+SINGLE = 1 << 10
 
 
 class Pool:
@@ -103,7 +105,7 @@ def counted(space: Space, result: int, direction: "Array", across: "Array", goal
 def pooled(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
     """One result from the sample that all of them share, generated when first needed."""
     if space.pool is None:
-        space.pool = Pool(space, goal)
+        space.pool = Pool(space, goal, SINGLE if space.slow and space.size == 1 else 0)
     pool: Pool = space.pool
     centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
     return pool.outcome(result, goal, centre)

@@ -6,7 +6,7 @@ from dynamics_cli.core.uncertainty.methods.grids import rule
 from dynamics_cli.core.uncertainty.methods.lattices import larger
 from dynamics_cli.core.uncertainty.methods.lines import Lines
 from dynamics_cli.core.uncertainty.methods.outcome import FLOOR, REPLICATE_FACTOR, SHIFTS, Goal, Outcome, width_of
-from dynamics_cli.core.uncertainty.methods.scan import Scan
+from dynamics_cli.core.uncertainty.methods.scan import REACH, Scan
 from dynamics_cli.core.uncertainty.space import Space
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.numerics.distributions.normal_arrays import quantile
@@ -28,13 +28,20 @@ SLOW_SCAN = 49
 FINE_STEP = 0.05
 
 
-def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome:
-    """One input that bears on a result: its own quantiles through the model, exact; by monotone pieces if it turns."""
+def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome | None:
+    """One input that bears on a result: its own quantiles through the model, exact; by monotone pieces if it turns.
+
+    None where it turns and every point is a call of its own: every piece would need dozens of calls, one by one.
+    """
     lines = Lines(space, result, direction, np.zeros((space.size, 0)), np.zeros((0, 1)), np.ones(1))
     if space.stepped:
         return _atoms(space, result, lines, goal)
+    if space.slow:
+        values = lines.values(np.linspace(-REACH, REACH, SLOW_SCAN)[None, :])
+        if not (np.isnan(values).any() or _rises(values)):
+            return None
     scan = Scan(lines, points=SLOW_SCAN if space.slow else FINE_SCAN)
-    if not np.isnan(scan.values).any() and bool((np.diff(scan.values[0]) >= 0.0).all()):
+    if not np.isnan(scan.values).any() and _rises(scan.values):
         quantiles = lines.values(goal.scores[None, :])[0]
         outcome = _with_moments(Outcome("the input's own quantiles through the model", quantiles, lines), scan)
         outcome.estimate = _coarser(scan, outcome) if outcome.std > 0.0 and not space.heavy else FLOOR
@@ -42,6 +49,10 @@ def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome:
     # where every point is a call of its own, no finer than is asked
     fine = goal if space.slow else Goal(goal.p, goal.scores, 1e-9, goal.points, goal.seed)
     return _scan_outcome(scan, fine, 1, "monotone pieces of the only input")
+
+
+def _rises(values: "Array") -> bool:
+    return bool((np.diff(values[0]) >= 0.0).all())
 
 
 def _atoms(space: Space, result: int, lines: Lines, goal: Goal) -> Outcome:

@@ -9,6 +9,7 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 
+from dynamics_cli.core.uncertainty.methods.outcome import FAIR
 from dynamics_cli.core.uncertainty.space import Space
 from dynamics_cli.numerics.distributions.normal_arrays import quantile
 from dynamics_cli.numerics.quadrature.hermite import polynomials
@@ -23,8 +24,9 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# The degree tried first, and the one tried if that is not accurate enough.
+# The degree tried first, and those tried if that is not accurate enough; of few inputs, higher ones cost little.
 DEGREES = (3, 6)
+MORE = {1: (12, 20), 2: (12,)}
 MOST_TERMS = 250
 # Number of test points, how much farther out they lie, and how much worse the fit may be between them.
 TRIALS = 32
@@ -33,9 +35,9 @@ SAFETY = 3.0
 
 
 def suits(space: Space) -> bool:
-    """Whether the inputs are continuous, of finite variance, and neither one nor very many."""
+    """Whether the inputs are continuous, of finite variance, and not very many."""
     return (
-        2 <= space.size <= MOST_DIMENSIONS
+        1 <= space.size <= MOST_DIMENSIONS
         and chaos_terms(space.size, 2) <= MOST_TERMS
         and not (space.stepped or space.heavy)
     )
@@ -55,17 +57,18 @@ class StandIn:
         }
         self._results = space.results
         n = space.size
-        most = max(degree for degree in range(2, DEGREES[-1] + 1) if chaos_terms(n, degree) <= MOST_TERMS)
+        degrees = (*DEGREES, *MORE.get(n, ()))
+        most = max(degree for degree in range(2, degrees[-1] + 1) if chaos_terms(n, degree) <= MOST_TERMS)
         tried = FARTHER * quantile(lattice(n, TRIALS, 1, seed + 1))
         there = space.evaluate(tried)
         points, values = np.zeros((n, 0)), np.zeros((len(there), 0))
-        for degree in sorted({min(degree, most) for degree in DEGREES}):
+        for degree in sorted({min(degree, most) for degree in degrees}):
             self.degree = degree
             self._exponents = _products(n, degree)
             self.count = 1 << (2 * len(self._exponents) - 1).bit_length()
             points, values = _grown(space, points, values, self.count, seed)
             self._fit(self._standard(space.inputs(points)), values, self._standard(space.inputs(tried)), there)
-            if (self.errors <= accuracy * values.std(axis=1)).all():
+            if (self.errors <= (accuracy if degree < DEGREES[-1] else FAIR) * values.std(axis=1)).all():
                 break
         self.space = Space(self, dict(zip(space.names, space.distributions, strict=True)), {})
         self.space.factor = space.factor
@@ -80,6 +83,8 @@ class StandIn:
         known, wanted = np.where(self._whole, values, 0.0), np.where(self._whole, there, 0.0)
         coefficients, _, _, _ = np.linalg.lstsq(self._terms(points).T, known.T, rcond=None)
         self._coefficients = coefficients.T
+        self._plane = np.linalg.lstsq(np.vstack([np.ones(points.shape[1]), points]).T, known.T, rcond=None)[0].T[:, 1:]
+        self._far = np.abs(np.concatenate([points, tried], axis=1)).max(axis=1)[:, None]
         off = self._coefficients @ self._terms(tried) - wanted
         near = self._coefficients @ self._terms(points) - known
         variance = wanted.var(axis=1)
@@ -88,7 +93,10 @@ class StandIn:
 
     def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], None]":
         """Results by address."""
-        values = self._coefficients @ self._terms(self._standard(inputs))
+        u = self._standard(inputs)
+        # beyond the points they were fitted to, high degrees grow without limit: from there on as a plane does
+        near = np.clip(u, -self._far, self._far) if self.degree > DEGREES[-1] else u
+        values = self._coefficients @ self._terms(near) + self._plane @ (u - near)
         return dict(zip(self._results, np.where(self._whole, values, np.nan), strict=True)), None
 
     def _terms(self, u: "Array") -> "Array":
