@@ -3,12 +3,15 @@
 import math
 from itertools import pairwise
 
-from dynamics_cli.pictures import Axis, Band, Bars, Curve, Mark, Panel, Picture
+from dynamics_cli.errors import worded
+from dynamics_cli.pictures import Axis, Band, Bars, Curve, Mark, Panel, Picture, Ranges
 from dynamics_cli.quantities import Angle, Count, DragFactor, Fraction, Friction, Length, RoadSpeed, Slope, Time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from dynamics_cli.pictures import Spreads
 
 POINTS = 121
 # Steepest grade of the road in the picture.
@@ -132,7 +135,8 @@ def friction(result: "Any", **_: "Any") -> Picture:
 
 def throw(
     result: "Any", *, throw_distance: float, friction: float, launch_angle: "float | None" = None,
-    launch_height: float = 0.0, grade: "float | None" = None, gravity: float, **_: "Any",
+    launch_height: float = 0.0, grade: "float | None" = None, gravity: float, spreads: "Spreads | None" = None,
+    **_: "Any",
 ) -> Picture:  # fmt: skip
     """Projection speed for every launch angle at this throw distance, and the one given."""
     slope = math.atan(grade or 0.0)
@@ -154,7 +158,21 @@ def throw(
     items.append(Band(result.least_speed, result.least_speed, "least", vertical=False))
     if launch_angle is not None and result.speed is not None:
         items.append(Mark(launch_angle, result.speed, "as launched"))
-    return Picture((Panel(Axis("launch angle", Angle), SPEED, tuple(items)),), "projection speed of the throw")
+    panel = Panel(Axis("launch angle", Angle), SPEED, tuple(items))
+    title = "projection speed of the throw"
+    if spreads is None or result.speed is not None or result.greatest_speed is None:
+        return Picture((panel,), title)
+    # without a launch angle the answer is a range, both ends of which are uncertain
+    at = (result.least_speed, result.greatest_speed)
+    ends = zip(("least_speed", "greatest_speed"), at, strict=True)
+    low, high = zip(*(spreads.intervals.get(address, (end, end)) for address, end in ends), strict=True)
+    heads = (
+        worded("lower bound {speed:3}", speed=(at[0], RoadSpeed)),
+        worded("upper bound {speed:3}", speed=(at[1], RoadSpeed)),
+    )
+    bars = Ranges(heads, low, high, at, ends=True)
+    bounds = Panel(SPEED, Axis(""), (bars,), f"bounds with {100.0 * spreads.coverage:.4g} % intervals")
+    return Picture((panel, bounds), title, spread=True)
 
 
 def drag_factor(result: "Any", *, measurement: "Any", **_: "Any") -> Picture:

@@ -102,7 +102,13 @@ class _Answer:
         self.names = body_names(document["inputs"])
         self.table_names = [name for name, node in self.results.items() if is_table(node)]
         labels = headline_labels(task, self.flat, self.table_names)
-        self.labels = {address: with_name(label, self.names) for address, label in labels.items()}
+        # of a body that is fixed nothing changes
+        fixed = [body for body, given in document["inputs"].items() if isinstance(given, dict) and given.get("fixed")]
+        self.labels = {
+            address: with_name(label, self.names)
+            for address, label in labels.items()
+            if address.partition(".")[0] not in fixed
+        }
         self.bounds = document["numerics"].get("error_bound", {})
 
     def headline(self) -> "list[str]":
