@@ -187,7 +187,7 @@ class CoordinateEquation:
     active_force: Annotated[FreeNumber, "Generalized active force F_r."]
     lagrange_force: Annotated[FreeNumber, "Q_r, from potentials and powers."]
     inertia_force: Annotated[FreeNumber, "Generalized inertia force F*_r; with F_r it gives zero."]
-    velocity_force: Annotated[FreeNumber, "The part of F*_r quadratic in the speeds: what it is where accelerations are zero."]
+    velocity_force: Annotated[FreeNumber, "Its part quadratic in the speeds: F*_r where all q̈ are zero."]
 
 
 @record
