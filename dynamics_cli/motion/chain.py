@@ -94,7 +94,9 @@ def chain(
         tuple[TurnRate, ...], "Angular velocities at the start; at rest by default, e.g. 0, 2 rad/s."
     ] = (),
     end_masses: Annotated[tuple[Mass, ...], "Points at the lower ends of the rods, e.g. 0, 3 kg."] = (),
-    inertias: Annotated[tuple[Inertia, ...], "Central inertias; those of slender rods by default."] = (),
+    inertias: Annotated[
+        tuple[Inertia, ...], "Central inertias; those of slender rods by default, e.g. 0.02, 0.04 kg*m^2."
+    ] = (),
     count: Annotated[Count | None, "So many rods alike, where one length is given."] = None,
     steps: Annotated[Count, "Lines of the table after the start."] = 8,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,

@@ -1,7 +1,7 @@
 """The task `scene`: how a planar system of bodies moves."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.motion.bodies.records import Scene
+from dynamics_cli.motion.bodies.records import Link, Scene
 from dynamics_cli.motion.scenes.states import (
     JointForce,
     LinkState,
@@ -17,6 +17,7 @@ from dynamics_cli.motion.scenes.states import (
     points_of,
     springs_of,
 )
+from dynamics_cli.numerics.linkages.records import GROUND
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -219,6 +220,20 @@ def _verdict(runs: "Runs", tenfold: "float | None") -> str:
     return "holds to the end; no horizon in sight yet" if tenfold is None else "holds to the end"
 
 
+def _loose(scene: Scene) -> "list[Link]":
+    """Links that nothing holds, though the scene does not say where they are."""
+    names = [pin.name for link in scene.links for pin in link.points]
+    held = {name for name in names if names.count(name) > 1} | {slide.point for slide in scene.slides}
+    held |= {end for spring in scene.springs for end in (spring.from_, spring.to)}
+    joined = {GROUND, *(name for weld in scene.welds for name in (weld.link, weld.to))}
+    joined |= {driver.link for driver in scene.drivers} | {slide.slider for slide in scene.slides}
+    return [
+        link for link in scene.links
+        if link.name not in joined and link.position is None and link.velocity is None
+        and not held & {pin.name for pin in link.points}
+    ]  # fmt: skip
+
+
 def _advice(runs: "Runs", kept: float) -> "tuple[Advice, ...]":
     from dynamics_cli.motion.scenes.runs import APART, KEPT
 
@@ -236,6 +251,11 @@ def _advice(runs: "Runs", kept: float) -> "tuple[Advice, ...]":
         words = worded("at {t:6} the scene passes a change point, from which it can go on in two ways: the smooth one "
                        "is shown", t=(t, Time))  # fmt: skip
         out.append(Advice("change-point", words, remedy="what decides there is play and friction"))
+    out += [
+        Advice("not-joined", f"nothing joins {link.name} to another link, and no spring holds it: it moves freely",
+               remedy="points of one name are one pin: compare the names; or give its position")
+        for link in _loose(runs.system.scene)
+    ]  # fmt: skip
     if runs.system.n > 1 and runs.start.ambiguous:
         names = ", ".join(runs.start.ambiguous)
         text = f"the scene does not say at which angle {names} begins: it may fit otherwise"
