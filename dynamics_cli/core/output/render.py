@@ -25,11 +25,8 @@ if TYPE_CHECKING:
 
     Document = dict[str, Any]
 
-
-# Columns before a table.
-MARGIN = 4
-# Columns of the sensitivities with `--all`, which may be wider than a screen.
-WIDE = 110
+# Columns before a table, and of the sensitivities with `--all`, which may be wider than a screen.
+MARGIN, WIDE = 4, 110
 
 
 def to_pretty_json(document: "Document") -> str:
@@ -117,8 +114,7 @@ def to_verdict(document: "Document", lines: "list[str]", width: int) -> str:
 def _notes(document: "Document") -> "list[str]":
     """The notes under the results: limits, checks, warnings, the model and its source, files."""
     model = document["model"]
-    notes = [f"limit: {item['message']}" for item in document.get("limits", ())]
-    notes += [f"quantile: {item['message']}" for item in document.get("quantiles", ())]
+    notes = [f"{name}: {item['message']}" for name in ("limit", "quantile") for item in document.get(f"{name}s", ())]
     notes += [f"check: {check_line(check)}" for check in document["checks"]]
     for item in document["warnings"]:
         remedy = f" ({item['remedy']})" if item.get("remedy") else ""
