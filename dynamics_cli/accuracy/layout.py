@@ -25,7 +25,7 @@ FEW_DIGITS = 1e-10
 LEGEND = {
     "worst": "errors are shares of the true value (1e-16: its last digit, 1: no digit right)",
     "°": "°: of a result close to zero, and its stated error is as large",
-    "truly": "truly: a result so close to zero that a small error is a large share of it",
+    "truly": "truly: the true value, of which a small error is a large share where it is close to zero",
     "stated": "held ×n: stated errors were never too small, typically n times the true one",
     "~": "~: an estimate",
     "ratio": "ratio: time over that of the program's own method (▸), for the formula alone",
@@ -55,7 +55,7 @@ def lines(results: "Entry", digits: int, width: int) -> "list[str]":
     """The results of a report."""
     width = min(max(width or WIDTH, LEAST_WIDTH), LARGEST_WIDTH)
     if "cases" in results:
-        return listing.lines(results["cases"], _wrapped, width)
+        return listing.lines(results["cases"], _wrapped, width)[1:]
     blocks = _blocks(results["methods"])
     families = {rows[0]["family"] for rows in blocks}
     several = len(blocks) > 1 and len({(rows[0]["family"], rows[0]["task"]) for rows in blocks}) > 1
@@ -165,7 +165,7 @@ def _details(blocks: "list[list[Entry]]", digits: int, width: int) -> "tuple[lis
     columns = _fitting(_columns(rows, digits), rows, width)
     longest = max(len(row["method"].removesuffix(CHOSEN)) for row in rows)
     room = min(width - 4 - sum(2 + size for _, size in columns), longest)
-    text = [line for block in blocks for line in ("", *_block(block, columns, room, width))]
+    text = [line for block in blocks for line in ("", *_block(block, columns, room, width))][1:]
     marks = {"truly"} if any(_truly(row) for row in rows) else set()
     return text, _seen(columns, rows) | marks | ({"*"} if any(row["front"] for row in rows) else set())
 

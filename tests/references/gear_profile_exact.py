@@ -5,6 +5,7 @@ trochoid it is where the gradient of the squared distance vanishes; a curve is f
 parallel, found by halving in the curve's own parameter.
 """
 
+from abc import ABC, abstractmethod
 from typing import Any
 
 from gear_exact import Exact, Tooth, atan2, cos, illinois, pi, sin, sqrt, tan
@@ -13,23 +14,23 @@ H = Exact(2) ** -100
 HALVINGS = 30
 
 
-class Flank:
+class Flank(ABC):
     """One flank of the tooth that points along +y, by a parameter; the right one, mirrored for the left."""
 
     def __init__(self, tooth: Tooth) -> None:
         self.tooth = tooth
 
+    @abstractmethod
     def point(self, t: Any) -> tuple[Any, Any]:
         """A point at a parameter."""
-        raise NotImplementedError
 
+    @abstractmethod
     def off(self, x: Any, y: Any) -> Any:
         """How far a point is from the curve."""
-        raise NotImplementedError
 
+    @abstractmethod
     def parameter(self, x: Any, y: Any) -> Any:
         """The parameter of the curve's point nearest a point."""
-        raise NotImplementedError
 
     def arrow(self, a: tuple[Any, Any], b: tuple[Any, Any]) -> Any:
         """The largest distance of the curve between two points of it from their chord."""

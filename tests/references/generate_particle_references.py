@@ -5,17 +5,14 @@ bends from force polygons; the program has conjugate forms, half angles and seri
 Run: python tests/references/generate_particle_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import random
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
-from mpmath import acosh, atan, cos, exp, matrix, mp, mpf, nstr, polyroots, re, sin, sqrt, tan
+from case_files import write_given
+from mpmath import acosh, atan, cos, exp, matrix, mp, mpf, polyroots, re, sin, sqrt, tan
 
 mp.dps = 90
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 ABOUT = (
     "Written by generate_particle_references.py: SI inputs as doubles, results to 40 digits from 90-digit arithmetic."
 )
@@ -251,15 +248,5 @@ def every() -> Iterator[Case]:
         yield from part()
 
 
-def main(target: Path) -> None:
-    cases = []
-    for task, kind, name, why, inputs, results in every():
-        texts = {key: nstr(value, 40, min_fixed=-8, max_fixed=18) for key, value in results.items()}
-        said = {"why": why} if why else {}
-        cases.append({"task": task, "kind": kind, "name": name, **said, "inputs": inputs, "results": texts})
-    lines = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
-    target.write_text(f'{{"about": {json.dumps(ABOUT)},\n"cases": [\n{lines}\n]}}\n', encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "particle.json")
+    write_given("particle", ABOUT, every())

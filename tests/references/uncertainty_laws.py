@@ -4,6 +4,7 @@ An input knows its distribution function, its quantiles and expectations of func
 distribution function, a bracket of its quantiles, and its first two moments.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from itertools import product
 from math import factorial, inf, prod
@@ -30,21 +31,19 @@ REACH = 15
 STEPS = {1: 8, 2: 10}
 
 
-class Input:
-    """An uncertain input."""
+class Input(ABC):
+    """An uncertain input; most give expectations of functions, readings their moments."""
 
     low: Any = -inf
     high: Any = inf
 
+    @abstractmethod
     def cdf(self, x: Any) -> Any:
-        raise NotImplementedError
+        """Share below a value."""
 
+    @abstractmethod
     def quantile(self, p: Any) -> Any:
-        raise NotImplementedError
-
-    def expect(self, function: Function, kinks: Sequence[Any] = ()) -> Any:
-        """The expectation of a function that is smooth between its kinks."""
-        raise NotImplementedError
+        """The value below which a share lies."""
 
 
 class Normal(Input):
