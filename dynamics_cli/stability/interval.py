@@ -1,6 +1,6 @@
 """The task `interval`: robust stability of a polynomial whose coefficients lie within ranges."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import UsageError, require
 from dynamics_cli.numerics.exact.polynomial_text import MOST_DEGREE, read_number
 from dynamics_cli.numerics.exact.rational import lowest, written
 from dynamics_cli.quantities import Annotated, Count, Text
@@ -99,6 +99,10 @@ def interval(
 
 def _range(text: str) -> "tuple[Pair, Pair]":
     low, dots, high = text.strip().partition("..")
+    ends = low.lower().replace("e-", "e").split("-")
+    if not dots and len(ends) == 2 and all(ends):
+        raise UsageError(f"{low!r} is a difference, not a range", code="range",
+                         hint=f"write {ends[0].strip()}..{ends[1].strip()}")  # fmt: skip
     one = read_number(low)
     other = read_number(high) if dots else one
     return (one, other) if one[0] * other[1] <= other[0] * one[1] else (other, one)

@@ -157,3 +157,11 @@ def test_messages_name_the_matrices_as_they_are_typed() -> None:
         ((), "neither MATRIX nor --mass and --stiffness are given"),
     ):
         assert words in run("stability", "matrix", *typed).err
+
+
+def test_a_range_with_a_hyphen_and_a_small_k_are_told_how_they_are_written() -> None:
+    hyphen = run("stability", "interval", "1, 2-3, 3..4", "--json").error
+    assert (hyphen["code"], hyphen["hint"]) == ("range", "write 2..3")
+    assert run("stability", "interval", "1, 2e-3, 3..4").status == 0
+    assert "write a capital K" in run("stability", "gain", "s(s+1)(s+2) + k").err
+    assert "'a' has no value" in run("stability", "routh", "s^3 + 2s + a").err

@@ -162,6 +162,9 @@ class _Reader:
             return {self.powers[letter]: (1, 1)}
         if letter.isascii() and (letter.isdigit() or letter == "."):
             return {(0, 0): self._number()}
+        if letter.isalpha():
+            capital = letter.upper() in self.powers
+            self._refuse(f"{letter!r} has no value" + (f"; write a capital {letter.upper()}" if capital else ""))
         self._refuse("it ends too early" if not letter else f"{letter!r} is not wanted here")
         raise AssertionError
 

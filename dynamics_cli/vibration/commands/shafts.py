@@ -141,7 +141,10 @@ ROTOR = Task(
         '--disk "position=970 mm, mass=12 kg, polar-inertia=0.2 kg*m^2" --speed "3000 rpm"',
         'dynamics vibration rotor --length "1 m" --diameter "40 mm" --bearing "position=0 m" --bearing "position=1 m"',
     ),
-    scene={"bearings[0].position": "0 mm", "bearings[1].position": "200 mm"},
+    scene={
+        "sections[0].length": "800 mm", "sections[0].diameter": "50 mm", "bearings[0].position": "0 mm",
+        "bearings[1].position": "800 mm", "disks[0].position": "300 mm", "disks[0].mass": "30 kg",
+    },
     table="criticals whirls campbell",
     plot=f"{ROTORS}:rotor",
     arrays=False,
