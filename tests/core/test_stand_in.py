@@ -124,3 +124,32 @@ def test_bounded_inputs_and_refused_cases_are_left_to_other_methods() -> None:
     assert spread.admissible == pytest.approx(0.8, abs=0.02)
     low, high = 4.5 + 0.8 * 0.025, 4.5 + 0.8 * 0.975
     assert spread.interval == pytest.approx((low, high), abs=spread.estimate * spread.std)
+
+
+class Turning:
+    """One input, asked case by case: a result that turns several times within its spread, and one that jumps about."""
+
+    arrays = False
+
+    def __init__(self, *, wild: bool) -> None:
+        self.asked = 0
+        self.wild = wild
+
+    def __call__(self, inputs: dict) -> tuple[dict, None]:
+        x = inputs["x"]
+        self.asked += len(x)
+        return {"wave": np.cos(40.0 * x * x) if self.wild else np.cos(1.5 * x), "plain": 3.0 * x}, None
+
+
+@pytest.mark.parametrize("wild", [False, True])
+def test_one_input_on_which_results_turn(*, wild: bool) -> None:
+    model = Turning(wild=wild)
+    made = propagate(model, {"x": Normal(0.3, 1.0)}, samples=20_000, accuracy=1e-3)
+    x = np.random.default_rng(1).standard_normal(400_000) + 0.3
+    wave = np.cos(40.0 * x * x) if wild else np.cos(1.5 * x)
+    spread = made.spreads["wave"]
+    found, plain = [*spread.interval, spread.mean, spread.std], [*np.quantile(wave, P[::2]), wave.mean(), wave.std()]
+    assert found == pytest.approx(plain, abs=(spread.estimate + 0.005) * wave.std())
+    assert made.spreads["plain"].std == pytest.approx(3.0, rel=1e-4)
+    assert spread.estimate < (0.3 if wild else 0.03)
+    assert model.asked < (2000 if wild else 300)

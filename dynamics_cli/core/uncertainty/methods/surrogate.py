@@ -11,6 +11,7 @@ import numpy as np
 
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR
 from dynamics_cli.core.uncertainty.space import Space
+from dynamics_cli.numerics.distributions import normal
 from dynamics_cli.numerics.distributions.normal_arrays import quantile
 from dynamics_cli.numerics.quadrature.hermite import polynomials
 from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS, lattice
@@ -27,6 +28,8 @@ if TYPE_CHECKING:
 # The degree tried first, and those tried if that is not accurate enough; of few inputs, higher ones cost little.
 DEGREES = (3, 6)
 MORE = {1: (12, 20), 2: (12,)}
+# How much farther out the points of these lie: beyond them a plane goes on, whose error is known only by its size.
+WIDER = 1.4
 MOST_TERMS = 250
 # Number of test points, how much farther out they lie, and how much worse the fit may be between them.
 TRIALS = 32
@@ -66,7 +69,10 @@ class StandIn:
             self.degree = degree
             self._exponents = _products(n, degree)
             self.count = 1 << (2 * len(self._exponents) - 1).bit_length()
-            points, values = _grown(space, points, values, self.count, seed)
+            wide = WIDER if degree > DEGREES[-1] else 1.0
+            if degree > DEGREES[-1] and degree == next(iter(MORE[n])):  # others than those known so far
+                points, values = np.zeros((n, 0)), np.zeros((len(there), 0))
+            points, values = _grown(space, points, values, self.count, seed, wide)
             self._fit(self._standard(space.inputs(points)), values, self._standard(space.inputs(tried)), there)
             if (self.errors <= (accuracy if degree < DEGREES[-1] else FAIR) * values.std(axis=1)).all():
                 break
@@ -88,7 +94,11 @@ class StandIn:
         off = self._coefficients @ self._terms(tried) - wanted
         near = self._coefficients @ self._terms(points) - known
         variance = wanted.var(axis=1)
-        self.errors = np.where(whole, SAFETY * np.abs(np.concatenate([off, near], axis=1)).max(axis=1), np.inf)
+        worst = SAFETY * np.abs(np.concatenate([off, near], axis=1)).max(axis=1)
+        if self.degree > DEGREES[-1]:
+            beyond = sum(2.0 * normal.upper(float(far)) for far in self._far[:, 0])
+            worst += beyond * np.ptp(known, axis=1)
+        self.errors = np.where(whole, worst, np.inf)
         self.missed = np.where(whole, off.var(axis=1) / np.where(variance > 0.0, variance, 1.0), np.inf)
 
     def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], None]":
@@ -114,9 +124,9 @@ def _products(n: int, degree: int) -> "Array":
     return np.array([np.bincount(choice, minlength=n) for choice in axes])
 
 
-def _grown(space: Space, points: "Array", values: "Array", count: int, seed: int) -> "tuple[Array, Array]":
+def _grown(space: Space, points: "Array", values: "Array", count: int, seed: int, wide: float) -> "tuple[Array, Array]":
     """A lattice and the model's values on it; a larger lattice contains the points of a smaller one."""
-    made = quantile(lattice(space.size, count, 1, seed))
+    made = wide * quantile(lattice(space.size, count, 1, seed))
     values_at = np.empty((len(values), count))
     known = np.zeros(count, dtype=bool)
     if points.shape[1]:
