@@ -101,3 +101,32 @@ def test_more_inputs_than_a_lattice_has_dimensions() -> None:
     exact = [normal.quantile(p ** (1.0 / 45.0)) for p in P]
     found = (spread.interval[0], spread.median, spread.interval[1])
     assert max(abs(a - b) for a, b in zip(found, exact, strict=True)) <= spread.estimate * spread.std
+
+
+class Together:
+    """Six smooth results that bend, and one that turns, of a model that answers thousands of cases at once."""
+
+    arrays, together = False, True
+
+    def __call__(self, inputs: dict) -> tuple[dict, None]:
+        """Exponentials of sums of the inputs: lognormal. The size of one: half normal."""
+        a, b, c, d = (np.asarray(inputs[name]) for name in NAMES)
+        bends = {f"bend{k}": np.exp(0.1 * k * (a + b - c + d)) for k in range(1, 7)}
+        return {**bends, "farthest": np.abs([a, b, c, d]).max(axis=0)}, None
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_dear_model_has_polynomials_beside_its_sample(seed: int) -> None:
+    made = propagate(Together(), dict.fromkeys(NAMES, Normal(0.0, 1.0)), samples=20_000, seed=seed, shares=False)
+    exact = {f"bend{k}": [math.exp(0.2 * k * normal.quantile(p)) for p in P] for k in range(1, 7)}
+    for name, numbers in (exact | {"farthest": EXACT["farthest"]}).items():
+        spread = made.spreads[name]
+        found = (spread.interval[0], spread.median, spread.interval[1])
+        worst = max(abs(a - b) for a, b in zip(found, numbers, strict=True)) / spread.std
+        assert worst <= spread.estimate, name
+        assert "8 shifted lattices of 1024 points" in spread.method, name
+        # the lognormal of the largest exponent has a deviation of which its tail is most
+        assert spread.estimate < (0.04 if name != "farthest" else 0.12), name
+    assert "beside polynomials of degree 6" in made.spreads["bend3"].method
+    assert made.spreads["bend3"].std == pytest.approx(math.sqrt(math.expm1(0.36)) * math.exp(0.18), rel=2e-3)
+    assert made.points < 10_000

@@ -145,9 +145,7 @@ def propagate(
         return propagation
     try:
         probe = _probe(space, seed)
-        stand_in = None
-        if space.slow and method == "auto" and suits(space):
-            stand_in = StandIn(space, seed, goal.accuracy)
+        stand_in = StandIn(space, seed, goal.accuracy) if space.slow and method == "auto" and suits(space) else None
         _distribute(
             space, propagation, goal, method, samples, probe, (limits or {}, levels or {}), slopes or {}, stand_in
         )
@@ -197,6 +195,7 @@ def _distribute(
     twins = [straight.of(row) for row in range(len(space.results))]
     noise = np.array([space.noise.get(name, 0.0) for name in space.results]).reshape(-1, 1)
     still = (np.abs(probe - probe[:, :1]) <= 2.0 * noise).all(axis=1)
+    stand_in = stand_in if stand_in is None or stand_in.fits(probe.std(axis=1), still) else None
     if sample is None and len(space.results) > FEW_RESULTS and space.size > 1 and not space.slow:
         goals = {}
         for row, name in enumerate(space.results):

@@ -58,6 +58,8 @@ class Space:
         self.points = 0
         # A model called case by case is expensive, and its results are often needed at the same points.
         self.slow = not getattr(model, "arrays", True)
+        # One that answers many cases at once: thousands together cost little more than a hundred.
+        self.together = self.slow and getattr(model, "together", None) is not None
         self._known: dict[bytes, Array] | None = {} if self.slow else None
         # The sample that results share, once one of them needs it.
         self.pool: Any = None

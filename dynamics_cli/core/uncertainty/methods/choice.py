@@ -197,6 +197,9 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
     across = complement(direction)
     if space.size == 1:
         return _single(problem, result, direction, goal)
+    if space.together and asked in SHARING:
+        # Thousands of cases at once cost little more than the few that lines ask for at a time.
+        return pooled(space, result, direction, across, goal)
     best: Outcome | None = None
     for way in WAYS:
         known = ANY if best is None else best.estimate

@@ -1,7 +1,8 @@
 """Quantiles from one sample for all results: for many results that turn, jump or have kinks, each in its own way.
 
 Replicates of a shifted lattice; each number is taken over all points together, its error from the scatter of the
-replicates.
+replicates. Of a model that is dear, polynomials are fitted to the sample: a sample of them hundreds of times as large
+is free, and what they are off by is known from the small one, far better than the numbers themselves.
 """
 
 import numpy as np
@@ -18,10 +19,12 @@ from dynamics_cli.core.uncertainty.methods.outcome import (
 )
 from dynamics_cli.core.uncertainty.methods.scanned_lines import Listed
 from dynamics_cli.core.uncertainty.methods.shared_lines import principal
+from dynamics_cli.core.uncertainty.methods.surrogate import MOST_TERMS, standard, suits, terms
 from dynamics_cli.core.uncertainty.space import Space
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.numerics.distributions.normal_arrays import quantile
 from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS, MOST_POINTS, lattice
+from dynamics_cli.numerics.quadrature.smolyak import chaos_terms
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -40,6 +43,12 @@ FEWEST_POINTS = 64
 COUNTED = 1 << 15
 # Points of a single input of a model that is called case by case: they lie evenly, so few do.
 SINGLE = 1 << 10
+# The greatest degree of polynomials fitted to a sample, points of it for each of their terms, and the replicates and
+# points of each that they are sampled at, so many at a time.
+DEGREE, POINTS_A_TERM = 6, 16
+WIDE, AT_ONCE = (64, MOST_POINTS), 2048
+# A number of theirs may scatter more than that of the sample by this share of its worst quantile.
+ALIKE = 0.3
 
 
 class Pool:
@@ -47,8 +56,9 @@ class Pool:
 
     def __init__(self, space: Space, goal: Goal, points: int = 0) -> None:
         results = len(space.results)
-        # Where every point is a call of its own, a quarter of them serves all results.
-        most = points or (goal.points // 4 if space.slow else goal.points)
+        # Where every point is a call of its own, a quarter of them serves all results; half, where they are cheaper.
+        part = 2 if space.together else 4 if space.slow else 1
+        most = points or goal.points // part
         self.count = min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, FEWEST_POINTS), MOST_POINTS)
         more = min(max(most / DEFAULT_POINTS, 1.0), MOST_TIMES)
         room = int(min(MOST_BYTES // (8 * results * self.count), MOST_SHIFTS) * more)
@@ -60,13 +70,14 @@ class Pool:
         else:
             uniform = np.random.default_rng(goal.seed).random((space.size, total))
         self._rows = {row: place for place, row in enumerate(space.rest())}
-        self._values = space.some(principal(space, np.eye(space.size)) @ quantile(uniform), list(self._rows)).reshape(
-            -1, self.shifts, self.count
-        )
+        z = principal(space, np.eye(space.size)) @ quantile(uniform)
+        self._values = space.some(z, list(self._rows)).reshape(-1, self.shifts, self.count)
+        self._wide = Wide(space, z, self._values, goal.seed) if space.together and suits(space) else None
 
     def outcome(self, result: int, goal: Goal, centre: Lines) -> Outcome:
         """One result's quantiles, mean and deviation."""
-        values = self._values[self._rows[result]]
+        row = self._rows[result]
+        values = self._values[row]
         good = ~np.isnan(values)
         counts = good.sum(axis=1)
         if counts.min() < 2:
@@ -74,21 +85,68 @@ class Pool:
             raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
         whole = bool(good.all())
         sound = values.ravel() if whole else values[good]
+        heavy = centre.space.heavy
         method = f"{self.shifts} shifted lattices of {self.count} points, one sample for all results"
+        scatter = _numbers(values, goal, heavy=heavy).std(axis=1, ddof=1) / np.sqrt(self.shifts)
+        if self._wide is not None and whole:
+            fitted, wide = self._wide.fitted[row], self._wide.values[row]
+            apart = _numbers(values, goal) - _numbers(fitted, goal)
+            left = np.hypot(
+                apart.std(axis=1, ddof=1) / np.sqrt(self.shifts),
+                _numbers(wide, goal).std(axis=1, ddof=1) / np.sqrt(len(wide)),
+            )
+            if (left <= np.maximum(scatter, ALIKE * scatter[: goal.p.size].max())).all():
+                scatter, sound = left, _corrected(wide.ravel(), fitted.ravel(), sound)
+                method += f", beside polynomials of degree {self._wide.degree} at {wide.size}"
         outcome = Outcome(method, np.quantile(sound, goal.p), centre)
         outcome.admissible = float(counts.sum() / values.size)
         outcome.scan = Listed(sound)  # type: ignore[assignment]
-        find = np.quantile if whole else np.nanquantile
-        scatter = list(find(values, goal.p, axis=1).std(axis=1, ddof=1))
         width = width_of(outcome.quantiles, goal)
-        if not centre.space.heavy:
+        if not heavy:
             outcome.mean, outcome.std = float(sound.mean()), float(sound.std())
             width = outcome.std
-            apart = values - outcome.mean
-            scatter += [np.nanmean(apart, axis=1).std(ddof=1), np.sqrt(np.nanmean(apart**2, axis=1)).std(ddof=1)]
-        error = REPLICATE_FACTOR * max(scatter) / float(np.sqrt(self.shifts))
-        outcome.estimate = max(float(error) / width, FLOOR) if width > 0.0 else FLOOR
+        error = REPLICATE_FACTOR * float(scatter.max())
+        outcome.estimate = max(error / width, FLOOR) if width > 0.0 else FLOOR
         return outcome
+
+
+class Wide:
+    """Polynomials of the inputs, fitted to a sample of every result: at its points, and at those of a large one."""
+
+    def __init__(self, space: Space, z: "Array", values: "Array", seed: int) -> None:
+        results, n = len(values), space.size
+        most = min(MOST_TERMS, z.shape[1] // POINTS_A_TERM)
+        self.degree = max(degree for degree in range(1, DEGREE + 1) if degree == 1 or chaos_terms(n, degree) <= most)
+        inputs = dict(zip(space.names, space.distributions, strict=True))
+        known = np.nan_to_num(values.reshape(results, -1))
+        own = terms(standard(inputs, space.inputs(z)), self.degree)
+        coefficients = np.linalg.lstsq(own @ own.T, own @ known.T, rcond=None)[0].T
+        self.fitted = (coefficients @ own).reshape(values.shape)
+        shifts, count = WIDE
+        self.values = np.empty((results, shifts, count))
+        for shift in range(shifts):
+            far = quantile(lattice(n, count, 1, seed + 1 + shift))
+            for start in range(0, count, AT_ONCE):
+                part = standard(inputs, space.inputs(far[:, start : start + AT_ONCE]))
+                self.values[:, shift, start : start + AT_ONCE] = coefficients @ terms(part, self.degree)
+
+
+def _numbers(values: "Array", goal: Goal, *, heavy: bool = False) -> "Array":
+    """Quantiles, mean and deviation of each replicate (numbers, replicates)."""
+    found = np.nanquantile if np.isnan(values).any() else np.quantile
+    quantiles: Array = found(values, goal.p, axis=1)
+    if heavy:
+        return quantiles
+    apart = values - np.nanmean(values)
+    return np.array([*quantiles, np.nanmean(apart, axis=1), np.sqrt(np.nanmean(apart * apart, axis=1))])
+
+
+def _corrected(wide: "Array", fitted: "Array", sound: "Array") -> "Array":
+    """A large sample of polynomials, moved at every rank by what they are off by there in a small one."""
+    ranks = (np.arange(sound.size) + 0.5) / sound.size
+    off = np.sort(sound) - np.sort(fitted)
+    corrected: Array = np.sort(wide) + np.interp((np.arange(wide.size) + 0.5) / wide.size, ranks, off)
+    return corrected
 
 
 def counted(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
@@ -104,8 +162,8 @@ def counted(space: Space, result: int, direction: "Array", across: "Array", goal
 
 def pooled(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
     """One result from the sample that all of them share, generated when first needed."""
+    centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
     if space.pool is None:
         space.pool = Pool(space, goal, SINGLE if space.slow and space.size == 1 else 0)
     pool: Pool = space.pool
-    centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
     return pool.outcome(result, goal, centre)

@@ -5,6 +5,7 @@ The polynomials are fitted by least squares at a lattice's points and tested at 
 there is part of every stated error.
 """
 
+from functools import lru_cache
 from itertools import combinations_with_replacement
 
 import numpy as np
@@ -19,9 +20,12 @@ from dynamics_cli.numerics.quadrature.smolyak import chaos_terms
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Any
 
     from numpy.typing import NDArray
+
+    from dynamics_cli.core.inputs.uncertain.distributions import Distribution
 
     Array = NDArray[Any]
 
@@ -54,11 +58,9 @@ class StandIn:
     """
 
     def __init__(self, space: Space, seed: int, accuracy: float) -> None:
-        self._scales = {
-            name: (distribution.mean, distribution.std)
-            for name, distribution in zip(space.names, space.distributions, strict=True)
-        }
+        self._inputs = dict(zip(space.names, space.distributions, strict=True))
         self._results = space.results
+        self._together = space.together
         n = space.size
         degrees = (*DEGREES, *MORE.get(n, ()))
         most = max(degree for degree in range(2, degrees[-1] + 1) if chaos_terms(n, degree) <= MOST_TERMS)
@@ -67,8 +69,7 @@ class StandIn:
         points, values = np.zeros((n, 0)), np.zeros((len(there), 0))
         for degree in sorted({min(degree, most) for degree in degrees}):
             self.degree = degree
-            self._exponents = _products(n, degree)
-            self.count = 1 << (2 * len(self._exponents) - 1).bit_length()
+            self.count = 1 << (2 * chaos_terms(n, degree) - 1).bit_length()
             wide = WIDER if degree > DEGREES[-1] else 1.0
             if degree > DEGREES[-1] and degree == next(iter(MORE[n])):  # others than those known so far
                 points, values = np.zeros((n, 0)), np.zeros((len(there), 0))
@@ -76,12 +77,15 @@ class StandIn:
             self._fit(self._standard(space.inputs(points)), values, self._standard(space.inputs(tried)), there)
             if (self.errors <= (accuracy if degree < DEGREES[-1] else FAIR) * values.std(axis=1)).all():
                 break
-        self.space = Space(self, dict(zip(space.names, space.distributions, strict=True)), {})
+        self.space = Space(self, self._inputs, {})
         self.space.factor = space.factor
 
+    def fits(self, deviations: "Array", still: "Array") -> bool:
+        """Whether it is good enough for all results but still ones, where the model would answer thousands of cases."""
+        return not self._together or bool((still | (self.errors <= FAIR * deviations)).all())
+
     def _standard(self, inputs: "dict[str, Any]") -> "Array":
-        """The inputs about their means, in their deviations."""
-        return np.array([(inputs[name] - mean) / std for name, (mean, std) in self._scales.items()])
+        return standard(self._inputs, inputs)
 
     def _fit(self, points: "Array", values: "Array", tried: "Array", there: "Array") -> None:
         whole = np.array(np.isfinite(values).all(axis=1) & np.isfinite(there).all(axis=1))
@@ -111,17 +115,34 @@ class StandIn:
 
     def _terms(self, u: "Array") -> "Array":
         """Every product of Hermite polynomials (terms, points)."""
-        tables = polynomials(u, self.degree)
-        terms = np.ones((len(self._exponents), u.shape[1]))
-        for axis in range(len(u)):
-            terms *= tables[self._exponents[:, axis], axis]
-        return terms
+        return terms(u, self.degree)
 
 
-def _products(n: int, degree: int) -> "Array":
-    """The exponents (terms, n) of all products of total degree ≤ `degree`."""
-    axes = [axes for total in range(degree + 1) for axes in combinations_with_replacement(range(n), total)]
-    return np.array([np.bincount(choice, minlength=n) for choice in axes])
+def standard(distributions: "Mapping[str, Distribution]", inputs: "dict[str, Any]") -> "Array":
+    """Inputs about their means, in their deviations."""
+    return np.array([(inputs[name] - one.mean) / one.std for name, one in distributions.items()])
+
+
+def terms(u: "Array", degree: int) -> "Array":
+    """Every product of Hermite polynomials up to a total degree (terms, points), each from one before it."""
+    tables = polynomials(u, degree)
+    factors = _factors(len(u), degree)
+    made = np.ones((len(factors) + 1, u.shape[1]))
+    for term, (known, axis, power) in enumerate(factors, 1):
+        np.multiply(made[known], tables[power, axis], out=made[term])
+    return made
+
+
+@lru_cache(maxsize=16)
+def _factors(n: int, degree: int) -> "list[tuple[int, int, int]]":
+    """Of all products of total degree 1 to `degree`: a product before it, the axis that comes to it, and its power."""
+    places: dict[tuple[int, ...], int] = {(): 0}
+    factors = []
+    for axes in (axes for total in range(1, degree + 1) for axes in combinations_with_replacement(range(n), total)):
+        power = axes.count(axes[-1])
+        places[axes] = len(places)
+        factors.append((places[axes[:-power]], axes[-1], power))
+    return factors
 
 
 def _grown(space: Space, points: "Array", values: "Array", count: int, seed: int, wide: float) -> "tuple[Array, Array]":
