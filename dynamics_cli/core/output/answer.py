@@ -22,11 +22,11 @@ from dynamics_cli.core.output.answer_words import (
     in_words,
     input_in_words,
     is_in_parts,
+    limit_words,
     listed,
     message_in_words,
     node_at,
     parts_in_words,
-    percent,
     short_source,
     value_in_words,
     with_name,
@@ -162,7 +162,7 @@ class _Answer:
             std = 0.0 if self.asked else deviation(self.results, address)
             low, high = (decimals(end, std) if std else number(end, self.digits) for end in node["interval"])
             remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
-        remarks += [_limit(entry) for entry in self.document.get("limits", ()) if entry["result"] == address]
+        remarks += [limit_words(entry) for entry in self.document.get("limits", ()) if entry["result"] == address]
         entries = [entry for entry in self.document.get("quantiles", ()) if entry["result"] == address]
         return remarks + [
             f"{100.0 * entry['probability']:.6g} % below {number(entry['value'], 6)}" for entry in entries
@@ -339,14 +339,3 @@ class _Answer:
                 return [*lines, "", f"{more} more warning{'s' * (more > 1)} ({named}): --all"]
             lines += paragraph
         return lines
-
-
-def _limit(entry: "dict[str, Any]") -> str:
-    """The text of a limit beside its result."""
-    limit = quantity(entry["limit"]["value"], entry["limit"].get("unit", ""), 6)
-    if "probability" in entry:
-        return f"{limit} exceeded: {percent(entry['probability'])}"
-    by = quantity(entry["by"]["value"], entry["by"].get("unit", ""), 6)
-    if entry["beyond"]:
-        return f"exceeds the limit of {limit} by {by}"
-    return f"at the limit of {limit}" if not entry["by"]["value"] else f"within the limit of {limit} by {by}"

@@ -225,3 +225,14 @@ def short_source(source: str) -> str:
     'Josephs & Huston §10.10'
     """
     return source.replace(BOOK, "Josephs & Huston ").replace("section ", "§").replace("sections ", "§")
+
+
+def limit_words(entry: "dict[str, Any]") -> str:
+    """The text of a limit beside its result."""
+    limit = quantity(entry["limit"]["value"], entry["limit"].get("unit", ""), 6)
+    if "probability" in entry:
+        return f"{limit} exceeded: {percent(entry['probability'])}"
+    by = quantity(entry["by"]["value"], entry["by"].get("unit", ""), 6)
+    if entry["beyond"]:
+        return f"exceeds the limit of {limit} by {by}"
+    return f"at the limit of {limit}" if not entry["by"]["value"] else f"within the limit of {limit} by {by}"
