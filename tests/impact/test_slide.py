@@ -193,3 +193,25 @@ def test_the_picture_has_the_marks_and_outlines() -> None:
     assert "at the separation\n12 m/s" in words
     assert "at rest" in words
     assert sum(getattr(one, "style", "") == "solid" for one in items) >= 4
+
+
+def test_uncertain_inputs_against_a_sixteen_times_larger_sample() -> None:
+    """Quantiles of 131,072 slides; a car on one locked wheel, whose nose ends along its course or goes on turning."""
+    line = shlex.split(
+        "impact slide --speed '10 ± 0.3 m/s' --course '0 ± 2 deg' --spin '2.5 ± 0.2 rad/s' --nose 20deg "
+        "--front-axle 1.1m --rear-axle 1.5m --track 1.5m --radius-of-gyration 1.3m --friction '0.65 ± 0.03' "
+        "--braking 2% --left-front 100% --grip-slope 0.15"
+    )
+    document = answer(*line)
+    known = {
+        "rest_heading": (167.5906, 177.1907, 193.0276, 6.5004),
+        "time": (2.7898, 3.4227, 4.0283, 0.3168),
+        "path_length": (10.3046, 13.1076, 16.2509, 1.5268),
+    }
+    spread = document["numerics"]["uncertainty"]
+    for name, (low, median, high, deviation) in known.items():
+        result, estimate = document["results"][name], spread["results"][name]["estimate"]
+        found = (result["interval"][0], result["median"], result["interval"][1])
+        assert estimate < 0.03, name
+        assert found == pytest.approx((low, median, high), abs=(estimate + 0.01) * deviation), name
+    assert spread["evaluations"] < 10_000

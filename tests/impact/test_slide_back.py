@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from dynamics_cli.impact.slide.records import AtRest, Ground, Separation
+from dynamics_cli.impact.slide.records import AtRest, Ground, Separation, SlideResult
 from dynamics_cli.impact.slide.task import slide
 from tests.impact.test_slide import CAR, CASES, DEGREE, WHEELS, motion, posed
 
@@ -163,3 +163,20 @@ def test_samples_that_do_not_settle_are_solved_alone(monkeypatch: pytest.MonkeyP
     assert alone.wheels
     assert not together.wheels
     assert together.speed == pytest.approx(alone.speed, rel=1e-5)
+
+
+@pytest.mark.parametrize(("spread", "drowned"), [(0.3, True), (1e-5, False)])
+def test_large_samples_go_to_as_many_digits_as_their_spread_needs(spread: float, drowned: bool) -> None:
+    from dynamics_cli.impact.slide import many
+    from dynamics_cli.sampling import Drawing
+
+    cases = [{**CAR, "motion": Separation(12.0 + spread * (i / 256.0 - 1.0), 0.5, 3.0)} for i in range(many.MANY)]
+    drawing = Drawing()
+    with drawing:
+        found = many.slides(cases)
+    single = slide(**cases[100])
+    one = found[100]
+    assert isinstance(one, SlideResult)
+    apart = math.dist(one.rest_position, single.rest_position)
+    assert (drawing.missed > 0.0) is drowned
+    assert apart < (2e-4 if drowned else 5e-6)

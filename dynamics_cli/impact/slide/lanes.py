@@ -53,8 +53,9 @@ TINY = 1e-300
 MOST_STEPS = 1000
 # Where a state holds its parts: velocities of unit size along, across and turning, nose, place, time, path.
 NOSE, X, Y, TIME, PATH, PARTS = 3, 4, 5, 6, 7, 8
-# What cars differ by, lanes on the last axis.
-OWN = ("rows", "products", "slopes", "shares", "places", "gyration", "friction", "edges", "nose", "begin")
+# What cars differ by, lanes on the last axis; the first two only where their wheels stand differently.
+WHEELS = ("rows", "products")
+OWN = (*WHEELS, "slopes", "shares", "places", "gyration", "friction", "edges", "nose", "begin")
 
 
 class Lanes:
@@ -90,10 +91,13 @@ class Lanes:
         """Cars of the same number of grounds side by side, one a lane."""
         whole = copy(cars[0])
         whole.several = True
+        alike = all((one.rows == whole.rows).all() for one in cars)
         for name in OWN:
             parts = [getattr(one, name) for one in cars]
-            bare = name in ("rows", "products")
-            setattr(whole, name, np.stack(parts, axis=-1) if bare else np.concatenate(parts, axis=-1))
+            if name not in WHEELS:
+                setattr(whole, name, np.concatenate(parts, axis=-1))
+            elif not alike:
+                setattr(whole, name, np.stack(parts, axis=-1))
         return whole
 
     def some(self, chosen: "Array") -> "Lanes":
@@ -101,7 +105,7 @@ class Lanes:
         if not self.several:
             return self
         part = copy(self)
-        for name in OWN:
+        for name in OWN[len(WHEELS) if self.rows.ndim == 2 else 0 :]:
             setattr(part, name, getattr(self, name)[..., chosen])
         return part
 

@@ -14,7 +14,7 @@ from dynamics_cli.impact.slide.records import AtRest, SlideResult
 from dynamics_cli.impact.slide.task import car_of, moving, numbers_of, roots_of, slide, target_of
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.records import Numerics
-from dynamics_cli.sampling import kept
+from dynamics_cli.sampling import drawing, kept, missed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,8 +28,11 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
     Given = dict[str, Any]
 
-# Digits of the slides; and how far from the rest, in metres, the last step may begin and end.
+# Digits of the slides, and of large samples, whose spread drowns the rest: of these so many are solved in all digits,
+# and may be off by so much of their deviation.
 FINE = 1e-6
+MANY, TRIED, DROWNED = 512, 64, 5e-3
+# How far from the rest, in metres, the last step may begin and end.
 CLOSE, SETTLED = 1e-4, 1e-4
 # Fewer take longer side by side than one after another.
 FEWEST = 5
@@ -108,12 +111,26 @@ def _side_by_side(cases: "list[_Case]") -> "list[SlideResult | None]":
         unknowns = np.array(
             [(one.vx, one.vy, case.car.gyration * one.spin) for one, case in zip(states, cases, strict=True)]
         ).T
-        ends = lanes.ends(unknowns, FINE)
+        ends = _ends(lanes, unknowns)
         settled = np.array(np.isfinite(ends).all(axis=0))
     return [
         case.answer(motion, ended) if good else None
         for case, motion, ended, good in zip(cases, unknowns.T.tolist(), ends.T.tolist(), settled, strict=True)
     ]
+
+
+def _ends(lanes: Lanes, unknowns: "Array") -> "Array":
+    """Where slides end: of a large sample to fewer digits, as long as its spread drowns what they are off by."""
+    count = unknowns.shape[1]
+    if count >= MANY and drawing():
+        ends = lanes.ends(unknowns, COARSE)
+        some = np.arange(0, count, count // TRIED)
+        apart = ends[:, some] - lanes.some(some).ends(unknowns[:, some], FINE)
+        off = float((np.sqrt((apart * apart).mean(axis=1)) / ends.std(axis=1)).max())
+        if off < DROWNED:
+            missed(off)
+            return ends
+    return lanes.ends(unknowns, FINE)
 
 
 def _back(lanes: Lanes, cases: "list[_Case]") -> "tuple[Array, Array] | None":
