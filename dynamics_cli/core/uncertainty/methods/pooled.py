@@ -18,7 +18,6 @@ from dynamics_cli.core.uncertainty.methods.outcome import (
     width_of,
 )
 from dynamics_cli.core.uncertainty.methods.scanned_lines import Listed
-from dynamics_cli.core.uncertainty.methods.shared_lines import principal
 from dynamics_cli.core.uncertainty.methods.surrogate import MOST_TERMS, standard, suits, terms
 from dynamics_cli.core.uncertainty.space import Space
 from dynamics_cli.errors import InadmissibleError
@@ -70,7 +69,7 @@ class Pool:
         else:
             uniform = np.random.default_rng(goal.seed).random((space.size, total))
         self._rows = {row: place for place, row in enumerate(space.rest())}
-        z = principal(space, np.eye(space.size)) @ quantile(uniform)
+        z = quantile(uniform)
         self._values = space.some(z, list(self._rows)).reshape(-1, self.shifts, self.count)
         self._wide = Wide(space, z, self._values, goal.seed) if space.together and suits(space) else None
 
