@@ -6,8 +6,7 @@ from dynamics_cli.impact.crash.drawn import Drawn
 from dynamics_cli.impact.crash.figures import approach, energy, links, speeds
 from dynamics_cli.impact.scene_pictures import LANE, finished, to_scale
 from dynamics_cli.impact.vector_pictures import polygon, triangles
-from dynamics_cli.impact.verdict_pictures import worst_headings
-from dynamics_cli.pictures import Panel, Picture, Plan
+from dynamics_cli.pictures import Picture, Plan
 from dynamics_cli.quantities import STANDARD_GRAVITY, Length
 
 TYPE_CHECKING = False
@@ -35,21 +34,12 @@ def crash(
         approach(result, scene, drawn.names, gravity, spreads, wide=spreads is None),
         polygon(drawn.names, masses, before, after),
         triangles(drawn.names, before, after),
-        *_headings(result, scene, drawn, gravity),
         links(result, drawn.names, spreads),
         energy(result),
     ]
     title = f"{drawn.names[0]} and {drawn.names[1]}: the crash to scale"
     shown = tuple(panel for panel in panels if panel is not None)
     return Picture(shown, title, 2, width=WIDE, scene=True, spread=True, subtitle=SUBTITLE)
-
-
-def _headings(result: "Any", scene: "Any", drawn: Drawn, gravity: float) -> "list[Panel]":
-    """What the worst heading makes of each speed, where headings decide them."""
-    if scene.impact.damage is not None or any(one.approach_speed is not None for one in drawn.given):
-        return []
-    bulks = [one.bulk for one in drawn.given]
-    return worst_headings((result.first, result.second), bulks, drawn.names, scene.axes, gravity, wide=True)
 
 
 def plan(
