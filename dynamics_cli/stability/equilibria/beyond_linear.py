@@ -104,7 +104,7 @@ def weak_focus(rates: "Rates", place: "Point", slopes: "list[list[float]]") -> "
 
     References
     ----------
-    Y. A. Kuznetsov, Elements of Applied Bifurcation Theory, Springer, section 5.4.
+    The first Lyapunov coefficient of the Hopf bifurcation; its sign is checked by integrated motions.
     """
     import numpy as np
 
