@@ -20,9 +20,9 @@ CHAIN = Task(
     headline=(
         "verdict: answer", "difference: two runs apart by",
         "energy_error: energy kept to", "top_force: largest force in the top pin",
-        "angle: lowest rod at the end", "across: its lower end, across", "up: its lower end, up",
+        "angle: lowest rod at the end",
         "rods: at the end",
-        "motion: motion | time, angles",
+        "motion: motion | time, angles, rates",
     ),
     examples=(
         'dynamics motion chain --lengths "0.5, 0.5, 0.5 m" --masses "1 kg" --angles "30, -20, 45 deg" '
