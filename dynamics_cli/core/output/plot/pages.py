@@ -32,6 +32,8 @@ CAPPED, CAPPED_BELOW = 0.8, 4.0
 LONGEST_TITLE = 84
 LETTERS_PER_INCH = 11
 MOST_TICKS = 12
+# A logarithmic axis within these numbers is written without powers of ten; 2 and 5 are named up to so many decades.
+PLAIN, NAMED_DECADES = (1e-3, 1e5), 1e3
 # Inches of a bar of shares with the words over it.
 SHARE_HEIGHT = 0.4
 # The label of a full-width panel, regardless of the labels beside the axes of others.
@@ -93,7 +95,7 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
             _panel(axes, panel, system, 1 if full_width else columns)
             if columns == 1 and shared[row]:
                 axes.set_xlabel("")
-                axes.tick_params(labelbottom=False)
+                axes.tick_params(which="both", labelbottom=False)
     if picture.subtitle:
         _head(figure, picture, system)
         return figure
@@ -296,5 +298,28 @@ def _ticks(side: "Any", axis: "Axis", columns: int) -> None:
         side.set_ticks(range(1, len(axis.names) + 1), labels=list(axis.names))
     elif axis.kind is Count:
         side.set_major_locator(part("ticker").MaxNLocator(integer=True))
-    elif columns > 1 and not axis.logarithmic:
+    elif axis.logarithmic:
+        _plain_numbers(side)
+    elif columns > 1:
         side.set_major_locator(part("ticker").MaxNLocator(nbins=MOST_TICKS // columns, steps=[1, 2, 2.5, 5, 10]))
+
+
+def _plain_numbers(side: "Any") -> None:
+    """A logarithmic axis of a few decades is numbered 1, 2, 5, 10, 20 … as on paper; a longer one by powers of ten."""
+    ticker = part("ticker")
+    powers = ticker.LogFormatterMathtext()
+    powers.set_axis(side)
+
+    def decade(value: float, _: object) -> str:
+        low, high = sorted(side.get_view_interval())
+        return f"{value:g}" if PLAIN[0] <= low and high <= PLAIN[1] else powers(value)
+
+    def between(value: float, _: object) -> str:
+        low, high = sorted(side.get_view_interval())
+        return f"{value:g}" if PLAIN[0] <= low and high <= min(PLAIN[1], NAMED_DECADES * low) else ""
+
+    side.set_minor_locator(ticker.LogLocator(subs=(2.0, 5.0), numticks=MOST_TICKS))
+    side.set_major_formatter(ticker.FuncFormatter(decade))
+    side.set_minor_formatter(ticker.FuncFormatter(between))
+    # minor ticks are shorter, but their numbers stand on one line with the others
+    side.set_tick_params(which="minor", pad=5.0)
