@@ -164,3 +164,10 @@ def test_a_certain_vector_is_shown_as_it_was_written() -> None:
     assert given["magnitude"] == {"value": 10, "unit": "mph"}
     again = answer("impact", "oblique", "--input", "-", stdin=json.dumps(document["inputs"]))
     assert again == document
+
+
+def test_an_uncertain_vector_is_answered_with_its_interval() -> None:
+    """20 ± 1 N at 30°: components 17.32 ± 0.87 N and 10 ± 0.5 N; an angle that rounding alone moves has no interval."""
+    out = run("vec", "resultant", "20 ± 1 N @ 30 deg").out
+    assert "resultant R     [17.32, 10.00] N      95 %: [15.62, 9.02] to [19.02, 10.98]" in out
+    assert "angle from x    30 deg\n" in out

@@ -22,6 +22,7 @@ from dynamics_cli.core.output.answer_words import (
     in_words,
     input_in_words,
     is_in_parts,
+    is_uncertain_vector,
     limit_words,
     listed,
     message_in_words,
@@ -29,6 +30,7 @@ from dynamics_cli.core.output.answer_words import (
     parts_in_words,
     short_source,
     value_in_words,
+    vector_in_words,
     with_name,
     without_rounding,
 )
@@ -132,6 +134,8 @@ class _Answer:
         node = node_at(self.results, address)
         if isinstance(node, dict) and "interval" in node and is_in_parts(node):
             return parts_in_words(value, node, self.digits, asked=self.asked)
+        if is_uncertain_vector(node):
+            return f"{vector_in_words(node['value'], node, self.digits, asked=self.asked)} {unit}".rstrip()
         std = 0.0 if self.asked else deviation(self.results, address)
         if std and not isinstance(value, list):
             return f"{decimals(value, std)} {unit}".rstrip()
@@ -157,6 +161,9 @@ class _Answer:
         node = node_at(self.results, address)
         if isinstance(node, dict) and "interval" in node and is_in_parts(node):
             low, high = (parts_in_words(end, node, self.digits, asked=self.asked) for end in node["interval"])
+            remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
+        elif is_uncertain_vector(node):
+            low, high = (vector_in_words(end, node, self.digits, asked=self.asked) for end in node["interval"])
             remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
         elif isinstance(node, dict) and "interval" in node and not isinstance(node["value"], list):
             std = 0.0 if self.asked else deviation(self.results, address)

@@ -2,7 +2,7 @@
 
 from math import floor, log10
 
-from dynamics_cli.core.documents import is_quantity, quantity, singular
+from dynamics_cli.core.documents import decimals, is_quantity, number, quantity, singular
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -155,6 +155,22 @@ def deviation(results: "Any", address: str) -> float:
         return float(node["std"])
     low, high = node.get("interval") or (0.0, 0.0)
     return 0.25 * (high - low) if not isinstance(low, list) else 0.0
+
+
+def is_uncertain_vector(node: "Any") -> bool:
+    """Whether a result is a vector with an interval for each of its components."""
+    return isinstance(node, dict) and isinstance(node.get("interval"), list) and isinstance(node["value"], list)
+
+
+def vector_in_words(components: "list[float]", node: "dict[str, Any]", digits: int, *, asked: bool) -> str:
+    """Components, each to the place that its deviation deserves unless digits are asked for."""
+    stds = [0.25 * (high - low) for low, high in zip(*node["interval"], strict=True)]
+    rounded = without_rounding(components)
+    texts = [
+        number(value, digits) if asked or not std else decimals(value, std)
+        for value, std in zip(rounded, stds, strict=True)
+    ]
+    return f"[{', '.join(texts)}]"
 
 
 def is_in_parts(node: "dict[str, Any]") -> bool:

@@ -55,7 +55,8 @@ def _noise(record: "Any", spec: "Record", bound: "Fields", steady: float) -> "di
     """
     bounds = {stated.result: stated for stated in getattr(getattr(record, "numerics", None), "bounds", ())}
     numbers = [(name, kind, value, abs(float(plain(value)))) for name, kind, value in result_numbers(record, spec)]
-    sizes: dict[str, float] = {}
+    # an angle of zero has the rounding of whole directions
+    sizes = {"rad": 1.0}
     for name, size in (
         *((kind.unit, abs(si)) for _, kind, si in bound.leaves() if kind.unit),
         *((kind.unit, size) for _, kind, _, size in numbers if kind.unit),
