@@ -92,7 +92,7 @@ def test_the_pdf_of_a_crash_has_six_pages_at_most(crash: list[str], tmp_path: Pa
 @pytest.mark.parametrize("paper", ["a4", "letter"])
 def test_a_picture_taller_than_a_page_is_drawn_smaller(paper: str) -> None:
     pytest.importorskip("typst")
-    svg = b'<svg xmlns="http://www.w3.org/2000/svg" width="100pt" height="300pt"><path d="M 0 0 H 99 V 99 z"/></svg>'
+    svg = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 300"><path d="M 0 0 H 99 V 99 z"/></svg>'
     data = typst.pdf([Image(svg, "A tower", "a tower", 0.85)], "", "", paper)
     streams = re.findall(rb"stream\r?\n(x.*?)endstream", data, re.DOTALL)
     drawn = b"".join(zlib.decompressobj().decompress(stream) for stream in streams)
