@@ -213,3 +213,17 @@ def test_a_formula_reads_roots_fractions_scripts_and_units() -> None:
     assert "<mfrac>" in element
     assert "<msub><mrow><mi>v</mi></mrow><mtext>r</mtext></msub>" in element
     assert "<mtext>\u00a0m/s</mtext>" in element
+
+
+def test_a_scene_of_a_crash_is_told_in_its_own_names(tmp_path: Path) -> None:
+    for scene in ("crash_scene/crash.toml", "slide/turned.toml"):
+        name = str(tmp_path / "scene.json")
+        argv = ("impact", "crash", str(ROOT / "examples" / scene), "--method", "linear")
+        answer = run(*argv).out
+        assert "accurate to" not in answer
+        assert run(*argv, "--json", "--output", name).status == 0
+        text = run("report", name).out
+        assert "driven by road friction" in text
+        shown = re.findall(r"v per degree +([\d.]+) km/h", answer)
+        assert shown == re.findall(r"v per degree \| ([\d.]+) km/h", text)
+        assert all(len(digits) <= len("0.75") for digits in shown)
