@@ -4,7 +4,14 @@ import re
 
 from dynamics_cli.core.answering.explain import formulas_with_numbers
 from dynamics_cli.core.documents import decimals, flatten, is_quantity, is_table, number, quantity
-from dynamics_cli.core.output.answer_words import headline_labels, is_in_parts, parts_in_words, percent
+from dynamics_cli.core.output.answer_words import (
+    ESTIMATE_DIGITS,
+    body_names,
+    headline_labels,
+    is_in_parts,
+    parts_in_words,
+    percent,
+)
 from dynamics_cli.records import record
 from dynamics_cli.report.recalculation import read_files
 
@@ -98,10 +105,9 @@ class Calculation:
         return {address: self.named(label) for address, label in labels_shown.items() if address in flat}
 
     def named(self, label: str) -> str:
-        """A label with the body's own name where the scene gives it one."""
-        for side, body in self.source.document["inputs"].items():
-            name = body.get("name") if isinstance(body, dict) else None
-            if isinstance(name, str) and (label == side or label.startswith(f"{side} ")):
+        """A label with the name that the scene gives its body, or one of its surfaces."""
+        for side, name in body_names(self.source.document["inputs"]).items():
+            if label == (side := words(side)) or label.startswith(f"{side} "):
                 return f"{name}{label[len(side) :]}"
         return label
 
@@ -113,7 +119,8 @@ class Calculation:
                 origin = self.origin(input_node)
                 if origin is not None:
                     return origin[0].value(origin[1])
-        return shown(node_at(self.results, address), self.digits)
+        measures_itself = self.task is not None and address in self.task.errors
+        return shown(node_at(self.results, address), ESTIMATE_DIGITS if measures_itself else self.digits)
 
     def limits(self, address: str) -> "list[Document]":
         """The statement about a result's limits."""

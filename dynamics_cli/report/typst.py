@@ -51,6 +51,10 @@ _STYLE = """
 #show raw: set text(font: "DejaVu Sans Mono", size: 6pt)
 #show raw.where(block: true): it => block(width: 100%, fill: rgb("#f4f4f4"), inset: 5pt, it)
 #show math.equation.where(block: true): set block(above: 0.7em, below: 0.7em)
+#let fitted(file, share, alt) = layout(size => {
+  let drawn = image(file, width: share * size.width, alt: alt)
+  if measure(drawn).height > 215mm { image(file, height: 215mm, alt: alt) } else { drawn }
+})
 """
 
 
@@ -132,8 +136,7 @@ class _Writer:
             return f"#grid(columns: (11fr, 9fr), gutter: 16pt, [{sides[0]}], [{sides[1]}])"
         self.figures += 1
         return (
-            f'#figure(image("{self.figures}.svg", width: {100.0 * block.width:.0f}%, '
-            f"alt: {_string(block.description)}), "
+            f'#figure(fitted("{self.figures}.svg", {100.0 * block.width:.0f}%, {_string(block.description)}), '
             f"caption: [{_escape(block.text)}])"
         )
 

@@ -71,6 +71,9 @@ def test_what_is_missing_is_described_as_its_help_does() -> None:
     assert "--friction is missing: coefficient of friction between tyre and road\n" in run("skid", "speed").err
     assert "--first-teeth is missing: number of teeth\n" in run("gear", "pair").err
     assert "--lengths is missing: lengths of the rods from the top\n" in run("motion", "chain").err
+    slide = run("impact", "slide").err
+    assert "--front-axle is missing: distance from the mass centre ahead to the front axle\n" in slide
+    assert "--track is missing: distance between the left and the right wheels\n" in slide
 
 
 def test_a_call_that_gives_nothing_is_shown_one_that_works() -> None:

@@ -2,6 +2,7 @@
 
 import re
 import sys
+import zlib
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -11,7 +12,8 @@ from shell import ROOT
 
 from dynamics_cli import cli
 from dynamics_cli.core.answering.explain import filled
-from dynamics_cli.report import formula
+from dynamics_cli.report import formula, typst
+from dynamics_cli.report.blocks import Image
 
 CRASH = ROOT / "examples" / "crash"
 
@@ -85,6 +87,19 @@ def test_the_pdf_of_a_crash_has_six_pages_at_most(crash: list[str], tmp_path: Pa
         assert data.startswith(b"%PDF")
         pages = len(re.findall(rb"/Type\s*/Page\b", data))
         assert 3 <= pages <= 6, paper
+
+
+@pytest.mark.parametrize("paper", ["a4", "letter"])
+def test_a_picture_taller_than_a_page_is_drawn_smaller(paper: str) -> None:
+    pytest.importorskip("typst")
+    svg = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 300"><path d="M 0 0 H 99 V 99 z"/></svg>'
+    data = typst.pdf([Image(svg, "A tower", "a tower", 0.85)], "", "", paper)
+    streams = re.findall(rb"stream\r?\n(x.*?)endstream", data, re.DOTALL)
+    drawn = b"".join(zlib.decompressobj().decompress(stream) for stream in streams)
+    placed = re.search(rb"q ([\d.]+) 0 0 -\1 [\d.]+ ([\d.]+) cm/", drawn)
+    assert placed is not None
+    scale, top = float(placed[1]), float(placed[2])
+    assert top - 300.0 * scale > 15.0 / 25.4 * 72.0
 
 
 def test_without_typst_it_is_said_what_to_install(
@@ -198,3 +213,17 @@ def test_a_formula_reads_roots_fractions_scripts_and_units() -> None:
     assert "<mfrac>" in element
     assert "<msub><mrow><mi>v</mi></mrow><mtext>r</mtext></msub>" in element
     assert "<mtext>\u00a0m/s</mtext>" in element
+
+
+def test_a_scene_of_a_crash_is_told_in_its_own_names(tmp_path: Path) -> None:
+    for scene in ("crash_scene/crash.toml", "slide/turned.toml"):
+        name = str(tmp_path / "scene.json")
+        argv = ("impact", "crash", str(ROOT / "examples" / scene), "--method", "linear")
+        answer = run(*argv).out
+        assert "accurate to" not in answer
+        assert run(*argv, "--json", "--output", name).status == 0
+        text = run("report", name).out
+        assert "driven by road friction" in text
+        shown = re.findall(r"v per degree +([\d.]+) km/h", answer)
+        assert shown == re.findall(r"v per degree \| ([\d.]+) km/h", text)
+        assert all(len(digits) <= len("0.75") for digits in shown)

@@ -16,6 +16,7 @@ from dynamics_cli.core.documents import (
 )
 from dynamics_cli.core.output.answer_tables import file_lines, table_lines
 from dynamics_cli.core.output.answer_words import (
+    ESTIMATE_DIGITS,
     body_names,
     deviation,
     headline_labels,
@@ -143,8 +144,8 @@ class _Answer:
             value = 0.0
         if isinstance(value, list):
             value = without_rounding(value)
-        # an estimate of the calculation's own error is no better known than to two digits
-        text = quantity(value, unit, 2 if address in self.task.errors and not self.asked else self.digits)
+        estimate = address in self.task.errors and not self.asked
+        text = quantity(value, unit, ESTIMATE_DIGITS if estimate else self.digits)
         if isinstance(value, list) and isinstance(value[0], list) and len(value[0]) <= AXES:
             # a matrix breaks between its rows
             return text.replace(" ", JOINED).replace(f"],{JOINED}[", "], [")
@@ -197,7 +198,7 @@ class _Answer:
         lines = []
         for address, label in self.labels.items():
             value = self.flat.get(address, (None, ""))[0]
-            if isinstance(value, float) and value and address in self.bounds:
+            if isinstance(value, float) and value and address in self.bounds and address not in self.task.errors:
                 relative = self._absolute_bound(address, value) / abs(value)
                 if self._worth_saying(address, value) < relative < 1.0:
                     sure_digits = max(int(-log10(relative)), 0)

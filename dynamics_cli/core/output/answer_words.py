@@ -16,6 +16,8 @@ LABEL_DIGITS = 6
 # Number of results shown where a task declares no headline.
 MOST_UNDECLARED = 8
 MOST_DIGITS = 15
+# An estimate of the calculation's own error is no better known.
+ESTIMATE_DIGITS = 2
 
 
 AXES = "xyz"

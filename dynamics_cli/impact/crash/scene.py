@@ -74,9 +74,9 @@ class SlideAfter:
     rest_nose: Annotated[
         Angle, "Heading of its nose at rest, whole turns since the impact counted, e.g. 200 deg [rad]."
     ]
-    front_axle: Annotated[Distance, "From the mass centre ahead to the front axle, e.g. 1.2 m [m]."]
-    rear_axle: Annotated[Distance, "From the mass centre back to the rear axle, e.g. 1.4 m [m]."]
-    track: Annotated[Distance, "Between its left and right wheels, e.g. 1.5 m [m]."]
+    front_axle: Annotated[Distance, "Distance from the mass centre ahead to the front axle, e.g. 1.2 m [m]."]
+    rear_axle: Annotated[Distance, "Distance from the mass centre back to the rear axle, e.g. 1.4 m [m]."]
+    track: Annotated[Distance, "Distance between its left and right wheels, e.g. 1.5 m [m]."]
     radius_of_gyration: Annotated[Distance, "Radius of gyration of yaw, e.g. 1.35 m [m]."]
     braking: Annotated[
         Fraction, "Share of its friction that a wheel's rotation is braked with: 100 % locked, 2 % rolling [-]."

@@ -60,9 +60,9 @@ class TurningAfter:
     ]
     rest_nose: Annotated[Angle, "Heading of its nose at rest, whole turns since the impact counted, e.g. 200 deg."]
     slide_friction: Annotated[Friction, "Coefficient of friction of its tyres, e.g. 0.7."]
-    front_axle: Annotated[Distance, "From the mass centre ahead to the front axle, e.g. 1.2 m."]
-    rear_axle: Annotated[Distance, "From the mass centre back to the rear axle, e.g. 1.4 m."]
-    track: Annotated[Distance, "Between its left and right wheels, e.g. 1.5 m."]
+    front_axle: Annotated[Distance, "Distance from the mass centre ahead to the front axle, e.g. 1.2 m."]
+    rear_axle: Annotated[Distance, "Distance from the mass centre back to the rear axle, e.g. 1.4 m."]
+    track: Annotated[Distance, "Distance between its left and right wheels, e.g. 1.5 m."]
     braking: Annotated[Fraction, "Share of its friction that a wheel is braked with: 100 % locked, 2 % rolling."]
     left_front: Annotated[Fraction | None, "The same share of the left front wheel, where it differs."] = None
     right_front: Annotated[Fraction | None, "Of the right front wheel."] = None

@@ -37,9 +37,9 @@ SIDEWAYS = 0.35
 def slide(
     *,
     motion: Annotated[Separation | AtRest, "The motion at the separation, or the rest that it led to."],
-    front_axle: Annotated[Distance, "From the mass centre ahead to the front axle, e.g. 1.2 m [m]."],
-    rear_axle: Annotated[Distance, "From the mass centre back to the rear axle, e.g. 1.4 m [m]."],
-    track: Annotated[Distance, "Between the left and the right wheels, e.g. 1.5 m [m]."],
+    front_axle: Annotated[Distance, "Distance from the mass centre ahead to the front axle, e.g. 1.2 m [m]."],
+    rear_axle: Annotated[Distance, "Distance from the mass centre back to the rear axle, e.g. 1.4 m [m]."],
+    track: Annotated[Distance, "Distance between the left and the right wheels, e.g. 1.5 m [m]."],
     radius_of_gyration: Annotated[Distance, "Radius of gyration of yaw, e.g. 1.35 m [m]."],
     friction: Annotated[Friction, "Coefficient of friction of a sliding tyre, e.g. 0.7 [-]."],
     braking: Annotated[
