@@ -283,8 +283,8 @@ def written(node: "Node") -> str:
     pairs = [f"{tag[0]}={tag[1]}"] if tag else []
     for field in record.fields:
         if field.required and isinstance(field.node, Leaf):
-            choice = field.node.choice
-            value = choice.names[0] if choice else field.example or field.node.kind.example
+            choice, kind = field.node.choice, field.node.kind
+            value = choice.names[0] if choice else field.example or ("NAME" if kind.form == "text" else kind.example)
             pairs += [f"{field.key}={value}"] if value else []
     return ", ".join(pairs)
 
