@@ -20,6 +20,8 @@ SPOKES = 12
 INITIAL = "initial"
 # Sizes stand on the rings between two spokes, at the first of these angles that no arrow comes near.
 FREE, CLEAR = (285.0, 255.0, 345.0, 195.0, 75.0, 105.0), 25.0
+# That of the outer ring stands within it, clear of the angles around.
+INSIDE = 0.88
 STEPS = 361
 # Forces below this share of one cylinder's are not drawn beside couples.
 SLIGHT = 5e-3
@@ -40,7 +42,8 @@ def _polar(arrows: "Sequence[tuple[Plane, Plane, str, int]]", kind: "Any", title
         x = [share * reach * math.cos(turn) for turn in turns]
         items.append(Curve(x, [share * reach * math.sin(turn) for turn in turns], "", "dots", role=GREY))
         text = worded("{size:3}", size=(share * reach, kind))
-        items.append(Label(share * reach * near[0], share * reach * near[1], text))
+        place = min(share, INSIDE) * reach
+        items.append(Label(place * near[0], place * near[1], text))
     for spoke in range(SPOKES):
         turn = 2.0 * math.pi * spoke / SPOKES
         cosine, sine = math.cos(turn), math.sin(turn)

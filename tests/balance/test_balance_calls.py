@@ -1,11 +1,16 @@
 """Calls of `dynamics balance`: refusals, warnings, uncertainty, pictures."""
 
+import math
 import shlex
 from pathlib import Path
 
 import numpy as np
 import pytest
 from harness import answer, run
+
+from dynamics_cli.balance.pictures import _polar
+from dynamics_cli.pictures import Label
+from dynamics_cli.quantities import Unbalance
 
 ONE = '--first-trial-mass "1 g" --first-trial-angle "0 deg"'
 TWO = ONE + ' --second-trial-mass "1 g" --second-trial-angle "0 deg"'
@@ -228,3 +233,10 @@ def test_four_runs_say_which_of_them_is_off() -> None:
     assert all(abs(row["miss"]["value"]) < 1e-12 for row in made["runs"])
     text = run("balance", "four-runs", "--initial", "6 mm/s", *typed, "--trial-mass", "10 g", "--explain").out
     assert "along" not in text
+
+
+def test_the_size_of_the_outer_ring_keeps_clear_of_the_angles_around() -> None:
+    arrow = ((0.0, 0.0), (1.0, 0.5), "1", 0)
+    labels = {item.text: item for item in _polar([arrow], Unbalance, "").items if isinstance(item, Label)}
+    lowest = min(item.y for text, item in labels.items() if "°" not in text)
+    assert lowest - labels["300°"].y > 0.1 * math.hypot(1.0, 0.5)

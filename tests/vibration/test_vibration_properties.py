@@ -87,6 +87,14 @@ def test_modes_carry_trace_and_mass(masses: list[float], data: st.DataObject) ->
     assert made.numerics.bounds
 
 
+def test_modes_that_hardly_move_the_whole_keep_their_digits() -> None:
+    stiff = modes(system=Line((1.0, 2.0, 3.0), (1.0, 1e14, 1000.0))).modes
+    assert stiff[2].effective_share == pytest.approx(4.9382716049163e-30, rel=1e-13)  # by mpmath, 50 digits
+    assert stiff[1].effective_share == pytest.approx(6.24999882819461e-08, rel=1e-8)
+    free = modes(system=Line((1.0, 2.0, 3.0), (1.0e4, 2.0e4))).modes
+    assert [one.effective_share for one in free] == [pytest.approx(1.0), 0.0, 0.0]
+
+
 @few
 @given(st.lists(sizes, min_size=3, max_size=5), st.data(), st.floats(0.1, 0.6))
 def test_response_is_reciprocal(masses: list[float], data: st.DataObject, hertz: float) -> None:

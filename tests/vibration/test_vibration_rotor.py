@@ -9,8 +9,10 @@ from harness import answer, run
 from scipy.linalg import expm
 from scipy.optimize import brentq
 
+from dynamics_cli.pictures import Band, Mark
 from dynamics_cli.vibration.shafts.rotor import Bearing, Disk, Section, rotor
 from dynamics_cli.vibration.shafts.whirl import Bar, whirl
+from dynamics_cli.vibration.single.pictures import over_speed
 
 E, RHO = 210e9, 7850.0
 # 40 elements: the third mode is within 2e-6, lower ones nearer.
@@ -134,3 +136,10 @@ def test_a_speed_near_a_critical_one_is_warned_of() -> None:
     document = answer("vibration", "rotor", *typed, "--speed", "4800 rpm")
     assert [each["code"] for each in document["warnings"]] == ["near-critical"]
     assert 0.8 < document["results"]["margin"]["value"] < 1.2
+
+
+def test_the_eccentricity_is_named_beside_its_line() -> None:
+    """Its line has the pen of the critical speed: a legend would not tell them apart."""
+    panel = over_speed(whirl(shaft=Bar(0.04, 0.9), mass=30.0, eccentricity=2e-5, speed=300.0), 0.0, "whirl", "e")
+    assert [item.label for item in panel.items if isinstance(item, Band)] == ["critical", ""]
+    assert [item.y for item in panel.items if isinstance(item, Mark) and item.label == "e"] == [pytest.approx(2e-5)]

@@ -268,7 +268,8 @@ def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> Vec
         items = [*items, share_unit(["0", items[1]])[0] if isinstance(items[1], str) else 0]
     if len(items) != kind.size:
         count = f"{len(items)} component{'s' if len(items) > 1 else ''}"
-        raise UsageError(f"read {count}, wanted {kind.size}", hint=f"for example {kind.example!r}")
+        wanted = f"2 or {kind.size}" if kind.flat else kind.size
+        raise UsageError(f"read {count}, wanted {wanted}", hint=f"for example {kind.example!r}")
     default_unit = _default_unit(kind, raw, context)
     parts = [read_number_of(kind, item, f"{address}[{i}]", context, default_unit) for i, item in enumerate(items)]
     units, si = {part.unit for part in parts}, tuple(part.si for part in parts)

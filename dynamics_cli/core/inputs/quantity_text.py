@@ -25,7 +25,7 @@ EXACT_INTEGERS = 2**53
 # A number right after one of these belongs to the unit; elsewhere, after a space, it begins a new part.
 JOINING = "/^*·⋅∙×(-−+"
 ARC_SIGNS = "°′″"
-NO_UNIT = "it has no unit"
+NO_UNIT, PAIRS = "it has no unit", "example: distance=60 ft, friction=0.7"
 # Signs of a text in one of the forms of `typed_forms`.
 FORM_MARKS = "'\"’‘”“:,+"
 OPENING = "([{"
@@ -234,8 +234,7 @@ def split_pairs(text: str) -> dict[str, str]:
             continue
         name, equals, value = (part.strip() for part in item.partition("="))
         if not (equals and name and value):
-            hint = "example: distance=60 ft, friction=0.7"
-            raise UsageError(f"read {_show(item)}, wanted NAME=VALUE", code="syntax", hint=hint)
+            raise UsageError(f"read {_show(item)}, wanted NAME=VALUE", code="syntax", hint=PAIRS)
         if name in pairs:
             raise UsageError(f"{_show(name)} is given twice in {_show(text)}", code="syntax")
         quoted = len(value) > 1 and value[0] in "\"'" and value[-1] == value[0]

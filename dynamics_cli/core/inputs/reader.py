@@ -7,7 +7,7 @@ its text so that it is read exactly), `{"value": 60, "unit": "ft"}`, truth value
 from dynamics_cli.core.inputs.context import Context, Token
 from dynamics_cli.core.inputs.leaves import read_leaf
 from dynamics_cli.core.inputs.options import kebab
-from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged
+from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged, written
 from dynamics_cli.core.inputs.spelling import underscored
 from dynamics_cli.core.inputs.values import Bound, Fields, Several
 from dynamics_cli.errors import DynamicsError, ManyErrors, UsageError
@@ -141,7 +141,7 @@ class Reader(Context):
                 self.errors.append(error)
                 return None
         if isinstance(value, str) and not isinstance(value, Token):
-            value = self._pairs(value, address)
+            value = self._pairs(value, address, node)
             if value is None:
                 return None
         if not isinstance(value, dict):
@@ -156,13 +156,14 @@ class Reader(Context):
             return self._tagged(wrapper, node, value, address, alone=True)
         raise TypeError
 
-    def _pairs(self, text: str, address: str) -> "dict[str, Any] | None":
-        from dynamics_cli.core.inputs.quantity_text import split_pairs
+    def _pairs(self, text: str, address: str, node: "Node") -> "dict[str, Any] | None":
+        from dynamics_cli.core.inputs.quantity_text import PAIRS, split_pairs
 
         try:
             return {key.replace("-", "_"): value for key, value in split_pairs(text).items()}
         except DynamicsError as error:
             error.parameter = error.parameter or address
+            error.hint = f"example: {written(node)}" if error.hint == PAIRS and written(node) else error.hint
             self.errors.append(error)
             return None
 

@@ -83,7 +83,7 @@ def add_uncertainty(
         document["limits"] = limit_entries(limits, propagation, shown)
     if levels:
         document["quantiles"] = level_entries(levels, propagation, shown)
-    document["warnings"] += _warnings(propagation)
+    document["warnings"] += _warnings(propagation, _seen(task, settings))
     if not settings.plot and not settings.drawing:
         return None, None
     from dynamics_cli.core.uncertainty.pictures import of_spread, spreads_of
@@ -102,10 +102,14 @@ def _chosen(task: "Task", settings: "Settings", kinds: "Mapping[str, Kind]", nam
             for name in kinds
             if any(f"{one}.".startswith(f"{name.partition('[')[0]}.") or name.startswith(f"{one}.") for one in asked)
         )
-    if settings.format != "table" or settings.all or pictured or not task.headline:
-        return ()
-    shown = {address for address, _ in task.headline} | named | set(settings.only)
-    return tuple(name for name in kinds if name.partition("[")[0] in shown)
+    shown = _seen(task, settings)
+    return () if pictured or not shown else tuple(name for name in kinds if name.partition("[")[0] in shown | named)
+
+
+def _seen(task: "Task", settings: "Settings") -> "set[str]":
+    """The results of an answer that shows the headline alone; none where all are shown, or those asked for."""
+    chosen = settings.format != "table" or settings.all or settings.only
+    return set() if chosen else {address for address, _ in task.headline}
 
 
 def spread_of(
@@ -288,8 +292,9 @@ def _same(one: Spread, other: Spread) -> bool:
     return one.interval == other.interval and one.median == other.median
 
 
-def _warnings(propagation: Propagation) -> "list[dict[str, Any]]":
-    out = []
+def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any]]":
+    """What a reader has to know of the intervals, and of a headline (`seen`) that has none."""
+    out, vary = [], propagation.varying()
     fractions = {s.admissible for s in propagation.spreads.values() if s.admissible < 1.0 - 1e-9}
     if fractions:
         share = 1.0 - min(fractions)
@@ -307,27 +312,19 @@ def _warnings(propagation: Propagation) -> "list[dict[str, Any]]":
         are = "intervals of {} are themselves" if len(rough) > 1 else "interval of {} is itself"
         worst = max(s.estimate for s in rough)
         known = f"known only to {worst:.1g} standard deviations" if math.isfinite(worst) else "hardly known"
-        out.append(
-            {
-                "code": "uncertainty-estimate",
-                "severity": "caution",
-                "message": f"the {are.format(listed)} {known}",
-                "remedy": "raise --samples",
-            }
-        )
+        message, remedy = f"the {are.format(listed)} {known}", "raise --samples"
+        out.append({"code": "uncertainty-estimate", "severity": "caution", "message": message, "remedy": remedy})
     if propagation.stopped:
         done, every = len(propagation.spreads), len(propagation.stopped)
         message = f"the time limit was reached: {done} of {every} results have a distribution"
         remedy = "raise --time-limit, or give a smaller number of --samples"
         out.append({"code": "time-limit", "severity": "serious", "message": message, "remedy": remedy})
-    elif propagation.inputs and not any(s.varies for s in propagation.spreads.values()):
-        out.append(
-            {
-                "code": "nothing-varies",
-                "severity": "caution",
-                "message": "only tables depend on the uncertain inputs; they hold the values at the means",
-            }
-        )
+    elif propagation.inputs and not vary:
+        message = "only tables depend on the uncertain inputs; they hold the values at the means"
+        out.append({"code": "nothing-varies", "severity": "caution", "message": message})
+    elif propagation.inputs and seen and not vary & seen:
+        message = "none of the results here depends on the uncertain inputs; tables hold the values at the means"
+        out.append({"code": "nothing-varies", "severity": "caution", "message": message})
     return out + _no_deviations(propagation)
 
 

@@ -150,7 +150,9 @@ def over_speed(result: "Any", zeta: float, name: str, eccentricity: str, top: fl
         Curve([r * omega for r in ratios], high, role=0),
         Mark(at * omega, plain(result.amplitude), "running here"),
         Band(omega, omega, "critical"),
-        Band(eccentric, eccentric, eccentricity, vertical=False),
+        Band(eccentric, eccentric, "", vertical=False),
+        # beside its line: in a legend it looks like the critical speed
+        Mark(0.0, eccentric, eccentricity, (4.0, 4.0), dot=False),
     )
     axes = Axis("speed", ShaftSpeed, ends=(0.0, end * omega)), Axis(name, Size, logarithmic=True)
     return Panel(*axes, items, title)

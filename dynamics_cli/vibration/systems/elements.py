@@ -154,6 +154,18 @@ class Elements:
         held = np.einsum("i,ij,ij->j", k, stretched, stretched)
         return np.sqrt(held / np.einsum("i,ij,ij->j", self.masses, moved[:-1], moved[:-1]))
 
+    def participations(self, omega: "Any", shapes: "Any") -> "Any":
+        """Σmφ of each mode; of modes that hardly move the whole from the springs to the ground, Σkφ/ω²."""
+        import numpy as np
+
+        masses, held = np.array(self.masses), np.zeros(len(self.masses))
+        for i, j, k in self.springs:
+            held[i] += k if j == GROUND else 0.0
+        squares = np.where(omega > 0.0, omega, math.nan) ** 2
+        # each sum is as good as its terms are small
+        smaller = held.sum() * abs(shapes).max(axis=1) / squares < abs(shapes) @ masses
+        return np.where(smaller, shapes @ held / squares, shapes @ masses)
+
     def order(self) -> "list[tuple[int, int, int]] | None":
         """Bodies from leaves to roots, each with what carries it (−1: none), by which spring; None for loops."""
         n = len(self.masses)

@@ -207,7 +207,7 @@ def _rows(
     factors = (drawn[each, place] / full[each, place]).tolist()
     turns: Any = [None] * len(factors)
     if model.elements is not None:
-        turns = (shapes @ np.array(model.elements.masses)).tolist()
+        turns = model.elements.participations(omega, shapes).tolist()
     entries = []
     for nth, value, shape, factor, turn, error in zip(
         each.tolist(), omega.tolist(), drawn.tolist(), factors, turns, errors.tolist(), strict=True
