@@ -12,10 +12,6 @@ from dynamics_cli.numerics.vectors import Vector, length
 
 Quaternion = tuple[float, float, float, float]
 
-NO_TURN: Quaternion = (1.0, 0.0, 0.0, 0.0)
-# The axis shown for a zero rotation, where any would do.
-UPWARD: Vector = (0.0, 0.0, 1.0)
-
 
 def opposite(x: float) -> float:
     """The opposite number; that of zero is plain zero."""
