@@ -111,11 +111,6 @@ def axis_and_angle(q: Quaternion) -> tuple[Vector, float]:
     return axis, angle
 
 
-def vector_of(q: Quaternion) -> Vector:
-    """The rotation vector of a unit quaternion with w ≥ 0: the logarithm."""
-    return axis_angle_and_vector(q)[2]
-
-
 def axis_angle_and_vector(q: Quaternion) -> tuple[Vector, float, Vector]:
     """Axis, angle and rotation vector."""
     w, x, y, z = q
