@@ -133,9 +133,6 @@ def chain(
     """
     require(steps >= 1, "a table of no steps shows nothing", code="steps", hint="give 1 or more")
     rods, start = let_go(lengths, masses, angles, duration, rates, end_masses, inertias, count, gravity)
-    longest = LONGEST / rods.scale(start[: rods.n], start[rods.n :])
-    require(duration <= longest, "{duration} are too many swings to follow", duration=(duration, Time),
-            code="too-long", hint="give {longest} or less", longest=(longest, Time))  # fmt: skip
     import numpy as np
 
     from dynamics_cli.motion.peaks import peaks
@@ -178,6 +175,9 @@ def let_go(
     still = all(abs(math.sin(q)) < STILL for q in start[: rods.n]) and not any(start[rods.n :])
     require(not still, "it is let go at rest in equilibrium: nothing moves", code="at-rest",
             hint="turn a rod away from the vertical, or give --rates")  # fmt: skip
+    longest = LONGEST / rods.scale(start[: rods.n], start[rods.n :])
+    require(duration <= longest, "{duration} are too many swings to follow", duration=(duration, Time),
+            code="too-long", hint="give {longest} or less", longest=(longest, Time))  # fmt: skip
     return rods, start
 
 

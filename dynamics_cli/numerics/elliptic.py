@@ -1,6 +1,6 @@
 """Elliptic integrals and functions by the arithmetic–geometric mean, for numbers of every sort."""
 
-from dynamics_cli.numerics.elementary import asin, cos, pi_beside, sin, sqrt
+from dynamics_cli.numerics.elementary import asin, cos, sin, sqrt
 
 # Each step halves the exponent of the ratio of the two, then doubles its digits: from the smallest, fifteen reach the
 # last bit.
@@ -16,15 +16,6 @@ def mean(a: float, b: float) -> float:
     for _ in range(STEPS):
         a, b = 0.5 * (a + b), sqrt(a * b)
     return a
-
-
-def quarter_period(complement: float) -> float:
-    """K = π/(2·M(1, k′)), by the complementary modulus k′.
-
-    >>> round(quarter_period(0.5**0.5), 12)
-    1.854074677301
-    """
-    return 0.5 * pi_beside(complement) / mean(1.0 + 0.0 * complement, complement)
 
 
 def amplitude(u: float, modulus: float, complement: float) -> float:

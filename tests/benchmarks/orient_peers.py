@@ -51,7 +51,7 @@ def speeds() -> None:
             lambda c: Rotation.from_quat(c.T, scalar_first=True).as_matrix(),
         ),
         "quaternion to rotation vector": (
-            lambda c: quaternions.vector_of(quaternions.upright(tuple(c))),
+            lambda c: quaternions.axis_angle_and_vector(quaternions.upright(tuple(c)))[2],
             lambda c: Rotation.from_quat(c.T, scalar_first=True).as_rotvec(),
         ),
     }  # fmt: skip

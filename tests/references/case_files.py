@@ -23,9 +23,17 @@ def _text(value: Any) -> str:
     return nstr(value, 40, min_fixed=-8, max_fixed=18) if abs(value) > NOTHING else "0.0"
 
 
-def write_given(
-    name: str, about: str, cases: "Iterable[tuple[str, str, str, str, dict[str, Any], dict[str, Any]]]"
-) -> None:
+def write(name: str, about: str, cases: Iterable[Case]) -> None:
+    """Write the cases to the file of this name, or to the one named on the command line."""
+    lines = []
+    for task, title, why, inputs, results in cases:
+        reason = {"kind": "hard", "name": title, "why": why} if why else {"kind": "ordinary", "name": title}
+        texts = {key: _text(value) for key, value in results.items()}
+        lines.append(json.dumps({"task": task, **reason, "inputs": inputs, "results": texts}, ensure_ascii=False))
+    _put(name, about, lines)
+
+
+def write_given(name: str, about: str, cases: Iterable[Given]) -> None:
     """The same of cases that say themselves whether they are hard, and have no zeros that are left of 90 digits."""
     lines = []
     for task, kind, title, why, inputs, results in cases:
@@ -40,13 +48,3 @@ def _put(name: str, about: str, lines: "list[str]") -> None:
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / f"{name}.json"
     text = ",\n".join(lines)
     target.write_text(f'{{"about": {json.dumps(about, ensure_ascii=False)},\n"cases": [\n{text}\n]}}\n', "utf-8")
-
-
-def write(name: str, about: str, cases: Iterable[Case]) -> None:
-    """Write the cases to the file of this name, or to the one named on the command line."""
-    lines = []
-    for task, title, why, inputs, results in cases:
-        reason = {"kind": "hard", "name": title, "why": why} if why else {"kind": "ordinary", "name": title}
-        texts = {key: _text(value) for key, value in results.items()}
-        lines.append(json.dumps({"task": task, **reason, "inputs": inputs, "results": texts}, ensure_ascii=False))
-    _put(name, about, lines)

@@ -203,7 +203,7 @@ def profile(
         inertia=body.inertia,
         inertia_about_centroid=body.inertia_about_centroid,
         points=columns,
-        checks=_checks(geometry, touch),
+        checks=_checks(touch),
         advice=(*_advice(geometry, analysis, loss, joint_jumps(motion)[0]), *body.advice),
         numerics=Numerics(
             "exact envelope; certified extremes; Gauss quadrature on pieces halved until it settles",
@@ -280,8 +280,8 @@ def radius_bounds(geometry: "Geometry", analysis: "Analysis") -> tuple[ErrorBoun
     return tuple(bounds)
 
 
-def _checks(geometry: "Geometry", touch: "Touch") -> tuple[Check, ...]:
-    """Check that the roller's centre is on the slide or the arm, within rounding."""
+def _checks(touch: "Touch") -> tuple[Check, ...]:
+    """Check that normals are of unit length, within rounding."""
     import numpy as np
 
     (nx, ny), size = touch.normal, 8e-16

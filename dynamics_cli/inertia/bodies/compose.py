@@ -66,7 +66,7 @@ def composed(walk: "Walk", *, asked: bool) -> Composed:
     centroid = add(base, total.centroid)  # type: ignore[arg-type]
     first = spread_of(total.second)
     if any(not piece.mass > 0.0 for piece in pieces):
-        _require_body(total, first)
+        _require_body(first)
     spread = _second_pass(group, base, first)  # type: ignore[arg-type]
     properties = Lump(total.mass, centroid, total.second)
     placed = [Lump(piece.mass, add(base, piece.centroid), piece.second) for piece in pieces]  # type: ignore[arg-type]
@@ -195,7 +195,7 @@ def _near(pieces: "Sequence[Lump | _Sums]") -> "Vector":
     return x, y, z
 
 
-def _require_body(body: Lump, spread: Spread) -> None:
+def _require_body(spread: Spread) -> None:
     """Refuse second moments below zero by more than rounding: a hole reached beyond its body."""
     least = spread.seconds[2]
     tolerance = 2.0 * getattr(least, "error", 0.0) + 64.0 * 2.0**-53 * abs(plain(spread.seconds[0]))

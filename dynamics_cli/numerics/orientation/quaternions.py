@@ -12,10 +12,6 @@ from dynamics_cli.numerics.vectors import Vector, length
 
 Quaternion = tuple[float, float, float, float]
 
-NO_TURN: Quaternion = (1.0, 0.0, 0.0, 0.0)
-# The axis shown for a zero rotation, where any would do.
-UPWARD: Vector = (0.0, 0.0, 1.0)
-
 
 def opposite(x: float) -> float:
     """The opposite number; that of zero is plain zero."""
@@ -113,11 +109,6 @@ def axis_and_angle(q: Quaternion) -> tuple[Vector, float]:
     """Axis and angle of a unit quaternion with w ≥ 0: the angle from 0 to 180°; for no turn the axis is z."""
     axis, angle, _ = axis_angle_and_vector(q)
     return axis, angle
-
-
-def vector_of(q: Quaternion) -> Vector:
-    """The rotation vector of a unit quaternion with w ≥ 0: the logarithm."""
-    return axis_angle_and_vector(q)[2]
 
 
 def axis_angle_and_vector(q: Quaternion) -> tuple[Vector, float, Vector]:

@@ -183,7 +183,7 @@ def _searched(pair: Pair, time: "float | None", end: "float | None") -> Relative
     gap, size = length(r), max(map(length, places))
     around = [length(pair.seen(min(max(t, start), last))[0]) for t in (when - 1e-4 * span, when + 1e-4 * span)]
     if pair.measured:
-        fields |= _noise(pair, moment, when, gap, last)
+        fields |= _noise(pair, moment, when, last)
         fields |= {"closest_time_noise": None if when in (start, last) else noise_of_rates(state, _at(pair, when))[1]}
         for motion in pair.measured:
             advice += motion.advice
@@ -222,7 +222,7 @@ def _at(pair: Pair, time: float) -> "tuple[float, float]":
     return float(place[0]), float(velocity[0])
 
 
-def _noise(pair: Pair, moment: float, when: float, gap: float, last: float) -> "dict[str, Any]":
+def _noise(pair: Pair, moment: float, when: float, last: float) -> "dict[str, Any]":
     """Noise of distances and closing speeds, and the table at the measured times."""
     every = () if drawing() else pair.measured[0].track.times
     times = [time for time in every if pair.start <= time <= last]

@@ -130,7 +130,7 @@ class Plan:
         rows = np.flatnonzero(~bad) if bad.any() else np.arange(count)
         if bad.any():
             arrays = {name: array[rows] for name, array in arrays.items()}
-        answered = self._by_lanes(arrays, len(rows)) if self.lanes else self._one_by_one(arrays, len(rows))
+        answered = self._by_lanes(arrays, len(rows)) if self.lanes else self._one_by_one(arrays)
         for part in answered:
             part.rows = rows[part.rows]
         return answered
@@ -142,7 +142,7 @@ class Plan:
                 return [answered for answered in all_answered if answered is not None]
         except Unsuited:
             self.lanes = False
-            return self._one_by_one(arrays, count)
+            return self._one_by_one(arrays)
 
     def _taken(self, part: LanePart) -> "Answered | None":
         """The results of rows that took the same branch."""
@@ -163,7 +163,7 @@ class Plan:
             columns.append((layout, "each", shown(value, layout, factor, good)))
         return kept(rows, columns, good, part.trail)
 
-    def _one_by_one(self, arrays: "dict[str, Array]", count: int) -> "list[Answered]":
+    def _one_by_one(self, arrays: "dict[str, Array]") -> "list[Answered]":
         """Each row by its own call; rows with the same set of results are written together."""
         layout = self.case.layout
         alike: dict[tuple[bool, ...], tuple[list[int], list[list[Any]]]] = {}

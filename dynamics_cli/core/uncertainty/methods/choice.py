@@ -4,6 +4,9 @@ A method is tried when it suits the problem and the best error so far is above i
 requested accuracy ends the search, else the best of all is taken. Errors are in standard deviations of the result.
 The factors of the estimates were fitted on thousands of random problems so that the true error stays below them; plain
 differences between levels or replicates do not achieve that.
+
+Not in the table: a single input, and a slow model that answers thousands of cases at once, whose results all come from
+one sample.
 """
 
 from copy import copy
@@ -63,8 +66,6 @@ class Problem:
         self.several = len(space.results) > FEW_RESULTS
         self.mixture = asked == "auto" and suits_mixtures(space)
         self.counted = asked == "auto" and result in space.whole and not (space.slow or space.heavy or goal.limits)
-        # The model is called case by case: points must be shared.
-        self.dear = space.slow
         self.sharing = self.several and not goal.limits and asked in SHARING and suits_shared_lines(space)
         grid = space.started.get(result, (None, None))[1]
         self.rises = not space.slow and grid is not None and grid.estimate <= OWN_FROM
@@ -117,7 +118,8 @@ def _rising(space: Space, result: int, direction: "Array", across: "Array", goal
     return stepped(lattices(space, result, direction, across, own))
 
 
-# What a method costs, in evaluations of the model for one result.
+# What a method costs, in evaluations of the model for one result. A model that is called case by case takes
+# nested integrals or grids, else the sample that results share.
 WAYS = (
     # 3e4, once for all results: whole numbers; jumps leave nothing to be had from other points
     Way(counted, lambda p: p.counted),
@@ -133,17 +135,19 @@ WAYS = (
     # 1e4 to 3e6: kinks, bounded inputs, many inputs, as long as results rise along every line
     Way(
         lambda *problem: stepped(lattices(*problem)),
-        lambda p: p.narrow and not p.space.stepped and not p.dear and not p.sharing,
+        lambda p: p.narrow and not p.space.stepped and not p.space.slow and not p.sharing,
     ),
     # 2e5 to 2e6, once for all results, whatever they do
     Way(pooled, lambda p: p.several and not p.sharing, above=GOOD, whole=True),
     Way(pooled, lambda p: p.sharing, above=FAIR, whole=True),
     # 1e4 to 1e6: few inputs, results that turn or jump
     Way(
-        scanned_grids, lambda p: p.space.size <= FEW_INPUTS and not (p.space.stepped or p.several or p.dear), above=GOOD
+        scanned_grids,
+        lambda p: p.space.size <= FEW_INPUTS and not (p.space.stepped or p.several or p.space.slow),
+        above=GOOD,
     ),
     # 1e5 to 3e6: the same of more inputs
-    Way(scanned, lambda p: p.narrow and not p.dear and not p.sharing, above=FAIR),
+    Way(scanned, lambda p: p.narrow and not p.space.slow and not p.sharing, above=FAIR),
     # 2e5 to 2e6
     Way(pooled, lambda p: not p.several, above=GOOD, whole=True),
 )

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 TENSOR_COUNTS = (3, 5, 8, 12, 18, 27, 40, 60)
 # A level whose change is less than this share of the change before is converging.
 CONVERGING = 0.2
-# A first difference of sparse grids, in deviations, that no further level would settle.
+# A difference of two levels, in deviations, that no further one would settle.
 KINK = 0.1
 # Levels that do not settle, at a kink, may be off by this multiple of their difference.
 UNSETTLED = 3.0
@@ -79,7 +79,7 @@ def crossings(rest: int, count: int, seed: int) -> "tuple[Array, Array, Array]":
     return across, weights, group
 
 
-def _levels(rest: int, goal: Goal) -> "list[int]":
+def _levels(rest: int) -> "list[int]":
     if rest <= 2:
         return list(range(1, len(TENSOR_COUNTS) + 1))
     return [level for level in range(1, MOST_LEVEL + 1) if smolyak.size(rest, level) <= MOST_GRID_LINES]
@@ -93,7 +93,7 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
     best: Outcome | None = None
     differences: list[float] = []
     last: tuple[Lines, Roots, tuple[int, int, int]] | None = None
-    for level in _levels(rest, goal):
+    for level in _levels(rest):
         lines = Lines(space, result, direction, across, *rule(rest, level, goal.accuracy))
         shape = (rest, level, lines.weights.size)
         guess = carry(last[0], last[1], lines, (last[2], shape)) if last else None

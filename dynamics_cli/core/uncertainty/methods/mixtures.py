@@ -10,7 +10,7 @@ import numpy as np
 from dynamics_cli.core.inputs.uncertain.distributions import Empirical
 from dynamics_cli.core.uncertainty.axes import Axis
 from dynamics_cli.core.uncertainty.axes import points as points_of
-from dynamics_cli.core.uncertainty.methods.grids import MOST_LEVEL, TENSOR_COUNTS, rule
+from dynamics_cli.core.uncertainty.methods.grids import KINK, MOST_LEVEL, TENSOR_COUNTS, UNSETTLED, rule
 from dynamics_cli.core.uncertainty.methods.lines import ORDERS, Lines, carry, order_moments, solve
 from dynamics_cli.core.uncertainty.methods.outcome import FLOOR, Goal, Outcome, width_of
 from dynamics_cli.core.uncertainty.space import Space, complement
@@ -33,8 +33,6 @@ MOST_VALUES, MOST_LINES = 64, 20_000
 COUNTS = (3, 4, 6, 8, 12, 16, 20, 24)
 # The error of a level as a share of its difference from the one before: at least, and where levels settle slowly.
 GAIN, SLOW = 0.3, 1.5
-# A difference of two levels, in deviations, that no further one would settle (a kink), and how far off it may be.
-KINK, UNSETTLED = 0.1, 3.0
 
 
 def _listed(space: Space, axis: int) -> bool:

@@ -1,8 +1,9 @@
 """Quantiles from one sample for all results: for many results that turn, jump or have kinks, each in its own way.
 
 Replicates of a shifted lattice; each number is taken over all points together, its error from the scatter of the
-replicates. Of a model that is dear, polynomials are fitted to the sample: a sample of them hundreds of times as large
-is free, and what they are off by is known from the small one, far better than the numbers themselves.
+replicates. Of a slow model that answers thousands of cases at once, polynomials are fitted to the sample: a sample of
+them hundreds of times as large costs little, and what they are off by is known from the small one, far better than the
+numbers themselves.
 """
 
 import numpy as np

@@ -52,7 +52,7 @@ OF_PARTS = 0.25
 
 
 def suits(space: Space) -> bool:
-    """Whether inputs are two or more, not too many, and continuous with a finite variance."""
+    """Whether inputs are not too many, and continuous with a finite variance."""
     return 1 <= space.size <= MOST_DIMENSIONS and not (space.heavy or space.stepped)
 
 

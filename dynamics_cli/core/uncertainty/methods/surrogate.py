@@ -71,10 +71,10 @@ class StandIn:
             self.degree = degree
             self.count = 1 << (2 * chaos_terms(n, degree) - 1).bit_length()
             wide = WIDER if degree > DEGREES[-1] else 1.0
-            if degree > DEGREES[-1] and degree == next(iter(MORE[n])):  # others than those known so far
+            if degree > DEGREES[-1] and degree == MORE[n][0]:  # others than those known so far
                 points, values = np.zeros((n, 0)), np.zeros((len(there), 0))
             points, values = _grown(space, points, values, self.count, seed, wide)
-            self._fit(self._standard(space.inputs(points)), values, self._standard(space.inputs(tried)), there)
+            self._fit(space.inputs(points), values, space.inputs(tried), there)
             if (self.errors <= (accuracy if degree < DEGREES[-1] else FAIR) * values.std(axis=1)).all():
                 break
         self.space = Space(self, self._inputs, {})
@@ -84,19 +84,17 @@ class StandIn:
         """Whether it is good enough for all results but still ones, where the model would answer thousands of cases."""
         return not self._together or bool((still | (self.errors <= FAIR * deviations)).all())
 
-    def _standard(self, inputs: "dict[str, Any]") -> "Array":
-        return standard(self._inputs, inputs)
-
-    def _fit(self, points: "Array", values: "Array", tried: "Array", there: "Array") -> None:
+    def _fit(self, given: "dict[str, Any]", values: "Array", farther: "dict[str, Any]", there: "Array") -> None:
+        points, tried = standard(self._inputs, given), standard(self._inputs, farther)
         whole = np.array(np.isfinite(values).all(axis=1) & np.isfinite(there).all(axis=1))
         self._whole = whole[:, None]
         known, wanted = np.where(self._whole, values, 0.0), np.where(self._whole, there, 0.0)
-        coefficients, _, _, _ = np.linalg.lstsq(self._terms(points).T, known.T, rcond=None)
+        coefficients, _, _, _ = np.linalg.lstsq(terms(points, self.degree).T, known.T, rcond=None)
         self._coefficients = coefficients.T
         self._plane = np.linalg.lstsq(np.vstack([np.ones(points.shape[1]), points]).T, known.T, rcond=None)[0].T[:, 1:]
         self._far = np.abs(np.concatenate([points, tried], axis=1)).max(axis=1)[:, None]
-        off = self._coefficients @ self._terms(tried) - wanted
-        near = self._coefficients @ self._terms(points) - known
+        off = self._coefficients @ terms(tried, self.degree) - wanted
+        near = self._coefficients @ terms(points, self.degree) - known
         variance = wanted.var(axis=1)
         worst = SAFETY * np.abs(np.concatenate([off, near], axis=1)).max(axis=1)
         if self.degree > DEGREES[-1]:
@@ -107,15 +105,11 @@ class StandIn:
 
     def __call__(self, inputs: "dict[str, Any]") -> "tuple[dict[str, Any], None]":
         """Results by address."""
-        u = self._standard(inputs)
+        u = standard(self._inputs, inputs)
         # beyond the points they were fitted to, high degrees grow without limit: from there on as a plane does
         near = np.clip(u, -self._far, self._far) if self.degree > DEGREES[-1] else u
-        values = self._coefficients @ self._terms(near) + self._plane @ (u - near)
+        values = self._coefficients @ terms(near, self.degree) + self._plane @ (u - near)
         return dict(zip(self._results, np.where(self._whole, values, np.nan), strict=True)), None
-
-    def _terms(self, u: "Array") -> "Array":
-        """Every product of Hermite polynomials (terms, points)."""
-        return terms(u, self.degree)
 
 
 def standard(distributions: "Mapping[str, Distribution]", inputs: "dict[str, Any]") -> "Array":
