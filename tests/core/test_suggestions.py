@@ -76,6 +76,21 @@ def test_what_is_missing_is_described_as_its_help_does() -> None:
     assert "--track is missing: distance between the left and the right wheels\n" in slide
 
 
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("0.7-0.8", "0.7..0.8"),
+        ("0.7–0.8", "0.7..0.8"),
+        ("70 - 80 %", "70..80 %"),
+        ("70 % to 80 %", "70 %..80 %"),
+    ],
+)
+def test_a_range_is_told_how_it_is_written(typed: str, meant: str) -> None:
+    told = f"dynamics: --friction: {typed!r} is not one number\n  write a range as {meant}\n"
+    assert run("skid", "speed", "--distance", "18 m", "--friction", typed).err == told
+    assert run("skid", "speed", "--distance", "18 m", "--friction", meant, "--method", "linear").status == 0
+
+
 def test_a_call_that_gives_nothing_is_shown_one_that_works() -> None:
     example = 'an example:\n  dynamics skid speed --distance "60 ft" --friction 0.7\n'
     assert run("skid", "speed").err.endswith(example)

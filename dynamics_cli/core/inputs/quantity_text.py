@@ -158,22 +158,22 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
         return _scalar(read_amount(text), kind, default_unit)
     except UsageError as error:
         if is_uncertain(text):
-            raise UsageError(
-                f"{_show(text)} is an uncertain value; a certain value is wanted here",
-                code="uncertain",
-                hint=f"write one number, for example {kind.example}",
-            ) from None
+            message = f"{_show(text)} is an uncertain value; a certain value is wanted here"
+            hint = f"write one number, for example {kind.example}"
+            raise UsageError(message, code="uncertain", hint=hint) from None
         if error.message == NO_UNIT:
             hint = f"write for example {kind.example}" if kind.example else "write the number with its unit"
             raise UsageError(f"{_show(text)} has no unit", code=error.code, hint=hint) from None
+        from dynamics_cli.core.inputs.typed_forms import as_range
+
+        if hint := as_range(text):
+            raise UsageError(f"{_show(text)} is not one number", code="range", hint=hint) from None
         article = "an" if kind.name[:1] in tuple("aeiou") else "a"
         expected = kind.about if kind.form == "whole" else f"{article} {kind.name}"
         counted = kind.form == "whole" and error.code in ("whole", "number")
-        raise UsageError(
-            f"{_show(text)} is not " + ("a whole number" if counted else f"{expected}: {error.message}"),
-            code=error.code,
-            hint=f"{error.hint}; example: {kind.example}" if error.hint else f"example: {kind.example}",
-        ) from None
+        wrong = "a whole number" if counted else f"{expected}: {error.message}"
+        hint = f"{error.hint}; example: {kind.example}" if error.hint else f"example: {kind.example}"
+        raise UsageError(f"{_show(text)} is not {wrong}", code=error.code, hint=hint) from None
 
 
 def is_uncertain(text: str) -> bool:

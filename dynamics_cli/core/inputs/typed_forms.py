@@ -139,3 +139,14 @@ def _without_signs(text: str) -> str:
         for sign in signs:
             text = text.replace(sign, plain)
     return text.strip()
+
+
+def as_range(text: str) -> str:
+    """How the range `0.7-0.8`, `20 – 25 m` or `20 m to 25 m` is written, with two points; empty where it is none."""
+    for mark in (" to ", " - ", " – ", "–", "-"):
+        low, _, high = (part.strip() for part in text.partition(mark))
+        # without spaces about it, a mark after a unit may be part of a power
+        alone = low if mark in "–-" else low[:1]
+        if alone.replace(".", "", 1).isdecimal() and high[:1].isdecimal():
+            return f"write a range as {low}..{high}"
+    return ""
