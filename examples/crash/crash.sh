@@ -36,4 +36,4 @@ jq -r '.sensitivity.speed.inputs[] | "  \(.input): \(.share * 100 | round) % of 
 
 # 4. For the file: one report of all four, each calculated again while it is written.
 dynamics report "$work"/[1-4]_*.json --title "Two-car crash" --case "example" --output "$work/report.md"
-grep -o "[0-9] of [0-9] calculations came out the same" "$work/report.md"
+grep -o "[0-9] of [0-9] calculations gave the same results" "$work/report.md"

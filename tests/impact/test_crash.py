@@ -282,7 +282,7 @@ def test_the_report_of_a_scene_calculates_it_again(tmp_path: Path, monkeypatch: 
     Path("crash.json").write_text(document.out, encoding="utf-8")
     assert run("report", "crash.json", "--output", "report.md").status == 0
     page = Path("report.md").read_text(encoding="utf-8")
-    assert "1 of 1 calculation came out the same" in page
+    assert "1 of 1 calculation gave the same results" in page
     assert "Ford" in page
 
 
