@@ -94,6 +94,7 @@ WRONG = [
     (f"{OK}|--gravity|-1 m/s^2", 2, "greater than 0"),
     (f"{OK}|--gravity|", 2, "the quantity is empty"),
     (f"{OK}|--output|", 2, "--output is empty"),
+    (f"{OK}|--output|x.pdf", 2, "`dynamics report` makes one of a document in .json"),
     (f"{OK}|--output|/nowhere/x.json", 5, "cannot write '/nowhere/x.json'"),
     (f"{OK}|--sweep|friction=1:2", 2, "sweep"),
     (f"{OK}|--sweep|colour=1:2:3", 2, "colour"),

@@ -183,3 +183,12 @@ def test_the_names_of_many_curves_stand_beside_them(count: int, beside: bool) ->
     pytest.importorskip("matplotlib")
     (axes,) = drawn_axes(tuple(Curve((0.0, 1.0), (0.0, float(n)), f"curve {n}") for n in range(count)))
     assert bool(axes.get_legend().get_window_extent().x0 >= axes.get_window_extent().x1) == beside
+
+
+def test_three_views_have_titles_as_other_pictures_have() -> None:
+    pytest.importorskip("matplotlib")
+    ends = Axis("x", ends=(0.0, 1.0)), Axis("y", ends=(0.0, 1.0))
+    panels = tuple(Panel(*ends, (Curve((0.0, 1.0), (0.0, 1.0)),), f"{side} view") for side in ("top", "front", "side"))
+    figure = pages._figure(Picture(panels, "rotor", columns=3, views=True), panels, "si")
+    assert figure.get_suptitle() == "Rotor"
+    assert [axes.get_title() for axes in figure.axes[:3]] == ["Top view", "Front view", "Side view"]

@@ -233,11 +233,13 @@ def _ending_format(output: str) -> str:
     format_ = ENDINGS.get(ending.lower())
     if format_ is None:
         writer = OTHER_WRITERS.get(ending.lower())
+        hint = f"--{writer} writes such files" if writer else f"endings are {' '.join('.' + e for e in ENDINGS)}"
+        hint += "; `dynamics report` makes one of a document in .json" if ending.lower() == "pdf" else ""
         raise UsageError(
             f"a document cannot be written as .{ending}",
             parameter="output",
             code="format",
-            hint=f"--{writer} writes such files" if writer else f"endings are {' '.join('.' + e for e in ENDINGS)}",
+            hint=hint,
         )
     return format_
 

@@ -65,3 +65,8 @@ def _number(value: "float | list[float]") -> float:
 def finite(values: "Sequence[float]") -> "list[float]":
     """The finite numbers."""
     return [value for value in values if value - value == 0.0]
+
+
+def sentence(text: str) -> str:
+    """A title, its first letter large where it begins a word."""
+    return text[:1].upper() + text[1:] if text[1:2].isalpha() or text.startswith("a ") else text

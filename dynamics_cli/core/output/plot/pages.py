@@ -4,7 +4,7 @@ import io
 import itertools
 from textwrap import fill
 
-from dynamics_cli.core.output.plot.axes import Scale, finite, words
+from dynamics_cli.core.output.plot.axes import Scale, finite, sentence, words
 from dynamics_cli.core.output.plot.items import COLOURS, DRAW, Pens, written
 from dynamics_cli.core.output.plot.library import ABOUT, blank, need, part, settle
 from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Dimension, Label, Mark, Ranges, Rows, Ruler, Shares
@@ -119,11 +119,6 @@ def _head(figure: "Any", picture: "Picture", system: str) -> None:
     figure.axes[0].set_title(written(picture.subtitle, system), loc="left", fontsize=8.5, color="#555555")
     _settle(figure)
     title.set_x(figure.axes[0].get_position().x0)
-
-
-def sentence(text: str) -> str:
-    """A title, its first letter large where it begins a word."""
-    return text[:1].upper() + text[1:] if text[1:2].isalpha() or text.startswith("a ") else text
 
 
 def _settle(figure: "Any") -> None:

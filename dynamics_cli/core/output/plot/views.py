@@ -3,7 +3,7 @@
 Labels are placed where they overlap neither other labels nor arrows; those that do not fit are left out.
 """
 
-from dynamics_cli.core.output.plot.axes import Scale
+from dynamics_cli.core.output.plot.axes import Scale, sentence
 from dynamics_cli.core.units.display import Shown
 from dynamics_cli.pictures import Arrow, Curve, Mark
 
@@ -54,7 +54,8 @@ def three_views(
     corner = figure.add_axes(((right - 0.4) / width, upper / height, (deep + 0.4) / width, deep / height))
     _notes(corner, views, picture, system)
     if picture.title:
-        figure.suptitle(picture.title, fontsize=11.0, y=1.0 - 0.06 / height, va="top")
+        place = {"x": LEFT / width, "y": 1.0 - 0.06 / height, "ha": "left", "va": "top"}
+        figure.suptitle(sentence(picture.title), fontsize=11.0, fontweight="bold", **place)
     return figure
 
 
@@ -70,7 +71,7 @@ def _view(
     x, y = Scale(panel.x, system), Scale(panel.y, system)
     axes.set_xlabel(x.label)
     axes.set_ylabel(y.label)
-    axes.set_title(panel.title)
+    axes.set_title(sentence(panel.title))
     for item in panel.items:
         if isinstance(item, Curve):
             curve(axes, item, x, y, pens)
