@@ -31,8 +31,9 @@ if TYPE_CHECKING:
 MOST_VALUES, MOST_LINES = 64, 20_000
 # Gauss points of a panel between bounds, by level.
 COUNTS = (3, 4, 6, 8, 12, 16, 20, 24)
-# The error of a level as a share of its difference from the one before: at least, and where levels settle slowly.
-GAIN, SLOW = 0.3, 1.5
+# The error of a level as a share of its difference from the one before: at least, where no earlier one shows how they
+# settle, and where they settle slowly.
+GAIN, FIRST, SLOW = 0.3, 1.0, 1.5
 
 
 def _listed(space: Space, axis: int) -> bool:
@@ -115,7 +116,8 @@ def mixtures(
             outcome.before = before.lines
             width, last = width_of(roots.quantiles, goal), apart
             apart = float(np.abs(roots.quantiles - before.quantiles).max()) / width if width > 0.0 else 0.0
-            part = UNSETTLED if apart > KINK else max(GAIN, min(UNSETTLED * apart / last, SLOW))
+            settling = max(GAIN, min(UNSETTLED * apart / last, SLOW)) if last < np.inf else FIRST
+            part = UNSETTLED if apart > KINK else settling
             outcome.estimate = max(part * apart, FLOOR)
         elif len(smooth) == 1 and all(_listed(space, axis) for axis in mixed):
             outcome.estimate = FLOOR
