@@ -52,11 +52,11 @@ CRASH = Task(
     headline=(
         "first.start.speed: first at its start v₀",
         "first.approach_speed: first into the impact v",
-        "first.per_degree: first v per degree",
+        "first.per_degree: first v per degree of heading",
         "first.delta_v.magnitude: first ΔV",
         "second.start.speed: second at its start v₀",
         "second.approach_speed: second into the impact v",
-        "second.per_degree: second v per degree",
+        "second.per_degree: second v per degree of heading",
         "second.delta_v.magnitude: second ΔV",
         "weakest: weakest link",
     ),
