@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from dynamics_cli.errors import DynamicsError
+from dynamics_cli.errors import DynamicsError, require
 from dynamics_cli.motion.chain import Chain, chain, let_go
 from dynamics_cli.motion.peaks import peaks
 from dynamics_cli.motion.rods import solved
@@ -61,6 +61,7 @@ def _together(cases: "list[tuple[Rods, list[float], float]]", count: int) -> "li
     n, shares = lanes.n, np.linspace(0.0, 1.0, count + 1)
     run: Any = solve_ivp(lanes.rate, (0.0, 1.0), lanes.start.ravel(), method="DOP853", rtol=TOLERANCE, atol=TOLERANCE,
                          t_eval=shares)  # fmt: skip
+    require(bool(run.success), "the integration stopped", code="no-convergence")
     states = run.y.reshape(2 * n, len(cases), -1)
     forces = peaks(lanes.top_forces(states))
     return [
