@@ -96,7 +96,7 @@ def to_full_table(
     if layout is not None:
         lines += layout(results)
     else:
-        lines += ["", *_aligned(flatten(results), digits, tails)]
+        lines += ["", *_aligned([entry for entry in flatten(results) if entry[1] != ""], digits, tails)]
         lines += _tables({name: node for name, node in results.items() if is_table(node)}, digits, screen)
     lines += driver_lines(document, digits) if uncertain else []
     notes = _notes(document)
