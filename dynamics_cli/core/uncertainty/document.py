@@ -307,7 +307,9 @@ def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any
         )
     rough = [s for s in propagation.spreads.values() if s.varies and not s.estimate <= FAIR and not s.tails]
     if rough:
-        names = [s.name for s in rough[:MOST_NAMED]] + [f"{len(rough) - MOST_NAMED} more"] * (len(rough) > MOST_NAMED)
+        names = [s.name.replace("_", " ").replace(".", " ") for s in rough[:MOST_NAMED]] + [
+            f"{len(rough) - MOST_NAMED} more"
+        ] * (len(rough) > MOST_NAMED)
         listed = " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
         are = "intervals of {} are themselves" if len(rough) > 1 else "interval of {} is itself"
         worst = max(s.estimate for s in rough)
