@@ -15,7 +15,7 @@ UNIVERSAL = (*UNIVERSAL_OPTIONS, "help", "version")
 # Folder of the example files in a checkout; `dynamics examples NAME --copy` writes them into the current folder.
 EXAMPLES_FOLDER = "examples/"
 # The head of the section of a docstring that says where a calculation comes from.
-REFERENCES = "References\n    ----------\n"
+REFERENCES = "References\n"
 
 
 def load(reference: str) -> "Any":
@@ -59,8 +59,9 @@ class Model:
     def source(self) -> str:
         """Where it comes from: as stated, else the references of its function."""
         if not self._source:
-            section = docstring(self.call()).partition(REFERENCES)[2].partition("\n\n")[0]
-            self._source = " ".join(section.split()).rstrip(".")
+            # Newer interpreters take the indentation away; the first word is the line under the heading.
+            _, *words = docstring(self.call()).partition(REFERENCES)[2].partition("\n\n")[0].split() or [""]
+            self._source = " ".join(words).rstrip(".")
         return self._source
 
     @property
