@@ -5,9 +5,9 @@ SEARCH_EVALUATIONS=10000 python -m pytest -n auto tests/accuracy -k search    th
 
 import os
 
-EVALUATIONS = int(os.environ.get("SEARCH_EVALUATIONS", "400"))
+EVALUATIONS = int(os.environ.get("SEARCH_EVALUATIONS", "100"))
 # Tasks that integrate in 240 bits, a third of a second an evaluation: in every run they make fewer, on demand all.
-COSTLY = {} if "SEARCH_EVALUATIONS" in os.environ else {"path relative": 8, "path curve": 5}
+COSTLY = {} if "SEARCH_EVALUATIONS" in os.environ else {"path relative": 2, "path curve": 2}
 
 
 def evaluations(task: str) -> int:

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 from harness import answer, run
+from references import made_from
 
 from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.cases import DATA
@@ -90,6 +91,12 @@ class TestManifest:
 
 @pytest.mark.parametrize("file", FILES, ids=NAMES)
 class TestFiles:
+    def test_its_sources_are_those_it_was_made_from(self, file: dict[str, Any]) -> None:
+        """Run tests/references/regenerate.py NAME where this fails: it makes the file again."""
+        name = file["file"].removesuffix(".json")
+        assert made_from.known().get(name) == made_from.digest(name), f"python tests/references/regenerate.py {name}"
+
+    @pytest.mark.slow
     def test_generating_it_again_gives_the_same_bytes(self, file: dict[str, Any], tmp_path: Path) -> None:
         made = made_again(ROOT / file["generator"], tmp_path / file["file"])
         assert made == (DATA / file["file"]).read_bytes()

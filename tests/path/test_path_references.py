@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 from mpmath import mp, mpf
-from references.comparison import DATA, HERE, build, cases, flat, leaves
+from references.comparison import build, cases, flat, leaves
 
 from dynamics_cli.accuracy.catalogue import groups
 from dynamics_cli.core.answering.tightening import tighten
@@ -73,11 +73,3 @@ def test_hard_cases_are_named_with_their_reason() -> None:
     hard = [case for task in TASKS for case in cases("path.json", task) if case["kind"] == "hard"]
     assert len(hard) >= 12
     assert all(case["why"] for case in hard)
-
-
-def test_generating_again_gives_the_same_bytes(tmp_path: Any) -> None:
-    import runpy
-
-    made = tmp_path / "path.json"
-    runpy.run_path(str(HERE / "generate_path_references.py"))["main"](made)
-    assert made.read_bytes() == (DATA / "path.json").read_bytes()
