@@ -7,7 +7,7 @@ import os
 
 EVALUATIONS = int(os.environ.get("SEARCH_EVALUATIONS", "100"))
 # Tasks that integrate in 240 bits, a third of a second an evaluation: in every run they make fewer, on demand all.
-COSTLY = {} if "SEARCH_EVALUATIONS" in os.environ else {"path relative": 2, "path curve": 2}
+COSTLY = {} if "SEARCH_EVALUATIONS" in os.environ else {"path relative": 4, "path curve": 4, "motion equations": 4}
 
 
 def evaluations(task: str) -> int:
