@@ -2,6 +2,11 @@
 
 import os
 
+# As the program has it: threads that wait for one another cost more than they save. And programs that tests start find
+# their compiled code, as installed ones do.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+
 import pytest
 from hypothesis import settings
 

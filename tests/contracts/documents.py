@@ -203,7 +203,10 @@ def measured(text: str) -> tuple[int, int]:
     return len(lines), max(map(len, lines), default=0)
 
 
-def screens() -> Iterator[tuple[Task, tuple[int, int], tuple[int, int]]]:
+Screen = tuple[Task, tuple[int, int], tuple[int, int]]
+
+
+def screens() -> Iterator[Screen]:
     """Each task's first example: what `--all` prints, as every answer once was, and what the answer prints."""
     with chdir(ROOT):
         for name in cli.FAMILIES:
@@ -213,10 +216,10 @@ def screens() -> Iterator[tuple[Task, tuple[int, int], tuple[int, int]]]:
                     yield task, measured(run(*words, "--all").out), measured(run(*words).out)
 
 
-def with_screens(text: str) -> str:
+def with_screens(text: str, measured: list[Screen] | None = None) -> str:
     """A page with its table of screens."""
     if "<!-- screens -->" not in text:
         return text
-    rows = [f"| `{task.path}` | {b[0]} × {b[1]} | {a[0]} × {a[1]} |" for task, b, a in screens()]
+    rows = [f"| `{task.path}` | {b[0]} × {b[1]} | {a[0]} × {a[1]} |" for task, b, a in measured or screens()]
     table = ["<!-- screens -->", "", "| task | before, and with `--all` | now |", "|---|---:|---:|", *rows]
     return SCREENS.sub("\n".join([*table, "", "<!-- /screens -->"]), text)

@@ -2,16 +2,15 @@
 
 import doctest
 import importlib
-import pkgutil
 
 import pytest
+from shell import ROOT
 
-import dynamics_cli
-
+# Modules without an example have nothing to try.
 MODULES = sorted(
-    name
-    for _, name, package in pkgutil.walk_packages(dynamics_cli.__path__, "dynamics_cli.")
-    if not package and not name.endswith("__main__")
+    ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
+    for path in (ROOT / "dynamics_cli").rglob("*.py")
+    if ">>> " in path.read_text(encoding="utf-8")
 )
 
 
