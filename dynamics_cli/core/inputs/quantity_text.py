@@ -157,6 +157,8 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
     try:
         return _scalar(read_amount(text), kind, default_unit)
     except UsageError as error:
+        if kind.letter and default_unit != kind.si:
+            return read_scalar(text.strip(kind.letter + kind.letter.lower() + " "), kind, kind.si)
         if is_uncertain(text):
             message = f"{_show(text)} is an uncertain value; a certain value is wanted here"
             hint = f"write one number, for example {kind.example}"

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
 
 # In mm: a smaller deviation is written in micrometres.
 MICROMETRES_BELOW = 0.01
+# Lines that a cut must save: a table a little longer than the screen is shown as a whole.
+LEAST_SAVED = 4
 
 
 def table_lines(node: "Any", address: str, label: str, *, digits: int, width: int, space: int) -> "list[str]":
@@ -33,7 +35,7 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
     rows = body[heads:]
     # besides the rows: a blank line, the title, the line of the gap and the line of omitted columns
     row_limit = max(space - heads - 3 - bool(omitted), 2)
-    gap = len(rows) - row_limit if len(rows) > row_limit + 1 else 0
+    gap = len(rows) - row_limit if len(rows) > row_limit + LEAST_SAVED else 0
     if gap:
         rows = rows[: (row_limit + 1) // 2] + rows[len(rows) - row_limit // 2 :]
     lines = [title]
