@@ -170,8 +170,7 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
 
         if hint := as_range(text):
             raise UsageError(f"{_show(text)} is not one number", code="range", hint=hint) from None
-        article = "an" if kind.name[:1] in tuple("aeiou") else "a"
-        expected = kind.about if kind.form == "whole" else f"{article} {kind.name}"
+        expected = kind.about if kind.form == "whole" else f"a{'n' * kind.name.startswith(tuple('aeiou'))} {kind.name}"
         counted = kind.form == "whole" and error.code in ("whole", "number")
         wrong = "a whole number" if counted else f"{expected}: {error.message}"
         hint = f"{error.hint}; example: {kind.example}" if error.hint else f"example: {kind.example}"
