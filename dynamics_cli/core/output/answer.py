@@ -142,8 +142,7 @@ class _Answer:
             return f"{decimals(value, std)} {unit}".rstrip()
         if isinstance(value, float) and abs(value) <= self._absolute_bound(address, value):
             value = 0.0
-        if isinstance(value, list):
-            value = without_rounding(value)
+        value = without_rounding(value)
         estimate = address in self.task.errors and not self.asked
         text = estimated(value, unit) if estimate else quantity(value, unit, self.digits)
         if isinstance(value, list) and isinstance(value[0], list) and len(value[0]) <= AXES:

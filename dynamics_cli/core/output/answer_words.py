@@ -211,8 +211,8 @@ def with_name(label: str, names: "dict[str, str]") -> str:
     return f"{names[word]} {rest}" if word in names else label
 
 
-def without_rounding(value: "list[Any]") -> "list[Any]":
-    """A vector or tensor with negligible components set to zero."""
+def without_rounding(value: "Any") -> "Any":
+    """A vector or tensor with negligible components set to zero; anything else as it is."""
     largest = max((abs(item) for item in _numbers(value)), default=0.0)
 
     def cleared(node: "Any") -> "Any":
@@ -220,7 +220,7 @@ def without_rounding(value: "list[Any]") -> "list[Any]":
             return [cleared(item) for item in node]
         return 0.0 if isinstance(node, float) and abs(node) < ROUNDING * largest else node
 
-    return cleared(value)  # type: ignore[no-any-return]
+    return cleared(value) if isinstance(value, list) else value
 
 
 def _numbers(node: "Any") -> "list[float]":
