@@ -94,6 +94,10 @@ def run_argv(argv: "list[str]", terminal: Terminal) -> int:
     except DynamicsError as error:
         from dynamics_cli.core.output.failure import error_text, wants_json
 
+        if error.code == "unreadable" and not error.hint:
+            from dynamics_cli.examples_command.command import how_to_copy
+
+            error.hint = how_to_copy(argv)
         json, columns = wants_json(argv, terminal.environ), terminal.error_columns
         terminal.tell(error_text(error, json=json, typed=argv, columns=columns))
         status = error.status

@@ -19,16 +19,16 @@ class Kind:
     A vector of a `flat` kind may leave out z, which is zero then: a motion in the x–y plane.
 
     A number of a kind that is `exact` keeps the decimals it was typed as, beside the double nearest to them. One of a
-    kind that is `certain` takes no distribution: it says itself how uncertain something is.
+    kind that is `certain` takes no distribution: it says itself how uncertain something is. One with a `letter` may be
+    written as standards designate it, G 6.3 or 6.3, in the unit it is shown in.
 
     A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
     the inputs; with `needs`, only when the parameter of that name is given.
     """
 
     __slots__ = (
-        "about", "above", "below", "certain", "default", "exact", "example", "flat", "form", "high", "low", "name", "needs", "si", "size",
-        "unit", "us",
-        "variable",
+        "about", "above", "below", "certain", "default", "exact", "example", "flat", "form", "high", "letter", "low",
+        "name", "needs", "si", "size", "unit", "us", "variable",
     )  # fmt: skip
 
     def __init__(
@@ -52,6 +52,7 @@ class Kind:
         exact: bool = False,
         certain: bool = False,
         flat: bool = False,
+        letter: str = "",
     ) -> None:
         self.name = name
         self.unit = unit
@@ -71,6 +72,7 @@ class Kind:
         self.exact = exact
         self.certain = certain
         self.flat = flat
+        self.letter = letter
 
     def shown_in(self, system: str) -> str:
         """The unit this kind is shown in by the system "si", "us" or "base"."""
@@ -505,7 +507,7 @@ else:
         "eccentricity", "m", si="um", us="mil", low=0.0, example="20 um", about="a centre of mass off the axis"
     )
     BalanceGrade = Kind(
-        "balance grade", "m/s", si="mm/s", us="mm/s", above=0.0, example="6.3 mm/s",
+        "balance grade", "m/s", si="mm/s", us="mm/s", above=0.0, example="G6.3", letter="G",
         about="eccentricity times angular velocity: G 6.3 is 6.3 mm/s",
     )  # fmt: skip
     BalanceMass = Kind("mass", "kg", si="g", us="oz", low=0.0, example="20 g", about="a small mass")

@@ -47,7 +47,7 @@ GRADE = Task(
         "permitted: measured unbalance permitted", "reached: grade reached", "usage: measured over permissible",
     ),
     examples=(
-        'dynamics balance grade --grade "6.3 mm/s" --speed "3000 rpm" --mass "120 kg"',
+        'dynamics balance grade --grade G6.3 --speed "3000 rpm" --mass "120 kg"',
         'dynamics balance grade --grade "2.5 mm/s" --speed "3600 rpm" --mass "80 lb" --first-distance "9 in" '
         '--second-distance "14 in" --measured "3 oz*in" --units us',
     ),

@@ -35,7 +35,7 @@ class Permitted:
 
 def grade(
     *,
-    grade: Annotated[BalanceGrade, "The grade G, e.g. 6.3 mm/s."],
+    grade: Annotated[BalanceGrade, "The grade, e.g. G6.3."],
     speed: Annotated[ShaftSpeed, "Highest service speed, e.g. 3000 rpm."],
     mass: Annotated[Mass, "Mass of the rotor, e.g. 120 kg."],
     first_distance: Annotated[Distance | None, "First plane (or bearing) to the centre of mass, e.g. 200 mm."] = None,

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 POOR = 10.0
 # Nothing but rounding tells such planes apart.
 BEYOND = 1e12
+# Less of the readings than this is left by rounding.
+ROUNDING = 1e-12
 # A trial weight should change the readings by this share of them at least.
 WEAK = 0.1
 
@@ -198,7 +200,7 @@ def _refuse_dependent(apart: float, off: float) -> None:
         hint="balance in one plane, or add a sensor or a speed at which the planes act differently; --drop-dependent "
         "corrects what they do together and leaves {off} of the readings",
         apart=(apart, Ratio),
-        off=(off, Fraction),
+        off=(off if off > ROUNDING else 0.0, Fraction),
     )
 
 

@@ -88,6 +88,13 @@ def _named(word: str) -> Example:
     raise UsageError(f"there is no example {word!r}", code="unknown-example", hint=hint)
 
 
+def how_to_copy(argv: "Sequence[str]") -> str | None:
+    """Where a call names a file that is not there and is one of an example: how to have it."""
+    shipped = {name for example in WORKED for name in example.files}
+    missing = [word for word in argv if word in shipped and not os.path.lexists(word)]
+    return f"it is a worked example: dynamics examples {missing[0]} --copy" if missing else None
+
+
 def folder() -> Path:
     """Where the examples are: in the package, or beside it in a checkout."""
     package = Path(__file__).resolve().parents[1]

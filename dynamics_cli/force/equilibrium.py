@@ -213,7 +213,7 @@ def _on_supports(balance: Balance, singular_value: float, spread: float, *, plan
     if singular_value > NEARLY:
         return []
     message = worded(
-        "nearly improper supports: moved by about {margin} they leave a motion free; condition about {condition:2}",
+        "nearly improper supports: moved by about {margin:2} they leave a motion free; condition about {condition:2}",
         margin=(singular_value * spread, Length), condition=(1.0 / singular_value, Ratio),
     )  # fmt: skip
     return [Advice("nearly-improper", message, remedy="turn or move a support")]

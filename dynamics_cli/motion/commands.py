@@ -168,7 +168,6 @@ EQUATIONS = Task(
         "velocity_force=inertia F*_r at q̈ = 0",
         "speeds: speed | name, value=u, acceleration=u̇, active_force=F̃_r",
         "conditions: condition | name, force=kept by, by_lagrange=λ by Lagrange",
-        "difference: Kane and Lagrange differ by",
         "drive_power: power of the drive",
         "terms: part | of, sort, velocity=v_r, force=F, angular_velocity=ω_r, moment=M, share",
     ),

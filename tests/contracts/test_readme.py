@@ -36,6 +36,7 @@ ROUNDING = re.compile(r"-?\b\d+(\.\d+)?e-(0[89]|[1-9]\d)\b")
 
 
 def settled(text: str) -> str:
+    return text
     """A printed text without the digits of rounding, and without the spaces that their number moves."""
     return re.sub(" +", " ", ROUNDING.sub("rounding", text))
 

@@ -146,7 +146,7 @@ class TestMissingMembers:
             (("skid", "speed", "--segment", "distance=3 m", "--segment", "friction=0.7"), "",
              "--segment no. 2: distance is missing"),
             (("skid", "speed", "--input", "-"), '{"segments": [{"distance": "3 m"}]}',
-             "segments[0].friction is missing"),
+             "segment 1 (segments[0]): friction is missing"),
             (("skid", "speed", "--segment", "distance=3 m, friction=x"), "", "--segment: friction: 'x' is not"),
             (("gear", "train", "--mesh", "first=a, second=b"), "", "--mesh: first_teeth is missing"),
             (("inertia", "section", "--polygon", "0, 0, 1, 1 m, x mm, 2 mm"), "", "--polygon no. 5"),

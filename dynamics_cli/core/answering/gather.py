@@ -40,17 +40,17 @@ def gather(task: Task, call: Call, settings: Settings, terminal: "Terminal", *, 
     if scene and settings.input:
         raise UsageError("give a scene or --input, not both", parameter="input", code="exclusive")
     gathered = over_file(task, raw, file, terminal) if file else Gathered(raw, Reader(terminal.environ))
-    gathered.reader.spell = _spelling(task, call, file=bool(file) or rows)
+    gathered.reader.spell = _spelling(task, call, gathered.raw, file=bool(file) or rows)
     return gathered
 
 
-def _spelling(task: Task, call: Call, *, file: bool) -> "Callable[[str], str]":
+def _spelling(task: Task, call: Call, raw: "dict[str, Any]", *, file: bool) -> "Callable[[str], str]":
     """How this call writes a parameter; only messages ask."""
 
     def spell(address: str) -> str:
         from dynamics_cli.core.inputs.spelling import Spelling
 
-        return Spelling(task.options, call.options, file=file)(address)
+        return Spelling(task.options, call.options, raw, file=file)(address)
 
     return spell
 

@@ -93,8 +93,8 @@ class Task:
     values that a template shows, by address, where its required fields alone do not make a case with an answer:
     {"bodies[1].mass": "2 kg"}. `verdict` says that the checks are the answer: a failed one is in the document, and the
     exit status shows it. `also` are further names that a call may use; help and listings show the first. `pointers` say
-    where to find values of missing parameters. `errors` names results that measure the calculation itself: rounding
-    decides them, so none is spread over inputs.
+    where to find values of parameters that are missing or typed as a word. `errors` names results that measure the
+    calculation itself: rounding decides them, so none is spread over inputs.
     `points` is how many samples are taken at most where --samples is not given (0: as many as of any task).
     """
 

@@ -139,6 +139,8 @@ def answered_case(
             from dynamics_cli.core.command.task_help import example_lines
 
             error.example = ["an example:", *example_lines(task.shown_examples[0], 80)]
+            if ".toml" in task.shown_examples[0]:
+                error.example += ["a file to fill in:", f"  dynamics {task.path} --template > {task.name}.toml"]
         raise
     display = Display(settings.units, settings.to)
     start = _clock(settings)

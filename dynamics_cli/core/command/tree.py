@@ -17,7 +17,7 @@ from dynamics_cli.core.command.help import describe_options, option_help, placeh
 from dynamics_cli.core.command.parsed import call_of, single, variable
 from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
 from dynamics_cli.core.command.template import takes_scene
-from dynamics_cli.core.command.unknown import extra_words, unknown_option
+from dynamics_cli.core.command.unknown import extra_words, looked_up, unknown_option
 from dynamics_cli.core.inputs.options import Option
 from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS
 from dynamics_cli.errors import UsageError
@@ -68,7 +68,9 @@ def _refusal(error: "Any", argv: "list[str]") -> UsageError:
         message = error.format_message().rstrip(".")
         if task is not None and message.startswith("Got unexpected extra"):
             return extra_words(task, message)
-        return UsageError(message[:1].lower() + message[1:], hint=_try_help(error))
+        family = getattr(getattr(getattr(error, "ctx", None), "command", None), "family", None)
+        meant = looked_up(family, argv[1]) if family and "Did you mean" not in message else None
+        return UsageError(message[:1].lower() + message[1:], hint=meant or _try_help(error))
     if task is not None:
         return unknown_option(task, error.option_name, argv)
     hint = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
@@ -103,6 +105,7 @@ class _Group(TyperGroup):
     def __init__(self, terminal: "Terminal", **rest: "Any") -> None:
         super().__init__(rich_markup_mode=None, **rest)
         self.terminal = terminal
+        self.family: Family | None = None
 
     def parse_args(self, ctx: "Any", args: "list[str]") -> "list[str]":
         """Write the help if no arguments are given."""
@@ -158,6 +161,7 @@ def build_family(family: Family, terminal: "Terminal") -> "TyperCommand | TyperG
     if family.alone is not None:
         return _TaskCommand(family.alone, terminal)
     group = _Group(terminal, name=family.name, help=family.summary)
+    group.family = family
     for name, task in family.tasks.items():
         group.commands[name] = _TaskCommand(task, terminal)
         for other in task.also:

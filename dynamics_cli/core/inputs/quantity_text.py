@@ -157,6 +157,8 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
     try:
         return _scalar(read_amount(text), kind, default_unit)
     except UsageError as error:
+        if kind.letter and default_unit != kind.si:
+            return read_scalar(text.strip(kind.letter + kind.letter.lower() + " "), kind, kind.si)
         if is_uncertain(text):
             message = f"{_show(text)} is an uncertain value; a certain value is wanted here"
             hint = f"write one number, for example {kind.example}"
@@ -168,8 +170,7 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
 
         if hint := as_range(text):
             raise UsageError(f"{_show(text)} is not one number", code="range", hint=hint) from None
-        article = "an" if kind.name[:1] in tuple("aeiou") else "a"
-        expected = kind.about if kind.form == "whole" else f"{article} {kind.name}"
+        expected = kind.about if kind.form == "whole" else f"a{'n' * kind.name.startswith(tuple('aeiou'))} {kind.name}"
         counted = kind.form == "whole" and error.code in ("whole", "number")
         wrong = "a whole number" if counted else f"{expected}: {error.message}"
         hint = f"{error.hint}; example: {kind.example}" if error.hint else f"example: {kind.example}"

@@ -35,7 +35,7 @@ class Reader(Context):
         super().__init__(environ, folder)
         self.units = units or {}
         self.errors: list[DynamicsError] = []
-        # Where to find values of parameters that are missing, by their names.
+        # Where to find values of parameters that are missing or named, by the parameters' names.
         self.pointers: Mapping[str, str] = {}
         if units:
             from dynamics_cli.core.inputs.default_units import default_units
@@ -47,6 +47,8 @@ class Reader(Context):
         bound = self._object(fields, raw, "")
         for error in self.errors:
             error.named = self.spell(error.parameter or "")
+            if error.code == "number" and (pointer := self.pointers.get((error.parameter or "").rpartition(".")[2])):
+                error.hint = f"{error.hint}; {pointer}"
         if len(self.errors) == 1:
             raise self.errors[0]
         if self.errors:
@@ -150,11 +152,10 @@ class Reader(Context):
         if isinstance(node, Record):
             return Fields(node.cls, self._object(node.fields, self.named(node.names, value), address))
         wrapper = Field("", node, ())
-        if isinstance(node, OneOf):
-            return self._one_of(wrapper, node, value, address, alone=True)
         if isinstance(node, Tagged):
             return self._tagged(wrapper, node, value, address, alone=True)
-        raise TypeError
+        assert isinstance(node, OneOf)
+        return self._one_of(wrapper, node, value, address, alone=True)
 
     def _pairs(self, text: str, address: str, node: "Node") -> "dict[str, Any] | None":
         from dynamics_cli.core.inputs.quantity_text import PAIRS, split_pairs
@@ -299,9 +300,8 @@ class Reader(Context):
         field = Field("", item, ())
         if isinstance(item, Tagged):
             return self._tagged(field, item, values, address)
-        if isinstance(item, OneOf):
-            return self._one_of(field, item, values, address)
-        raise TypeError
+        assert isinstance(item, OneOf)
+        return self._one_of(field, item, values, address)
 
 
 def _keys(field: Field) -> "set[str]":

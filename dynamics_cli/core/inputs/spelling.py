@@ -1,4 +1,6 @@
-"""How a caller writes a parameter: `--first-mass` and `--segment no. 2`, or `first.mass` and `segments[1]`."""
+"""How a caller writes a parameter: `--first-mass`, `--segment no. 2`, or `first.mass` and `segment 2 (segments[1])`."""
+
+from dynamics_cli.core.documents import singular
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -9,11 +11,14 @@ if TYPE_CHECKING:
 
 
 class Spelling:
-    """Addresses as options, where a call gives its parameters by options; values in a file keep their addresses."""
+    """Addresses as options, where a call gives its parameters by options; items of a file by their names or numbers."""
 
-    def __init__(self, options: "Mapping[str, Option]", typed: "Mapping[str, Any]", *, file: bool) -> None:
+    def __init__(
+        self, options: "Mapping[str, Option]", typed: "Mapping[str, Any]", raw: "Mapping[str, Any]", *, file: bool
+    ) -> None:
         self.options = options
         self.typed = typed
+        self.raw = raw
         self.file = file
 
     def __call__(self, address: str) -> str:
@@ -21,13 +26,30 @@ class Spelling:
         outer, opened, rest = address.partition("[")
         option = self._option(tuple(outer.split(".")))
         if option is None:
-            return address
+            return self._in_file(address)
         if not opened:
             return f"--{option.name}"
         index, _, field = rest.partition("]")
         number = f" no. {int(index) + 1}" if self._several(option) else ""
         field = field.lstrip(".")
         return f"--{option.name}{number}" + (f": {field}" if field else "")
+
+    def _in_file(self, address: str) -> str:
+        """Items of lists by their names, else counted from one; other addresses as they are."""
+        node: Any = self.raw
+        words, path = [], ""
+        for step in address.split("."):
+            name, opened, index = step.rstrip("]").partition("[")
+            path += f".{step}" if path else step
+            node = node.get(name) if isinstance(node, dict) else None
+            if not opened or not index.isdigit():
+                continue
+            node = node[int(index)] if isinstance(node, list) and int(index) < len(node) else None
+            item_name = node.get("name") if isinstance(node, dict) else None
+            place = f"{int(index) + 1} ({path})"
+            words.append(f"{singular(path.rpartition('[')[0])} {repr(item_name) if item_name else place}")
+            path = ""
+        return ": ".join([", ".join(words), path] if path else [", ".join(words)]) if words else address
 
     def _option(self, path: "tuple[str, ...]") -> "Option | None":
         named = [option for option in self.options.values() if option.path == path]

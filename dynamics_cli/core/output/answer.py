@@ -16,9 +16,9 @@ from dynamics_cli.core.documents import (
 )
 from dynamics_cli.core.output.answer_tables import file_lines, table_lines
 from dynamics_cli.core.output.answer_words import (
-    ESTIMATE_DIGITS,
     body_names,
     deviation,
+    estimated,
     headline_labels,
     in_words,
     input_in_words,
@@ -142,10 +142,9 @@ class _Answer:
             return f"{decimals(value, std)} {unit}".rstrip()
         if isinstance(value, float) and abs(value) <= self._absolute_bound(address, value):
             value = 0.0
-        if isinstance(value, list):
-            value = without_rounding(value)
+        value = without_rounding(value)
         estimate = address in self.task.errors and not self.asked
-        text = quantity(value, unit, ESTIMATE_DIGITS if estimate else self.digits)
+        text = estimated(value, unit) if estimate else quantity(value, unit, self.digits)
         if isinstance(value, list) and isinstance(value[0], list) and len(value[0]) <= AXES:
             # a matrix breaks between its rows
             return text.replace(" ", JOINED).replace(f"],{JOINED}[", "], [")

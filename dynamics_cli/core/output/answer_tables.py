@@ -10,6 +10,8 @@ if TYPE_CHECKING:
 
 # In mm: a smaller deviation is written in micrometres.
 MICROMETRES_BELOW = 0.01
+# Lines that a cut must save: a table a little longer than the screen is shown as a whole.
+LEAST_SAVED = 4
 
 
 def table_lines(node: "Any", address: str, label: str, *, digits: int, width: int, space: int) -> "list[str]":
@@ -21,7 +23,8 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
     cells = [[heads_of.get(name, in_words(name)) for name, _, _ in chosen], [unit for _, unit, _ in chosen]]
     body = [cells[0]] + ([cells[1]] if any(cells[1]) else [])
     heads = len(body)
-    body += [[number(_cleared(value), digits) for value in row] for row in zip(*(v for _, _, v in chosen), strict=True)]
+    texts = [[number(without_rounding(value), digits) for value in values] for _, _, values in chosen]
+    body += [list(row) for row in zip(*texts, strict=True)]
     words = [any(isinstance(value, str) for value in values) for _, _, values in chosen]
     widths = [max(len(row[i]) for row in body) for i in range(len(chosen))]
     columns_shown, total = 0, 2
@@ -33,7 +36,7 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
     rows = body[heads:]
     # besides the rows: a blank line, the title, the line of the gap and the line of omitted columns
     row_limit = max(space - heads - 3 - bool(omitted), 2)
-    gap = len(rows) - row_limit if len(rows) > row_limit + 1 else 0
+    gap = len(rows) - row_limit if len(rows) > row_limit + LEAST_SAVED else 0
     if gap:
         rows = rows[: (row_limit + 1) // 2] + rows[len(rows) - row_limit // 2 :]
     lines = [title]
@@ -46,10 +49,6 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
         named = f"  and {', '.join(omitted)}: --all"
         lines.append(named if len(named) <= width else f"  and {len(omitted)} more columns: --all")
     return lines
-
-
-def _cleared(value: "Any") -> "Any":
-    return without_rounding(value) if isinstance(value, list) else value
 
 
 def _whole(address: str) -> str:

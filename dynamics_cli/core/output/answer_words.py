@@ -1,6 +1,6 @@
 """The words and digits of short answers: labels, names of bodies, numbers rounded to their deviation."""
 
-from math import floor, log10
+from math import ceil, floor, log10
 
 from dynamics_cli.core.documents import decimals, is_quantity, number, quantity, singular
 
@@ -18,6 +18,9 @@ MOST_UNDECLARED = 8
 MOST_DIGITS = 15
 # An estimate of the calculation's own error is no better known.
 ESTIMATE_DIGITS = 2
+# Where it is smaller only its power of ten counts, and this is the smallest.
+SMALL_ESTIMATE = 1e-6
+LEAST_ESTIMATE = 1e-12
 
 
 AXES = "xyz"
@@ -208,8 +211,8 @@ def with_name(label: str, names: "dict[str, str]") -> str:
     return f"{names[word]} {rest}" if word in names else label
 
 
-def without_rounding(value: "list[Any]") -> "list[Any]":
-    """A vector or tensor with negligible components set to zero."""
+def without_rounding(value: "Any") -> "Any":
+    """A vector or tensor with negligible components set to zero; anything else as it is."""
     largest = max((abs(item) for item in _numbers(value)), default=0.0)
 
     def cleared(node: "Any") -> "Any":
@@ -217,13 +220,20 @@ def without_rounding(value: "list[Any]") -> "list[Any]":
             return [cleared(item) for item in node]
         return 0.0 if isinstance(node, float) and abs(node) < ROUNDING * largest else node
 
-    return cleared(value)  # type: ignore[no-any-return]
+    return cleared(value) if isinstance(value, list) else value
 
 
 def _numbers(node: "Any") -> "list[float]":
     if isinstance(node, list):
         return [value for item in node for value in _numbers(item)]
     return [node] if isinstance(node, float) else []
+
+
+def estimated(value: float, unit: str) -> str:
+    """An estimate of the calculation's own error: two digits, of a small one the next power of ten."""
+    if not 0.0 < value < SMALL_ESTIMATE:
+        return quantity(value, unit, ESTIMATE_DIGITS)
+    return f"< {quantity(10.0 ** ceil(log10(max(value, LEAST_ESTIMATE))), unit, 1)}"
 
 
 def percent(probability: float) -> str:

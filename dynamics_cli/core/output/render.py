@@ -61,8 +61,10 @@ def _aligned(entries: "list[tuple[str, Any, str]]", digits: int, tails: "dict[st
 
 def _grid(table: "Any", digits: int) -> "list[list[str]]":
     """Header rows (names, units) and cells as text."""
+    from dynamics_cli.core.output.answer_words import without_rounding
+
     table_columns = columns(table)
-    body = [[number(value, digits) for value in values] for _, _, values in table_columns]
+    body = [[number(without_rounding(value), digits) for value in values] for _, _, values in table_columns]
     units = [unit for _, unit, _ in table_columns]
     head = [[name for name, _, _ in table_columns]] + ([units] if any(units) else [])
     return head + [list(row) for row in zip(*body, strict=True)]
@@ -255,12 +257,13 @@ def to_markdown(document: "Document", digits: int) -> str:
 
 
 def _markdown_table(table: "Any", digits: int) -> "list[str]":
+    from dynamics_cli.core.output.answer_words import without_rounding
     from dynamics_cli.markup import markdown
 
     table_columns = columns(table)
     heads = [markdown(f"{label} [{unit}]" if unit else label) for label, unit, _ in table_columns]
     lines = ["| " + " | ".join(heads) + " |", "|" + "---:|" * len(table_columns)]
-    rows = zip(*(values for _, _, values in table_columns), strict=True)
+    rows = zip(*(map(without_rounding, values) for _, _, values in table_columns), strict=True)
     return lines + ["| " + " | ".join(markdown(number(cell, digits)) for cell in row) + " |" for row in rows]
 
 

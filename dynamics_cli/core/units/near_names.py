@@ -10,11 +10,13 @@ COMMON_PREFIXES = {"s": ("k", "M", "G", "m", "c", "u"), "w": ("kilo", "mega", "m
 
 
 def nearest_words(word: str, known: "Iterable[str]", count: int = 3) -> "list[str]":
-    """Up to `count` of the known words that look like `word`, nearest first."""
+    """Up to `count` of the known words that look like `word`, nearest first; else those that it is a whole part of."""
     from difflib import get_close_matches
 
     by_plain = {name.lower().replace("-", "_"): name for name in known}
-    near = get_close_matches(word.lower().replace("-", "_"), sorted(by_plain), n=count, cutoff=0.67)
+    plain = word.lower().replace("-", "_")
+    near = get_close_matches(plain, sorted(by_plain), n=count, cutoff=0.67)
+    near = near or [name for name in by_plain if f"_{plain}_" in f"_{name}_"][:count]
     return [by_plain[name] for name in near]
 
 

@@ -31,9 +31,9 @@ def _require_row(bodies: tuple[Body, ...]) -> None:
         hint="give it to the body before: the contact belongs to the first of two",
     )
     require(len(bodies) <= 500, "{count} bodies are more than 500", count=len(bodies), code="too-many")
-    for index, body in enumerate(bodies):
-        require(body.mass > 0.0, "the mass of bodies[{index}] must be above zero", index=index, code="no-mass")
-        require_finite(body.mass * body.velocity * body.velocity, f"the energy of bodies[{index}]")
+    for number, body in enumerate(bodies, 1):
+        require(body.mass > 0.0, "the mass of body {number} must be above zero", number=number, code="no-mass")
+        require_finite(body.mass * body.velocity * body.velocity, f"the energy of body {number}")
 
 
 def chain(

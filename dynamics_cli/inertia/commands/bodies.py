@@ -7,6 +7,7 @@ WRITERS = {
     ending: "dynamics_cli.inertia.assembly.writers:" + name
     for ending, name in (("urdf", "urdf"), ("sdf", "sdf"), ("mjcf", "mjcf"), ("xml", "mjcf"), ("md", "markdown"))
 }
+NAMED = {"density": "a material by its name: --material steel (dynamics inertia materials lists them)"}
 RIGID = "the body is rigid and of one density"
 MEASURES = ("mass: mass m", "volume: volume V", "area: area A", "length: length L", "centroid: mass centre C")
 MOMENTS = (
@@ -37,6 +38,7 @@ SHAPE = Task(
     writers=WRITERS,
     plot="dynamics_cli.inertia.pictures:shape_picture",
     names={"material": "dynamics_cli.inertia.bodies.materials:TABLE"},
+    pointers=NAMED,
     examples=(
         'dynamics inertia shape cylinder --radius "40 mm" --length "120 mm" --material steel',
         'dynamics inertia shape hollow-sphere --radius "0.5 m" --thickness "1 mm" --material aluminium --about origin',
@@ -146,6 +148,7 @@ BODY = Task(
         assumptions=("parts are rigid and of one density each", "a hole lies within its body"),
     ),
     headline=(*MEASURES, *MOMENTS, *SHAFT, *PRINCIPAL),
+    pointers=NAMED,
     arrays=False,
     table="parts",
     writers=WRITERS,
@@ -175,6 +178,7 @@ COMPARE = Task(
         "tensor_distance: relative difference of the tensors",
         "moments: moments and products about each mass centre",
     ),
+    pointers=NAMED,
     arrays=False,
     table="moments",
     plot="dynamics_cli.inertia.tensors.pictures:compared",

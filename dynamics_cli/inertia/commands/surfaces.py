@@ -1,7 +1,7 @@
 """Tasks of `dynamics inertia`: surfaces."""
 
 from dynamics_cli.core.answering.task import Model, Task
-from dynamics_cli.inertia.commands.bodies import MEASURES, MOMENTS, PRINCIPAL, SHAFT, WRITERS
+from dynamics_cli.inertia.commands.bodies import MEASURES, MOMENTS, NAMED, PRINCIPAL, SHAFT, WRITERS
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 
@@ -24,6 +24,7 @@ MESH = Task(
     writers=WRITERS,
     plot="dynamics_cli.inertia.mesh.pictures:mesh_picture",
     names={"material": "dynamics_cli.inertia.bodies.materials:TABLE"},
+    pointers=NAMED,
     examples=(
         "dynamics inertia mesh examples/bracket.stl --length-unit mm --material aluminium",
         'dynamics inertia mesh examples/bracket.stl --length-unit mm --density "2700 kg/m^3" --about origin --diagnose',

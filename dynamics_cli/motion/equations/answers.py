@@ -1,5 +1,6 @@
 """Numbers of generalized coordinates with the kinds that follow from them: a force or a torque, metres or radians."""
 
+from dynamics_cli.motion.equations.kane import generalized
 from dynamics_cli.motion.equations.records import ConditionForce, MassRow, Partial, Share, SpeedEquation
 from dynamics_cli.quantities import Acceleration, AngularAcceleration, Force, Kind, SignedMass, Speed, Torque, TurnRate
 from dynamics_cli.records import Quantity
@@ -38,7 +39,7 @@ def speed_rows(reduced: "Constrained", loads: "list[Load]", rates: "list[float]"
     """The equations of the generalized speeds."""
     rows = []
     for k, (name, turns) in enumerate(zip(reduced.names, reduced.angular, strict=True)):
-        active = sum(load.share(len(reduced.ways) + 1 + k) for load in loads)
+        active = generalized(loads, len(reduced.ways) + 1 + k)
         value = Quantity(reduced.values[k], TurnRate if turns else Speed)
         rows.append(SpeedEquation(name, value, acceleration(turns, rates[k]), force(turns, active)))
     return tuple(rows)

@@ -12,11 +12,15 @@ from dynamics_cli.numerics.vectors import add, cross, dot, scale, subtract
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from typing import Any
 
     from dynamics_cli.motion.equations.system import System
 
     Three = tuple[float, float, float]
+
+# The share of its terms that a sum must exceed: a few roundings.
+ROUNDING = 1e-15
 
 
 def coefficient(value: "Any", order: int) -> "Any":
@@ -54,6 +58,13 @@ class Load:
         """The size of the terms of that sum: components that cancel have the rounding of their vectors."""
         pairs = ((self.force, self.velocities), (self.moment, self.turns))
         return sum(_length(load) * _length(ways[r]) for load, ways in pairs if load is not None)
+
+
+def generalized(loads: "Iterable[Load]", r: int) -> float:
+    """The generalized force of a coordinate; what rounding leaves of terms that cancel is zero."""
+    loads = list(loads)
+    total = sum(load.share(r) for load in loads)
+    return total if abs(plain(total)) > ROUNDING * sum(load.size(r) for load in loads) else 0.0 * total
 
 
 def _length(vector: "Three") -> float:

@@ -11,7 +11,7 @@ from dynamics_cli.motion.equations.answers import (
     speed_rows,
 )
 from dynamics_cli.motion.equations.constraints import Constrained, by_multipliers
-from dynamics_cli.motion.equations.kane import Kane, Load
+from dynamics_cli.motion.equations.kane import Kane, Load, generalized
 from dynamics_cli.motion.equations.lagrange import Lagrange, potential
 from dynamics_cli.motion.equations.records import CoordinateEquation, Equations, Scene, Turning, Upward
 from dynamics_cli.motion.equations.system import System
@@ -92,8 +92,8 @@ def _answer(kane: Kane, lagrange: Lagrange, asked: "str | None") -> Equations:
     system = kane.system
     n = len(system.names)
     at_rest = [kane.inertia_load(name, [0.0] * n) for name in system.bodies]
-    active = [sum(load.share(r) for load in kane.loads) for r in range(n)]
-    speeds = [sum(load.share(r) for load in at_rest) for r in range(n)]
+    active = [generalized(kane.loads, r) for r in range(n)]
+    speeds = [generalized(at_rest, r) for r in range(n)]
     masses, right = kane.masses(), [a + b for a, b in zip(active, speeds, strict=True)]
     reduced = Constrained(kane) if system.scene.conditions or system.scene.speeds else None
     rates, seconds, kept, others, multipliers = _solved(kane, lagrange, masses, right, reduced)
@@ -114,7 +114,7 @@ def _answer(kane: Kane, lagrange: Lagrange, asked: "str | None") -> Equations:
     rows = [
         CoordinateEquation(
             name=name, active_force=force(turns, active[r]),
-            inertia_force=force(turns, sum(load.share(r) for load in inertia)),
+            inertia_force=force(turns, generalized(inertia, r)),
             velocity_force=force(turns, speeds[r]), acceleration=acceleration(turns, seconds[r]),
             by_lagrange=acceleration(turns, others[r]), lagrange_force=force(turns, lagrange.forces[r]),
         )
