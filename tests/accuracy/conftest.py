@@ -11,7 +11,7 @@ from dynamics_cli.cli import find_task
 
 @pytest.fixture(scope="session")
 def untimed_report() -> report.Accuracy:
-    return report.accuracy(untimed=True)
+    return report.accuracy(full=True, untimed=True)
 
 
 @pytest.fixture(scope="session")
