@@ -1,7 +1,7 @@
 """A comparison that is asked for: its cases, and a row for every method over them."""
 
 from dynamics_cli.accuracy.cases import Case, load
-from dynamics_cli.accuracy.measure import Errors, Pace, count, seconds
+from dynamics_cli.accuracy.measure import FEW_METHODS, Errors, Pace, count, representative, seconds
 from dynamics_cli.accuracy.rows import Row, row
 from dynamics_cli.errors import DynamicsError
 
@@ -17,17 +17,21 @@ if TYPE_CHECKING:
 
 
 class Comparing:
-    """The question's name, which cases take part, whether times are wanted; `more` are pairs of a name and a method."""
+    """The question's name, which cases take part, whether times are wanted; `more` are pairs of a name and a method.
+
+    With `few`, some of the cases and the first two methods take part.
+    """
 
     def __init__(
-        self, name: str, *, hard: bool, full: bool, timed: bool, more: "Sequence[tuple[str, Any]]" = ()
+        self, name: str, *, hard: bool, full: bool, timed: bool, few: bool, more: "Sequence[tuple[str, Any]]" = ()
     ) -> None:
         self.name = name
         self.hard = hard
         self.full = full
         self.timed = timed
+        self.few = few
         self.more = tuple(more)
-        self.pace = Pace(full=full)
+        self.pace = Pace(full=full, few=few)
 
     def cases(self, *files: str, task: str = "") -> "list[Case]":
         """The cases of files, of one task or all."""
@@ -49,7 +53,10 @@ class Comparing:
         rows: list[Row] = []
         base: float | None = None
         first: Errors | None = None
-        for name, method in (*methods, *self.more):
+        methods = [*methods, *self.more]
+        if self.few:
+            methods, cases = methods[:FEW_METHODS], representative(cases)
+        for name, method in methods:
             errors, calls = Errors(), []
             for index, case in enumerate(cases):
                 try:

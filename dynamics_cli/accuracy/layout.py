@@ -62,6 +62,9 @@ def lines(results: "Entry", digits: int, width: int) -> "list[str]":
     if len(families) > 1 and "peers" not in results:
         text, seen = _of_families(blocks, digits, width)
         more = "a line for each task: dynamics accuracy FAMILY"
+        if "most_cases" in results:
+            many = results["most_cases"]["value"]
+            more = f"over at most {many} hard cases of each question; all cases, {more}"
     elif (several or len(blocks) > FEW_QUESTIONS) and "peers" not in results:
         text, seen = _overview(blocks, digits, width)
         more = f"every method of a task: dynamics accuracy {_example(blocks)}"
@@ -152,7 +155,7 @@ def _instead(row: "Entry | None", digits: int) -> str:
         return ""
     if "entities" in row:
         return whole(row["entities"]["value"], digits)
-    return "wrong" if _is_wrong(row) else error(row["worst"]["value"], digits)
+    return "wrong" if _is_wrong(row) else _worst(row, digits)
 
 
 def _slower(row: "Entry | None") -> str:
@@ -208,9 +211,8 @@ def _columns(rows: "list[Entry]", digits: int, *, brief: bool = False) -> "list[
         return lambda row: form(row[name]["value"], digits) if name in row else ""
 
     small = brief and any(map(_is_small, rows))
-    worst = figure("worst", error)
     columns = [
-        Column("worst", (lambda row: worst(row) + ("°" if _is_small(row) else " ")) if small else worst),
+        Column("worst", lambda row: _worst(row, digits) + (("°" if _is_small(row) else " ") if small else "")),
         Column("median", figure("median", error), 5),
         Column("stated", _bound),
         Column(f"time{unit('time')}", figure("time", whole), 2),
@@ -221,6 +223,14 @@ def _columns(rows: "list[Entry]", digits: int, *, brief: bool = False) -> "list[
         Column("cases", _cases),
     ]
     return columns[:4] if brief else columns
+
+
+def _worst(row: "Entry", digits: int) -> str:
+    """The worst error; of whole numbers, which have no last place, whether all are right."""
+    worst = row["worst"]["value"]
+    if row["measure"] == "relative" and row["cases"]["value"] and "worst_ulp" not in row:
+        return "wrong" if worst else "right"
+    return error(worst, digits)
 
 
 def _is_small(row: "Entry") -> bool:

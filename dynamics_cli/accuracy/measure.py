@@ -2,6 +2,7 @@
 
 import math
 from decimal import Context, Decimal
+from numbers import Integral
 from statistics import median
 from time import perf_counter
 
@@ -30,6 +31,15 @@ SMALLEST = Decimal(2.0**-1074)
 REFERENCE = Decimal("1e-39")
 # What takes longer than this in all [s] is not timed again.
 LONG = 0.25
+# What a report on all families takes of a question: so many of its hard cases, fewer where each takes a tenth of a
+# second, and so many methods.
+MANY, FEW, FEW_METHODS = 30, 2, 2
+
+
+def representative(cases: "Sequence[Any]", most: int = FEW) -> "Sequence[Any]":
+    """The hard ones of many cases, or as many as are wanted, evenly spread."""
+    hard = [case for case in cases if getattr(case, "hard", True)] or cases
+    return hard[:: max(1, math.ceil(len(hard) / most))]
 
 
 class Errors:
@@ -75,6 +85,17 @@ class Errors:
             least = max(error, DIGITS.multiply(HALF_ULP, reference.copy_abs()))
             if bound and near:
                 self.looseness.append(float(min(DIGITS.divide(Decimal(bound), max(least, SMALLEST)), MOST)))
+
+    def decide(self, where: str, value: Integral, text: str, bound: "float | None", key: str) -> None:
+        """Count a whole number, which is right or wrong."""
+        wrong = int(value) != Decimal(text)
+        self.relative.append(float(wrong))
+        self.by_result[key] = float(wrong)
+        if wrong:
+            self.worst, self.worst_reference = (where, math.inf), float(text)
+        if bound is not None:
+            self.bounded += 1
+            self.broken += wrong
 
     def note(self, where: str, error: float, estimate: "float | None") -> None:
         """Count an error measured as a share of a size, beside the bound or the estimate stated for it."""
@@ -137,7 +158,7 @@ def count(
 ) -> None:
     """Count the results of a case that an answer gives, with its bounds; with a `scale` errors are shares of that."""
     results, stated = results_of(answer), stated_by(answer)
-    values = {name: float(getattr(results[name], "value", results[name])) for name in case.results if name in results}
+    values = {name: getattr(results[name], "value", results[name]) for name in case.results if name in results}
     if not values or not all(map(math.isfinite, values.values())):
         raise ArithmeticError
     sizes = {name: Decimal(text).copy_abs() for name, text in case.results.items()} if scale else {}
@@ -147,10 +168,13 @@ def count(
             bound = stated[name].bound * (abs(value) if stated[name].relative else 1.0)
         where, key, text = f"{case.name}: {name}", f"{index} {name}", case.results[name]
         if scale is None:
-            errors.add(where, value, text, bound, key)
+            if isinstance(value, Integral):
+                errors.decide(where, value, text, bound, key)
+            else:
+                errors.add(where, float(value), text, bound, key)
             continue
         size = scale(name, sizes)
-        share = float(DIGITS.divide(_error(value, Decimal(text)), size))
+        share = float(DIGITS.divide(_error(float(value), Decimal(text)), size))
         errors.note(where, share, None if bound is None else float(DIGITS.divide(Decimal(bound), size)))
         errors.by_result[key] = errors.relative[-1]
 
@@ -189,8 +213,8 @@ def seconds(call: "Callable[[], Any]", *, repeats: int, least: float) -> float:
 class Pace:
     """How much time the report may take."""
 
-    def __init__(self, *, full: bool) -> None:
-        self.timed_cases = 25 if full else 5
+    def __init__(self, *, full: bool, few: bool = False) -> None:
+        self.timed_cases = 25 if full else 1 if few else 5
         self.repeats = 15 if full else 5
         self.least = 5e-3 if full else 5e-4
         self.rows = 4096
@@ -204,10 +228,10 @@ def scalar_time(
     for case in cases:
         arguments = build(case.inputs, leaves(case.inputs), groups) | case.choices
         try:
-            function(**arguments)
+            time = seconds(lambda: function(**arguments), repeats=pace.repeats, least=pace.least)  # noqa: B023
         except Exception:
             continue
-        times.append(seconds(lambda: function(**arguments), repeats=pace.repeats, least=pace.least))  # noqa: B023
+        times.append(time)
         if len(times) == pace.timed_cases or sum(times) > LONG:
             break
     return median(times) if times else None

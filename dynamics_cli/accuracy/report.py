@@ -7,7 +7,16 @@ from dynamics_cli.accuracy.cases import load
 from dynamics_cli.accuracy.comparing import Comparing
 from dynamics_cli.accuracy.listing import ReferenceCase, listed
 from dynamics_cli.accuracy.machine import Machine, Peer, peer, this_machine, whole_call
-from dynamics_cli.accuracy.measure import Pace, array_time, errors_of, scalar_time
+from dynamics_cli.accuracy.measure import (
+    FEW,
+    FEW_METHODS,
+    MANY,
+    Pace,
+    array_time,
+    errors_of,
+    representative,
+    scalar_time,
+)  # fmt: skip
 from dynamics_cli.accuracy.questions import Comparison
 from dynamics_cli.accuracy.rows import CHOSEN, Row, beats, finished, row
 from dynamics_cli.core.answering.task import load as imported
@@ -49,6 +58,9 @@ class Accuracy:
     call_time: Annotated[
         Time | None, "Time of a whole call of the program in a process of its own, from start to answer."
     ] = None
+    most_cases: Annotated[
+        Count | None, "Cases of each question at most, its hard ones, where all families were asked for at once."
+    ] = None
 
 
 NO_CHECKOUT = (
@@ -59,18 +71,24 @@ NO_CHECKOUT = (
 )  # fmt: skip
 
 
+# Questions whose cases take a tenth of a second each.
+SLOW = ("motion chain", "stability equilibrium", "stability gain", "gear mesh", "vibration modes")
+
+
 class Asked:
     """What of the report is wanted, and which libraries of others are there."""
 
     def __init__(
-        self, *, hard: bool, full: bool, timed: bool, libraries: "Mapping[str, Peer]", more: "Mapping[str, Any]"
-    ) -> None:
+        self, *, hard: bool, full: bool, timed: bool, few: bool, libraries: "Mapping[str, Peer]",
+        more: "Mapping[str, Any]",
+    ) -> None:  # fmt: skip
         self.hard = hard
         self.full = full
+        self.few = few
         self.timed = timed
         self.libraries = libraries
         self.more = more
-        self.pace = Pace(full=full)
+        self.pace = Pace(full=full, few=few)
 
     def takes(self, method: "Method") -> bool:
         """Whether a method needs no library, or one that was asked for and is installed."""
@@ -97,7 +115,7 @@ def accuracy(
     hard: Annotated[bool, "Only the hard cases: chosen, or found by search, for being difficult."] = False,
     full: Annotated[
         bool,
-        "Time more cases more often, and larger problems: takes minutes rather than seconds.",
+        "All cases of all families; of one family, more timings and larger problems: takes minutes.",
     ] = False,
     untimed: Annotated[bool, "Errors only, which are the same in every run."] = False,
     peers: Annotated[
@@ -140,7 +158,9 @@ def accuracy(
         return Accuracy((), 0, None, None, None, cases=listed(family, task, hard=hard))
     more = (catalogue.peers() or {}) if peers else {}
     libraries = {name: peer(name) for name in _names(asked, more)} if peers else {}
-    wanted = Asked(hard=hard, full=full, timed=not untimed, libraries=libraries, more=more)
+    few = not (family or full or peers)
+    thorough = bool(family) and full
+    wanted = Asked(hard=hard, full=thorough, timed=not untimed, few=few, libraries=libraries, more=more)
     rows: list[Row] = []
     done = Done(len(asked))
     with Progress(done, Terminal(), "questions") as progress:
@@ -158,8 +178,9 @@ def accuracy(
         _checks(rows),
         (NO_CHECKOUT if peers and catalogue.peers() is None else ())
         + tuple(_missing(library) for library in libraries.values() if not library.installed)
-        + _beaten(rows),
+        + (() if few else _beaten(rows)),
         call_time=None if untimed else whole_call(),
+        most_cases=MANY if few else None,
     )
 
 
@@ -215,7 +236,9 @@ def _rows(question: "Question | Comparison", wanted: Asked) -> "list[Row]":
     if not isinstance(question, Comparison):
         return _answered(question, wanted)
     more = [(method.name, method.call()) for method in wanted.peers_of(question.name)]
-    comparing = Comparing(question.name, hard=wanted.hard, full=wanted.full, timed=wanted.timed, more=more)
+    comparing = Comparing(
+        question.name, hard=wanted.hard, full=wanted.full, timed=wanted.timed, few=wanted.few, more=more
+    )
     return imported(question.function)(comparing)  # type: ignore[no-any-return]
 
 
@@ -224,6 +247,9 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
     if not cases:
         return []
     methods = [method for method in question.methods if wanted.takes(method)] + wanted.peers_of(question.name)
+    if wanted.few:
+        methods = methods[:FEW_METHODS]
+        cases = list(representative(cases, FEW if question.name in SLOW else MANY))
     groups = catalogue.groups(question.family)
     scale = imported(question.scale) if question.scale else None
     each = [
@@ -239,7 +265,7 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
             some = common or [cases[index] for index in sorted(_answers(errors))]
             time = scalar_time(method.call(), some, groups, wanted.pace)
             base = _base(methods[0], some, question, wanted) if rows and not common else rows[0].time if rows else time
-            many = array_time(method.call(), cases, groups, wanted.pace) if method.arrays else None
+            many = array_time(method.call(), cases, groups, wanted.pace) if method.arrays and not wanted.few else None
         name = f"{method.name}{CHOSEN}" if method.chosen else method.name
         rows.append(row(question.name, name, errors, time, base, array_time=many, own=each[0] if rows else None))
     return rows

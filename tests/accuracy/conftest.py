@@ -18,7 +18,7 @@ def untimed_report(tmp_path_factory: pytest.TempPathFactory) -> report.Accuracy:
     kept = (own.parent if worker else own) / "untimed_report.pickle"
     if kept.exists():
         return pickle.loads(kept.read_bytes())  # type: ignore[no-any-return]
-    made = report.accuracy(untimed=True)
+    made = report.accuracy(full=True, untimed=True)
     part = kept.with_suffix(f".part{worker}")
     part.write_bytes(pickle.dumps(made))
     part.rename(kept)

@@ -78,7 +78,20 @@ class TestTable:
         shown = run("accuracy", "--untimed").out.splitlines()
         assert [line.split()[:2] for line in shown[1:4]] == [["skid", "11"], ["vec", "8"], ["spin", "6"]]
         assert shown[1].endswith("6 of 11")
-        assert "a line for each task: dynamics accuracy FAMILY" in shown
+        assert "over at most 30 hard cases of each question" in " ".join(shown)
+        assert shown[-1].endswith("dynamics accuracy FAMILY")
+
+    def test_all_families_are_told_from_few_cases_unless_all_are_wanted(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        questions = [one for one in catalogue.questions("impact", "") if one.name == "impact planar"]
+        monkeypatch.setattr(catalogue, "questions", lambda family, task: questions)
+        own, other = accuracy(untimed=True).methods
+        assert 20 < own.cases == other.cases + other.refused <= 30
+        assert accuracy(full=True, untimed=True).methods[0].cases > 100
+
+    def test_counts_are_right_or_wrong(self) -> None:
+        shown = run("accuracy", "stability", "routh", "--untimed").out.splitlines()
+        assert next(line for line in shown if "ε" in line).split()[-4:] == ["wrong", "0", "24%", "31"]
+        assert next(line for line in shown if "fractions" in line).split()[-4] == "right"
 
     def test_what_passed_is_told_in_full_on_request(self) -> None:
         assert "check: " not in run("accuracy", "vec", "--untimed").out

@@ -140,7 +140,7 @@ def main(families: list[str]) -> None:
         sys.exit(f"{PAGE.name} must contain {START} and {END} once")
     before, _, rest = text.partition(START)
     old, _, after = rest.partition(END)
-    reports = [accuracy(family) for family in families or [""]]
+    reports = [accuracy(family, full=not family) for family in families or [""]]
     failed = [check.name for report in reports for check in report.checks if not check.passed]
     if failed:
         sys.exit(f"not written: {', '.join(failed)}")
