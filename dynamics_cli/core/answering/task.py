@@ -78,24 +78,29 @@ class Task:
     """One command: its models in order of size (all of one signature), a line of help, and examples that run.
 
     `table` names the result table that CSV writes (of several, separated by spaces, the one present); `arrays` says
-    that the function takes arrays for floats; `tracked` that it takes tracked numbers; `digits` is the number of digits
-    a table shows by default (17: all). `writers` names, for endings of `--drawing` of the task's own, a function of the
-    result record that gives the file's text or bytes: `{"urdf": "module:function"}`; one that takes more is given the
-    task's own parameters by name. `plot` names the function that makes the picture of `--plot`: it takes the result
-    record and then the task's own parameters by name. `layout` names the function that lays out the results where rows
-    and columns would be hard to read: it takes the document's results, digits and the terminal's width (0: not a
-    terminal), and gives lines. `names` says where to find the values that an option may take, for completion:
-    `{"material": "module:names"}`. `headline` names the results of the short answer in the order of the trade, tables
-    among them, each with a label where its address is not the trade's term: "centre_distance: centre distance a_w", a
-    result in braces stands in it: "distance: distance at {time}"; a table may name the columns that it shows first:
-    "points: motion | angle=θ, lift=s". `columns` says that the task takes --column. `listing` says that the table is
-    the answer: CSV writes it. `notes` follows the examples in the help: the language of an option. `scene` gives the
-    values that a template shows, by address, where its required fields alone do not make a case with an answer:
-    {"bodies[1].mass": "2 kg"}. `verdict` says that the checks are the answer: a failed one is in the document, and the
-    exit status shows it. `also` are further names that a call may use; help and listings show the first. `pointers` say
-    where to find values of missing parameters. `errors` names results that measure the calculation itself: rounding
-    decides them, so none is spread over inputs.
-    `points` is how many samples are taken at most where --samples is not given (0: as many as of any task).
+    that the function takes arrays for floats; `branches` that it does for cases that take the same branches; `tracked`
+    that it takes tracked numbers; `digits` is the number of digits a table shows by default (17: all). `writers` names,
+    for endings of `--drawing` of the task's own, a function of the result record that gives the file's text or bytes:
+    `{"urdf": "module:function"}`; one that takes more is given the task's own parameters by name. `plot` names the
+    function that makes the picture of `--plot`: it takes the result record and then the task's own parameters by name.
+    `layout` names the function that lays out the results where rows and columns would be hard to read: it takes the
+    document's results, digits and the terminal's width (0: not a terminal), and gives lines. `names` says where to find
+    the values that an option may take, for completion: `{"material": "module:names"}`. `headline` names the results of
+    the short answer in the order of the trade, tables among them, each with a label where its address is not the
+    trade's term: "centre_distance: centre distance a_w", a result in braces stands in it: "distance: distance at
+    {time}"; a table may name the columns that it shows first: "points: motion | angle=θ, lift=s". `columns` says that
+    the task takes --column. `listing` says that the table is the answer: CSV writes it. `notes` follows the examples in
+    the help: the language of an option. `scene` gives the values that a template shows, by address, where its required
+    fields alone do not make a case with an answer: {"bodies[1].mass": "2 kg"}. `verdict` says that the checks are the
+    answer: a failed one is in the document, and the exit status shows it. `also` are further names that a call may use;
+    help and listings show the first. `pointers` say where to find values of missing parameters. `errors` names results
+    that measure the calculation itself: rounding decides them, so none is spread over inputs. `unspread` names results
+    that are of the nominal case alone, such as a sensitivity; of both kinds two digits are shown. `chances` pairs a yes
+    or no with the result that is not below zero where it is yes, for its probability: {"avoidable": "margin"}.
+    `findings` are what a report says of results in place of their labels: a clause with the value in braces, the bodies
+    by name, other results by address, "time_left: {second} came into sight {} before the impact", or a noun: "time:
+    time to rest". `points` is how many samples are taken at most where --samples is not given (0: as many as of any
+    task).
     """
 
     def __init__(
@@ -106,6 +111,7 @@ class Task:
         examples: "tuple[str, ...]" = (),
         table: str = "",
         arrays: bool = True,
+        branches: bool = False,
         tracked: bool = True,
         digits: int = 6,
         writers: "dict[str, str] | None" = None,
@@ -122,11 +128,17 @@ class Task:
         also: "tuple[str, ...]" = (),
         pointers: "dict[str, str] | None" = None,
         errors: "tuple[str, ...]" = (),
+        unspread: "tuple[str, ...]" = (),
+        chances: "dict[str, str] | None" = None,
+        findings: "tuple[str, ...]" = (),
         points: int = 0,
     ) -> None:
         self.name = name
         self.pointers = pointers or {}
         self.errors = errors
+        self.unspread = (*errors, *unspread)
+        self.chances = chances or {}
+        self.findings = tuple(_labelled(entry) for entry in findings)
         self.points = points
         self.also = also
         self.summary = summary
@@ -144,6 +156,7 @@ class Task:
         self.examples = examples
         self.table = table
         self.arrays = arrays
+        self.branches = branches
         self.tracked = tracked
         self.digits = digits
         self.writers = writers or {}
