@@ -119,8 +119,8 @@ class Calculation:
                 origin = self.origin(input_node)
                 if origin is not None:
                     return origin[0].value(origin[1])
-        measures_itself = self.task is not None and address in self.task.errors
-        return shown(node_at(self.results, address), ESTIMATE_DIGITS if measures_itself else self.digits)
+        rough = self.task is not None and address in self.task.unspread
+        return shown(node_at(self.results, address), ESTIMATE_DIGITS if rough else self.digits)
 
     def limits(self, address: str) -> "list[Document]":
         """The statement about a result's limits."""

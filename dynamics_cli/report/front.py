@@ -2,16 +2,15 @@
 
 from dynamics_cli.pictures import Axis, Panel, Picture, Ranges
 from dynamics_cli.report.blocks import Beside, Heading, Image, Items, Paragraph, Title
-from dynamics_cli.report.calculation import Calculation, limit_words, node_at
+from dynamics_cli.report.calculation import Calculation, node_at
+from dynamics_cli.report.findings import finding, found, subject
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dynamics_cli.report.blocks import Block, Text
+    from dynamics_cli.report.blocks import Block
 
-# So many results of one calculation are findings, beside those with limits.
-MOST_FOUND = 4
 MOST_COMPARED = 2
 
 
@@ -33,69 +32,13 @@ def front(
     return [Title(title, facts), *across, *([Beside(images, findings)] if images else findings)]
 
 
-def finding(case: Calculation) -> "Text":
-    """The findings of a calculation as sentences, with bold numbers."""
-    if case.document is None:
-        return f"{case.name}: {case.again.words}."
-    verb = "was" if case.past else "is"
-    pieces: list[str] = []
-    start = f"{case.name}: the "
-    for address, label in _found(case):
-        value = case.value(address)
-        pieces += [f"{start}{_owned(address, label)} {verb} ", value.whole]
-        end = f" ({value.coverage}: {value.interval})" if value.interval else ""
-        pieces.append(end + "".join(f", {limit_words(entry)}" for entry in case.limits(address)))
-        start = ", the "
-    if not pieces:
-        return f"{case.name}: see section {case.section}."
-    # Text and numbers alternate.
-    merged = [pieces[0]]
-    for nth, piece in enumerate(pieces[1:], 1):
-        if nth % 3 == 0:
-            merged[-1] += piece
-        else:
-            merged.append(piece)
-    merged[-1] += "."
-    return tuple(merged)
-
-
-def _found(case: Calculation) -> "list[tuple[str, str]]":
-    """The results that are findings: those with limits, and the first of the headline with others of its unit."""
-    labels = case.labels()
-    limited = [address for address in labels if case.limits(address)]
-    inputs = [value for _, value in case.given()]
-    first = ""
-    findings = list(limited)
-    for address in labels:
-        node = node_at(case.results, address)
-        if not isinstance(node, dict) or isinstance(node.get("value"), list | str | None) or address in findings:
-            continue
-        if any(text.startswith(case.value(address).whole) for text in inputs):
-            continue
-        unit = node.get("unit", "-")
-        first = first or (unit if not limited else "none")
-        if unit == first and len(findings) < MOST_FOUND:
-            findings.append(address)
-    return [(address, labels[address]) for address in findings]
-
-
-def _owned(address: str, label: str) -> str:
-    """`first approach speed` as "first body's approach speed", `Ford approach speed` as "Ford's approach speed"."""
-    side, dot, _ = address.partition(".")
-    if not dot or " " not in label:
-        return label
-    if label.startswith(f"{side} "):
-        return f"{side} body's {label[len(side) + 1 :]}" if side in ("first", "second") else label
-    return label
-
-
 def _drivers(calculations: "Sequence[Calculation]") -> "list[str]":
     """The drivers of the findings with limits, or else of the last calculation."""
     for case in reversed(calculations):
-        for address, label in sorted(_found(case), key=lambda item: not case.limits(item[0])):
+        for address in sorted(found(case), key=lambda item: not case.limits(item)):
             drivers = case.drivers(address)
             if drivers:
-                return [f"{case.name}: the {_owned(address, label)} is driven by {drivers} (shares of the variance)."]
+                return [f"{case.name}: {subject(case, address)} is driven by {drivers} (shares of the variance)."]
     return []
 
 
@@ -130,13 +73,14 @@ def intervals(calculations: "Sequence[Calculation]", width: float) -> "Picture |
     grouped: dict[str, list[tuple[str, float, float, float]]] = {}
     limits: dict[str, list[tuple[float, str]]] = {}
     for case in calculations:
-        for address, label in _found(case)[:MOST_COMPARED]:
+        labels = case.labels()
+        for address in [address for address in found(case) if address in labels][:MOST_COMPARED]:
             node = node_at(case.results, address)
             if not isinstance(node, dict) or "interval" not in node or isinstance(node["value"], list):
                 continue
             unit = node.get("unit", "")
             value = case.value(address)
-            text = f"{case.name}: {label}\n{value.text} ({value.interval})"
+            text = f"{case.name}: {labels[address]}\n{value.text} ({value.interval})"
             grouped.setdefault(unit, []).append((text, *node["interval"], node["value"]))
             for entry in case.limits(address):
                 if entry["limit"].get("unit", "") == unit:

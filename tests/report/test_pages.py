@@ -54,7 +54,7 @@ def page(crash: list[str], tmp_path_factory: pytest.TempPathFactory) -> str:
 def test_what_one_section_found_is_what_the_next_takes(crash: list[str]) -> None:
     text = run("report", *crash).out
     found = dict(re.findall(r"(First after|Second after|Before): the speed was \*\*([\d.]+ km/h)\*\*", text))
-    impact = re.search(r"speed before v₁ was \*\*([\d.]+ km/h)\*\*", text)
+    impact = re.search(r"speed before the impact was \*\*([\d.]+ km/h)\*\*", text)
     assert impact is not None
     section = text.partition("## 3. ")[2].partition("## 4. ")[0]
     first, second = found["First after"], found["Second after"]
@@ -223,6 +223,7 @@ def test_a_scene_of_a_crash_is_told_in_its_own_names(tmp_path: Path) -> None:
         assert "accurate to" not in answer
         assert run(*argv, "--json", "--output", name).status == 0
         text = run("report", name).out
+        assert "Ford's speed into the impact was **" in text
         assert "driven by road friction" in text
         shown = re.findall(r"v per degree of heading +([\d.]+) km/h", answer)
         assert shown == re.findall(r"v per degree of heading \| ([\d.]+) km/h", text)

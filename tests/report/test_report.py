@@ -87,6 +87,32 @@ def test_a_report_says_what_the_document_says(tmp_path: Path) -> None:
         assert words in text, words
 
 
+TWO = (
+    "--first-kind", "constant", "--first-duration", "5 s", "--first-end-speed", "13 m/s",
+    "--second-kind", "constant", "--second-duration", "5 s", "--second-end-speed", "1.5 m/s",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("argv", "finding"),
+    [
+        (("skid", "sight", *TWO, "--corner-before", "6 m", "--corner-aside", "1.8 m", "--eye-behind", "2 m",
+          "--first-name", "Ford"),
+         "the second party came into sight **1.62154 s** before the impact, with the Ford **21.0801 m** from it at "
+         "**13 m/s**."),
+        (("skid", "meet", *TWO, "--first-name", "car 2", "--second-name", "child"),
+         "the child set out **5 s** before the impact, with car 2 **65 m** away at **13 m/s**."),
+        (("impact", "central", "--first-mass", "1 kg", "--first-velocity", "3 m/s", "--second-mass", "1 kg",
+          "--restitution", "1"), "the second body's velocity after the impact was **3 m/s**"),
+        (("energy", "body", "--body", "mass=2 kg, velocity=3, 0 m/s"),
+         "the kinetic energy is **9 J**; of the mass centres: **9 J**"),
+        (("stability", "routh", "s^2 + s + 1"), "roots on the left: **2**; on the right: **0**"),
+    ],
+)  # fmt: skip
+def test_findings_are_sentences(argv: tuple[str, ...], finding: str, tmp_path: Path) -> None:
+    assert finding in run("report", written(tmp_path, "a.json", *argv)).out
+
+
 def test_a_changed_result_is_told(tmp_path: Path) -> None:
     name = written(tmp_path, "a.json", *SPEED)
     document = json.loads(Path(name).read_text())

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from dynamics_cli.numerics.polynomials import roots_between, shifted, value
 from dynamics_cli.numerics.road.phases import Kind, Phase
+from dynamics_cli.skid.commands.timing import MEET
 from dynamics_cli.skid.stop import stop
 from dynamics_cli.skid.timing.follow import follow
 from dynamics_cli.skid.timing.meet import Party, meet
@@ -260,3 +261,27 @@ def test_the_references_are_integrated_again(tmp_path: Path) -> None:
 
     again = {"car": generator.car()[3], "following": generator.following()}
     assert again == {name: REFERENCE[name] for name in again}
+
+
+UNCERTAIN = (
+    "skid", "meet", "--first-end-speed", "8 ± 1 m/s", "--first-phase", "kind=reaction, duration=1.0..1.4 s",
+    "--first-phase", "kind=build-up, duration=0.2 s", "--first-phase", "kind=braking, distance=14 m, friction=0.7",
+    "--second-kind", "constant", "--second-distance", "4.6 m", "--second-end-speed", "1.4 ± 0.2 m/s",
+    "--clear-distance", "0.44 m",
+)  # fmt: skip
+
+
+def test_whether_it_was_avoidable_has_a_probability(monkeypatch: pytest.MonkeyPatch) -> None:
+    document = answer(*UNCERTAIN)
+    chance = document["chances"]["avoidable"]["probability"]
+    drawn = answer(*UNCERTAIN, "--method", "monte-carlo", "--samples", "2000")
+    assert drawn["chances"]["avoidable"]["probability"] == pytest.approx(chance, abs=0.04)
+    assert f"yes          with a probability of {100.0 * chance:.2g} %" in run(*UNCERTAIN).out
+    # cases side by side are what each of them is alone
+    monkeypatch.setattr(MEET, "branches", False)
+    alone = answer(*UNCERTAIN, "--method", "monte-carlo", "--samples", "2000")
+    assert alone["results"]["sufficient_speed"]["std"] == pytest.approx(
+        drawn["results"]["sufficient_speed"]["std"], rel=1e-12
+    )
+    assert "chances" not in answer("skid", "avoid", "--speed", "62 km/h", "--sight-distance", "32 m",
+                                   "--reaction-time", "1.2 s", "--friction", "0.75")  # fmt: skip

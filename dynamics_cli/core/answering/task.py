@@ -77,25 +77,34 @@ class Model:
 class Task:
     """One command: its models in order of size (all of one signature), a line of help, and examples that run.
 
-    `table` names the result table that CSV writes (of several, separated by spaces, the one present); `arrays` says
-    that the function takes arrays for floats; `tracked` that it takes tracked numbers; `digits` is the number of digits
-    a table shows by default (17: all). `writers` names, for endings of `--drawing` of the task's own, a function of the
-    result record that gives the file's text or bytes: `{"urdf": "module:function"}`; one that takes more is given the
-    task's own parameters by name. `plot` names the function that makes the picture of `--plot`: it takes the result
-    record and then the task's own parameters by name. `layout` names the function that lays out the results where rows
-    and columns would be hard to read: it takes the document's results, digits and the terminal's width (0: not a
-    terminal), and gives lines. `names` says where to find the values that an option may take, for completion:
-    `{"material": "module:names"}`. `headline` names the results of the short answer in the order of the trade, tables
-    among them, each with a label where its address is not the trade's term: "centre_distance: centre distance a_w", a
-    result in braces stands in it: "distance: distance at {time}"; a table may name the columns that it shows first:
-    "points: motion | angle=θ, lift=s". `columns` says that the task takes --column. `listing` says that the table is
-    the answer: CSV writes it. `notes` follows the examples in the help: the language of an option. `scene` gives the
-    values that a template shows, by address, where its required fields alone do not make a case with an answer:
-    {"bodies[1].mass": "2 kg"}. `verdict` says that the checks are the answer: a failed one is in the document, and the
-    exit status shows it. `also` are further names that a call may use; help and listings show the first. `pointers` say
-    where to find values of parameters that are missing or typed as a word. `errors` names results that measure the
-    calculation itself: rounding decides them, so none is spread over inputs.
-    `points` is how many samples are taken at most where --samples is not given (0: as many as of any task).
+    How it calculates
+        arrays: the function takes arrays for floats. branches: it does for cases that take the same branches.
+        tracked: it takes tracked numbers. points: how many samples are taken at most without --samples (0: as
+        many as of any task). errors: results that measure the calculation itself; rounding decides them, so none is
+        spread over inputs. unspread: further results of the nominal case alone, such as a sensitivity; of both, two
+        digits are shown. chances: a yes or no with the result that is not below zero where it is yes, for its
+        probability: {"avoidable": "margin"}. verdict: the checks are the answer; the exit status shows a failed one.
+    What it shows
+        headline: the results of the short answer in the order of the trade, tables among them, each with a label where
+        its address is not the trade's term, "centre_distance: centre distance a_w"; a result in braces stands in it,
+        "distance: distance at {time}"; a table may name the columns that it shows first, "points: motion | angle=θ".
+        digits: how many a table shows by default (17: all). table: the one that CSV writes (of several, separated by
+        spaces, the one present). listing: that table is the answer. columns: the task takes --column. layout: the
+        function that lays out results where rows and columns would be hard to read, from the document's results,
+        digits and the terminal's width (0: not a terminal). findings: what a report says of results in place of their
+        labels, a clause with the value in braces, the bodies by name, other results by address, "time_left: {second}
+        came into sight {} before the impact", or a noun, "time: time to rest".
+    What it writes
+        plot: the function that makes the picture of --plot, from the result record and the task's own parameters by
+        name. sheet: the one that makes a data sheet. writers: for endings of --drawing of the task's own, the function
+        of the result record that gives the file's text or bytes, {"urdf": "module:function"}; one that takes more is
+        given the task's own parameters by name.
+    How it is called
+        also: further names that a call may use; help and listings show the first. names: where to find the values that
+        an option may take, for completion, {"material": "module:names"}. pointers: where to find values of parameters
+        that are missing or typed as a word. notes: the language of an option, after the examples in the help. scene:
+        the values that a template shows, by address, where its required fields alone do not make a case with an
+        answer, {"bodies[1].mass": "2 kg"}.
     """
 
     def __init__(
@@ -106,6 +115,7 @@ class Task:
         examples: "tuple[str, ...]" = (),
         table: str = "",
         arrays: bool = True,
+        branches: bool = False,
         tracked: bool = True,
         digits: int = 6,
         writers: "dict[str, str] | None" = None,
@@ -122,11 +132,17 @@ class Task:
         also: "tuple[str, ...]" = (),
         pointers: "dict[str, str] | None" = None,
         errors: "tuple[str, ...]" = (),
+        unspread: "tuple[str, ...]" = (),
+        chances: "dict[str, str] | None" = None,
+        findings: "tuple[str, ...]" = (),
         points: int = 0,
     ) -> None:
         self.name = name
         self.pointers = pointers or {}
         self.errors = errors
+        self.unspread = (*errors, *unspread)
+        self.chances = chances or {}
+        self.findings = tuple(_labelled(entry) for entry in findings)
         self.points = points
         self.also = also
         self.summary = summary
@@ -144,6 +160,7 @@ class Task:
         self.examples = examples
         self.table = table
         self.arrays = arrays
+        self.branches = branches
         self.tracked = tracked
         self.digits = digits
         self.writers = writers or {}

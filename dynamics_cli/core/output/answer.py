@@ -16,6 +16,7 @@ from dynamics_cli.core.documents import (
 )
 from dynamics_cli.core.output.answer_tables import file_lines, table_lines
 from dynamics_cli.core.output.answer_words import (
+    asked_of,
     body_names,
     deviation,
     estimated,
@@ -24,7 +25,6 @@ from dynamics_cli.core.output.answer_words import (
     input_in_words,
     is_in_parts,
     is_uncertain_vector,
-    limit_words,
     listed,
     message_in_words,
     node_at,
@@ -143,7 +143,7 @@ class _Answer:
         if isinstance(value, float) and abs(value) <= self._absolute_bound(address, value):
             value = 0.0
         value = without_rounding(value)
-        estimate = address in self.task.errors and not self.asked
+        estimate = address in self.task.unspread and not self.asked
         text = estimated(value, unit) if estimate else quantity(value, unit, self.digits)
         if isinstance(value, list) and isinstance(value[0], list) and len(value[0]) <= AXES:
             # a matrix breaks between its rows
@@ -169,11 +169,7 @@ class _Answer:
             std = 0.0 if self.asked else deviation(self.results, address)
             low, high = (decimals(end, std) if std else number(end, self.digits) for end in node["interval"])
             remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
-        remarks += [limit_words(entry) for entry in self.document.get("limits", ()) if entry["result"] == address]
-        entries = [entry for entry in self.document.get("quantiles", ()) if entry["result"] == address]
-        return remarks + [
-            f"{100.0 * entry['probability']:.6g} % below {number(entry['value'], 6)}" for entry in entries
-        ]
+        return remarks + asked_of(self.document, address)
 
     def without_tables(self) -> bool:
         """Drop the tables; returns whether there were any."""
@@ -197,7 +193,7 @@ class _Answer:
         lines = []
         for address, label in self.labels.items():
             value = self.flat.get(address, (None, ""))[0]
-            if isinstance(value, float) and value and address in self.bounds and address not in self.task.errors:
+            if isinstance(value, float) and value and address in self.bounds and address not in self.task.unspread:
                 relative = self._absolute_bound(address, value) / abs(value)
                 if self._worth_saying(address, value) < relative < 1.0:
                     sure_digits = max(int(-log10(relative)), 0)

@@ -264,3 +264,16 @@ def limit_words(entry: "dict[str, Any]") -> str:
     if entry["beyond"]:
         return f"exceeds the limit of {limit} by {by}"
     return f"at the limit of {limit}" if not entry["by"]["value"] else f"within the limit of {limit} by {by}"
+
+
+def asked_of(document: "dict[str, Any]", address: str) -> "list[str]":
+    """What stands beside a result of its probabilities: of a yes or no, of limits, of quantiles."""
+    chances = [entry["probability"] for name, entry in document.get("chances", {}).items() if name == address]
+    said = node_at(document["results"], address)
+    limits = [entry for entry in document.get("limits", ()) if entry["result"] == address]
+    quantiles = [entry for entry in document.get("quantiles", ()) if entry["result"] == address]
+    return [
+        *(f"with a probability of {percent(p if said else 1.0 - p)}" for p in chances),
+        *map(limit_words, limits),
+        *(f"{100.0 * entry['probability']:.6g} % below {number(entry['value'], 6)}" for entry in quantiles),
+    ]

@@ -12,6 +12,8 @@ from dynamics_cli.core.output.row_layout import nested
 from dynamics_cli.core.uncertainty.carried_correlations import carried
 from dynamics_cli.core.uncertainty.limits_and_quantiles import (
     chance,
+    chance_entries,
+    grouped,
     level_entries,
     limit_entries,
     read_levels,
@@ -59,16 +61,14 @@ def add_uncertainty(
     """
     kinds = {name: kind for name, kind, _ in result_numbers(answered.record, task.specification.result)}
     limits = read_limits(task, answered, settings) if settings.limit else []
-    wanted: dict[str, list[float]] = {}
-    for key, _, _, reading in limits:
-        wanted.setdefault(key, []).append(reading.si)
+    wanted = grouped((key, reading.si) for key, _, _, reading in limits)
     levels = read_levels(kinds, settings)
-    asked: dict[str, list[float]] = {}
-    for name, level in levels:
-        asked.setdefault(name, []).append(level)
-    more = {"limits": wanted, "levels": asked, "slopes": _slopes(answered, task), "curve": bool(settings.plot)}
+    asked = grouped(levels)
+    margins = [(margin, 0.0) for margin in task.chances.values() if margin in kinds]
+    beyond = grouped([*((key, reading.si) for key, _, _, reading in limits), *margins])
+    more = {"limits": beyond, "levels": asked, "slopes": _slopes(answered, task), "curve": bool(settings.plot)}
     more["partly"] = bool(settings.time_limit) and not settings.plot
-    only = _chosen(task, settings, kinds, {*wanted, *asked})
+    only = _chosen(task, settings, kinds, {*beyond, *asked})
     propagation = spread_of(
         task, answered.model, bound, answered.record, reader, settings, shares=True, more=more, only=only
     )
@@ -83,6 +83,7 @@ def add_uncertainty(
         document["limits"] = limit_entries(limits, propagation, shown)
     if levels:
         document["quantiles"] = level_entries(levels, propagation, shown)
+    document |= chance_entries(task.chances, propagation)
     document["warnings"] += _warnings(propagation, _seen(task, settings))
     if not settings.plot and not settings.drawing:
         return None, None

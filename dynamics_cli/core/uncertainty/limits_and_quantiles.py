@@ -8,7 +8,7 @@ from dynamics_cli.numerics.number import plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
     from typing import Any
 
     from dynamics_cli.core.inputs.settings import Settings
@@ -67,6 +67,25 @@ def level_entries(
         own = {"unit": unit.text} if unit.text else {}
         entries.append({"result": name, "probability": level, "value": value, **own, "message": message})
     return entries
+
+
+def chance_entries(chances: "Mapping[str, str]", propagation: "Propagation") -> "dict[str, Any]":
+    """The document's entries for each yes or no: the probability of yes, which is that its margin is above zero."""
+    spread = [(name, propagation.spreads[margin]) for name, margin in chances.items() if margin in propagation.spreads]
+    entries = {
+        name: {"probability": next(p for limit, p in margin.beyond if limit == 0.0)}
+        for name, margin in spread
+        if margin.varies
+    }
+    return {"chances": entries} if entries else {}
+
+
+def grouped(pairs: "Iterable[tuple[str, float]]") -> "dict[str, list[float]]":
+    """The numbers of each name."""
+    numbers: dict[str, list[float]] = {}
+    for name, value in pairs:
+        numbers.setdefault(name, []).append(value)
+    return numbers
 
 
 def chance(p: float) -> str:

@@ -5,6 +5,7 @@ import numpy as np
 from dynamics_cli.core.answering.models import arguments, result_numbers
 from dynamics_cli.core.answering.task import load
 from dynamics_cli.errors import DynamicsError, FaultError, InadmissibleError
+from dynamics_cli.numerics.lanes import Lanes, parts
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.progress import going
 from dynamics_cli.sampling import Drawing
@@ -47,6 +48,12 @@ class Sampled(np.ndarray):
         return _FUNCTIONS[name](*arguments)
 
 
+class _Branching(Lanes):
+    """Samples of a formula that branches on its numbers."""
+
+    apply = Sampled.apply
+
+
 def _noise(record: "Any", spec: "Record", bound: "Fields", steady: float) -> "dict[str, float]":
     """Error of the results, as their arithmetic or a solver states it: a variation within it is not real.
 
@@ -83,7 +90,7 @@ class TaskModel:
         self.function = model.call()
         self.together = load(model.together) if model.together else None
         self.spec = task.specification.result
-        self.names = [name for name, _, _ in result_numbers(nominal, self.spec) if name not in task.errors]
+        self.names = [name for name, _, _ in result_numbers(nominal, self.spec) if name not in task.unspread]
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
         self.noise = _noise(nominal, self.spec, bound, STEADY if task.arrays else SOLVED)
         self.arrays = task.arrays
@@ -181,7 +188,10 @@ class TaskModel:
         bad = np.zeros(count, dtype=bool) if refused is None else refused.copy()
         results = {name: np.full(count, np.nan) for name in self.names}
         columns = {name: array.tolist() for name, array in arrays.items()}
-        rows = np.nonzero(~bad)[0].tolist()
+        alone = ~bad
+        if self.task.branches:
+            alone[self._side_by_side(inputs, arrays, np.nonzero(alone)[0], results)] = False
+        rows = np.nonzero(alone)[0].tolist()
         cases = (
             arguments(self.task, self.bound, {**inputs, **{name: column[row] for name, column in columns.items()}})
             for row in rows
@@ -196,3 +206,33 @@ class TaskModel:
                     if name in results:
                         results[name][row] = value
         return results, bad if bad.any() else None
+
+    def _side_by_side(
+        self, inputs: "dict[str, Any]", arrays: "dict[str, Array]", rows: "Any", results: "dict[str, Array]"
+    ) -> "Any":
+        """Put the results of all rows into their places that take the same branches as enough others; those rows."""
+
+        def record_of(lanes: "dict[str, Any]") -> "Any":
+            args, kwargs = arguments(self.task, self.bound, {**inputs, **lanes})
+            with self.drawing:
+                return self.function(*args, **kwargs)
+
+        done = [np.empty(0, dtype=int)]
+        with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
+            for part in parts(record_of, arrays, rows, _refused, _Branching):
+                for name, _, value in result_numbers(part.outcome, self.spec):
+                    if name in results:
+                        results[name][part.rows] = value
+                done.append(part.rows)
+        return np.concatenate(done)
+
+
+def _refused(error: Exception) -> "Any":
+    """Rows that a formula refuses are answered one by one, which finds out what each of them is refused for."""
+    if isinstance(error, InadmissibleError) and error.refused is not None:
+        return error.refused
+    if isinstance(error, DynamicsError):
+        return True
+    if isinstance(error, ArithmeticError):
+        return None
+    raise error

@@ -48,7 +48,15 @@ CRASH = Task(
     table="courses links agreements",
     plot="dynamics_cli.impact.crash.pictures:crash",
     writers=dict.fromkeys(("dxf", "svg", "pdf"), "dynamics_cli.impact.crash.pictures:plan"),
-    errors=("first.per_degree", "second.per_degree"),
+    unspread=("first.per_degree", "second.per_degree"),
+    findings=(
+        "first.start.speed: {first}'s speed at its start",
+        "first.approach_speed: {first}'s speed into the impact",
+        "first.delta_v.magnitude: {first}'s ΔV",
+        "second.start.speed: {second}'s speed at its start",
+        "second.approach_speed: {second}'s speed into the impact",
+        "second.delta_v.magnitude: {second}'s ΔV",
+    ),
     headline=(
         "first.start.speed: first at its start v₀",
         "first.approach_speed: first into the impact v",

@@ -56,6 +56,14 @@ INVERSE = Task(
     ),
     arrays=False,
     tracked=False,
+    findings=(
+        "first.approach_speed: {first}'s speed before the impact was {} with a standard deviation of "
+        "{first.speed_sigma}",
+        "second.approach_speed: {second}'s speed before the impact was {} with a standard deviation of "
+        "{second.speed_sigma}",
+        "first.delta_v.magnitude: {first}'s ΔV",
+        "second.delta_v.magnitude: {second}'s ΔV",
+    ),
     headline=(
         "first.approach_speed: first speed before v₁",
         "first.speed_sigma: its standard deviation σ₁",
@@ -108,6 +116,13 @@ RECORD = Task(
         '--second-mass "1200 kg" --second-inertia "1900 kg*m^2" --second-lever "-1.8, -0.3 m" '
         '--second-approach-heading "140 deg" --normal "12 deg" --least-restitution 0 --greatest-restitution 0.2',
     ),
+    findings=(
+        "first.delta_v.magnitude: {first}'s ΔV at its mass centre",
+        "second.delta_v.magnitude: {second}'s ΔV",
+        "closing_speed: the closing speed was {}, between {closing_speed_low} and {closing_speed_high}",
+        "second.approach_speed: {second}'s speed before the impact was {}, between {second.approach_speed_low} and "
+        "{second.approach_speed_high}",
+    ),
     headline=(
         "first.delta_v.magnitude: first Δv₁ at the mass centre",
         "second.delta_v.magnitude: second Δv₂",
@@ -141,6 +156,10 @@ PULSE = Task(
         '--lateral "0, 0, 1, 1, 3, 4, 5, 6, 6, 7, 7, 7, 7, 7 km/h"',
         'dynamics impact pulse --longitudinal "0, -1, -4, -9, -16, -22, -29, -35, -40, -43, -44, -45, -45, -45 km/h" '
         '--yaw-rate "0, 1, 4, 17, 33, 49, 64, 80, 93, 103, 107, 109, 109, 109 deg/s" --friction 0.7 -q',
+    ),
+    findings=(
+        "delta_v: the greatest ΔV was {}, between {delta_v_low} and {delta_v_high}",
+        "delta_v_longitudinal: along the nose as it was at the start it was {}, and {delta_v_lateral} across it",
     ),
     headline=(
         "delta_v: greatest ΔV",

@@ -17,6 +17,11 @@ ROTATION = Task(
             "it did not turn before",
         ),
     ),
+    findings=(
+        "speed: the light vehicle's speed",
+        "light_change: its ΔV",
+        "heavy_change: the heavy vehicle's ΔV",
+    ),
     headline=(
         "speed: speed of the light vehicle",
         "impulse",

@@ -70,6 +70,10 @@ ENVELOPE = Task(
     table="map",
     arrays=False,
     tracked=False,
+    findings=(
+        "first_delta_v.least: {first}'s ΔV lay between {} and {first_delta_v.greatest}",
+        "second_delta_v.least: {second}'s ΔV lay between {} and {second_delta_v.greatest}",
+    ),
     headline=(
         "first_delta_v.least: first Δv₁ at least",
         "first_delta_v.greatest: first Δv₁ at most",

@@ -282,6 +282,13 @@ AVOID = Task(
         "--friction 0.75",
     ),
     table="approaches",
+    findings=(
+        "avoidable: the driver {could|could not} have stopped before the hazard",
+        "impact_speed: the speed at the hazard",
+        "sufficient_speed: the driver would have stopped from {} or less",
+        "avoidable_at_limit: at the speed limit the driver {could|could not} have stopped",
+    ),
+    chances={"avoidable": "margin", "avoidable_at_limit": "margin_at_limit"},
     plot="dynamics_cli.skid.pictures:avoid",
     notes=RANGES,
     pointers=MEASURED,

@@ -76,6 +76,12 @@ MEET = Task(
         "moments: both, counted back from the impact | time_left, first_distance=first, first_speed=speed, "
         "first_phase, second_distance=second",
     ),
+    findings=(
+        "hazard_time: {second} set out {} before the impact, with {first} {first_distance} away at {first_speed}",
+        "avoidable: {first} {could|could not} have avoided the impact",
+        "sufficient_speed: it would have been avoided from {} or less",
+    ),
+    chances={"avoidable": "speed_margin"},
     scene={**_stopping("first.", "50 km/h"), **_steady("second.", "1.4 m/s")},
     examples=(
         'dynamics skid meet --first-end-speed "8 m/s" --first-phase "kind=reaction, duration=1.2 s" '
@@ -84,6 +90,7 @@ MEET = Task(
     ),
     table="moments",
     arrays=False,
+    branches=True,
     plot="dynamics_cli.skid.timing.pictures:meet",
 )
 
@@ -108,6 +115,11 @@ FOLLOW = Task(
         "least_gap",
         "least_gap_time: nearest after",
         "moments | time, gap, leader_speed, follower_speed",
+    ),
+    findings=(
+        "contact: {the follower ran|the follower did not run} into the leader",
+        "contact_time: the contact came after {}, at a closing speed of {closing_speed}",
+        "least_gap: the smallest gap was {}, after {least_gap_time}",
     ),
     scene={**_stopping("leader.", "70 km/h"), **_stopping("follower.", "72 km/h"), "gap": "25 m"},
     examples=(
@@ -142,6 +154,10 @@ SIGHT = Task(
         "sight_line: line of sight",
         "by: opened by",
         "changes: openings and closings",
+    ),
+    findings=(
+        "time_left: {second} came into sight {} before the impact, with {first} {first_distance} from it at "
+        "{first_speed}",
     ),
     scene={
         **_steady("first.", "13 m/s"),
@@ -188,6 +204,11 @@ RECORD = Task(
         "brake_latest: braking began at least, before",
         "speed_before_braking",
         "intervals: samples | time_left, speed, distance_left, acceleration, drag_factor",
+    ),
+    findings=(
+        "least_event_speed: the speed at the event lay between {} and {greatest_event_speed}",
+        "brake_latest: braking began between {} and {brake_earliest} before the event",
+        "speed_before_braking: the speed before braking",
     ),
     examples=(
         'dynamics skid record --speeds "78,78,78,78,77,76,74,66,54,41,29 km/h" --interval "0.5 s" --brake-on 8',

@@ -83,7 +83,8 @@ class Course:
     def on(self, time: "Any") -> Stretch:
         """The piece that contains a time; at a corner the earlier one."""
         moment = plain(time)
-        require_kept(isfinite(moment), "a speed or an acceleration, or the difference of two,")
+        # finite, of a number or of each of several
+        require_kept(moment - moment == 0.0, "a speed or an acceleration, or the difference of two,")
         return next(piece for piece in self.stretches if moment <= piece.end)
 
     def at(self, time: "Any") -> "tuple[Any, Any, str]":

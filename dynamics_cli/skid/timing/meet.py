@@ -17,6 +17,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, record
+from dynamics_cli.sampling import drawing
 from dynamics_cli.skid.timing.courses import Course
 from dynamics_cli.skid.timing.timeline import MOST_STEPS, EndSpeed, StartSpeed, summed
 
@@ -59,6 +60,7 @@ class Meeting:
     sufficient_speed: Annotated[
         RoadSpeed | None, "Greatest speed from which the first avoids it; needs its reaction and braking [m/s]."
     ]
+    speed_margin: Annotated[RoadSpeed | None, "That speed less its own; needs its reaction and braking [m/s]."]
     stopping_speed: Annotated[
         RoadSpeed | None, "Greatest speed from which it stops short; needs its reaction and braking [m/s]."
     ]
@@ -155,14 +157,13 @@ def meet(
         first_speed=speed,
         avoidable=None if sufficient is None else plain(speed) <= plain(sufficient),
         sufficient_speed=sufficient,
+        speed_margin=None if sufficient is None else sufficient - speed,
         stopping_speed=stopping,
         late_speed=late,
         clear_time=clear,
         sufficient_deceleration=needed,
         earlier=None if driver is None else _earlier(distance, speed, *driver),
-        moments=tuple(
-            _table(courses, max((plain(summed(m)[0].begins), summed(m)[0].begins) for m in motions)[1], steps)
-        ),
+        moments=() if drawing() else tuple(_table(courses, _longest(motions), steps)),
         advice=_beyond_tyres(needed, gravity),
     )
 
@@ -261,6 +262,11 @@ def _earlier(distance: float, speed: float, reaction: float, build_up: float, de
         stopping_distance = speed * (reaction + 0.5 * build_up) + 0.5 * speed * speed / deceleration
         return (stopping_distance - deceleration * build_up * build_up / 24.0 - distance) / speed
     return reaction + 2.0 / 3.0 * sqrt(2.0 * speed * build_up / deceleration) - distance / speed
+
+
+def _longest(motions: "list[list[Leg]]") -> float:
+    """The time from the earlier start to the impact."""
+    return max((summed(motion)[0].begins for motion in motions), key=plain)
 
 
 def _table(courses: "list[Course]", duration: float, steps: int) -> "list[Both]":
