@@ -29,6 +29,8 @@ LINK = re.compile(r"\]\((?!https?:|#)([^)#]+)")
 # Drawn by refresh_report_pages.py.
 REPORT_PAGES = ("report_crash.png", "report_gear_pair.png", "report_cam.png")
 MOST_BYTES = 150_000
+# A screen, and the lines for which no table is cut.
+MOST_ON_SCREEN = 24 + 3
 
 
 def name(page: Path) -> str:
@@ -50,7 +52,9 @@ def test_fields_are_those_of_the_signatures(page: Path) -> None:
 def test_screens_are_as_small_as_the_page_says() -> None:
     page = ROOT / "docs" / "developers" / "screens.md"
     assert with_screens(page.read_text()) == page.read_text()
-    assert [task.path for task, _, (lines, width) in screens() if task.headline and (lines > 24 or width > 80)] == []
+    assert [
+        task.path for task, _, (lines, width) in screens() if task.headline and (lines > MOST_ON_SCREEN or width > 80)
+    ] == []
 
 
 @pytest.mark.parametrize("page", PICTURED, ids=name)
