@@ -77,8 +77,9 @@ def over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal"
             reader.points = loaded.pop("points")
     if file != "-":
         reader.files.append(entry_of(file, data))
-    below = parameters_of(loaded, parameters)
-    covariance = loaded.get("covariance") if "covariance" not in parameters else None
+    below = parameters_of(loaded, parameters, task.path)
+    results = "covariance" not in parameters and loaded.get("command") != task.path
+    covariance = loaded.get("covariance") if results else None
     if covariance is not None:
         reader.origins.update((name, (file, name, covariance)) for name in below if name not in raw)
     return Gathered(merge(task, below, raw), reader)

@@ -11,7 +11,9 @@ if TYPE_CHECKING:
 
 # Motions begin on a grid where none has come yet, and are drawn by so many steps, each a share of the ranges.
 BEGINS, STEPS, STEP, CELLS = 9, 110, 0.008, 14
-STABLE, UNSTABLE, GREY = 2, 1, 6
+STABLE, UNSTABLE = 2, 1
+# A letter and a line of words, as shares of the picture.
+LETTER, LINE = 0.0115, 0.06
 
 
 def portrait(points: "Any", states: "Any", let: "Any") -> Picture:
@@ -38,16 +40,34 @@ def portrait(points: "Any", states: "Any", let: "Any") -> Picture:
                 items.append(Arrow(x[half], y[half], x[half + 1] - x[half], y[half + 1] - y[half]))
     for point in points:
         stable = point.verdict.startswith("stable")
+        words = point.verdict.partition(":")[0].partition(",")[0]
+        shares = [
+            ((x - point.at[0]) / wide, (y - point.at[1]) / tall)
+            for item in items
+            for x, y in (zip(item.x, item.y, strict=True) if isinstance(item, Curve) else ((item.x, item.y),))
+        ]
         items.append(
             Mark(
                 point.at[0],
                 point.at[1],
-                point.verdict.partition(":")[0].partition(",")[0],
+                words,
+                _aside(shares, len(words)),
                 role=STABLE if stable else UNSTABLE,
             )
         )
     axes = Axis(states[0].name, ends=(low, high)), Axis(states[1].name, ends=(bottom, top))
     return Picture((Panel(*axes, tuple(items)),), "phase portrait")
+
+
+def _aside(shares: "list[tuple[float, float]]", letters: int) -> "tuple[float, float]":
+    """Where beside an equilibrium words cross the fewest motions, whose places are given as shares of the picture."""
+    width = LETTER * letters
+
+    def crossed(aside: "tuple[float, float]") -> int:
+        left, low = (0.01 if aside[0] > 0.0 else -0.01 - width), (0.02 if aside[1] > 0.0 else -0.02 - LINE)
+        return sum(left <= x <= left + width and low <= y <= low + LINE for x, y in shares)
+
+    return min(((5.0, 5.0), (5.0, -11.0), (-5.0, 5.0), (-5.0, -11.0)), key=crossed)
 
 
 def _motion(

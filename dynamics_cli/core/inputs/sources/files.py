@@ -95,8 +95,8 @@ def parse_toml(text: str, name: str) -> "dict[str, Any]":
         raise UsageError(message, code="toml", hint="write it as 1e99") from None
 
 
-def parameters_of(raw: "dict[str, Any]", known: "set[str]") -> "dict[str, Any]":
-    """Raw parameters: an earlier document's results of the same name, or the object itself."""
+def parameters_of(raw: "dict[str, Any]", known: "set[str]", command: str) -> "dict[str, Any]":
+    """Raw parameters: an earlier document's inputs if it is of the same command, else its results of the same name."""
     if "schema" not in raw:
         return raw
     if raw["schema"] not in READABLE_SCHEMAS:
@@ -104,6 +104,8 @@ def parameters_of(raw: "dict[str, Any]", known: "set[str]") -> "dict[str, Any]":
     results = raw.get("results")
     if not isinstance(results, dict):
         raise UsageError("the document has no results", code="schema")
+    if raw.get("command") == command and isinstance(raw.get("inputs"), dict):
+        return {key: value for key, value in raw["inputs"].items() if key != "sweep"}
     return {key: value for key, value in results.items() if key in known}
 
 

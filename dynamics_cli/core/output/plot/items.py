@@ -37,7 +37,7 @@ _STYLES: "dict[str, dict[str, Any]]" = {
     "centre": {"linestyle": (0, (9, 2, 1.5, 2)), "linewidth": 0.7},
 }
 # Words stand out from the lines that they cross.
-_BACKGROUND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.4}
+_BACKGROUND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 0.4}
 _PLAIN = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
 # Bars of shares: maximum number of coloured names, inches per letter, and the colour of the others.
 MOST_COLOURED, LETTER, OTHERS = 6, 0.068, "#d9d9d9"

@@ -127,6 +127,8 @@ def _settle(figure: "Any") -> None:
     engine.execute(figure)
     # the first layout may change the ticks, and with them the room for their labels
     engine.execute(figure)
+    if _freed_curves(figure):
+        engine.execute(figure)
     figure.set_layout_engine("none")
     for axes in figure.axes:
         if axes.get_label() == WHOLE:
@@ -140,6 +142,22 @@ def _settle(figure: "Any") -> None:
             axes.apply_aspect()
             continue
         axes.set_position([round(part, 6) for part in axes.get_position().bounds])
+
+
+def _freed_curves(figure: "Any") -> bool:
+    """Move legends that find no place free of curves beneath their axes; whether there were any."""
+    moved = False
+    for axes in figure.axes:
+        legend = axes.get_legend()
+        if legend is None or legend.get_window_extent().width >= axes.bbox.width:
+            continue
+        box = legend.get_window_extent()
+        paths = [line.get_path().transformed(line.get_transform()) for line in axes.lines if line.get_alpha() != 0.0]
+        if any(path.intersects_bbox(box, filled=False) for path in paths):
+            handles, names = axes.get_legend_handles_labels()
+            axes.legend(handles, names, **_beneath(axes, len(names)))
+            moved = True
+    return moved
 
 
 def whole_width(axes: "Any") -> bool:
@@ -263,8 +281,13 @@ def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]"
             return {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if full else {"loc": "best"}
     else:
         ncols = 1
+    return _beneath(axes, ncols)
+
+
+def _beneath(axes: "Any", ncols: int) -> "dict[str, Any]":
+    """The place of a legend under the axes and their title."""
     below = axes.transAxes + part("transforms").ScaledTranslation(
-        0.0, -0.05 if panel.bare else -0.42, axes.figure.dpi_scale_trans
+        0.0, -0.42 if axes.axison else -0.05, axes.figure.dpi_scale_trans
     )
     return {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": below, "ncols": ncols}
 
