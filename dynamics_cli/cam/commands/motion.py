@@ -129,7 +129,7 @@ FORCE = Task(
             "the cam shaft turns at a constant speed",
             "a linear spring on an arm acts square to its radius at every swing",
         ),
-        method="closed-form motion; every extreme certified by Chebyshev proxies",
+        method="closed-form motion; extremes from Chebyshev interpolants",
     ),
     examples=(
         f'dynamics cam force {LINE} --shaft-speed "600 rpm" --mass "0.5 kg" --spring-rate "5 N/mm" --preload "60 N"',

@@ -52,7 +52,7 @@ def export(
     -----
     Pieces end at every joint of the laws; they touch the exact curve there with its direction, and the curve closes to
     the bit. max|z″| is enclosed on every cell from the laws' own constants, in disc arithmetic including all
-    roundings (`cam.proof`, `numerics.discs`); nothing is inferred from samples. Errors of arcs fall with the third
+    roundings (`numerics.discs`); nothing is inferred from samples. Errors of arcs fall with the third
     power of their number, of cubics with the sixth. `--drawing FILE.dxf`, `.svg` or `.csv` writes the curve; `.polar` a
     table of radii, `.st` a CODESYS cam, `.mc` points for TwinCAT.
 

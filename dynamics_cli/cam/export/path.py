@@ -5,10 +5,10 @@ import numpy as np
 from dynamics_cli.cam.geometry.analysis import refuse_size, start_slip
 from dynamics_cli.cam.geometry.contact import Geometry, rotated
 from dynamics_cli.cam.geometry.followers import FlatFace, OscillatingFlat
+from dynamics_cli.cam.laws.components import U
 from dynamics_cli.cam.program.pieces import Cover, pieces, sample
-from dynamics_cli.cam.proof.motion_enclosures import about_angles
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.discs import Disc
+from dynamics_cli.numerics.discs import UP, Disc
 from dynamics_cli.numerics.fitting.path import OnPiece
 from dynamics_cli.quantities import Angle
 
@@ -86,7 +86,7 @@ class Path:
 
     def points(self, theta: "Any", piece: int) -> "tuple[Disc, Disc]":
         """Discs that hold the coordinates of the curve at cam angles (n,) of one piece of the motion."""
-        s, s1 = about_angles(self.motion, piece, theta, np.zeros(1), 1)
+        s, s1 = _about(self.motion, piece, theta, np.zeros(1), 1)
         point = self.geometry.point(s.widened(self.slip), s1, self.away)
         return rotated(point, Disc(theta, 0.0), self.geometry.turn, self.start_angle)
 
@@ -94,7 +94,7 @@ class Path:
         """Proved bounds of |z″| and of |z′| on cells of middle `theta` and half width `half` of one piece."""
         turn = self.geometry.turn
         with np.errstate(all="ignore"):
-            s, s1, s2, s3 = about_angles(self.motion, piece, theta, half, 3)
+            s, s1, s2, s3 = _about(self.motion, piece, theta, half, 3)
             speed, change, spin = self._enclosed(s.widened(self.slip), turn * s1, s2, turn * s3)
             # one is along the curve, the other perpendicular to it
             return np.hypot(change.size, (speed * spin).size) * (1.0 + 2.0**-49), speed.size
@@ -143,3 +143,31 @@ class Path:
             g1 * sin + along * cos, g1 * cos - along * sin,
             radial * sin + cross * cos, radial * cos - cross * sin,
         )  # fmt: skip
+
+
+def _about(motion: "Any", index: int, theta: "Any", half: "Any", derivatives: int) -> "tuple[Disc, ...]":
+    """Lift and derivatives on cells of half width `half` about cam angles (n,), which need not be within the zone.
+
+    The value in the middle, widened by the half width times the next derivative's bound on the cell.
+    """
+    parts = motion.parts_of(index)
+    owner = np.zeros(theta.size, dtype=int)
+    for number, part in enumerate(parts[1:], 1):
+        # measured from the other end, or farther along
+        t = part.local(theta)
+        owner[(1.0 - t if part.law_piece.far else t) >= part.law_piece.low] = number
+    half = np.broadcast_to(half, theta.shape)
+    centres, radii = np.empty((2, derivatives + 1, theta.size))
+    for number, part in enumerate(parts):
+        rows = np.flatnonzero(owner == number)
+        if not rows.size:
+            continue
+        t = theta[rows] if part.law_piece is None else part.local(theta[rows])
+        off, wide = U * (5.0 * np.abs(t) + 3.0), half[rows]
+        values = part.bounded(Disc(t, off), derivatives)
+        if wide.any():
+            beyond = part.bounded(Disc(t, off + wide / part.span * UP), derivatives + 1)[1:]
+            values = [value.widened(wide * slope.size) for value, slope in zip(values, beyond, strict=True)]
+        for order, value in enumerate(values):
+            centres[order, rows], radii[order, rows] = value.centre, value.radius
+    return tuple(map(Disc, centres, radii))

@@ -10,8 +10,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.cam.forces.loads import Load
+    from dynamics_cli.cam.forces.survey import Found
     from dynamics_cli.cam.program.motion import Motion
-    from dynamics_cli.cam.proof.extremes import Found
 
 SURGE_ORDER = 12.0
 

@@ -126,13 +126,12 @@ def check(
 
     Notes
     -----
-    Nothing depends on sampling. Extremes come from Chebyshev proxies of every piece of every law. Errors of the proxies
-    are proved on discs of the complex plane, and bounds on derivatives exclude a missed extremum. A cusp counts as
-    undercut; where rounding leaves it undecided, an advice says so. The corners of an undercut cam are crossings of its
-    envelope. Bisection and Newton's method find them, however small the undercut, even where several merge. The edge
-    is followed from corner to corner, which shows where a lobe is cut off at its neck. The lift lost is the maximum gap
-    at a corner, from Chebyshev proxies with an estimated remainder of 3e-15 of the cam's size (1e-12 where a loop is
-    too small to separate its corner from its ends).
+    Extremes come from Chebyshev interpolants of every piece of every law, fine enough for the last digits. A cusp
+    counts as undercut; where rounding leaves it undecided, an advice says so. The corners of an undercut cam are
+    crossings of its envelope. Bisection and Newton's method find them, however small the undercut, even where several
+    merge. The edge is followed from corner to corner, which shows where a lobe is cut off at its neck. The lift lost is
+    the maximum gap at a corner, from Chebyshev proxies with an estimated remainder of 3e-15 of the cam's size (1e-12
+    where a loop is too small to separate its corner from its ends).
 
     References
     ----------
@@ -208,7 +207,7 @@ def check(
         jump_kept=None if jump is None or shaft_speed is None else kept["jump speed"],
         advice=(*_on_undercut(geometry, loss, forward=forward), *_on_limits(exceeded, values, limits), *_on_jump(jump)),
         numerics=Numerics(
-            "Chebyshev proxies of every piece, every extreme certified",
+            "extremes from Chebyshev interpolants of every piece",
             (
                 *pressure_bounds(analysis),
                 *radius_bounds(geometry, analysis),

@@ -24,8 +24,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.cam.forces.survey import Found, Survey
     from dynamics_cli.cam.geometry.contact import Geometry
-    from dynamics_cli.cam.proof.extremes import Found, Survey
 
 CCW = Rotation("counter-clockwise")
 BALANCE = 1e-12
@@ -76,8 +76,8 @@ def force(
 
     Notes
     -----
-    A rigid train without friction. The extremes are certified: Chebyshev proxies of every piece of every law miss no
-    extremum, and each bound adds the errors of proxies, motion and arithmetic. Least forces and torques
+    A rigid train without friction. The extremes are those of Chebyshev interpolants of every piece of every law,
+    evaluated by the formulas there; each bound has the rounding of motion and arithmetic. Least forces and torques
     pass through zero and are bounded absolutely. Next to a cusp the stress is as ill conditioned as its bound says. The
     torque does no work over a turn; its mean is checked, and so is that it is the moment of the contact force about the
     cam's axis. A spring on an arm is taken to act square to its radius at every swing. Form-closed followers (tracks,
@@ -99,7 +99,7 @@ def force(
     from dynamics_cli.cam.forces.advice import advice_of, impacts
     from dynamics_cli.cam.forces.durations import QUOTED, durations, ramps
     from dynamics_cli.cam.forces.jump import jump as jump_of
-    from dynamics_cli.cam.proof.extremes import Survey
+    from dynamics_cli.cam.forces.survey import Survey
 
     motion = motion_of(scene, program)
     omega = abs(shaft_speed)
@@ -141,7 +141,7 @@ def force(
         checks=(_mean_torque(motion, load, survey), *statics),
         advice=(*advice_of(load, train, omega, low, leaves, order), *impacts(motion), *missed),
         numerics=Numerics(
-            "closed-form motion; Chebyshev proxies of every piece, every extreme certified",
+            "closed-form motion; extremes from Chebyshev interpolants of every piece",
             _bounds(arm, (low, high), normal, (back, most), leaves, stress, omega),
         ),
     )  # fmt: skip
@@ -179,7 +179,7 @@ def _contact(
 ) -> "tuple[tuple[Found, Found], Found | None]":
     """Extremes of the force along the common normal, and the maximum pressure if a contact is given."""
     from dynamics_cli.cam.forces.stress import Touching, stress
-    from dynamics_cli.cam.proof.extremes import Survey
+    from dynamics_cli.cam.forces.survey import Survey
 
     touching = Touching(geometry, load)
     pressed = None if contact is None else stress(motion, touching, contact)
@@ -281,7 +281,7 @@ def _statics(motion: Motion, geometry: "Geometry", load: Load) -> Check:
     import numpy as np
 
     from dynamics_cli.cam.forces.stress import Touching
-    from dynamics_cli.cam.proof.extremes import states
+    from dynamics_cli.cam.forces.survey import states
 
     s, s1, s2 = states(motion)
     touch = geometry.touch(s, s1, s2)

@@ -4,8 +4,8 @@ from math import sqrt
 
 from dynamics_cli.cam.forces.loads import load_of
 from dynamics_cli.cam.forces.records import ArmOnTorsionSpring, Slide
+from dynamics_cli.cam.forces.survey import Found, Sum, Survey
 from dynamics_cli.cam.program.summary import extreme
-from dynamics_cli.cam.proof.extremes import Found, Sum, Survey
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Force, Torque
 

@@ -4,11 +4,11 @@ from math import pi, sqrt
 
 import numpy as np
 
+from dynamics_cli.cam.forces.survey import Found, Sum, Survey
 from dynamics_cli.cam.geometry.analysis import start_slip
 from dynamics_cli.cam.geometry.contact import Geometry, check_speed
 from dynamics_cli.cam.geometry.followers import FlatFace, OscillatingFlat, OscillatingRoller
 from dynamics_cli.cam.program.summary import extreme
-from dynamics_cli.cam.proof.extremes import Found, Sum, Survey
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Angle, Coordinate, Ratio
 
@@ -81,7 +81,7 @@ class Touching:
 
 
 def require_lever(geometry: Geometry, motion: "Motion") -> None:
-    """Refuse a follower that the contact force cannot drive all the way: certified, from the stroke.
+    """Refuse a follower that the contact force cannot drive all the way, from the stroke.
 
     Raises InadmissibleError when a slide comes down to the height of the cam's axis, an arm to the line of pivot and
     axis, a flat face to the pivot, or a flat face would have to turn as fast as the cam.

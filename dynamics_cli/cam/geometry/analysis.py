@@ -1,4 +1,4 @@
-"""Certified extremes of curvature, pressure angle and contact of a whole cam."""
+"""Extremes of curvature, pressure angle and contact of a whole cam."""
 
 from math import inf
 
@@ -14,6 +14,10 @@ from dynamics_cli.records import ErrorBound, record
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+
+# an angle that passes half a turn jumps by a whole one, and no interpolant follows it
+ACROSS = 1e-3
 
 
 @record
@@ -34,9 +38,8 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
     `motion`: the program. Returns the extremes. Raises InadmissibleError when the roller's centre passes through the
     cam's axis, the pressure angle passes 180 degrees, or a flat rocker turns as fast as the cam.
 
-    Chebyshev proxies on each piece of each law, their remainders proved on discs of the complex plane, give the places;
-    the values are those of the formulas there, with bounded rounding. See `numerics.chebyshev` and
-    `cam.proof`. No value on the turn is beyond the extremes by more than their errors.
+    Chebyshev interpolants on each piece of each law give the places; the values are those of the formulas there, with
+    bounded rounding (`numerics.chebyshev`).
     """
     start_error = start_slip(geometry)
 
@@ -52,7 +55,7 @@ def analyse(geometry: Geometry, motion: "Any") -> Analysis:
         raise
     ends = cover.ends()
     require(
-        ends[1].error < inf,
+        ends[1].error < ACROSS,
         "the pressure angle passes 180 deg: the cam would have to pull the follower through",
         code="pulled",
         hint="take another base circle, or let an arm start farther from the line of pivot and axis",
@@ -71,9 +74,9 @@ def refuse_size() -> None:
 
 
 def runs_forward(geometry: Geometry, analysis: Analysis) -> bool:
-    """Whether the cam's curve provably never stops or runs backwards within the zones of the motion.
+    """Whether the cam's curve surely never stops or runs backwards within the zones of the motion.
 
-    1 − R κ > 0 all round (on an outer flank 1 + R κ), or ρ > 0 under a flat face, by more than the proved error.
+    1 − R κ > 0 all round (on an outer flank 1 + R κ), or ρ > 0 under a flat face, by more than its error.
     """
     bend = analysis.curvature
     if geometry.flat:

@@ -62,12 +62,11 @@ def left_by(curve: Envelope, *, forward: bool = False) -> "Left | None":
     `curve`: the envelope of the follower; `forward`: whether the curve is known to run forwards within every zone
     (`analysis.runs_forward`). Returns the corners of the remainder.
 
-    The envelope runs backwards between certified places. All crossings of its forward arcs are found by halving pairs
-    of arcs and by Newton's method; those that no position of the follower covers are corners, and the path from
-    corner to corner along the curve is the edge of each remaining piece, one of which encloses the axis. The
-    turning of an arc is taken from samples with a margin of a quarter; nothing else depends on samples, however small
-    the undercut and even where several merge. A velocity jump counts as backwards if its two contacts are in the wrong
-    order.
+    The envelope runs backwards between places where it stands. All crossings of its forward arcs are found by halving
+    pairs of arcs and by Newton's method; those that no position of the follower covers are corners, and the path from
+    corner to corner along the curve is the edge of each remaining piece, one of which encloses the axis. The turning of
+    an arc is taken from samples with a margin of a quarter; nothing else depends on samples, however small the undercut
+    and even where several merge. A velocity jump counts as backwards if its two contacts are in the wrong order.
     """
     if not curve.geometry.flat and curve.geometry.roller == 0.0:
         return None
@@ -93,7 +92,7 @@ def _wrapped(curve: Envelope, backward: "list[tuple[float, float]]") -> "list[tu
 
 
 def _uncovered(geometry: Geometry, motion: "Any", crossings_met: "list[Crossing]", size: float) -> "list[Crossing]":
-    """The crossings that no position of the follower covers, certified."""
+    """The crossings that no position of the follower covers."""
     if not crossings_met:
         return []
     points = np.array([crossing.point for crossing in crossings_met])[:, None, None]

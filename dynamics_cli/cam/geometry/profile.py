@@ -206,7 +206,7 @@ def profile(
         checks=_checks(touch),
         advice=(*_advice(geometry, analysis, loss, joint_jumps(motion)[0]), *body.advice),
         numerics=Numerics(
-            "exact envelope; certified extremes; Gauss quadrature on pieces halved until it settles",
+            "exact envelope; extremes from Chebyshev interpolants; Gauss quadrature on pieces halved until it settles",
             (*body.bounds, *pressure_bounds(analysis), *radius_bounds(geometry, analysis)),
         ),
     )

@@ -11,9 +11,8 @@ from dynamics_cli.cam.geometry.contact import Geometry
 from dynamics_cli.cam.geometry.corners import BLURRED, TURN, Corner, left_by
 from dynamics_cli.cam.geometry.envelope import Envelope
 from dynamics_cli.cam.geometry.followers import FlatFace, OscillatingFlat
-from dynamics_cli.cam.program.pieces import within
-from dynamics_cli.numerics.chebyshev.proxies import Proxies, proxies
-from dynamics_cli.numerics.chebyshev.summits import settled, summits
+from dynamics_cli.cam.program.pieces import best_of, within
+from dynamics_cli.numerics.chebyshev.proxies import extremes, proxies
 from dynamics_cli.quantities import Annotated
 from dynamics_cli.records import record
 
@@ -122,15 +121,9 @@ def _worst(curve: Envelope, loop: "tuple[Corner, ...]", size: float, off: float)
         losses = proxies(lambda share, piece: level + lost(share, piece), np.zeros(count), np.ones(count))
     except ValueError:
         return _slipping(curve, parts, np.array([corner.point for corner in loop]))
-    # their remainder and its slope are estimated; the rounding of the gap remains
-    count = losses.coefficients.shape[2]
-    bound = losses.error + ROUNDED * level
-    losses = Proxies(
-        losses.owner, losses.starts, losses.ends, losses.coefficients, bound, False, (count + 2.0) ** 2 * bound
-    )
-    (top,) = summits(losses, ways=(1.0,))
-    piece = losses.owner[top.rows]
-    share = 0.5 * (losses.starts + losses.ends)[top.rows] + 0.5 * (losses.ends - losses.starts)[top.rows] * top.units
+    candidates = extremes(losses)
+    near = candidates.near(1.0)
+    piece, share = candidates.owner[near], candidates.places[near]
     gaps = lost(share[:, None], piece)[0, :, 0]
     index = int(gaps.argmax())
     best = int(piece[index])
@@ -139,7 +132,7 @@ def _worst(curve: Envelope, loop: "tuple[Corner, ...]", size: float, off: float)
     steep = _steep(geometry, place, complex(points[best]), 1e-6 * size)
     rounded = ROUNDED * (size + _reach(geometry)) * steep
     rounded += 2.0**-51 * (abs(geometry.start) + max(map(abs, motion.stroke)))
-    error = settled(top, level + gaps, np.full(gaps.shape, rounded))[2]
+    error = best_of(gaps, rounded, candidates.gains[near])[2]
     return max(float(gaps[index]), 0.0), place, error + off * size * steep
 
 

@@ -1,11 +1,15 @@
 """The pieces of rise laws: each gives a function that is zero at its end of the rise, with its derivatives.
 
 A shape is called with a distance t ≥ 0 from the end of the rise it belongs to (x at the start, 1 − x at the end), so
-that it keeps its digits where the rise begins and ends; t is a float or an array. However a shape is computed, `parts`
-describes it as a polynomial and waves, `(coefficients, waves, origin, backwards)` as `Mixed` takes them.
+that it keeps its digits where the rise begins and ends. t is a float or an array, or carries its error (`Tracked`, or a
+`Disc` over an array): then the values carry theirs, with the rounding of the shape's constants. `quickest` is the
+frequency of a shape's fastest wave.
 """
 
 import math
+
+from dynamics_cli.numerics.elementary import cos, sin
+from dynamics_cli.numerics.number import is_array, is_tracked
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,6 +19,23 @@ if TYPE_CHECKING:
 # (−1)^n 6/(2n + 3)!: coefficients of (u − sin u)/(u³/6) in powers of u²; the last first.
 _SERIES = tuple((-1.0) ** n * 6.0 / math.factorial(2 * n + 3) for n in range(8, -1, -1))
 _SERIES_BELOW = 1.0
+
+
+U = 2.0**-53
+# Roundings of a coefficient of a polynomial, and how far constants change with the sum of the shares.
+CONSTANT, OFF = 3.0, 8.0
+
+
+def carrying(number: float, error: float, beside: "Any") -> "Any":
+    """A constant with its error, as the kind of number beside it; floats and arrays take it as it is."""
+    if type(beside) is float or is_array(beside):
+        return number
+    return type(beside)(number, error, ()) if is_tracked(beside) else type(beside)(number, error)
+
+
+def _pi(power: int, beside: "Any") -> "Any":
+    """A power of π."""
+    return carrying(math.pi**power, 4.0 * U * math.pi**power, beside)
 
 
 def _series(u: "Any") -> "Any":
@@ -30,8 +51,14 @@ def _series(u: "Any") -> "Any":
 
 def u_minus_sine(u: "Any", sine: "Any" = None) -> "Any":
     """U − sin u to a few roundings even where u ≥ 0 is small; `sine` is sin u if known."""
-    if type(u) is float:
-        return _series(u) if -_SERIES_BELOW < u < _SERIES_BELOW else u - (math.sin(u) if sine is None else sine)
+    if type(u) is float or is_tracked(u):
+        return _series(u) if -_SERIES_BELOW < u < _SERIES_BELOW else u - (sin(u) if sine is None else sine)
+    if not is_array(u):
+        # a disc: the slope is 1 − cos u; the series is within 8 roundings, the difference those of a sine
+        centre = u_minus_sine(u.centre)
+        rounding = (abs(u.centre) < _SERIES_BELOW) * (8.0 * U * abs(centre))
+        rounding = rounding + (abs(u.centre) >= _SERIES_BELOW) * (U * abs(centre) + 8.0 * U)
+        return type(u)(centre, u.radius * (1.0 - u.cosine()).size + rounding)
     import numpy as np
 
     small = u < _SERIES_BELOW
@@ -52,8 +79,8 @@ def u_minus_sine(u: "Any", sine: "Any" = None) -> "Any":
 
 def _waves(u: "Any", first: int, last: int) -> "list[Any]":
     """The derivatives of u − sin u from one order to another, from one sine and one cosine of the half angle."""
-    if type(u) is float:
-        half, other = math.sin(0.5 * u), math.cos(0.5 * u)
+    if type(u) is float or is_tracked(u):
+        half, other = sin(0.5 * u), cos(0.5 * u)
     else:
         import numpy as np
 
@@ -90,7 +117,7 @@ def _horner(coefficients: "Sequence[float]", t: "Any") -> "Any":
 class Mixed:
     """Polynomial and waves: Σ cᵢ τⁱ + Σ A W_m(w τ), τ = ±(t − origin), W₀ = u − sin u and W_m its derivatives."""
 
-    __slots__ = ("_polynomials", "backwards", "near", "off", "origin", "waves")
+    __slots__ = ("_polynomials", "backwards", "near", "off", "origin", "quickest", "waves")
 
     def __init__(
         self,
@@ -109,21 +136,20 @@ class Mixed:
         self.origin = origin
         self.backwards = backwards
         self.waves = tuple(waves)
+        self.quickest = max((w for _, w, _ in waves), default=0.0)
         rows = [tuple(coefficients)]
         for _ in range(4):
             rows.append(tuple(i * c for i, c in enumerate(rows[-1]))[1:])
         self._polynomials = tuple(rows)
 
-    @property
-    def parts(self) -> "tuple[Any, ...]":
-        """Coefficients, waves, origin and direction."""
-        return self._polynomials[0], self.waves, self.origin, self.backwards
-
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
-        tau = self.origin - t if self.backwards else t - self.origin if self.origin else t
-        derivatives_at = [_horner(row, tau) if row else None for row in self._polynomials[: derivatives + 1]]
-        for amplitude, w, start in self.waves:
+        rows, waves, origin = self._polynomials[: derivatives + 1], self.waves, self.origin
+        if not (type(t) is float or is_array(t)):
+            rows, waves, origin, t = self._bounded(rows, t)
+        tau = origin - t if self.backwards else t - origin if self.origin else t
+        derivatives_at = [_horner(row, tau) if row else None for row in rows]
+        for amplitude, w, start in waves:
             factor = amplitude
             for order, wave in enumerate(_waves(w * tau, start, start + derivatives)):
                 part = factor * wave
@@ -133,21 +159,29 @@ class Mixed:
             derivatives_at[1::2] = [None if value is None else -value for value in derivatives_at[1::2]]
         return [0.0 * tau if value is None else value for value in derivatives_at]
 
+    def _bounded(self, rows: "Sequence[Any]", t: "Any") -> "tuple[Any, ...]":
+        """Coefficients, waves, origin and place with their errors."""
+        off, (wide, fast) = OFF * self.off, self.near
+        coefficients = [
+            [carrying(c, ((CONSTANT + order) * U + off) * abs(c), t) for c in row] for order, row in enumerate(rows)
+        ]
+        waves = [
+            (carrying(a, (wide * U + off) * abs(a), t), carrying(w, (fast * U + off) * abs(w), t), start)
+            for a, w, start in self.waves
+        ]
+        return coefficients, waves, carrying(self.origin, U * abs(self.origin), t), t + carrying(0.0, self.off, t)
+
 
 class Beta:
     """The polynomial whose velocity is C pⁿ, p = t(1 − t): 3-4-5 for n = 2, 4-5-6-7 for n = 3."""
 
     __slots__ = ("constant", "n", "row")
+    quickest = 0.0
 
     def __init__(self, n: int) -> None:
         self.n = n
         self.constant = float(math.factorial(2 * n + 1) // math.factorial(n) ** 2)
         self.row = tuple(self.constant * (-1) ** k * math.comb(n, k) / (n + 1 + k) for k in range(n + 1))
-
-    @property
-    def parts(self) -> "tuple[Any, ...]":
-        """The coefficients, all whole numbers."""
-        return (0.0,) * (self.n + 1) + self.row, (), 0.0, False
 
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
@@ -166,23 +200,6 @@ class Beta:
         if derivatives >= 4:
             orders.append(self._fourth(p) * slope)
         return orders
-
-    def size(self, order: int) -> float:
-        """Bound of the sum of magnitudes of a derivative's terms (first to fourth) for 0 ≤ t ≤ 1, p ≤ ¼."""
-        n, c = self.n, self.constant
-        if order < 3:
-            return (c * 0.25**n, c * n * 0.25 ** (n - 1))[order - 1]
-        if order == 3:
-            return c * n * 0.25 ** max(n - 2, 0) * ((n - 1) + (4 * n - 2) * 0.25) if n > 1 else 2.0 * c
-        bent = (n - 1) * (n - 2) * 0.25 ** max(n - 3, 0)
-        return c * n * (bent + (4 * n - 2) * (n - 1) * 0.25 ** max(n - 2, 0))
-
-    def largest(self, order: int) -> float:
-        """Bound of that derivative itself for 0 ≤ t ≤ 1: of the third, C n pⁿ⁻²((n − 1) − (4n − 2)p), the extremes."""
-        n = self.n
-        if order != 3 or n == 1:
-            return self.size(order)
-        return self.constant * n * max(((n - 2) / (4 * n - 2)) ** (n - 2), 0.5 * 0.25 ** (n - 2))
 
     def _fourth(self, p: "Any") -> "Any":
         n, c = self.n, self.constant
@@ -206,23 +223,22 @@ class FourthPowerOfSine:
     """sin⁴(πt/2), the start of the double harmonic."""
 
     __slots__ = ()
-    # sin⁴(u/2) = ½(1 − cos u) − ⅛(1 − cos 2u)
-    parts = ((), ((0.5, math.pi, 1), (-0.125, 2.0 * math.pi, 1)), 0.0, False)
+    quickest = 2.0 * math.pi
 
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
-        u = math.pi * t
+        u = _pi(1, t) * t
         versed = 0.5 * _wave(1, u)
         orders = [versed * versed]
         sine = _wave(2, u)
         if derivatives >= 1:
-            orders.append(math.pi * sine * versed)
+            orders.append(_pi(1, t) * sine * versed)
         if derivatives >= 2:
-            orders.append(math.pi**2 * _wave(2, 1.5 * u) * _wave(2, 0.5 * u))
+            orders.append(_pi(2, t) * _wave(2, 1.5 * u) * _wave(2, 0.5 * u))
         if derivatives >= 3:
-            orders.append(0.5 * math.pi**3 * sine * (4.0 * _wave(3, u) - 1.0))
+            orders.append(0.5 * _pi(3, t) * sine * (4.0 * _wave(3, u) - 1.0))
         if derivatives >= 4:
-            orders.append(0.5 * math.pi**4 * (4.0 * _wave(3, 2.0 * u) - _wave(3, u)))
+            orders.append(0.5 * _pi(4, t) * (4.0 * _wave(3, 2.0 * u) - _wave(3, u)))
         return orders
 
 
@@ -230,22 +246,21 @@ class EndOfDoubleHarmonic:
     """1 − sin⁴(π(1 − t)/2), the end of the double harmonic, where its acceleration jumps."""
 
     __slots__ = ()
-    # ½(1 − cos u) + ⅛(1 − cos 2u)
-    parts = ((), ((0.5, math.pi, 1), (0.125, 2.0 * math.pi, 1)), 0.0, False)
+    quickest = 2.0 * math.pi
 
     def __call__(self, t: "Any", derivatives: int) -> "list[Any]":
         """The value and its derivatives with respect to t."""
-        u = math.pi * t
+        u = _pi(1, t) * t
         half_versed = 0.5 * _wave(1, u)
         sine = _wave(2, u)
         cosine = _wave(3, u)
         orders = [half_versed * (2.0 - half_versed)]
         if derivatives >= 1:
-            orders.append(math.pi * sine * (1.0 - half_versed))
+            orders.append(_pi(1, t) * sine * (1.0 - half_versed))
         if derivatives >= 2:
-            orders.append(0.5 * math.pi**2 * (cosine + _wave(3, 2.0 * u)))
+            orders.append(0.5 * _pi(2, t) * (cosine + _wave(3, 2.0 * u)))
         if derivatives >= 3:
-            orders.append(-0.5 * math.pi**3 * sine * (1.0 + 4.0 * cosine))
+            orders.append(-0.5 * _pi(3, t) * sine * (1.0 + 4.0 * cosine))
         if derivatives >= 4:
-            orders.append(-0.5 * math.pi**4 * (cosine + 4.0 * _wave(3, 2.0 * u)))
+            orders.append(-0.5 * _pi(4, t) * (cosine + 4.0 * _wave(3, 2.0 * u)))
         return orders

@@ -3,16 +3,16 @@
 from math import inf
 
 from dynamics_cli.cam.laws.normalised import Law, Piece
-from dynamics_cli.cam.proof.law_enclosures import bound, derivative, reach_of, rounding
-from dynamics_cli.cam.proof.law_rounding import HALVES_OF_FLOATS, slips
+from dynamics_cli.numerics.tracked import Tracked
 
 DERIVATIVES = ("lift", "velocity", "acceleration", "jerk", "rate of jerk")
 STILL = 2.0**-53
+# a slope below this share of the greatest is rounding
+NOISE = 1e-13
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from typing import Any
 
 
 def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
@@ -20,10 +20,8 @@ def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
 
     `order`: which derivative: 0 for f, 3 for jerk. Returns places and values; a jump gives two values at one place.
 
-    Sign changes of the next derivative g, bisected to the last bit; bounds of the law's derivatives prove that there
-    are no others (`cam.proof`). A step of length h with ends of one sign has none where both exceed
-    h²/8 max|g″|, and at most one where g′ keeps its sign likewise; any other is halved until g equals zero to rounding
-    in it, or the function moves by less than 2⁻⁵³ of its size: neighbouring steps of that kind count as one.
+    Sign changes of the next derivative between the places of a grid, 16 to a piece (64 where a law is not monotone),
+    bisected to the last bit.
     """
     if order not in law.known:
         law.known[order] = _extremes(law, order)
@@ -46,54 +44,19 @@ def _extremes(law: Law, order: int) -> "list[tuple[float, float]]":
 
 
 def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "list[float]":
-    shape = piece.shape
+    """Where the next derivative changes its sign between places of a grid; a sign within rounding does not count."""
 
     def slope(t: float) -> float:
-        return shape(t, order + 1)[order + 1]  # type: ignore[no-any-return]
+        return piece.shape(t, order + 1)[order + 1]  # type: ignore[no-any-return]
 
-    reach = reach_of(shape, (low, high))
-    size, *bent = (bound(shape, order + more, reach) for more in (0, 3, 4))
-    roundings = [rounding(shape, order + more, reach) for more in (1, 2)]
     grid = [low + (high - low) * i / steps for i in range(steps + 1)]
     values = [slope(t) for t in grid]
-    # reversed: cells are taken from the end
-    cells = list(zip(grid, grid[1:], values, values[1:], strict=False))[::-1]
+    least = NOISE * max(map(abs, values))
     turning = [t for t, value in zip(grid[1:-1], values[1:-1], strict=True) if value == 0.0]
-    # adjacent cells whose sign is within rounding: together they contain one extremum or none
-    flat: list[list[float]] = []
-    while cells:
-        start, end, a, b = cells.pop()
-        step, changes = end - start, a * b < 0.0
-        curvature_bound, least = 0.125 * step * step, min(abs(a), abs(b))
-        most = max(abs(a), abs(b), curvature_bound * bent[0])
-        still = most <= 4.0 * roundings[0] or 2.0 * step * most <= STILL * size
-        if not changes and least > curvature_bound * bent[0] + roundings[0]:
-            continue
-        if still:
-            if flat and flat[-1][1] == start:
-                flat[-1][1], flat[-1][3] = end, b
-            else:
-                flat.append([start, end, a, b])
-        elif _one_sign(shape, order + 2, start, end, curvature_bound * bent[1] + roundings[1]):
-            if a == 0.0 and start > low and start not in turning:
-                turning.append(start)
-            if changes:
-                turning.append(_settled(piece, order, _bisected(slope, start, end, a)))
-        else:
-            middle = 0.5 * (start + end)
-            at_middle = slope(middle)
-            cells += [(middle, end, at_middle, b), (start, middle, a, at_middle)]
-    for start, end, a, b in flat:
-        root = _settled(piece, order, _bisected(slope, start, end, a)) if a * b < 0.0 else start
-        if a * b < 0.0 and root not in turning:
-            turning.append(root)
+    for start, end, a, b in zip(grid, grid[1:], values, values[1:], strict=False):
+        if a * b < 0.0 and max(abs(a), abs(b)) > least:
+            turning.append(_settled(piece, order, _bisected(slope, start, end, a)))
     return sorted(turning)
-
-
-def _one_sign(shape: "Any", order: int, start: float, end: float, room: float) -> bool:
-    """Whether a derivative keeps its sign between two places: it differs from its chord by `room` at most."""
-    p, q = derivative(shape, order, start), derivative(shape, order, end)
-    return p * q > 0.0 and min(abs(p), abs(q)) > room
 
 
 def _bisected(slope: "Callable[[float], float]", low: float, high: float, at_low: float) -> float:
@@ -133,6 +96,11 @@ def _peak(law: Law, order: int, step: int) -> tuple[float, float]:
     return top, place
 
 
+def errors_of(piece: Piece, t: float, off: float, derivatives: int) -> "list[float]":
+    """Rounding error bounds of a piece and its derivatives at a place that is off by so much."""
+    return [number.error for number in piece.shape(Tracked(t, off, ()), derivatives)]
+
+
 def value_error(law: Law, x: float, order: int) -> float:
     """Error bound of a derivative's extremum at x, as `extremes` gives it: the larger of both sides of a joint.
 
@@ -143,7 +111,7 @@ def value_error(law: Law, x: float, order: int) -> float:
         if piece.low <= x <= piece.high:
             t = min(max(1.0 - x if piece.far else x, piece.ends[0]), piece.ends[1])
             # a place within a rounding is equivalent, and an end may be rounded
-            error = slips(piece.shape, t, 4.0 * STILL * t, order, HALVES_OF_FLOATS)[order]
+            error = errors_of(piece, t, 4.0 * STILL * t, order)[order]
             value = abs(law.upright(piece, t, order)[order])
             bound = max(bound, error + 3.0 * STILL * value)
     return bound

@@ -4,10 +4,9 @@ from math import inf, pi
 
 from dynamics_cli.cam.laws.names import LawName
 from dynamics_cli.cam.laws.normalised import Law
-from dynamics_cli.cam.laws.peaks import DERIVATIVES, continuity, peak, peak_bound
+from dynamics_cli.cam.laws.peaks import DERIVATIVES, continuity, errors_of, peak, peak_bound
 from dynamics_cli.cam.laws.rounded_points import rounding_advice
 from dynamics_cli.cam.laws.selection import Condition, SplinePoint, area_checks, chosen
-from dynamics_cli.cam.proof.law_rounding import HALVES_OF_FLOATS, slips
 from dynamics_cli.errors import require, worded
 from dynamics_cli.quantities import (
     Acceleration,
@@ -233,7 +232,7 @@ def _bounds(
             if piece.low <= x <= piece.high:
                 t = rest if piece.far else x
                 # the quotient counts two roundings, of a difference and its own
-                errors = slips(piece.shape, t, 2.0 * UNIT * t, 3, HALVES_OF_FLOATS)
+                errors = errors_of(piece, t, 2.0 * UNIT * t, 3)
                 sizes = [abs(value) for value in piece.shape(t, 4)]
                 for order, (error, value) in enumerate(zip(errors, values, strict=True)):
                     # a value below its change over the rounding of the angle is shown as zero

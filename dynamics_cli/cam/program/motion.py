@@ -200,12 +200,8 @@ class Motion:
             return tuple(_within(pieces, low, high, float(t), derivatives))
         import numpy as np
 
-        x = low + (high - low) * t
-        out = np.empty((derivatives + 1, *x.shape))
-        for piece in pieces:
-            law_piece = piece.law_piece
-            inside = (x >= law_piece.low) if piece is pieces[-1] else (x >= law_piece.low) & (x < law_piece.high)
-            local = _from_end(law_piece, low, high, t[inside])
+        out = np.empty((derivatives + 1, *t.shape))
+        for piece, inside, local in located(pieces, t):
             for order, values in enumerate(piece.give(local, derivatives)):
                 out[order][inside] = values
         return tuple(out)
@@ -230,6 +226,20 @@ class Motion:
                 ends += [span.low + scale * f for _, f in extremes(span.law, 0)]
             least, most = min(least, *ends), max(most, *ends)
         return least, most
+
+
+def located(pieces: "list[Part]", share: "Any") -> "list[tuple[Part, Any, Any]]":
+    """The parts of a zone with the shares (an array) that lie in each, and these in the part's own coordinate."""
+    if pieces[0].law_piece is None:
+        return [(pieces[0], slice(None), share)]
+    low, high = pieces[0].law_piece.low, pieces[-1].law_piece.high
+    x = low + (high - low) * share
+    places = []
+    for piece in pieces:
+        law_piece = piece.law_piece
+        inside = (x >= law_piece.low) if piece is pieces[-1] else (x >= law_piece.low) & (x < law_piece.high)
+        places.append((piece, inside, _from_end(law_piece, low, high, share[inside])))
+    return places
 
 
 def _from_end(law_piece: "Any", low: float, high: float, t: "Any") -> "Any":

@@ -1,5 +1,6 @@
 """Segments of a motion between exact ends, and the parts of its laws, in cam angles."""
 
+from dynamics_cli.cam.laws.components import U, carrying
 from dynamics_cli.cam.laws.normalised import Law  # noqa: TC001 (annotations of a record)
 from dynamics_cli.quantities import Annotated
 from dynamics_cli.records import record
@@ -113,3 +114,17 @@ class Part:
         out = [self.base + lift if self.base else lift]
         out.extend(self.scales[order] * orders[order] for order in range(1, derivatives + 1))
         return out
+
+    def bounded(self, t: "Any", derivatives: int) -> "list[Any]":
+        """The same at a place that carries its error, with the rounding of the part's own constants."""
+        if self.law_piece is None:
+            still = 0.0 * t
+            return [still + carrying(self.base, self.off, t)] + [still] * derivatives
+        # an error of the ends is an error of the rise; a rise counts two roundings, each division by the span two more
+        level = self.off / abs(self.scales[0]) if self.scales[0] else 0.0
+        shares = [level + (2.0 + 2.0 * order) * U for order in range(derivatives + 1)]
+        orders = [
+            carrying(scale, share * abs(scale), t) * value
+            for scale, share, value in zip(self.scales, shares, self.law_piece.shape(t, derivatives), strict=False)
+        ]
+        return [orders[0] + carrying(self.base, self.off, t) if self.base or self.off else orders[0], *orders[1:]]

@@ -20,7 +20,6 @@ from dynamics_cli.cam.program.revolution_records import (
     VelocityRange,
 )
 from dynamics_cli.cam.program.summary import Extreme, extreme, jumps, order_of_continuity, root_mean_square
-from dynamics_cli.cam.proof.law_rounding import of_part
 from dynamics_cli.errors import require, worded
 from dynamics_cli.quantities import (
     Angle,
@@ -332,6 +331,8 @@ def _column_errors(turn: Motion, table: "Any") -> "list[float]":
     """Error bounds of lift and derivatives of a table, the largest of all rows."""
     import numpy as np
 
+    from dynamics_cli.numerics.discs import Disc
+
     arrays = table.arrays
     angles = arrays["angle"]
     worst = [0.0] * 4
@@ -339,9 +340,10 @@ def _column_errors(turn: Motion, table: "Any") -> "list[float]":
     for part, rows in turn.by_parts(angles):
         t = np.abs(part.local(angles[rows].copy())) if part.law_piece is not None else np.zeros(rows.shape)
         steep = [np.abs(value) for value in part.give(t, 4)]
-        for order, error in enumerate(of_part(part, t)):
+        # a place that follows from a cam angle is five roundings off
+        for order, number in enumerate(part.bounded(Disc(t, 5.0 * UNIT * t), 3)):
             # less than its change over the rounding of the angle is shown as zero
             still = 2.0 * ROUNDING * np.abs(angles[rows]) * steep[order + 1]
-            errors = error + np.where(values[order][rows] == 0.0, still, 0.0)
+            errors = number.radius + np.where(values[order][rows] == 0.0, still, 0.0)
             worst[order] = max(worst[order], float(errors.max()))
     return worst

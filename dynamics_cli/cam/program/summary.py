@@ -5,7 +5,6 @@ from math import inf, sqrt
 
 from dynamics_cli.cam.laws.peaks import extremes, value_error
 from dynamics_cli.cam.laws.selection import GAUSS
-from dynamics_cli.cam.proof.law_rounding import slips
 from dynamics_cli.quantities import Annotated
 from dynamics_cli.records import record
 
@@ -106,17 +105,18 @@ def _mean_square(law: "Law", order: int) -> "tuple[float, float]":
     """Mean squares of a derivative and of its error bounds."""
     import numpy as np
 
+    from dynamics_cli.numerics.discs import Disc
+
     total = slipped = 0.0
     for piece in law.pieces:
         start, end = piece.ends
         shape: Any = piece.shape
-        quickest = max((w for _, w, _ in shape.parts[1]), default=0.0)
-        count = 1 + int(quickest * (end - start) / MOST_TURNED)
+        count = 1 + int(shape.quickest * (end - start) / MOST_TURNED)
         edges = np.linspace(start, end, count + 1)
         half = 0.5 * np.diff(edges)
         t = (edges[:-1] + half)[:, None] + half[:, None] * NODES
-        value = np.asarray(piece.shape(t.ravel(), order)[order]).reshape(t.shape)
-        error = np.asarray(slips(piece.shape, t.ravel(), 4.0 * UNIT * t.ravel(), order)[order]).reshape(t.shape)
+        bounded = shape(Disc(t, 4.0 * UNIT * t), order)[order]
+        value, error = bounded.centre, bounded.radius
         weight = half[:, None] * WEIGHTS
         total += float((weight * value * value).sum())
         slipped += float((weight * error * error).sum())

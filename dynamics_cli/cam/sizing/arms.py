@@ -1,6 +1,6 @@
 """The smallest cam for an arm: the angle at which the arm may start, in closed form at every cam angle."""
 
-from math import atan2, cos, hypot, inf, pi, sin, sqrt
+from math import atan2, cos, hypot, pi, sin, sqrt
 
 import numpy as np
 
@@ -20,6 +20,10 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
+
+
+# a larger error of an angle is that of a bent function
+CLIPPED = 1e-12
 
 
 @record
@@ -74,8 +78,8 @@ def reach(motion: "Any", arm: float, pivot: float, limits: tuple[float, float], 
     most, most_error = min((over.least, over.least_error), (pi - lift.greatest, lift.greatest_error + 4.0 * UNIT))
     # a limit that might decide contributes its error
     error = max(bound for value, bound, _ in ends if value + bound >= least - error)
-    if error == inf:
-        # an arc cosine is clipped somewhere on the turn, where its proxies are not proved
+    if error > CLIPPED:
+        # an arc cosine is clipped somewhere on the turn, where no interpolant follows it
         error = _pressed(motion, (arm, pivot), least, limits, turn)
     floor = max(-lift.least, 0.0)
     return Reach(max(least, floor), most, binding, error if least + error > floor else lift.least_error, most_error)
@@ -116,13 +120,13 @@ def size_arm(
     arm, pivot, roller = follower.arm, follower.pivot_distance, follower.roller_radius
     turn, side = signs(rotation, flank)
     reached = reach(motion, arm, pivot, limits, turn)
-    start, binding, method = reached.least, reached.binding, "closed form on certified extremes"
+    start, binding, method = reached.least, reached.binding, "closed form on extremes over the turn"
     require_reach(reached, start)
     error = reached.error
     if least_radius is not None:
         curved, off = round_start(motion, arm, pivot, start, least_radius + roller, turn, side)
         if curved > start:
-            start, binding, method, error = curved, CURVATURE, "bisection on certified extremes", off
+            start, binding, method, error = curved, CURVATURE, "bisection on extremes over the turn", off
             require_round(reached, start)
     radius = distance(arm, pivot, start)
     bound = moved(arm, pivot, start, error)
@@ -184,7 +188,7 @@ def round_start(
     `side`: -1 for a clockwise cam; -1 for an outer flank. Returns the angle, and the bound of its error [rad]. Raises
     InadmissibleError if no angle is possible.
 
-    Bisection on certified extremes, after steps that double. The curvature is certainly too large one error below
+    Bisection on extremes over the turn, after steps that double. The curvature is certainly too large one error below
     the angle, and certainly not one error above it.
     """
     prime = distance(arm, pivot, 0.5 * pi)

@@ -149,7 +149,7 @@ def _both(
         arm_angle=arm_angle, second=SecondCam(second_start, *mate), checks=tuple(checks),
         advice=undercut(min((item[2] for item in extremes if item[2] is not None), default=None), start_radius),
         numerics=Numerics(
-            ("closed form" if least_radius is None else "secant or bisection") + " on certified extremes",
+            ("closed form" if least_radius is None else "secant or bisection") + " on extremes over the turn",
             (stated(error + UNIT * (3.0 * start_radius + base_radius), base_radius),),
         ),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""The smallest cam for a flat-faced rocker: certified extremes of closed forms."""
+"""The smallest cam for a flat-faced rocker: extremes of closed forms."""
 
 from math import asin, cos, pi, sin, tan
 
@@ -50,7 +50,7 @@ def size_rocker(
         ),
         advice=no_limit(least_radius),
         numerics=Numerics(
-            "closed form on certified extremes",
+            "closed form on extremes over the turn",
             (stated(bound, base),),
         ),
     )  # fmt: skip
@@ -72,7 +72,7 @@ def _start(
         a = (1.0 + 2.0 * turn * s1) * speed
         factor = (least_radius + back) / pivot
         needs = speed * speed * speed * Disc(factor, 2.0 * UNIT * abs(factor)) / np.hypot(a, s2)
-        # β from −90 to 270 degrees, without a branch: its proxies are proved
+        # β from −90 to 270 degrees, without a branch
         return needs, 0.5 * pi + np.arctan2(-a, s2)
 
     (needed,) = extremes_of(motion, lambda s, s1, s2: parts(s1, s2)[0])

@@ -41,7 +41,7 @@ class Falling:
         self.stroke = tuple(-level for level in motion.stroke[::-1])
 
     def parts_of(self, index: int) -> "list[Any]":
-        """The parts of a zone, for proved bounds."""
+        """The parts of a zone."""
         return [part.negated() for part in self.motion.parts_of(index)]
 
     def in_zone(self, index: int, t: "Any", derivatives: int = 3) -> "tuple[Any, ...]":
@@ -68,7 +68,7 @@ class Round:
         self.nodes = within(motion, np.tile(self.shares, (count, 1)), np.arange(count))
 
     def bend(self, e: float, d: float) -> float:
-        """The certified maximum of the relevant curvature at height d; negative where the curve never has that sign."""
+        """The maximum of the relevant curvature at height d; negative where the curve never has that sign."""
         return self._bend(e, d)[0]
 
     def _bend(self, e: float, d: float) -> "tuple[float, float]":
@@ -144,7 +144,7 @@ class Round:
         return x
 
     def height(self, e: float) -> float:
-        """The same, certified: a secant on certified extremes, from the fine height."""
+        """The same, by a secant on extremes over the turn, from the fine height."""
         d = self.fine(e)
         if not d > -inf:
             return d

@@ -68,13 +68,13 @@ def size(
 
     Notes
     -----
-    The extremes are certified; the rest of a pressure-limited size is closed form (the hodograph construction).
-    Where the apex is not the nearest point, the foot of the perpendicular on the line that binds is. A radius of
-    curvature that binds is met by a secant on certified extremes from the largest root in X of w³ = ρ·D; with a free
-    offset, every dip of the start radius over a grid of offsets is followed by golden section to 1e-13 of the reach. A
-    conjugate pair keeps the limits on both cams, each of which drives one stroke: the second is the first one for the
-    inverted motion, mirrored. In a closed track both flanks share their pressure angles: size it for the inner flank
-    and for the outer, and take the larger.
+    The extremes are those of Chebyshev interpolants of every piece; the rest of a pressure-limited size is closed form
+    (the hodograph construction). Where the apex is not the nearest point, the foot of the perpendicular on the line
+    that binds is. A radius of curvature that binds is met by a secant on extremes over the turn from the largest root
+    in X of w³ = ρ·D; with a free offset, every dip of the start radius over a grid of offsets is followed by golden
+    section to 1e-13 of the reach. A conjugate pair keeps the limits on both cams, each of which drives one stroke: the
+    second is the first one for the inverted motion, mirrored. In a closed track both flanks share their pressure
+    angles: size it for the inner flank and for the outer, and take the larger.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""The smallest cam for a sliding follower: certified extremes of closed forms."""
+"""The smallest cam for a sliding follower: extremes of closed forms."""
 
 from math import hypot, inf, sqrt, tan
 
@@ -36,7 +36,7 @@ def extremes_of(motion: "Any", *functions: "Callable[..., Any]") -> "list[Ends]"
 
 
 def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str) -> CamSize:
-    """Base circle of a flat-faced follower, in closed form from certified extremes: R_b = ρ − min(s + s″)."""
+    """Base circle of a flat-faced follower, in closed form from extremes over the turn: R_b = ρ − min(s + s″)."""
     sums, speed = extremes_of(motion, lambda s, s1, s2: s + s2, lambda s, s1, s2: s1)
     low, _ = sums.smallest()
     base = least_radius - low
@@ -57,7 +57,7 @@ def size_flat(motion: "Any", follower: "Any", least_radius: float, rotation: str
         face_width=speed.largest()[0] - speed.smallest()[0] + 2.0 * follower.face_margin,
         checks=(kept("radius of curvature keeps its limit", least_radius - low_kept, base + least_radius),),
         advice=no_limit(least_radius),
-        numerics=Numerics("closed form on certified extremes", (stated(bound, base),)),
+        numerics=Numerics("closed form on extremes over the turn", (stated(bound, base),)),
     )  # fmt: skip
 
 
@@ -82,7 +82,7 @@ def _searched(wedge: "Wedge", round_: Round, e: float, d: float) -> tuple[float,
         lambda e: hypot(e, max(wedge.height(e), round_.fine(e))),
         reach,
     )
-    # the difference between the height used in the search and the certified one
+    # the difference between the height used in the search and the one of the whole turn
     return e, loose + abs(round_.height(e) - round_.fine(e))
 
 
@@ -100,12 +100,12 @@ def size_slide(
         e = turn * follower.offset
         d, binding = wedge.height(e), wedge.binding(e)
         bound = wedge.slip(e) * abs(d) / hypot(e, d) if d else wedge.slip(e)
-    method = "closed form on certified extremes"
+    method = "closed form on extremes over the turn"
     if round_ is not None and not round_.kept(e, d):
-        binding, method, loose = CURVATURE, "secant on certified extremes", 0.0
+        binding, method, loose = CURVATURE, "secant on extremes over the turn", 0.0
         if follower.offset is None:
             e, loose = _searched(wedge, round_, e, d)
-            method = "golden section over the offset, secant on certified extremes"
+            method = "golden section over the offset, secant on extremes over the turn"
         pressed, bent = wedge.height(e), round_.height(e)
         d = max(pressed, bent)
         bound = loose + (round_.slip(e, d) if bent >= pressed else wedge.slip(e)) * d / hypot(e, d)

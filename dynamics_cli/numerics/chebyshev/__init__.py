@@ -1,1 +1,1 @@
-"""Chebyshev proxies of smooth functions, with proved remainders and maxima."""
+"""Chebyshev interpolants of smooth functions, and their extremes."""

@@ -1,8 +1,7 @@
 """Chebyshev proxies of smooth functions, piece by piece, and all their extremes, certified by bounds of derivatives.
 
 Many functions on many pieces are sampled and searched at once: the cost is that of a few array operations. Nodes lie
-inside the pieces, so that a function that jumps at their ends is never evaluated there. `numerics.remainders` builds
-proxies whose error is proved.
+inside the pieces, so that a function that jumps at their ends is never evaluated there.
 """
 
 from functools import lru_cache
@@ -42,11 +41,6 @@ class Proxies:
     ends: Annotated["Any", "The pieces, in order."]
     coefficients: Annotated["Any", "Coefficients on each piece."]
     error: Annotated["Any", "What the coefficients left out may come to."]
-    proved: Annotated[bool, "Whether `error` is a proof, with all roundings, or an estimate."] = False
-    steep: Annotated[
-        "Any",
-        "Bound of the derivative of what is left out, over the half width of each piece; none where nothing is proved.",
-    ] = None
 
 
 @record
@@ -59,19 +53,14 @@ class Extremes:
     inside: Annotated["Any", "Whether the place is inside a piece: a place where the function turns."]
     error: Annotated[
         float,
-        "The function's greatest and least value on the pieces are within it of the greatest and least here: "
-        "proved where the error of the proxies is.",
+        "The function's greatest and least value on the pieces are within it of the greatest and least here.",
     ]
-    rows: Annotated["Any", "The proxies' piece each place lies in."] = None
-    units: Annotated["Any", "Where in that piece, between -1 and 1."] = None
-    about: Annotated[
-        "Any",
-        "How far about its place, over the half width of the piece, the function may turn: zero but in cells in "
-        "which it hardly moves.",
-    ] = None
-    off: Annotated[
-        "Any", "What a value may be off the largest or least of the polynomial that was searched, by pieces."
-    ] = None
+    gains: Annotated["Any", "How much the function may exceed its extremum at each place nearby."] = None
+
+    def near(self, sign: float) -> "Any":
+        """The places that may hold the greatest value (sign 1) or the least (-1)."""
+        values = sign * self.values
+        return np.flatnonzero(values >= values.max() - 2.0 * self.error)
 
     def largest(self) -> tuple[float, float]:
         """The largest value, and the first place whose value equals it within rounding."""
@@ -116,9 +105,8 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     function is not finite at a node.
 
     A piece is resolved when its last four coefficients are below 4e-15 of their sum, or when halving no longer helps
-    (rounding of the function itself). For an analytic function the omitted coefficients decrease like the last
-    ones; `error` is twice the last four, which is an estimate, not a proof: for searches whose result is certified
-    otherwise. With proof, see `numerics.remainders`. Trefethen, Approximation Theory and Approximation Practice,
+    (rounding of the function itself). For an analytic function the omitted coefficients decrease like the last ones;
+    `error` is twice the last four, which is an estimate. Trefethen, Approximation Theory and Approximation Practice,
     chapters 3-8.
 
     References
@@ -167,19 +155,18 @@ def proxies(function: "Callable[[Any, Any], Any]", starts: "Any", ends: "Any", *
     )
 
 
-def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "Any" = None) -> Extremes:
+def extremes(proxy: Proxies, which: int = 0, *, every: bool = False) -> Extremes:
     """Find the maximum and the minimum of one of the functions, or every stationary point.
 
     f′ = 0 is sought in t, x = cos t: between grid points a cell has no root when both ends keep one sign and are
     above h²/8·max|f‴|, exactly one when f″ keeps its sign likewise; other cells are divided.
 
-    `proxy`: the interpolated functions; `every`: also return places that decide neither maximum nor minimum; `margin`:
-    how far below the maximum or above the minimum a place may lie and still be returned, by pieces. Returns ends of
-    pieces and places where the function turns.
+    `proxy`: the interpolated functions; `every`: also return places that decide neither maximum nor minimum. Returns
+    ends of pieces and places where the function turns.
 
     Derivatives are bounded by Σ kⁿ|c_k|, and what rounding does to them by 2⁻⁴⁵ Σ kⁿ|c_k| (angles kt to 23π, sums of 24
     terms), so no turn of the proxy is missed; cells still undecided within which it moves by less than 1e-15 of its
-    size are candidates themselves. `error` adds to the proved error of the proxies the rounding of the values, the sum
+    size are candidates themselves. `error` adds to that of the proxies the rounding of the values, the sum
     of coefficients too small to be searched, and the residual of Newton's method at the places.
 
     References
@@ -208,7 +195,7 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "An
     off = 2.0 * np.abs(series - c).sum(axis=1) + ROUNDING * size[:, 1:].sum(axis=1) + 2.0**-51 * scale
     step = np.pi / GRID
     roots: list[tuple[Any, Any, Any]] = []
-    calm: list[tuple[Any, Any, Any]] = []
+    calm: list[tuple[Any, Any]] = []
     q, d1, d2 = c @ basis, c @ first, c @ second
     # the mean last: the other terms are small beside it on a short piece
     moving, mean = series[:, 1:], series[:, 0]
@@ -228,7 +215,7 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "An
             tops, bottoms = high.max(axis=1), low.min(axis=1)
         if not every:
             most, least = max(most, q.max()), min(least, q.min())
-            edge = 0.0 if margin is None else margin[owner][:, None]
+            edge = 2.0 * proxy.error[which][owner][:, None]
             decides = (high >= most - edge) | (low <= least + edge)
             turning &= decides
             unsure &= decides
@@ -243,7 +230,7 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "An
         moves += 0.125 * step**3 * bounds[1][rows] + step * slack[0][rows]
         still = (moves <= CALM * scale[rows]) | (level == LEVELS)
         np.maximum.at(off, rows[still], off[rows[still]] + moves[still])
-        calm.append((rows[still], lefts[still] - 0.5 * step, np.full(rows[still].size, step)))
+        calm.append((rows[still], lefts[still] - 0.5 * step))
         owner, lefts = rows[~still], lefts[~still]
         if not owner.size:
             break
@@ -262,16 +249,41 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False, margin: "An
     # by t, every function turns at the ends of its piece
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
     rows = np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))
-    widths = np.concatenate((np.zeros(ends.size + at[0].size), *(part[2] for part in calm)))
-    units = np.concatenate((np.full(c.shape[0], -1.0), np.ones(c.shape[0]), np.cos(place)))
+    # the samples are rounded too
+    gains = _gains(proxy.error[which] + 2.0**-52 * scale, c, moving, (turns, slope, slack, at[0]), row)
     owners = proxy.owner[rows]
     order = np.lexsort((places, owners))
     # a piece below the maximum by more than its error does not contribute to the maximum's error
     edge = np.maximum(np.minimum(tops - values.max(), 0.0), np.minimum(values.min() - bottoms, 0.0))
     return Extremes(
         owners[order], places[order], values[order], inside[order],
-        float(max(np.max(proxy.error[which] + off + edge) * UP, 0.0)), rows[order], units[order], widths[order], off,
+        float(max(np.max(proxy.error[which] + off + edge) * UP, 0.0)), gains[order],
     )  # fmt: skip
+
+
+def _gains(error: "Any", c: "Any", moving: "Any", turning: "tuple[Any, ...]", inner: "Any") -> "Any":
+    """How much a function may exceed its value at ends of pieces, where it turns, and in cells where it hardly moves.
+
+    By twice the error E of its interpolant at most; where that turns with f″ = −m, by (|f′| + nE)²/m, at an end with
+    n²E in place of nE.
+    """
+    turns, slope, slack, rows = turning
+    count = c.shape[1]
+    k, twice = np.arange(1, count, dtype=float), np.tile(error, 2)
+    signs = [np.where(k % 2, sign, 1.0) for sign in (-1.0, 1.0)]
+    steep = np.concatenate([np.abs((moving * k * k) @ sign) for sign in signs])
+    bend = np.concatenate([np.abs((moving * k * k * (k * k - 1.0) / 3.0) @ sign) for sign in signs])
+    reach = count * count * twice
+    ends = np.minimum(2.0 * twice, (steep + reach) ** 2 / np.maximum(bend, 1e-300))
+    ends = np.where(steep > 4.0 * reach, 0.0, ends)
+    inside = 2.0 * error[inner]
+    if rows.size:
+        bend = np.abs(_derivatives(c[rows], turns)[2])
+        near = (np.abs(slope) + slack[0][rows] + count * error[rows]) ** 2 / np.maximum(bend - slack[1][rows], 1e-300)
+        # next to an end, which is a place itself, every function turns
+        near = np.where((turns > END) & (turns < np.pi - END), near, 0.0)
+        inside[: rows.size] = np.minimum(inside[: rows.size], near)
+    return np.concatenate((ends, inside))
 
 
 def _cells(

@@ -1,4 +1,4 @@
-"""Forces on a cam: certified extremes, beside a table of one degree, refined or not."""
+"""Forces on a cam: extremes of interpolants, beside a table of one degree, refined or not."""
 
 from dynamics_cli.accuracy.alternatives.cam.sampling import refined, sampled
 from dynamics_cli.accuracy.cases import Case
@@ -41,7 +41,7 @@ def given(case: Case) -> "dict[str, Any]":
 
 
 def certified(arguments: "dict[str, Any]") -> "Stated":
-    """The program's own: every extreme certified, with its bound."""
+    """The program's own: every extreme with its bound."""
     from dynamics_cli.cam.forces.forces import force
 
     rest = dict(arguments)
@@ -118,7 +118,7 @@ def by_samples(search: "Callable[[Curves, Any], Extremes]") -> "Answer":
 
 
 METHODS: "tuple[tuple[str, Answer], ...]" = (
-    ("certified extremes (chosen)", certified),
+    ("extremes of interpolants (chosen)", certified),
     ("360 samples", by_samples(sampled)),
     ("64 steps a zone and golden sections", by_samples(refined)),
 )
@@ -161,6 +161,6 @@ def _radius_share(case: Case, stress: float) -> float:
 
     give = 2.0 * (1.0 - STEEL_RATIO * STEEL_RATIO) / STEEL
     width, follower = float(case.inputs["contact"]["width"]), case.inputs["follower"]
-    force = float(case.results["greatest_contact_force"])
+    force = float(case.results["least_contact_force"])
     radius = force / (pi * width * give * stress * stress)
     return min(1.0, radius / float(follower.get("roller_radius", follower["base_radius"])))

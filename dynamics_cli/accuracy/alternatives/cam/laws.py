@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     Sizes = Callable[[Case], Sequence[float]] | None
 
 FILE = "cam_motion.json"
+UNIT = 2.0**-53
 NAMES = ("lift", "velocity", "acceleration", "jerk")
 # The law's powers of x, and its waves a·sin kx and b·cos kx, as textbooks print them.
 POWERS: "dict[str, tuple[float, ...]]" = {
@@ -207,25 +208,34 @@ def motion_peaks(case: "Case") -> "list[float]":
 
 def polynomial_bounds(case: "Case") -> "list[float]":
     """What the program's polynomial may be off there."""
+    from dynamics_cli.cam.laws.peaks import errors_of
     from dynamics_cli.cam.laws.polynomials import polynomial
-    from dynamics_cli.cam.proof.law_rounding import of_law
 
     conditions, at = _conditions(case)
-    return of_law(polynomial(conditions), at)
+    law = polynomial(conditions)
+    worst = [0.0] * 4
+    for piece in law.pieces:
+        if piece.low <= at <= piece.high:
+            t = 1.0 - at if piece.far else at
+            errors = errors_of(piece, t, UNIT * t, 3)
+            if piece.far:
+                errors[0] += UNIT * (abs(law.total) + abs(piece.shape(t, 0)[0]))
+            worst = [max(pair) for pair in zip(worst, errors, strict=True)]
+    return worst
 
 
 def motion_bounds(case: "Case") -> "list[float]":
     """What the program's motion may be off at that angle."""
     import numpy as np
 
-    from dynamics_cli.cam.proof.law_rounding import of_part
+    from dynamics_cli.numerics.tracked import Tracked
 
     motion, theta = _motion(case)
     worst = [0.0] * 4
     for part, _ in motion.by_parts(np.array([motion.wrapped(theta)])):
-        place = np.array([theta])
-        rounding = of_part(part, np.abs(part.local(place)) if part.law_piece is not None else np.zeros(1))
-        worst = [max(so_far, float(more[0])) for so_far, more in zip(worst, rounding, strict=True)]
+        t = abs(part.local(theta)) if part.law_piece is not None else 0.0
+        errors = [number.error for number in part.bounded(Tracked(t, 5.0 * UNIT * t, ()), 3)]
+        worst = [max(pair) for pair in zip(worst, errors, strict=True)]
     return worst
 
 

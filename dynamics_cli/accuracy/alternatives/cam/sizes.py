@@ -1,4 +1,4 @@
-"""Smallest cams for limits: certified extremes in closed forms, beside the same forms over samples."""
+"""Smallest cams for limits: extremes of closed forms, beside the same forms over samples."""
 
 from dynamics_cli.accuracy.cases import Case
 
@@ -67,7 +67,7 @@ def sampled(case: Case) -> "Callable[[], tuple[dict[str, float], float | None]]"
     return answer
 
 
-METHODS: "tuple[tuple[str, Answer], ...]" = (("certified extremes (chosen)", certified), ("360 samples", sampled))
+METHODS: "tuple[tuple[str, Answer], ...]" = (("extremes of interpolants (chosen)", certified), ("360 samples", sampled))
 
 
 def _constructed(case: Case) -> bool:

@@ -1,1 +1,0 @@
-"""Proofs behind the cam results: enclosures of laws, their rounding, certified extremes, deviation of drawings."""
