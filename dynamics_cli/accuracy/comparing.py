@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 
     from dynamics_cli.accuracy.measure import Scale
 
-    # Counts a method's answer to a case, the nth, and gives the call to be timed; None where the case is not asked.
-    Answer = Callable[[Errors, Any, Any, int], Callable[[], Any] | None]
+    # Counts a method's answer to a case, the nth, and gives the call to be timed.
+    Answer = Callable[[Errors, Any, Any, int], Callable[[], Any]]
 
 
 class Comparing:
@@ -64,9 +64,8 @@ class Comparing:
                 except (DynamicsError, ArithmeticError, ValueError):
                     errors.refused += 1
                     continue
-                if call is not None:
-                    errors.cases += 1
-                    calls.append(call)
+                errors.cases += 1
+                calls.append(call)
             time = self.time(calls[:: max(1, len(calls) // most)], repeats)
             base = base or time
             rows.append(row(self.name, name, errors, time, base, own=first, **options))

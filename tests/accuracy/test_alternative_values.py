@@ -6,23 +6,14 @@ from types import SimpleNamespace as Given
 from typing import Any
 
 import pytest
-from inertia_answers import arguments
 from peers import skid as more_skid
-from peers.gear import book as more_gear_book
 from peers.gear import involute as more_gear_involute
-from peers.impact import chain as more_impact_chain
-from peers.impact import damage as more_damage
 from peers.impact import lines as more_impact_lines
 from peers.impact import rigid as more_impact_rigid
-from peers.inertia import quadrature as inertia_quadrature
 
 from dynamics_cli.accuracy import catalogue
-from dynamics_cli.accuracy.alternatives.gear import book as gear_book
-from dynamics_cli.accuracy.alternatives.gear import sizes as gear_sizes
 from dynamics_cli.accuracy.alternatives.impact import lines, reconstruction, rigid
 from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
-from dynamics_cli.accuracy.alternatives.inertia import book as inertia_book
-from dynamics_cli.accuracy.alternatives.inertia import sections as inertia_sections
 from dynamics_cli.accuracy.cases import load
 from dynamics_cli.accuracy.measure import errors_of
 from dynamics_cli.accuracy.questions import Method, Question
@@ -37,17 +28,13 @@ COARSE = {
     "mean sine by degrees": (1e-5, 1e-4),
     # angles up to 72°, where five terms are far too few
     "power series": (1e-5, 0.1),
-    "six decimals": (1e-5, 1e-3),
     # points a ten-thousandth of a module apart, beside distances that may be as small
     "distances between points": (0.01, 1.0),
     # a spring that swings through a whole period in its hundred steps
     "Runge–Kutta, 100 steps": (1e-8, 1e-4),
-    "mean depth squared": (1e-15, 0.2),
     "1e-10": (1e-11, 1e-7),
     # it thinks of no slip that turns, so that only some bodies come out right
     "slides or sticks, LAPACK": (0.01, math.inf),
-    # the direction of axes of equal moments is that of rounding
-    "doubles from": (1e-15, math.inf),
     # a number of the array is zero even in ordinary polynomials
     "Routh's array with ε": (1e-15, 2.0),
     # read from a diagram
@@ -71,7 +58,7 @@ def test_every_question_has_the_chosen_method_and_most_an_alternative(report_row
     asked: dict[tuple[str, str], list[str]] = {}
     for row in report_rows:
         asked.setdefault((row["family"], row["question"]), []).append(row["method"])
-    assert sum(len(methods) > 1 for methods in asked.values()) >= 73
+    assert sum(len(methods) > 1 for methods in asked.values()) >= 70
     for methods in asked.values():
         assert ["(chosen)" in method for method in methods] == [True] + [False] * (len(methods) - 1)
         assert len(set(methods)) == len(methods)
@@ -104,29 +91,6 @@ class TestInertia:
         )
         assert [found[f"inertia_torque[{k}]"] for k in range(3)] == pytest.approx([-6.0, 0.0, -2.5], abs=1e-14)
         assert found["rotational_energy"] == pytest.approx(0.5 * (2.0 * 9.0 + 2.5 * 16.0))
-
-    @pytest.mark.parametrize("table", [inertia_book, inertia_quadrature])
-    def test_a_half_ball(self, table: Any) -> None:
-        """Mass 3, radius 2: 3R/8, 2/5·m·R² and 83/320·m·R²."""
-        from dynamics_cli.inertia.shapes import Hemisphere
-
-        found = table.shape(shape=Hemisphere(radius=2.0), amount=Given(mass=3.0))
-        assert found["centroid[2]"] == pytest.approx(0.75, rel=1e-14)
-        assert found["moments.zz"] == pytest.approx(4.8, rel=1e-14)
-        assert found["moments.xx"] == pytest.approx(83.0 / 320.0 * 12.0, rel=1e-14)
-
-    def test_every_wall_and_most_shapes_are_in_a_table(self) -> None:
-        shapes = {case.inputs["shape"]["record"] for case in load("inertia_bodies.json") if case.task == "shape"}
-        hollow = {name for name in shapes if name.startswith("Hollow")} | {"ClosedCylinder", "RectangularTube"}
-        assert hollow < set(inertia_book.SHAPES) < shapes
-        assert shapes - hollow == set(inertia_quadrature.SHAPES)
-
-    def test_sections_from_the_origin(self) -> None:
-        case = next(case for case in load("inertia_sections.json") if not case.hard)
-        found = inertia_sections.about_origin(**arguments(case))
-        assert found.keys() == case.results.keys()
-        for name, text in case.results.items():
-            assert found[name] == pytest.approx(float(text), rel=1e-13), name
 
 
 class TestImpactsByHand:
@@ -186,24 +150,6 @@ class TestImpactsByHand:
         moment = found["impulse_forward"] * 0.2 + found["impulse_upward"] * math.sqrt(0.05)
         assert moment == pytest.approx(0.5 * 0.09 * (2.0 / 0.3) * (2.0 / 9.0))
 
-    @pytest.mark.parametrize("method", [lines.chain, more_impact_chain.by_sweeps])
-    def test_three_balls(self, method: Any) -> None:
-        """Pairs: (0, 0, 1); all at one moment: (−⅓, ⅔, ⅔)."""
-        row = tuple(Given(mass=1.0, velocity=v, restitution=None) for v in (1.0, 0.0, 0.0))
-        found = method(bodies=row, restitution=1.0, law="all")
-        after = [found[f"bodies[{k}].velocity"] for k in range(6)]
-        assert after == pytest.approx([0.0, 0.0, 1.0, -1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0], abs=1e-12)
-
-    @pytest.mark.parametrize("method", [reconstruction.by_components])
-    def test_momentum(self, method: Any) -> None:
-        one = vehicle(1500.0, None, 0.0, 8.0, 0.6)
-        two = vehicle(1200.0, None, 0.5 * math.pi, 9.0, 0.8)
-        found = method(first=one, second=two, axes="mathematical", pdof_zero="heading", gravity=9.80665)
-        along, across = (1500.0 * 8.0 * f(0.6) + 1200.0 * 9.0 * f(0.8) for f in (math.cos, math.sin))
-        assert found["first.approach_speed"] == pytest.approx(along / 1500.0, rel=1e-14)
-        assert found["second.approach_speed"] == pytest.approx(across / 1200.0, rel=1e-14)
-        assert found["angle_condition"] == pytest.approx(1.0)
-
     @pytest.mark.parametrize("method", [reconstruction.by_energy])
     def test_momentum_and_energy(self, method: Any) -> None:
         """Two of 1000 kg go on at 5 m/s, 25 kJ of damage: 10 m/s and rest."""
@@ -212,29 +158,6 @@ class TestImpactsByHand:
         found = method(first=one, second=two, damage=damage, axes="mathematical", pdof_zero="heading", gravity=9.8)
         assert (found["first.approach_speed"], found["second.approach_speed"]) == pytest.approx((10.0, 0.0), abs=1e-9)
         assert found["energy_lost"] == pytest.approx(25000.0)
-
-    def test_crush(self) -> None:
-        """A triangle of 0.6 m, A = 60 kN/m, B = 500 kN/m²: its mean square is a third, that of its mean a quarter."""
-        profile = Given(stations=(0.0, 0.3, 0.6), width=1.5)
-        stiffness = Given(stiffness_a=60000.0, stiffness_b=500000.0)
-        car = Given(bulk=Given(mass=1500.0), stiffness=stiffness, profile=profile, force_angle=0.0, lever_arm=None,
-                    offset=None, face_distance=None, yaw_inertia=None)  # fmt: skip
-        kept = 1.5 * (3600.0 + 60000.0 * 0.3)
-        found = {
-            name: getattr(module, name)(first=car, restitution=0.0, gravity=9.8)["first.energy"]
-            for module, name in (
-                (reconstruction, "crush"),
-                (more_damage, "crush_by_mean"),
-            )
-        }
-        assert found["crush"] == pytest.approx(kept + 1.5 * 250000.0 * 0.36 / 3.0)
-        assert found["crush_by_mean"] == pytest.approx(kept + 1.5 * 250000.0 * 0.36 / 4.0)
-
-    def test_yaw_inertia(self) -> None:
-        found = reconstruction.yaw_inertia(
-            bulk=Given(mass=1500.0), wheelbase=2.7, length=4.6, width=1.8, rule="mean", gravity=9.8
-        )
-        assert round(found["yaw_inertia"], 1) == 2716.0
 
     @pytest.mark.parametrize("method", [rigid.by_system, more_impact_rigid.planar])
     def test_a_ball_on_a_floor_in_the_plane(self, method: Any) -> None:
@@ -261,22 +184,6 @@ class TestImpactsByHand:
 
 
 class TestGearsByHand:
-    def test_a_pair_of_a_handbook(self) -> None:
-        """KHK's example of a profile shifted pair: 12 and 24 teeth, m = 3, x = 0.6 and 0.36: 56.4999 mm, 26.0886°."""
-        given = {"pitch": Given(module=0.003), "pressure_angle": math.radians(20.0), "helix_angle": 0.0,
-                 "internal": False, "tips": "clearance"}  # fmt: skip
-        mates = {"first": Given(teeth=12, profile_shift=0.6), "second": Given(teeth=24, profile_shift=0.36)}
-        for method in (gear_book.pair, more_gear_book.pair_by_brent):
-            found = method(**mates, **given)
-            assert round(1e3 * found["centre_distance"], 4) == 56.4999
-            assert round(math.degrees(found["working_pressure_angle"]), 4) == 26.0886
-
-    def test_bevels_at_a_right_angle(self) -> None:
-        given = {"first_teeth": 20, "second_teeth": 40, "module": 0.003, "kind": "standard"}
-        found = gear_sizes.bevel(**given, shaft_angle=0.5 * math.pi)
-        assert math.tan(found["first.pitch_angle"]) == pytest.approx(0.5, rel=1e-14)
-        assert found["cone_distance"] == pytest.approx(0.03 * math.sqrt(5.0), rel=1e-14)
-
     def test_the_series_is_right_for_small_angles(self) -> None:
         value = math.tan(0.26) - 0.26
         assert more_gear_involute.power_series(0.26)["value"] == pytest.approx(value, rel=1e-6)

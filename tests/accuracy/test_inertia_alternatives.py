@@ -16,8 +16,7 @@ from dynamics_cli.accuracy.cases import Case, load
 
 FILES = ("eigen.json", "inertia_bodies.json", "inertia_mesh.json", "inertia_sections.json")
 CHOICES = (
-    "inertia shape", "inertia body", "principal moments", "mesh moments", "shell moments", "inertia section",
-    "principal axes, by relative gap",
+    "inertia body", "principal moments", "mesh moments", "shell moments", "principal axes, by relative gap",
 )  # fmt: skip
 MESH_WAYS = [*(prepare for _, prepare in inertia_mesh.METHODS), more_inertia_mesh.once, more_inertia_mesh.by_faces]
 # Errors below this are of rounding: which of two is the smaller depends on the processor and the order of sums.

@@ -29,7 +29,7 @@ def gears() -> dict:
 
 @pytest.fixture(scope="module")
 def measured() -> Accuracy:
-    return accuracy("gear")
+    return accuracy("skid")
 
 
 def made(question: str, method: str, time: float | None, error: float, refused: int = 0) -> Row:
@@ -44,7 +44,7 @@ class TestTable:
     def test_lines_are_as_wide_as_the_terminal(self, gears: dict, width: int) -> None:
         shown = layout.lines(gears, 3, width)
         assert max(map(len, "\n".join(shown).splitlines())) <= width
-        assert len(shown) > 20
+        assert len(shown) > 15
 
     def test_nothing_in_a_pipe_depends_on_the_terminal(self, monkeypatch: pytest.MonkeyPatch) -> None:
         first = run("accuracy", "gear", "bevel", "--untimed").out

@@ -57,21 +57,6 @@ def _oscillator(mass: "Any", spring: "Any", damping: "Any") -> "tuple[float, flo
     return omega, damping.damping_ratio if hasattr(damping, "damping_ratio") else damping.damping / (2.0 * mass * omega)
 
 
-def by_roots(
-    *, spring: "Any", mass: "Any" = None, damping: "Any" = None, displacement: float = 0.0, start_velocity: float = 0.0,
-    time: "float | None" = None, **_: "Any",
-) -> "dict[str, float]":  # fmt: skip
-    """A·e^{s₁t} + B·e^{s₂t} with the roots of m·s² + c·s + k = 0."""
-    if hasattr(damping, "friction") or time is None:
-        raise ValueError("no viscous damping")
-    omega, zeta = _oscillator(mass, spring, damping)
-    root = cmath.sqrt(zeta * zeta - 1.0)
-    p, q = omega * (-zeta + root), omega * (-zeta - root)
-    a = (start_velocity - q * displacement) / (p - q)
-    first, second = a * cmath.exp(p * time), (displacement - a) * cmath.exp(q * time)
-    return {"position": (first + second).real, "velocity": (p * first + q * second).real}
-
-
 def by_ratio(
     *, mass: float, spring: "Any", force: float, excitation: "Any", damping: "Any" = None, time: "float | None" = None,
     **_: "Any",
@@ -99,6 +84,5 @@ QUESTIONS = textbooks(
     "vibration", "vibration.json", "dynamics_cli.accuracy.alternatives.vibration:",
     ("modes", "scipy.linalg.eigh(K, M)", "by_eigh", "scipy"),
     ("modes", "eigenvalues of inv(M) @ K", "by_inverse", "numpy"),
-    ("free", "textbook: two roots", "by_roots"),
     ("forced", "textbook: frequency ratio", "by_ratio"),
 )  # fmt: skip

@@ -2,7 +2,6 @@
 
 from dynamics_cli.accuracy.questions import Method
 
-SIX = "involutes of six decimals"
 LIBRARIES = (
     Method("uncertainties, first order", "peers.uncertainty.libraries:by_uncertainties", needs="uncertainties"),
     Method("GTC, first order", "peers.uncertainty.libraries:by_gtc", needs="GTC"),
@@ -26,8 +25,6 @@ METHODS: dict[str, tuple[Method, ...]] = {
     ),
     "skid spin": (Method("mean sine by degrees", "peers.skid:spin_by_degrees"),),
     "impact drop": (Method("bounce by bounce until it rests", "peers.impact.lines:drop_by_bounces"),),
-    "impact chain": (Method("all at once by 400 sweeps of Gauss–Seidel", "peers.impact.chain:by_sweeps"),),
-    "impact crush": (Method("mean depth squared", "peers.impact.damage:crush_by_mean"),),
     "impact planar": (
         Method("the same velocities, then differences", "peers.impact.bodies:planar"),
         Method("Dormand–Prince along the impulse", "peers.impact.rigid:planar"),
@@ -51,7 +48,6 @@ METHODS: dict[str, tuple[Method, ...]] = {
         Method("RK4, 10 steps", "peers.impact.space:rk4_10"),
         Method("scipy DOP853, 1e-12", "peers.impact.space:by_scipy", needs="scipy"),
     ),
-    "inertia shape": (Method("Gauss quadrature, 2 to 32 nodes each way", "peers.inertia.quadrature:shape"),),
     "mesh moments": MESHES + MESH_LIBRARIES,
     "mesh moments, 32,768 triangles": MESHES + MESH_LIBRARIES,
     "mesh moments, faces that overlap": MESHES,
@@ -71,21 +67,9 @@ METHODS: dict[str, tuple[Method, ...]] = {
     ),
     "involute function": (Method("power series, five terms", "peers.gear.involute:power_series"),),
     "gear ratio": (Method("greedy, stage by stage", "peers.gear.ratio:greedy"),),
-    **{
-        f"gear {task}": (
-            Method("the same by halving", "peers.gear.book:spur_by_halving"),
-            Method(SIX, "peers.gear.book:spur_by_table"),
-        )
-        for task in ("spur", "helical")
-    },
     "gear pair": (
-        Method("the same by Brent", "peers.gear.book:pair_by_brent"),
-        Method(SIX, "peers.gear.book:pair_by_table"),
         Method("py_gearworks, distance only", "peers.gear.geometry:pair_by_py_gearworks", needs="py_gearworks"),
     ),
-    "gear worm": (Method("tangents of angles added", "peers.gear.book:worm_by_angles"),),
-    "gear crossed": (Method("the same by Brent", "peers.gear.book:crossed_by_brent"),),
-    "gear measure": (Method("the same by Brent", "peers.gear.book:measure_by_brent"),),
     "gear mesh": (Method("distances between points, external only", "peers.gear.meshes:mesh_by_polygons"),),
     "uncertainty, smooth": LIBRARIES,
     "uncertainty, bounded": LIBRARIES,

@@ -1,6 +1,6 @@
 """The inverse involute and the end of undercut by iteration on residuals, which cancel however they are solved."""
 
-from math import acos, cbrt, pi, sin, sqrt, tan
+from math import acos, atan, cbrt, cos, pi, sin, sqrt, tan
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -8,6 +8,8 @@ if TYPE_CHECKING:
 
     from dynamics_cli.gear.single.trochoid import Cutter
 
+# Dedendum and corner of basic rack A of ISO 53.
+DEDENDUM, CORNER = 1.25, 0.38
 MOST_STEPS = 100
 TINY = 4e-16
 
@@ -100,3 +102,18 @@ def root_by_halving(**given: "Any") -> "dict[str, float]":
         inside = trochoid_point(cutter, middle)[0] < cutter.base_radius
         low, high = (low, middle) if inside or _apart(cutter, middle)[0] > 0.0 else (middle, high)
     return {"form_radius": trochoid_point(cutter, 0.5 * (low + high))[0]}
+
+
+def profile(
+    *, teeth: int, pitch: "Any", pressure_angle: float, profile_shift: float, internal: bool, helix_angle: float,
+    root_radius_factor: float = CORNER, **other: "Any",
+) -> "dict[str, float]":  # fmt: skip
+    """The form circle where the rack's straight flank ends, undercut or not, as handbooks have it."""
+    if internal or "addendum_factor" in other:
+        raise ArithmeticError
+    transverse = atan(tan(pressure_angle) / cos(helix_angle))
+    reference = teeth * pitch.module / cos(helix_angle)
+    base = reference * cos(transverse)
+    depth = pitch.module * (DEDENDUM - root_radius_factor * (1.0 - sin(pressure_angle)) - profile_shift)
+    along = reference * sin(transverse) - 2.0 * depth / sin(transverse)
+    return {"base_diameter": base, "form_diameter": sqrt(base * base + along * along)}

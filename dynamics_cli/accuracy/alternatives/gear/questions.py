@@ -3,7 +3,7 @@
 from dynamics_cli.accuracy.questions import Comparison, Method, Question, textbooks
 
 HERE = "dynamics_cli.accuracy.alternatives.gear."
-INVOLUTE, PROGRAM, BOOK = HERE + "involute:", HERE + "own:", HERE + "book:"
+INVOLUTE, PROGRAM = HERE + "involute:", HERE + "own:"
 SIZES, TRAINS, MESHES = "gear_geometry.json", "gear_trains.json", "gear_meshes.json"
 
 QUESTIONS = (
@@ -28,32 +28,21 @@ QUESTIONS = (
     Question(
         "gear", "pair", "gear pair", SIZES, "pair",
         Method("closed form", PROGRAM + "pair", chosen=True, tracked=True),
-        Method("textbook: tan α − α, Newton", BOOK + "pair"),
     ),
     Question(
         "gear", "measure", "gear measure", TRAINS, "measure",
         Method("closed form", PROGRAM + "measure", chosen=True, tracked=True),
-        Method("textbook: tan α − α, Newton", BOOK + "measure"),
     ),
     Question(
         "gear", "mesh", "gear mesh", MESHES, "mesh",
         Method("closed forms, edges placed by Newton", PROGRAM + "mesh", chosen=True),
-        Method("tan α − α and arc cosines, three sizes only", BOOK + "mesh"),
     ),
     Question(
         "gear", "data-block", "gear data-block", MESHES, "data_block",
         Method("closed forms, rounded last", PROGRAM + "data_block", chosen=True),
     ),
     *textbooks(
-        "gear", SIZES, HERE,
-        ("spur", "textbook: tan α − α, secant", "book:spur"),
-        ("helical", "textbook: tan α − α, secant", "book:spur"),
-        ("bevel", "textbook: second angle as a difference", "sizes:bevel"),
-        ("worm", "textbook: efficiencies as printed", "sizes:worm"),
-        ("crossed", "textbook: tan α − α, Newton", "sizes:crossed"),
-    ),
-    *textbooks(
         "gear", MESHES, HERE,
-        ("profile", "textbook: end of the rack's flank, external", "book:profile"),
+        ("profile", "textbook: end of the rack's flank, external", "involute:profile"),
     ),
 )  # fmt: skip

@@ -1,6 +1,5 @@
-"""Central impacts, bounces, pendulums, bodies held and chains as textbooks print them: energies as differences."""
+"""Central impacts, bounces, pendulums and bodies held as textbooks print them: energies as differences."""
 
-from itertools import pairwise
 from math import acos, cos, sin, sqrt
 
 from dynamics_cli.accuracy.alternatives.impact.plane import mass_of
@@ -8,12 +7,6 @@ from dynamics_cli.accuracy.alternatives.impact.plane import mass_of
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
-
-    # Velocities after, impulses between neighbours, collisions or rounds.
-    Answer = tuple[list[float], list[float], int]
-
-# Closing speeds below this share of the greatest are rounding; a chain that needs more collisions is given up.
-NOTHING, MOST = 1e-12, 20_000
 
 
 def central(
@@ -170,71 +163,3 @@ def step(
             "impulse_upward": mass * kept * speed * sin(angle),
         }
     return results
-
-
-def chain(*, bodies: "Any", restitution: float, law: str) -> "dict[str, float]":
-    """Pairs by the textbook's velocities; all contacts at once by an active set and `numpy.linalg.solve`."""
-    masses, before = [body.mass for body in bodies], [body.velocity for body in bodies]
-    ratios = [restitution if body.restitution is None else body.restitution for body in bodies[:-1]]
-    energy = sum(0.5 * m * v * v for m, v in zip(masses, before, strict=True))
-    results = {"momentum": sum(m * v for m, v in zip(masses, before, strict=True))}
-    laws = {"sequential": (_pair_by_pair,), "simultaneous": (_at_once,)}.get(law, (_pair_by_pair, _at_once))
-    for index, method in enumerate(laws):
-        after, impulses, rounds = method(masses, before, ratios)
-        left = sum(0.5 * m * v * v for m, v in zip(masses, after, strict=True))
-        results |= {f"laws[{index}].energy_lost": energy - left, f"laws[{index}].collisions": float(rounds)}
-        for number, (old, new) in enumerate(zip(before, after, strict=True)):
-            row = f"bodies[{index * len(bodies) + number}]"
-            results |= {f"{row}.velocity": new, f"{row}.delta_v": new - old}
-            if number < len(impulses):
-                results[f"{row}.impulse_to_next"] = impulses[number]
-    return results
-
-
-def _pair_by_pair(masses: "list[float]", before: "list[float]", ratios: "list[float]") -> "Answer":
-    """The pair that closes fastest first, w = (m₁v₁ + m₂v₂ ∓ …)/(m₁ + m₂)."""
-    speeds, impulses = list(before), [0.0] * len(ratios)
-    least = NOTHING * max(map(abs, before))
-    for count in range(MOST):
-        closing = [v - w for v, w in pairwise(speeds)]
-        if max(closing) <= least:
-            return speeds, impulses, count
-        k = closing.index(max(closing))
-        m, n, v, w, e = masses[k], masses[k + 1], speeds[k], speeds[k + 1], ratios[k]
-        speeds[k] = (m * v + n * w - n * e * (v - w)) / (m + n)
-        speeds[k + 1] = (m * v + n * w + m * e * (v - w)) / (m + n)
-        impulses[k] += n * (speeds[k + 1] - w)
-    raise ArithmeticError
-
-
-def _at_once(masses: "list[float]", before: "list[float]", ratios: "list[float]") -> "Answer":
-    """All contacts at one moment: impulses that stop the closing, e times as much again, until no pair closes."""
-    import numpy as np
-
-    weights, speeds, total = 1.0 / np.array(masses), np.array(before), np.zeros(len(ratios))
-    # by how much unit impulses open every contact
-    k = np.diag(weights[:-1] + weights[1:]) - np.diag(weights[1:-1], 1) - np.diag(weights[1:-1], -1)
-    least = NOTHING * np.abs(speeds).max()
-    for count in range(200):
-        closing = speeds[:-1] - speeds[1:]
-        if closing.max() <= least:
-            return speeds.tolist(), total.tolist(), count
-        impulse = (1.0 + np.array(ratios)) * _active(k, closing)
-        total += impulse
-        speeds += weights * (np.concatenate([[0.0], impulse]) - np.concatenate([impulse, [0.0]]))
-    raise ArithmeticError
-
-
-def _active(k: "Any", closing: "Any") -> "Any":
-    """K·c − u ≥ 0, c ≥ 0: contacts that would close are added to those that act."""
-    import numpy as np
-
-    acting = closing > 0.0
-    for _ in range(len(closing) + 1):
-        impulses = np.zeros(len(closing))
-        impulses[acting] = np.linalg.solve(k[np.ix_(acting, acting)], closing[acting])
-        more = ~acting & (k @ impulses < closing - 1e-14 * np.abs(closing).max())
-        if not more.any():
-            break
-        acting |= more
-    return impulses

@@ -10,14 +10,10 @@ MOMENTS = (
     Method("trigonometric", HERE + "eigen:by_arc_cosine"),
     Method("LAPACK eigvalsh", HERE + "eigen:lapack"),
 )
-SECTIONS = (
-    Method("whole numbers, rounded once", "dynamics_cli.inertia.section.task:section", chosen=True),
-    Method("doubles from the origin, parallel axes at the end", HERE + "sections:about_origin"),
-)
+SECTION = Method("whole numbers, rounded once", "dynamics_cli.inertia.section.task:section", chosen=True)
 QUESTIONS = (
     *textbooks(
         "inertia", "inertia_bodies.json", HERE,
-        ("shape", "textbook: about the origin, parallel axes", "book:shape"),
         ("torque", "textbook: ω × (I·ω) as it stands", "bodies:torque_by_cross"),
     ),
     *textbooks(
@@ -28,7 +24,7 @@ QUESTIONS = (
         ("tensor", "LAPACK eigvalsh", "bodies:tensor_by_lapack"),
         scale=SCALE,
     ),
-    Question("inertia", "section", "inertia section", "inertia_sections.json", "section", *SECTIONS, scale=SCALE),
+    Question("inertia", "section", "inertia section", "inertia_sections.json", "section", SECTION, scale=SCALE),
     Question("inertia", "tensor", "principal moments", "eigen.json", "eigen", *MOMENTS),
     Comparison("inertia", "tensor", "principal axes, by relative gap", HERE + "eigen:compare_axes"),
     *(Comparison("inertia", "mesh", name, HERE + "mesh:compare") for name in ASKED),
