@@ -16,7 +16,7 @@ from dynamics_cli.core.batch.text.records import cleared, records
 from dynamics_cli.core.inputs.quantity_text import is_uncertain, read_amount, total
 from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.inputs.suggestions import suggestions
-from dynamics_cli.core.output.csv_cells import without_guard
+from dynamics_cli.core.output.csv_text import without_guard
 from dynamics_cli.core.output.files import output
 from dynamics_cli.core.units.conversion import convert, is_offset, nearest, to_si
 from dynamics_cli.core.units.lookup import parse_unit

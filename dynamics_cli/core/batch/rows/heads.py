@@ -2,7 +2,7 @@
 
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.inputs.sources.references import split_address
-from dynamics_cli.core.output.csv_cells import without_guard
+from dynamics_cli.core.output.csv_text import without_guard
 from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False

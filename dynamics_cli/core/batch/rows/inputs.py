@@ -11,7 +11,7 @@ from dynamics_cli.core.batch.rows.heads import Column
 from dynamics_cli.core.documents import flatten
 from dynamics_cli.core.inputs.sources.files import parse_json
 from dynamics_cli.core.json_text import quote
-from dynamics_cli.core.output.csv_cells import csv_cell, header, without_guard
+from dynamics_cli.core.output.csv_text import csv_cell, header, without_guard
 from dynamics_cli.core.output.row_layout import compact
 from dynamics_cli.errors import UsageError
 

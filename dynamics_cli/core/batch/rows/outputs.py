@@ -3,7 +3,7 @@
 from abc import ABC, abstractmethod
 
 from dynamics_cli.core.batch.rows.inputs import Input
-from dynamics_cli.core.output.csv_cells import csv_cell, free_name, header
+from dynamics_cli.core.output.csv_text import csv_cell, free_name, header
 from dynamics_cli.core.output.failure import as_object
 from dynamics_cli.core.output.row_layout import Layout, Part, compact
 from dynamics_cli.errors import DynamicsError

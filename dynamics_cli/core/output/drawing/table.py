@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from dynamics_cli.core.output.csv_cells import csv_cell
+from dynamics_cli.core.output.csv_text import csv_cell
 from dynamics_cli.core.output.drawing.scaled import STRAIGHT
 from dynamics_cli.outlines import Arc, Cubic, Points
 
