@@ -2,11 +2,7 @@
 
 import os
 
-# As the program has it: threads that wait for one another cost more than they save. And programs that tests start find
-# their compiled code, as installed ones do.
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
-
+import harness  # noqa: F401  before numpy: it sets how many threads there are
 import pytest
 from hypothesis import settings
 
@@ -16,6 +12,8 @@ from dynamics_cli.registry import Entry
 # The same examples in every run, and none that fails because the machine is busy; PROPERTY_SEARCH=1 draws new ones.
 settings.register_profile("steady", deadline=None, derandomize="PROPERTY_SEARCH" not in os.environ)
 settings.load_profile("steady")
+# Programs that tests start find their compiled code, as installed ones do.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 
 @pytest.fixture

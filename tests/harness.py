@@ -2,11 +2,15 @@
 
 import io
 import json
+import os
 from dataclasses import dataclass
 from typing import Any
 
 from dynamics_cli import cli
 from dynamics_cli.core.terminal import Terminal
+
+# As the program starts itself: sums depend on it in their last bits, and threads on busy cores cost what they save.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 @dataclass

@@ -1,5 +1,5 @@
-"""A thousand random cams: no extreme of pressure angle or curvature is missed against a dense grid, and the proved
-error holds in 60 digits.
+"""Random cams: no extreme of pressure angle or curvature is missed against a dense grid, and the proved error holds in
+60 digits (SEARCH_EVALUATIONS=400 draws 200 cams of each kind).
 """
 
 import random
@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from geometry_cases import CYCLE, KINDS, NOTHING, SWINGING, random_follower, random_program
 from mpmath import mpf
+from search_length import EVALUATIONS
 from test_proof import cams, of_numbers
 
 from dynamics_cli.cam.export.path import Path
@@ -57,8 +58,9 @@ def compared(kind: str, seed: int) -> bool:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_none_is_missed_in_two_hundred_cams_of_each_kind(kind: str) -> None:
-    assert sum(compared(kind, seed) for seed in range(200)) >= 190
+def test_none_is_missed_in_cams_of_each_kind(kind: str) -> None:
+    cams = EVALUATIONS // 2
+    assert sum(compared(kind, seed) for seed in range(cams)) >= 0.95 * cams
 
 
 def test_extremes_are_those_of_sixty_digits_within_the_proved_error() -> None:
