@@ -208,7 +208,7 @@ def _advice(
             text = worded(
                 "the impulse at this lever gives a change of spin of {implied:3}; none was recorded"
                 if not share
-                else "the impulse at this lever gives {share:2} times the recorded change of spin, {recorded:3}{against}",
+                else "the impulse at this lever gives {share:2} times the recorded spin change, {recorded:3}{against}",
                 implied=(implied, AngularSpeed),
                 recorded=(recorded, AngularSpeed),
                 share=(share, Ratio),
