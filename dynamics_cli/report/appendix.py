@@ -26,6 +26,8 @@ READING = (
     "An input that is a result of an earlier section is shown as in that section. The calculation takes its whole "
     "distribution, with the mean as nominal value; both are in appendix B.",
     "Share of the variance: the part of a result's uncertainty due to an input, alone or together with others.",
+    "All inputs at their limits: the range over the corners, where every input is at an end of its interval; a result "
+    "with an extreme between them may go beyond it.",
     "Maximum rounding error: the error of the arithmetic itself, for the inputs as written. It does not include errors "
     "of measurement.",
     "Calculated again: this program repeated each calculation from its inputs while it wrote the report.",

@@ -126,6 +126,14 @@ class Calculation:
         """The statement about a result's limits."""
         return [entry for entry in (self.document or {}).get("limits", ()) if entry["result"] == address]
 
+    def chance(self, address: str) -> str:
+        """The probability of a yes or no as it is; none where nothing spreads it."""
+        entry = (self.document or {}).get("chances", {}).get(address)
+        if not entry:
+            return ""
+        yes = entry["probability"]
+        return f"with a probability of {percent(yes if node_at(self.results, address) else 1.0 - yes)}"
+
     def drivers(self, address: str) -> str:
         """The inputs that decide a result, with their shares of its variance."""
         entry = (self.document or {}).get("sensitivity", {}).get(address)
@@ -229,7 +237,7 @@ def shown(node: "Any", digits: int) -> Value:
 def _lowered(summary: str) -> str:
     """A task's line of help as the end of a heading."""
     text = summary.rstrip(".").partition(":")[0]
-    return text[:1].lower() + text[1:] if text[1:2].islower() else text
+    return text if text[1:2].isupper() else text[:1].lower() + text[1:]
 
 
 def _repeats(result: "Document", entered: "Any") -> bool:

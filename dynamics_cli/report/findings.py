@@ -2,7 +2,7 @@
 
 import re
 
-from dynamics_cli.core.output.answer_words import body_names, percent
+from dynamics_cli.core.output.answer_words import body_names
 from dynamics_cli.core.units.unit import conformable
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.report.calculation import Calculation, leaves, limit_words, node_at
@@ -76,6 +76,8 @@ def subject(case: Calculation, address: str) -> str:
     label = case.labels().get(address) or "result"
     side, dot, _ = address.partition(".")
     owner = f"{case.named(side)} "
+    if _by_itself(label):
+        return f"“{label}”"
     if not dot or side not in SIDES or not label.startswith(owner):
         return f"the {label}"
     return f"{_body(case, side)}'s {_MOMENT.sub(AT_IMPACT, label.removeprefix(owner))}"
@@ -100,10 +102,8 @@ def _clause(case: Calculation, address: str) -> "list[str]":
             pieces[-1] += _body(case, part)
         else:
             pieces += _shown(case, part or address)
-    chance = (case.document or {}).get("chances", {}).get(address)
-    if chance:
-        yes = chance["probability"]
-        pieces[-1] += f" with a probability of {percent(yes if node else 1.0 - yes)}"
+    chance = case.chance(address)
+    pieces[-1] += f" {chance}" if chance else ""
     return pieces
 
 
@@ -115,12 +115,16 @@ def _template(case: Calculation, address: str, node: "Any") -> str:
     if worded and all(node_at(case.results, name) is not None for name in named):
         return worded if "{}" in worded or "|" in worded else f"{worded} {verb} {{}}"
     label = case.labels().get(address) or "result"
-    words = label.split()
     counts = isinstance(node, dict) and isinstance(node.get("value"), int) and not node.get("unit")
-    by_itself = counts or words[0] in _STARTS or words[-1] in _ENDS
-    sentence = f"{label}: " if by_itself else f"{subject(case, address)} {verb} "
+    sentence = f"{label}: " if counts or _by_itself(label) else f"{subject(case, address)} {verb} "
     # a name may have braces of its own
     return sentence.replace("{", "(").replace("}", ")") + "{}"
+
+
+def _by_itself(label: str) -> bool:
+    """Whether a label is no noun."""
+    words = label.split()
+    return words[0] in _STARTS or words[-1] in _ENDS
 
 
 def _body(case: Calculation, side: str) -> str:
@@ -137,7 +141,8 @@ def _body(case: Calculation, side: str) -> str:
 def _shown(case: Calculation, address: str) -> "tuple[str, str]":
     """A result as typed where an input gives it, else as the report shows it; and its interval in brackets."""
     typed = _typed(case, node_at(case.results, address))
-    if typed:
+    # a task without findings may have been asked for another unit
+    if typed and case.task is not None and case.task.findings:
         return typed, ""
     value = case.value(address)
     return value.whole, f" ({value.coverage}: {value.interval})" if value.interval else ""

@@ -42,8 +42,9 @@ _NAME = re.compile("[A-Za-zͰ-Ͽıℓ][A-Za-zͰ-Ͽ]*[̄̇̈′″‴*]*")
 _LOW = re.compile(f"_([A-Za-z0-9Ͱ-Ͽ]+)|([{''.join(_LOWERED)}]+)")
 _HIGH = re.compile(f"([{''.join(_RAISED)}]+)")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|[½¼¾]")
-# Longer runs of letters are words.
-_LONGEST_NAME = 2
+# Longer runs of letters are words, and these; several in a row stand together.
+_WORD = "(?:[A-Za-z]{3,}|at|by|if|in|is|of|on|or|to)(?![A-Za-z_Ͱ-Ͽ̄̇̈′″‴*])"
+_WORDS = re.compile(f"{_WORD}(?: {_WORD})*:?")
 
 
 def quantity(number: str, unit: str) -> str:
@@ -143,9 +144,12 @@ class _Parser:
         if number := _FUNCTION.match(text, start):
             self.at = number.end()
             return "function", number[0]
+        if number := _WORDS.match(text, start):
+            self.at = number.end()
+            return "word", number[0]
         if number := _NAME.match(text, start):
             self.at = number.end()
-            return "word" if len(number[0].rstrip("′″‴*")) > _LONGEST_NAME else "name", number[0]
+            return "name", number[0]
         self.at += 1
         return ("space", " ") if letter == " " else ("operator", letter)
 

@@ -62,8 +62,8 @@ def verdict(cases: "Sequence[Calculation]") -> str:
     failed = sum(not check["passed"] for document in documents for check in document["checks"])
     calculations = f"{len(cases)} calculation{'s' * (len(cases) > 1)}"
     text = f"{same} of {calculations} gave the same results when repeated from these inputs"
-    different = [case.again.words for case in cases if not case.again.same]
-    others = f"; the other: {'; '.join(different)}" if different else ""
+    different = [f"section {case.section}: {case.again.short}" for case in cases if not case.again.same]
+    others = f"; {', '.join(different)}" if different else ""
     checks = f"{failed} internal check{'s' * (failed > 1)} failed" if failed else "All internal checks passed"
     return f"{text}{others}. {checks}."
 

@@ -168,7 +168,7 @@ def _settings(task: "Task", document: "Document") -> "dict[str, Any]":
     if task.plot or uncertainty:
         options["plot"] = "-"
     if uncertainty:
-        options["seed"] = str(uncertainty.get("seed", 1))
+        options |= {"seed": str(uncertainty.get("seed", 1)), **_method(uncertainty)}
         options["correlate"] = [f"{pair}={rho!r}" for pair, rho in _part(uncertainty, "correlations").items()]
         coverage = _coverage(document["results"])
         options |= {"coverage": repr(coverage)} if coverage is not None else {}
@@ -179,6 +179,13 @@ def _settings(task: "Task", document: "Document") -> "dict[str, Any]":
         except (LookupError, TypeError):
             raise UsageError("its limits cannot be read") from None
     return options
+
+
+def _method(uncertainty: "Document") -> "dict[str, str]":
+    """The method that was asked for: linear and Monte Carlo are those of all results, or of none."""
+    methods = {str(_part(entry).get("method")) for entry in _part(uncertainty, "results").values()}
+    linear = methods and all(method.startswith("linear, at the means") for method in methods)
+    return {"method": "linear"} if linear else {}
 
 
 def _units(node: "Any", address: str = "") -> "dict[str, str]":

@@ -3,7 +3,7 @@
 from dynamics_cli.core.documents import columns, is_table, number
 from dynamics_cli.core.output.render import to_pretty_json
 from dynamics_cli.report.blocks import Code, Formula, Heading, Items, Paragraph, Table
-from dynamics_cli.report.calculation import SWEEP, limit_words
+from dynamics_cli.report.calculation import SWEEP, leaves, limit_words, words
 from dynamics_cli.report.formula import plain
 
 TYPE_CHECKING = False
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.report.blocks import Block, Image
-    from dynamics_cli.report.calculation import Calculation, Value
+    from dynamics_cli.report.calculation import Calculation
 
     Document = dict[str, Any]
 
@@ -57,9 +57,9 @@ def _given(case: "Calculation") -> "list[Block]":
     else:
         blocks += _given_table(case, inputs)
     assert case.document is not None
-    for name, table in case.document["inputs"].items():
-        if is_table(table) and name != SWEEP:
-            blocks.append(_table(table, f"Given: {name.replace('_', ' ')}", 17))
+    for address, table in leaves(case.document["inputs"]):
+        if is_table(table) and address.partition(".")[0] != SWEEP:
+            blocks.append(_table(table, f"Given: {case.named(words(address))}", 17))
     correlations = case.document["numerics"].get("uncertainty", {}).get("correlations", {})
     pairs = [f"{' and '.join(pair.split(','))} {number(rho, 6)}" for pair, rho in correlations.items()]
     return [*blocks, *([Paragraph(f"Correlation of {'; '.join(pairs)}.")] if pairs else [])]
@@ -108,7 +108,7 @@ def _results(case: "Calculation") -> "list[Block]":
     head += ["decided by"] if coverage else []
     body = []
     for label, value, address in rows:
-        row = [label, _aligned(value), *([value.interval] if coverage else [])]
+        row = [label, value.whole, *([value.interval or case.chance(address)] if coverage else [])]
         row += ["; ".join(map(limit_words, case.limits(address)))] if limited else []
         body.append([*row, *([case.drivers(address)] if coverage else [])])
     right = [1, 2] if coverage else [1]
@@ -122,10 +122,6 @@ def _results(case: "Calculation") -> "list[Block]":
             if is_table(table):
                 blocks.append(_table(table, _sentence(name.replace("_", " ")).rstrip("."), case.digits))
     return blocks
-
-
-def _aligned(value: "Value") -> str:
-    return value.whole
 
 
 def _table(node: "Any", caption: str, digits: int, *, small: bool = False) -> Table:

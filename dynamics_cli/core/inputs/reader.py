@@ -252,7 +252,7 @@ class Reader(Context):
                 code="exclusive",
             )
             return None
-        if value is None and node.single and not isinstance(node.item, Leaf) and (plain or field.required):
+        if value is None and (plain or field.required) and node.by_plain(plain):
             return self._plain_item(node, {key: raw[key] for key in plain}, address)
         if value is None:
             if field.required:

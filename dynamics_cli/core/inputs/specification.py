@@ -145,6 +145,13 @@ class Many:
         self.single = single
         self.columns = columns
 
+    def by_plain(self, plain: "list[str]") -> bool:
+        """Whether one item is read from its plain fields; without any, items of several kinds are asked for as such."""
+        if not self.single or isinstance(self.item, Leaf):
+            return False
+        kinds = isinstance(self.item, Record) and getattr(self.item.fields[0].node, "choice", None) is not None
+        return bool(plain) or not kinds
+
 
 def description(text: str) -> str:
     """A description without the SI unit in brackets."""

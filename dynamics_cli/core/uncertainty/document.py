@@ -334,7 +334,7 @@ def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any
 def _no_deviations(propagation: Propagation) -> "list[dict[str, Any]]":
     """Results whose distribution has no standard deviation."""
     out: list[dict[str, Any]] = []
-    if long := [s.name for s in propagation.spreads.values() if s.tails]:
+    if long := [s.name.replace("_", " ").replace(".", " ") for s in propagation.spreads.values() if s.tails]:
         message = f"{', '.join(long)}: no standard deviation, values have no bound within the inputs' distribution"
         remedy = "use the median and the interval, or inputs with bounds, such as 0.3..0.4"
         out.append({"code": "no-deviation", "severity": "caution", "message": message, "remedy": remedy})

@@ -76,7 +76,12 @@ class Solution:
 
 def unknowns(terms: "Sequence[Term]") -> list[str]:
     """Names of the unknown quantities."""
-    return [f"{t.name} {quantity}" for t in terms for quantity in ("speed", "heading") if getattr(t, quantity) is None]
+    return [
+        f"the {quantity} of {t.vehicle} {'after' if t.after else 'before'} the impact"
+        for t in terms
+        for quantity in ("speed", "heading")
+        if getattr(t, quantity) is None
+    ]
 
 
 def solve(terms: "Sequence[Term]", branch: Branch | None) -> Solution:

@@ -202,10 +202,17 @@ def _advice(
     if recorded is not None and implied is not None:
         gap = abs(plain(recorded) - plain(implied))
         if gap > SPINS_DIFFER * max(abs(plain(recorded)), abs(plain(implied))):
+            # one unit: the recorded as it was typed, the other as so many times it
+            share = abs(plain(implied) / plain(recorded)) if plain(recorded) else 0.0
+            against = ", the other way round" if plain(implied) * plain(recorded) < 0.0 else ""
             text = worded(
-                "the impulse at this lever gives a change of spin of {implied:3}; recorded is {recorded:3}",
+                "the impulse at this lever gives a change of spin of {implied:3}; none was recorded"
+                if not share
+                else "the impulse at this lever gives {share:2} times the recorded spin change, {recorded:3}{against}",
                 implied=(implied, AngularSpeed),
                 recorded=(recorded, AngularSpeed),
+                share=(share, Ratio),
+                against=against,
             )
             cautions.append(Advice(code="spin-differs", message=text, remedy="check the lever, the inertia and signs"))
     cautions += _contact_advice(values, contact, stated)

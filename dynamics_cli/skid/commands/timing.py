@@ -58,7 +58,7 @@ MEET = Task(
         "time and distance of two parties",
         "dynamics_cli.skid.timing.meet:meet",
         source=KINEMATICS + "; avoidance by stopping and by arriving later derived",
-        formula="{stopping_speed|v_s} = 2·D'/(T + √(T² + 2·D'/a)), D' = {first_distance|D} + a·t_b²/24, "
+        formula="{stopping_speed|v_s} = 2·D′/(T + √(T² + 2·D′/a)), D′ = {first_distance|D} + a·t_b²/24, "
         "T = t_r + t_b/2; "
         "{late_speed|v_l} = ({first_distance|D} + ½·a·({clear_time|t_c} − T)² + a·t_b²/24)/{clear_time|t_c}",
         assumptions=(POINT, "before its first phase each party keeps its speed", "the second does not change its path"),
@@ -140,9 +140,11 @@ SIGHT = Task(
         "line of sight past a corner",
         "dynamics_cli.skid.timing.sight:sight",
         source=KINEMATICS + "; plane geometry of the line of sight",
-        formula="(C − E) × (Q − E) = 0, or |Q − E| = {recognition_distance|R}, at {time_left|t} before the impact: "
-        "eye E, target Q, corner C",
-        assumptions=("points in a plan view", "the obstruction fills everything behind its corner"),
+        formula="(C − E) × (Q − E) = 0 or |Q − E| = {recognition_distance|R} at {time_left|t} before the impact",
+        assumptions=(
+            "eye E, target Q and corner C are points in a plan view",
+            "the obstruction fills everything behind its corner",
+        ),
         method="roots of polynomials, all found between those of their derivatives",
     ),
     headline=(

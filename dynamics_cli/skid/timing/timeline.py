@@ -1,6 +1,7 @@
 """A motion in phases, forward from its first speed or back from its last: position and speed over time."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.road.phases import Phase, legs
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -12,7 +13,7 @@ from dynamics_cli.quantities import (
     RoadSpeed,
     Time,
 )
-from dynamics_cli.records import record
+from dynamics_cli.records import Advice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -74,6 +75,7 @@ class Timeline:
     distance: Annotated[Distance, "Distance from the start to the end [m]."]
     phases: Annotated[tuple[PhaseTravelled, ...], "The phases in order of time, counted back from the end."]
     moments: Annotated[tuple[Moment, ...], "Time, distance and speed from the start to the end."]
+    advice: tuple[Advice, ...] = ()
 
 
 def timeline(
@@ -135,7 +137,17 @@ def timeline(
         distance=travelled[0].from_distance,
         phases=tuple(travelled),
         moments=tuple(_moments(motion, travelled, steps)),
+        advice=_at_rest(motion),
     )
+
+
+def _at_rest(motion: "list[Leg]") -> tuple[Advice, ...]:
+    """Advice on a reaction of one who stands: it takes time but no way, and is mostly a speed forgotten."""
+    if not any(leg.kind == "reaction" and single(leg.start) and plain(leg.start) == 0.0 for leg in motion):
+        return ()
+    message = "the reaction is at 0 km/h: it takes its time and covers no distance"
+    remedy = "check the speed and its end; for one who stands, kind=waiting says it"
+    return (Advice(code="reaction-at-rest", message=message, remedy=remedy),)
 
 
 def summed(motion: "list[Leg]") -> "list[PhaseTravelled]":

@@ -150,14 +150,16 @@ def _ranges(axes: "Any", item: Ranges, x: Scale, y: Scale, pens: Pens) -> None:
         side: dict[str, Any] = {"ha": "right" if right else "left", "va": "bottom", "fontsize": 8.5}
         side |= {"bbox": _PLAIN, "zorder": 4.0}
         axes.annotate(written(name, x.system), (end if right else start, place - 0.14), **side)
+    # the words of limits stand above the first name, however many lines it has
+    top = -0.75 - 0.35 * item.names[0].count("\n") if item.names else -0.75
     for limit, (_, label) in zip(across, item.limits, strict=True):
         axes.axvline(limit, color="black", linestyle="--", linewidth=1.0)
         axes.annotate(
-            written(label, x.system), (limit, -0.75), xytext=(3, 0), textcoords="offset points", fontsize=9.0, va="top"
+            written(label, x.system), (limit, top), xytext=(3, 0), textcoords="offset points", fontsize=9.0, va="top"
         )
     axes.set_yticks([])
     axes.spines["left"].set_visible(False)
-    axes.set_ylim(len(places) - 0.7, -0.8 if item.limits else -0.6)
+    axes.set_ylim(len(places) - 0.7, top - 0.05 if item.limits else -0.6)
     axes.grid(visible=False)
 
 

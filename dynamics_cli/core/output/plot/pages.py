@@ -22,7 +22,7 @@ WIDTHS = (6.6, 7.6, 8.4)
 NARROW = 5.0
 HEIGHT = 3.0
 # Panels above one another over one axis: inches, and at most this share of a narrow picture's width.
-SHARED_SHAPE = 0.34
+SHARED_SHAPE = 0.46
 SHARED_HEIGHT, ROOM_FOR_TICKS = 1.9, 0.4
 EQUAL_HEIGHT = 5.0
 LEAST_HEIGHT = 1.8
@@ -96,6 +96,8 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
             if columns == 1 and shared[row]:
                 axes.set_xlabel("")
                 axes.tick_params(which="both", labelbottom=False)
+    if any(shared) and wide < NARROW:
+        _one_legend(figure)
     if picture.subtitle:
         _head(figure, picture, system)
         return figure
@@ -290,6 +292,19 @@ def _beneath(axes: "Any", ncols: int) -> "dict[str, Any]":
         0.0, -0.42 if axes.axison else -0.05, axes.figure.dpi_scale_trans
     )
     return {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": below, "ncols": ncols}
+
+
+def _one_legend(figure: "Any") -> None:
+    """One legend over narrow panels of the same curves, which leave no corner free."""
+    named: dict[str, Any] = {}
+    for axes in figure.axes:
+        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+            named.setdefault(label, handle)
+        if axes.get_legend():
+            axes.get_legend().remove()
+    if named:
+        place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "borderaxespad": 0.2}
+        figure.axes[0].legend(named.values(), named.keys(), ncols=2, **place)
 
 
 def _free_beneath(panel: "Panel") -> bool:
