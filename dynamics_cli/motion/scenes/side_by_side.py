@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 FEWEST = 12
 # Gaps of joints, in sizes of the scene, that are put right after a step.
 DRIFT = 1e-11
-# Seconds that a rate takes for each number of a state and condition, those of each case beside, a case's start, and a rate alone.
+# Seconds that a rate takes for each number of a state and condition, and for that of each case; that a case takes for
+# its start, and for a rate where it goes alone.
 RATE, STARTED, ALONE = (4e-5, 1e-7), 1e-3, 6e-5
 
 
