@@ -18,11 +18,13 @@ class Drawing:
     """While inside, answers are samples of one calculation.
 
     `kept` is what physics solved once for all of them, `missed` what they are off by for that, in their deviations.
+    Where samples are expensive physics states their cost: `spent` so far, and what the next would be.
     """
 
     def __init__(self) -> None:
         self.kept: dict[Any, Any] = {}
         self.missed = 0.0
+        self.spent = self.once = self.each = 0.0
 
     def __enter__(self) -> "Drawing":
         """Begin."""
@@ -47,6 +49,16 @@ def kept() -> "dict[Any, Any]":
 def missed(error: float) -> None:
     """State what samples are off by, in their deviations; only while drawing."""
     _drawings[-1].missed = max(_drawings[-1].missed, error)
+
+
+def cost(once: float, each: float, cases: int) -> None:
+    """State what samples have cost, in seconds of a usual processor: for all of a call, and for each case in it.
+
+    Counted, not measured: how many samples an answer takes must not depend on the machine. Only while drawing.
+    """
+    now = _drawings[-1]
+    now.once, now.each = once, each
+    now.spent += once + each * cases
 
 
 class Measured:

@@ -166,16 +166,16 @@ def chain(
 def let_go(
     lengths: "Sequence[float]", masses: "Sequence[float]", angles: "Sequence[float]", duration: float,
     rates: "Sequence[float]", end_masses: "Sequence[float]", inertias: "Sequence[float]", count: int | None,
-    gravity: float,
+    gravity: float, fastest: float | None = None,
 ) -> "tuple[Rods, list[float]]":  # fmt: skip
-    """The rods, and their angles and rates at the start."""
+    """The rods, and their angles and rates at the start; of chains alike the fastest oscillation of one serves."""
     rods = chain_of(lengths, masses, end_masses, inertias, count, gravity)
     start = many(angles, rods.n, "angles", 0.0) + many(rates, rods.n, "rates", 0.0)
     require(duration > 0.0, "a time of {duration} is not above zero", duration=(duration, Time))
     still = all(abs(math.sin(q)) < STILL for q in start[: rods.n]) and not any(start[rods.n :])
     require(not still, "it is let go at rest in equilibrium: nothing moves", code="at-rest",
             hint="turn a rod away from the vertical, or give --rates")  # fmt: skip
-    longest = LONGEST / rods.scale(start[: rods.n], start[rods.n :])
+    longest = LONGEST / rods.scale(start[: rods.n], start[rods.n :], fastest)
     require(duration <= longest, "{duration} are too many swings to follow", duration=(duration, Time),
             code="too-long", hint="give {longest} or less", longest=(longest, Time))  # fmt: skip
     return rods, start

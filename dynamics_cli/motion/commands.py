@@ -90,6 +90,7 @@ SCENE = Task(
         formula="M·a + Jᵀ·λ = Q, J·a = γ; E + loss − work stays",
         assumptions=RIGID,
         method="DOP853 or Radau, two tolerances",
+        together=f"{SCENES}.side_by_side:scenes",
     ),
     headline=(
         "verdict: answer", "ends: ends at", "horizon: horizon, about", "tenfold: errors grow tenfold in",

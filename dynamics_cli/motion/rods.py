@@ -53,10 +53,13 @@ class Rods:
         )
         return kinetic + math.fsum(2.0 * self.gravity * self.b[i] * math.sin(0.5 * q[i]) ** 2 for i in range(n))
 
-    def scale(self, q: "Sequence[float]", w: "Sequence[float]") -> float:
-        """Rates that this motion can reach, with its fastest small oscillation."""
-        fastest = 1.0 / min(self.oscillations()[0])
-        return fastest + max(map(abs, w)) + math.sqrt(2.0 * self.energy(q, w) / self.a[0][0])
+    def fastest(self) -> float:
+        """The rate of its fastest small oscillation."""
+        return 1.0 / min(self.oscillations()[0])
+
+    def scale(self, q: "Sequence[float]", w: "Sequence[float]", fastest: float | None = None) -> float:
+        """Rates that this motion can reach, with its fastest small oscillation, or that of a chain much like it."""
+        return (fastest or self.fastest()) + max(map(abs, w)) + math.sqrt(2.0 * self.energy(q, w) / self.a[0][0])
 
     def rate(self, _: float, state: "Any") -> "Any":
         """Rates and accelerations of the angles."""
@@ -144,7 +147,7 @@ def _row(values: "list[float]") -> "Any":
     return np.array(values)
 
 
-def solved(matrix: "list[list[float]]", right: "list[float]") -> "list[float]":
+def solved(matrix: "list[list[Any]]", right: "list[Any]") -> "list[Any]":
     """The solution of a positive definite system, its lower half given; by LDLᵀ on plain floats, D in its place."""
     n = len(right)
     for i in range(n):
@@ -163,7 +166,7 @@ def solved(matrix: "list[list[float]]", right: "list[float]") -> "list[float]":
     return _back(matrix, right)
 
 
-def _back(matrix: "list[list[float]]", right: "list[float]") -> "list[float]":
+def _back(matrix: "list[list[Any]]", right: "list[Any]") -> "list[Any]":
     n = len(right)
     out = [right[i] / matrix[i][i] for i in range(n)]
     for i in range(n - 1, -1, -1):

@@ -7,7 +7,9 @@ from dynamics_cli.motion.chain import Chain, chain, let_go
 from dynamics_cli.motion.peaks import peaks
 from dynamics_cli.motion.rods import solved
 from dynamics_cli.motion.runs import samples_of
+from dynamics_cli.progress import going
 from dynamics_cli.records import Numerics
+from dynamics_cli.sampling import cost, drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
 
 # Digits of a sample: far more than its spread leaves.
 TOLERANCE = 1e-10
+# Seconds of a rate for each rod, of that for each pair of rods of a case, and of setting up a case.
+RATE, POSED = (2e-5, 4e-8), 5e-5
 # So many numbers of a history at once.
 BLOCK = 2_000_000
 
@@ -31,20 +35,17 @@ def chains(cases: "Sequence[Given]") -> "list[Chain | Exception]":
     """The numbers of each chain, or the error that refuses it."""
     made: list[Any] = [None] * len(cases)
     posed: dict[int, tuple[Rods, list[float], float]] = {}
+    fastest: float | None = None
     for row, parameters in enumerate(cases):
         given = {**(chain.__kwdefaults__ or {}), **parameters}
         given.pop("steps")
         try:
-            posed[row] = *let_go(**given), given["duration"]
+            posed[row] = *let_go(**given, fastest=fastest), given["duration"]
+            fastest = fastest or posed[row][0].fastest()
         except (DynamicsError, ArithmeticError) as error:
             made[row] = error
-    if posed:
-        rows = list(posed)
-        count = _count(list(posed.values()))
-        few = max(1, BLOCK // (2 * count * posed[rows[0]][0].n))
-        for block in (rows[k : k + few] for k in range(0, len(rows), few)):
-            for row, result in zip(block, _together([posed[row] for row in block], count), strict=True):
-                made[row] = result
+    for row, result in zip(posed, _together(list(posed.values())) if posed else (), strict=True):
+        made[row] = result
     return made
 
 
@@ -54,20 +55,30 @@ def _count(cases: "list[tuple[Rods, list[float], float]]") -> int:
     return samples_of(max(time for _, _, time in cases) * rods.scale(start[: rods.n], start[rods.n :]))
 
 
-def _together(cases: "list[tuple[Rods, list[float], float]]", count: int) -> "list[Chain]":
+def _together(cases: "list[tuple[Rods, list[float], float]]") -> "list[Chain]":
     from scipy.integrate import solve_ivp
 
-    lanes = _Lanes(cases)
-    n, shares = lanes.n, np.linspace(0.0, 1.0, count + 1)
-    run: Any = solve_ivp(lanes.rate, (0.0, 1.0), lanes.start.ravel(), method="DOP853", rtol=TOLERANCE, atol=TOLERANCE,
-                         t_eval=shares)  # fmt: skip
-    require(bool(run.success), "the integration stopped", code="no-convergence")
-    states = run.y.reshape(2 * n, len(cases), -1)
-    forces = peaks(lanes.top_forces(states))
-    return [
-        _sampled(rods, end, float(force))
-        for (rods, _, _), end, force in zip(cases, states[:, :, -1].T.tolist(), forces, strict=True)
-    ]
+    lanes, count = _Lanes(cases), _count(cases)
+    n, state = lanes.n, lanes.start.ravel()
+    pieces = -(-count * state.size // BLOCK)
+    forces, calls = np.zeros(len(cases)), 0
+    with going(1.0, "samples, share of their motion") as progress:
+
+        def rate(share: float, state: "Array") -> "Array":
+            progress(share)
+            return lanes.rate(share, state)
+
+        for piece in range(pieces):
+            shares = np.linspace(piece, piece + 1.0, count // pieces + 1) / pieces
+            run: Any = solve_ivp(rate, (shares[0], shares[-1]), state, method="DOP853", rtol=TOLERANCE,
+                                 atol=TOLERANCE, t_eval=shares)  # fmt: skip
+            require(bool(run.success), "the integration stopped", code="no-convergence")
+            state, calls = run.y[:, -1], calls + run.nfev
+            forces = np.maximum(forces, peaks(lanes.top_forces(run.y.reshape(2 * n, len(cases), -1))))
+    if drawing():
+        cost(calls * n * RATE[0], (calls + count) * n * n * RATE[1] + POSED, len(cases))
+    ends = state.reshape(2 * n, -1).T.tolist()
+    return [_sampled(rods, end, float(force)) for (rods, _, _), end, force in zip(cases, ends, forces, strict=True)]
 
 
 def _sampled(rods: "Rods", end: "list[float]", force: float) -> Chain:

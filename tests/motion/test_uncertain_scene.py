@@ -4,6 +4,12 @@ from pathlib import Path
 
 import pytest
 
+from dynamics_cli.motion.bodies.records import Driver, Link, Load, Scene, Slide, Spring, Torsion
+from dynamics_cli.motion.scenes.scene import scene
+from dynamics_cli.motion.scenes.side_by_side import scenes
+from dynamics_cli.numerics.linkages.records import Pin
+from dynamics_cli.records import Formula
+from dynamics_cli.sampling import Drawing
 from tests.harness import answer
 
 SCENE = """duration = "0.2 s"
@@ -26,6 +32,33 @@ def test_a_limit_on_an_error_of_the_calculation_is_compared(tmp_path: Path) -> N
     (limit,) = document["limits"]
     assert limit["beyond"] is False
     assert "probability" not in limit
+
+
+def _linked(k: int) -> Scene:
+    """A driven arm with a bob on it, a block on a slide, springs, dampers and a load; numbers that depend on k."""
+    pins = Pin("O", (0.0, 0.0)), Pin("W", (0.0, 0.9)), Pin("E", (0.9, 0.9))
+    arm = Link("arm", (pins[0], Pin("A", (0.5, 0.0))), mass=1.0 + 0.05 * k, rod=True, angle=0.3)
+    bob = Link("bob", (Pin("A", (0.0, 0.0)), Pin("B", (0.3 + 0.01 * k, 0.0))), mass=1.0, rod=True, angle=-0.7)
+    block = Link("block", (Pin("S", (0.0, 0.0)),), mass=2.0, moment=0.01, position=(0.4, 0.9))
+    return Scene(
+        (Link("ground", pins), arm, bob, block),
+        slides=(Slide("S", "ground", "W", "E", "block"),),
+        springs=(Spring("B", "S", 100.0 + k, 0.7, 20.0),),
+        torsions=(Torsion("bob", "arm", 3.0, damping=0.1),),
+        drivers=(Driver("arm", speed=0.2 + 0.1 * k, angular_acceleration=1.0),),
+        loads=(Load(link="bob", torque=Formula("2 - 0.1*speed", 1.0, "N*m")),),
+    )
+
+
+def test_scenes_side_by_side_move_as_alone() -> None:
+    cases = [{"scene": _linked(k), "duration": 0.5 + 0.02 * k, "follow": "B"} for k in range(12)]
+    with Drawing() as drawn:
+        together = scenes(cases)
+        alone = [scene(cases[k]["scene"], duration=cases[k]["duration"], follow="B") for k in (0, 11)]
+    assert drawn.each > 0.0
+    for one, other in zip((together[0], together[11]), alone, strict=True):
+        for name in ("x", "y", "largest_force", "driver_work", "load_work", "damper_loss"):
+            assert getattr(one, name) == pytest.approx(getattr(other, name), rel=1e-5), name
 
 
 def test_a_link_that_nothing_joins_is_pointed_out(tmp_path: Path) -> None:

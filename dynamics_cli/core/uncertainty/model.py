@@ -172,7 +172,10 @@ class TaskModel:
         """The record of each case, or the error that refuses it."""
         if self.together:
             with self.drawing:
-                yield from self.together([parameters for _, parameters in cases])
+                words = self.task.specification.words
+                yield from self.together(
+                    [dict(zip((word.name for word in words), args, strict=False)) | named for args, named in cases]
+                )
             return
         for args, kwargs in cases:
             try:

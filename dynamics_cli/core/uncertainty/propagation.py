@@ -171,9 +171,7 @@ def _probe(space: Space, seed: int) -> "Array":
     """All results at the centre, half a deviation to both sides of it on every axis, and at a few points beyond."""
     space.rehearse(seed)
     step = 0.5 * np.eye(n := space.size)
-    few = quantile(lattice(min(n, MOST_DIMENSIONS), 16, 1, seed))
-    if n > MOST_DIMENSIONS:
-        few = np.resize(few, (n, 16))
+    few = np.resize(quantile(lattice(min(n, MOST_DIMENSIONS), 16, 1, seed)), (n, 16))
     return space.evaluate(np.concatenate([np.zeros((n, 1)), step, -step, few], axis=1))
 
 
@@ -333,11 +331,12 @@ def _beside(spread: Spread, plain: Plain, outcome: Outcome, goal: Goal) -> Sprea
 def _add_shares(space: Space, propagation: Propagation, seed: int, stand_in: StandIn | None) -> None:
     """Shares of the variance of every result, and the results' correlation."""
     variances = np.nan_to_num([propagation.spreads[name].std ** 2 for name in space.results], posinf=0.0)
-    missed = 0.0 if stand_in is None else float(stand_in.missed[variances > 0.0].max(initial=0.0))
-    if stand_in is not None and missed < MOST_MISSED:
+    found = MOST_MISSED if stand_in is None else float(stand_in.missed[variances > 0.0].max(initial=0.0))
+    missed = found if found < MOST_MISSED else 0.0
+    if stand_in is not None and found < MOST_MISSED:
         space = stand_in.space
-    else:
-        missed = 0.0
+    elif space.affordable is not None:
+        return
     admissible = min(spread.admissible for spread in propagation.spreads.values())
     shares: Shares = variance_shares(space, variances, seed, admissible)
     for row, name in enumerate(space.results):

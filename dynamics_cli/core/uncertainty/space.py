@@ -32,6 +32,9 @@ BEARING_CASES = 256
 REHEARSED = 128
 # Sets of points whose results are kept.
 MOST_KNOWN = 4096
+# Seconds of a usual processor that an expensive model may take for its samples. One that can answer fewer cases than
+# the second in this time gives a sample of as many as it can, but not fewer than the third.
+BUDGET, COSTLY, FEWEST = 4.0, 100_000, 64
 # A pivot smaller than this is a correlation of ±1 as rounded, not a negative one.
 _PIVOT = 1e-12
 
@@ -83,6 +86,14 @@ class Space:
     def missed(self) -> float:
         """What the model's samples are off by, in their deviations."""
         return float(getattr(self.model, "missed", 0.0))
+
+    @property
+    def affordable(self) -> int | None:
+        """Cases that one more call of an expensive model may have; None of one that is not."""
+        told = getattr(self.model, "drawing", None)
+        if told is None or COSTLY * told.each < BUDGET:
+            return None
+        return max(int(max(BUDGET - told.spent - told.once, 0.5 * BUDGET) / told.each), FEWEST)
 
     def rehearse(self, seed: int) -> None:
         """A fair sample before all others, for models that solve something over the spread of their samples once."""

@@ -52,18 +52,21 @@ class SpringForce:
 
     def add(self, t: float, f: "Frame", out: "list[float]", power: "list[float]") -> None:
         """Pull both ends together."""
-        a, b, length = self.a, self.b, self.length(f)
-        if self.free == 0.0 and self.d == 0.0:
-            share = self.k
-        else:
-            require(length > 0.0, "the spring from {name} has no length and so no direction", name=self.name,
-                    code="no-length", hint="begin elsewhere")  # fmt: skip
-            opening = self._opening(f, length)
-            share = (self.k * (length - self.free) + self.d * opening) / length
-            power[1] += self.d * opening * opening
+        a, b, share = self.a, self.b, self.share(f, power)
         fx, fy = share * (f.x[b] - f.x[a]), share * (f.y[b] - f.y[a])
         _push(f, out, a, self.i, fx, fy)
         _push(f, out, b, self.j, -fx, -fy)
+
+    def share(self, f: "Frame", power: "list[float]") -> float:
+        """Tension over length."""
+        if self.free == 0.0 and self.d == 0.0:
+            return self.k
+        length = self.length(f)
+        require(length > 0.0, "the spring from {name} has no length and so no direction", name=self.name,
+                code="no-length", hint="begin elsewhere")  # fmt: skip
+        opening = self._opening(f, length)
+        power[1] += self.d * opening * opening
+        return (self.k * (length - self.free) + self.d * opening) / length
 
     def energy(self, f: "Frame") -> float:
         """What it stores."""

@@ -5,22 +5,25 @@ from math import cos, sin
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
-
-    # the body (-1: ground), and the point relative to its mass centre in its own axes
-    Spot = tuple[int, float, float]
+    from typing import Any
 
 
 class Frame:
-    """Coordinates q and rates v of the bodies, and of every spot its place, arm from the mass centre, and velocity."""
+    """Coordinates q and rates v of the bodies, and of every spot its place, arm from the mass centre, and velocity.
+
+    A spot is a body (-1: ground), and a point relative to its mass centre in its own axes.
+    """
 
     __slots__ = ("c", "phases", "q", "rx", "ry", "s", "v", "vx", "vy", "w", "x", "y")
 
-    def __init__(self, n: int, spots: "Sequence[Spot]", state: "list[float]") -> None:
+    def __init__(
+        self, n: int, spots: "Sequence[Any]", state: "list[Any]", cosine: "Any" = cos, sine: "Any" = sin
+    ) -> None:
         end = 3 * n
         self.q, self.v, self.phases = q, v, _ = state[:end], state[end : 2 * end], state[2 * end :]
         self.w = w = v[2::3]
-        self.c = c = [cos(a) for a in q[2::3]]
-        self.s = s = [sin(a) for a in q[2::3]]
+        self.c = c = [cosine(a) for a in q[2::3]]
+        self.s = s = [sine(a) for a in q[2::3]]
         x: list[float] = []
         y: list[float] = []
         rx: list[float] = []

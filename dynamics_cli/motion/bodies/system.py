@@ -27,6 +27,7 @@ class System(Built):
         super().__init__(scene, gravity, static=static)
         self.kept: list[int] = []
         self.left: set[int] = set()
+        self.calls = 0
 
     def arrange(self, kept: "list[int] | None" = None) -> None:
         """Lay out the matrix for the conditions kept: all, or those that are independent."""
@@ -88,6 +89,7 @@ class System(Built):
     def rate(self, t: float, y: "Any") -> "Any":
         """Rates of a state."""
         end = self.end
+        self.calls += 1
         accelerations, multipliers, power = self.solved(t, y)
         out = np.empty(len(y))
         out[:end] = y[end : 2 * end]

@@ -37,7 +37,7 @@ SINGULAR = 1e-7
 class Runs:
     """The fine run up to its end, the horizon or a singular pose, and what the others say of it."""
 
-    def __init__(self, start: "Start", duration: float) -> None:
+    def __init__(self, start: "Start", duration: float, *, begun: bool = True) -> None:
         self.start, self.system, self.duration = start, start.system, duration
         fast, decay = rates_of(start.system, start.state)
         moving = float(np.abs(start.state[self.system.end : 2 * self.system.end]).max(initial=0.0))
@@ -46,6 +46,10 @@ class Runs:
         longest = LONGEST / max(self.fast, 0.0 if self.stiff else decay / 5.0, 1e-300)
         require(duration <= longest, "{duration} are too many swings to follow", duration=(duration, Time),
                 code="too-long", hint="give {longest} or less", longest=(longest, Time))  # fmt: skip
+        if begun:
+            self._begin(start, duration)
+
+    def _begin(self, start: "Start", duration: float) -> None:
         knots = sorted({knot for part in self.system.driven for knot in part.motion.knots} | set(self.system.knots))
         inside = [knot for knot in knots if 0.0 < knot < duration]
         self.stops = [*(inside if len(inside) <= MOST_STOPS else []), duration]

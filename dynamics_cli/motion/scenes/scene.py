@@ -40,6 +40,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.motion.bodies.system import System
     from dynamics_cli.motion.scenes.runs import Runs
 
     Peaks = list[tuple[float, float, float]]
@@ -136,10 +137,11 @@ def scene(
     state = None if follow else then
     # next to a change point forces grow without limit
     peaks = None if runs.stuck or runs.crossed else peaks_of(runs)
-    numbers = _numbers(runs, peaks, scene, moment_of(system, last or 0.0, then, follow) if follow else None)
+    there = moment_of(system, last or 0.0, then, follow) if follow else None
+    work = runs.fine.at(runs.end)[-3:]
     if drawing():
-        unsampled: dict[str, Any] = dict.fromkeys(UNSAMPLED)
-        return SceneMotion(**numbers, **unsampled)
+        return sampled(system, work, peaks, there)
+    numbers = _numbers(system, work, peaks, there)
     kept, tenfold = runs.energy_error(), runs.tenfold()
     return SceneMotion(
         verdict=_verdict(runs, tenfold),
@@ -166,16 +168,21 @@ def scene(
     )
 
 
-def _numbers(runs: "Runs", peaks: "Peaks | None", scene: Scene, there: "Moment | None") -> "dict[str, Any]":
+def sampled(system: "System", work: "Any", peaks: "Peaks | None", there: "Moment | None") -> SceneMotion:
+    """What is asked of a sample."""
+    unsampled: dict[str, Any] = dict.fromkeys(UNSAMPLED)
+    return SceneMotion(**_numbers(system, work, peaks, there), **unsampled)
+
+
+def _numbers(system: "System", work: "Any", peaks: "Peaks | None", there: "Moment | None") -> "dict[str, Any]":
     """Works, the largest force, and how what is followed moves then."""
-    system = runs.system
     largest = max(((peak[0], joint) for peak, joint in zip(peaks or (), system.joints, strict=False)
                    if not system.left & set(joint.rows())), key=lambda pair: pair[0], default=(0.0, None))  # fmt: skip
     energy = system.mass * system.size**2
-    work = [float(x) * energy for x in runs.fine.at(runs.end)[-3:]]
+    work = [float(x) * energy for x in work]
     return {
         "driver_work": work[0] if system.driven else None,
-        "load_work": work[1] if scene.loads else None,
+        "load_work": work[1] if system.scene.loads else None,
         "damper_loss": work[2] if work[2] else None,
         "largest_force": largest[0] if largest[1] else None,
         "largest_in": f"{largest[1].name} on {largest[1].link}" if largest[1] else None,

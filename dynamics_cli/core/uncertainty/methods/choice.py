@@ -199,6 +199,8 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
     own = goal.own(space)
     problem = Problem(space, own, asked, result)
     across = complement(direction)
+    if space.affordable is not None and asked in SHARING:
+        return pooled(space, result, direction, across, goal)
     if space.size == 1:
         return _single(problem, result, direction, goal)
     if space.together and asked in SHARING:

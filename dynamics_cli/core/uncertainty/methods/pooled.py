@@ -59,7 +59,10 @@ class Pool:
         # Where every point is a call of its own, a quarter of them serves all results; half, where they are cheaper.
         part = 2 if space.together else 4 if space.slow else 1
         most = points or goal.points // part
-        self.count = min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, FEWEST_POINTS), MOST_POINTS)
+        fewest = FEWEST_POINTS
+        if space.affordable is not None:
+            most, fewest = min(most, space.affordable), 1
+        self.count = min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, fewest), MOST_POINTS)
         more = min(max(most / DEFAULT_POINTS, 1.0), MOST_TIMES)
         room = int(min(MOST_BYTES // (8 * results * self.count), MOST_SHIFTS) * more)
         # Shared lines have left only a few results inaccurate.

@@ -68,14 +68,18 @@ class StandIn:
         there = space.evaluate(tried)
         points, values = np.zeros((n, 0)), np.zeros((len(there), 0))
         for degree in sorted({min(degree, most) for degree in degrees}):
-            self.degree = degree
-            self.count = 1 << (2 * chaos_terms(n, degree) - 1).bit_length()
+            count = 1 << (2 * chaos_terms(n, degree) - 1).bit_length()
+            if points.shape[1] and space.affordable is not None and count > space.affordable // 2:
+                break
+            self.degree, self.count = degree, count
             wide = WIDER if degree > DEGREES[-1] else 1.0
             if degree > DEGREES[-1] and degree == MORE[n][0]:  # others than those known so far
                 points, values = np.zeros((n, 0)), np.zeros((len(there), 0))
             points, values = _grown(space, points, values, self.count, seed, wide)
             self._fit(space.inputs(points), values, space.inputs(tried), there)
             if (self.errors <= (accuracy if degree < DEGREES[-1] else FAIR) * values.std(axis=1)).all():
+                break
+            if space.affordable is not None and (self.errors > values.std(axis=1)).all():  # no degree will do
                 break
         self.space = Space(self, self._inputs, {})
         self.space.factor = space.factor
