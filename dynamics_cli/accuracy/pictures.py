@@ -92,23 +92,6 @@ def _bars(named: "list[tuple[str, Row]]", rows: "list[Row]", family: str = "") -
     return Panel(_errors_in(named[0][1].measure), Axis(""), (bars,), title)
 
 
-def chosen_overview(accuracy: "Accuracy", most: int = 11) -> Picture:
-    """All methods in one panel, and the questions that tell most: of each family those with the most methods."""
-    questions = by_question(accuracy)
-    ranked: dict[str, list[list[Row]]] = {}
-    for rows in questions:
-        if len(rows) > 1 and rows[0].entities is None:
-            ranked.setdefault(rows[0].family, []).append(rows)
-    for several in ranked.values():
-        several.sort(key=lambda rows: (-len(rows), -sum(row.front for row in rows)))
-    picked: list[list[Row]] = []
-    for place in range(max(map(len, ranked.values()), default=0)):
-        picked += [several[place] for several in ranked.values() if place < len(several)]
-    shown = [rows for rows in questions if any(rows is pick for pick in picked[:most])]
-    panels = (overview([rows for rows in questions if len(rows) > 1]), *map(question_panel, shown))
-    return Picture(panels, TITLE, 2 if len(panels) > 1 else 1, PAGE)
-
-
 def overview(several: "list[list[Row]]") -> Panel:
     """Every method of every question of relative errors as a point, by family, the program's own in black."""
     points: dict[str, tuple[list[float], list[float]]] = {}

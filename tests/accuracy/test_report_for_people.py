@@ -239,11 +239,6 @@ class TestDiagram:
         assert len(re.findall(rb"/Type /Page\b(?!s)", data)) == pages
         assert draw(picture, "pdf", "si") == data
 
-    def test_the_overview_has_a_panel_of_all_and_some_of_each_family(self, measured: Accuracy) -> None:
-        picture = pictures.chosen_overview(measured, 4)
-        assert len(picture.panels) == 5
-        assert picture.panels[0].title == "all questions with several methods"
-
     def test_without_times_errors_are_drawn_alone(self) -> None:
         untimed = accuracy("skid", "vault", untimed=True)
         picture = pictures.work_precision(untimed)

@@ -13,12 +13,12 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from dynamics_cli.accuracy import catalogue
+from dynamics_cli.accuracy import catalogue, pictures
 from dynamics_cli.accuracy.cases import DATA, load
-from dynamics_cli.accuracy.pictures import chosen_overview
 from dynamics_cli.accuracy.report import Accuracy, accuracy
 from dynamics_cli.accuracy.rows import CHOSEN, Row
 from dynamics_cli.core.output.plot.pages import draw
+from dynamics_cli.pictures import Picture
 
 ROOT = Path(__file__).resolve().parents[2]
 START, END = "<!-- accuracy -->", "<!-- /accuracy -->"
@@ -81,6 +81,23 @@ def line(own: Row, other: Row | None) -> str:
         ratio(other),
     )
     return "| " + " | ".join(cells) + " |"
+
+
+def chosen_overview(accuracy: Accuracy, most: int = 11) -> Picture:
+    """All methods in one panel, and the questions that tell most: of each family those with the most methods."""
+    questions = pictures.by_question(accuracy)
+    ranked: dict[str, list[list[Row]]] = {}
+    for rows in questions:
+        if len(rows) > 1 and rows[0].entities is None:
+            ranked.setdefault(rows[0].family, []).append(rows)
+    for several in ranked.values():
+        several.sort(key=lambda rows: (-len(rows), -sum(row.front for row in rows)))
+    picked: list[list[Row]] = []
+    for place in range(max(map(len, ranked.values()), default=0)):
+        picked += [several[place] for several in ranked.values() if place < len(several)]
+    shown = [rows for rows in questions if any(rows is pick for pick in picked[:most])]
+    panels = (pictures.overview([rows for rows in questions if len(rows) > 1]), *map(pictures.question_panel, shown))
+    return Picture(panels, pictures.TITLE, 2 if len(panels) > 1 else 1, pictures.PAGE)
 
 
 def start_up() -> str:

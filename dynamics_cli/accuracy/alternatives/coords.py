@@ -29,21 +29,10 @@ def library_spherical(x: float, y: float, z: float) -> "dict[str, float]":
     return {"rho": math.hypot(x, y, z), "phi": math.atan2(math.hypot(x, y), z), "theta": math.atan2(y, x)}
 
 
-def cartesian_from_cylindrical(r: float, theta: float, z: float) -> "dict[str, float]":
-    """X = r·cos θ, y = r·sin θ."""
-    return {"x": r * math.cos(theta), "y": r * math.sin(theta), "z": z}
-
-
 def spherical_from_cylindrical(r: float, theta: float, z: float) -> "dict[str, float]":
     """Φ = cos⁻¹(z/ρ), θ as given."""
     rho = math.sqrt(r * r + z * z)
     return {"rho": rho, "phi": math.acos(z / rho), "theta": theta}
-
-
-def cartesian_from_spherical(rho: float, phi: float, theta: float) -> "dict[str, float]":
-    """X = ρ·sin φ·cos θ, y = ρ·sin φ·sin θ, z = ρ·cos φ."""
-    r = rho * math.sin(phi)
-    return {"x": r * math.cos(theta), "y": r * math.sin(theta), "z": rho * math.cos(phi)}
 
 
 def cylindrical_from_spherical(rho: float, phi: float, theta: float) -> "dict[str, float]":
@@ -62,16 +51,16 @@ def _arc_tangent(x: float, y: float) -> float:
 ROWS = (
     ("cartesian", "cylindrical", "atan(y/x)", "textbook_cylindrical", "library_cylindrical"),
     ("cartesian", "spherical", "acos(z/rho)", "textbook_spherical", "library_spherical"),
-    ("cylindrical", "cartesian", "r cos and r sin", "cartesian_from_cylindrical", ""),
+    ("cylindrical", "cartesian", "", "", ""),
     ("cylindrical", "spherical", "acos(z/rho)", "spherical_from_cylindrical", ""),
-    ("spherical", "cartesian", "products of sines", "cartesian_from_spherical", ""),
+    ("spherical", "cartesian", "", "", ""),
     ("spherical", "cylindrical", "rho sin and rho cos", "cylindrical_from_spherical", ""),
 )
 QUESTIONS = tuple(
     Question(
         "coords", "", f"coords, {source} to {target}", "coords.json", f"{source}_to_{target}",
         Method("scaled components and atan2", f"{CHOSEN}{source}_to_{target}", chosen=True, tracked=True, arrays=True),
-        Method(f"textbook, {words}", HERE + textbook),
+        *((Method(f"textbook, {words}", HERE + textbook),) if textbook else ()),
         *((Method("library, hypot and atan2", HERE + library),) if library else ()),
     )
     for source, target, words, textbook, library in ROWS

@@ -61,7 +61,7 @@ class Reader(Context):
         self.errors.append(UsageError(message, code=code, parameter=address, hint=hint))
 
     def _object(self, fields: "tuple[Field, ...]", raw: "Raw", address: str) -> "dict[str, Bound]":
-        known_keys = {key for field in fields for key in _keys(field)}
+        known_keys = {key for field in fields for key in field.known}
         if any("-" in key for key in raw):
             raw = underscored(raw, known_keys)
         bound: dict[str, Bound] = {}
@@ -86,15 +86,10 @@ class Reader(Context):
 
     def _field(self, field: Field, raw: "Raw", address: str) -> Bound | None:
         node = field.node
-        if isinstance(node, Record) and field.place:
-            values = {key: value for key, value in raw.items() if key in node.names}
-            return Fields(node.cls, self._object(node.fields, values, address), spread=True)
-        if isinstance(node, OneOf):
-            return self._one_of(field, node, raw, address)
-        if isinstance(node, Tagged):
-            return self._tagged(field, node, raw, address)
         if isinstance(node, Many):
             return self._many(field, node, raw, address)
+        if isinstance(node, OneOf | Tagged) or (isinstance(node, Record) and field.place):
+            return self._spread(field, node, raw, address)
         field_address = _join(address, field.key)
         value = raw.get(field.key)
         if value is None:
@@ -107,6 +102,16 @@ class Reader(Context):
                 return None
             value = {}
         return self._item(node, value, field_address)
+
+    def _spread(self, field: Field, node: "Node", raw: "Raw", address: str) -> Bound | None:
+        """What stands beside its siblings, without a name of its own."""
+        if isinstance(node, OneOf):
+            return self._one_of(field, node, raw, address)
+        if isinstance(node, Tagged):
+            return self._tagged(field, node, raw, address)
+        assert isinstance(node, Record)
+        values = {key: value for key, value in raw.items() if key in node.names}
+        return Fields(node.cls, self._object(node.fields, values, address), spread=True)
 
     def _default_of(self, node: "Node", raw: "Raw") -> str | None:
         """The default text of a kind that is never missing: gravity, from the environment or the standard value."""
@@ -244,7 +249,7 @@ class Reader(Context):
     def _many(self, field: Field, node: Many, raw: "Raw", address: str) -> Bound | None:
         field_address = _join(address, field.key)
         value = raw.get(field.key)
-        plain = [key for key in raw if raw[key] is not None and key in _plain_names(node)]
+        plain = [key for key in raw if raw[key] is not None and key in node.plain]
         if value is not None and plain and not getattr(getattr(node.item, "cls", None), "adds", False):
             self._fail(
                 field_address,
@@ -253,20 +258,16 @@ class Reader(Context):
             )
             return None
         if value is None and (plain or field.required) and node.by_plain(plain):
-            return self._plain_item(node, {key: raw[key] for key in plain}, address)
+            return self._spread(Field("", node.item, ()), node.item, {key: raw[key] for key in plain}, address)
         if value is None:
             if field.required:
                 message = f"{self.spell(field_address)} is missing{field.meaning and ': '}{field.meaning}"
                 self._fail(field_address, message, code="missing")
             return None
-        from dynamics_cli.core.inputs.forms.lists import split_items
+        from dynamics_cli.core.inputs.forms.lists import items_of
 
         try:
-            items = _named_tables(node, value) or split_items(node, self._resolved(node, value, field_address))
-            if isinstance(node.item, Record) and any(isinstance(item, str) and item[:1] == "@" for item in items):
-                from dynamics_cli.core.inputs.sources.item_tables import with_tables
-
-                items = with_tables(items, node.item, self, field_address)
+            items = items_of(node, value, field_address, self)
         except DynamicsError as error:
             error.parameter = error.parameter or field_address
             self.errors.append(error)
@@ -283,51 +284,6 @@ class Reader(Context):
             return bound_items[0]
         row = node.item.cls if node.columns and isinstance(node.item, Record) else None
         return Several(bound_items, row)
-
-    def _resolved(self, node: Many, value: "Any", address: str) -> "Any":
-        """A list that is a reference as a whole: the list of an earlier document."""
-        form = getattr(getattr(node.item, "kind", None), "form", "text")
-        if form in ("text", "file") or not isinstance(value, str) or value[:1] != "@" or "," in value:
-            return value
-        from dynamics_cli.core.inputs.sources.references import resolve
-
-        return resolve(value, self, address)
-
-    def _plain_item(self, node: Many, values: "dict[str, Any]", address: str) -> Bound | None:
-        item = node.item
-        if isinstance(item, Record):
-            return Fields(item.cls, self._object(item.fields, values, address), spread=True)
-        field = Field("", item, ())
-        if isinstance(item, Tagged):
-            return self._tagged(field, item, values, address)
-        assert isinstance(item, OneOf)
-        return self._one_of(field, item, values, address)
-
-
-def _keys(field: Field) -> "set[str]":
-    if isinstance(field.node, Record) and field.place:
-        return set(field.node.names)
-    return set(field.spread()) | _plain_names(field.node)
-
-
-def _named_tables(node: Many, value: "Any") -> "list[Any]":
-    """A table of named tables as a list: [surfaces.road] is an item with that name."""
-    if not isinstance(value, dict) or not isinstance(node.item, Record) or "name" not in node.item.names:
-        return []
-    if not all(isinstance(item, dict) and "name" not in item for item in value.values()):
-        return []
-    return [{"name": name, **item} for name, item in value.items()]
-
-
-def _plain_names(node: object) -> "set[str]":
-    if not isinstance(node, Many) or not node.single:
-        return set()
-    item = node.item
-    if isinstance(item, Record):
-        return set(item.names)
-    if isinstance(item, Leaf):
-        return set()
-    return set(Field("", item, ()).spread())
 
 
 def _join(address: str, key: str) -> str:

@@ -99,7 +99,8 @@ class Settings:
         self.table = self._text(given, "table").replace("-", "_")
         self.quiet = bool(given.get("quiet"))
         self.fail = bool(given.get("fail")) or "fail-above" in given
-        self.fail_above = read_coverage(self._text(given, "fail-above") or "50 %", "fail-above")
+        fail_above = self._text(given, "fail-above")
+        self.fail_above = read_coverage(fail_above, "fail-above") if fail_above else 0.5
         self.input = self._text(given, "input")
         self.rows = self._text(given, "rows")
         self.columns: list[str] = list(given.get("column", ()))  # type: ignore[arg-type]

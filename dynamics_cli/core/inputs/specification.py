@@ -152,6 +152,13 @@ class Many:
         kinds = isinstance(self.item, Record) and getattr(self.item.fields[0].node, "choice", None) is not None
         return bool(plain) or not kinds
 
+    @property
+    def plain(self) -> "frozenset[str]":
+        """The names by which one item may be given without the list's."""
+        if not self.single or isinstance(self.item, Leaf):
+            return frozenset()
+        return Field("", self.item, (), "word").known
+
 
 def description(text: str) -> str:
     """A description without the SI unit in brackets."""
@@ -163,7 +170,7 @@ def description(text: str) -> str:
 class Field:
     """A named node with its default and description; `place` is "", "word" (positional) or "words" (any number)."""
 
-    __slots__ = ("_spread", "default", "key", "name", "node", "place", "text")
+    __slots__ = ("_known", "_spread", "default", "key", "name", "node", "place", "text")
 
     def __init__(self, name: str, node: "Node", default: object, place: str = "", text: str = "") -> None:
         self.name = name
@@ -174,6 +181,18 @@ class Field:
         self.place = place
         self.text = text
         self._spread: tuple[str, ...] | None = None
+        self._known: frozenset[str] | None = None
+
+    @property
+    def known(self) -> "frozenset[str]":
+        """Every name in its object that this field reads."""
+        if self._known is None:
+            node = self.node
+            if isinstance(node, Record) and self.place:
+                self._known = node.names
+            else:
+                self._known = frozenset(self.spread()) | (node.plain if isinstance(node, Many) else frozenset())
+        return self._known
 
     @property
     def example(self) -> str:

@@ -137,30 +137,6 @@ def by_rationals(case: "Case") -> "Call":
     return lambda: polynomial(conditions).at(at)
 
 
-def by_doubles(case: "Case") -> "Call":
-    """The system of powers of x solved in doubles, and the polynomial about zero."""
-    import numpy as np
-
-    conditions, at = _conditions(case)
-
-    def answer() -> "Any":
-        count = len(conditions)
-        rows = np.array([[_power(x, i, order) for i in range(count)] for x, order, _ in conditions])
-        coefficients = np.linalg.solve(rows, np.array([value for _, _, value in conditions]))
-        return tuple(float(sum(coefficients[i] * _power(at, i, order) for i in range(count))) for order in range(4))
-
-    return answer
-
-
-def _power(x: float, power: int, order: int) -> float:
-    if power < order:
-        return 0.0
-    factor = 1.0
-    for lower in range(order):
-        factor *= power - lower
-    return factor * x ** (power - order)
-
-
 def polynomial_peaks(case: "Case") -> "list[float]":
     """Greatest values of the polynomial."""
     from dynamics_cli.cam.laws.peaks import extremes
@@ -180,21 +156,6 @@ def by_exact_joints(case: "Case") -> "Call":
     """The program's own: joints in exact degrees, the distance from them with the rounding of π put right."""
     motion, theta = _motion(case)
     return lambda: motion.at(theta)
-
-
-def by_rounded_joints(case: "Case") -> "Call":
-    """Joints as doubles in radians: what their rounding does beside a joint."""
-    motion, theta = _motion(case)
-
-    def answer() -> "Any":
-        joints = motion.joints
-        index = max(i for i in range(len(motion.segments)) if joints[i] <= theta)
-        segment, width = motion.segments[index], joints[index + 1] - joints[index]
-        scale = segment.high - segment.low
-        values = segment.law.at((theta - joints[index]) / width)
-        return (segment.low + scale * values[0], *(scale * values[k] / width**k for k in (1, 2, 3)))
-
-    return answer
 
 
 def motion_peaks(case: "Case") -> "list[float]":
@@ -277,7 +238,7 @@ def compare_polynomials(comparing: "Comparing") -> "list[Row]":
     """Free polynomials."""
     return _compared(
         comparing, "polynomial", polynomial_peaks, polynomial_bounds,
-        ("exact rationals, about both ends (chosen)", by_rationals), ("powers of x, solved in doubles", by_doubles),
+        ("exact rationals, about both ends (chosen)", by_rationals),
     )  # fmt: skip
 
 
@@ -285,5 +246,5 @@ def compare_motions(comparing: "Comparing") -> "list[Row]":
     """Whole motions, in shares of the peaks of the segment."""
     return _compared(
         comparing, "motion", motion_peaks, motion_bounds,
-        ("joints exact in degrees (chosen)", by_exact_joints), ("joints rounded in radians", by_rounded_joints),
+        ("joints exact in degrees (chosen)", by_exact_joints),
     )  # fmt: skip

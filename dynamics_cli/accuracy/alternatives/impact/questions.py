@@ -1,6 +1,6 @@
 """Impacts: the questions asked of them, and the textbook's method for each."""
 
-from dynamics_cli.accuracy.questions import Comparison, Method, Question, textbooks
+from dynamics_cli.accuracy.questions import Method, Question, textbooks
 
 HERE = "dynamics_cli.accuracy.alternatives.impact."
 PARTICLES = "impact_particles.json"
@@ -23,6 +23,4 @@ QUESTIONS = (
     *textbooks("impact", "impact_rigid.json", HERE, ("planar", *SYSTEM)),
     *textbooks("impact", "impact_spatial.json", HERE, ("spatial", *SYSTEM)),
     Question("impact", "momentum", "momentum, speeds before", PARTICLES, "approach", *APPROACH),
-    Comparison("impact", "planar", "planar path, by its impulse", HERE + "paths:compare"),
-    Comparison("impact", "spatial", "path in space, by its impulse", HERE + "paths:compare_in_space"),
 )  # fmt: skip

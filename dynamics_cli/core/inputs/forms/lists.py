@@ -2,13 +2,35 @@
 
 from dynamics_cli.core.inputs.context import Token
 from dynamics_cli.core.inputs.quantity_text import DIGITS, is_uncertain, number_end, split_list
+from dynamics_cli.core.inputs.specification import Record
 from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.core.inputs.context import Context
     from dynamics_cli.core.inputs.specification import Many
+
+
+def items_of(node: "Many", value: "Any", address: str, context: "Context") -> "list[Any]":
+    """The items of a list, however it is given; references to earlier documents and to tables are followed."""
+    record = node.item if isinstance(node.item, Record) else None
+    tables = value if isinstance(value, dict) and record is not None and "name" in record.names else {}
+    if tables and all(isinstance(item, dict) and "name" not in item for item in tables.values()):
+        # [surfaces.road] is an item with that name
+        return [{"name": name, **item} for name, item in tables.items()]
+    form = getattr(getattr(node.item, "kind", None), "form", "text")
+    if form not in ("text", "file") and isinstance(value, str) and value[:1] == "@" and "," not in value:
+        from dynamics_cli.core.inputs.sources.references import resolve
+
+        value = resolve(value, context, address)
+    items = split_items(node, value)
+    if record is not None and any(isinstance(item, str) and item[:1] == "@" for item in items):
+        from dynamics_cli.core.inputs.sources.item_tables import with_tables
+
+        return with_tables(items, record, context, address)
+    return items
 
 
 def split_items(node: "Many", value: "Any") -> "list[Any]":
