@@ -7,8 +7,8 @@ its text so that it is read exactly), `{"value": 60, "unit": "ft"}`, truth value
 from dynamics_cli.core.inputs.context import Context, Token
 from dynamics_cli.core.inputs.leaves import read_leaf
 from dynamics_cli.core.inputs.options import kebab
-from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged, written
-from dynamics_cli.core.inputs.spelling import underscored
+from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged
+from dynamics_cli.core.inputs.spelling import underscored, written
 from dynamics_cli.core.inputs.values import Bound, Fields, Several
 from dynamics_cli.errors import DynamicsError, ManyErrors, UsageError
 

@@ -302,19 +302,6 @@ def members_of(node: "Node") -> "tuple[Record, ...]":
     raise SpecificationError("alternatives are records")
 
 
-def written(node: "Node") -> str:
-    """A record as an option takes it, `amount=12 g*mm, angle=30 deg`, of what it needs; empty without examples."""
-    record = members_of(node)[0]
-    tag = getattr(record.cls, "tag", None)
-    pairs = [f"{tag[0]}={tag[1]}"] if tag else []
-    for field in record.fields:
-        if field.required and isinstance(field.node, Leaf):
-            choice, kind = field.node.choice, field.node.kind
-            value = choice.names[0] if choice else field.example or ("NAME" if kind.form == "text" else kind.example)
-            pairs += [f"{field.key}={value}"] if value else []
-    return ", ".join(pairs)
-
-
 class Specification:
     """The parameters of a function, and its result."""
 

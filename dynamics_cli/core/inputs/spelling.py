@@ -1,6 +1,7 @@
 """How a caller writes a parameter: `--first-mass`, `--segment no. 2`, or `first.mass` and `segment 2 (segments[1])`."""
 
 from dynamics_cli.core.documents import singular
+from dynamics_cli.core.inputs.specification import Leaf, members_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -8,6 +9,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.core.inputs.options import Option
+    from dynamics_cli.core.inputs.specification import Node
 
 
 class Spelling:
@@ -65,3 +67,16 @@ def underscored(raw: "Mapping[str, Any]", known: "set[str]") -> "Mapping[str, An
     """The names that a file writes as options do, `force-x`, as those of fields; others stay for the error."""
     names = {key: key.replace("-", "_") for key in raw if key not in known}
     return {name if (name := names.get(key, key)) in known and name not in raw else key: raw[key] for key in raw}
+
+
+def written(node: "Node") -> str:
+    """A record as an option takes it, `amount=12 g*mm, angle=30 deg`, of what it needs; empty without examples."""
+    record = members_of(node)[0]
+    tag = getattr(record.cls, "tag", None)
+    pairs = [f"{tag[0]}={tag[1]}"] if tag else []
+    for field in record.fields:
+        if field.required and isinstance(field.node, Leaf):
+            choice, kind = field.node.choice, field.node.kind
+            value = choice.names[0] if choice else field.example or ("NAME" if kind.form == "text" else kind.example)
+            pairs += [f"{field.key}={value}"] if value else []
+    return ", ".join(pairs)

@@ -6,8 +6,18 @@ from textwrap import fill
 
 from dynamics_cli.core.output.plot.axes import Scale, finite, sentence, words
 from dynamics_cli.core.output.plot.items import COLOURS, DRAW, Pens, written
+from dynamics_cli.core.output.plot.legends import (
+    LONGEST_TITLE,
+    NARROW,
+    WIDTHS,
+    freed_curves,
+    in_one_row,
+    legend_place,
+    named_curves,
+    one_legend,
+)
 from dynamics_cli.core.output.plot.library import ABOUT, blank, need, part, settle
-from dynamics_cli.pictures import Arrow, Band, Bars, Curve, Dimension, Label, Mark, Ranges, Rows, Ruler, Shares
+from dynamics_cli.pictures import Arrow, Bars, Curve, Dimension, Label, Mark, Ranges, Rows, Ruler, Shares
 from dynamics_cli.quantities import Count
 
 TYPE_CHECKING = False
@@ -16,10 +26,6 @@ if TYPE_CHECKING:
 
     from dynamics_cli.pictures import Axis, Panel, Picture
 
-# Width in inches by the number of columns: prints on a page with almost no reduction of the labels.
-WIDTHS = (6.6, 7.6, 8.4)
-# A picture for a column of a page.
-NARROW = 5.0
 HEIGHT = 3.0
 # Panels above one another over one axis: inches, and at most this share of a narrow picture's width.
 SHARED_SHAPE = 0.46
@@ -28,9 +34,8 @@ EQUAL_HEIGHT = 5.0
 LEAST_HEIGHT = 1.8
 # Maximum height of shapes in a narrow column, relative to its width.
 CAPPED, CAPPED_BELOW = 0.8, 4.0
-# Letters of a title and ticks of an axis over the whole width.
-LONGEST_TITLE = 84
 LETTERS_PER_INCH = 11
+# Ticks of an axis over the whole width.
 MOST_TICKS = 12
 # A logarithmic axis within these numbers is written without powers of ten; 2 and 5 are named up to so many decades.
 PLAIN, NAMED_DECADES = (1e-3, 1e5), 1e3
@@ -40,10 +45,6 @@ SHARE_HEIGHT = 0.4
 WHOLE = "whole"
 RESOLUTION = 160
 KEPT = 0.25
-# More names than this find no place among the curves.
-MOST_INSIDE, FEW = 4, 2
-# Letters that the line of a curve and the room around it take in a legend.
-LETTERS_OF_A_LINE = 8
 
 
 def draw(picture: "Picture", form: str, system: str) -> bytes:
@@ -97,7 +98,7 @@ def _figure(picture: "Picture", panels: "tuple[Panel, ...]", system: str) -> "An
                 axes.set_xlabel("")
                 axes.tick_params(which="both", labelbottom=False)
     if any(shared) and wide < NARROW:
-        _one_legend(figure)
+        one_legend(figure)
     if picture.subtitle:
         _head(figure, picture, system)
         return figure
@@ -129,7 +130,7 @@ def _settle(figure: "Any") -> None:
     engine.execute(figure)
     # the first layout may change the ticks, and with them the room for their labels
     engine.execute(figure)
-    if _freed_curves(figure):
+    if freed_curves(figure):
         engine.execute(figure)
     figure.set_layout_engine("none")
     for axes in figure.axes:
@@ -144,22 +145,6 @@ def _settle(figure: "Any") -> None:
             axes.apply_aspect()
             continue
         axes.set_position([round(part, 6) for part in axes.get_position().bounds])
-
-
-def _freed_curves(figure: "Any") -> bool:
-    """Move legends that find no place free of curves beneath their axes; whether there were any."""
-    moved = False
-    for axes in figure.axes:
-        legend = axes.get_legend()
-        if legend is None or legend.get_window_extent().width >= axes.bbox.width:
-            continue
-        box = legend.get_window_extent()
-        paths = [line.get_path().transformed(line.get_transform()) for line in axes.lines if line.get_alpha() != 0.0]
-        if any(path.intersects_bbox(box, filled=False) for path in paths):
-            handles, names = axes.get_legend_handles_labels()
-            axes.legend(handles, names, **_beneath(axes, len(names)))
-            moved = True
-    return moved
 
 
 def whole_width(axes: "Any") -> bool:
@@ -184,10 +169,10 @@ def _lines(panels: "tuple[Panel, ...]", columns: int) -> "list[list[Panel]]":
 
 def _height(panel: "Panel", columns: int, wide: float) -> float:
     """Height of a panel that shares a line of this width with `columns`."""
-    legend = 0.2 * len(_legend(panel)) if columns > 1 else 0.0
+    legend = 0.2 * len(named_curves(panel)) if columns > 1 else 0.0
     if panel.equal:
-        row = _in_one_row(panel, wide) if columns == 1 and wide < NARROW else 0
-        legend += 0.2 * (-(-len(_legend(panel)) // row)) if row else 0.0
+        row = in_one_row(panel, wide) if columns == 1 and wide < NARROW else 0
+        legend += 0.2 * (-(-len(named_curves(panel)) // row)) if row else 0.0
         highest = CAPPED * wide if wide < CAPPED_BELOW else EQUAL_HEIGHT
         factor = (0.97 if panel.bare else 0.85) * wide / columns
         return legend + min(highest, max(LEAST_HEIGHT, (0.1 if panel.bare else 0.7) + factor * _slenderness(panel)))
@@ -253,76 +238,13 @@ def _panel(axes: "Any", panel: "Panel", system: str, columns: int) -> None:
         # Margin for labels beside the outermost points.
         beside = any(isinstance(item, Mark) and not item.dot for item in panel.items)
         axes.margins(x=0.3 if beside else 0.2, y=0.12 if panel.x.ends is None else 0.2)
-    if _legend(panel):
-        axes.legend(**_legend_place(axes, panel, columns))
+    if named_curves(panel):
+        axes.legend(**legend_place(axes, panel, columns))
     for axis, scale, limit, side in ((panel.x, x, axes.set_xlim, axes.xaxis), (panel.y, y, axes.set_ylim, axes.yaxis)):
         if axis.ends is not None:
             limit(*scale(axis.ends))
         if axis.step:
             side.set_major_locator(part("ticker").MultipleLocator(scale.width(axis.step)))
-
-
-def _legend(panel: "Panel") -> "list[str]":
-    return [item.label for item in panel.items if isinstance(item, Curve | Band) and item.label]
-
-
-def _legend_place(axes: "Any", panel: "Panel", columns: int) -> "dict[str, Any]":
-    """Under a narrow panel and under shapes; beside bars and many curves, which leave no corner free; else anywhere."""
-    if columns == 1:
-        full = (
-            panel.equal
-            or len(_legend(panel)) > MOST_INSIDE
-            or any(
-                isinstance(item, Bars) or (isinstance(item, Curve) and item.style == "filled") for item in panel.items
-            )
-        )
-        ncols = _in_one_row(panel, axes.figure.get_figwidth())
-        if not full or not panel.equal or not ncols:
-            if len(_legend(panel)) <= FEW and _free_beneath(panel):
-                return {"loc": "lower right"}
-            return {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)} if full else {"loc": "best"}
-    else:
-        ncols = 1
-    return _beneath(axes, ncols)
-
-
-def _beneath(axes: "Any", ncols: int) -> "dict[str, Any]":
-    """The place of a legend under the axes and their title."""
-    below = axes.transAxes + part("transforms").ScaledTranslation(
-        0.0, -0.42 if axes.axison else -0.05, axes.figure.dpi_scale_trans
-    )
-    return {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "bbox_transform": below, "ncols": ncols}
-
-
-def _one_legend(figure: "Any") -> None:
-    """One legend over narrow panels of the same curves, which leave no corner free."""
-    named: dict[str, Any] = {}
-    for axes in figure.axes:
-        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
-            named.setdefault(label, handle)
-        if axes.get_legend():
-            axes.get_legend().remove()
-    if named:
-        place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "borderaxespad": 0.2}
-        figure.axes[0].legend(named.values(), named.keys(), ncols=2, **place)
-
-
-def _free_beneath(panel: "Panel") -> bool:
-    """Whether the lowest bars leave the right half free, as those of a tornado do."""
-    bars = next((item for item in panel.items if isinstance(item, Bars)), None)
-    if bars is None or len(bars.names) <= FEW + 1:
-        return False
-    low, high = min(bars.low), max(bars.high)
-    return all(end < low + 0.65 * (high - low) for end in bars.high[-FEW:])
-
-
-def _in_one_row(panel: "Panel", wide: float) -> int:
-    """How many names of shapes stand side by side under a picture; none where they are long for a whole page."""
-    names = _legend(panel)
-    letters = [len(name) + LETTERS_OF_A_LINE for name in names]
-    if sum(letters) <= LONGEST_TITLE * wide / WIDTHS[0]:
-        return len(names)
-    return int(LONGEST_TITLE * wide / WIDTHS[0] / max(letters)) if wide < NARROW else 0
 
 
 def _ticks(side: "Any", axis: "Axis", columns: int) -> None:
