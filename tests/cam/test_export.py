@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from geometry_cases import CYCLE, KINDS, NOTHING, STEEP, SWING, SWINGING, random_follower, random_program
 from harness import run
+from search_length import EVALUATIONS
 
 from dynamics_cli.cam.export.export import export
 from dynamics_cli.cam.export.path import Path as CamPath
@@ -147,7 +148,7 @@ def test_dwells_are_true_arcs() -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(EVALUATIONS // 50))
 @pytest.mark.parametrize("form", ["arcs", "cubics"])
 def test_random_cams_stay_within_what_is_proved(kind: str, seed: int, form: str) -> None:
     import random

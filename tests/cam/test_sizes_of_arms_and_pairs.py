@@ -6,6 +6,7 @@ from math import cos, hypot, inf, pi, radians, sin
 import numpy as np
 import pytest
 from geometry_cases import CYCLE, NOTHING, STEEP, SWING, random_program
+from search_length import EVALUATIONS
 
 from dynamics_cli.cam.geometry import followers
 from dynamics_cli.cam.geometry.contact import Geometry
@@ -198,7 +199,7 @@ def start_radius_by_grid(program: str, limits, wanted: float, low: float, high: 
     return min(radius(e) for e in np.linspace(low, high, 121))
 
 
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", range(EVALUATIONS // 30))
 def test_no_offset_on_a_grid_beats_the_one_found_for_a_curvature(seed: int) -> None:
     chance = random.Random(300 + seed)
     program = random_program(chance)

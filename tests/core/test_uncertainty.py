@@ -232,6 +232,7 @@ def test_the_same_seed_gives_the_same_numbers() -> None:
     assert one.interval != other.interval
 
 
+@pytest.mark.slow
 def test_twenty_mixed_inputs() -> None:
     spread = only(m.mixed20, m.mixed20_inputs(), accuracy=1e-3)
     assert spread.estimate <= 1e-3
