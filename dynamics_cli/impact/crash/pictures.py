@@ -6,6 +6,7 @@ from dynamics_cli.impact.crash.drawn import Drawn
 from dynamics_cli.impact.crash.figures import approach, energy, links, speeds
 from dynamics_cli.impact.scene_pictures import LANE, finished, to_scale
 from dynamics_cli.impact.vector_pictures import polygon, triangles
+from dynamics_cli.impact.verdict_pictures import worst_headings
 from dynamics_cli.pictures import Picture, Plan
 from dynamics_cli.quantities import STANDARD_GRAVITY, Length
 
@@ -27,11 +28,19 @@ def crash(
     drawn = Drawn(result, scene, gravity, spreads)
     masses = [mass_of(one.bulk, gravity) for one in drawn.given]
     before, after = drawn.velocities()
-    moving = any(getattr(result, side).start is not None for side in ("first", "second"))
+    courses = (result.first, result.second)
+    moving = any(course.start is not None for course in courses)
+    # a half of the page is free beside the speeds or beside the way before, where only one of them is shown
+    free = moving == (spreads is None)
+    bulks = [one.bulk for one in drawn.given]
+    errors = worst_headings(courses, bulks, drawn.names, drawn.axes, gravity, wide=False) if free else []
     panels = [
         finished(drawn.items(), drawn.words, (WIDE, HIGH), (drawn.scale, drawn.fastest), _north(drawn), _note(drawn)),
-        None if spreads is None else speeds(result, drawn.names, spreads, scene.speed_limit, wide=not moving),
-        approach(result, scene, drawn.names, gravity, spreads, wide=spreads is None),
+        None
+        if spreads is None
+        else speeds(result, drawn.names, spreads, scene.speed_limit, wide=not moving and not errors),
+        approach(result, scene, drawn.names, gravity, spreads, wide=spreads is None and not errors),
+        *errors,
         polygon(drawn.names, masses, before, after),
         triangles(drawn.names, before, after),
         links(result, drawn.names, spreads),

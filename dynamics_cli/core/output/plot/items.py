@@ -41,6 +41,8 @@ _BACKGROUND = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 
 _PLAIN = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
 # Bars of shares: maximum number of coloured names, inches per letter, and the colour of the others.
 MOST_COLOURED, LETTER, OTHERS = 6, 0.068, "#d9d9d9"
+# Letters of a name that stands over its own bar.
+LONGEST_NAME = 48
 _SHAFT = {"lw": 1.4, "shrinkA": 0, "shrinkB": 0}
 _DIMENSION = {"lw": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 8}
 
@@ -149,7 +151,13 @@ def _ranges(axes: "Any", item: Ranges, x: Scale, y: Scale, pens: Pens) -> None:
         right = 0.5 * (start + end) > 0.5 * (least + most)
         side: dict[str, Any] = {"ha": "right" if right else "left", "va": "bottom", "fontsize": 8.5}
         side |= {"bbox": _PLAIN, "zorder": 4.0}
-        axes.annotate(written(name, x.system), (end if right else start, place - 0.14), **side)
+        head = written(name, x.system)
+        if max(map(len, head.split("\n"))) > LONGEST_NAME:
+            # a sentence has room only along the whole panel; beside its bar it would squeeze all panels
+            side |= {"ha": "left", "xycoords": ("axes fraction", "data")}
+            axes.annotate(head, (0.0, place - 0.14), **side).set_in_layout(False)
+        else:
+            axes.annotate(head, (end if right else start, place - 0.14), **side)
     # the words of limits stand above the first name, however many lines it has
     top = -0.75 - 0.35 * item.names[0].count("\n") if item.names else -0.75
     for limit, (_, label) in zip(across, item.limits, strict=True):
