@@ -178,11 +178,12 @@ def _words(text: "Text") -> str:
 
 
 def _escape(text: str) -> str:
-    """Text without markup: every ASCII symbol is escaped, and long words may be broken after a separator."""
+    """Text without markup: every ASCII symbol is escaped; no line ends inside an option."""
     cleaned = clean(text).replace("\n", " ").replace(" %", "\u00a0%")
-    return "".join(
+    escaped = "".join(
         f"\\{letter}" if letter.isascii() and not letter.isalnum() and letter != " " else letter for letter in cleaned
     )
+    return re.sub(r"(?<!\S)(?:\\-){2}\w+(?:\\-\w+)*", r"#box[\g<0>]", escaped)
 
 
 def _symbols(text: str) -> str:

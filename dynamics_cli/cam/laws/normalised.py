@@ -165,7 +165,7 @@ def scca(b: float, c: float, d: float, constant: float = 0.0, name: str = "") ->
         all(share == 0.0 or share >= SMALLEST_SHARE for share in (b, c, d)),
         "the shares are {b:6}, {c:6} and {d:6}; a share is zero or at least {least}",
         code="shares",
-        hint="make it zero",
+        hint="give 0 for the smaller share",
         least=(SMALLEST_SHARE, Ratio),
         **shares,
     )

@@ -98,7 +98,7 @@ def laws(
     if law is None:
         require(
             not (shares or conditions or points or constant),
-            "shares, conditions and points belong to one law",
+            "shares, conditions and points need the law that they belong to",
             code="law",
             hint="name it: --law scca, --law polynomial, --law spline",
         )

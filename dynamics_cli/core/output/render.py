@@ -65,9 +65,8 @@ def _grid(table: "Any", digits: int) -> "list[list[str]]":
 
     table_columns = columns(table)
     body = [[number(without_rounding(value), digits) for value in values] for _, _, values in table_columns]
-    units = [unit for _, unit, _ in table_columns]
-    head = [[name for name, _, _ in table_columns]] + ([units] if any(units) else [])
-    return head + [list(row) for row in zip(*body, strict=True)]
+    head = [[name for name, _, _ in table_columns], [unit for _, unit, _ in table_columns]]
+    return [row for row in head if any(row)] + [list(row) for row in zip(*body, strict=True)]
 
 
 def to_full_table(
@@ -204,10 +203,10 @@ def _markdown_table(table: "Any", digits: int) -> "list[str]":
     from dynamics_cli.markup import markdown
 
     table_columns = columns(table)
-    heads = [markdown(f"{label} [{unit}]" if unit else label) for label, unit, _ in table_columns]
-    lines = ["| " + " | ".join(heads) + " |", "|" + "---:|" * len(table_columns)]
-    rows = zip(*(map(without_rounding, values) for _, _, values in table_columns), strict=True)
-    return lines + ["| " + " | ".join(markdown(number(cell, digits)) for cell in row) + " |" for row in rows]
+    heads = [f"{label} [{unit}]" if unit else label for label, unit, _ in table_columns]
+    cells = [[number(without_rounding(value), digits) for value in values] for _, _, values in table_columns]
+    head, *rows = ("| " + " | ".join(map(markdown, row)) + " |" for row in (heads, *zip(*cells, strict=True)))
+    return [head, "|" + "---:|" * len(table_columns), *rows]
 
 
 def render(document: "Document", form: str, digits: int, table: str = "") -> str:

@@ -131,10 +131,13 @@ PAIR = Task(
         "centre_distance: centre distance a_w",
         "working_pressure_angle: working pressure angle α_wt",
         "ratio: gear ratio u",
+        "first_profile_shift: profile shift x₁",
+        "second_profile_shift: profile shift x₂",
         "transverse_contact_ratio: transverse contact ratio ε_α",
         "total_contact_ratio: total contact ratio ε_γ",
         "circumferential_backlash: circumferential backlash j_wt",
         "efficiency: efficiency η",
+        "forces.tangential: tangential force F_t",
         "points: path of contact",
     ),
 )
@@ -164,7 +167,7 @@ RACK_TASK = Task(
         "travel: travel in one turn",
         "transverse_contact_ratio: transverse contact ratio ε_α",
         "rack_speed: speed of the rack",
-        "tangential_force: tangential force F_t",
+        "forces.tangential: tangential force F_t",
         "radial_force: radial force F_r",
     ),
 )

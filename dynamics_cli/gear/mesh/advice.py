@@ -66,8 +66,8 @@ def advice(
             )
             advices.append(Advice("tip-clearance", text, "serious", "shorten the tips"))
     for lost, where in (
-        (path.start - path.tip_start, "the tip of gear 2 meets no involute for {lost:6}: it is below gear 1's"),
-        (path.tip_end - path.end, "the tip of gear 1 meets no involute for {lost:6}: it is past gear 2's"),
+        (path.start - path.tip_start, "contact is lost over {lost:6}: the tip of gear 2 reaches below gear 1's"),
+        (path.tip_end - path.end, "contact is lost over {lost:6}: the tip of gear 1 reaches past gear 2's"),
     ):
         if lost > EXACT:
             advices.append(Advice("clipped", worded(where + " form circle", lost=(lost, Size))))

@@ -125,7 +125,7 @@ def mesh(
     Raises
     ------
     InadmissibleError
-        When the base circles overlap, or no involutes meet at all.
+        When the base circles overlap, or no involute flanks touch.
 
     Notes
     -----
@@ -224,7 +224,7 @@ def without_backlash(first: ToothForm, second: ToothForm) -> float:
 def _require_contact(path: Path) -> None:
     require(
         path.end > path.start,
-        "no involutes meet: contact would begin at {start:6} and end at {end:6} along the line of action",
+        "the involutes do not touch: contact would begin at {start:6} and end at {end:6} along the line of action",
         start=(path.start, Size),
         end=(path.end, Size),
         code="open-mesh",

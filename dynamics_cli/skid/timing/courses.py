@@ -60,8 +60,8 @@ class Course:
         """A start-up in pieces so short that its series ends within a rounding; where and when it ends."""
         count = 1 + int(2.0 * plain(leg.fade) * plain(leg.duration))
         require(
-            count <= MOST_PIECES, "a start-up of {time} is over long before: its speed no longer changes",
-            time=(leg.duration, Time), code="too-long", hint="end it and go on with kind=constant",
+            count <= MOST_PIECES, "a start-up phase of {time} is too long: its speed settles long before its end",
+            time=(leg.duration, Time), code="too-long", hint="make it shorter and add a phase with kind=constant",
         )  # fmt: skip
         step, speed, rate = leg.duration / count, leg.start, leg.rate
         for _ in range(count):

@@ -72,8 +72,8 @@ class Meeting:
     ]
     sufficient_deceleration: Annotated[
         Acceleration | None,
-        "Deceleration with which the first stops short at its own speed; none is enough where it "
-        "arrives within its reaction [m/s^2].",
+        "Deceleration with which the first stops short at its own speed; left out where it "
+        "arrives within its reaction time [m/s^2].",
     ]
     earlier: Annotated[
         Time | None, "How much earlier the first would have had to react to stop short; needs its braking [s]."
@@ -140,8 +140,8 @@ def meet(
         last = motions[1][-1].end
         require(
             (last > 0.0) | (clear_distance == 0.0),
-            "the second stands at the impact: the way is never clear", code="never-clear",
-            hint="leave the clear distance out",
+            "the second stands still at the impact, so that it never clears the way", code="never-clear",
+            hint="leave out --clear-distance",
         )  # fmt: skip
         clear = hazard + (clear_distance / last if plain(clear_distance) > 0.0 else 0.0 * last)
     stopping = late = None

@@ -180,11 +180,11 @@ def _require_record(count: int, interval: float, ages: "tuple[float, float]", sl
     )  # fmt: skip
     require(interval > 0.0, "samples must be some time apart", code="no-time", hint="leave the interval out for 0.5 s")
     require(
-        ages[1] >= ages[0], "the greatest age of {oldest} is less than the least of {least}", code="ages",
+        ages[1] >= ages[0], "the greatest age, {oldest}, is below the least age, {least}", code="ages",
         oldest=(ages[1], Time), least=(ages[0], Time),
     )  # fmt: skip
     require(
-        (slips[1] >= slips[0]) & (slips[1] < 1.0), "slip cannot be from {least} to {greatest}", code="slip",
+        (slips[1] >= slips[0]) & (slips[1] < 1.0), "the slip cannot range from {least} to {greatest}", code="slip",
         least=(slips[0], Fraction), greatest=(slips[1], Fraction), hint="the least first, both below 100 %",
     )  # fmt: skip
 
@@ -223,7 +223,7 @@ def _limits(
     for before, after in pairwise(speeds):
         change, both = after - before, before + after
         require(
-            absolute(change) <= reach, "from {before} to {after} the record needs {needed}, and {most} is the most",
+            absolute(change) <= reach, "from {before} to {after} the record needs {needed}; at most {most} is possible",
             code="jump", hint="a wheel that locked or spun is not the vehicle's speed",
             before=(before, RoadSpeed), after=(after, RoadSpeed), needed=(absolute(change) / interval, Acceleration),
             most=(most, Acceleration),

@@ -179,16 +179,16 @@ def _corner(before: "float | None", aside: "float | None", recognition: "float |
     if before is None or aside is None:
         return None
     require(
-        aside > 0.0, "a corner {aside} aside does not hide a path beside it", code="no-corner",
-        hint="corner-aside is measured from the way of the first toward the second", aside=(aside, Length),
+        aside > 0.0, "a corner {aside} beside the way of the first hides nothing of the other way", code="no-corner",
+        hint="measure corner-aside from the way of the first towards the second; it is positive", aside=(aside, Length),
     )  # fmt: skip
     return before, aside
 
 
 def _require_recognition(distance: float, eye_behind: float) -> None:
     require(
-        distance > eye_behind, "the second would be recognized within {distance}, less than the eye's {behind} from "
-        "the front: not before the impact", code="never-shows", distance=(distance, Distance),
+        distance > eye_behind, "the second would be recognized within {distance}, less than the eye's {behind} behind "
+        "the front: only after the impact", code="never-shows", distance=(distance, Distance),
         behind=(eye_behind, Length), hint="check the distance of recognition and its unit",
     )  # fmt: skip
 
