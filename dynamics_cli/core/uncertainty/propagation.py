@@ -194,7 +194,7 @@ def _distribute(
     noise = np.array([space.noise.get(name, 0.0) for name in space.results]).reshape(-1, 1)
     still = (np.abs(probe - probe[:, :1]) <= 2.0 * noise).all(axis=1)
     stand_in = stand_in if stand_in is None or stand_in.fits(probe.std(axis=1), still) else None
-    if sample is None and len(space.results) > FEW_RESULTS and space.size > 1 and not space.slow:
+    if sample is None and len(space.results) > FEW_RESULTS and not space.slow:
         goals = {}
         for row, name in enumerate(space.results):
             if not still[row] and (not twins[row][0] or {name, twins[row][0]} & (limits.keys() | levels.keys())):

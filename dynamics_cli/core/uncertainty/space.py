@@ -66,13 +66,9 @@ class Space:
         self._known: dict[bytes, Array] | None = {} if self.slow else None
         # The sample that results share, once one of them needs it.
         self.pool: Any = None
-        # A smaller one, for results that are counted.
-        self.few: Any = None
         # The results, by row, that are whole numbers at every point looked at.
         self.whole: set[int] = set()
-        # The lines that results share, and the results that they and samples are for (all of them, or the rest).
-        self.shared: list[Any] = []
-        self.sole: list[Any] = []
+        # The results that the sample is for (all of them, or the rest).
         self.open: Sequence[int] | None = None
         # By result, its direction and the outcome of grids where that is known already.
         self.started: dict[int, tuple[Array, Any]] = {}
@@ -137,11 +133,12 @@ class Space:
         values: Array = self.some(z, [result])[0]
         return values
 
-    def some(self, z: "Array", rows: "Sequence[int]") -> "Array":
-        """Some results at points z (rows, n): what others need is not kept."""
+    def some(self, z: "Array", rows: "Sequence[int]", made: "Array | None" = None) -> "Array":
+        """Some results at points z (rows, n), or into an array: what others need is not kept."""
+        made = np.empty((len(rows), z.shape[1])) if made is None else made
         if self._known is not None:
-            return self.evaluate(z)[rows]
-        made = np.empty((len(rows), z.shape[1]))
+            made[:] = self.evaluate(z)[rows]
+            return made
         for start in range(0, z.shape[1], LARGEST_BLOCK):
             part = z[:, start : start + LARGEST_BLOCK]
             count = part.shape[1]

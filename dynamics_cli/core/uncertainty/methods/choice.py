@@ -9,8 +9,6 @@ Not in the table: a single input, and a slow model that answers thousands of cas
 one sample.
 """
 
-from copy import copy
-
 import numpy as np
 
 from dynamics_cli.core.uncertainty.methods.grids import grids
@@ -22,10 +20,8 @@ from dynamics_cli.core.uncertainty.methods.mixtures import suits as suits_mixtur
 from dynamics_cli.core.uncertainty.methods.nested import nested
 from dynamics_cli.core.uncertainty.methods.nested import suits as suits_nested
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR, GOOD, Goal, Outcome, direction_of
-from dynamics_cli.core.uncertainty.methods.pooled import counted, pooled
+from dynamics_cli.core.uncertainty.methods.pooled import pooled
 from dynamics_cli.core.uncertainty.methods.scanned_lines import alone, scanned, scanned_grids
-from dynamics_cli.core.uncertainty.methods.shared_lines import ACCURACY, shared_lines, sole_line
-from dynamics_cli.core.uncertainty.methods.shared_lines import suits as suits_shared_lines
 from dynamics_cli.core.uncertainty.space import BEARING_CASES, Space, bearing, complement
 from dynamics_cli.numerics.distributions.normal_arrays import quantile
 from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS, lattice
@@ -42,15 +38,13 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
     Method = Callable[[Space, int, Array, Array, Goal], Outcome | None]
 
-# With more results than this, those that turn, jump or have kinks share their points.
+# With more results than this, those that turn, jump or have kinks share one sample.
 FEW_RESULTS = 4
 # Grids of scanned lines are for at most this many inputs.
 FEW_INPUTS = 3
 ANY = float("inf")
-# A result among many that rises along every line is given lines of its own: to this accuracy, of so many points.
-OWN_ACCURACY, OWN_POINTS = 1e-3, 350_000
-# What grids are off by where a result has kinks: lines of its own would not settle either.
-OWN_FROM = 0.2
+# Values of an input, for mixtures, are so many only where no sample stands behind.
+OWN_ACCURACY = 1e-3
 # Classical methods take their error from what is integrated beside them: no more accurately than their own numbers.
 SHARING = ("auto", "linear", "second-order", "unscented")
 
@@ -65,10 +59,7 @@ class Problem:
         self.narrow = space.size <= MOST_DIMENSIONS
         self.several = len(space.results) > FEW_RESULTS
         self.mixture = asked == "auto" and suits_mixtures(space)
-        self.counted = asked == "auto" and result in space.whole and not (space.slow or space.heavy or goal.limits)
-        self.sharing = self.several and not goal.limits and asked in SHARING and suits_shared_lines(space)
-        grid = space.started.get(result, (None, None))[1]
-        self.rises = not space.slow and grid is not None and grid.estimate <= OWN_FROM
+        self.counted = asked == "auto" and result in space.whole and not (space.slow or space.heavy)
 
 
 class Way:
@@ -111,35 +102,23 @@ def _levels(space: Space, result: int, direction: "Array", axes: "Array | None",
     return grids(space, result, direction, complement(direction, axes), goal)
 
 
-def _rising(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
-    """Lattices along the result's own gradient, to no more than what their points are worth where many results wait."""
-    own = copy(goal)
-    own.accuracy, own.points = max(goal.accuracy, OWN_ACCURACY), space.points + OWN_POINTS
-    return stepped(lattices(space, result, direction, across, own))
-
-
 # What a method costs, in evaluations of the model for one result. A model that is called case by case takes
 # nested integrals or grids, else the sample that results share.
 WAYS = (
-    # 3e4, once for all results: whole numbers; jumps leave nothing to be had from other points
-    Way(counted, lambda p: p.counted),
+    # 3e4 and more, once for all results: whole numbers; jumps leave nothing to be had from other points
+    Way(pooled, lambda p: p.counted, whole=True),
     # 1e3 to 1e5: two or three bounded or triangular inputs
     Way(_nested, lambda p: p.asked == "auto" and suits_nested(p.space, p.goal)),
     # 1e2 to 1e5: results that rise along every line; exact to many digits where they are smooth
     # (bounded inputs and lists among smooth ones: value by value)
     GRIDS := Way(_grids, lambda p: p.asked != "lattice" and (not p.space.stepped or p.mixture)),
-    # 1e5: a result among many that rises along the lines of its grids, which have not settled
-    Way(_rising, lambda p: p.sharing and p.rises, above=OWN_ACCURACY),
-    # 5e4, or 2e5, once for all results that rise in like directions: kinks, turns, jumps
-    Way(shared_lines, lambda p: p.sharing and not p.space.slow, above=ACCURACY),
-    # 1e4 to 3e6: kinks, bounded inputs, many inputs, as long as results rise along every line
+    # 1e6, once for all of many results, whatever they do; 3e5 of a slow model
+    Way(pooled, lambda p: p.several, above=GOOD, whole=True),
+    # 1e4 to 3e6, of few results: kinks, bounded inputs, many inputs, as long as results rise along every line
     Way(
         lambda *problem: stepped(lattices(*problem)),
-        lambda p: p.narrow and not p.space.stepped and not p.space.slow and not p.sharing,
+        lambda p: p.narrow and not (p.space.stepped or p.several or p.space.slow),
     ),
-    # 2e5 to 2e6, once for all results, whatever they do
-    Way(pooled, lambda p: p.several and not p.sharing, above=GOOD, whole=True),
-    Way(pooled, lambda p: p.sharing, above=FAIR, whole=True),
     # 1e4 to 1e6: few inputs, results that turn or jump
     Way(
         scanned_grids,
@@ -147,21 +126,10 @@ WAYS = (
         above=GOOD,
     ),
     # 1e5 to 3e6: the same of more inputs
-    Way(scanned, lambda p: p.narrow and not p.space.slow and not p.sharing, above=FAIR),
-    # 2e5 to 2e6
+    Way(scanned, lambda p: p.narrow and not (p.several or p.space.slow), above=FAIR),
+    # 1e6
     Way(pooled, lambda p: not p.several, above=GOOD, whole=True),
 )
-
-
-def _single(problem: Problem, result: int, direction: "Array", goal: Goal) -> Outcome:
-    """A result on which a single input bears."""
-    space = problem.space
-    turning = sole_line(space, result, direction, problem.goal) if problem.sharing and not space.slow else None
-    return (
-        turning
-        or alone(space, result, direction, goal)
-        or pooled(space, result, direction, complement(direction), goal)
-    )
 
 
 def start(space: Space, goals: "Mapping[int, Goal]", probe: "Array", asked: str) -> None:
@@ -181,15 +149,17 @@ def start(space: Space, goals: "Mapping[int, Goal]", probe: "Array", asked: str)
             direction = np.where(axes, direction, 0.0)
             direction /= np.sqrt(direction @ direction)
         if axes is not None and axes.sum() == 1:
-            space.started[result] = direction, _single(problem, result, direction, goal)
+            outcome = alone(space, result, direction, goal, pieces=False)
+            space.started[result] = direction, outcome
+            rest.update(() if outcome else (result,))
             continue
         space.started[result] = direction, None
-        if problem.sharing and suits_mixtures(space, axes):
+        if problem.several and suits_mixtures(space, axes):
             own.accuracy = max(own.accuracy, OWN_ACCURACY)
         calculations[result] = _levels(space, result, direction, axes, own)
     for result, outcome in side_by_side(calculations).items():
         space.started[result] = space.started[result][0], outcome
-        if outcome is None or outcome.estimate > max(ACCURACY, goals[result].accuracy):
+        if outcome is None or outcome.estimate > max(GOOD, goals[result].accuracy):
             rest.add(result)
     space.open = sorted(rest)
 
@@ -202,7 +172,9 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
     if space.affordable is not None and asked in SHARING:
         return pooled(space, result, direction, across, goal)
     if space.size == 1:
-        return _single(problem, result, direction, goal)
+        pieces = not (problem.several or space.slow)
+        found = space.started.get(result, (None, None))[1] or alone(space, result, direction, goal, pieces=pieces)
+        return found or pooled(space, result, direction, across, goal)
     if space.together and asked in SHARING:
         # Thousands of cases at once cost little more than the few that lines ask for at a time.
         return pooled(space, result, direction, across, goal)
@@ -214,7 +186,7 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
         outcome = way.method(space, result, direction, across, goal if way.whole else own)
         if outcome is not None and (best is None or outcome.estimate < best.estimate):
             best = outcome
-        if best is not None and (way.method is counted or (way is GRIDS and asked == "quadrature")):
+        if best is not None and (problem.counted or (way is GRIDS and asked == "quadrature")):
             break
     assert best is not None
     return best

@@ -3,12 +3,10 @@
 import numpy as np
 
 from dynamics_cli.core.uncertainty.methods.lines import ORDERS, Lines, Roots, carry, moments, order_moments, solve
-from dynamics_cli.core.uncertainty.methods.outcome import FLOOR, GOOD, SHIFTS, Goal, Outcome, width_of
+from dynamics_cli.core.uncertainty.methods.outcome import FLOOR, GOOD, Goal, Outcome, width_of
 from dynamics_cli.core.uncertainty.space import Space
-from dynamics_cli.numerics.distributions.normal_arrays import quantile
 from dynamics_cli.numerics.quadrature import smolyak
 from dynamics_cli.numerics.quadrature.hermite import gauss_hermite, tensor
-from dynamics_cli.numerics.quadrature.lattice import lattice
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -31,11 +29,6 @@ MOST_LEVEL = 4
 MOST_GRID_LINES = 12_000
 # More lines than this are not tried unless the previous level suggests that they will suffice.
 MANY_LINES = 2_000
-# Reach of a plain grid of lines, and relative weights too small for a line.
-GRID_REACH, LEAST_WEIGHT = 5.0, 1e-6
-OFF, TURN = (0.31, -0.17), np.array([[0.8, -0.6], [0.6, 0.8]])
-# The parts of a grid, each of every second or fourth line, are replicates of one another.
-PARTS = 4
 _rules: "dict[tuple[int, int, int], tuple[Array, Array]]" = {}
 
 
@@ -52,31 +45,6 @@ def rule(rest: int, level: int, accuracy: float) -> "tuple[Array, Array]":
         kept = np.setdiff1d(np.arange(weights.size), light)
         _rules[key] = points[:, kept], weights[kept] / weights[kept].sum()
     return _rules[key]
-
-
-def crossings(rest: int, count: int, seed: int) -> "tuple[Array, Array, Array]":
-    """Where lines cross the rest of the space (rest, lines), their weights, and the replicate of each."""
-    if rest == 0:
-        return np.zeros((0, 1)), np.ones(1), np.zeros(1, dtype=int)
-    if rest > 2:
-        across = quantile(lattice(rest, count, SHIFTS, seed))
-        lines = across.shape[1]
-        return across, np.full(lines, 1.0 / lines), np.repeat(np.arange(SHIFTS), lines // SHIFTS)
-    # The trapezoid rule: the best for functions that decay like a normal density.
-    places = np.indices((count,) * rest).reshape(rest, -1)
-    step = 2.0 * GRID_REACH / (count - 1)
-    # Off the middle and turned: the replicates of a grid that lies like the model's own symmetries would all be alike.
-    across = (places - 0.5 * (count - 1) + np.array(OFF[:rest])[:, None]) * step
-    if rest == 2:
-        across = TURN @ across
-    weights = np.exp(-0.5 * (across * across).sum(axis=0))
-    kept = weights > LEAST_WEIGHT
-    across, places, weights = across[:, kept], places[:, kept], weights[kept]
-    group = places[0] % PARTS if rest == 1 else places[0] % 2 + 2 * (places[1] % 2)
-    # Each replicate is a separate rule.
-    for part in range(PARTS):
-        weights[group == part] /= weights[group == part].sum() * PARTS
-    return across, weights, group
 
 
 def _levels(rest: int) -> "list[int]":

@@ -34,13 +34,12 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# The values of all results are kept: so many bytes and replicates, and in proportion more where more points are asked.
-MOST_BYTES = 100_000_000
-MOST_SHIFTS = 4 * SHIFTS
+# Values of all results together that are kept, and the most replicates; more where more points are asked for.
+MOST_VALUES, MOST_SHIFTS = 8_000_000, 64
 MOST_TIMES = 10.0
 FEWEST_POINTS = 64
-# Points that whole numbers are counted at: a share of the cases is then known to about a thousandth.
-COUNTED = 1 << 15
+# Points of a replicate where only whole numbers are counted: a share of the cases is then known to about a thousandth.
+COUNTED = 1 << 12
 # Points of a single input of a model that is called case by case: they lie evenly, so few do.
 SINGLE = 1 << 10
 # The greatest degree of polynomials fitted to a sample, points of it for each of their terms, and the replicates and
@@ -49,32 +48,25 @@ DEGREE, POINTS_A_TERM = 6, 16
 WIDE, AT_ONCE = (64, MOST_POINTS), 2048
 # A number of theirs may scatter more than that of the sample by this share of its worst quantile.
 ALIKE = 0.3
+# Within so many deviations of the mean of many replicates five numbers lie together, in 99 of 100 cases.
+MANY_FACTOR = 3.0
 
 
 class Pool:
     """Values of every result (results, replicates, points) at the points of a lattice, evaluated once."""
 
-    def __init__(self, space: Space, goal: Goal, points: int = 0) -> None:
-        results = len(space.results)
-        # Where every point is a call of its own, a quarter of them serves all results; half, where they are cheaper.
-        part = 2 if space.together else 4 if space.slow else 1
-        most = points or goal.points // part
-        fewest = FEWEST_POINTS
-        if space.affordable is not None:
-            most, fewest = min(most, space.affordable), 1
-        self.count = min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, fewest), MOST_POINTS)
-        more = min(max(most / DEFAULT_POINTS, 1.0), MOST_TIMES)
-        room = int(min(MOST_BYTES // (8 * results * self.count), MOST_SHIFTS) * more)
-        # Shared lines have left only a few results inaccurate.
-        self.shifts = SHIFTS if space.slow or space.shared or points else max(min(most // self.count, room), SHIFTS)
-        total = self.shifts * self.count
-        if space.size <= MOST_DIMENSIONS:
-            uniform = lattice(space.size, self.count, self.shifts, goal.seed)
-        else:
-            uniform = np.random.default_rng(goal.seed).random((space.size, total))
+    def __init__(self, space: Space, goal: Goal) -> None:
         self._rows = {row: place for place, row in enumerate(space.rest())}
-        z = quantile(uniform)
-        self._values = space.some(z, list(self._rows)).reshape(-1, self.shifts, self.count)
+        self.count, self.shifts = _size(space, goal, list(self._rows))
+        self.factor = REPLICATE_FACTOR if self.shifts <= SHIFTS else MANY_FACTOR
+        self.distance = FLOOR if space.slow else 1.0 / self.count
+        # Blocks that stay in the processor's cache; what is slow is asked once.
+        parts = [(self.shifts, goal.seed)] if space.slow else [(1, goal.seed + k) for k in range(self.shifts)]
+        values = np.empty((len(self._rows), self.shifts * self.count))
+        for place, (shifts, seed) in enumerate(parts):
+            z = _points(space.size, self.count, shifts, seed)
+            space.some(z, list(self._rows), values[:, place * self.count :][:, : z.shape[1]])
+        self._values = values.reshape(-1, self.shifts, self.count)
         self._wide = Wide(space, z, self._values, goal.seed) if space.together and suits(space) else None
 
     def outcome(self, result: int, goal: Goal, centre: Lines) -> Outcome:
@@ -82,11 +74,11 @@ class Pool:
         row = self._rows[result]
         values = self._values[row]
         good = ~np.isnan(values)
-        counts = good.sum(axis=1)
+        counts = np.count_nonzero(good, axis=1)
         if counts.min() < 2:
             message = "almost no case within the inputs' uncertainty is admissible"
             raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
-        whole = bool(good.all())
+        whole = bool(counts.min() == self.count)
         sound = values.ravel() if whole else values[good]
         heavy = centre.space.heavy
         method = f"{self.shifts} shifted lattices of {self.count} points, one sample for all results"
@@ -108,9 +100,30 @@ class Pool:
         if not heavy:
             outcome.mean, outcome.std = float(sound.mean()), float(sound.std())
             width = outcome.std
-        error = REPLICATE_FACTOR * float(scatter.max())
-        outcome.estimate = max(error / width, FLOOR) if width > 0.0 else FLOOR
+        error = self.factor * float(scatter.max())
+        # Where one input bears, replicates are alike to less than the distance of their points.
+        outcome.estimate = max(error / width, self.distance) if width > 0.0 else FLOOR
         return outcome
+
+
+def _size(space: Space, goal: Goal, rows: "list[int]") -> tuple[int, int]:
+    """Points of a replicate, and their number."""
+    if space.slow:
+        # Where every point is a call of its own, a quarter of them serves all results; half, where they are cheaper.
+        most, fewest = SINGLE if space.size == 1 else goal.points // (2 if space.together else 4), FEWEST_POINTS
+        if space.affordable is not None:
+            most, fewest = min(most, space.affordable), 1
+        return min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, fewest), MOST_POINTS), SHIFTS
+    if space.whole.issuperset(rows):
+        return COUNTED, SHIFTS
+    more = min(max(goal.points / DEFAULT_POINTS, 1.0), MOST_TIMES)
+    return MOST_POINTS, max(int(min(MOST_VALUES // (len(rows) * MOST_POINTS), MOST_SHIFTS) * more), SHIFTS)
+
+
+def _points(size: int, count: int, shifts: int, seed: int) -> "Array":
+    if size <= MOST_DIMENSIONS:
+        return quantile(lattice(size, count, shifts, seed))
+    return quantile(np.random.default_rng(seed).random((size, shifts * count)))
 
 
 class Wide:
@@ -152,21 +165,10 @@ def _corrected(wide: "Array", fitted: "Array", sound: "Array") -> "Array":
     return corrected
 
 
-def counted(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
-    """A whole number or a label by counting: the sample that results share if there is one, else a smaller one."""
-    if space.pool is not None:
-        return pooled(space, result, direction, across, goal)
-    if space.few is None:
-        space.few = Pool(space, goal, COUNTED)
-    centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
-    few: Pool = space.few
-    return few.outcome(result, goal, centre)
-
-
 def pooled(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
     """One result from the sample that all of them share, generated when first needed."""
     centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
     if space.pool is None:
-        space.pool = Pool(space, goal, SINGLE if space.slow and space.size == 1 else 0)
+        space.pool = Pool(space, goal)
     pool: Pool = space.pool
     return pool.outcome(result, goal, centre)

@@ -28,19 +28,20 @@ SLOW_SCAN = 49
 FINE_STEP = 0.05
 
 
-def alone(space: Space, result: int, direction: "Array", goal: Goal) -> Outcome | None:
+def alone(space: Space, result: int, direction: "Array", goal: Goal, *, pieces: bool) -> Outcome | None:
     """One input that bears on a result: its own quantiles through the model, exact; by monotone pieces if it turns.
 
-    None where it turns and every point is a call of its own: every piece would need dozens of calls, one by one.
+    None where it turns and `pieces` are not wanted: each needs dozens of calls of the model, one by one.
     """
     lines = Lines(space, result, direction, np.zeros((space.size, 0)), np.zeros((0, 1)), np.ones(1))
     if space.stepped:
         return _atoms(space, result, lines, goal)
-    if space.slow:
-        values = lines.values(np.linspace(-REACH, REACH, SLOW_SCAN)[None, :])
-        if not (np.isnan(values).any() or _rises(values)):
+    points = SLOW_SCAN if space.slow else FINE_SCAN
+    if not pieces:
+        values = lines.values(np.linspace(-REACH, REACH, points)[None, :])
+        if not _rises(values) and not (space.slow and np.isnan(values).any()):
             return None
-    scan = Scan(lines, points=SLOW_SCAN if space.slow else FINE_SCAN)
+    scan = Scan(lines, points=points)
     if not np.isnan(scan.values).any() and _rises(scan.values):
         quantiles = lines.values(goal.scores[None, :])[0]
         outcome = _with_moments(Outcome("the input's own quantiles through the model", quantiles, lines), scan)
