@@ -82,7 +82,7 @@ def routh(
         roots=roots_proved,
         array=array(p, denominator) if len(p) <= MOST_DEGREE + 1 else None,
         numerics=Numerics(METHOD),
-        checks=(_check(p, counts, roots_proved),),
+        checks=(_check(counts, roots_proved),),
         advice=advice_on(counts),
     )
 
@@ -103,7 +103,7 @@ def advice_on(counts: Counts) -> "tuple[Advice, ...]":
     return ()
 
 
-def _check(p: "Sequence[int]", counts: Counts, roots_proved: "Sequence[Root]") -> Check:
+def _check(counts: Counts, roots_proved: "Sequence[Root]") -> Check:
     """The signs of the roots, calculated apart from the counts, must agree with them."""
     by_side = [0, 0, 0]
     for root in roots_proved:

@@ -30,7 +30,7 @@ def write(name: str, about: str, cases: Iterable[Case]) -> None:
         reason = {"kind": "hard", "name": title, "why": why} if why else {"kind": "ordinary", "name": title}
         texts = {key: _text(value) for key, value in results.items()}
         lines.append(json.dumps({"task": task, **reason, "inputs": inputs, "results": texts}, ensure_ascii=False))
-    _put(name, about, lines)
+    put(name, about, lines)
 
 
 def write_given(name: str, about: str, cases: Iterable[Given]) -> None:
@@ -41,10 +41,11 @@ def write_given(name: str, about: str, cases: Iterable[Given]) -> None:
         said = {"why": why} if why else {}
         case = {"task": task, "kind": kind, "name": title, **said, "inputs": inputs, "results": texts}
         lines.append(json.dumps(case, ensure_ascii=False))
-    _put(name, about, lines)
+    put(name, about, lines)
 
 
-def _put(name: str, about: str, lines: "list[str]") -> None:
+def put(name: str, about: str, lines: "Iterable[str]") -> None:
+    """Write cases that are JSON already."""
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / f"{name}.json"
     text = ",\n".join(lines)
     target.write_text(f'{{"about": {json.dumps(about, ensure_ascii=False)},\n"cases": [\n{text}\n]}}\n', "utf-8")

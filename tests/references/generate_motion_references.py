@@ -9,14 +9,12 @@ Run: python tests/references/generate_motion_references.py [FILE]. The same byte
 
 import json
 import random
-import sys
-from pathlib import Path
 from typing import Any
 
+from case_files import put
 from generate_chain_motions import frequencies, masses
 from mpmath import atan, cos, eye, fdot, lu_solve, matrix, mp, mpf, nstr, pi, sin, sqrt
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 ABOUT = "Written by generate_motion_references.py: SI inputs as doubles, results to 40 digits."
 RANDOM = random.Random(1112)
 GRAVITY = mpf(9.80665)
@@ -497,9 +495,8 @@ def modes() -> Any:
 
 
 def main() -> None:
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "motion.json"
-    cases = ",\n".join(json.dumps(one, ensure_ascii=False) for one in (*equations(), *chains(), *modes()))
-    target.write_text(f'{{"about": {json.dumps(ABOUT)}, "cases": [\n{cases}\n]}}\n', encoding="utf-8")
+    """Write the cases to the file, or to the one named on the command line."""
+    put("motion", ABOUT, (json.dumps(one, ensure_ascii=False) for one in (*equations(), *chains(), *modes())))
 
 
 if __name__ == "__main__":

@@ -9,11 +9,10 @@ Run: python tests/references/generate_vibration_references.py [FILE]. The same b
 
 import json
 import random
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
+from case_files import put
 from mpmath import (
     arg,
     conj,
@@ -40,7 +39,6 @@ from mpmath import (
 )  # fmt: skip
 
 mp.dps = 120
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 GRAVITY = mpf(9.80665)
 
 
@@ -718,14 +716,13 @@ def case(task: str, kind: str, name: str, why: str, inputs: dict[str, Any]) -> d
             "results": results}  # fmt: skip
 
 
-def main(target: Path) -> None:
+def main() -> None:
     cases = [case(task, "hard" if why else "ordinary", name, why, inputs) for task, name, why, inputs in hard()]
     for nth, (task, inputs) in enumerate(drawn(random.Random(13)), 1):
         cases.append(case(task, "ordinary", f"drawn, {nth}", "", inputs))
     about = "Written by generate_vibration_references.py: inputs are the doubles, results to 40 digits."
-    lines = ",\n".join(json.dumps(one, ensure_ascii=False) for one in cases)
-    target.write_text(f'{{"about": {json.dumps(about)},\n"cases": [\n{lines}\n]}}\n', encoding="utf-8")
+    put("vibration", about, (json.dumps(one, ensure_ascii=False) for one in cases))
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "vibration.json")
+    main()

@@ -7,7 +7,6 @@ import numpy as np
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.motion.bodies.assembly import places_of
-from dynamics_cli.motion.bodies.joints import NONE
 from dynamics_cli.motion.bodies.system import System
 from dynamics_cli.numerics.linkages.records import GROUND
 from dynamics_cli.quantities import Size
@@ -65,7 +64,7 @@ class Start:
         system = self.system
         driven = {driver.link: driver for driver in system.scene.drivers if not driver.point}
         sliders = {slide.slider for slide in system.scene.slides}
-        placed = {name: self._at(NONE, 0j, 0.0, name) for link, name in system.where if link == GROUND}
+        placed = {name: complex(*system.spots[k][1:]) for (link, name), k in system.where.items() if link == GROUND}
         q, firm = [0.0] * (3 * system.n), [False] * (3 * system.n)
         waiting = list(range(system.n))
         angles = {GROUND: 0.0}
@@ -100,10 +99,6 @@ class Start:
             for name, at in body.points.items():
                 placed.setdefault(name, centre + turn * at)
         return q, firm
-
-    def _at(self, body: int, centre: complex, angle: float, name: str) -> complex:
-        _, x, y = self.system.spots[self.system.where[GROUND, name]]
-        return complex(x, y)
 
     def _readiness(self, k: int, placed: "dict[str, complex]") -> "tuple[bool, int, int]":
         link, body = self.system.moving[k], self.system.bodies[k]

@@ -82,12 +82,12 @@ def rests(start: "Start") -> "list[Rest]":
     for q in [start.q, *_walks(start, count)]:
         for downhill in (False, True):
             one = _newton(start, q, downhill=downhill)
-            if one is not None and not any(_same(system, one[0], other) for other, _ in found):
+            if one is not None and not any(_same(one[0], other) for other, _ in found):
                 found.append(one)
     return [Rest(start, *one) for one in found]
 
 
-def _same(system: "Any", one: "Any", other: "Any") -> bool:
+def _same(one: "Any", other: "Any") -> bool:
     apart = one - other
     apart[2::3] -= 2.0 * math.pi * np.round(apart[2::3] / (2.0 * math.pi))
     return bool(np.abs(apart).max() < SAME)

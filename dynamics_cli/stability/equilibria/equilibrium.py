@@ -21,6 +21,7 @@ from dynamics_cli.quantities import (
     Variable,
 )
 from dynamics_cli.records import Advice, Numerics, record
+from dynamics_cli.sampling import cost, drawing
 from dynamics_cli.stability.equilibria.autonomous import StatePlace
 from dynamics_cli.stability.equilibria.rates import State
 
@@ -33,6 +34,8 @@ if TYPE_CHECKING:
     Sample = tuple[float, list[float]]
 
 SAMPLES = 1200
+# Those of a sample of uncertain inputs, halvings that a secant ends, and the seconds that such a sample takes.
+FEWER, HALVINGS, COST = 160, 20, 0.01
 ORDER = 8
 # A derivative below this share of the potential's own variation is taken for zero.
 NOTHING = 1e-9
@@ -146,7 +149,9 @@ def equilibrium(
         low, high = lowest, highest
         require(low < high, "the range ends at {high}, before it begins at {low}", high=(high, Length),
                 low=(low, Length), code="range")  # fmt: skip
-    found = _equilibria(value, low, high)
+    found = _equilibria(value, low, high, FEWER if drawing() else SAMPLES)
+    if drawing():
+        cost(0.0, COST, 1)
     if angular:
         # both ends of the turn are one place
         found = [at for at in found if at > low + NOTHING]
@@ -217,10 +222,10 @@ def _taylor(potential: EnergyFormula, let: "tuple[Variable, ...]", name: str) ->
     return parts
 
 
-def _equilibria(value: "Potential", low: float, high: float) -> "list[float]":
-    step = (high - low) / SAMPLES
+def _equilibria(value: "Potential", low: float, high: float, samples: int) -> "list[float]":
+    step = (high - low) / samples
     # a third of a step off, so that symmetric potentials are not sampled at their equilibria
-    places = [low + (k + 1.0 / 3.0) * step for k in range(-1, SAMPLES + 1)]
+    places = [low + (k + 1.0 / 3.0) * step for k in range(-1, samples + 1)]
     slopes = [value(at, DEEPEST) for at in places]
     largest = max((abs(parts[1]) for parts in slopes if math.isfinite(parts[1])), default=0.0)
     require(largest > 0.0, "the potential is the same everywhere within the range", code="constant",
@@ -268,7 +273,7 @@ def _is_zero(value: "Potential", at: float, largest: float) -> bool:
 
 def _halved(value: "Potential", order: int, low: float, high: float) -> float:
     below = value(low, order)[order] < 0.0
-    while True:
+    for _ in itertools.repeat(None, HALVINGS) if drawing() else itertools.repeat(None):
         middle = 0.5 * (low + high)
         if not low < middle < high:
             return middle
@@ -276,6 +281,8 @@ def _halved(value: "Potential", order: int, low: float, high: float) -> float:
         if at == 0.0:
             return middle
         low, high = (middle, high) if (at < 0.0) == below else (low, middle)
+    one, two = (value(at, order)[order] for at in (low, high))
+    return low + (high - low) * one / (one - two)
 
 
 def _place(value: "Potential", at: float, angular: bool, inertia: "float | None", ends: "tuple[float, float]") -> Place:

@@ -85,7 +85,7 @@ def response(
 
 def history(
     result: "Any", *, system: "Any", load: "Any", damping_ratio: "float | None" = None, force_at: str = "",
-    read_at: str = "", duration: "float | None" = None, **_: "Any",
+    duration: "float | None" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The load, and every coordinate over time."""
     from dynamics_cli.vibration.systems.runs import run
