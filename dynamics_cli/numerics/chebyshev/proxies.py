@@ -250,7 +250,7 @@ def extremes(proxy: Proxies, which: int = 0, *, every: bool = False) -> Extremes
     inside = np.concatenate((np.zeros(ends.size, dtype=bool), (place > END) & (place < np.pi - END)))
     rows = np.concatenate((np.tile(np.arange(c.shape[0]), 2), row))
     # the samples are rounded too
-    gains = _gains(proxy.error[which] + 2.0**-52 * scale, c, moving, (turns, slope, slack, at[0]), row)
+    gains = _gains(proxy.error[which] + 2.0**-52 * scale, c, moving, (place, slope, slack, at[0]), row)
     owners = proxy.owner[rows]
     order = np.lexsort((places, owners))
     # a piece below the maximum by more than its error does not contribute to the maximum's error
@@ -267,7 +267,7 @@ def _gains(error: "Any", c: "Any", moving: "Any", turning: "tuple[Any, ...]", in
     By twice the error E of its interpolant at most; where that turns with f″ = −m, by (|f′| + nE)²/m, at an end with
     n²E in place of nE.
     """
-    turns, slope, slack, rows = turning
+    places, slope, slack, rows = turning
     count = c.shape[1]
     k, twice = np.arange(1, count, dtype=float), np.tile(error, 2)
     signs = [np.where(k % 2, sign, 1.0) for sign in (-1.0, 1.0)]
@@ -278,12 +278,11 @@ def _gains(error: "Any", c: "Any", moving: "Any", turning: "tuple[Any, ...]", in
     ends = np.where(steep > 4.0 * reach, 0.0, ends)
     inside = 2.0 * error[inner]
     if rows.size:
-        bend = np.abs(_derivatives(c[rows], turns)[2])
+        bend = np.abs(_derivatives(c[rows], places[: rows.size])[2])
         near = (np.abs(slope) + slack[0][rows] + count * error[rows]) ** 2 / np.maximum(bend - slack[1][rows], 1e-300)
-        # next to an end, which is a place itself, every function turns
-        near = np.where((turns > END) & (turns < np.pi - END), near, 0.0)
         inside[: rows.size] = np.minimum(inside[: rows.size], near)
-    return np.concatenate((ends, inside))
+    # next to an end, which is a place itself, every function turns
+    return np.concatenate((ends, np.where((places > END) & (places < np.pi - END), inside, 0.0)))
 
 
 def _cells(
