@@ -2,34 +2,13 @@
 
 from math import cos, pi, sin, sqrt
 
-from dynamics_cli.inertia.shapes import (
-    Annulus,
-    ArcRod,
-    Block,
-    BoxShell,
-    Capsule,
-    Disk,
-    Ellipse,
-    Ellipsoid,
-    EllipticCylinder,
-    HalfEllipsoid,
-    HollowBlock,
-    HollowTorus,
-    Paraboloid,
-    Polygon,
-    Prism,
-    Pyramid,
-    Rectangle,
-    RectangularTube,
-    RegularPrism,
-    Rod,
-    Sector,
-    Tetrahedron,
-    Torus,
-    TorusShell,
-    Triangle,
-    Wedge,
-)
+from dynamics_cli.inertia.shapes.hollow import HollowBlock, HollowTorus, RectangularTube
+from dynamics_cli.inertia.shapes.plates import Annulus, Disk, Ellipse, Polygon, Rectangle, Sector, Triangle
+from dynamics_cli.inertia.shapes.polyhedra import Block, Prism, Pyramid, RegularPrism, Tetrahedron, Wedge
+from dynamics_cli.inertia.shapes.quadrics import Ellipsoid, EllipticCylinder, HalfEllipsoid, Paraboloid
+from dynamics_cli.inertia.shapes.rods import ArcRod, Rod
+from dynamics_cli.inertia.shapes.shells import BoxShell, TorusShell
+from dynamics_cli.inertia.shapes.solids import Capsule, Torus
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
