@@ -15,7 +15,7 @@ from dynamics_cli.core.documents import (
     quantity_node,
 )
 from dynamics_cli.core.json_text import quote, to_json
-from dynamics_cli.core.output.csv_cells import free_name
+from dynamics_cli.core.output.csv_cells import to_csv
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.errors import UsageError
 
@@ -166,63 +166,6 @@ def _explanation(explanation: "dict[str, Any]") -> "list[str]":
         else:
             lines.append(f"  {name.replace('_', ' ')}: {content}")
     return lines
-
-
-def _csv_value(value: "Any") -> str:
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if value is None:
-        return ""
-    from dynamics_cli.core.output.csv_cells import csv_cell
-
-    return csv_cell(value if isinstance(value, str) else to_json(value))
-
-
-def to_csv(document: "Document", table: str) -> str:
-    """One row, as `--rows` writes it: inputs, results with their spread, an empty error; or the named table."""
-    from dynamics_cli.core.output.csv_cells import header
-
-    results = document["results"]
-    node = next((results[name] for name in table.split() if results.get(name)), None)
-    plain = [] if node else _split_lists(flatten(results))
-    if not plain and not node:
-        node = next((item for item in results.values() if is_table(item)), None)
-    if node:
-        node_columns = columns(node)
-    else:
-        if "uncertainty" in document["numerics"]:
-            from dynamics_cli.core.output.uncertainty import with_spreads
-
-            plain = with_spreads(plain, results)
-        inputs = _split_lists(_input_cells(document["inputs"]))
-        names_in_use = {name for name, _, _ in inputs}
-        named = [(free_name(name, names_in_use), value, unit) for name, value, unit in [*plain, ("error", None, "")]]
-        node_columns = [(name, unit, [value]) for name, value, unit in [*inputs, *named]]
-    lines = [",".join(header(name, unit) for name, unit, _ in node_columns)]
-    lines += [",".join(map(_csv_value, row)) for row in zip(*(values for _, _, values in node_columns), strict=True)]
-    return "\n".join(lines) + "\n"
-
-
-def _input_cells(inputs: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
-    """Every input by address, those of repeated groups by their index: `segments[0].distance`."""
-    cells = []
-    for name, node in inputs.items():
-        if isinstance(node, list) and is_table(node):
-            cells += [cell for index, row in enumerate(node) for cell in flatten(row, f"{name}[{index}]")]
-        else:
-            cells += flatten(node, name)
-    return cells
-
-
-def _split_lists(entries: "list[tuple[str, Any, str]]") -> "list[tuple[str, Any, str]]":
-    split = []
-    for name, value, unit in entries:
-        if isinstance(value, list):
-            units = unit.split(";") if ";" in unit else [unit] * len(value)
-            split += _split_lists([(f"{name}[{i}]", item, units[i]) for i, item in enumerate(value)])
-        else:
-            split.append((name, value, unit))
-    return split
 
 
 def to_markdown(document: "Document", digits: int) -> str:
