@@ -95,6 +95,8 @@ class TestTable:
         shown = run("accuracy", "stability", "routh", "--untimed").out.splitlines()
         assert next(line for line in shown if "ε" in line).split()[-4:] == ["wrong", "0", "24%", "31"]
         assert next(line for line in shown if "fractions" in line).split()[-4] == "right"
+        # errors in shares of a size have no last place either
+        assert "wrong" not in run("accuracy", "inertia", "compare", "--untimed").out
 
     def test_what_passed_is_told_in_full_on_request(self) -> None:
         assert "check: " not in run("accuracy", "vec", "--untimed").out
