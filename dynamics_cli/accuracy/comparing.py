@@ -77,7 +77,6 @@ class Comparing:
         methods: "Iterable[tuple[str, Any]]",
         cases: "Sequence[Case]",
         scale: "Scale | None" = None,
-        most: int = 20,
     ) -> "list[Row]":
         """A row for every method that prepares a case's call, which gives a record or results by address."""
 

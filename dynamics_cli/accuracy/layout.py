@@ -226,9 +226,9 @@ def _columns(rows: "list[Entry]", digits: int, *, brief: bool = False) -> "list[
 
 
 def _worst(row: "Entry", digits: int) -> str:
-    """The worst error; of whole numbers, which have no last place, whether all are right."""
+    """The worst error; of whole numbers, whether all are right."""
     worst = row["worst"]["value"]
-    if row["measure"] == "relative" and row["cases"]["value"] and "worst_ulp" not in row:
+    if row["counts"]:
         return "wrong" if worst else "right"
     return error(worst, digits)
 

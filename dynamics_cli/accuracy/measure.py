@@ -56,6 +56,8 @@ class Errors:
         self.worst = ("", -1.0)
         # the true value of that result: a share of one that all but vanishes says little
         self.worst_reference: float | None = None
+        # how many results were whole numbers
+        self.whole = 0
         # pieces needed, where all methods keep a tolerance
         self.entities: int | None = None
         # relative errors by case and result, so that methods can be compared over the same ones
@@ -88,6 +90,7 @@ class Errors:
 
     def decide(self, where: str, value: Integral, text: str, bound: "float | None", key: str) -> None:
         """Count a whole number, which is right or wrong."""
+        self.whole += 1
         wrong = int(value) != Decimal(text)
         self.relative.append(float(wrong))
         self.by_result[key] = float(wrong)

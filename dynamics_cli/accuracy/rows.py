@@ -64,6 +64,7 @@ class Row:
     loosest: Annotated[
         Ratio | None, "The stated bound over the true error where that is largest, counted as in the median."
     ] = None
+    counts: Annotated[bool, "Whether all results are whole numbers, which are right or wrong."] = False
 
     @property
     def is_proved(self) -> bool:
@@ -114,6 +115,7 @@ def row(
         worst_reference="" if errors.worst_reference is None else f"{errors.worst_reference:.3g}",
         share=_share(errors, own) if own else None,
         loosest=max(errors.looseness, default=None),
+        counts=0 < errors.whole == len(errors.relative),
     )
 
 

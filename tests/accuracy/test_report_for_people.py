@@ -15,7 +15,7 @@ from dynamics_cli.accuracy import catalogue, layout, pictures
 from dynamics_cli.accuracy.machine import peer
 from dynamics_cli.accuracy.measure import Errors, errors_of
 from dynamics_cli.accuracy.questions import Method, Question
-from dynamics_cli.accuracy.report import Accuracy, Done, accuracy
+from dynamics_cli.accuracy.report import SLOW, Accuracy, Done, accuracy
 from dynamics_cli.accuracy.rows import CHOSEN, Row, compared_worst, finished, row
 from dynamics_cli.core.batch.rows import progress
 from dynamics_cli.core.terminal import Terminal
@@ -88,10 +88,15 @@ class TestTable:
         assert 20 < own.cases == other.cases + other.refused <= 30
         assert accuracy(full=True, untimed=True).methods[0].cases > 100
 
+    def test_slow_questions_are_called_as_they_are(self) -> None:
+        assert set(SLOW) <= {question.name for question in catalogue.questions("", "")}
+
     def test_counts_are_right_or_wrong(self) -> None:
         shown = run("accuracy", "stability", "routh", "--untimed").out.splitlines()
         assert next(line for line in shown if "ε" in line).split()[-4:] == ["wrong", "0", "24%", "31"]
         assert next(line for line in shown if "fractions" in line).split()[-4] == "right"
+        # errors in shares of a size have no last place either
+        assert "wrong" not in run("accuracy", "inertia", "compare", "--untimed").out
 
     def test_what_passed_is_told_in_full_on_request(self) -> None:
         assert "check: " not in run("accuracy", "vec", "--untimed").out

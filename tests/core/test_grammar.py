@@ -13,14 +13,13 @@ from hypothesis import strategies as st
 
 from dynamics_cli import quantities as q
 from dynamics_cli.core.inputs import quantity_text
+from dynamics_cli.core.inputs.forms.splitting import split_list, split_pairs
 from dynamics_cli.core.inputs.quantity_text import (
     is_uncertain,
     read_amount,
     read_fraction,
     read_number,
     read_scalar,
-    split_list,
-    split_pairs,
     total,
 )
 from dynamics_cli.errors import UsageError

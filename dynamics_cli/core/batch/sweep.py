@@ -8,7 +8,8 @@ from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.inputs import nest
 from dynamics_cli.core.batch.sweep_points import Axis, read_axes
 from dynamics_cli.core.deadline import Reached, clock, stop
-from dynamics_cli.core.inputs.quantity_text import read_amount, split_list, split_pairs
+from dynamics_cli.core.inputs.forms.splitting import split_list, split_pairs
+from dynamics_cli.core.inputs.quantity_text import read_amount
 from dynamics_cli.core.inputs.settings import Settings
 from dynamics_cli.core.inputs.values import Bound, Fields, Several
 from dynamics_cli.core.output.row_layout import Part

@@ -6,7 +6,6 @@ from dynamics_cli.core.inputs.quantity_text import (
     read_amount,
     read_fraction,
     read_scalar,
-    split_list,
     total,
 )
 from dynamics_cli.core.inputs.values import Bound, Constant, PolarVector, TypedPolar, Value, VectorValue
@@ -244,6 +243,7 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
     if isinstance(raw, list):
         return raw
     from dynamics_cli.core.inputs.forms.lists import share_unit, spaced_numbers
+    from dynamics_cli.core.inputs.forms.splitting import split_list
 
     text = _unbracketed(_text_of(kind, raw).strip())
     return spaced_numbers(text) or share_unit(split_list(text))

@@ -25,11 +25,9 @@ EXACT_INTEGERS = 2**53
 # A number right after one of these belongs to the unit; elsewhere, after a space, it begins a new part.
 JOINING = "/^*·⋅∙×(-−+"
 ARC_SIGNS = "°′″"
-NO_UNIT, PAIRS = "it has no unit", "example: distance=60 ft, friction=0.7"
+NO_UNIT = "it has no unit"
 # Signs of a text in one of the forms of `typed_forms`.
 FORM_MARKS = "'\"’‘”“:,+"
-OPENING = "([{"
-CLOSING = ")]}"
 UNCERTAIN_SIGNS = ("±", "+/-", "+-", "..")
 DISTRIBUTIONS = ("normal", "uniform", "lognormal", "triangular", "truncated", "beta", "empirical", "readings")
 ANGLE = (0, 0, 0, 0, 0, 0, 0, 1)
@@ -81,7 +79,7 @@ def read_number(text: str) -> tuple[int, int]:
     if exponent > HIGHEST_EXPONENT:
         small = power[:1] in ("-", "−")
         limit = "too close to zero for a double (about 5e-324)" if small else BEYOND
-        raise UsageError(f"{_show(text)} is {limit}", code="range")
+        raise UsageError(f"{shown(text)} is {limit}", code="range")
     exponent = (-exponent if power[:1] and power[0] in "-−" else exponent) - len(broken)
     numerator = -int(digits) if text[0] in "-−" else int(digits)
     return (numerator * 10**exponent, 1) if exponent >= 0 else (numerator, 10**-exponent)
@@ -95,7 +93,7 @@ def read_amount(text: str) -> Amount:
     """
     body = text.strip()
     if len(body) > LONGEST_TEXT:
-        raise UsageError(f"{_show(body)} is too long for a quantity", code="syntax")
+        raise UsageError(f"{shown(body)} is too long for a quantity", code="syntax")
     if not any(mark in body for mark in FORM_MARKS):
         return _amount(body, text)
     from dynamics_cli.core.inputs.typed_forms import plain_text, summands
@@ -119,7 +117,7 @@ def _amount(body: str, text: str) -> Amount:
         token = body[position:end]
         if parts and token[0] in SIGNS and (token[0] == "+" or not (negative or all(not part[0] for part in parts))):
             hint = "a sign before 5 ft 6 in applies to the whole value; powers are written m^-1"
-            raise UsageError(f"{_show(body)} has a sign inside", code="syntax", hint=hint)
+            raise UsageError(f"{shown(body)} has a sign inside", code="syntax", hint=hint)
         if end < len(body) - 1 and body[end] in ",_'’" and body[end + 1] in DIGITS:
             raise _not_a_number(body[position:].split(" ")[0])
         numerator, denominator = read_number(token)
@@ -160,21 +158,21 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
         if kind.letter and default_unit != kind.si:
             return read_scalar(text.strip(kind.letter + kind.letter.lower() + " "), kind, kind.si)
         if is_uncertain(text):
-            message = f"{_show(text)} is an uncertain value; a certain value is wanted here"
+            message = f"{shown(text)} is an uncertain value; a certain value is wanted here"
             hint = f"write one number, for example {kind.example}"
             raise UsageError(message, code="uncertain", hint=hint) from None
         if error.message == NO_UNIT:
             hint = f"write for example {kind.example}" if kind.example else "write the number with its unit"
-            raise UsageError(f"{_show(text)} has no unit", code=error.code, hint=hint) from None
+            raise UsageError(f"{shown(text)} has no unit", code=error.code, hint=hint) from None
         from dynamics_cli.core.inputs.typed_forms import as_range
 
         if hint := as_range(text):
-            raise UsageError(f"{_show(text)} is not one number", code="range", hint=hint) from None
+            raise UsageError(f"{shown(text)} is not one number", code="range", hint=hint) from None
         expected = kind.about if kind.form == "whole" else f"a{'n' * kind.name.startswith(tuple('aeiou'))} {kind.name}"
         counted = kind.form == "whole" and error.code in ("whole", "number")
         wrong = "a whole number" if counted else f"{expected}: {error.message}"
         hint = f"{error.hint}; example: {kind.example}" if error.hint else f"example: {kind.example}"
-        raise UsageError(f"{_show(text)} is not {wrong}", code=error.code, hint=hint) from None
+        raise UsageError(f"{shown(text)} is not {wrong}", code=error.code, hint=hint) from None
 
 
 def is_uncertain(text: str) -> bool:
@@ -193,54 +191,8 @@ def read_fraction(text: str) -> tuple[int, int]:
         return lowest(numerator, over)
     denominator, under = read_number(down.strip())
     if not denominator:
-        raise UsageError(f"{_show(text)} divides by zero", code="number", hint="example: 365.2422/27.3217")
+        raise UsageError(f"{shown(text)} divides by zero", code="number", hint="example: 365.2422/27.3217")
     return lowest(numerator * under, denominator * over)
-
-
-def split_list(text: str) -> list[str]:
-    """Split at the commas outside brackets and quotes; a quote opens only where an item or a value begins."""
-    items, start, quote, before = [], 0, "", ","
-    open_brackets = ""
-    for position, character in enumerate(text):
-        if quote:
-            quote = "" if character == quote else quote
-        elif character in "\"'" and before in ",=:([{":
-            quote = character
-        elif character in OPENING:
-            open_brackets += CLOSING[OPENING.index(character)]
-        elif character in CLOSING:
-            if not open_brackets.endswith(character):
-                raise UsageError(f"{_show(text)}: {character!r} has no opening bracket", code="syntax")
-            open_brackets = open_brackets[:-1]
-        elif character == "," and not open_brackets:
-            items.append(text[start:position].strip())
-            start = position + 1
-        before = before if character.isspace() else character
-    if quote or open_brackets:
-        missing = quote or open_brackets[-1]
-        raise UsageError(f"{_show(text)}: a closing {missing} is missing", code="syntax")
-    items.append(text[start:].strip())
-    if not all(items):
-        raise UsageError(f"{_show(text)} has an empty item", code="syntax", hint="separate items by single commas")
-    return items
-
-
-def split_pairs(text: str) -> dict[str, str]:
-    """Split `force=3, 4 N, at=2, 0 m` into names and values; quotes around a whole value are taken off."""
-    pairs: dict[str, str] = {}
-    name = ""
-    for item in split_list(text):
-        if name and "=" not in item and number_end(item, 0):  # a further component of the value before
-            pairs[name] += f", {item}"
-            continue
-        name, equals, value = (part.strip() for part in item.partition("="))
-        if not (equals and name and value):
-            raise UsageError(f"read {_show(item)}, wanted NAME=VALUE", code="syntax", hint=PAIRS)
-        if name in pairs:
-            raise UsageError(f"{_show(name)} is given twice in {_show(text)}", code="syntax")
-        quoted = len(value) > 1 and value[0] in "\"'" and value[-1] == value[0]
-        pairs[name] = value[1:-1] if quoted else value
-    return pairs
 
 
 def _scalar(amount: Amount, kind: "Kind", default_unit: str) -> Reading:
@@ -341,10 +293,11 @@ def _not_a_number(text: str, why: str = "") -> UsageError:
     hint = None
     if "," in text or "_" in text or "'" in text:
         hint = "write 1.5 with a point, and thousands without a separator: 1000"
-    return UsageError(f"{_show(text)} is not a decimal number{why and ': '}{why}", code="number", hint=hint)
+    return UsageError(f"{shown(text)} is not a decimal number{why and ': '}{why}", code="number", hint=hint)
 
 
-def _show(text: str) -> str:
+def shown(text: str) -> str:
+    """A text as messages quote it."""
     from dynamics_cli.core.units.expressions import show
 
     return show(text)

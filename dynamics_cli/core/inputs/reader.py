@@ -163,7 +163,7 @@ class Reader(Context):
         return self._one_of(wrapper, node, value, address, alone=True)
 
     def _pairs(self, text: str, address: str, node: "Node") -> "dict[str, Any] | None":
-        from dynamics_cli.core.inputs.quantity_text import PAIRS, split_pairs
+        from dynamics_cli.core.inputs.forms.splitting import PAIRS, split_pairs
 
         try:
             return {key.replace("-", "_"): value for key, value in split_pairs(text).items()}

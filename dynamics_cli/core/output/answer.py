@@ -7,11 +7,9 @@ from math import log10
 
 from dynamics_cli.core.documents import (
     bound_text,
-    decimals,
     flatten,
     given_inputs,
     is_table,
-    number,
     quantity,
 )
 from dynamics_cli.core.output.answer_tables import file_lines, table_lines
@@ -30,8 +28,8 @@ from dynamics_cli.core.output.answer_words import (
     node_at,
     parts_in_words,
     short_source,
+    uncertain_in_words,
     value_in_words,
-    vector_in_words,
     with_name,
     without_rounding,
 )
@@ -135,11 +133,9 @@ class _Answer:
         node = node_at(self.results, address)
         if isinstance(node, dict) and "interval" in node and is_in_parts(node):
             return parts_in_words(value, node, self.digits, asked=self.asked)
-        if is_uncertain_vector(node):
-            return f"{vector_in_words(node['value'], node, self.digits, asked=self.asked)} {unit}".rstrip()
-        std = 0.0 if self.asked else deviation(self.results, address)
-        if std and not isinstance(value, list):
-            return f"{decimals(value, std)} {unit}".rstrip()
+        if is_uncertain_vector(node) or (self._deviation(address) and not isinstance(value, list)):
+            text = uncertain_in_words(node["value"], node, self._deviation(address), self.digits, asked=self.asked)
+            return f"{text} {unit}".rstrip()
         if isinstance(value, float) and abs(value) <= self._absolute_bound(address, value):
             value = 0.0
         value = without_rounding(value)
@@ -159,17 +155,15 @@ class _Answer:
         """The interval of an uncertain result, and its limits."""
         remarks = []
         node = node_at(self.results, address)
-        if isinstance(node, dict) and "interval" in node and is_in_parts(node):
-            low, high = (parts_in_words(end, node, self.digits, asked=self.asked) for end in node["interval"])
-            remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
-        elif is_uncertain_vector(node):
-            low, high = (vector_in_words(end, node, self.digits, asked=self.asked) for end in node["interval"])
-            remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
-        elif isinstance(node, dict) and "interval" in node and not isinstance(node["value"], list):
-            std = 0.0 if self.asked else deviation(self.results, address)
-            low, high = (decimals(end, std) if std else number(end, self.digits) for end in node["interval"])
+        if isinstance(node, dict) and "interval" in node:
+            std = self._deviation(address)
+            low, high = (uncertain_in_words(x, node, std, self.digits, asked=self.asked) for x in node["interval"])
             remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
         return remarks + asked_of(self.document, address)
+
+    def _deviation(self, address: str) -> float:
+        """The standard deviation that digits follow; none where they were asked for."""
+        return 0.0 if self.asked else deviation(self.results, address)
 
     def without_tables(self) -> bool:
         """Drop the tables; returns whether there were any."""
@@ -202,8 +196,7 @@ class _Answer:
 
     def _worth_saying(self, address: str, value: float) -> float:
         """The relative error bound from which a line is due: one that hides in the deviation is not worth it."""
-        std = 0.0 if self.asked else deviation(self.results, address)
-        return max(WORTH_SAYING, NEGLIGIBLE * std / abs(value))
+        return max(WORTH_SAYING, NEGLIGIBLE * self._deviation(address) / abs(value))
 
     def beneath(self, above: int) -> "list[str]":
         """The lines beneath the results, which take `above` lines: drivers only as far as the screen has room."""

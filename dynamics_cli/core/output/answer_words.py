@@ -178,6 +178,15 @@ def vector_in_words(components: "list[float]", node: "dict[str, Any]", digits: i
     return f"[{', '.join(texts)}]"
 
 
+def uncertain_in_words(value: "Any", node: "dict[str, Any]", std: float, digits: int, *, asked: bool) -> str:
+    """A value of an uncertain result, or an end of its interval, to the place that its deviation deserves."""
+    if is_in_parts(node):
+        return parts_in_words(value, node, digits, asked=asked)
+    if is_uncertain_vector(node):
+        return vector_in_words(value, node, digits, asked=asked)
+    return decimals(value, std) if std else number(value, digits)
+
+
 def is_in_parts(node: "dict[str, Any]") -> bool:
     """Whether a result is shown in the parts of compound units, as 5 ft 6 in."""
     return ";" in str(node.get("unit"))

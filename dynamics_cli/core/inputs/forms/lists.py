@@ -1,7 +1,8 @@
 """Lists as people write them, taken apart into their items: commas or semicolons between, one unit at the end."""
 
 from dynamics_cli.core.inputs.context import Token
-from dynamics_cli.core.inputs.quantity_text import DIGITS, is_uncertain, number_end, split_list
+from dynamics_cli.core.inputs.forms.splitting import split_list
+from dynamics_cli.core.inputs.quantity_text import DIGITS, is_uncertain, number_end
 from dynamics_cli.core.inputs.specification import Record
 from dynamics_cli.errors import UsageError
 

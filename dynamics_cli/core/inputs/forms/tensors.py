@@ -1,7 +1,8 @@
 """Symmetric tensors from text or JSON: the full matrix, or moments and products."""
 
 from dynamics_cli.core.inputs.context import Token
-from dynamics_cli.core.inputs.quantity_text import read_scalar, split_list
+from dynamics_cli.core.inputs.forms.splitting import split_list
+from dynamics_cli.core.inputs.quantity_text import read_scalar
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Kind
 

@@ -6,7 +6,8 @@ difference. A unit at the end also belongs to earlier numbers without one.
 
 from math import inf
 
-from dynamics_cli.core.inputs.quantity_text import ANGLE, read_amount, read_number, read_scalar, split_list, total
+from dynamics_cli.core.inputs.forms.splitting import split_list
+from dynamics_cli.core.inputs.quantity_text import ANGLE, read_amount, read_number, read_scalar, total
 from dynamics_cli.core.inputs.uncertain import distributions as d
 from dynamics_cli.core.inputs.uncertain.parts import without_parts
 from dynamics_cli.core.inputs.values import Value

@@ -1,0 +1,53 @@
+"""Text with commas: split into items, or into names and values, brackets and quotes kept whole."""
+
+from dynamics_cli.core.inputs.quantity_text import number_end, shown
+from dynamics_cli.errors import UsageError
+
+OPENING, CLOSING = "([{", ")]}"
+PAIRS = "example: distance=60 ft, friction=0.7"
+
+
+def split_list(text: str) -> list[str]:
+    """Split at the commas outside brackets and quotes; a quote opens only where an item or a value begins."""
+    items, start, quote, before = [], 0, "", ","
+    open_brackets = ""
+    for position, character in enumerate(text):
+        if quote:
+            quote = "" if character == quote else quote
+        elif character in "\"'" and before in ",=:([{":
+            quote = character
+        elif character in OPENING:
+            open_brackets += CLOSING[OPENING.index(character)]
+        elif character in CLOSING:
+            if not open_brackets.endswith(character):
+                raise UsageError(f"{shown(text)}: {character!r} has no opening bracket", code="syntax")
+            open_brackets = open_brackets[:-1]
+        elif character == "," and not open_brackets:
+            items.append(text[start:position].strip())
+            start = position + 1
+        before = before if character.isspace() else character
+    if quote or open_brackets:
+        missing = quote or open_brackets[-1]
+        raise UsageError(f"{shown(text)}: a closing {missing} is missing", code="syntax")
+    items.append(text[start:].strip())
+    if not all(items):
+        raise UsageError(f"{shown(text)} has an empty item", code="syntax", hint="separate items by single commas")
+    return items
+
+
+def split_pairs(text: str) -> dict[str, str]:
+    """Split `force=3, 4 N, at=2, 0 m` into names and values; quotes around a whole value are taken off."""
+    pairs: dict[str, str] = {}
+    name = ""
+    for item in split_list(text):
+        if name and "=" not in item and number_end(item, 0):  # a further component of the value before
+            pairs[name] += f", {item}"
+            continue
+        name, equals, value = (part.strip() for part in item.partition("="))
+        if not (equals and name and value):
+            raise UsageError(f"read {shown(item)}, wanted NAME=VALUE", code="syntax", hint=PAIRS)
+        if name in pairs:
+            raise UsageError(f"{shown(name)} is given twice in {shown(text)}", code="syntax")
+        quoted = len(value) > 1 and value[0] in "\"'" and value[-1] == value[0]
+        pairs[name] = value[1:-1] if quoted else value
+    return pairs
