@@ -1,4 +1,4 @@
-"""The short answer of every task: each example fits a screen of 80 columns and 24 lines, with at most three more of a table."""
+"""The short answer of every task: each example fits a screen of 80 columns and 24 lines, or three more of a table."""
 
 import shlex
 from pathlib import Path
