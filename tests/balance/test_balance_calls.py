@@ -240,3 +240,9 @@ def test_the_size_of_the_outer_ring_keeps_clear_of_the_angles_around() -> None:
     labels = {item.text: item for item in _polar([arrow], Unbalance, "").items if isinstance(item, Label)}
     lowest = min(item.y for text, item in labels.items() if "°" not in text)
     assert lowest - labels["300°"].y > 0.1 * math.hypot(1.0, 0.5)
+
+
+@pytest.mark.parametrize("grade", ["G6.3", "G 6.3", "g6.3 mm/s", "6.3"])
+def test_grades_are_read_as_designated(grade: str) -> None:
+    given = ("balance", "grade", "--speed", "3000 rpm", "--mass", "120 kg", "--only", "unbalance")
+    assert run(*given, "--grade", grade).out == run(*given, "--grade", "6.3 mm/s").out

@@ -1,4 +1,4 @@
-"""The short answer of every task: each example fits a screen of 80 columns and 24 lines."""
+"""The short answer of every task: each example fits a screen of 80 columns and 24 lines, or three more of a table."""
 
 import shlex
 from pathlib import Path
@@ -11,7 +11,8 @@ from dynamics_cli import cli
 from dynamics_cli.core.command.template import takes_scene
 from dynamics_cli.core.output.render import whole_table
 
-COLUMNS, LINES = 80, 24
+# A screen, and the lines for which no table is cut.
+COLUMNS, LINES = 80, 24 + 3
 TASKS = {task.path: task for name in cli.FAMILIES for task in cli.family(name).tasks.values()}
 # Options that ask for another answer than the short one; those of the second line take a value.
 OTHER_ANSWERS = ("--json", "-j", "--all", "--explain")

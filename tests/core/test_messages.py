@@ -147,6 +147,8 @@ class TestMissingMembers:
              "--segment no. 2: distance is missing"),
             (("skid", "speed", "--input", "-"), '{"segments": [{"distance": "3 m"}]}',
              "segment 1 (segments[0]): friction is missing"),
+            (("inertia", "body", "-"), '{"parts": [{"name": "hub", "shape": "sphere", "radius": "1 kg"}]}',
+             "part 'hub': radius: '1 kg' is not"),
             (("skid", "speed", "--segment", "distance=3 m, friction=x"), "", "--segment: friction: 'x' is not"),
             (("gear", "train", "--mesh", "first=a, second=b"), "", "--mesh: first_teeth is missing"),
             (("inertia", "section", "--polygon", "0, 0, 1, 1 m, x mm, 2 mm"), "", "--polygon no. 5"),
@@ -186,3 +188,8 @@ def test_a_closing_speed_of_minus_zero_is_zero() -> None:
     call = 'impact planar --first-mass "10 kg" --first-inertia "1 kg*m^2" --first-velocity "10, 0 m/s" --first-lever '
     call += '"0.5, 0.5 m" --second-fixed --normal "-90 deg" --restitution 0.5 --friction 0.3'
     assert "their closing speed is 0 m/s" in run(*shlex.split(call)).err
+
+
+def test_a_document_of_the_same_command_gives_its_inputs() -> None:
+    given = ("skid", "speed", "--distance", "30 m", "--friction", "0.7", "--json")
+    assert run("skid", "speed", "--input", "-", "--json", stdin=run(*given).out).out == run(*given).out

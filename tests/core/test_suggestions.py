@@ -11,6 +11,10 @@ from tests.harness import run
     ("call", "hint"),
     [
         ("skid|speed|--dist|60 ft|--friction|0.7", "did you mean --distance?"),
+        ("units|pressure", "did you mean dynamics units list --kind pressure"),
+        ("units|list|pressure", "did you mean --kind pressure?"),
+        ("inertia|shape|sphere|--radius|1 m|--density|steel", "--material steel"),
+        ("linkage|solve", "dynamics linkage solve --template"),
         ("skid|speed|--mu|0.7", "did you mean --friction?"),
         ("skid|speed|--fricton|0.7", "did you mean --friction?"),
         ("skid|speed|--frmat|json", "did you mean --format?"),
