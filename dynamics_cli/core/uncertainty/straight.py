@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-CASES = 1024
+CASES = 8192
 # Of so few results it saves nothing.
 FEW_RESULTS = 4
 # How far from a straight line, in deviations, rounding may leave a result.

@@ -48,8 +48,8 @@ DEGREE, POINTS_A_TERM = 6, 16
 WIDE, AT_ONCE = (64, MOST_POINTS), 2048
 # A number of theirs may scatter more than that of the sample by this share of its worst quantile.
 ALIKE = 0.3
-# Within so many deviations of the mean of many replicates five numbers lie together, in 99 of 100 cases.
-MANY_FACTOR = 3.0
+# Within so many deviations of the mean of a dozen replicates and more five numbers lie together, in 98 of 100 cases.
+MANY_FACTOR = 3.5
 
 
 class Pool:
