@@ -61,8 +61,7 @@ class Pool:
         most = points or goal.points // part
         fewest = FEWEST_POINTS
         if space.affordable is not None:
-            # as many as were asked for, or as a few seconds allow
-            most, fewest = min(most, space.affordable) if goal.points == DEFAULT_POINTS else goal.points, 1
+            most, fewest = min(most, space.affordable), 1
         self.count = min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, fewest), MOST_POINTS)
         more = min(max(most / DEFAULT_POINTS, 1.0), MOST_TIMES)
         room = int(min(MOST_BYTES // (8 * results * self.count), MOST_SHIFTS) * more)
