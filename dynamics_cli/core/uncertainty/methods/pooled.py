@@ -112,8 +112,7 @@ def _size(space: Space, goal: Goal, rows: "list[int]") -> tuple[int, int]:
         # Where every point is a call of its own, a quarter of them serves all results; half, where they are cheaper.
         most, fewest = SINGLE if space.size == 1 else goal.points // (2 if space.together else 4), FEWEST_POINTS
         if space.affordable is not None:
-            # as many as were asked for, or as a few seconds allow
-            most, fewest = min(most, space.affordable) if goal.points == DEFAULT_POINTS else goal.points, 1
+            most, fewest = min(most, space.affordable), 1
         return min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, fewest), MOST_POINTS), SHIFTS
     if space.whole.issuperset(rows):
         return COUNTED, SHIFTS
