@@ -87,6 +87,8 @@ def _radius_share(case: Case, stress: float) -> float:
 
     give = 2.0 * (1.0 - STEEL_RATIO * STEEL_RATIO) / STEEL
     width, follower = float(case.inputs["contact"]["width"]), case.inputs["follower"]
-    force = float(case.results["least_contact_force"])
+    least, most = (float(case.results[f"{end}_contact_force"]) for end in ("least", "greatest"))
+    # at the sharpest place a follower is pressed least; one that would leave the cam is not
+    force = least if least > 0.0 else most
     radius = force / (pi * width * give * stress * stress)
     return min(1.0, radius / float(follower.get("roller_radius", follower["base_radius"])))
