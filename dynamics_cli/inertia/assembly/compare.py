@@ -11,7 +11,7 @@ from dynamics_cli.inertia.bodies.principal_tracked import in_many_digits
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt, total
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import product, transposed
-from dynamics_cli.numerics.vectors import length, subtract
+from dynamics_cli.numerics.vectors import subtract
 from dynamics_cli.quantities import (
     Angle,
     Annotated,
@@ -120,7 +120,7 @@ def compare(scene: Annotated[Pair, "The bodies, `first` and `second`, each with 
         "second_mass": second,
         "mass_difference": second - first,
         "mass_ratio": second / first,
-        "centroid_distance": length(shift),
+        "centroid_distance": hypot(hypot(shift[0], shift[1]), shift[2]),
         "tensor_distance": _distance(rows),
     }
     bounds: list[ErrorBound] = []

@@ -5,7 +5,7 @@ from dynamics_cli.inertia.bodies.mass_moments import turned
 from dynamics_cli.inertia.bodies.principal_tracked import root
 from dynamics_cli.inertia.bodies.records import ShaftMoment
 from dynamics_cli.numerics.elementary import hypot
-from dynamics_cli.numerics.vectors import cross, dot, length, subtract
+from dynamics_cli.numerics.vectors import subtract
 from dynamics_cli.records import Measured
 
 TYPE_CHECKING = False
@@ -20,9 +20,9 @@ SNAIL = POUND * 9.80665 / INCH
 
 def unit(direction: "Vector") -> "Vector":
     """The unit vector along a direction; a vector along an axis keeps its exact zeros."""
-    size = length(direction)
-    require(size > 0.0, "the direction is the zero vector", code="direction")
-    return direction[0] / size, direction[1] / size, direction[2] / size
+    length = hypot(hypot(direction[0], direction[1]), direction[2])
+    require(length > 0.0, "the direction is the zero vector", code="direction")
+    return direction[0] / length, direction[1] / length, direction[2] / length
 
 
 def complement(u: "Vector") -> "tuple[Vector, Vector]":
@@ -35,8 +35,8 @@ def complement(u: "Vector") -> "tuple[Vector, Vector]":
         first = (-z, 0.0, x)
     else:
         first = (y, -x, 0.0)
-    first = unit(first)
-    return first, cross(u, first)
+    a, b, c = first = unit(first)
+    return first, (y * c - z * b, z * a - x * c, x * b - y * a)
 
 
 def moment_about(body: "Lump", point: "Vector", direction: "Vector") -> "tuple[float, float]":
@@ -45,7 +45,7 @@ def moment_about(body: "Lump", point: "Vector", direction: "Vector") -> "tuple[f
     d = subtract(body.centroid, point)
     for e in complement(unit(direction)):
         along = turned(body.second, (e, e, e))[0][0]
-        off = dot(e, d)
+        off = e[0] * d[0] + e[1] * d[1] + e[2] * d[2]
         moment = moment + along + body.mass * off * off
         distance = hypot(distance, off)
     return moment, distance

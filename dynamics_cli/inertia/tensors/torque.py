@@ -1,8 +1,9 @@
 """Inertia force and torque of a moving rigid body: d'Alembert's addition to the applied forces."""
 
 from dynamics_cli.errors import require_given
-from dynamics_cli.inertia.bodies.mass_moments import each, minus
-from dynamics_cli.numerics.vectors import add, dot, length, scale, times
+from dynamics_cli.inertia.bodies.mass_moments import minus, times
+from dynamics_cli.numerics.elementary import hypot
+from dynamics_cli.numerics.vectors import add
 from dynamics_cli.quantities import (
     AccelerationVector,
     AngularAccelerationVector,
@@ -91,9 +92,10 @@ def torque(
 
     require_tensor(tensor, hint="check the tensor: its moments, its units, and more digits for a lamina")
     momentum = times(tensor, angular_velocity)
-    inertial = each(minus, times(tensor, angular_acceleration))
+    inertial = opposite(times(tensor, angular_acceleration))
     gyroscopic = _gyroscopic(tensor, angular_velocity)
     total = add(inertial, gyroscopic)
+    w = angular_velocity
     force = None
     if mass is not None or acceleration is not None:
         require_given(
@@ -101,16 +103,21 @@ def torque(
             "an inertia force needs both the mass and its acceleration",
             ("mass", "acceleration"),
         )
-        force = each(minus, scale(mass, acceleration))  # type: ignore[arg-type]
+        force = opposite(tuple(mass * part for part in acceleration))  # type: ignore[arg-type, union-attr, operator]
     return InertiaTorque(
         inertia_torque=total,
-        magnitude=length(total),
+        magnitude=hypot(hypot(total[0], total[1]), total[2]),
         acceleration_part=inertial,
         gyroscopic_part=gyroscopic,
         angular_momentum=momentum,
-        rotational_energy=0.5 * dot(momentum, angular_velocity),
+        rotational_energy=0.5 * (momentum[0] * w[0] + momentum[1] * w[1] + momentum[2] * w[2]),
         inertia_force=force,
     )
+
+
+def opposite(v: "tuple[float, float, float]") -> "tuple[float, float, float]":
+    """The opposite vector."""
+    return minus(v[0]), minus(v[1]), minus(v[2])
 
 
 def _gyroscopic(tensor: "Matrix", w: "tuple[float, float, float]") -> "tuple[float, float, float]":
