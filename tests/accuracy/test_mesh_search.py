@@ -32,7 +32,7 @@ def test_bounds_are_tight_in_the_median() -> None:
 
 
 def test_solids_and_shells_are_asked() -> None:
-    assert set(found().kinds) == {"solid", "shell"}
+    assert set(found().kinds) == {"solid", "shell", "solid, doubles", "shell, doubles"}
     assert min(found().kinds.values()) >= 0.05 * EVALUATIONS
 
 

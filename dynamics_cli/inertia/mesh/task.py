@@ -25,6 +25,7 @@ METHOD = "divergence theorem over triangles by edges and centroids, in blocks; J
 METHODS = {
     "once": METHOD,
     "again": METHOD + "; once more from the mass centre in the principal axes",
+    "whole": "divergence theorem over few triangles in whole numbers, rounded once; Jacobi on the second moments",
 }
 
 
@@ -81,7 +82,8 @@ def mesh(
 
     Notes
     -----
-    Bounds are of rounding, given the corners as stored, and calibrated by search. That the surface closes is proved
+    Bounds are of rounding, given the corners as stored. Up to 128 triangles the sums are formed in whole numbers and
+    each result is rounded once; of more in doubles, with bounds calibrated by search. That the surface closes is proved
     by a 64-bit sum over its directed edges; crossing, overlapping or duplicated surfaces are found by the diagnosis.
     A thin shell has its mass on the triangles: the thickness only determines the mass.
 
