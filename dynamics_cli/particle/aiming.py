@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 RIGHT = 1.5707963267948966
 GOLDEN = 0.6180339887498949
 SCAN = 60
+# Angles to either side of the best, whose ranges are compared.
+BESIDE = 1e-4
 
 
 @record
@@ -120,5 +122,27 @@ def _maximum(function: "Callable[[float], float]", low: float, high: float) -> f
 
 
 def best_angle(launch: "Launch", height: float) -> float:
-    """The angle of the greatest range to a landing so far below the launch."""
-    return _maximum(lambda angle: launch(angle).landing(height)[1], 1e-6, RIGHT - 1e-6)
+    """The angle of the greatest range to a landing so far below the launch: a little more and less reach as far."""
+
+    def gain(angle: float) -> float:
+        return launch(angle + BESIDE).landing(height)[1] - launch(angle - BESIDE).landing(height)[1]
+
+    low, high = 1.01 * BESIDE, RIGHT - 1.01 * BESIDE
+    at_low, at_high = gain(low), gain(high)
+    if at_low <= 0.0 or at_high >= 0.0:
+        return low if at_low <= 0.0 else high
+    last = 0.0
+    for _ in range(60):
+        angle = (low * at_high - high * at_low) / (at_high - at_low)
+        here = gain(angle)
+        # an end that stays twice counts half, so that both close in (Illinois rule)
+        if here > 0.0:
+            at_high *= 0.5 if last > 0.0 else 1.0
+            step, low, at_low = angle - low, angle, here
+        else:
+            at_low *= 0.5 if last < 0.0 else 1.0
+            step, high, at_high = high - angle, angle, here
+        last = here
+        if min(step, high - low) < 1e-10 or not here:
+            break
+    return angle

@@ -164,20 +164,34 @@ class Quadratic:
             if low < -STEEPEST or index > 600:
                 return None
         lower, upper = low, slope
+        place = 0.5 * (lower + upper)
         for _ in range(ROUNDS):
-            middle = 0.5 * (lower + upper)
-            if not lower < middle < upper:
+            here = self._gone(index, place)
+            excess, rate = self._past(which, place, here) - wanted, self._rate(which, place)
+            lower, upper = (place, upper) if excess >= 0.0 else (lower, place)
+            # Newton's step where it stays between, else halving
+            following = place - excess / rate if rate else lower
+            if not lower < following < upper:
+                following = 0.5 * (lower + upper)
+            if not lower < following < upper or abs(following - place) <= 4e-16 * abs(place):
                 break
-            added = self._added(slope, middle)
-            here = (gone[0] + added[0], gone[1] + added[1], gone[2] + added[2])
-            if self._past(which, middle, here) >= wanted:
-                lower = middle
-            else:
-                upper = middle
-            if upper - lower <= 1e-16 * max(abs(lower), abs(upper)):
-                break
-        added = self._added(slope, upper)
-        return self._state(upper, (gone[0] + added[0], gone[1] + added[1], gone[2] + added[2]))
+            place = following
+        return self._state(place, self._gone(index, place))
+
+    def _gone(self, index: int, slope: float) -> "tuple[float, float, float]":
+        """What is gone until a slope beyond an edge."""
+        high, before = self.edges[index]
+        added = self._added(high, slope)
+        return before[0] + added[0], before[1] + added[1], before[2] + added[2]
+
+    def _rate(self, which: "int | None", slope: float) -> float:
+        """The derivative of what is wanted by the slope."""
+        speed = self._speed(slope)
+        if which == 0:
+            return -speed / self.gravity
+        if which == 1:
+            return -speed * (self.side * speed + self.wind) / self.gravity
+        return slope * speed * speed / self.gravity
 
     def _past(self, which: "int | None", slope: float, gone: "tuple[float, float, float]") -> float:
         if which == 0:

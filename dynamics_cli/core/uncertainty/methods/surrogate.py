@@ -39,6 +39,8 @@ MOST_TERMS = 250
 TRIALS = 32
 FARTHER = 1.25
 SAFETY = 3.0
+# Digits that the fit itself may lose of a number.
+ROUNDING = 1e-12
 
 
 def suits(space: Space) -> bool:
@@ -77,7 +79,9 @@ class StandIn:
                 points, values = np.zeros((n, 0)), np.zeros((len(there), 0))
             points, values = _grown(space, points, values, self.count, seed, wide)
             self._fit(space.inputs(points), values, space.inputs(tried), there)
-            if (self.errors <= (accuracy if degree < DEGREES[-1] else FAIR) * values.std(axis=1)).all():
+            enough = (accuracy if degree < DEGREES[-1] else FAIR) * values.std(axis=1)
+            # what does not vary is met to rounding
+            if (self.errors <= enough + ROUNDING * np.abs(values).max(axis=1)).all():
                 break
             if space.affordable is not None and (self.errors > values.std(axis=1)).all():  # no degree will do
                 break
