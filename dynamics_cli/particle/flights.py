@@ -156,7 +156,7 @@ class Quadratic:
         """The state where time (0), distance over ground (1) or the height on the way down (2) is as wanted."""
         index = 0
         while True:
-            slope, gone = self._reach(index)
+            slope, _ = self._reach(index)
             low, after = self._reach(index + 1)
             if self._past(which, low, after) >= wanted:
                 break
