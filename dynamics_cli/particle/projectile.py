@@ -252,7 +252,7 @@ def _to_target(speed: float, x: float, y: float, gravity: float) -> "tuple[float
 
 def _end(flight: "Flight", aim: "Elevation | Target", height: float) -> "tuple[float, ...]":
     if isinstance(aim, Target):
-        passed = flight.passing(aim.target[0])
+        passed = flight.passing(plain(aim.target[0]))
         assert passed is not None
         return passed
     apex = flight.apex()[2]

@@ -433,7 +433,7 @@ def test_yaw_inertia_by_its_rules() -> None:
 def test_refusals_name_the_angle_and_the_exit() -> None:
     with pytest.raises(InadmissibleError, match=r"the force is 1.047 rad off"):
         crush(first=Damaged(ByMass(1500.0), STIFF, MeanCrush(0.3, 1.5), force_angle=math.pi / 3.0))
-    with pytest.raises(InadmissibleError, match="the first exit speed"):
+    with pytest.raises(InadmissibleError, match="the speed of the first after the impact"):
         momentum(first=Vehicle(ByMass(1500.0)), second=Vehicle(ByMass(1200.0)))
 
 

@@ -70,7 +70,7 @@ def of_matrices(*_: Any, **__: Any) -> None:
 
 def of_meshes(name: str) -> Callable[..., Any]:
     def compare(*_: Any, **__: Any) -> None:
-        mesh.compare(Comparing(name, hard=False, full=False, timed=False))
+        mesh.compare(Comparing(name, hard=False, full=False, timed=False, few=False))
 
     return compare
 

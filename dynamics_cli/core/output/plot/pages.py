@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 HEIGHT = 3.0
 # Panels above one another over one axis: inches, and at most this share of a narrow picture's width.
-SHARED_SHAPE = 0.46
+SHARED_SHAPE = 0.38
 SHARED_HEIGHT, ROOM_FOR_TICKS = 1.9, 0.4
 EQUAL_HEIGHT = 5.0
 LEAST_HEIGHT = 1.8

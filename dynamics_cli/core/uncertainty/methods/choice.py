@@ -40,6 +40,8 @@ if TYPE_CHECKING:
 
 # With more results than this, those that turn, jump or have kinks share one sample.
 FEW_RESULTS = 4
+# Evaluations that results of one input may cost before further ones take the sample.
+PIECES = 20_000
 # Grids of scanned lines are for at most this many inputs.
 FEW_INPUTS = 3
 ANY = float("inf")
@@ -132,6 +134,11 @@ WAYS = (
 )
 
 
+def _in_pieces(space: Space) -> bool:
+    """Whether a single input is divided where a result turns or jumps: exact, until many results have cost so much."""
+    return space.size == 1 and not space.slow and space.points < PIECES
+
+
 def start(space: Space, goals: "Mapping[int, Goal]", probe: "Array", asked: str) -> None:
     """Grids of many results in common calls of the model, each across the inputs that bear on it."""
     calculations = {}
@@ -149,7 +156,7 @@ def start(space: Space, goals: "Mapping[int, Goal]", probe: "Array", asked: str)
             direction = np.where(axes, direction, 0.0)
             direction /= np.sqrt(direction @ direction)
         if axes is not None and axes.sum() == 1:
-            outcome = alone(space, result, direction, goal, pieces=False)
+            outcome = alone(space, result, direction, goal, pieces=_in_pieces(space))
             space.started[result] = direction, outcome
             rest.update(() if outcome else (result,))
             continue
@@ -172,8 +179,8 @@ def integrate(space: Space, result: int, direction: "Array", goal: Goal, asked: 
     if space.affordable is not None and asked in SHARING:
         return pooled(space, result, direction, across, goal)
     if space.size == 1:
-        pieces = not (problem.several or space.slow)
-        found = space.started.get(result, (None, None))[1] or alone(space, result, direction, goal, pieces=pieces)
+        known = space.started.get(result, (None, None))[1]
+        found = known or alone(space, result, direction, goal, pieces=_in_pieces(space))
         return found or pooled(space, result, direction, across, goal)
     if space.together and asked in SHARING:
         # Thousands of cases at once cost little more than the few that lines ask for at a time.
