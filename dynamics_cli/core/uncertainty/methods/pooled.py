@@ -39,7 +39,7 @@ MOST_VALUES, MOST_SHIFTS = 8_000_000, 64
 MOST_TIMES = 10.0
 FEWEST_POINTS = 64
 # Points of a replicate where only whole numbers are counted: a share of the cases is then known to about a thousandth.
-COUNTED = 1 << 12
+COUNTED = 1 << 13
 # Points of a single input of a model that is called case by case: they lie evenly, so few do.
 SINGLE = 1 << 10
 # The greatest degree of polynomials fitted to a sample, points of it for each of their terms, and the replicates and
