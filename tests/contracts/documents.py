@@ -16,6 +16,7 @@ import shutil
 from collections.abc import Iterator
 from contextlib import chdir
 from dataclasses import dataclass
+from decimal import Decimal
 from pathlib import Path
 
 from harness import run
@@ -37,6 +38,9 @@ FILE_BLOCK = re.compile(r"^```\w+\n# (in )?([\w./-]+\.(?:py|toml|csv|json))\n(.*
 PICTURE = re.compile(r"<!-- picture: (dynamics .*? --plot (\S+)) -->", re.DOTALL)
 FIELDS = re.compile(r"<!-- fields: ([\w -]+): (\w+) -->.*?<!-- /fields -->", re.DOTALL)
 SCREENS = re.compile(r"<!-- screens -->.*?<!-- /screens -->", re.DOTALL)
+NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+# Processors and libraries round differently: numbers of five digits or more may differ by three in the sixth.
+DIGITS, LAST = 5, 3
 # Variables that would change an answer.
 OURS = ("DYNAMICS_FORMAT", "DYNAMICS_GRAVITY", "DYNAMICS_UNITS", "DYNAMICS_DIGITS", "DYNAMICS_ROUTE", "COLUMNS")
 
@@ -131,6 +135,23 @@ def outputs(text: str, folder: Path) -> list[tuple[Session, str | None]]:
     return [
         (session, None if missing(session.command) else workshop.run(session.command)) for session in sessions(text)
     ]
+
+
+def alike(printed: str, shown: str) -> bool:
+    """Whether two outputs are the same but for the last digit of long numbers, and the spaces that it moves."""
+    if printed == shown:
+        return True
+    if NUMBER.sub("0", " ".join(printed.split())) != NUMBER.sub("0", " ".join(shown.split())):
+        return False
+    return all(_near(*pair) for pair in zip(NUMBER.findall(printed), NUMBER.findall(shown), strict=True))
+
+
+def _near(one: str, other: str) -> bool:
+    """Whether two numbers are the same, or long and differ by little in the sixth digit."""
+    digits = max(len(number.partition("e")[0].replace(".", "").strip("0")) for number in (one, other))
+    first, second = Decimal(one), Decimal(other)
+    unit = Decimal(1).scaleb(min(first.adjusted(), second.adjusted()) - DIGITS)
+    return first == second or (digits >= DIGITS and abs(first - second) <= LAST * unit)
 
 
 def with_outputs(text: str, printed: list[tuple[Session, str | None]]) -> str:

@@ -87,13 +87,23 @@ class Smooth:
             freedom = count - CAUTION * float(shrink.sum())
             return residual / (freedom * freedom) if freedom > 0.0 else math.inf
 
+        def falls(power: float) -> bool:
+            """Whether the criterion falls there: its slope tells a flat minimum to more digits than its values."""
+            shrink: Any = 1.0 / (1.0 + 10.0**power / scale * penalties)
+            rise = float(((1.0 - shrink) ** 2 * shrink * squares).sum())
+            loss = float((shrink * (1.0 - shrink)).sum())
+            if sigma is not None:
+                return rise < float(width) * sigma * sigma * loss
+            residual = rest + float(((1.0 - shrink) ** 2 * squares).sum())
+            return rise * (count - CAUTION * float(shrink.sum())) < CAUTION * residual * loss
+
         powers = np.linspace(-0.5 * DECADES, 0.5 * DECADES, int(DECADES * PER_DECADE) + 1)
         values = [criterion(power) for power in powers]
         best = int(np.argmin(values))
         low, high = powers[max(best - 1, 0)], powers[min(best + 1, len(powers) - 1)]
-        for _ in range(40):
-            lower, upper = low + 0.382 * (high - low), low + 0.618 * (high - low)
-            low, high = (low, upper) if criterion(lower) <= criterion(upper) else (lower, high)
+        for _ in range(48):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if falls(middle) else (low, middle)
         self.power = 0.5 * (low + high)
         return 1.0 / (1.0 + 10.0**self.power / scale * penalties)
 
