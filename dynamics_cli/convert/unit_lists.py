@@ -1,8 +1,10 @@
 """The units known: listed by kind, one shown whole, searched by name; and the book's own conversion table."""
 
+from fractions import Fraction
+
 from dynamics_cli.core.units.conversion import nearest
 from dynamics_cli.core.units.lookup import candidates
-from dynamics_cli.core.units.names import all_units, base_expression, conformable_names, kind_name
+from dynamics_cli.core.units.names import all_units, conformable_names, kind_name, si_name
 from dynamics_cli.core.units.near_names import names_like
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Annotated, Count, Ratio, Text
@@ -19,8 +21,9 @@ class UnitEntry:
 
     unit: Annotated[Text, "Its symbol."]
     kind: Annotated[Text, "What it measures."]
-    factor: Annotated[Text, "SI units in one of it, exactly."]
+    size: Annotated[Text, "SI units in one of it; … where more digits follow."]
     si: Annotated[Text, "The SI unit."]
+    factor: Annotated[Text, "The size exactly, as a fraction."]
     zero: Annotated[Text | None, "The SI value at its zero, for temperatures."]
     names: Annotated[Text, "Every spelling, prefixes apart."]
 
@@ -158,11 +161,15 @@ def _entry(unit: "Unit", names: tuple[str, ...], text: str) -> UnitEntry:
     zero = None
     if unit.offset[0]:
         zero = f"{unit.offset[0]}/{unit.offset[1]}"
+    near = nearest(n, d, unit.pi)
+    size = f"{near:.17g}" if near.is_integer() else repr(near)
+    exactly = not unit.pi and Fraction(size) == Fraction(n, d)
     return UnitEntry(
         unit=text,
         kind=kind_name(unit),
+        size=size + ("" if exactly else "…"),
+        si=si_name(unit),
         factor=(str(n) if d == 1 else f"{n}/{d}") + power,
-        si=base_expression(unit.dimension),
         zero=zero,
         names=", ".join(names),
     )

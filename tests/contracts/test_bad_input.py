@@ -76,7 +76,7 @@ WRONG = [
     (f"{SKID}|--distance|60 ± 2 ft|--friction|0.7|--method|guess", 2, "wanted one of auto"),
     (f"{SKID}|--distance|60 ± 2 ft|--friction|0.7|--coverage|95", 2, "less than 1"),
     (f"{OK}|--friction|0.8", 2, "--friction is given 2 times"),
-    (f"{SKID}|--distance", 2, "requires an argument"),
+    (f"{SKID}|--distance", 2, '--distance needs a value\n  for example --distance "60 ft"'),
     (f"{OK}|extra", 2, "extra"),
     (f"{OK}|--mass|0.5 lbf", 2, "weight is a force"),
     (f"{OK}|--format|xml", 2, "wanted one of table, json"),

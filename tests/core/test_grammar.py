@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 
 from dynamics_cli import quantities as q
 from dynamics_cli.core.inputs import quantity_text
+from dynamics_cli.core.inputs.forms.lists import share_unit
 from dynamics_cli.core.inputs.forms.splitting import split_list, split_pairs
 from dynamics_cli.core.inputs.quantity_text import (
     is_uncertain,
@@ -288,7 +289,7 @@ def test_refusals_say_what_was_read_what_was_wanted_and_how_to_mend_it(
     error = refusal.value
     assert error.code == code
     assert words in error.message
-    named = f" {kind.name}: " in error.message or error.message.endswith("has no unit")
+    named = f" {kind.name}: " in error.message or error.message.endswith("has no unit") or code == "bounds"
     assert named or (kind.form == "whole" and "is not a whole number" in error.message)
     assert error.message.startswith(repr(text[:60])[:-1])
     assert error.hint is not None
@@ -373,6 +374,20 @@ def test_refused_fractions(text: str) -> None:
 )
 def test_lists_split_at_commas_outside_brackets(text: str, items: list[str]) -> None:
     assert split_list(text) == items
+
+
+@pytest.mark.parametrize(
+    ("text", "items"),
+    [
+        ("1, 2, 3 m", ["1 m", "2 m", "3 m"]),
+        ("1 m, 0, -0.0", ["1 m", "0 m", "-0.0 m"]),
+        ("1 m, 2, 0", ["1 m", "2", "0 m"]),
+        ("1, 2, 0", ["1", "2", "0"]),
+        ("1 ft, 2, 3 m", ["1 ft", "2 m", "3 m"]),
+    ],
+)
+def test_items_share_the_last_unit_and_zeros_take_any(text: str, items: list[str]) -> None:
+    assert share_unit(split_list(text)) == items
 
 
 @pytest.mark.parametrize("text", ["", ",", "1,,2", "1,", "(1, 2", "1)", "[1)", "'a, b", "{[}]"])

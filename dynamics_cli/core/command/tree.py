@@ -17,7 +17,7 @@ from dynamics_cli.core.command.help import describe_options, option_help, placeh
 from dynamics_cli.core.command.parsed import call_of, single, variable
 from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
 from dynamics_cli.core.command.template import takes_scene
-from dynamics_cli.core.command.unknown import extra_words, looked_up, unknown_option
+from dynamics_cli.core.command.unknown import extra_words, looked_up, unknown_option, without_value
 from dynamics_cli.core.inputs.options import Option
 from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS
 from dynamics_cli.errors import UsageError
@@ -202,7 +202,12 @@ class _TaskCommand(TyperCommand):
         """Build the options before typer parses with them."""
         self._build()
         self.words = list(args)
-        return super().make_context(info_name, args, parent, **extra)
+        try:
+            return super().make_context(info_name, args, parent, **extra)
+        except TyperException as error:
+            if "requires an argument" in error.format_message():
+                raise without_value(self.task, self.words[-1]) from None
+            raise
 
     def _carry_out(self, **values: "Any") -> int:
         from dynamics_cli.core.command.execute import execute

@@ -78,6 +78,21 @@ def unknown_option(task: Task, word: str, typed: "Sequence[str]") -> UsageError:
     return errors[0] if len(errors) == 1 else ManyErrors(errors)
 
 
+def without_value(task: Task, option: str) -> UsageError:
+    """The error for an option at the end of a call, without its value."""
+    name = {"-o": "output"}.get(option, option.lstrip("-"))
+    known = task.options.get(name)
+    hint = None
+    if name in UNIVERSAL_OPTIONS:
+        _, metavar, text = UNIVERSAL_OPTIONS[name]
+        hint = f"--{name} {metavar}: {text[:1].lower()}{text[1:].rstrip('.')}"
+    elif known is not None and known.leaf is not None:
+        names = known.leaf.choice.names if known.leaf.choice else ()
+        example = known.leaf.kind.example
+        hint = f"one of {', '.join(names)}" if names else example and f'for example --{name} "{example}"'
+    return UsageError(f"{option} needs a value", code="no-value", parameter=name, hint=hint)
+
+
 def extra_words(task: Task, message: str) -> UsageError:
     """The error for words where a task takes only options."""
     words = message.rpartition(" (")[2].removesuffix(")")

@@ -169,6 +169,9 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
         if hint := as_range(text):
             raise UsageError(f"{shown(text)} is not one number", code="range", hint=hint) from None
         expected = kind.about if kind.form == "whole" else f"a{'n' * kind.name.startswith(tuple('aeiou'))} {kind.name}"
+        if error.code == "bounds":
+            hint = f"example: {kind.example}"
+            raise UsageError(f"{shown(text)} is out of range: {error.message}", code=error.code, hint=hint) from None
         counted = kind.form == "whole" and error.code in ("whole", "number")
         wrong = "a whole number" if counted else f"{expected}: {error.message}"
         hint = f"{error.hint}; example: {kind.example}" if error.hint else f"example: {kind.example}"

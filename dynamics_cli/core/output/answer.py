@@ -327,7 +327,8 @@ class _Answer:
             remedy = item.get("remedy")
             message = message_in_words(item["message"], self.document["inputs"], self.names)
             text = f"{item['severity']}: {message}" + (f". Remedy: {remedy}" if remedy else "")
-            paragraph = ["", *wrapped(text, self.width, 2)]
+            joined = nth and item["code"] == in_order[nth - 1]["code"] == "reading"
+            paragraph = [*([] if joined else [""]), *wrapped(text, self.width, 2)]
             if nth and len(lines) + len(paragraph) + (2 if in_order[nth + 1 :] else 0) > space:
                 counts = [(sum(each["severity"] == name for each in in_order[nth:]), name) for name in SEVERITIES]
                 named = ", ".join(f"{count} {name}" for count, name in counts if count)

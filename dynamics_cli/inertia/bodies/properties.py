@@ -148,7 +148,7 @@ def named_point(
         return f"the origin of part {about}", points[about]
     require(
         about in ("centroid", "origin"),
-        "about: {read} is unknown",
+        "there is no reference point {read}",
         code="reference",
         hint="give centroid, origin{names}, or a point by --about-point",
         names="".join(f", {name}" for name in points),

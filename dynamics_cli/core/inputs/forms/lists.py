@@ -71,13 +71,13 @@ def spaced_numbers(text: str) -> "list[str]":
 
 
 def share_unit(items: "list[str]") -> "list[str]":
-    """Give the last item's unit to earlier ones without a unit: `1, 2, 3 m`."""
-    if not items:
-        return items
-    unit = _unit_after(items[-1].strip())
-    if not unit:
-        return items
-    return [item if _has_unit(item) else f"{item} {unit}" for item in map(str.strip, items)]
+    """Give the last item's unit to earlier ones without a unit: `1, 2, 3 m`; zeros take any: `1 m, 0, 0`."""
+    items = [item.strip() for item in items]
+    unit = _unit_after(items[-1]) if items else ""
+    if unit:
+        return [item if _has_unit(item) else f"{item} {unit}" for item in items]
+    unit = next((_unit_after(item) for item in items if _has_unit(item)), "")
+    return [f"{item} {unit}" if unit and not item.strip("+-0.") else item for item in items]
 
 
 def _unit_after(text: str) -> str:
