@@ -185,7 +185,7 @@ def _verdict(runs: Runs, horizon: float | None) -> str:
     if horizon is None:
         return REGULAR
     if runs.reached:
-        return str(worded("ends at the horizon, {horizon:3}", horizon=(horizon, Time)))
+        return str(worded("ends at the horizon, about {horizon:2}", horizon=(horizon, Time)))
     return str(worded("holds to the end; means nothing beyond about {horizon:2}", horizon=(horizon, Time)))
 
 

@@ -269,3 +269,16 @@ def test_two_tracks_are_drawn_with_their_distance_and_closing_speed(tmp_path: Pa
     assert min(distance.items[0].y) == pytest.approx(seen.closest_distance, abs=0.2)
     speed, lower, upper = closing.items
     assert all(low < middle < high for low, middle, high in zip(lower.y, speed.y, upper.y, strict=True))
+
+
+@pytest.mark.parametrize("sigma", [SIGMA, None])
+@pytest.mark.parametrize("count", [40, 500])
+def test_a_track_run_backwards_is_the_same_track(count: int, sigma: float | None) -> None:
+    """The smoothest functions, whose penalties are smallest, decide; both ways round they are the same."""
+    times, places, _ = ring(count, SIGMA, 3)
+    forwards = Smooth(times, places, sigma)
+    backwards = Smooth(times[-1] - times[::-1], places[::-1], sigma)
+    middle = np.linspace(0.0, times[-1], 29)
+    for order, tolerance in ((0, 1e-9), (1, 1e-7), (2, 1e-5)):
+        one, other = forwards.at(middle, order)[0], backwards.at(times[-1] - middle, order)[0] * (-1.0) ** order
+        assert abs(one - other).max() < tolerance * abs(one).max()

@@ -57,8 +57,12 @@ class Smooth:
         self.measured_sigma = math.sqrt(self.residual / (values.shape[1] * max(count - self.freedom, 1e-9)))
 
     def _decomposed(self, t: "Any") -> "tuple[Any, Any]":
-        """Coefficients of the functions in which both sums are diagonal, and their penalties, the smallest first."""
-        from scipy.linalg import eigh
+        """Coefficients of the functions in which both sums are diagonal, and their penalties.
+
+        By singular values: of the smoothest functions, whose penalties decide what is smooth, the eigenvalues of the
+        products of these matrices keep three digits only.
+        """
+        from scipy.linalg import qr, solve_triangular, svd
 
         count = len(self.knots) - DEGREE - 1
         design = self._spline.design_matrix(t, self.knots, DEGREE).toarray()
@@ -67,17 +71,19 @@ class Smooth:
         middle, half = 0.5 * (edges[1:] + edges[:-1]), 0.5 * np.diff(edges)
         places = (middle[:, None] + half[:, None] * nodes).ravel()
         third = self._spline(self.knots, np.eye(count), DEGREE).derivative(3)(places)
-        penalty = (third * (half[:, None] * weights).ravel()[:, None]).T @ third
-        values, functions = eigh(penalty / np.trace(penalty), design.T @ design)
+        weighted = third * np.sqrt((half[:, None] * weights).ravel())[:, None]
+        triangle = qr(design, mode="r")[0][:count]
+        roughness = solve_triangular(triangle, weighted.T, trans="T").T
+        _, values, functions = svd(qr(roughness, mode="r")[0][:count])
         # quadratics are not penalised
-        values[:3] = 0.0
-        return functions, np.maximum(values, 0.0)
+        values[-3:] = 0.0
+        return solve_triangular(triangle, functions.T), (values / values[0]) ** 2
 
     def _chosen(self, penalties: "Any", parts: "Any", rest: float, count: int, sigma: float | None) -> "Any":
         """The weight of each function, from the criterion's minimum over λ."""
         squares = (parts**2).sum(axis=1)
         width = parts.shape[1]
-        scale = float(np.median(penalties[3:]))
+        scale = float(np.median(penalties[:-3]))
 
         def criterion(power: float) -> float:
             shrink: Any = 1.0 / (1.0 + 10.0**power / scale * penalties)
