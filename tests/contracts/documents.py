@@ -40,7 +40,8 @@ FIELDS = re.compile(r"<!-- fields: ([\w -]+): (\w+) -->.*?<!-- /fields -->", re.
 SCREENS = re.compile(r"<!-- screens -->.*?<!-- /screens -->", re.DOTALL)
 NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 ACCURATE = re.compile(r"(?<=accurate to )\d+(?= digits)")
-# Processors and libraries round differently: estimates of that go either way, numbers of five digits or more may differ by three in the sixth.
+# Processors and libraries round differently: estimates of that go either way, and numbers of five digits or more may
+# differ by three in the sixth.
 DIGITS, LAST = 5, 3
 # Variables that would change an answer.
 OURS = ("DYNAMICS_FORMAT", "DYNAMICS_GRAVITY", "DYNAMICS_UNITS", "DYNAMICS_DIGITS", "DYNAMICS_ROUTE", "COLUMNS")
