@@ -35,11 +35,12 @@ def carry_out(
     if not words:
         if options.get("copy"):
             raise UsageError("the name of the example is missing", code="missing", hint="see: dynamics examples")
-        terminal.write(_listed(WORKED, min(terminal.columns or 80, 80)))
+        terminal.write(_by_trade(families, min(terminal.columns or 80, 80)))
         return
     of_family = [example for example in WORKED if words[0] in families and _uses(example, words[0])]
     if of_family and not options.get("copy") and words[0] not in names():
-        terminal.write(_listed(of_family, min(terminal.columns or 80, 80)))
+        lines = _listed(of_family, min(terminal.columns or 80, 80), max(len(name) for name in names()) + 2)
+        terminal.write("\n".join([*lines, "", _offer(of_family[0]), ""]))
         return
     example = _named(words[0])
     if options.get("copy"):
@@ -54,24 +55,42 @@ def _run(example: Example) -> str:
     return f"run    {example.run}"
 
 
+def _calls(example: Example) -> str:
+    """The command that runs an example, and those of its scripts."""
+    scripts = [folder() / name for name in example.files if name.endswith(".sh")]
+    return "\n".join([example.run, *(script.read_text(encoding="utf-8") for script in scripts)])
+
+
 def _uses(example: Example, family: str) -> bool:
     """Whether an example calls a task of a family."""
-    scripts = [folder() / name for name in example.files if name.endswith(".sh")]
-    texts = [example.run, *(script.read_text(encoding="utf-8") for script in scripts)]
-    return any(f"dynamics {family} " in text for text in texts)
+    return f"dynamics {family} " in _calls(example)
 
 
-def _listed(examples: "Sequence[Example]", width: int) -> str:
-    column = max(len(example.name) for example in examples) + 2
+def _by_trade(families: "Mapping[str, tuple[str, str]]", width: int) -> str:
+    """All examples under the headings of `dynamics --help`, each where the family stands that it calls most."""
+    trades: dict[str, list[Example]] = {trade: [] for trade, _ in families.values()}
+    for example in WORKED:
+        calls = _calls(example)
+        words = ((f"dynamics {name} ", trade) for name, (trade, _) in families.items())
+        most, _, trade = max((calls.count(word), calls.rfind(word), trade) for word, trade in words)
+        trades[trade if most else list(trades)[-1]].append(example)
+    column = max(len(name) for name in names()) + 4
+    lines = []
+    for trade, examples in trades.items():
+        lines += [f"{trade}:", *(f"  {line}" for line in _listed(examples, width - 2, column - 2))] if examples else []
+    return "\n".join([*lines, "", _offer(WORKED[0]), "Of one family: dynamics examples impact", ""])
+
+
+def _listed(examples: "Sequence[Example]", width: int, column: int) -> "list[str]":
     lines = []
     for example in examples:
         first, *others = wrapped(example.line, width - column, 0)
         lines += [f"{example.name:<{column}}{first}", *(" " * column + line for line in others)]
-    one = examples[0].name
-    told = [f"One of them: dynamics examples {one}; copy it: dynamics examples {one} --copy"]
-    if len(examples) == len(WORKED):
-        told.append("Of one family: dynamics examples impact")
-    return "\n".join([*lines, "", *told, ""])
+    return lines
+
+
+def _offer(example: Example) -> str:
+    return f"One of them: dynamics examples {example.name}; copy it: dynamics examples {example.name} --copy"
 
 
 def _named(word: str) -> Example:

@@ -29,7 +29,8 @@ def test_they_ship_where_the_command_looks() -> None:
 
 def test_the_list_has_a_line_for_each() -> None:
     text = run("examples").out
-    assert [name for name in names() if f"\n{name} " not in f"\n{text}"] == []
+    assert [name for name in names() if f"\n  {name} " not in text] == []
+    assert text.index("Crash reconstruction:") < text.index("  pedestrian ") < text.index("Bodies:")
     assert max(map(len, text.splitlines())) <= 80
 
 
