@@ -48,6 +48,8 @@ DEGREE, POINTS_A_TERM = 6, 16
 WIDE, AT_ONCE = (64, MOST_POINTS), 2048
 # A number of theirs may scatter more than that of the sample by this share of its worst quantile.
 ALIKE = 0.3
+# A value beyond so many deviations asks whether there is a deviation at all: how the farthest values grow tells.
+FAR, FARTHEST = 8.0, 20
 # Within so many deviations of the mean of a dozen replicates and more five numbers lie together, in 98 of 100 cases.
 MANY_FACTOR = 3.5
 
@@ -80,7 +82,8 @@ class Pool:
             raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
         whole = bool(counts.min() == self.count)
         sound = values.ravel() if whole else values[good]
-        heavy = centre.space.heavy
+        tails = not centre.space.heavy and _without_deviation(sound)
+        heavy = centre.space.heavy or tails
         method = f"{self.shifts} shifted lattices of {self.count} points, one sample for all results"
         scatter = _numbers(values, goal, heavy=heavy).std(axis=1, ddof=1) / np.sqrt(self.shifts)
         if self._wide is not None and whole:
@@ -96,10 +99,10 @@ class Pool:
         outcome = Outcome(method, np.quantile(sound, goal.p), centre)
         outcome.admissible = float(counts.sum() / values.size)
         outcome.scan = Listed(sound)  # type: ignore[assignment]
-        width = width_of(outcome.quantiles, goal)
-        if not heavy:
+        outcome.tails = tails
+        if not centre.space.heavy:
             outcome.mean, outcome.std = float(sound.mean()), float(sound.std())
-            width = outcome.std
+        width = width_of(outcome.quantiles, goal) if heavy else outcome.std
         error = self.factor * float(scatter.max())
         # Where one input bears, replicates are alike to less than the distance of their points.
         outcome.estimate = max(error / width, self.distance) if width > 0.0 else FLOOR
@@ -155,6 +158,19 @@ def _numbers(values: "Array", goal: Goal, *, heavy: bool = False) -> "Array":
         return quantiles
     apart = values - np.nanmean(values)
     return np.array([*quantiles, np.nanmean(apart, axis=1), np.sqrt(np.nanmean(apart * apart, axis=1))])
+
+
+def _without_deviation(sound: "Array") -> bool:
+    """Whether the farthest values grow as those of a ratio do near a pole, of which no sample has the deviation.
+
+    Where P(|x| > t) falls as t to the power −α, the logarithms of the farthest exceed the last of them by 1/α in the
+    mean (Hill); from α = 2 on downwards the variance is infinite.
+    """
+    mean, std = float(sound.mean()), float(sound.std())
+    if not max(float(sound.max()) - mean, mean - float(sound.min())) > FAR * std:
+        return False
+    far = np.partition(np.abs(sound - mean), -FARTHEST)[-FARTHEST:]
+    return bool(np.log(far / far.min()).sum() >= 0.5 * (FARTHEST - 1))
 
 
 def _corrected(wide: "Array", fitted: "Array", sound: "Array") -> "Array":
