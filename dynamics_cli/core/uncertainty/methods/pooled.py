@@ -50,7 +50,7 @@ WIDE, AT_ONCE = (64, MOST_POINTS), 2048
 ALIKE = 0.3
 # A value beyond so many deviations asks whether there is a deviation at all: how the farthest values grow tells.
 FAR, FARTHEST = 8.0, 20
-# Deviations from a quantile within which the density is counted, the fewest values there, and how far both sides differ.
+# Deviations from a quantile within which values are counted, the fewest of them, and how much both sides may differ.
 NEAR, FEWEST_NEAR, ALIKE_NEAR = 0.05, 200, 1.5
 # Within so many deviations of the mean of a dozen replicates and more five numbers lie together, in 98 of 100 cases.
 MANY_FACTOR = 3.5
