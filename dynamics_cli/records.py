@@ -199,12 +199,13 @@ class Quantity:
 
 @record
 class ExactQuantity:
-    """An exact rational number with the unit it was written in."""
+    """An exact rational number with the unit it was written in; `si`: those of many rows, an array in SI, instead."""
 
     numerator: int
     denominator: int
     unit: str
     text: str = ""
+    si: "Any" = None
 
 
 @record

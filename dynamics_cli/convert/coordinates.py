@@ -14,6 +14,10 @@ from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import Annotated, Text
 from dynamics_cli.records import Advice, Choice, Condition, ErrorBound, ExactQuantity, Measured, Numerics, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 UNIT_ROUNDOFF = 2.0**-53
 METRE = parse_unit("m")
 RADIAN = parse_unit("rad")
@@ -90,7 +94,8 @@ def coords(
     components = tuple(zip(NAMES[from_], (first, second, third), strict=True))
     lengths = _units(components)
     numbers = [_read(name, component, lengths) for name, component in components]
-    tracked = Tracked.inputs(numbers)
+    # rows that are answered together have no bounds
+    tracked = Tracked.inputs(numbers) if not any(hasattr(number, "ndim") for number in numbers) else numbers
     # the double of 90 deg in radians is not exactly a right angle; the typed value is
     turn = {"turn": turned} if from_ != "cartesian" and into != "spherical" and _in_turns(components) else {}
     converted = getattr(physics, f"{from_}_to_{into}")(*tracked, **turn)
@@ -135,16 +140,18 @@ def _read(name: str, component: ExactQuantity, lengths: Unit) -> float:
 
         message, hint = explain_mismatch(unit, expected)
         raise UsageError(message, parameter=name, hint=hint)
-    return to_si(component.numerator, component.denominator, unit)
+    return to_si(component.numerator, component.denominator, unit) if component.si is None else component.si
 
 
 def _show(
-    name: str, component: Tracked | float, inputs: list[float], angle_unit: Unit, lengths: Unit
+    name: str, component: "Any", inputs: list[float], angle_unit: Unit, lengths: Unit
 ) -> tuple[Measured, ErrorBound, tuple[Condition, ...]]:
     """A component in its unit, with its bound and its condition numbers."""
-    number = component if isinstance(component, Tracked) else Tracked(component, 0.0, (0.0,) * 3)
     unit, coherent = (angle_unit, "rad") if name in ANGLES else (lengths, "m" if lengths is not NUMBER else "")
     converts = unit.text != coherent
+    if hasattr(component, "ndim"):
+        return Measured(_of_rows(component, unit) if converts else component, unit.text), ErrorBound(name, 0.0), ()
+    number = component if isinstance(component, Tracked) else Tracked(component, 0.0, (0.0,) * 3)
     value = from_si(number.value, unit) if converts else number.value
     if number.value == 0.0:
         return Measured(value, unit.text, inherited=True), ErrorBound(name, number.error, relative=False), ()
@@ -154,3 +161,10 @@ def _show(
         for parameter, slope, entered in zip(("first", "second", "third"), number.slopes, inputs, strict=True)
     )
     return Measured(value, unit.text, inherited=True), ErrorBound(name, bound), conditions
+
+
+def _of_rows(numbers: "Any", unit: Unit) -> "Any":
+    """Numbers of many rows in a unit, each rounded once."""
+    from dynamics_cli.numerics.exact.factors import Factor, scale
+
+    return scale(numbers, Factor(unit.denominator, unit.numerator, -unit.pi), lambda value: from_si(value, unit))

@@ -151,3 +151,11 @@ def test_calculations_side_by_side_are_those_of_each_alone() -> None:
     together = side_by_side({row: order_moments(lines, 12) for row, lines in made.items()})
     for row, lines in made.items():
         assert together[row].mean == alone(order_moments(lines, 12)).mean
+
+
+def test_many_bounded_inputs_are_not_taken_value_by_value() -> None:
+    """Fifteen uniform inputs beside a normal one: as many values of all of them together would fill any memory."""
+    names = [f"x{i}" for i in range(15)]
+    inputs: dict = {"z": Normal(0.0, 1.0)} | dict.fromkeys(names, Uniform(-1.0, 1.0))
+    made = propagate(lambda at: ({"sum": sum(at.values())}, None), inputs, accuracy=0.01, shares=False)
+    assert abs(made.spreads["sum"].std - math.sqrt(6.0)) < 0.05

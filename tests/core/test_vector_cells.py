@@ -31,15 +31,20 @@ WAYS = (
 )
 
 
+NUMBERS = ("0", "-1", "0.25", "17.123456789012345", "3e2", ".5", "-.5e1", "+2.5", "7.", "007", "+.0000000000000000001")
+
+
 def numbers(draw: random.Random) -> list[str]:
-    return [draw.choice(("0", "-1", "0.25", "17.123456789012345", "3e2", f"{draw.random():.6f}")) for _ in range(4)]
+    return [draw.choice((*NUMBERS, f"{draw.random():.6f}")) for _ in range(4)]
 
 
 def table(way: str, count: int, head: str = "at") -> bytes:
     draw = random.Random(way)
     names = ("Smith", '"Smith, John"', '"a ""quoted"" name"', "")
     lines = [f"name,distance[ft],{head}"]
-    lines += [f"{draw.choice(names[:3])},{draw.randint(20, 90)},{way.format(*numbers(draw))}" for _ in range(count)]
+    for _ in range(count):
+        distance = f"{draw.choice(('', '+', '0'))}{draw.randint(20, 90)}{draw.choice(('', '.'))}"
+        lines.append(f"{draw.choice(names[:3])},{distance},{way.format(*numbers(draw))}")
     return "\n".join(lines).encode() + b"\n"
 
 

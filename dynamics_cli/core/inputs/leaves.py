@@ -8,7 +8,7 @@ from dynamics_cli.core.inputs.quantity_text import (
     read_scalar,
     total,
 )
-from dynamics_cli.core.inputs.values import Bound, Constant, PolarVector, TypedPolar, Value, VectorValue
+from dynamics_cli.core.inputs.values import Bound, Constant, Exact, PolarVector, TypedPolar, Value, VectorValue
 from dynamics_cli.core.units.conversion import nearest
 from dynamics_cli.errors import UsageError
 from dynamics_cli.quantities import Count, Kind
@@ -229,7 +229,7 @@ def _exact(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
         unit = last.text
     value = ExactQuantity(numerator, denominator, unit, text)
     displayed = numerator if denominator == 1 and abs(numerator) < 2**53 else nearest(numerator, denominator)
-    return Constant(value, {"value": displayed, "unit": unit} if unit else {"value": displayed})
+    return Exact(address, kind, value, {"value": displayed, "unit": unit} if unit else {"value": displayed})
 
 
 def components_of(kind: Kind, raw: "Any") -> "list[Any]":

@@ -5,6 +5,7 @@ floats, arrays or tracked numbers at chosen addresses, for sweeps, rows, sensiti
 """
 
 from dynamics_cli.quantities import Kind
+from dynamics_cli.records import ExactQuantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -149,6 +150,20 @@ class Constant(Bound):
     def echo(self) -> "Any":
         """The value as the document shows it."""
         return self.shown
+
+
+class Exact(Constant):
+    """An exact quantity: a ratio and its unit, or in SI the numbers of many rows in its place."""
+
+    def __init__(self, address: str, kind: Kind, value: ExactQuantity, shown: "Any") -> None:
+        super().__init__(value, shown)
+        self.address = address
+        self.kind = kind
+
+    def assemble(self, values: "Values" = NOTHING) -> "Any":
+        """The quantity, or its substitute."""
+        numbers = values.get(self.address)
+        return self.value if numbers is None else ExactQuantity(0, 1, self.value.unit, self.value.text, numbers)
 
 
 class Fields(Bound):

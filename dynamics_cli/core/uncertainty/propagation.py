@@ -288,7 +288,7 @@ def _integrated(
     outcome = integrate(space, row, direction, goal, method)
     spread = Spread(name, outcome.method, outcome.quantiles[goal.main].tolist(), outcome.mean, outcome.std)
     spread.levels, spread.estimate = goal.at_levels(outcome.quantiles), outcome.estimate
-    spread.admissible = outcome.admissible
+    spread.admissible, spread.tails = outcome.admissible, outcome.tails
     if goal.limits:
         chances = exceedance(outcome, np.array(goal.limits, dtype=float), goal)
         spread.beyond = list(zip(goal.limits, chances.tolist(), strict=True))

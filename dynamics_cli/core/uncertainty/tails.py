@@ -17,7 +17,7 @@ def drop_moments(spread: "Spread", coverage: float) -> None:
     """Leave out a deviation, and a mean, that the tails make as large as one likes: their integrals do not settle."""
     score = -normal.quantile(0.5 * (1.0 - coverage))
     usual = (spread.interval[1] - spread.interval[0]) / (2.0 * score)
-    if spread.estimate > UNSETTLED and spread.std > LONG_TAILED * usual:
+    if spread.tails or (spread.estimate > UNSETTLED and spread.std > LONG_TAILED * usual):
         spread.mean = spread.mean if spread.std < TAILS_ALONE * usual else math.nan
         spread.std = math.nan
         spread.tails = True

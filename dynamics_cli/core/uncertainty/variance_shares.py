@@ -206,6 +206,8 @@ def _jansen(space: Space, vary: "Array", seed: int, admissible: float) -> Shares
 
 def _mean(values: "Array") -> "Array":
     """The mean of the admissible along the last axis; NaN where none is."""
+    if not np.isnan(values.sum()):
+        return values.mean(axis=-1)  # type: ignore[no-any-return]
     good = ~np.isnan(values)
     with np.errstate(invalid="ignore"):
         return np.where(good, values, 0.0).sum(axis=-1) / good.sum(axis=-1)  # type: ignore[no-any-return]

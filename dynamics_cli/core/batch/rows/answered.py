@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from dynamics_cli.core.batch.text.columns import Unsuited, joined_texts
+from dynamics_cli.core.batch.text.columns import Unsuited, joined_texts, texts
 from dynamics_cli.core.output.row_layout import Part, compact
 from dynamics_cli.core.units.display import Shown
 from dynamics_cli.errors import UsageError
@@ -43,7 +43,7 @@ def kept(rows: "Rows", columns: "list[Result]", good: "Mask", trail: "tuple[Any,
     if not good.all():
         if not good.any():
             return None
-        columns = [(part, how, value[good] if how == "each" else value) for part, how, value in columns]
+        columns = [(part, how, _rows(how, value, good)) for part, how, value in columns]
         rows = rows[good]
     return Answered(rows, columns, trail)
 
@@ -118,7 +118,7 @@ def sliced(results: "list[Result]", count: int) -> "Iterator[tuple[slice, list[R
         yield rows, [(part, how, _rows(how, value, rows)) for part, how, value in results]
 
 
-def _rows(how: str, value: "Any", rows: slice) -> "Any":
+def _rows(how: str, value: "Any", rows: "slice | Mask") -> "Any":
     if how == "measured":
         columns, units = value
         return [column[rows] for column in columns], units
@@ -134,7 +134,12 @@ def written(results: "list[Result]", form: str) -> "list[Result]":
     made: list[Result] = []
     side: list[Array] = []
     for part, how, value in results:
-        if how != "each" or not isinstance(value, np.ndarray) or value.dtype == object:
+        if how == "measured":
+            side, (numbers, units) = [], value
+            made.append(
+                (part, how, ([texts(item) if isinstance(item, np.ndarray) else item for item in numbers], units))
+            )
+        elif how != "each" or not isinstance(value, np.ndarray) or value.dtype == object:
             side = []
             listed = how == "each" and isinstance(value, np.ndarray)
             made.append((part, how, _listed(value.tolist(), part, form) if listed else value))

@@ -15,13 +15,13 @@ from dynamics_cli.core.answering.task import Model, load
 from dynamics_cli.core.batch.rows.answered import Answered, constant, kept, shown, shown_factor
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.text.columns import Column, Slot, Unsuited
-from dynamics_cli.core.inputs.values import Bound, Fields, Several, Value, VectorValue
+from dynamics_cli.core.inputs.values import Bound, Exact, Fields, Several, Value, VectorValue
 from dynamics_cli.core.units.lookup import parse_unit
 from dynamics_cli.errors import DynamicsError, InadmissibleError
 from dynamics_cli.numerics.lanes import Part as LanePart
 from dynamics_cli.numerics.lanes import parts
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.records import Check, Columns
+from dynamics_cli.records import Check, Columns, Measured
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -69,6 +69,7 @@ class Plan:
         alone = {name.replace("[0]", ""): name for name, leaf in leaves.items() if isinstance(leaf, Value)}
         addresses = [name if name in leaves else alone.get(name, name) for name in addresses]
         self._leaves = {address: leaves[_owner(address, leaves)] for address, _, _ in self.bound.leaves()}
+        self._leaves |= {address: leaf for address, leaf in leaves.items() if isinstance(leaf, Exact)}
         unknown = [address for address in addresses if address not in self._leaves]
         if unknown or not addresses:
             raise Unsuited(f"{unknown} are not numbers that arrays can stand for", set(self._leaves))
@@ -91,6 +92,8 @@ class Plan:
         leaf = self._leaves[address]
         if _is_fixed(self.case.fixed, address):
             raise Unsuited(f"{address} is fixed by the call", set(self._leaves) - {address})
+        if isinstance(leaf, Exact):
+            return Slot(address, leaf.kind, parse_unit(leaf.value.unit))
         if isinstance(leaf, VectorValue) and unit is not None and unit != leaf.unit:
             raise Unsuited(f"{address} has components in several units")
         kind = leaf.kind
@@ -154,7 +157,8 @@ class Plan:
         for layout, factor in zip(self.case.layout.parts, self._scales, strict=True):
             value = layout.of(record)
             if layout.how in OWN_UNITS and value is not None:
-                raise Unsuited("results that carry their own units are written one by one")
+                columns.append(_measured(layout, value))
+                continue
             if not isinstance(value, np.ndarray) or not value.ndim:
                 columns.append((layout, "all", constant(layout, record)))
                 continue
@@ -204,6 +208,15 @@ class Plan:
         return kept(np.array(rows), columns, good, missing)
 
 
+def _measured(part: "Part", value: "Any") -> "tuple[Part, str, Any]":
+    """A column of results that carry their own unit, the same in all rows and not to be changed by the caller."""
+    if part.display is None or part.display.to or part.display.system == "base" or not isinstance(value, Measured):
+        raise Unsuited("results whose units depend on their numbers are written one by one")
+    if isinstance(value.value, np.ndarray):
+        return part, "measured", ([np.asarray(value.value)], [value.unit])
+    return part, "all", value
+
+
 def _refused(error: Exception) -> "Any":
     """Which lanes an error is about: see `numerics.lanes.parts`."""
     if isinstance(error, InadmissibleError):
@@ -247,9 +260,9 @@ def _below(node: "Any") -> "Iterator[Any]":
             yield from _below(getattr(node, name))
 
 
-def values_of(bound: Bound) -> "Iterator[Value | VectorValue]":
+def values_of(bound: Bound) -> "Iterator[Value | VectorValue | Exact]":
     """Every number and vector among the inputs as read."""
-    if isinstance(bound, Value | VectorValue):
+    if isinstance(bound, Value | VectorValue | Exact):
         yield bound
     elif isinstance(bound, Fields):
         for item in bound.fields.values():
@@ -259,7 +272,7 @@ def values_of(bound: Bound) -> "Iterator[Value | VectorValue]":
             yield from values_of(item)
 
 
-def _owner(address: str, leaves: "dict[str, Value | VectorValue]") -> str:
+def _owner(address: str, leaves: "dict[str, Value | VectorValue | Exact]") -> str:
     while address not in leaves:
         address = address.rpartition("[")[0]
     return address

@@ -3,6 +3,7 @@
 import msgspec
 import numpy as np
 
+from dynamics_cli.core.batch.text.numbers import loose_numbers
 from dynamics_cli.core.inputs.quantity_text import read_number
 from dynamics_cli.core.units.conversion import to_si
 from dynamics_cli.core.units.unit import Unit
@@ -38,7 +39,7 @@ class Unsuited(Exception):
 
 
 class Column:
-    """Tokens that are all strict JSON numbers, with spaces around them perhaps, and the doubles nearest to them."""
+    """Tokens that are all numbers, with spaces around them perhaps, and the doubles nearest to them."""
 
     __slots__ = ("long", "tokens", "values")
 
@@ -60,17 +61,20 @@ class Column:
         odd = ~np.isfinite(self.values)
         for row in np.flatnonzero(self.values == 0.0).tolist():
             mantissa = self.tokens[row].lower().partition(b"e")[0]
-            odd[row] = bool(mantissa.strip(b"-0. \t"))
+            odd[row] = bool(mantissa.strip(b"+-0. \t"))
         return odd if odd.any() else None
 
 
-def column_of(tokens: "list[bytes]") -> "Column | None":
-    """The column, or None when some token is not a JSON number."""
+def column_of(tokens: "list[bytes]", *, strict: bool = False) -> "Column | None":
+    """The column, or None when some token is not a number: a JSON number where they are `strict`."""
+    values: list[float] | None
     try:
         values = _decode(b"[" + b",".join(tokens) + b"]")
     except (msgspec.MsgspecError, ValueError):
+        values = None if strict else loose_numbers(tokens)
+    if values is None or len(values) != len(tokens):
         return None
-    return Column(tokens, np.fromiter(values, float, len(values))) if len(values) == len(tokens) else None
+    return Column(tokens, np.fromiter(values, float, len(values)))
 
 
 def exact_scale(
@@ -140,7 +144,7 @@ def texts(values: "Array") -> "list[bytes]":
     listed = values.tolist()
     encoded = _encode(listed)
     tokens = encoded[1:-1].split(b",") if listed else []
-    if b"e" in encoded:
+    if _is_odd(encoded):
         for row in _odd_sized(values):
             tokens[row] = repr(listed[row]).encode()
     return tokens
@@ -154,14 +158,19 @@ def joined_texts(columns: "list[Array]") -> "list[bytes]":
     listed = matrix.tolist()
     encoded = _encode(listed)
     rows = encoded[2:-2].split(b"],[") if listed else []
-    if b"e" in encoded:
+    if _is_odd(encoded):
         for row in _odd_sized(matrix):
             rows[row] = ",".join(map(repr, listed[row])).encode()
     return rows
 
 
+def _is_odd(encoded: bytes) -> bool:
+    """Whether some number may be written in another way than `repr` does: with an exponent, or one is missing."""
+    return b"e" in encoded or b"0.0000" in encoded
+
+
 def _odd_sized(values: "Array") -> "list[int]":
-    """The rows with a number that msgspec writes in another way than `repr`: it has an exponent."""
+    """The rows with a number that msgspec writes in another way than `repr`, which gives it an exponent."""
     size = np.abs(values)
     odd = ((size < _PLAIN_LOW) & (size != 0.0)) | (size >= _PLAIN_HIGH)
     return sorted(set(np.nonzero(odd)[0].tolist()))

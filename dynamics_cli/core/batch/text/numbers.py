@@ -11,13 +11,16 @@ if TYPE_CHECKING:
 
 # A strict JSON number, short enough that every match is a double.
 NUMBER = rb"-?(?:0|[1-9][0-9]{0,40})(?:\.[0-9]{1,40})?(?:[eE][+-]?[0-9]{1,2})?"
-number_at = re.compile(NUMBER).match
+# A number as tables may have it besides: `.5`, `5.`, `+5`, `007`.
+LOOSE = rb"[+-]?(?:[0-9]{1,41}(?:\.[0-9]{0,40})?|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,2})?"
+_number_at = re.compile(LOOSE).match
 # Stands for a quoted cell while its line is split.
 QUOTED = b'"'
 _is_number = re.compile(NUMBER).fullmatch
+_is_loose = re.compile(rb" *" + LOOSE + rb" *").fullmatch
 # A bracket, numbers with the same text between any two, and a bracket or a unit that no number could go on with.
 _SEVERAL = re.compile(
-    rb"([\[(]?)" + NUMBER + rb"(, ?| )" + NUMBER + rb"(?:\2" + NUMBER + rb")*((?:[\s\])A-DF-Zf-z\x80-\xff%][^,]*)?)"
+    rb"([\[(]?)" + LOOSE + rb"(, ?| )" + LOOSE + rb"(?:\2" + LOOSE + rb")*((?:[\s\])A-DF-Zf-z\x80-\xff%][^,]*)?)"
 )
 
 
@@ -73,8 +76,13 @@ def written(text: bytes) -> "Written | None":
         before, between, after = several.groups()
         inner = text[len(before) : len(text) - len(after)]
         return Written(inner.count(between) + 1, before, between, after)
-    match = number_at(text)
+    match = _number_at(text)
     return Written(1, b"", b"", text[match.end() :]) if match is not None else None
+
+
+def loose_numbers(texts: "Tokens") -> "list[float] | None":
+    """The doubles nearest to numbers as tables may have them, with spaces around them perhaps; None for other texts."""
+    return list(map(float, texts)) if all(map(_is_loose, texts)) else None
 
 
 def is_number(text: bytes) -> bool:

@@ -44,7 +44,7 @@ class JsonGroups(Groups):
         self, shape: Shape, lines: "list[bytes]", captured: "list[list[bytes]]", rows: "list[int] | None"
     ) -> "list[Group] | None":
         echoes = captured.pop(0) if shape.cut else [line[:-1] for line in lines]
-        columns = list(map(column_of, captured))
+        columns = [column_of(tokens, strict=True) for tokens in captured]
         complete = [column for column in columns if column is not None]
         return [Group(shape.plan, complete, rows, echoes)] if len(complete) == len(columns) else None
 

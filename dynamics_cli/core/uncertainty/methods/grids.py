@@ -3,7 +3,7 @@
 import numpy as np
 
 from dynamics_cli.core.uncertainty.methods.lines import ORDERS, Lines, Roots, carry, moments, order_moments, solve
-from dynamics_cli.core.uncertainty.methods.outcome import FLOOR, GOOD, Goal, Outcome, width_of
+from dynamics_cli.core.uncertainty.methods.outcome import FLOOR, Goal, Outcome, width_of
 from dynamics_cli.core.uncertainty.space import Space
 from dynamics_cli.numerics.quadrature import smolyak
 from dynamics_cli.numerics.quadrature.hermite import gauss_hermite, tensor
@@ -23,8 +23,8 @@ TENSOR_COUNTS = (3, 5, 8, 12, 18, 27, 40, 60)
 CONVERGING = 0.2
 # A difference of two levels, in deviations, that no further one would settle.
 KINK = 0.1
-# Levels that do not settle, at a kink, may be off by this multiple of their difference.
-UNSETTLED = 3.0
+# Levels that settle no further than this, in deviations, meet a kink and may be off by a multiple of their difference.
+KINKED, UNSETTLED = 1e-3, 3.0
 MOST_LEVEL = 4
 MOST_GRID_LINES = 12_000
 # More lines than this are not tried unless the previous level suggests that they will suffice.
@@ -124,6 +124,6 @@ def _with_moments(outcome: Outcome | None, goal: Goal) -> "Steps[Outcome | None]
         apart = max(abs(before.mean - spread.mean), abs(before.std - spread.std)) / spread.std
         error = max(error, apart if outcome.estimate > goal.accuracy else min(apart, 0.3 * apart + goal.accuracy))
     outcome.estimate = max(outcome.estimate, error)
-    if outcome.estimate > GOOD:
+    if outcome.estimate > KINKED:
         outcome.estimate *= UNSETTLED
     return outcome

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     # Yields lines and places s (lines, k) on them, and is sent the result's values there.
     Steps = Generator[tuple["Lines", Array], Array, T]
 
-MOST_STEPS = 14
+MOST_STEPS = 9
 FIRST_DIFFERENCE = 1e-3
 LONGEST_STEP = 2.0
 # The orders of the rule along the lines, for moments.

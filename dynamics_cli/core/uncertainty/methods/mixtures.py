@@ -5,6 +5,8 @@ rule integrates either. At each listed value, or each Gauss point between the bo
 as usual; all lines of all values are solved together.
 """
 
+import math
+
 import numpy as np
 
 from dynamics_cli.core.inputs.uncertain.distributions import Empirical
@@ -19,6 +21,7 @@ from dynamics_cli.numerics.quadrature import smolyak
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from typing import Any
 
     from numpy.typing import NDArray
@@ -58,23 +61,25 @@ def suits(space: Space, bears: "Array | None" = None) -> bool:
         return False
     # lists are exact, and what is integrated beside them may have corners
     smooth = all(one.smooth for one in others) or all(_listed(space, axis) for axis in axes)
-    return smooth and _values(space, axes, COUNTS[0])[1].size <= MOST_VALUES
+    return smooth and math.prod(weights.size for _, weights in _each(space, axes, COUNTS[0])) <= MOST_VALUES
 
 
-def _values(space: Space, axes: "list[int]", count: int) -> "tuple[Array, Array]":
-    """Scores (axes, values) of all values together, and their weights."""
-    scores, weights = [], []
+def _each(space: Space, axes: "list[int]", count: int) -> "Iterator[tuple[Array, Array]]":
+    """Scores of the values of each axis, and their weights."""
     for axis in axes:
         distribution = space.distributions[axis]
         if isinstance(distribution, Empirical):
             size = distribution.values.size
-            scores.append(quantile((np.arange(size) + 0.5) / size))
-            weights.append(np.full(size, 1.0 / size))
+            yield quantile((np.arange(size) + 0.5) / size), np.full(size, 1.0 / size)
             continue
         own = Axis(distribution)
         _, t, weight = points_of(own, np.empty((1, 0)), count)
-        scores.append(quantile(own.below(t)))
-        weights.append(weight / weight.sum())
+        yield quantile(own.below(t)), weight / weight.sum()
+
+
+def _values(space: Space, axes: "list[int]", count: int) -> "tuple[Array, Array]":
+    """Scores (axes, values) of all values together, and their weights."""
+    scores, weights = zip(*_each(space, axes, count), strict=True)
     product = np.prod(np.meshgrid(*weights, indexing="ij"), axis=0)
     return np.array([part.ravel() for part in np.meshgrid(*scores, indexing="ij")]), product.ravel()
 

@@ -101,6 +101,8 @@ class Outcome:
         self.admissible = 1.0
         self.mean = float("nan")
         self.std = float("nan")
+        # Whether mean and deviation are those of the sample alone: its farthest values make them.
+        self.tails = False
 
 
 def width_of(quantiles: "Array", goal: Goal) -> float:

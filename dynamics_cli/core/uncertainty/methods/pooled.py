@@ -48,6 +48,10 @@ DEGREE, POINTS_A_TERM = 6, 16
 WIDE, AT_ONCE = (64, MOST_POINTS), 2048
 # A number of theirs may scatter more than that of the sample by this share of its worst quantile.
 ALIKE = 0.3
+# A value beyond so many deviations asks whether there is a deviation at all: how the farthest values grow tells.
+FAR, FARTHEST = 8.0, 20
+# Deviations from a quantile within which values are counted, the fewest of them, and how much both sides may differ.
+NEAR, FEWEST_NEAR, ALIKE_NEAR = 0.05, 200, 1.5
 # Within so many deviations of the mean of a dozen replicates and more five numbers lie together, in 98 of 100 cases.
 MANY_FACTOR = 3.5
 
@@ -56,6 +60,7 @@ class Pool:
     """Values of every result (results, replicates, points) at the points of a lattice, evaluated once."""
 
     def __init__(self, space: Space, goal: Goal) -> None:
+        self._slow = space.slow
         self._rows = {row: place for place, row in enumerate(space.rest())}
         self.count, self.shifts = _size(space, goal, list(self._rows))
         self.factor = REPLICATE_FACTOR if self.shifts <= SHIFTS else MANY_FACTOR
@@ -80,9 +85,12 @@ class Pool:
             raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
         whole = bool(counts.min() == self.count)
         sound = values.ravel() if whole else values[good]
-        heavy = centre.space.heavy
+        tails = not centre.space.heavy and _without_deviation(sound)
+        heavy = centre.space.heavy or tails
         method = f"{self.shifts} shifted lattices of {self.count} points, one sample for all results"
-        scatter = _numbers(values, goal, heavy=heavy).std(axis=1, ddof=1) / np.sqrt(self.shifts)
+        quantiles = np.quantile(sound, goal.p)
+        own = None if self._slow else _counted(values, counts, quantiles, NEAR * width_of(quantiles, goal))
+        scatter = _numbers(values, goal, own, heavy=heavy).std(axis=1, ddof=1) / np.sqrt(self.shifts)
         if self._wide is not None and whole:
             fitted, wide = self._wide.fitted[row], self._wide.values[row]
             apart = _numbers(values, goal) - _numbers(fitted, goal)
@@ -92,14 +100,15 @@ class Pool:
             )
             if (left <= np.maximum(scatter, ALIKE * scatter[: goal.p.size].max())).all():
                 scatter, sound = left, _corrected(wide.ravel(), fitted.ravel(), sound)
+                quantiles = np.quantile(sound, goal.p)
                 method += f", beside polynomials of degree {self._wide.degree} at {wide.size}"
-        outcome = Outcome(method, np.quantile(sound, goal.p), centre)
+        outcome = Outcome(method, quantiles, centre)
         outcome.admissible = float(counts.sum() / values.size)
         outcome.scan = Listed(sound)  # type: ignore[assignment]
-        width = width_of(outcome.quantiles, goal)
-        if not heavy:
+        outcome.tails = tails
+        if not centre.space.heavy:
             outcome.mean, outcome.std = float(sound.mean()), float(sound.std())
-            width = outcome.std
+        width = width_of(outcome.quantiles, goal) if heavy else outcome.std
         error = self.factor * float(scatter.max())
         # Where one input bears, replicates are alike to less than the distance of their points.
         outcome.estimate = max(error / width, self.distance) if width > 0.0 else FLOOR
@@ -147,14 +156,45 @@ class Wide:
                 self.values[:, shift, start : start + AT_ONCE] = coefficients @ terms(part, self.degree)
 
 
-def _numbers(values: "Array", goal: Goal, *, heavy: bool = False) -> "Array":
-    """Quantiles, mean and deviation of each replicate (numbers, replicates)."""
-    found = np.nanquantile if np.isnan(values).any() else np.quantile
-    quantiles: Array = found(values, goal.p, axis=1)
+def _numbers(values: "Array", goal: Goal, quantiles: "Array | None" = None, *, heavy: bool = False) -> "Array":
+    """Quantiles (where they are not known), mean and deviation of each replicate (numbers, replicates)."""
+    broken = bool(np.isnan(values).any())
+    if quantiles is None:
+        quantiles = (np.nanquantile if broken else np.quantile)(values, goal.p, axis=1)
     if heavy:
         return quantiles
-    apart = values - np.nanmean(values)
-    return np.array([*quantiles, np.nanmean(apart, axis=1), np.sqrt(np.nanmean(apart * apart, axis=1))])
+    mean = np.nanmean if broken else np.mean
+    apart = values - mean(values)
+    return np.array([*quantiles, mean(apart, axis=1), np.sqrt(mean(np.multiply(apart, apart), axis=1))])
+
+
+def _counted(values: "Array", counts: "Array", quantiles: "Array", step: float) -> "Array | None":
+    """Each replicate's quantiles, by its share of values below those of all over the density: no values are sorted.
+
+    None where the density is not alike on both sides, as beside a jump.
+    """
+    made = []
+    for quantile_ in quantiles.tolist():
+        below = np.count_nonzero(values <= quantile_, axis=1)
+        under = int(below.sum()) - np.count_nonzero(values <= quantile_ - step)
+        over = np.count_nonzero(values <= quantile_ + step) - int(below.sum())
+        if min(under, over) < max(FEWEST_NEAR, max(under, over) / ALIKE_NEAR):
+            return None
+        made.append((below / counts - below.sum() / counts.sum()) * (2.0 * step * counts.sum() / (under + over)))
+    return np.array(made)
+
+
+def _without_deviation(sound: "Array") -> bool:
+    """Whether the farthest values grow as those of a ratio do near a pole, of which no sample has the deviation.
+
+    Where P(|x| > t) falls as t to the power −α, the logarithms of the farthest exceed the last of them by 1/α in the
+    mean (Hill); from α = 2 on downwards the variance is infinite.
+    """
+    mean, std = float(sound.mean()), float(sound.std())
+    if not max(float(sound.max()) - mean, mean - float(sound.min())) > FAR * std:
+        return False
+    far = np.partition(np.abs(sound - mean), -FARTHEST)[-FARTHEST:]
+    return bool(np.log(far / far.min()).sum() >= 0.5 * (FARTHEST - 1))
 
 
 def _corrected(wide: "Array", fitted: "Array", sound: "Array") -> "Array":
