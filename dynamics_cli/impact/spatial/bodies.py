@@ -8,6 +8,7 @@ from dynamics_cli.impact.planar.bodies import Pair
 from dynamics_cli.impact.spatial.arithmetic import fused, length, root, total
 from dynamics_cli.numerics.inertia_tensor import require_inertia_of_body
 from dynamics_cli.numerics.vectors import add
+from dynamics_cli.records import record
 
 Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
@@ -17,22 +18,17 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
 
+@record
 class SolidInSpace:
-    """A body at the contact; `mass` is None when it is fixed, `inertia` when it is a particle."""
+    """A body at the contact; `mass` is None when it is fixed, `inertia` and its inverse when it is a particle."""
 
-    __slots__ = ("inertia", "inverse", "lever", "mass", "nose", "spin", "velocity")
-    given = "mass", "inertia", "lever", "velocity", "spin", "nose"
-
-    def __init__(
-        self, mass: float | None, inertia: Matrix | None, lever: Vector, velocity: Vector, spin: Vector, nose: Pair
-    ) -> None:
-        self.mass = mass
-        self.inertia = inertia
-        self.inverse = None if inertia is None else inverse(inertia)
-        self.lever = lever
-        self.velocity = velocity
-        self.spin = spin
-        self.nose = nose
+    mass: float | None
+    inertia: Matrix | None
+    inverse: Matrix | None
+    lever: Vector
+    velocity: Vector
+    spin: Vector
+    nose: Pair
 
     def contact_velocity(self) -> Vector:
         """Velocity of the body's point at the contact."""

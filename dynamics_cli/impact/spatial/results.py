@@ -84,32 +84,19 @@ class SpatialImpact:
     numerics: Numerics | None = None
 
 
+@record
 class Solved:
     """The solver's result of an impact in space: the bodies, the frame of the contact, K, u before, and the end."""
 
-    __slots__ = ("before", "bodies", "end", "frame", "friction", "how", "k", "law", "restitution")
-
-    def __init__(
-        self,
-        bodies: tuple[SolidInSpace, SolidInSpace],
-        frame: Matrix,
-        k: Matrix,
-        before: Vector,
-        end: End,
-        friction: float,
-        restitution: float,
-        law: str,
-        how: str,
-    ) -> None:
-        self.bodies = bodies
-        self.frame = frame
-        self.k = k
-        self.before = before
-        self.end = end
-        self.friction = friction
-        self.restitution = restitution
-        self.law = law
-        self.how = how
+    bodies: tuple[SolidInSpace, SolidInSpace]
+    frame: Matrix
+    k: Matrix
+    before: Vector
+    end: End
+    friction: float
+    restitution: float
+    law: str
+    how: str
 
     @property
     def lost(self) -> float:
