@@ -22,6 +22,10 @@ from dynamics_cli.numerics.vectors import planar_dot as dot
 from dynamics_cli.quantities import Angle, AngularSpeed, Annotated, Distance, Inertia, PlanarPosition
 from dynamics_cli.records import record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 Pair = tuple[float, float]
 
 
@@ -156,6 +160,24 @@ def solid(body: RigidBody | RigidTarget, contact: Pair | None, axes: Axes, gravi
         hint="impact oblique answers for particles",
     )
     return Solid(mass, inertia, _lever(body.arm, contact, nose, name), velocity, body.spin, nose)  # type: ignore[arg-type]
+
+
+def struck(
+    vehicle: "Any", velocity: Pair, spin: float, nose: float | None, contact: Pair | None, axes: Axes, gravity: float,
+    name: str,
+) -> Solid:  # fmt: skip
+    """A vehicle at the contact by its bulk, turning and arm; without one of the latter it does not turn."""
+    if vehicle.turning is None or vehicle.arm is None:
+        return Solid(mass_of(vehicle.bulk, gravity, name), None, (0.0, 0.0), velocity, spin, (1.0, 0.0))
+    require(
+        not isinstance(vehicle.arm, OnBody) or nose is not None,
+        "the contact is measured on the body of {name}, whose nose is not given",
+        name=name,
+        code="no-nose",
+        hint="give the heading of its nose at the impact",
+    )
+    body = RigidBody(vehicle.bulk, vehicle.turning, vehicle.arm, ByVelocity(velocity), spin, nose)
+    return solid(body, contact, axes, gravity, name)
 
 
 def nose_of(nose: float | None, velocity: Pair, axes: Axes) -> Pair:
