@@ -58,7 +58,7 @@ ENVELOPE = Task(
         formula="ΔV = |p|/m at every point of {least_restitution|e₁} to {greatest_restitution|e₂}, "
         "{least_friction|μ₁} to {greatest_friction|μ₂}",
         assumptions=(SHORT, POINT),
-        method="closed-form Routh–Keller path on a grid, extremes in 60 digits",
+        method="closed-form Routh–Keller path on a grid, extremes in many digits",
     ),
     plot=PICTURES + "envelope",
     examples=(

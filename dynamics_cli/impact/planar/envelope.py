@@ -110,7 +110,7 @@ def envelope(
     Notes
     -----
     Extremes are those of the grid: exact at its points, and at the ends of the region, where they mostly lie. Doubles
-    give their places, 60 digits their values; the bound is mostly the error of doubles at other points.
+    give their places, many digits their values; the bound is mostly the error of doubles at other points.
 
     References
     ----------
@@ -211,7 +211,7 @@ def _report(region: Region, first: Solid, second: Solid, map_points: int) -> Env
         checks=checks,
         advice=advice,
         numerics=Numerics(
-            "closed-form path at every point of a grid, extremes in 60 digits", _bounds(extremes, bodies)
+            "closed-form path at every point of a grid, extremes in many digits", _bounds(extremes, bodies)
         ),
     )
 
