@@ -10,10 +10,10 @@ from references.comparison import Measured, cases, leaves
 from references.impact_events import brach, follow, kudlich_slibar
 from references.impact_particles_comparison import answer, disagreements, flat, measure
 
+from dynamics_cli.impact.planar.envelope_grid import impulses, ratio_impulses
 from dynamics_cli.impact.planar.impact import planar
 from dynamics_cli.impact.planar.laws import LAWS, ON_THE_PATH, Meeting, outcome
 from dynamics_cli.impact.planar.path import Mobility, determinant, travel
-from dynamics_cli.impact.planar.path_arrays import impulses, ratio_impulses
 from dynamics_cli.numerics.tracked import Tracked
 
 FILE = "impact_rigid.json"
