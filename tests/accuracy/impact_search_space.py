@@ -16,7 +16,6 @@ from math import sqrt
 from typing import Any
 
 from climbing import Answer, Question, Tree, arguments, bits, read, stated
-from impact_search_planar import Contact, follow
 from impact_search_solids import (
     CURVED,
     STRAIGHT,
@@ -33,6 +32,7 @@ from impact_search_solids import (
     vector,
 )
 from precise import Exact
+from references.impact_events import follow
 from references.impact_keller import SEARCH, End, ended, smooth, whole
 
 from dynamics_cli.accuracy import catalogue
@@ -94,8 +94,9 @@ def smooth_end(met: Met, e: Any) -> End:
 def flat_end(met: Met, mu: Any, e: Any, law: str) -> End:
     """The end of an impact whose slip keeps its line."""
     k, u = met.mobility, met.before
-    made = follow(Contact(k[0][0], k[0][2], k[2][2], u[0], u[2]), mu, e, law)
-    return End((made.tangential, Exact(0), made.normal), made.compression, made.heat, made.slip)
+    made = follow(k[0][0], k[0][2], k[2][2], u[0], u[2], mu, e, law)
+    impulse = made["tangential"], Exact(0), made["normal"]
+    return End(impulse, made["compression"], made["friction_work"], made["slip_impulse"])
 
 
 def variants(rng: random.Random, tree: Tree) -> list[Tree]:

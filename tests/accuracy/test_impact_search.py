@@ -12,7 +12,6 @@ import impact_search_space
 import pytest
 from climbing import Answer, Compared, Findings, Question, bits, read, search
 from impact_search import QUESTIONS
-from impact_search_planar import Contact, follow
 from impact_search_solids import meet, results
 from precise import Exact, many_bits
 from references import impact_keller
@@ -115,25 +114,15 @@ def test_closed_forms_and_the_path_agree(way: Any) -> None:
     assert histories == {True, False}
 
 
-def test_planar_paths_are_those_of_the_references() -> None:
-    names = ("tangential", "coupling", "normal", "slip", "approach")
-    for case in cases("impact_rigid.json", "path"):
-        given = read(case["inputs"])
-        contact = Contact(*(Exact(given[name]) for name in names))
-        end = follow(contact, Exact(given["friction"]), Exact(given["restitution"]), given["law"]["word"])
-        for name, part in zip(("normal", "tangential", "compression"), end[:3], strict=True):
-            assert off(part, case["results"][name], max(abs(end.normal), abs(end.tangential))) < 1e-38, case["name"]
-
-
 def test_planar_impacts_of_bodies_are_those_of_the_references() -> None:
     for case in cases("impact_rigid.json", "planar"):
         tree = read(case["inputs"])
         contact, _, _ = impact_search_envelope.contact_of(tree)
         mu, e = Exact(tree["friction"]), Exact(tree["contact"]["restitution"])
         end = impact_search_envelope.planar(contact, mu, e, tree["law"]["word"])
-        assert off(end.normal, case["results"]["normal_impulse"], abs(end.normal)) < 1e-38, case["name"]
+        assert off(end[0], case["results"]["normal_impulse"], abs(end[0])) < 1e-38, case["name"]
         wanted = Exact(case["results"]["energy_lost"])
-        scale = abs(end.normal * contact.approach) + abs(end.tangential * contact.slip)
+        scale = abs(end[0] * contact.approach) + abs(end[1] * contact.slip)
         assert abs(impact_search_envelope.lost(contact, end) - wanted) < scale * 1e-37, case["name"]
 
 

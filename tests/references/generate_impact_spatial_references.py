@@ -1,8 +1,8 @@
 """Writes impact_spatial.json: impacts in space to 40 digits, in the frame of the contact and whole.
 
 Run: python tests/references/generate_impact_spatial_references.py [FILE]. The same bytes every time. The
-path is that of impact_keller, by direction and speed of the slip; whole impacts find K by giving the bodies unit impulses
-(impact_solids), and energies as differences of kinetic energies.
+path is that of impact_keller, by direction and speed of the slip; whole impacts find K by giving the bodies unit
+impulses (impact_solids), and energies as differences of kinetic energies.
 """
 
 import json
