@@ -7,7 +7,6 @@ from dynamics_cli.impact.spatial.bodies import (
     Matrix,
     SolidInSpace,
     Vector,
-    dot,
     frame_about,
     inverse,
     mobility,
@@ -20,7 +19,7 @@ from dynamics_cli.impact.spatial.bodies import (
 from dynamics_cli.impact.spatial.hodograph import ORDER, STRIDE, travel
 from dynamics_cli.impact.spatial.results import Solved, SpatialImpact
 from dynamics_cli.impact.spatial.straight_slip import End
-from dynamics_cli.numerics.vectors import subtract
+from dynamics_cli.numerics.vectors import dot, subtract
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     AngularVelocity,

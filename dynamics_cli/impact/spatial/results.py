@@ -3,19 +3,9 @@
 from dynamics_cli.impact.conventions import clock
 from dynamics_cli.impact.diagnostics import balance, not_above
 from dynamics_cli.impact.spatial.arithmetic import angle, fused, length, root
-from dynamics_cli.impact.spatial.bodies import (
-    Matrix,
-    SolidInSpace,
-    Vector,
-    combine,
-    cross,
-    dot,
-    nothing,
-    scaled,
-    times,
-)
+from dynamics_cli.impact.spatial.bodies import Matrix, SolidInSpace, Vector, combine, nothing
 from dynamics_cli.impact.spatial.straight_slip import End, stick_ratio
-from dynamics_cli.numerics.vectors import add, subtract
+from dynamics_cli.numerics.vectors import add, cross, dot, scale, subtract, times
 from dynamics_cli.quantities import (
     Angle,
     AngularVelocity,
@@ -227,14 +217,14 @@ def _turning(body: SolidInSpace, after: AfterSpatial, name: str, size: float) ->
     """Angular momentum of a body about the contact, where the impulse has no moment."""
     if body.mass is None or body.inertia is None:
         return ()
-    start = add(times(body.inertia, body.spin), scaled(cross(body.velocity, body.lever), body.mass))
-    end = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
+    start = add(times(body.inertia, body.spin), scale(body.mass, cross(body.velocity, body.lever)))
+    end = add(times(body.inertia, after.spin), scale(body.mass, cross(after.velocity, body.lever)))
     reach = root(dot(body.lever, body.lever))
-    scale = reach * size + root(dot(start, start)) + reach * body.mass * root(dot(body.velocity, body.velocity))
+    largest = reach * size + root(dot(start, start)) + reach * body.mass * root(dot(body.velocity, body.velocity))
     # the rounding of the spin, magnified about the long axes of a slender body
-    scale += max(body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]) * root(dot(after.spin, after.spin))
+    largest += max(body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]) * root(dot(after.spin, after.spin))
     apart = subtract(start, end)
-    return balance(f"angular momentum of the {name} about the contact", root(dot(apart, apart)), 0.0, scale)
+    return balance(f"angular momentum of the {name} about the contact", root(dot(apart, apart)), 0.0, largest)
 
 
 def _contact(states: tuple[State, State], end: End, frame: Matrix, before: Vector, least: float) -> tuple[Check, ...]:

@@ -7,8 +7,6 @@ from dynamics_cli.impact.spatial.bodies import (
     Matrix,
     SolidInSpace,
     Vector,
-    cross,
-    dot,
     frame_about,
     mobility,
     nose_in_plane,
@@ -18,7 +16,7 @@ from dynamics_cli.impact.spatial.bodies import (
 )
 from dynamics_cli.impact.spatial.impact import TargetInSpace, approach, lever_of, solid
 from dynamics_cli.impact.spatial.scene_records import ByMoment, ByRadius, ByTensor, Scene, SceneBody, YawRate
-from dynamics_cli.numerics.vectors import subtract
+from dynamics_cli.numerics.vectors import cross, dot, subtract
 
 # A value smaller than this share of its reference is rounding of the inputs and counts as absent.
 ABSENT = 10**13
