@@ -112,17 +112,18 @@ class Scene:
                 hint="every measurement has one: give a small number",
             )
         require(vehicle.heading_sigma >= 0.0, "a standard deviation is below zero", code="no-sigma")
-        heading = None
+        way = turn = None
         if headed and vehicle.approach_heading is not None:
-            x, y = direction_of(vehicle.approach_heading, self.axes)
-            heading = ((x, y), (y, -x)) if self.axes == "compass" else ((x, y), (-y, x))
+            x, y = way = direction_of(vehicle.approach_heading, self.axes)
+            turn = (y, -x) if self.axes == "compass" else (-y, x)
         spins = None
         if turning:
             spins = float(body.inertia), body.lever, vehicle.approach_spin or 0.0, vehicle.exit_spin or 0.0  # type: ignore[arg-type]
-        weights = (vehicle.velocity_sigma, vehicle.spin_sigma) if self.weighted else (1.0, 1.0)
-        sigmas = weights[0] or 1.0, weights[1] or 1.0, vehicle.heading_sigma if self.weighted else 0.0
+        sigmas = 1.0, 1.0, 0.0
+        if self.weighted:
+            sigmas = vehicle.velocity_sigma or 1.0, vehicle.spin_sigma or 1.0, vehicle.heading_sigma
         mass = float(body.mass)  # type: ignore[arg-type]
-        return Side(name, 1.0 - 2.0 * index, mass, body.velocity, heading, spins, sigmas)
+        return Side(name, 1.0 - 2.0 * index, mass, body.velocity, way, turn, spins, *sigmas)
 
     def answer(self, fit: Fit, verdict: str | None, sine: float | None, method: str) -> InverseResult:
         """The complete answer."""

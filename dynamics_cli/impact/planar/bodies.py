@@ -16,7 +16,7 @@ from dynamics_cli.impact.conventions import (
     velocity_of,
 )
 from dynamics_cli.impact.planar.path import Mobility
-from dynamics_cli.numerics.elementary import absolute, hypot, multiply_add
+from dynamics_cli.numerics.elementary import multiply_add
 from dynamics_cli.numerics.vectors import planar_cross as cross
 from dynamics_cli.numerics.vectors import planar_dot as dot
 from dynamics_cli.quantities import Angle, AngularSpeed, Annotated, Distance, Inertia, PlanarPosition
@@ -237,17 +237,3 @@ def mobility(a: Solid, b: Solid, normal: Pair) -> tuple[Mobility, Pair]:
         area = cross(a.lever, b.lever)
         det = det + area * area / (a.inertia * b.inertia)  # type: ignore[operator]
     return Mobility(kt + freedom, kx, kn + freedom, det), (bt, bn)
-
-
-def far_levers(a: Solid, b: Solid) -> list[tuple[str, float]]:
-    """Bodies whose contact is farther away than four radii of gyration, with the number of them."""
-    far = []
-    for body, name in ((a, "first"), (b, "second")):
-        if body.mass is None or body.inertia is None:
-            continue
-        reach = absolute(hypot(body.lever[0], body.lever[1]))
-        square = reach * reach * body.mass / body.inertia
-        plain = getattr(square, "value", square)
-        if not getattr(plain, "ndim", 0) and plain > 16.0:
-            far.append((name, plain**0.5))
-    return far

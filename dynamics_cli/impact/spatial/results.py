@@ -1,7 +1,7 @@
 """Results of an impact in space, and its checks."""
 
 from dynamics_cli.impact.conventions import clock
-from dynamics_cli.impact.diagnostics import balance, not_above
+from dynamics_cli.impact.diagnostics import balance, momentum_kept, not_above
 from dynamics_cli.impact.spatial.arithmetic import angle, fused, length, root
 from dynamics_cli.impact.spatial.bodies import Matrix, SolidInSpace, Vector, combine, nothing
 from dynamics_cli.impact.spatial.straight_slip import End, stick_ratio
@@ -172,7 +172,8 @@ def certificate(answer: SpatialImpact, solved: Solved) -> tuple[Check, ...]:
     friction, restitution, law = solved.friction, solved.restitution, solved.law
     size = answer.impulse_magnitude
     states = (bodies[0], answer.first), (bodies[1], answer.second)
-    checks = _momentum(states, size)
+    velocities = [body.velocity for body in bodies], [after.velocity for _, after in states]
+    checks = momentum_kept([body.mass for body in bodies], *velocities, size)
     for state, name in zip(states, ("first", "second"), strict=True):
         checks += _turning(*state, name, size)
     # velocity change at the contact in the most compliant direction: all components are rounded beside it
@@ -198,19 +199,6 @@ def certificate(answer: SpatialImpact, solved: Solved) -> tuple[Check, ...]:
         back = end.impulse[2] - end.compression
         return checks + balance(name, back, restitution * end.compression, end.impulse[2])
     return checks + balance(name, end.work_back, restitution * restitution * end.work, end.work)
-
-
-def _momentum(states: tuple[State, State], size: float) -> tuple[Check, ...]:
-    """Linear momentum of both bodies, or none where one is fixed."""
-    checks: tuple[Check, ...] = ()
-    (first_body, first), (second_body, second) = states
-    if first_body.mass is None or second_body.mass is None:
-        return checks
-    for axis, letter in enumerate("xyz"):
-        parts = first_body.mass * first_body.velocity[axis], second_body.mass * second_body.velocity[axis]
-        end = first_body.mass * first.velocity[axis] + second_body.mass * second.velocity[axis]
-        checks += balance(f"momentum along {letter}", sum(parts), end, size + abs(parts[0]) + abs(parts[1]))
-    return checks
 
 
 def _turning(body: SolidInSpace, after: AfterSpatial, name: str, size: float) -> tuple[Check, ...]:
