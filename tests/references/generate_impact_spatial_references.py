@@ -18,6 +18,7 @@ from mpmath import mp, mpf
 from references.impact_keller import reference
 from references.impact_solids import Solid, dot, frame, plus, size, turned_about, vector
 from references.impact_spatial_found import FOUND
+from references.trees import written
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 LAWS = ("stronge", "newton", "poisson")
@@ -300,15 +301,6 @@ def closing(inputs: dict[str, Any]) -> Any:
     one, two = Solid(inputs["first"]), Solid(inputs["second"])
     inward = frame(tuple(-x for x in vector(inputs["normal"])))[2]
     return -dot(plus(one.at_contact(one.v, one.w), two.at_contact(two.v, two.w), -1), inward)
-
-
-def written(tree: Any) -> Any:
-    """Doubles as text that reads back to the same bits."""
-    if isinstance(tree, float):
-        return repr(tree)
-    if isinstance(tree, dict):
-        return {name: written(part) for name, part in tree.items()}
-    return [written(part) for part in tree] if isinstance(tree, list) else tree
 
 
 def results(inputs: dict[str, Any]) -> dict[str, Any]:
