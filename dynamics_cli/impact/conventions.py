@@ -105,7 +105,7 @@ class ByWeight:
 class Fixed:
     """A fixed, rigid body: a wall, a floor, a barrier."""
 
-    fixed: Annotated[bool, "True for a body that keeps its velocity whatever strikes it."]
+    fixed: Annotated[bool, "The body is fixed: a wall, a floor, a barrier; it keeps its velocity whatever strikes it."]
 
 
 def side_of(name: str) -> str:

@@ -1,9 +1,14 @@
 """Checks of impact results, and refusal of numbers that leave the range of a double."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import Ratio
 from dynamics_cli.records import Check
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 # Between these, products and quotients of several numbers keep all their digits.
 SMALLEST, LARGEST = 1e-40, 1e40
@@ -40,6 +45,25 @@ def not_above(name: str, value: float, limit: float, scale: float) -> tuple[Chec
         return ()
     excess = max((plain(value) - plain(limit)) / size, 0.0)
     return (Check(name=name, passed=excess <= TOLERANCE, value=excess, tolerance=TOLERANCE),)
+
+
+def momentum_kept(
+    masses: "Sequence[float | None]",
+    before: "Sequence[Sequence[float]]",
+    after: "Sequence[Sequence[float]]",
+    impulse: float,
+) -> tuple[Check, ...]:
+    """Check the momentum of two bodies along each axis; no check where one is fixed."""
+    one, two = masses
+    if one is None or two is None:
+        return ()
+    checks: tuple[Check, ...] = ()
+    for axis in range(len(before[0])):
+        held = one * before[0][axis], two * before[1][axis]
+        left = one * after[0][axis] + two * after[1][axis]
+        size = impulse + absolute(held[0]) + absolute(held[1])
+        checks += balance(f"momentum along {'xyz'[axis]}", held[0] + held[1], left, size)
+    return checks
 
 
 def require_finite(value: float, what: str) -> None:

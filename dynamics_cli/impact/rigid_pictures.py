@@ -6,7 +6,7 @@ from dynamics_cli.impact.conventions import AXES, direction_of
 from dynamics_cli.impact.planar.bodies import solid
 from dynamics_cli.impact.planar.impact import meeting_of
 from dynamics_cli.impact.planar.path import travel
-from dynamics_cli.impact.scene_pictures import LENGTH, collision, velocities
+from dynamics_cli.impact.scene_pictures import LENGTH, collision, names_of, north_of, velocities
 from dynamics_cli.impact.spatial.bodies import frame_about, mobility, unit
 from dynamics_cli.impact.spatial.hodograph import STRIDE, series, value
 from dynamics_cli.impact.spatial.hodograph import reach as reach_of
@@ -49,29 +49,25 @@ def planar(
     inward = -towards[0], -towards[1]
     m = meeting_of(body, two, inward, closing_speed, friction, contact.restitution, 1.0)
     at = (0.0, 0.0) if contact_point is None else contact_point
-    names = _names(first, second)
+    names = names_of(first, second)
     before, after = [body.velocity, two.velocity], [result.first.velocity, result.second.velocity]
     contact_detail = _bodies((body, two), at, towards, result.impulse, names)
     centres = [(at[0] - vehicle.lever[0], at[1] - vehicle.lever[1]) for vehicle in (body, two)]
-    heavy = body.mass is not None and body.mass >= LIGHTEST_VEHICLE
-    if two.mass is None and heavy and math.hypot(*body.lever) <= LENGTH:
-        north = (0.0, 1.0) if str(axes) == "compass" else None
-        scene = collision(
-            names[:1], (body.nose,), before[:1], after[:1], north, centres[:1], (7.2, 3.9), _wall(at, towards)
-        )
-        return Picture((scene, contact_detail, _routh(m, result, result.law)), PLANAR, columns=2, scene=True)
-    road = all(vehicle.mass is not None and vehicle.mass >= LIGHTEST_VEHICLE for vehicle in (body, two))
-    if road and math.dist(*centres) <= LENGTH:
-        north = (0.0, 1.0) if str(axes) == "compass" else None
-        scene = collision(names, (body.nose, two.nose), before, after, north, (centres[0], centres[1]), (7.2, 3.9))
-        return Picture((scene, contact_detail, _routh(m, result, result.law)), PLANAR, columns=2, scene=True)
-    panels = contact_detail, velocities(names, before, after), _routh(m, result, result.law)
-    return Picture(panels, PLANAR, columns=2)
-
-
-def _names(first: "Any", second: "Any") -> "tuple[str, str]":
-    """Names of the bodies."""
-    return getattr(first, "name", None) or "first", getattr(second, "name", None) or "second"
+    heavy = [vehicle.mass is not None and vehicle.mass >= LIGHTEST_VEHICLE for vehicle in (body, two)]
+    drawn = 0
+    if two.mass is None and heavy[0] and math.hypot(*body.lever) <= LENGTH:
+        drawn = 1
+    elif all(heavy) and math.dist(*centres) <= LENGTH:
+        drawn = 2
+    routh = _routh(m, result, result.law)
+    if not drawn:
+        return Picture((contact_detail, velocities(names, before, after), routh), PLANAR, columns=2)
+    wall = _wall(at, towards) if drawn == 1 else ()
+    noses = (body.nose, two.nose)[:drawn]
+    scene = collision(
+        names[:drawn], noses, before[:drawn], after[:drawn], north_of(axes), centres[:drawn], (7.2, 3.9), wall
+    )
+    return Picture((scene, contact_detail, routh), PLANAR, columns=2, scene=True)
 
 
 def _bodies(bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pair", names: "tuple[str, str]") -> Panel:
@@ -194,7 +190,7 @@ def spatial(
     speeds = Curve(impulses, [c for _, _, c in path], "normal velocity", role=1)
     panels = (
         velocities(
-            _names(first, second),
+            names_of(first, second),
             [body.velocity[:2] for body in bodies],
             [result.first.velocity[:2], result.second.velocity[:2]],
             "seen from above, before (dashed) and after",

@@ -3,6 +3,7 @@
 import math
 
 from dynamics_cli.errors import Wording, worded
+from dynamics_cli.impact.conventions import Axes, direction_of
 from dynamics_cli.impact.scene_labels import Words, bounds, ends, placed
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Plan, Ruler
 from dynamics_cli.quantities import Length, RoadSpeed
@@ -32,6 +33,27 @@ SCALES = (50.0, 100.0, 150.0, 200.0, 250.0, 300.0, 400.0, 500.0, 750.0, 1000.0, 
 INCH = 0.0254
 # Inches of a plan on a sheet of paper across.
 SHEET = (10.6, 7.0)
+
+
+def axes_of(result: "Any") -> Axes:
+    """The axes that a result is written in."""
+    return Axes(result.conventions.axes.partition(":")[0])
+
+
+def names_of(first: "Any", second: "Any") -> "tuple[str, str]":
+    """Names of two bodies."""
+    return getattr(first, "name", None) or "first", getattr(second, "name", None) or "second"
+
+
+def seen(length: float, heading: float, axes: Axes) -> "Pair":
+    """A vector of a heading as seen from above on the page: north or y up; the y axis of sae points down."""
+    x, y = direction_of(heading, axes)
+    return length * x, -length * y if axes == "sae" else length * y
+
+
+def north_of(axes: Axes) -> "Pair | None":
+    """Where north is on the page, if the axes have one."""
+    return (0.0, 1.0) if axes == "compass" else None
 
 
 def outline(at: "Pair", way: "Pair", role: int, *, length: float = LENGTH, width: float = WIDTH) -> "list[Any]":

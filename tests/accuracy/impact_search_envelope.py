@@ -1,19 +1,19 @@
 """`impact envelope`: every point of a small grid of restitution and friction by its own planar impact in 480 bits.
 
 An answer of 1 to 9 points is one evaluation: its least and greatest changes of velocity, of spin and energies against
-the extremes of the points, each followed from event to event (`impact_search_planar`).
+the extremes of the points, each followed from event to event (`impact_events`).
 """
 
 import json
 import random
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from climbing import Answer, Question, Tree, arguments, bits, read, stated
-from impact_search_planar import Contact, Planar, planar
 from impact_search_space import GROUPS
 from precise import FUNCTIONS, Exact
+from references.impact_events import brach, follow, kudlich_slibar
 
 from dynamics_cli.accuracy.cases import DATA, flat
 from dynamics_cli.impact.planar.envelope import envelope
@@ -28,6 +28,25 @@ GAIN = 1e-12
 NOISE = 160
 # Of the exact side: a very long lever costs the impulse a hundred bits and more.
 BITS = 480
+
+
+class Contact(NamedTuple):
+    """K and the relative velocity in the frame of the contact; the normal points at body 1."""
+
+    tangential: Number
+    coupling: Number
+    normal: Number
+    slip: Number
+    approach: Number
+
+
+def planar(contact: Contact, mu: Number, e: Number, law: str) -> tuple[Number, Number]:
+    """Normal and tangential impulse of an impact by any of the laws."""
+    if law in ("brach", "kudlich-slibar"):
+        along, across = (brach if law == "brach" else kudlich_slibar)(*contact, mu, e)
+        return across, along
+    end = follow(*contact, mu, e, law)
+    return end["normal"], end["tangential"]
 
 
 class Solid:
@@ -77,10 +96,10 @@ def contact_of(tree: Tree) -> tuple[Contact, Any, Any]:
     return Contact(*k, along(u, tangent), approach), tangent, normal
 
 
-def lost(contact: Contact, end: Planar) -> Number:
+def lost(contact: Contact, end: tuple[Number, Number]) -> Number:
     """Energy lost."""
     kt, kx, kn, ut, un = contact
-    pn, pt = end.normal, end.tangential
+    pn, pt = end
     return -pn * (2 * un + kn * pn + kx * pt) / 2 - pt * (2 * ut + kt * pt + kx * pn) / 2
 
 
@@ -94,13 +113,14 @@ def exact(tree: Tree, places: list[tuple[float, float]]) -> dict[str, Number] | 
     for mu, e in places:
         end = planar(contact, Exact(mu), Exact(e), law)
         energy = lost(contact, end)
-        scale = abs(end.normal * contact.approach) + abs(end.tangential * contact.slip)
+        across, along = end
+        scale = abs(across * contact.approach) + abs(along * contact.slip)
         work = max(work, scale)
         # refused, or nearly so: which of the points count is then told by rounding
-        if not end.normal > 0 or (law != "stronge" and not energy > -0.5 * GAIN * scale):
+        if not across > 0 or (law != "stronge" and not energy > -0.5 * GAIN * scale):
             return None
-        push = tuple(end.normal * n + end.tangential * t for n, t in zip(normal, tangent, strict=True))
-        size = sqrt(end.normal * end.normal + end.tangential * end.tangential)
+        push = tuple(across * n + along * t for n, t in zip(normal, tangent, strict=True))
+        size = sqrt(across * across + along * along)
         found.setdefault("energy_lost", []).append(energy)
         for name, body, way in (("first", one, 1), ("second", two, -1)):
             if body.mass is not None:

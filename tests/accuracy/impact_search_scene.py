@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from typing import Any
 
 from climbing import Answer, Question, Tree, arguments, bits, stated
-from impact_search_path import BITS, ended, whole
 from impact_search_solids import (
     CURVED,
     STRAIGHT,
@@ -28,6 +27,7 @@ from impact_search_solids import (
 from impact_search_space import GROUPS, LAWS, STILL, flat_end, friction, smooth_end, three, turned
 from impact_search_space import starts as spatial_starts
 from precise import FUNCTIONS, Exact
+from references.impact_keller import SEARCH, ended, whole
 
 from dynamics_cli.accuracy.cases import flat
 from dynamics_cli.errors import DynamicsError
@@ -118,7 +118,7 @@ def ask(rng: random.Random, tree: Tree) -> Iterator[Answer]:
         if straight:
             end = flat_end(met, mu, e, law) if mu else smooth_end(met, e)
         else:
-            with bits(BITS):
+            with bits(SEARCH.bits):
                 path = whole(met.mobility, met.before, mu) if path is None else path
                 end = ended(path, met.mobility, mu, met.before, e, law)
         kind, noise = ("line", STRAIGHT) if straight else ("path", CURVED)

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from impact_search_path import End
 from precise import FUNCTIONS, Exact
+from references.impact_keller import End
 
 Number = Any
 Vector = tuple[Number, ...]

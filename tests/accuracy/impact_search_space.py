@@ -3,7 +3,7 @@
 Most drawn bodies have a closed form: spheres struck along their levers, whose slip keeps its direction; bodies whose
 motion stays in one plane, laid into space by turns of whole numbers (3-4-5 triangles), so that every double is exact;
 contacts without friction. The shipped hard cases, what is disturbed of them and bodies of any kind are followed along
-the path (`impact_search_path`), one path for several laws and restitutions, each an answer of the program's own. Of the
+the path (`impact_keller`), one path for several laws and restitutions, each an answer of the program's own. Of the
 suite's 10,000 answers some 1,100 are followed along the path and 8,900 have a closed form: an answer that is followed
 costs the program five times as much.
 """
@@ -16,8 +16,6 @@ from math import sqrt
 from typing import Any
 
 from climbing import Answer, Question, Tree, arguments, bits, read, stated
-from impact_search_path import BITS, End, ended, smooth, whole
-from impact_search_planar import Contact, follow
 from impact_search_solids import (
     CURVED,
     STRAIGHT,
@@ -34,6 +32,8 @@ from impact_search_solids import (
     vector,
 )
 from precise import Exact
+from references.impact_events import follow
+from references.impact_keller import SEARCH, End, ended, smooth, whole
 
 from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.cases import DATA, flat
@@ -94,8 +94,9 @@ def smooth_end(met: Met, e: Any) -> End:
 def flat_end(met: Met, mu: Any, e: Any, law: str) -> End:
     """The end of an impact whose slip keeps its line."""
     k, u = met.mobility, met.before
-    made = follow(Contact(k[0][0], k[0][2], k[2][2], u[0], u[2]), mu, e, law)
-    return End((made.tangential, Exact(0), made.normal), made.compression, made.heat, made.slip)
+    made = follow(k[0][0], k[0][2], k[2][2], u[0], u[2], mu, e, law)
+    impulse = made["tangential"], Exact(0), made["normal"]
+    return End(impulse, made["compression"], made["friction_work"], made["slip_impulse"])
 
 
 def variants(rng: random.Random, tree: Tree) -> list[Tree]:
@@ -130,7 +131,7 @@ def ask(rng: random.Random, tree: Tree) -> Iterator[Answer]:
         if kind != "path":
             end = smooth_end(met, e) if kind == "smooth" else flat_end(met, mu, e, law)
         else:
-            with bits(BITS):
+            with bits(SEARCH.bits):
                 path = whole(met.mobility, met.before, mu) if path is None else path
                 end = ended(path, met.mobility, mu, met.before, e, law)
         noise = CURVED if kind == "path" else STRAIGHT

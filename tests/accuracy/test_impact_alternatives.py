@@ -1,36 +1,26 @@
 """Impacts in the accuracy report: alternatives that answer what they claim to, hard cases with reasons, a peer."""
 
 import json
-import math
 from typing import Any
 
 import pytest
 from harness import answer, run
 from peers.impact import bodies as more_impact_bodies
-from peers.impact import paths as more_impact_paths
-from peers.impact import space as more_impact_space
-from peers.impact.march import own
 
 from dynamics_cli.accuracy import catalogue
 from dynamics_cli.accuracy.alternatives.impact import reconstruction
-from dynamics_cli.accuracy.cases import DATA, Case, build, leaves, load
+from dynamics_cli.accuracy.cases import DATA, build, leaves, load
 from dynamics_cli.accuracy.measure import errors_of, stated_by
 from dynamics_cli.accuracy.questions import Question
 
 FILES = ("impact_particles.json", "impact_rigid.json", "impact_spatial.json")
 EVERY = [case for file in FILES for case in load(file)]
-PATHS = [case for case in load("impact_rigid.json") if case.task == "path"]
-SPACE = [case for case in load("impact_spatial.json") if case.task == "keller"]
 GROUPS = catalogue.groups("impact")
 
 
 @pytest.fixture(scope="module")
 def rows() -> list[dict[str, Any]]:
     return answer("accuracy", "impact", "--untimed")["results"]["methods"]
-
-
-def named(case: str, cases: list[Case]) -> Case:
-    return next(one for one in cases if one.name == case)
 
 
 class TestCases:
@@ -105,28 +95,6 @@ class TestReport:
         for alternative in alternatives:
             ratio = alternative["time"]["value"] / chosen["time"]["value"]
             assert alternative["slower"]["value"] == pytest.approx(ratio, rel=1e-12), alternative["method"]
-
-
-class TestPaths:
-    """What the peers' whole impacts are made of, beside the references of paths alone."""
-
-    @pytest.mark.parametrize("law", ["stronge", "newton", "poisson"])
-    @pytest.mark.parametrize("name", ["rod 1", "slip turns round", "sticks"])
-    def test_planar_steps_of_order_five_are_right_to_their_tolerance(self, name: str, law: str) -> None:
-        case = named(f"{name}, {law}", PATHS)
-        found = more_impact_paths.integral(more_impact_paths.Contact.of(case), own(1e-12))
-        true = [float(case.results[part]) for part in ("normal", "tangential")]
-        assert found == pytest.approx(true, rel=0.0, abs=1e-11 * math.hypot(*true))
-
-    def test_steps_in_space_err_with_their_tolerance(self) -> None:
-        for case in (SPACE[0], named("slip stops and sticks, poisson", SPACE)):
-            true = [float(case.results[f"impulse[{k}]"]) for k in range(3)]
-            coarse, fine = (
-                math.dist(more_impact_space.integral(more_impact_space.Contact.of(case), own(limit)), true)
-                for limit in (1e-6, 1e-10)
-            )
-            assert fine < 1e-8 * math.hypot(*true)
-            assert fine < coarse < 1e-4 * math.hypot(*true)
 
 
 class TestMomentum:

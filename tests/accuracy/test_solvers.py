@@ -1,9 +1,9 @@
-"""The alternatives' own solvers: Brent's root, Dormand and Prince's steps with events."""
+"""The alternatives' own solver: Brent's root."""
 
 import math
 
 import pytest
-from peers.solvers import ERRORS, PLACES, SLOPES, WEIGHTS, brent, dormand_prince
+from peers.solvers import brent
 
 
 class TestBrent:
@@ -36,42 +36,3 @@ class TestBrent:
     def test_ends_of_one_sign_are_refused(self) -> None:
         with pytest.raises(ArithmeticError):
             brent(lambda x: x * x + 1.0, -1.0, 1.0)
-
-
-class TestDormandPrince:
-    def test_the_tableau_is_consistent(self) -> None:
-        for place, row in zip(PLACES, SLOPES, strict=True):
-            assert sum(row) == pytest.approx(place, abs=1e-15)
-        assert sum(WEIGHTS) == pytest.approx(1.0, abs=1e-15)
-        assert sum(ERRORS) == pytest.approx(0.0, abs=1e-15)
-        for power in range(1, 4):
-            moments = sum(w * c**power for w, c in zip(WEIGHTS, PLACES, strict=True))
-            assert moments == pytest.approx(1.0 / (power + 1.0), abs=1e-14)
-
-    def test_a_pendulum_falls_as_energy_says(self) -> None:
-        _, (angle, speed), which = dormand_prince(
-            lambda _, y: (y[1], -math.sin(y[0])), [1.0, 0.0], [lambda _, y: -y[0]], 1e-12, 1e-14, first=0.01
-        )
-        assert which == [True]
-        assert angle == pytest.approx(0.0, abs=1e-14)
-        assert -speed == pytest.approx(math.sqrt(2.0 * (1.0 - math.cos(1.0))), rel=1e-11)
-
-    def test_the_first_of_two_events_ends_it(self) -> None:
-        events = [lambda _, y: y[0] - 2.0, lambda _, y: y[0] - 1.5]
-        t, (y,), which = dormand_prince(lambda *_: (1.0,), [0.0], events, 1e-10, 1e-12, first=0.01)
-        assert (t, y) == pytest.approx((1.5, 1.5), rel=1e-14)
-        assert which == [False, True]
-
-    def test_errors_follow_the_tolerance(self) -> None:
-        errors = []
-        for tolerance in (1e-5, 1e-10):
-            _, (y, _), _ = dormand_prince(
-                lambda _, y: (y[0], 1.0), [1.0, 0.0], [lambda _, y: y[1] - 1.0], tolerance, 1e-14, first=0.01
-            )
-            errors.append(abs(y / math.e - 1.0))
-        assert errors[1] < 1e-9
-        assert errors[0] > 30.0 * errors[1]
-
-    def test_what_never_ends_is_no_answer(self) -> None:
-        with pytest.raises(ArithmeticError):
-            dormand_prince(lambda *_: (0.0,), [0.0], [lambda _, y: y[0] - 1.0], 1e-8, 1e-10, first=0.01)

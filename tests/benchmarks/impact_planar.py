@@ -1,4 +1,4 @@
-"""Planar and spatial impacts: speed beside pycrash, error against time, and what peers answer to the same cases.
+"""Planar impacts: speed beside pycrash, and what both answer to the same cases.
 
 Run: python tests/benchmarks/impact_planar.py. pycrash (GPL) is run where it is installed, and only run: its static
 impact is called with plain objects. Ratios are of one run; absolute times say little on a shared machine.
@@ -7,11 +7,9 @@ impact is called with plain objects. Ratios are of one run; absolute times say l
 import contextlib
 import io
 import math
-import random
 import sys
 import time
 from collections.abc import Callable
-from decimal import Context, localcontext
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -26,12 +24,6 @@ from dynamics_cli.impact.planar.bodies import ByInertia, OnBody, RigidBody, Rigi
 from dynamics_cli.impact.planar.envelope import envelope
 from dynamics_cli.impact.planar.impact import planar
 from dynamics_cli.impact.planar.laws import Law
-from dynamics_cli.impact.planar.path import Mobility, determinant, travel
-from dynamics_cli.impact.planar.path_arrays import planar_impacts
-from dynamics_cli.impact.spatial.arithmetic import widened
-from dynamics_cli.impact.spatial.bounds import EFFORTS
-from dynamics_cli.impact.spatial.hodograph import travel as in_space
-from dynamics_cli.impact.spatial.impact import followed
 
 FT, LBF, MPH, DEG = 0.3048, 4.4482216152605, 0.44704, math.pi / 180.0
 MILLION = 1_000_000
@@ -147,11 +139,6 @@ def refusal(change: dict[str, Any]) -> str:
 
 def speeds(static: Callable[..., Any] | None) -> None:
     """Impacts a second."""
-    r = np.random.default_rng(1)
-    kt, kn = r.uniform(1e-3, 4e-3, MILLION), r.uniform(1e-3, 4e-3, MILLION)
-    kx = r.uniform(-0.9, 0.9, MILLION) * np.sqrt(kt * kn)
-    given = kt, kx, kn, r.uniform(-20, 20, MILLION), -r.uniform(1, 20, MILLION), r.uniform(0, 1, MILLION)
-    e = r.uniform(0, 1, MILLION)
     base = None
     print(f"\n{'':44s}{'per impact':>14s}{'impacts/s':>14s}{'ratio':>10s}")
 
@@ -169,8 +156,6 @@ def speeds(static: Callable[..., Any] | None) -> None:
         base = best(one)  # printing into nothing is part of every call
         line("pycrash static impact", base)
     line("impact planar in Python, with certificate", best(lambda: ours(CASE, "stronge")))
-    for law in ("stronge", "newton", "poisson"):
-        line(f"planar_impacts, {law}", best(lambda law=law: planar_impacts(*given, e, law=law), 2.0) / MILLION)
     scene_ = ours_scene()
     line("impact envelope, a million points", best(lambda: envelope(**scene_), 2.0) / MILLION)
 
@@ -185,124 +170,10 @@ def ours_scene() -> dict[str, Any]:
     return {"first": made[0], "second": made[1], "normal": (CASE["gamma"] + 180.0) * DEG, "axes": Axes("sae")}
 
 
-def precision() -> None:
-    """Largest error of the planar paths, against the event-by-event path in many digits."""
-    from mpmath import mp, mpf
-    from references.impact_events import follow
-
-    mp.dps = 50
-    r = random.Random(4)
-    worst: dict[str, float] = {}
-    rows = []
-    for _ in range(1000):
-        s, j, rn, rt = r.uniform(0.5, 2.0), r.uniform(0.1, 1.0), r.uniform(-1.5, 1.5), r.uniform(-1.5, 1.5)
-        k = s + rn * rn / j, -rn * rt / j, s + rt * rt / j
-        u = r.uniform(-9.0, 9.0), -(10.0 ** r.uniform(-9.0, 1.0))
-        rows.append((*k, *u, r.uniform(0.0, 1.2), r.uniform(0.0, 1.0)))
-    columns = [np.array(column) for column in zip(*rows, strict=True)]
-    for law in ("stronge", "newton", "poisson"):
-        fast = planar_impacts(*columns, law=law)[0]
-        for index, row in enumerate(rows):
-            exact = follow(*row, law)
-            size = mp.hypot(exact["normal"], exact["tangential"])
-            k = Mobility(*row[:3], determinant(*row[:3]))
-            own = travel(k, *row[3:], law).normal
-            for name, value in ((f"impact planar, {law}", own), (f"planar_impacts, {law}", float(fast[index]))):
-                worst[name] = max(worst.get(name, 0.0), float(abs(mpf(value) - exact["normal"]) / size))
-    print("\nLargest error of the normal impulse over 1000 impacts, relative to the impulse (50-digit path)")
-    for name, error in worst.items():
-        print(f"{name:44s}{error:14.2g}")
-
-
-def space() -> None:
-    """Time against error in space."""
-    from mpmath import mp, mpf
-    from references.impact_keller import Impact
-
-    mp.dps = 40
-    r = random.Random(6)
-    scenes: list[Any] = []
-    while len(scenes) < 5:
-        rows = [[r.gauss(0.0, 1.0) for _ in range(3)] for _ in range(3)]
-        full = [[sum(a * b for a, b in zip(x, y, strict=True)) for y in rows] for x in rows]
-        k = tuple(tuple(full[min(i, j)][max(i, j)] + 0.1 * (i == j) for j in range(3)) for i in range(3))
-        u = r.gauss(0.0, 2.0), r.gauss(0.0, 2.0), -1.0
-        mu, e = r.uniform(0.1, 0.8), r.uniform(0.2, 0.9)
-        if in_space(k, u, mu, e, "stronge").history != "slip":
-            # by impulse, as DOP853 goes here, the equations are singular where slip stops
-            continue
-        scenes.append((k, u, mu, e, [mpf(str(part)) for part in Impact(k, u, mu, e, "stronge").impulse]))
-
-    def error(function: Callable[..., Any]) -> float:
-        found = 0.0
-        for k, u, mu, e, exact in scenes:
-            size = mp.sqrt(sum(x * x for x in exact))
-            found = max(
-                found, *(float(abs(mpf(a) - b) / size) for a, b in zip(function(k, u, mu, e), exact, strict=True))
-            )
-        return found
-
-    print(f"\n{'impact in space':44s}{'per impact':>14s}{'largest error':>16s}")
-
-    def line(name: str, function: Callable[..., Any]) -> None:
-        seconds = best(lambda: [function(*scene[:4]) for scene in scenes], 0.5) / len(scenes)
-        print(f"{name:44s}{seconds * 1e3:11.3f} ms{error(function):16.1e}")
-
-    for order in (6, 10, 16, 24, 30):
-        line(f"Taylor, order {order}", lambda k, u, mu, e, n=order: in_space(k, u, mu, e, "stronge", n).impulse)
-    for effort in EFFORTS:
-        line(f"Taylor in decimals, {effort[1]} digits", lambda k, u, mu, e, own=effort: in_decimals(k, u, mu, e, own))
-    for stride in (0.5, 0.25, 0.05):
-        line(f"Taylor, order 16, stride {stride}",
-             lambda k, u, mu, e, h=stride: in_space(k, u, mu, e, "stronge", 16, h).impulse)  # fmt: skip
-    for tolerance in (1e-6, 1e-10, 1e-13):
-        line(f"scipy DOP853, rtol {tolerance:.0e}", lambda k, u, mu, e, t=tolerance: by_scipy(k, u, mu, e, t))
-
-
-def in_decimals(k: Any, u: Any, mu: float, e: float, effort: tuple[int, int, int]) -> tuple[float, ...]:
-    """The path in decimals, as the program follows it after doubles."""
-    order, digits, most = effort
-    with localcontext(Context(prec=most)):
-        rows, start, friction, restitution = widened((k, u, mu, e))
-        end = followed(rows, start, friction, restitution, "stronge", order=order, digits=digits)
-        return tuple(map(float, end.impulse))
-
-
-def by_scipy(k: Any, u: Any, mu: float, e: float, tolerance: float) -> tuple[float, float, float]:
-    """Keller's equations as most would write them: by impulse, events at the ends; slip that stops is not handled."""
-    from scipy.integrate import solve_ivp
-
-    matrix = np.array(k)
-
-    def rates(_: float, y: Any) -> Any:
-        size = math.hypot(y[0], y[1])
-        c = np.array([-mu * y[0] / size, -mu * y[1] / size, 1.0])
-        return [*(matrix @ c), y[2], c[0], c[1]]
-
-    def end(_: float, y: Any) -> float:
-        return float(y[2])
-
-    end.terminal, end.direction = True, 1.0  # type: ignore[attr-defined]
-    more: dict[str, Any] = {"method": "DOP853", "rtol": tolerance, "atol": 1e-3 * tolerance}
-    first = solve_ivp(rates, [0.0, 1e9], [*u, 0.0, 0.0, 0.0], events=[end], **more)
-    y = first.y[:, -1]
-    work = -y[3]
-
-    def given(_: float, y: Any) -> float:
-        return float(y[3] + work * (1.0 - e * e))
-
-    given.terminal = True  # type: ignore[attr-defined]
-    second = solve_ivp(rates, [first.t[-1], 1e9], y, events=[given], **more)
-    y = second.y[:, -1]
-    return float(y[4]), float(y[5]), float(second.t[-1])
-
-
 def main() -> None:
     static = peer()
     answers(static)
     speeds(static)
-    precision()
-    space()
 
 
 if __name__ == "__main__":

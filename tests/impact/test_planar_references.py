@@ -1,105 +1,25 @@
-"""Planar impacts against references in many digits: errors, stated bounds, arrays, checks, derivatives."""
+"""Paths and ratio laws of planar impacts against the event by event account in many digits, and rows of them."""
 
 import random
-from typing import Any
 
 import numpy as np
-import pytest
 from mpmath import mp, mpf
-from references.comparison import Measured, cases, leaves
+from references.comparison import cases
 from references.impact_events import brach, follow, kudlich_slibar
-from references.impact_particles_comparison import answer, disagreements, flat, measure
 
-from dynamics_cli.impact.planar.impact import planar
+from dynamics_cli.impact.planar.envelope_grid import impulses, ratio_impulses
 from dynamics_cli.impact.planar.laws import LAWS, ON_THE_PATH, Meeting, outcome
 from dynamics_cli.impact.planar.path import Mobility, determinant, travel
-from dynamics_cli.impact.planar.path_arrays import impulses, ratio_impulses
-from dynamics_cli.numerics.tracked import Tracked
 
-FILE = "impact_rigid.json"
-EVERY = cases(FILE, "planar")
-WELL_CONDITIONED = 10.0
 # The promise of the closed form, relative to the impulse.
 PROMISE = 2e-15
 
 
-def cancels(one: Measured) -> bool:
-    """Spins after a jam are the fiftieth part of the two moments whose difference they are."""
-    return one.where.startswith("jam") and "spin" in one.where
-
-
-def measured(case: dict[str, Any]) -> list[Measured]:
-    return measure(planar, case)
-
-
 def test_there_are_enough_hard_cases() -> None:
-    hard = [case for case in EVERY if case["kind"] == "hard"]
+    hard = [case for case in cases("impact_rigid.json", "planar") if case["kind"] == "hard"]
     assert len(hard) >= 60
     assert all(case["why"] for case in hard)
     assert {case["inputs"]["law"]["word"] for case in hard} == set(LAWS)
-
-
-def test_results_are_right_to_a_few_ulps_where_well_conditioned() -> None:
-    every = [one for case in EVERY for one in measured(case)]
-    judged = [one for one in every if one.condition <= WELL_CONDITIONED and not cancels(one)]
-    assert len(judged) > len(every) / 2
-    worst = max(judged, key=lambda one: one.ulps)
-    assert worst.ulps <= 16.0, worst
-
-
-def test_stated_bound_holds() -> None:
-    for case in EVERY:
-        for one in measured(case):
-            assert one.error <= one.bound, one
-
-
-def test_stated_bound_is_tight() -> None:
-    for case in EVERY:
-        for one in measured(case):
-            if one.value != 0.0 and not cancels(one):
-                assert min(one.excess, one.excess_by_inputs) <= 2.0, one
-
-
-def test_arrays_give_the_bits_of_scalars() -> None:
-    for seed, case in enumerate(EVERY[:30]):
-        assert not disagreements(planar, case, seed), case["name"]
-
-
-def test_checks_pass_and_name_themselves() -> None:
-    named = set()
-    for case in EVERY:
-        result = answer(planar, case["inputs"], list(leaves(case["inputs"])))
-        assert all(check.passed for check in result.checks), (case["name"], result.checks)
-        named |= {check.name for check in result.checks}
-    assert {f"restitution as {law} defines it" for law in LAWS} <= named
-    assert len(named) >= 15
-
-
-def test_derivatives_are_those_of_the_answer() -> None:
-    for case in EVERY[:8]:
-        tree = case["inputs"]
-        numbers = list(leaves(tree))
-        tracked = flat(answer(planar, tree, Tracked.inputs(numbers)))
-        for index, number in enumerate(numbers):
-            step = 1e-6 * max(abs(number), 1e-2)
-            ends = []
-            for side in (-step, step):
-                moved = [value + side if i == index else value for i, value in enumerate(numbers)]
-                ends.append(flat(answer(planar, tree, moved)))
-            for name, value in tracked.items():
-                body = name.partition(".")[0]
-                if name.endswith("clock") or (name in (f"{body}.heading", f"{body}.speed") and at_rest(ends, body)):
-                    # hours are whole, and a body at rest has no direction
-                    continue
-                slope = value.slopes[index] if isinstance(value, Tracked) else 0.0
-                estimate = (ends[1][name] - ends[0][name]) / (2.0 * step)
-                size = abs(ends[1][name]) / max(abs(number), 1e-2) + abs(slope)
-                assert slope == pytest.approx(estimate, abs=5e-6 * size + 1e-7), (case["name"], name, index)
-
-
-def at_rest(ends: list[dict[str, float]], name: str) -> bool:
-    """Whether a body hardly moves afterwards."""
-    return max(abs(end[f"{name}.velocity[{axis}]"]) for end in ends for axis in (0, 1)) < 1e-3
 
 
 def contact(generator: random.Random) -> tuple[float, ...]:
@@ -141,11 +61,11 @@ def contact(generator: random.Random) -> tuple[float, ...]:
     return kt, kx, kn, ut, un, mu, e
 
 
-def test_the_path_keeps_its_promise_over_thousands_of_cases() -> None:
+def test_the_path_keeps_its_promise_over_a_thousand_cases() -> None:
     mp.dps = 60
     generator = random.Random(9)
     worst = 0.0
-    for _ in range(3000):
+    for _ in range(1000):
         kt, kx, kn, ut, un, mu, e = given = contact(generator)
         k = Mobility(kt, kx, kn, determinant(kt, kx, kn))
         for law in ON_THE_PATH:
@@ -165,7 +85,7 @@ def test_the_ratio_laws_keep_the_same_promise() -> None:
     mp.dps = 60
     generator = random.Random(10)
     answered = 0
-    for _ in range(3000):
+    for _ in range(1000):
         kt, kx, kn, ut, un, mu, e = given = contact(generator)
         k = Mobility(kt, kx, kn, determinant(kt, kx, kn))
         meeting = Meeting(k, ut, un, mu, e, 0.0, 1.0, 1.0, (0.0, 0.0))
@@ -180,7 +100,7 @@ def test_the_ratio_laws_keep_the_same_promise() -> None:
             for own, true in ((found.normal, pn), (found.tangential, pt)):
                 assert float(abs(mpf(own) - true) / size) <= PROMISE * (1.0 + float(loose)), (law, given)
             answered += 1
-    assert answered > 5000
+    assert answered > 1600
 
 
 def test_the_fast_path_agrees() -> None:

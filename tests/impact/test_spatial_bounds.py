@@ -122,7 +122,7 @@ def found(given: Any) -> SpatialImpact | None:
 def test_what_24_digits_leave_is_as_stated(monkeypatch: pytest.MonkeyPatch) -> None:
     """Held against 42 digits, where 24 were thought to do."""
     compared = 0
-    for given, _ in zip(blocks("digits"), range(60), strict=False):
+    for given, _ in zip(blocks("digits"), range(30), strict=False):
         one = found(given)
         monkeypatch.setattr(bounds, "_small", lambda *_: False)
         more = found(given)
@@ -136,7 +136,7 @@ def test_what_24_digits_leave_is_as_stated(monkeypatch: pytest.MonkeyPatch) -> N
                 value = dict(numbers(one))[bound.result]
                 assert abs(value - finer[bound.result]) <= bound.bound * (abs(value) if bound.relative else 1.0)
         compared += 1
-    assert compared >= 20
+    assert compared >= 10
 
 
 def test_samples_are_answered_in_doubles() -> None:

@@ -16,36 +16,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from mpmath import acos, atan2, cos, matrix, mp, mpf, pi, polyroots, sin, sqrt
 from references.impact_approaches import approach, approaches
+from references.impact_chains import chained
 from references.impact_found import FOUND
+from references.trees import draw, exact, written
 
 mp.dps = 300
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 G = 9.80665
 Case = tuple[str, str, dict[str, Any]]
-
-
-def exact(tree: Any) -> Any:
-    """Doubles as exact numbers."""
-    if isinstance(tree, float):
-        return mpf(tree)
-    if isinstance(tree, dict):
-        return {name: exact(part) for name, part in tree.items()}
-    return [exact(part) for part in tree] if isinstance(tree, list) else tree
-
-
-def written(tree: Any) -> Any:
-    """Doubles as text that reads back to the same bits."""
-    if isinstance(tree, float):
-        return repr(tree)
-    if isinstance(tree, dict):
-        return {name: written(part) for name, part in tree.items()}
-    return [written(part) for part in tree] if isinstance(tree, list) else tree
-
-
-def draw(generator: random.Random, low: float, high: float) -> float:
-    """A double as a person would write it, or any double."""
-    value = generator.uniform(low, high)
-    return round(value, 2) if generator.random() < 0.4 else value
 
 
 def mass(value: float) -> dict[str, Any]:
@@ -705,60 +683,11 @@ def steps(generator: random.Random) -> Iterator[Case]:
 
 
 def chain(x: dict[str, Any]) -> dict[str, Any]:
-    bodies, law = x["bodies"], x["law"]["word"]
+    bodies = x["bodies"]
     masses = [body["mass"] for body in bodies]
     start = [body.get("velocity", mpf(0)) for body in bodies]
     ratios = [body.get("restitution", x["restitution"]) for body in bodies[:-1]]
-    v, hits = list(start), 0
-    pushes = [mpf(0)] * len(ratios)
-    if law == "sequential":
-        while True:
-            closing = [v[i] - v[i + 1] for i in range(len(ratios))]
-            i = max(range(len(ratios)), key=lambda k: closing[k])
-            if closing[i] <= mpf(10) ** -60:
-                break
-            before = v[i]
-            v[i], v[i + 1] = line_impact(masses[i], masses[i + 1], v[i], v[i + 1], ratios[i])
-            pushes[i] += masses[i] * (before - v[i])
-            hits += 1
-    else:
-        while True:
-            closing = [v[i] - v[i + 1] for i in range(len(ratios))]
-            if max(closing) <= mpf(10) ** -60:
-                break
-            hits += 1
-            # every set of acting contacts is tried: the right one leaves no tension and no pair closing
-            for chosen in range(1, 1 << len(ratios)):
-                acting = [i for i in range(len(ratios)) if chosen >> i & 1]
-                system = matrix([[coupling(masses, i, j) for j in acting] for i in acting])
-                part = mp.lu_solve(system, matrix([closing[i] for i in acting]))
-                round_ = [part[acting.index(i)] if i in acting else mpf(0) for i in range(len(ratios))]
-                opened = [sum(coupling(masses, i, j) * p for j, p in enumerate(round_)) for i in range(len(ratios))]
-                enough = all(o >= u - mpf(10) ** -100 for o, u in zip(opened, closing, strict=True))
-                if min(round_) >= 0 and enough:
-                    break
-            for i, p in enumerate(round_):
-                grown = (1 + ratios[i]) * p
-                pushes[i] += grown
-                v[i] -= grown / masses[i]
-                v[i + 1] += grown / masses[i + 1]
-    kinetic = [sum(m * s * s for m, s in zip(masses, speeds, strict=True)) / 2 for speeds in (start, v)]
-    out = {
-        "momentum": sum(m * s for m, s in zip(masses, start, strict=True)),
-        "laws[0].energy_lost": kinetic[0] - kinetic[1],
-        "laws[0].collisions": mpf(hits),
-    }
-    for i in range(len(bodies)):
-        out |= {f"bodies[{i}].body": mpf(i + 1), f"bodies[{i}].velocity": v[i], f"bodies[{i}].delta_v": v[i] - start[i]}
-        if i < len(pushes):
-            out[f"bodies[{i}].impulse_to_next"] = pushes[i]
-    return out
-
-
-def coupling(masses: list[Any], i: int, j: int) -> Any:
-    if i == j:
-        return 1 / masses[i] + 1 / masses[i + 1]
-    return -1 / masses[max(i, j)] if abs(i - j) == 1 else mpf(0)
+    return chained(masses, start, ratios, x["law"]["word"], mpf(10) ** -60)
 
 
 def chains(generator: random.Random) -> Iterator[Case]:

@@ -18,21 +18,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from mpmath import atan2, cos, mp, mpf, nint, pi, sin, sqrt
 from references.impact_contacts import cases as contacts
 from references.impact_events import brach, follow, kudlich_slibar
+from references.trees import draw, written
 
 mp.dps = 120
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 G = 9.80665
 LAWS = ("stronge", "newton", "poisson", "brach", "kudlich-slibar")
 Case = tuple[str, str, dict[str, Any]]
-
-
-def written(tree: Any) -> Any:
-    """Doubles as text that reads back to the same bits."""
-    if isinstance(tree, float):
-        return repr(tree)
-    if isinstance(tree, dict):
-        return {name: written(part) for name, part in tree.items()}
-    return [written(part) for part in tree] if isinstance(tree, list) else tree
 
 
 class Body:
@@ -207,11 +199,6 @@ def scene(first: Any, second: Any, normal: float, mu: float, e: float, law: str,
         "law": {"word": law},
         **more,
     }
-
-
-def draw(generator: random.Random, low: float, high: float) -> float:
-    value = generator.uniform(low, high)
-    return round(value, 2) if generator.random() < 0.4 else value
 
 
 def ordinary(generator: random.Random, law: str) -> Case:

@@ -1,8 +1,8 @@
 """Writes impact_spatial.json: impacts in space to 40 digits, in the frame of the contact and whole.
 
 Run: python tests/references/generate_impact_spatial_references.py [FILE]. The same bytes every time. The
-path is that of impact_keller, arc by arc in normal impulse; whole impacts find K by giving the bodies unit impulses
-(impact_solids), and energies as differences of kinetic energies.
+path is that of impact_keller, by direction and speed of the slip; whole impacts find K by giving the bodies unit
+impulses (impact_solids), and energies as differences of kinetic energies.
 """
 
 import json
@@ -15,9 +15,10 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from mpmath import mp, mpf
-from references.impact_keller import Impact
+from references.impact_keller import reference
 from references.impact_solids import Solid, dot, frame, plus, size, turned_about, vector
 from references.impact_spatial_found import FOUND
+from references.trees import written
 
 DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 LAWS = ("stronge", "newton", "poisson")
@@ -129,7 +130,7 @@ def scenes() -> list[tuple[str, str, str, list[list[float]], list[float], float,
 def answered(scene: Any) -> dict[str, Any]:
     """An impact in the frame of its contact."""
     name, kind, why, k, u, mu, e, law = scene
-    end = Impact(k, u, mu, e, law)
+    end = reference(k, u, mu, e, law)
     whole = sum(abs(part) for part in end.impulse)
     # what is left of a zero is none
     parts = [part if abs(part) > 1e-44 * whole else 0 for part in end.impulse]
@@ -302,18 +303,8 @@ def closing(inputs: dict[str, Any]) -> Any:
     return -dot(plus(one.at_contact(one.v, one.w), two.at_contact(two.v, two.w), -1), inward)
 
 
-def written(tree: Any) -> Any:
-    """Doubles as text that reads back to the same bits."""
-    if isinstance(tree, float):
-        return repr(tree)
-    if isinstance(tree, dict):
-        return {name: written(part) for name, part in tree.items()}
-    return [written(part) for part in tree] if isinstance(tree, list) else tree
-
-
 def results(inputs: dict[str, Any]) -> dict[str, Any]:
     """Everything that a whole impact reports."""
-    mp.dps = 70
     mp.dps = 70
     one, two = Solid(inputs["first"]), Solid(inputs["second"])
     axes = frame(tuple(-x for x in vector(inputs["normal"])))
@@ -321,7 +312,7 @@ def results(inputs: dict[str, Any]) -> dict[str, Any]:
     moved = [plus(one.answer(axis), two.answer(tuple(-x for x in axis)), -1) for axis in axes]
     k = [[dot(change, axis) for axis in axes] for change in moved]
     before = [dot(u, axis) for axis in axes]
-    end = Impact(
+    end = reference(
         [[mp.nstr(x, 60) for x in row] for row in k], [mp.nstr(x, 60) for x in before], inputs["friction"],
         inputs["contact"]["restitution"], inputs["law"]["word"],
     )  # fmt: skip
@@ -343,7 +334,7 @@ def results(inputs: dict[str, Any]) -> dict[str, Any]:
     found |= {
         "impulse_magnitude": size(impulse), "normal_impulse": parts[2], "tangential_impulse": sideways,
         "impulse_ratio": sideways / parts[2], "stick_friction": mp.sqrt(hold[0] ** 2 + hold[1] ** 2),
-        "compression_impulse": mpf(str(end.compression)), "slip_impulse": mpf(str(end.slip_impulse)),
+        "compression_impulse": mpf(str(end.compression)), "slip_impulse": mpf(str(end.slip)),
         "closing_speed": -before[2], "separation_speed": dot(after, n),
         "energy_lost": lost, "energy_lost_normal": lost - heat, "energy_lost_tangential": heat,
     }  # fmt: skip
@@ -372,7 +363,7 @@ def main() -> None:
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "impact_spatial.json"
     cases = [answered(scene) for scene in scenes()] + [reported(impact) for impact in impacts()]
     rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
-    about = "Written by generate_impact_spatial_references.py: SI inputs as doubles, results to 40 digits from 56."
+    about = "Written by generate_impact_spatial_references.py: SI inputs as doubles, results to 40 digits from 63."
     target.write_text(f'{{"about": "{about}",\n"cases": [\n{rows}\n]}}\n', encoding="utf-8")
 
 

@@ -2,9 +2,17 @@
 
 The march knows nothing of phases: from the present velocity it asks which way the contact slips or whether friction
 can hold it, goes straight to the next event (slip stops, compression ends, the law's end is reached), and asks again.
+Doubles become mpmath's numbers; those of gmpy2 stay what they are.
 """
 
-from mpmath import mp, mpf, sqrt
+from math import inf
+
+from mpmath import mpf
+
+
+def exactly(*numbers):
+    """The numbers in many digits."""
+    return [mpf(number) if isinstance(number, (int, float)) else number for number in numbers]
 
 
 def friction_ratio(kt, kx, ut, mu):
@@ -20,11 +28,10 @@ def friction_ratio(kt, kx, ut, mu):
 
 def follow(kt, kx, kn, ut, un, mu, e, law):
     """The whole impact; a dictionary of its end."""
-    kt, kx, kn, ut, un, mu, e = map(mpf, (kt, kx, kn, ut, un, mu, e))
-    u0 = un
-    p = pt = work = rubbed = mpf(0)
+    kt, kx, kn, ut, un, mu, e = exactly(kt, kx, kn, ut, un, mu, e)
+    u0, zero = un, 0 * un
+    p = pt = work = rubbed = restoring = zero
     compression = first_slip = None
-    restoring = mpf(0)
     phase = "compression"
     states = []
     if ut == 0:
@@ -33,21 +40,26 @@ def follow(kt, kx, kn, ut, un, mu, e, law):
         c = friction_ratio(kt, kx, ut, mu)
         # what sticks stays: the rounding of k_x/k_t is no slip
         held = ut == 0 and abs(kx) <= mu * kt
-        dn, dt = kn + kx * c, mpf(0) if held else kt * c + kx
+        dn, dt = kn + kx * c, zero if held else kt * c + kx
         way = "stick" if ut == 0 and dt == 0 else ("+" if ut > 0 or (ut == 0 and dt > 0) else "-")
         if not states or states[-1] != way:
             states.append(way)
-        slip_left = -ut / dt if ut * dt < 0 else mp.inf
+        slip_left = -ut / dt if ut * dt < 0 else inf
         if phase == "compression":
-            ahead = -un / dn if dn > 0 else mp.inf
+            ahead = -un / dn if dn > 0 else inf
         elif law == "newton":
-            ahead = (-e * u0 - un) / dn
+            ahead = (-e * u0 - un) / dn if dn > 0 else inf
         elif law == "poisson":
             ahead = (1 + e) * compression - p
         else:
             left = e * e * work - restoring
-            ahead = (-un + sqrt(un * un + 2 * dn * left)) / dn if left > 0 else mpf(0)
+            square = un * un + 2 * dn * left
+            ahead = inf if square < 0 or (dn <= 0 and un <= 0) else zero
+            if left > 0 and ahead == 0:
+                ahead = 2 * left / (un + square**0.5)
         step = min(slip_left, ahead)
+        if step == inf:
+            raise ArithmeticError("no event is ahead")
         done = step * (un + dn * step / 2)
         rub = -c * step * (ut + dt * step / 2)
         rubbed += rub
@@ -56,14 +68,14 @@ def follow(kt, kx, kn, ut, un, mu, e, law):
         else:
             restoring += done
         p, pt = p + step, pt + c * step
-        un, ut = un + dn * step, (mpf(0) if step == slip_left else ut + dt * step)
+        un, ut = un + dn * step, (zero if step == slip_left else ut + dt * step)
         if step == slip_left:
             if first_slip is None:
                 first_slip = p
             if step != ahead:
                 continue
         if phase == "compression":
-            un, compression, phase = mpf(0), p, "restitution"
+            un, compression, phase = zero, p, "restitution"
             if e == 0:
                 break
         else:
@@ -86,7 +98,7 @@ def solve2(a, b, c, d, x, y):
 
 def brach(kt, kx, kn, ut, un, mu, e):
     """Impulse ratio capped at μ; None where the ratio leaves no push."""
-    kt, kx, kn, ut, un, mu, e = map(mpf, (kt, kx, kn, ut, un, mu, e))
+    kt, kx, kn, ut, un, mu, e = exactly(kt, kx, kn, ut, un, mu, e)
     pt, pn = solve2(kt, kx, kx, kn, -ut, -(1 + e) * un)
     if abs(pt) > mu * pn or pn <= 0:
         ratio = mu if (pt >= 0) == (pn >= 0) else -mu
@@ -97,7 +109,7 @@ def brach(kt, kx, kn, ut, un, mu, e):
 
 def kudlich_slibar(kt, kx, kn, ut, un, mu, e):
     """One ratio for both components, the sliding impact at the limit of friction."""
-    kt, kx, kn, ut, un, mu, e = map(mpf, (kt, kx, kn, ut, un, mu, e))
+    kt, kx, kn, ut, un, mu, e = exactly(kt, kx, kn, ut, un, mu, e)
     pt, pn = solve2(kt, kx, kx, kn, -ut, -un)
     if abs(pt) > mu * pn or pn <= 0:
         ratio = mu if (pt >= 0) == (pn >= 0) else -mu

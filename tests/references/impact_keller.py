@@ -1,285 +1,329 @@
-"""Keller's equations of impact in space in 56 digits, by another way than the program: arc by arc in normal impulse.
+"""Keller's equations of impact in space by another way than the program's: by direction and speed of the slip.
 
-u grows by K (−μ u_t/|u_t|, 1) per normal impulse p. The program marches in τ, dp = |u_t| dτ; here the Taylor series are
-in p itself, whose steps shrink with the slip until it has stopped. After that the way out is sought as an angle.
+With ŝ = (cos φ, sin φ) the direction and σ the speed of the slip, r = k_tn − μ K_tt ŝ and dp_n = σ dτ,
+
+    φ' = n̂·r,    σ' = σ (ŝ·r),    n̂ ⟂ ŝ.
+
+The direction alone decides how it turns; speed, normal velocity, impulses, work and heat follow. (The program marches
+u_t itself, in doubles and decimals.) One path serves every law and restitution: it is the same, and ends earlier or
+later. Where the slip has stopped all is linear.
 """
 
-import operator
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
-from pathlib import Path
-from typing import Any
+from itertools import pairwise
+from math import exp
+from operator import mul
+from pathlib import Path as File
+from typing import Any, NamedTuple
 
-from mpmath import mp, mpf
+from mpmath import mp
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path.insert(0, str(File(__file__).resolve().parent))
 
-from digits import gmpy2
+from digits import MANY, gmpy2
 
-DIGITS = 56
-# A step of a quarter of the radius of convergence: two bits with every coefficient.
-ORDER, STRIDE = 90, 0.25
-# Slip this small beside that at the start has stopped.
-STOPPED = "1e-44"
-# A direction that turns so little, beside what turns it back, turns no more.
-KEPT = "1e-50"
+
+class Effort(NamedTuple):
+    """Bits of the arithmetic, order of the series, and two shares as powers of two.
+
+    Slip that has become as small a share of the approach, or of what it was, has stopped. A direction as near to one
+    that it would keep is taken for it.
+    """
+
+    bits: int
+    order: int
+    stopped: int
+    near: int
+
+
+# For thousands of impacts to twenty digits, and for references of forty.
+SEARCH, REFERENCE = Effort(128, 25, 76, 67), Effort(210, 66, 150, 168)
+Exact = MANY.number
+STRIDE = Exact(exp(-2.0))
+MOST_STEPS = 600
+PIECES = 8
+C, S, G, V, P, FX, FY, W, H = range(9)
+sqrt, log, power = MANY.sqrt, MANY.library.log, MANY.library.exp
 Number = Any
-X, Y, V, FX, FY, W, H = range(7)
-number: Any = gmpy2.mpfr if gmpy2 else mpf
+Matrix = list[list[Number]]
 
 
 @contextmanager
-def digits(count: int) -> Iterator[None]:
-    """So many digits, and a few bits."""
-    bits, before = round(3.33 * count) + 4, mp.prec
-    wide = gmpy2.context(gmpy2.get_context(), precision=bits) if gmpy2 else nullcontext()
-    mp.prec = bits
-    try:
-        with wide:
-            yield
-    finally:
-        mp.prec = before
+def precision(bits: int) -> Iterator[None]:
+    """Arithmetic of so many bits."""
+    with mp.workprec(bits), gmpy2.context(gmpy2.get_context(), precision=bits) if gmpy2 else nullcontext():
+        yield
 
 
-def root(x: Number) -> Number:
-    """The square root."""
-    return gmpy2.sqrt(x) if gmpy2 else mp.sqrt(x)
-
-
-def product(a: "list[Number]", b: "list[Number]") -> Number:
-    """The last coefficient of a product of series."""
-    return sum(map(operator.mul, a, reversed(b)))
-
-
-def square(a: "list[Number]") -> Number:
-    """The last coefficient of a square: its terms come in pairs."""
-    n = len(a)
-    half = 2 * sum(map(operator.mul, a[: n // 2], reversed(a)))
-    return half + a[n // 2] * a[n // 2] if n % 2 else half
-
-
-def series(k: Any, mu: Number, state: "list[Number]") -> "list[list[Number]]":
-    """Taylor coefficients in p of u_1, u_2, u_n, p_1, p_2, the normal force's work and friction's heat."""
-    x, y, v, fx, fy, w, h = ([value] for value in state)
-    s = [root(x[0] * x[0] + y[0] * y[0])]
-    c, d = [x[0] / s[0]], [y[0] / s[0]]
-    for n in range(ORDER):
-        constant, over = 1 if n == 0 else 0, n + 1
-        a, b = -mu * c[n], -mu * d[n]
-        x.append((k[0][2] * constant + k[0][0] * a + k[0][1] * b) / over)
-        y.append((k[1][2] * constant + k[0][1] * a + k[1][1] * b) / over)
-        v.append((k[2][2] * constant + k[0][2] * a + k[1][2] * b) / over)
-        fx.append(a / over)
-        fy.append(b / over)
-        w.append(v[n] / over)
-        h.append(mu * s[n] / over)
-        later = s[1:]
-        s.append((square(x) + square(y) - (square(later) if later else 0)) / (2 * s[0]))
-        c.append((x[n + 1] - product(s[1:], c)) / s[0])
-        d.append((y[n + 1] - product(s[1:], d)) / s[0])
-    return [x, y, v, fx, fy, w, h]
-
-
-def value(coefficients: "list[Number]", step: Number) -> Number:
-    total = number(0)
-    for coefficient in reversed(coefficients):
+def value(coefficients: list[Number], step: Number) -> Number:
+    """The series at `step`."""
+    total = coefficients[-1]
+    for coefficient in coefficients[-2::-1]:
         total = total * step + coefficient
     return total
 
 
-def reach(coefficients: "list[list[Number]]", farthest: Number) -> Number:
-    """A step within the radius of convergence, and within the slip that is left."""
-    x, y = coefficients[X], coefficients[Y]
-    squared, change = x[0] * x[0] + y[0] * y[0], x[0] * x[1] + y[0] * y[1]
-    size = root(squared)
-    step = -squared / change if change < 0 else farthest
-    for order in (ORDER - 2, ORDER - 1, ORDER):
-        last = max(abs(x[order]), abs(y[order]))
-        if last:
-            step = min(step, (size / last) ** (number(1) / order))
-    return step * number(str(STRIDE))
+class Path:
+    """The slip of an impact from its start for as long as it is asked for."""
 
+    def __init__(self, k: Matrix, velocity: list[Number], mu: Number, effort: Effort) -> None:
+        self.k, self.mu, self.effort = k, mu, effort
+        self.least, self.near = Exact(2) ** -effort.stopped, Exact(2) ** -effort.near
+        x, y, self.approach = velocity
+        speed = sqrt(x * x + y * y)
+        zero = Exact(0)
+        # a slip that is little beside the approach still has a direction, which its impulse takes
+        self.size = min(abs(self.approach), speed)
+        self.states = [[x / speed, y / speed, speed, self.approach, zero, zero, zero, zero, zero]]
+        self.series: list[list[list[Number]]] = []
+        self.steps: list[Number] = []
+        self.stopped = False
 
-def kept(k: Any, mu: Number, state: "list[Number]") -> "tuple[Number, Number] | None":
-    """The direction of a slip that will turn no more in as many digits: from both sides it is turned back."""
-    size = root(state[X] * state[X] + state[Y] * state[Y])
-    c, d = state[X] / size, state[Y] / size
-    a = k[0][2] - mu * (k[0][0] * c + k[0][1] * d)
-    b = k[1][2] - mu * (k[0][1] * c + k[1][1] * d)
-    back = (a * c + b * d) + mu * (k[0][0] * d * d - 2 * k[0][1] * c * d + k[1][1] * c * c)
-    return (c, d) if back > 0 and abs(b * c - a * d) < number(KEPT) * back else None
+    def piece(self, index: int) -> bool:
+        """Whether there is a step of that number: the slip may have stopped before."""
+        while len(self.series) <= index and not self.stopped:
+            state = self.states[-1]
+            if state[G] <= self.least * self.size:
+                self.stopped = True
+                break
+            if len(self.series) >= MOST_STEPS:
+                raise ArithmeticError("too long a path")
+            series, step = self._straight(state) or self._curved(state)
+            made = [value(one, step) for one in series]
+            # the direction keeps its length
+            length = sqrt(made[C] * made[C] + made[S] * made[S])
+            made[C], made[S] = made[C] / length, made[S] / length
+            self.series.append(series)
+            self.steps.append(step)
+            self.states.append(made)
+        return len(self.series) > index
 
+    def _curved(self, state: list[Number]) -> "tuple[list[list[Number]], Number]":
+        series = self._series(state)
+        return series, self._reach(series)
 
-def line(k: Any, mu: Number, state: "list[Number]", way: "tuple[Number, Number]") -> "list[list[Number]]":
-    """The series of a slip that keeps its direction: of two terms, of three for work and heat."""
-    a, b = -mu * way[0], -mu * way[1]
-    slope = k[2][2] + k[0][2] * a + k[1][2] * b
-    growth = way[0] * (k[0][2] + k[0][0] * a + k[0][1] * b) + way[1] * (k[1][2] + k[0][1] * a + k[1][1] * b)
-    slip = state[X] * way[0] + state[Y] * way[1]
-    first = growth * way[0], growth * way[1], slope, a, b, state[V], mu * slip
-    second = 0, 0, 0, 0, 0, slope / 2, mu * growth / 2
-    return [[here, one, number(two)] for here, one, two in zip(state, first, second, strict=True)]
+    def _straight(self, state: list[Number]) -> "tuple[list[list[Number]], Number] | None":
+        """The series in the normal impulse of a slip that keeps its direction, to where it stops; else nothing.
 
+        It keeps the direction to which it turns from both sides. Where K is nearly singular it turns there at once, and
+        the curved series would have to take steps as short for as long as the slip lasts.
+        """
+        (k11, k12, k13), (_, k22, k23), (_, _, k33) = self.k
+        mu, (c, s, speed, v, p, fx, fy, w, h) = self.mu, state
+        turn = k23 * c - k13 * s - mu * (k12 * (c * c - s * s) + (k22 - k11) * c * s)
+        back = k23 * s + k13 * c + mu * ((k22 - k11) * (c * c - s * s) - 4 * k12 * c * s)
+        if not back > 0 or abs(turn) > back * self.near:
+            return None
+        c, s = c - s * turn / back, s + c * turn / back
+        growth = k13 * c + k23 * s - mu * (k11 * c * c + 2 * k12 * c * s + k22 * s * s)
+        slope = k33 - mu * (k13 * c + k23 * s)
+        # no impact lasts longer where it does not stop
+        step = -speed / growth if growth < 0 else 1000 * (abs(v) + abs(self.approach)) / abs(slope)
+        return [
+            [c], [s], [speed, growth], [v, slope], [p, Exact(1)], [fx, -mu * c], [fy, -mu * s],
+            [w, v, slope / 2], [h, mu * speed, mu * growth / 2],
+        ], step  # fmt: skip
 
-def stop(coefficients: "list[list[Number]]", way: "tuple[Number, Number]") -> Number:
-    """Where a slip that keeps its direction stops."""
-    x, y = coefficients[X], coefficients[Y]
-    growth = x[1] * way[0] + y[1] * way[1]
-    return -(x[0] * way[0] + y[0] * way[1]) / growth if growth < 0 else number("inf")
-
-
-def crossing(coefficients: "list[Number]", target: Number, low: Number, high: Number) -> Number:
-    """Where a rising series reaches the target: halving, then Newton's method."""
-    for _ in range(64):
-        middle = (low + high) / 2
-        low, high = (low, middle) if value(coefficients, middle) > target else (middle, high)
-    slopes = [index * coefficient for index, coefficient in enumerate(coefficients)][1:]
-    place = (low + high) / 2
-    for _ in range(8):
-        slope = value(slopes, place)
-        if slope:
-            place -= (value(coefficients, place) - target) / slope
-    assert low <= place <= high
-    return place
-
-
-class March:
-    """Where the slip is, and what is known of the impact's end."""
-
-    def __init__(self, velocity: "list[Number]") -> None:
-        self.state = [*velocity, *[number(0)] * 4]
-        self.impulse = number(0)
-        self.compression: Number | None = None
-        self.work = number(0)
-        self.steps = 0
+    def _series(self, state: list[Number]) -> list[list[Number]]:
+        """Taylor coefficients in τ of direction, speed, normal velocity, impulses, work and heat."""
+        (k11, k12, k13), (_, k22, k23), (_, _, k33) = self.k
+        mu = self.mu
+        unit = self.unit
+        made = [[number] for number in state]
+        c, s, g, v, p, fx, fy, w, h = made
+        gc, gs = [g[0] * c[0]], [g[0] * s[0]]
+        turn: list[Number] = []
+        grow: list[Number] = []
+        apart = k22 - k11
+        for n in range(self.effort.order):
+            back = slice(n, None, -1)
+            cc, cs = sum(map(mul, c, c[back])), sum(map(mul, c, s[back]))
+            ss = (1 if n == 0 else 0) - cc
+            turn.append(k23 * c[n] - k13 * s[n] - mu * (k12 * (cc - ss) + apart * cs))
+            grow.append(k13 * c[n] + k23 * s[n] - mu * (k11 * cc + 2 * k12 * cs + k22 * ss))
+            over = unit / (n + 1)
+            c.append(-sum(map(mul, s, turn[::-1])) * over)
+            s.append(sum(map(mul, c, turn[::-1])) * over)
+            v.append((k33 * g[n] - mu * (k13 * gc[n] + k23 * gs[n])) * over)
+            p.append(g[n] * over)
+            fx.append(-mu * gc[n] * over)
+            fy.append(-mu * gs[n] * over)
+            w.append(sum(map(mul, v, g[back])) * over)
+            h.append(mu * sum(map(mul, g, g[back])) * over)
+            g.append(sum(map(mul, g, grow[::-1])) * over)
+            gc.append(sum(map(mul, g, c[n + 1 :: -1])))
+            gs.append(sum(map(mul, g, s[n + 1 :: -1])))
+        return made
 
     @property
-    def slip(self) -> Number:
-        return root(self.state[X] * self.state[X] + self.state[Y] * self.state[Y])
+    def unit(self) -> Number:
+        """Of τ, so that no coefficient leaves the range."""
+        return 1 / ((1 + self.mu) * max(self.k[0][0], self.k[1][1], self.k[2][2]))
 
-    def compressed(self) -> None:
-        self.compression, self.work = self.impulse, -self.state[W]
+    def _reach(self, series: list[list[Number]]) -> Number:
+        """A share of the radius of convergence, and no farther than what an impact can last."""
+        speed, closing = series[G][0], abs(series[V][0])
+        radius = 1000 * (1 + closing / speed)
+        # work and heat, of products, need smaller steps than what they are products of
+        scales = {C: 1, S: 1, G: speed, W: (speed + closing) * speed * self.unit, H: speed * speed * self.unit}
+        for order in (self.effort.order - 1, self.effort.order):
+            last = max(abs(series[place][order]) / scale for place, scale in scales.items())
+            if last > 0:
+                radius = min(radius, power(-log(last) / order))
+        return radius * STRIDE
 
 
-def march(k: Any, mu: Number, e: Number, law: str, velocity: "list[Number]") -> "tuple[March, bool]":
-    """Slip to the law's end, or until it has stopped; whether it stopped."""
-    now = March(velocity)
-    start = max(now.slip, abs(velocity[2]))
-    # no impact lasts longer, even where it slips at a constant rate
-    farthest = 100 * (start + abs(velocity[2])) / k[2][2]
-    while now.steps < 20000:
-        if now.slip <= number(STOPPED) * start:
-            return now, True
-        now.steps += 1
-        way = kept(k, mu, now.state)
-        coefficients = series(k, mu, now.state) if way is None else line(k, mu, now.state, way)
-        step = reach(coefficients, farthest) if way is None else min(farthest, stop(coefficients, way))
-        if now.compression is None:
-            sought, target = coefficients[V], number(0)
+class End:
+    """Impulses in the frame of the contact and heat at the end of an impact, and what came before it."""
+
+    def __init__(self, impulse: tuple[Number, ...], compression: Number, heat: Number, slip: Number) -> None:
+        self.impulse = impulse
+        self.compression = compression
+        self.heat = heat
+        # normal impulse until the first slip stopped, or all of it
+        self.slip = slip
+
+
+def end(path: Path, e: Number, law: str) -> End:
+    """Where a law ends the impact whose path is given."""
+    index, start = 0, Exact(0)
+    compression: Number = None
+    work = Exact(0)
+    while path.piece(index):
+        series, far = path.series[index], path.steps[index]
+        if compression is None:
+            sought, target = V, Exact(0)
         elif law == "newton":
-            sought, target = coefficients[V], -e * velocity[2]
+            sought, target = V, -e * path.approach
         elif law == "poisson":
-            sought, target = [now.impulse, number(1)], (1 + e) * now.compression
+            sought, target = P, (1 + e) * compression
         else:
-            sought, target = coefficients[W], (e * e - 1) * now.work
-        low = number(0)
-        for part in range(1, 9):
-            high = step * part / 8
-            if value(sought, high) >= target:
-                step = crossing(sought, target, low, high)
-                break
-            low = high
+            sought, target = W, (e * e - 1) * work
+        place = _crossing(series[sought], target, start, far, path.effort.bits)
+        if place is None:
+            index, start = index + 1, Exact(0)
+            continue
+        if compression is not None or e == 0:
+            at = [value(one, place) for one in series]
+            return End((at[FX], at[FY], at[P]), at[P] if compression is None else compression, at[H], at[P])
+        compression, work, start = value(series[P], place), -value(series[W], place), place
+    return from_rest(path.k, path.mu, path.states[-1], path.approach, compression, work, e, law)
+
+
+def _crossing(series: list[Number], target: Number, start: Number, far: Number, bits: int) -> Number | None:
+    """Where a series first rises to its target within a step, or nothing: by halves, then by Newton's method."""
+    places = [start + (far - start) * part / PIECES for part in range(PIECES + 1)]
+    values = [value(series, place) - target for place in places]
+    for (low, high), (_, after) in zip(pairwise(places), pairwise(values), strict=True):
+        if after < 0:
+            continue
+        return _root(series, target, low, high, bits)
+    return None
+
+
+def _root(series: list[Number], target: Number, low: Number, high: Number, bits: int) -> Number:
+    """Newton's method, kept between a place below the target and one above it."""
+    slopes = [index * coefficient for index, coefficient in enumerate(series)][1:]
+    place = high
+    for _ in range(400):
+        short = value(series, place) - target
+        if short >= 0:
+            high = place
         else:
-            part = 0
-        now.state = [value(one, step) for one in coefficients]
-        now.impulse += step
-        if part:
-            if now.compression is not None:
-                return now, False
-            now.compressed()
-            if e == 0:
-                return now, False
-    raise AssertionError("no end")
+            low = place
+        slope = value(slopes, place)
+        new = place - short / slope if slope > 0 else low
+        if not low < new < high:
+            new = (low + high) / 2
+        if abs(new - place) <= high * Exact(2) ** (16 - bits):
+            return new
+        place = new
+    raise ArithmeticError("the end is not found")
 
 
-def way_out(k: Any, mu: Number) -> "tuple[Number, Number]":
-    """Direction that slip from rest keeps and grows along, where friction cannot hold: an angle."""
-    with digits(DIGITS + 10):
-        return tuple(number(mp.nstr(part, DIGITS)) for part in _way_out(k, mu))
-
-
-def _way_out(k: Any, mu: Number) -> "tuple[Any, Any]":
-    most = max(mpf(str(entry)) for row in k for entry in row)
-    full = [[mpf(str(entry)) / most for entry in row] for row in k]
-    friction = mpf(str(mu))
-
-    def rates(angle: Any) -> "tuple[Any, Any]":
-        c, s = mp.cos(angle), mp.sin(angle)
-        x = full[0][2] - friction * (full[0][0] * c + full[0][1] * s)
-        y = full[1][2] - friction * (full[0][1] * c + full[1][1] * s)
-        return x * c + y * s, y * c - x * s
-
-    places = [2 * mp.pi * index / 720 for index in range(721)]
-    turns = [rates(place)[1] for place in places]
-    for low, high, a, b in zip(places, places[1:], turns, turns[1:], strict=False):
-        if a * b <= 0:
-            angle = mp.findroot(
-                lambda angle: rates(angle)[1], (low, high), solver="anderson", tol=mpf(10) ** (-2 * DIGITS - 12)
-            )
-            if rates(angle)[0] > 0:
-                return mp.cos(angle), mp.sin(angle)
-    raise AssertionError("no way out")
-
-
-def straight(k: Any, mu: Number, e: Number, law: str, now: March, approach: Number) -> "tuple[Number, ...]":
-    """From where slip has stopped: p_t = c p_n."""
-    det = k[0][0] * k[1][1] - k[0][1] * k[0][1]
-    c = (k[0][1] * k[1][2] - k[1][1] * k[0][2]) / det, (k[0][1] * k[0][2] - k[0][0] * k[1][2]) / det
-    growth = number(0), number(0)
+def from_rest(
+    k: Matrix, mu: Number, state: list[Number], approach: Number, compression: Number, work: Number, e: Number, law: str
+) -> End:
+    """The end where slip has stopped: friction holds, or is used up along the one way out."""
+    (k11, k12, k13), (_, k22, k23), (_, _, k33) = k
+    det = k11 * k22 - k12 * k12
+    c = (k12 * k23 - k22 * k13) / det, (k12 * k13 - k11 * k23) / det
+    growth = Exact(0)
     if c[0] * c[0] + c[1] * c[1] > mu * mu:
-        x, y = way_out(k, mu) if mu else (number(1), number(0))
+        x, y, growth = way_out(k, mu) if mu else (Exact(1), Exact(0), Exact(0))
         c = -mu * x, -mu * y
-        growth = tuple(k[i][2] + k[i][0] * c[0] + k[i][1] * c[1] for i in (0, 1))  # type: ignore[assignment]
-    slope = k[2][2] + k[0][2] * c[0] + k[1][2] * c[1]
-    speed, more = now.state[V], number(0)
-    if now.compression is None:
+    slope = k33 + k13 * c[0] + k23 * c[1]
+    begin, speed, done, more = state[P], state[V], state[W], Exact(0)
+    if compression is None:
         more = -speed / slope
-        now.work = -now.state[W] - more * speed / 2
-        now.compression, left = now.impulse + more, e * e * now.work
-        speed = number(0)
-    else:
-        left = e * e * now.work - (now.state[W] + now.work)
+        compression, work, done, speed = begin + more, more * speed / 2 - done, done + more * speed / 2, Exact(0)
+        work = -done
     if law == "newton":
         rest = (-e * approach - speed) / slope
     elif law == "poisson":
-        rest = (1 + e) * now.compression - now.impulse - more
+        rest = (1 + e) * compression - begin - more
     else:
-        rest = (root(speed * speed + 2 * slope * left) - speed) / slope
-    more += rest
-    heat = now.state[H] + mu * root(growth[0] * growth[0] + growth[1] * growth[1]) * more * more / 2
-    return now.state[FX] + c[0] * more, now.state[FY] + c[1] * more, now.impulse + more, heat
+        left = e * e * work - (done + work)
+        rest = (sqrt(speed * speed + 2 * slope * left) - speed) / slope
+    more = more + rest
+    heat = state[H] + mu * growth * more * more / 2
+    return End((state[FX] + c[0] * more, state[FY] + c[1] * more, begin + more), compression, heat, begin)
 
 
-class Impact:
-    """An impact's end in the frame of the contact, in 56 digits."""
+def way_out(k: Matrix, mu: Number) -> tuple[Number, Number, Number]:
+    """Direction ŝ and growth g > 0 of slip from rest: k_tn = (g + μ K_tt) ŝ, by Newton's method on |ŝ(g)| = 1.
 
-    def __init__(self, k: Any, velocity: Any, mu: Any, e: Any, law: str) -> None:
-        """Each number a double, a decimal, or text of digits."""
-        with digits(DIGITS):
-            full = [[number(entry) for entry in row] for row in k]
-            u, friction, restitution = [number(entry) for entry in velocity], number(mu), number(e)
-            if friction == 0 or (u[0] == 0 and u[1] == 0):
-                now, stopped = March(u), True
-            else:
-                now, stopped = march(full, friction, restitution, law, u)
-            self.slip_impulse = now.impulse
-            if stopped:
-                *impulse, self.heat = straight(full, friction, restitution, law, now, u[2])
-                self.impulse = tuple(impulse)
-                if friction == 0:
-                    self.slip_impulse = impulse[2]
-            else:
-                self.impulse, self.heat = (now.state[FX], now.state[FY], now.impulse), now.state[H]
-            assert now.compression is not None
-            self.compression: Number = now.compression
+    With K_tt turned to its axes ŝ = (a/(g + μ λ), b/(g + μ λ')); the sum of squares falls with g and is convex.
+    """
+    (k11, k12, k13), (_, k22, k23), _ = k
+    half, mean = (k11 - k22) / 2, (k11 + k22) / 2
+    apart = sqrt(half * half + k12 * k12)
+    high, low = mu * (mean + apart), mu * (mean - apart)
+    # the axis of the greater eigenvalue, from the column that does not vanish
+    x, y = (half + apart, k12) if half > 0 else (k12, apart - half)
+    size = sqrt(x * x + y * y)
+    x, y = (x / size, y / size) if size > 0 else (Exact(1), Exact(0))
+    a, b = x * k13 + y * k23, x * k23 - y * k13
+    g = Exact(0)
+    for _ in range(300):
+        s, t = a / (g + high), b / (g + low)
+        short = s * s + t * t - 1
+        step = short / (2 * (s * s / (g + high) + t * t / (g + low)))
+        g = g + step
+        if abs(step) <= abs(g) * Exact(2) ** -100:
+            break
+    s, t = a / (g + high), b / (g + low)
+    return s * x - t * y, s * y + t * x, g
+
+
+def smooth(k: Matrix, velocity: list[Number], e: Number) -> End:
+    """Without friction: one impulse along the normal, whatever the law."""
+    compression = -velocity[2] / k[2][2]
+    whole = (1 + e) * compression
+    return End((Exact(0), Exact(0), whole), compression, Exact(0), whole)
+
+
+def whole(k: Matrix, velocity: list[Number], mu: Number, effort: Effort = SEARCH) -> "Path | list[Number]":
+    """The path; of a contact that does not slip at first, the state that it rests in."""
+    if velocity[0] == 0 and velocity[1] == 0:
+        return [Exact(1), Exact(0), Exact(0), velocity[2], *[Exact(0)] * 5]
+    return Path(k, velocity, mu, effort)
+
+
+def ended(found: "Path | list[Number]", k: Matrix, mu: Number, velocity: list[Number], e: Number, law: str) -> End:
+    """The end by one law of what `whole` gave."""
+    if isinstance(found, Path):
+        return end(found, e, law)
+    return from_rest(k, mu, found, velocity[2], None, Exact(0), e, law)
+
+
+def reference(k: Any, velocity: Any, mu: Any, e: Any, law: str, effort: Effort = REFERENCE) -> End:
+    """The end of an impact to forty digits; each number a double, a decimal, or text of digits."""
+    with precision(effort.bits):
+        rows, u = [[Exact(entry) for entry in row] for row in k], [Exact(entry) for entry in velocity]
+        friction, restitution = Exact(mu), Exact(e)
+        if not friction:
+            return smooth(rows, u, restitution)
+        return ended(whole(rows, u, friction, effort), rows, friction, u, restitution, law)

@@ -170,8 +170,8 @@ FILES: dict[str, Origin] = {
     ),
     "impact_spatial": Origin(
         "impact", {"spatial": "spatial", "keller": "spatial"},
-        "Keller's equations by Taylor series in normal impulse, unit impulses give the contact's matrix",
-        "56 digits", IMPACTS, ".",
+        "Keller's equations by series of the slip's direction and speed, unit impulses give the contact's matrix",
+        "63 digits", IMPACTS, ".",
     ),
     "vibration": Origin(
         "vibration",

@@ -15,7 +15,8 @@ CENTRAL = Task(
         "dynamics_cli.impact.particles.central:central",
         source=BOOK + "9.10",
         formula="{impulse|p} = (1 + {restitution|e})·{reduced_mass|m_r}·{closing_speed|u}; "
-        "{first.velocity|v₁'} = v₁ − p/{first.mass|m₁}; {second.velocity|v₂'} = v₂ + p/{second.mass|m₂}; "
+        "{results.first.velocity|v₁'} = v₁ − p/{first.mass|m₁}; "
+        "{results.second.velocity|v₂'} = v₂ + p/{second.mass|m₂}; "
         "{energy_lost|E} = ½·m_r·(1 − e²)·u²",
         assumptions=(SHORT, "mass centres and contact lie on one line, along which both bodies move"),
     ),

@@ -6,7 +6,17 @@ BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sectio
 PICTURES = "dynamics_cli.impact.rigid_pictures:"
 SHORT = "the impact is short: forces other than that of the contact have no impulse, and nothing moves meanwhile"
 POINT = "the bodies are rigid and touch at one point with Coulomb friction"
-KELLER = "J. B. Keller, Impact with friction, J. Appl. Mech. 53 (1986); W. J. Stronge, Impact Mechanics (2000)"
+KELLER = "Keller, J. Appl. Mech. 53 (1986); Stronge, Impact Mechanics (2000)"
+IN_SPACE = (
+    "first.speed: first speed after v₁′",
+    "second.speed: second speed after v₂′",
+    "first.delta_v_magnitude: first Δv₁",
+    "second.delta_v_magnitude: second Δv₂",
+    "first.spin: first spin after ω₁′",
+    "second.spin: second spin after ω₂′",
+    "energy_lost: energy lost E",
+    "slip_history: slip history",
+)
 
 PLANAR = Task(
     "planar",
@@ -14,7 +24,7 @@ PLANAR = Task(
     Model(
         "planar impact with friction",
         "dynamics_cli.impact.planar.impact:planar",
-        source=KELLER + "; R. M. Brach, R. M. Brach, Vehicle Accident Analysis and Reconstruction Methods (2011)",
+        source=KELLER + "; Brach & Brach, Vehicle Accident Analysis and Reconstruction Methods (2011)",
         formula="u' = u + K·p; dp_t = −{friction|μ}·sgn(u_t)·dp_n while it slips, −(k_x/k_t)·dp_n while it sticks; "
         "{normal_impulse|p_n}, {tangential_impulse|p_t} where the law with {restitution|e} ends",
         assumptions=(SHORT, POINT),
@@ -45,6 +55,11 @@ PLANAR = Task(
         "second.spin: second spin after ω₂′",
         "energy_lost: energy lost E",
         "equivalent_barrier_speed: EBS",
+        "slip_history: slip history",
+        "newton.first_delta_v: first Δv₁ by Newton",
+        "poisson.first_delta_v: by Poisson",
+        "brach.first_delta_v: by Brach",
+        "kudlich_slibar.first_delta_v: by Kudlich–Slibar",
     ),
 )
 
@@ -58,7 +73,7 @@ ENVELOPE = Task(
         formula="ΔV = |p|/m at every point of {least_restitution|e₁} to {greatest_restitution|e₂}, "
         "{least_friction|μ₁} to {greatest_friction|μ₂}",
         assumptions=(SHORT, POINT),
-        method="closed-form Routh–Keller path on a grid, extremes in 60 digits",
+        method="closed-form Routh–Keller path on a grid, extremes in many digits",
     ),
     plot=PICTURES + "envelope",
     examples=(
@@ -109,16 +124,7 @@ SPATIAL = Task(
     ),
     arrays=False,
     tracked=False,
-    headline=(
-        "first.speed: first speed after v₁′",
-        "second.speed: second speed after v₂′",
-        "first.delta_v_magnitude: first Δv₁",
-        "second.delta_v_magnitude: second Δv₂",
-        "first.spin: first spin after ω₁′",
-        "second.spin: second spin after ω₂′",
-        "energy_lost: energy lost E",
-        "slip_history: slip",
-    ),
+    headline=IN_SPACE,
 )
 
 SOLVE = Task(
@@ -174,16 +180,7 @@ SOLVE = Task(
     ),
     arrays=False,
     tracked=False,
-    headline=(
-        "first.speed: first speed after v₁′",
-        "second.speed: second speed after v₂′",
-        "first.delta_v_magnitude: first Δv₁",
-        "second.delta_v_magnitude: second Δv₂",
-        "first.spin: first spin after ω₁′",
-        "second.spin: second spin after ω₂′",
-        "energy_lost: energy lost E",
-        "slip_history: slip",
-    ),
+    headline=IN_SPACE,
 )
 
 TASKS: "tuple[Task, ...]" = (PLANAR, SPATIAL, ENVELOPE, SOLVE)

@@ -4,6 +4,7 @@ import math
 
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Ratio
+from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,31 +19,25 @@ SETTLED = 1e-11
 BLIND = 1e-9
 
 
+@record
 class Side:
-    """A vehicle in the fit: its measurements, and the known part of its approach.
+    """A vehicle in the fit: its measurements with their standard deviations, and the known part of its approach.
 
     `way` and `turn` are the unit vector of the approach heading and its derivative; None where the heading is unknown.
-    `sense` is 1 for the vehicle on which the impulse acts, -1 for the other. Without levers or spins, `spins` is None.
+    `sense` is 1 for the vehicle on which the impulse acts, -1 for the other. `spins` are inertia, lever, and spins
+    before and after; None without levers or spins.
     """
 
-    def __init__(
-        self,
-        name: str,
-        sense: float,
-        mass: float,
-        velocity: Pair,
-        heading: "tuple[Pair, Pair] | None",
-        spins: "tuple[float, Pair, float, float] | None",
-        sigmas: "tuple[float, float, float]",
-    ) -> None:
-        self.name = name
-        self.sense = sense
-        self.mass = mass
-        self.velocity = velocity
-        self.way: Pair | None = None if heading is None else heading[0]
-        self.turn: Pair | None = None if heading is None else heading[1]
-        self.spins = spins
-        self.velocity_sigma, self.spin_sigma, self.heading_sigma = sigmas
+    name: str
+    sense: float
+    mass: float
+    velocity: Pair
+    way: "Pair | None"
+    turn: "Pair | None"
+    spins: "tuple[float, Pair, float, float] | None"
+    velocity_sigma: float
+    spin_sigma: float
+    heading_sigma: float
 
     @property
     def bends(self) -> bool:
@@ -127,8 +122,6 @@ def _velocity(side: Side, entries: "Any") -> "tuple[Pair, list[Pair]]":
         return (entries[0], entries[1]), [(1.0, 0.0), (0.0, 1.0)]
     if not side.bends:
         return (entries[0] * side.way[0], entries[0] * side.way[1]), [side.way]
-    import math
-
     cosine, sine = math.cos(entries[1]), math.sin(entries[1])
     travel = cosine * side.way[0] + sine * side.turn[0], cosine * side.way[1] + sine * side.turn[1]
     turn = cosine * side.turn[0] - sine * side.way[0], cosine * side.turn[1] - sine * side.way[1]

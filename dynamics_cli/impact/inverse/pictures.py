@@ -1,7 +1,6 @@
 """Pictures of approach speeds from exit motion: the scene with velocities, and how well the measurements agree."""
 
-from dynamics_cli.impact.conventions import Axes, direction_of
-from dynamics_cli.impact.scene_pictures import collision
+from dynamics_cli.impact.scene_pictures import axes_of, collision, names_of, north_of, seen
 from dynamics_cli.pictures import Axis, Band, Bars, Panel, Picture
 
 TYPE_CHECKING = False
@@ -11,19 +10,14 @@ if TYPE_CHECKING:
 
 def inverse(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
     """The vehicles at the impact with fitted velocities, and every measurement with its residual."""
-    axes = Axes(result.conventions.axes.partition(":")[0].lower())
+    axes = axes_of(result)
     flip = -1.0 if axes == "sae" else 1.0
-    results = result.first, result.second
-    names = [getattr(vehicle, "name", None) or word for vehicle, word in ((first, "first"), (second, "second"))]
     before, after, noses = [], [], []
-    for vehicle, entered in zip(results, (first, second), strict=True):
-        x, y = direction_of(vehicle.approach_heading, axes)
-        before.append((vehicle.approach_speed * x, flip * vehicle.approach_speed * y))
+    for vehicle, entered in zip((result.first, result.second), (first, second), strict=True):
+        before.append(seen(vehicle.approach_speed, vehicle.approach_heading, axes))
         after.append((vehicle.exit_velocity[0], flip * vehicle.exit_velocity[1]))
-        x, y = (x, y) if entered.nose is None else direction_of(entered.nose, axes)
-        noses.append((x, flip * y))
-    north = (0.0, 1.0) if axes == "compass" else None
-    scene = collision(names, noses, before, after, north)
+        noses.append(seen(1.0, vehicle.approach_heading if entered.nose is None else entered.nose, axes))
+    scene = collision(names_of(first, second), noses, before, after, north_of(axes))
     title = "approach from exit motion"
     if not result.residuals:
         return Picture((scene,), title, scene=True)

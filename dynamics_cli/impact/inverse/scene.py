@@ -2,14 +2,14 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.impact.conventions import (
+    AXES,
+    PDOF_ZERO,
     Axes,
-    ByVelocity,
     PdofZero,
     conventions,
     delta_v,
     direction_of,
     heading_of,
-    mass_of,
     velocity_of,
 )
 from dynamics_cli.impact.conventions import BySpeed as Course
@@ -24,21 +24,22 @@ from dynamics_cli.impact.inverse.judgement import (
     unreliable,
 )
 from dynamics_cli.impact.inverse.records import (
+    UNKNOWN_CONTACT,
     Approach,
     Departing,
     ExitSpeed,
     ExitVelocity,
     InverseResult,
+    KnownContact,
     Residual,
     RestAfter,
     TurningAfter,
 )
-from dynamics_cli.impact.planar.bodies import OnBody, RigidBody, Solid, solid
-from dynamics_cli.quantities import RoadSpeed
+from dynamics_cli.impact.planar.bodies import Solid, struck
+from dynamics_cli.quantities import STANDARD_GRAVITY, RoadSpeed
 from dynamics_cli.records import Advice, Check, Numerics
 
 Pair = tuple[float, float]
-Both = tuple[Departing, Departing]
 NAMES = "the first", "the second"
 
 
@@ -65,19 +66,23 @@ class Scene:
 
     def __init__(
         self,
-        vehicles: Both,
-        contact_point: Pair | None,
-        normal: float | None,
-        axes: Axes,
-        zero: PdofZero,
-        gravity: float,
+        first: Departing,
+        second: Departing,
+        contact_point: Pair | None = None,
+        normal: float | None = None,
+        contact: KnownContact = UNKNOWN_CONTACT,
+        axes: Axes = AXES,
+        pdof_zero: PdofZero = PDOF_ZERO,
+        gravity: float = STANDARD_GRAVITY,
         *,
         spins: bool = True,
         headings: bool = True,
     ) -> None:
-        self.vehicles, self.axes, self.zero = vehicles, axes, zero
+        self.vehicles = vehicles = first, second
+        self.contact, self.axes, self.zero = contact, axes, pdof_zero
         self.solids = [
-            _solid(vehicle, contact_point, axes, gravity, name) for vehicle, name in zip(vehicles, NAMES, strict=True)
+            _solid(vehicle, contact_point, axes, gravity, name + " vehicle")
+            for vehicle, name in zip(vehicles, NAMES, strict=True)
         ]
         self.momentum = not spins
         used = [spins and turns(vehicle) for vehicle in vehicles]
@@ -107,17 +112,18 @@ class Scene:
                 hint="every measurement has one: give a small number",
             )
         require(vehicle.heading_sigma >= 0.0, "a standard deviation is below zero", code="no-sigma")
-        heading = None
+        way = turn = None
         if headed and vehicle.approach_heading is not None:
-            x, y = direction_of(vehicle.approach_heading, self.axes)
-            heading = ((x, y), (y, -x)) if self.axes == "compass" else ((x, y), (-y, x))
+            x, y = way = direction_of(vehicle.approach_heading, self.axes)
+            turn = (y, -x) if self.axes == "compass" else (-y, x)
         spins = None
         if turning:
             spins = float(body.inertia), body.lever, vehicle.approach_spin or 0.0, vehicle.exit_spin or 0.0  # type: ignore[arg-type]
-        weights = (vehicle.velocity_sigma, vehicle.spin_sigma) if self.weighted else (1.0, 1.0)
-        sigmas = weights[0] or 1.0, weights[1] or 1.0, vehicle.heading_sigma if self.weighted else 0.0
+        sigmas = 1.0, 1.0, 0.0
+        if self.weighted:
+            sigmas = vehicle.velocity_sigma or 1.0, vehicle.spin_sigma or 1.0, vehicle.heading_sigma
         mass = float(body.mass)  # type: ignore[arg-type]
-        return Side(name, 1.0 - 2.0 * index, mass, body.velocity, heading, spins, sigmas)
+        return Side(name, 1.0 - 2.0 * index, mass, body.velocity, way, turn, spins, *sigmas)
 
     def answer(self, fit: Fit, verdict: str | None, sine: float | None, method: str) -> InverseResult:
         """The complete answer."""
@@ -245,17 +251,4 @@ def _solid(vehicle: Departing, contact_point: Pair | None, axes: Axes, gravity: 
         velocity = motion.exit_velocity
     elif isinstance(motion, ExitSpeed):
         velocity = velocity_of(Course(motion.exit_speed, motion.exit_heading), axes)
-    if vehicle.turning is None or vehicle.arm is None:
-        mass = mass_of(vehicle.bulk, gravity, name + " vehicle")
-        return Solid(mass, None, (0.0, 0.0), velocity, vehicle.exit_spin or 0.0, (1.0, 0.0))
-    require(
-        not isinstance(vehicle.arm, OnBody) or vehicle.nose is not None,
-        "the contact is measured on the body of {name} vehicle, whose nose is not given",
-        name=name,
-        code="no-nose",
-        hint="give the heading of its nose at the impact",
-    )
-    body = RigidBody(
-        vehicle.bulk, vehicle.turning, vehicle.arm, ByVelocity(velocity), vehicle.exit_spin or 0.0, vehicle.nose
-    )
-    return solid(body, contact_point, axes, gravity, name + " vehicle")
+    return struck(vehicle, velocity, vehicle.exit_spin or 0.0, vehicle.nose, contact_point, axes, gravity, name)

@@ -9,21 +9,18 @@ from dynamics_cli.impact.inverse.rest import Ended, Problem, contact_of, solve_r
 from dynamics_cli.impact.inverse.scene import NAMES, Scene, ended, turns
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Annotated, Gravity, PlanarPosition
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 
 def by_momentum(
     *,
     first: Annotated[Departing, "The first vehicle."],
     second: Annotated[Departing, "The second vehicle."],
-    contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
-    normal: Annotated[
-        Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
-    ] = None,
-    contact: Annotated[KnownContact, "What is known of the contact, for rest positions."] = UNKNOWN_CONTACT,
-    axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
-    pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
-    gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
+    **circumstances: "Any",
 ) -> InverseResult:
-    """Approach speeds from exit velocities and approach headings: momentum alone, without spins.
+    """Approach speeds from exit velocities and approach headings by momentum alone; parameters of `by_rest`.
 
     Equation
     --------
@@ -53,7 +50,7 @@ def by_momentum(
     >>> round(result.first.approach_speed, 9), round(result.second.approach_speed, 9)
     (15.12, 10.15)
     """
-    scene = Scene((first, second), contact_point, normal, axes, pdof_zero, gravity, spins=False)
+    scene = Scene(first, second, **circumstances, spins=False)
     require(
         first.approach_heading is not None and second.approach_heading is not None,
         "momentum alone needs both approach headings",
@@ -71,16 +68,9 @@ def by_spins(
     *,
     first: Annotated[Departing, "The first vehicle."],
     second: Annotated[Departing, "The second vehicle."],
-    contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
-    normal: Annotated[
-        Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
-    ] = None,
-    contact: Annotated[KnownContact, "What is known of the contact, for rest positions."] = UNKNOWN_CONTACT,
-    axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
-    pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
-    gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
+    **circumstances: "Any",
 ) -> InverseResult:
-    """Approach speeds and headings from exit velocities and changes of spin.
+    """Approach speeds and headings from exit velocities and changes of spin; parameters of `by_rest`.
 
     Equation
     --------
@@ -111,7 +101,7 @@ def by_spins(
     >>> [round(part, 3) for part in by_spins(first=car, second=other).impulse]
     [-5583.688, 236.17]
     """
-    scene = Scene((first, second), contact_point, normal, axes, pdof_zero, gravity, headings=False)
+    scene = Scene(first, second, **circumstances, headings=False)
     missing = [name for name, side in zip(NAMES, scene.sides, strict=True) if side.spins is None]
     require(
         not missing,
@@ -129,16 +119,9 @@ def least_squares(
     *,
     first: Annotated[Departing, "The first vehicle."],
     second: Annotated[Departing, "The second vehicle."],
-    contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
-    normal: Annotated[
-        Angle | None, "Contact normal from the first vehicle to the second, for restitution and friction, e.g. 10 deg."
-    ] = None,
-    contact: Annotated[KnownContact, "What is known of the contact, for rest positions."] = UNKNOWN_CONTACT,
-    axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
-    pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
-    gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
+    **circumstances: "Any",
 ) -> InverseResult:
-    """Approach speeds that agree best with exit velocities, spins and approach headings together.
+    """Approach speeds that agree best with exit velocities, spins and headings together; parameters of `by_rest`.
 
     Equation
     --------
@@ -173,7 +156,7 @@ def least_squares(
     >>> round(result.first.approach_speed, 9), round(result.first.speed_sigma, 9)
     (15.066562212, 0.602272637)
     """
-    scene = Scene((first, second), contact_point, normal, axes, pdof_zero, gravity)
+    scene = Scene(first, second, **circumstances)
     require(
         scene.weighted,
         "least squares weigh the measurements, and a standard deviation is missing",
@@ -243,7 +226,7 @@ def by_rest(
         "rest positions need both approach headings",
         code="not-enough",
     )
-    scene = Scene((first, second), contact_point, normal, axes, pdof_zero, gravity)
+    scene = Scene(first, second, contact_point, normal, contact, axes, pdof_zero, gravity)
     require(
         scene.weighted,
         "least squares weigh the rest positions, and a standard deviation is missing",
@@ -252,7 +235,7 @@ def by_rest(
     )
     first_side, second_side = scene.sides
     ends = Ended(first, first_side, axes, gravity), Ended(second, second_side, axes, gravity)
-    problem = Problem(scene.sides, ends, contact_of(normal, axes, contact))
+    problem = Problem(scene.sides, ends, contact_of(normal, axes, scene.contact))
     fit = solve_rest(problem)
     result = scene.answer(fit, None, None, f"Gauss–Newton by QR of the scaled matrix, {fit.steps} steps")
     return with_turning(result, problem)

@@ -1,16 +1,11 @@
 """Several touching bodies in line: the answer is not unique, so every answer names its law."""
 
-from dynamics_cli.errors import (
-    require,
-    worded,
-)
+from math import fsum
+
+from dynamics_cli.errors import require, worded
 from dynamics_cli.impact.diagnostics import TOLERANCE, balance, not_above, require_finite, require_sizes
 from dynamics_cli.impact.particles.chain_records import AfterChain, Body, ChainLaw, ChainResult, LawAnswer
-from dynamics_cli.quantities import (
-    Annotated,
-    Restitution,
-    Speed,
-)
+from dynamics_cli.quantities import Annotated, Restitution, Speed
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
 
 TYPE_CHECKING = False
@@ -63,7 +58,7 @@ def chain(
     -----
     Rigid-body theory does not decide between the laws: equal elastic balls give (0, 0, 1) by pairs and (−⅓, ⅔, ⅔) at
     one moment. Even very small gaps, and waves in real bodies, favour pairs. Results are rounded once, from decimals
-    with enough digits that two runs agree: the stated bound is that of rounding, including conversion to another unit.
+    of many digits: the stated bound is that of rounding, including conversion to another unit.
 
     References
     ----------
@@ -125,12 +120,6 @@ def chain(
     )
 
 
-def _sum(parts: list[float]) -> float:
-    import math
-
-    return math.fsum(parts)
-
-
 def _closing(velocities: list[float]) -> list[float]:
     return [velocities[i] - velocities[i + 1] for i in range(len(velocities) - 1)]
 
@@ -146,7 +135,7 @@ def _after(name: str, solution: "Answer") -> tuple[AfterChain, ...]:
 
 
 def _bounds(answers: "list[Answer]", momentum: float) -> tuple[ErrorBound, ...]:
-    """Rounding of the results to doubles, plus the small difference of two runs in many digits."""
+    """Rounding of the results to doubles, plus what the digits of the decimals leave."""
     bounds: list[ErrorBound] = [ErrorBound("momentum", UNIT_ROUNDOFF)] if momentum else []
 
     def add(name: str, number: "Bounded") -> None:
@@ -176,10 +165,10 @@ def _checks(answer: LawAnswer, rows: tuple[AfterChain, ...], bodies: tuple[Body,
     pushes = [row.impulse_to_next or 0.0 for row in rows]
     # velocities are as accurate as the rounding of the fastest one
     fastest = max(abs(v) for v in speeds[0])
-    size = _sum([abs(part) for part in (*parts[0], *parts[1], *pushes)]) + _sum([b.mass * fastest for b in bodies])
-    checks = balance(f"{name}: momentum", _sum(parts[0]), _sum(parts[1]), size)
-    energies = [_sum([0.5 * m * v for m, v in zip(*side, strict=True)]) for side in zip(parts, speeds, strict=True)]
-    scale = energies[0] + _sum([abs(p * body.velocity) for p, body in zip(pushes, bodies, strict=True)])
+    size = fsum([abs(part) for part in (*parts[0], *parts[1], *pushes)]) + fsum([b.mass * fastest for b in bodies])
+    checks = balance(f"{name}: momentum", fsum(parts[0]), fsum(parts[1]), size)
+    energies = [fsum([0.5 * m * v for m, v in zip(*side, strict=True)]) for side in zip(parts, speeds, strict=True)]
+    scale = energies[0] + fsum([abs(p * body.velocity) for p, body in zip(pushes, bodies, strict=True)])
     tolerance = max(TOLERANCE, 32.0 * answer.collisions * UNIT_ROUNDOFF)
     checks += balance(f"{name}: energy", energies[0] - energies[1], answer.energy_lost, scale, tolerance)
     checks += not_above(f"{name}: no energy is gained", -answer.energy_lost, 0.0, scale)

@@ -1,7 +1,7 @@
 """The laws of a chain in decimal arithmetic of many digits: which pair closes is then decided as in exact arithmetic.
 
-The last bit decides whether balls of equal speed still close, and the answer jumps with it. Every law is run twice,
-the second time with twice the digits: the difference of the two runs bounds the remaining rounding.
+The last bit decides whether balls of equal speed still close, and the answer jumps with it. So many digits are used
+that their rounding cannot reach the digits of a double.
 """
 
 from decimal import Context, Decimal, localcontext
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 MOST_COLLISIONS = 20000
 MOST_ROUNDS = 2000
-# Pairs that keep colliding ever more slowly are stopped at this share of the fastest initial closing speed, in the
-# first run and in the second; pairs slower than this count as stopped even if collisions end earlier.
-STILL = Decimal("1e-25"), Decimal("1e-32")
+# Pairs that keep colliding ever more slowly are stopped at this share of the fastest initial closing speed; of those
+# that collide too often to be followed, those slower than the second count as stopped.
+STILL = Decimal("1e-32")
 STOPPED = Decimal("1e-14")
 # Digits in addition to those for the range of masses and speeds.
-DIGITS = 60
+DIGITS = 80
 ZERO = Decimal(0)
 
 
@@ -54,19 +54,17 @@ class Chain:
         self.fastest = Decimal(max(closing))
         self.heavy = max(self.masses).adjusted() - min(self.masses).adjusted()
         moving = [velocity.adjusted() for velocity in self.velocities if velocity]
-        # enough digits for the effect of a light body on a heavy one, and for the slowest closing relative to the
-        # fastest
-        # body
+        # enough digits for the effect of a light body on a heavy one, and for the slowest closing
         self.digits = DIGITS + 2 * self.heavy + max(moving) - min(self.fastest.adjusted(), *moving)
 
     def closing(self) -> list[Decimal]:
         """Speeds at which neighbours close."""
         return [a - b for a, b in pairwise(self.velocities)]
 
-    def least(self, run: int) -> Decimal:
+    def least(self) -> Decimal:
         """Closing slower than this counts as stopped."""
         rounding = max(map(abs, self.velocities)).scaleb(20 - self.digits)
-        return max((STILL[run] * self.fastest).scaleb(-self.heavy // 2), rounding)
+        return max((STILL * self.fastest).scaleb(-self.heavy // 2), rounding)
 
     def drift(self, closing: Decimal) -> Decimal:
         """How far, in √(Σ m v²), velocities may still change when no pair closes faster than this.
@@ -79,16 +77,10 @@ class Chain:
         return 2 * max(closing, ZERO) * spread.sqrt()
 
 
-def moved(chain: Chain, law: str, run: int) -> Motion:
-    """One run of a law; the second has twice the digits of the first."""
-    with localcontext(Context(prec=(run + 1) * chain.digits)):
-        return (_sequential if law == "sequential" else _simultaneous)(chain, run)
-
-
-def _sequential(chain: Chain, run: int) -> Motion:
+def _sequential(chain: Chain) -> Motion:
     """One pair at a time, the fastest first; of pairs as fast the first in line."""
     motion = Motion(len(chain.masses))
-    closing, least = chain.closing(), chain.least(run)
+    closing, least = chain.closing(), chain.least()
     reduced = [one * other / (one + other) for one, other in pairwise(chain.masses)]
     alike = 1 - Decimal(1).scaleb(20 - chain.digits)
     while (fastest := max(closing)) > least:
@@ -115,11 +107,11 @@ def _sequential(chain: Chain, run: int) -> Motion:
     return motion
 
 
-def _simultaneous(chain: Chain, run: int) -> Motion:
+def _simultaneous(chain: Chain) -> Motion:
     """All contacts at one moment, in rounds until no pair closes."""
     motion = Motion(len(chain.masses))
     weights = [1 / mass for mass in chain.masses]
-    closing, least = chain.closing(), chain.least(run)
+    closing, least = chain.closing(), chain.least()
     size = ZERO
     while (fastest := max(closing)) > least:
         if motion.collisions == MOST_ROUNDS:
@@ -128,9 +120,9 @@ def _simultaneous(chain: Chain, run: int) -> Motion:
             break
         pushes = [(1 + e) * p for e, p in zip(chain.ratios, _plastic(weights, closing), strict=True)]
         opened = _opened(weights, pushes)
-        works = [p * (u + u - o) / 2 for p, u, o in zip(pushes, closing, opened, strict=True)]
-        motion.lost += sum(works)
-        size += sum(map(abs, works))
+        for p, u, o in zip(pushes, closing, opened, strict=True):
+            motion.lost += p * (u + u - o) / 2
+            size += p * (abs(u) + abs(o))
         motion.impulses = [so_far + more for so_far, more in zip(motion.impulses, pushes, strict=True)]
         closing = [u - o for u, o in zip(closing, opened, strict=True)]
         motion.collisions += 1
@@ -198,16 +190,14 @@ SMALLEST = 5e-324
 
 
 class Bounded:
-    """A number as a double with a bound on its error: rounding here and in another unit, and the runs' difference."""
+    """A number as a double with a bound on its error: `left`, and rounding here and in another unit."""
 
     __slots__ = ("error", "value")
 
-    def __init__(self, first: Decimal, second: Decimal, left: Decimal, size: Decimal) -> None:
-        apart = abs(first - second) + left + size.scaleb(-DIGITS)
+    def __init__(self, number: Decimal, left: Decimal) -> None:
         # numbers indistinguishable from zero are zero
-        zero = abs(second) <= apart
-        self.value = 0.0 if zero else float(second)
-        self.error = 2.0 * UNIT_ROUNDOFF * abs(self.value) + float(2 * apart) + SMALLEST
+        self.value = 0.0 if abs(number) <= left else float(number)
+        self.error = 2.0 * UNIT_ROUNDOFF * abs(self.value) + float(2 * left) + SMALLEST
 
 
 class Answer:
@@ -216,21 +206,20 @@ class Answer:
     __slots__ = ("changes", "collisions", "impulses", "lost", "velocities", "why")
 
     def __init__(self, chain: Chain, law: str) -> None:
-        runs = moved(chain, law, 0), moved(chain, law, 1)
-        self.why = runs[1].why
-        self.collisions = runs[1].collisions
-        with localcontext(Context(prec=2 * chain.digits)):
-            left = runs[1].left
-            speeds = [left / mass.sqrt() for mass in chain.masses]
-            self.changes = list(map(Bounded, runs[0].changes, runs[1].changes, speeds, map(abs, runs[1].changes)))
-            ends = [[v + change for v, change in zip(chain.velocities, run.changes, strict=True)] for run in runs]
-            self.velocities = list(map(Bounded, *ends, speeds, [abs(v) for v in chain.velocities]))
-            push = left * sum(chain.masses, ZERO).sqrt()
-            impulses = zip(*(run.impulses for run in runs), strict=True)
-            self.impulses = [Bounded(one, two, push, two) for one, two in impulses]
-            energies = (m * v * v for m, v in zip(chain.masses, chain.velocities, strict=True))
-            size = sum(energies, ZERO)
-            self.lost = Bounded(runs[0].lost, runs[1].lost, left * size.sqrt(), size.scaleb(-chain.digits))
+        with localcontext(Context(prec=chain.digits)):
+            motion = (_sequential if law == "sequential" else _simultaneous)(chain)
+            self.why, self.collisions = motion.why, motion.collisions
+            # sums of thousands of roundings, magnified where light bodies strike heavy ones
+            rounding = Decimal(1).scaleb(20 + chain.heavy - chain.digits)
+            energy = sum((m * v * v for m, v in zip(chain.masses, chain.velocities, strict=True)), ZERO)
+            mass = sum(chain.masses, ZERO)
+            speed = rounding * max(map(abs, chain.velocities))
+            ends = [v + change for v, change in zip(chain.velocities, motion.changes, strict=True)]
+            left = [motion.left / m.sqrt() + speed for m in chain.masses]
+            self.changes = list(map(Bounded, motion.changes, left))
+            self.velocities = list(map(Bounded, ends, left))
+            self.impulses = [Bounded(push, motion.left * mass.sqrt() + mass * speed) for push in motion.impulses]
+            self.lost = Bounded(motion.lost, motion.left * energy.sqrt() + rounding * energy)
 
 
 def momentum(masses: "Sequence[float]", velocities: "Sequence[float]") -> float:

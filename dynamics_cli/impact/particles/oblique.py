@@ -17,7 +17,7 @@ from dynamics_cli.impact.conventions import (
     travel_of,
     velocity_of,
 )
-from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, require_sizes
+from dynamics_cli.impact.diagnostics import balance, momentum_kept, not_above, require_finite, require_sizes
 from dynamics_cli.impact.particles.central import (
     contact_advice,
     plain_above,
@@ -226,13 +226,7 @@ def _checks(
     contact: Restituted | Energetic,
 ) -> tuple[Check, ...]:
     one, two = answer.first, answer.second
-    checks: tuple[Check, ...] = ()
-    if masses[1] is not None:
-        for axis, name in enumerate(("momentum along x", "momentum along y")):
-            held = masses[0] * before[0][axis], masses[1] * before[1][axis]
-            left = masses[0] * one.velocity[axis] + masses[1] * two.velocity[axis]
-            size = absolute(held[0]) + absolute(held[1]) + answer.impulse
-            checks += balance(name, held[0] + held[1], left, size)
+    checks = momentum_kept(masses, before, (one.velocity, two.velocity), answer.impulse)
     speeds = hypot(before[0][0], before[0][1]) + hypot(before[1][0], before[1][1]) + answer.closing_speed
     speeds = speeds + answer.separation_speed
     parted = two.normal_velocity - one.normal_velocity

@@ -2,8 +2,8 @@
 
 import math
 
-from dynamics_cli.impact.conventions import Axes, direction_of, mass_of
-from dynamics_cli.impact.scene_pictures import LENGTH, collision, velocities
+from dynamics_cli.impact.conventions import direction_of, mass_of
+from dynamics_cli.impact.scene_pictures import LENGTH, axes_of, collision, names_of, north_of, seen, velocities
 from dynamics_cli.impact.uncertain_shapes import at_tip, fan
 from dynamics_cli.impact.vector_pictures import polygon
 from dynamics_cli.impact.verdict_pictures import worst_headings
@@ -30,12 +30,9 @@ def oblique(result: "Any", *, first: "Any" = None, second: "Any" = None, **_: "A
         gone = (0.0, 0.0) if end.delta_v is None else end.delta_v.vector
         after.append(end.velocity)
         before.append((end.velocity[0] - gone[0], end.velocity[1] - gone[1]))
-    turn = result.normal_direction
-    compass = str(result.conventions.axes).startswith("compass")
-    way = (math.sin(turn), math.cos(turn)) if compass else (math.cos(turn), math.sin(turn))
+    way = direction_of(result.normal_direction, axes_of(result))
     reach = 0.7 * max(max(abs(x), abs(y)) for x, y in [*before, *after]) or 1.0
-    names = tuple(getattr(end, "name", None) or word for end, word in ((first, "first"), (second, "second")))
-    panel = velocities(names, before, after)
+    panel = velocities(names_of(first, second), before, after)
     line = Curve([-reach * way[0], reach * way[0]], [-reach * way[1], reach * way[1]], "line of impact", "dotted", 2)
     return Picture((Panel(panel.x, panel.y, (line, *panel.items), panel.title, equal=True),), "oblique impact")
 
@@ -45,16 +42,15 @@ def momentum(
     spreads: "Spreads | None" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The vehicles at the impact with their velocities and what is uncertain of them, and the polygon of momenta."""
-    axes = result.conventions.axes.partition(":")[0]
+    axes = axes_of(result)
     bodies = (result.first, result.second)
-    names = tuple(getattr(vehicle, "name", None) or word for vehicle, word in ((first, "first"), (second, "second")))
-    before = [_seen(vehicle.approach_speed, vehicle.approach_heading, axes) for vehicle in bodies]
-    after = [_seen(vehicle.exit_speed, vehicle.exit_heading, axes) for vehicle in bodies]
+    names = names_of(first, second)
+    before = [seen(vehicle.approach_speed, vehicle.approach_heading, axes) for vehicle in bodies]
+    after = [seen(vehicle.exit_speed, vehicle.exit_heading, axes) for vehicle in bodies]
     noses = [
-        _seen(1.0, body.approach_heading if entered.nose is None else entered.nose, axes)
+        seen(1.0, body.approach_heading if entered.nose is None else entered.nose, axes)
         for body, entered in zip(bodies, (first, second), strict=True)
     ]
-    north = (0.0, 1.0) if axes == "compass" else None
     masses = [mass_of(vehicle.bulk, gravity) for vehicle in (first, second)]
 
     def uncertain(role: int, centre: "Pair", scale: float) -> "list[Any]":
@@ -67,7 +63,7 @@ def momentum(
         tip, sense = (centre[0] + arrow[0], centre[1] + arrow[1]), -1.0 if axes in ("compass", "sae") else 1.0
 
         def way(heading: float) -> "Pair":
-            return _seen(1.0, heading, axes)
+            return seen(1.0, heading, axes)
 
         return [
             *fan(spreads, f"{side}.approach_heading", centre, -reach, way, role),
@@ -76,29 +72,14 @@ def momentum(
         ]
 
     inches = (3.4, 3.6) if spreads is None else (7.2, 3.9)
-    scene = collision(names, noses, before, after, north, None, inches, uncertain=uncertain)
+    scene = collision(names, noses, before, after, north_of(axes), None, inches, uncertain=uncertain)
     title = "velocities at the impact, before and after"
-    held = (
-        "" if spreads is None else f"fans of headings and ellipses of velocities hold {100.0 * spreads.coverage:.4g} %"
-    )
+    held = spreads and f"fans of headings and ellipses of velocities hold {100.0 * spreads.coverage:.4g} %"
     panels = [scene, polygon(names, masses, before, after)]
     if damage is None and first.approach_speed is None and second.approach_speed is None:
         bulks = [vehicle.bulk for vehicle in (first, second)]
-        panels += worst_headings(bodies, bulks, names, Axes(axes), gravity, wide=spreads is None)
-    return Picture(
-        tuple(panels),
-        title,
-        columns=2,
-        scene=True,
-        width=WIDE if spreads else 0.0,
-        subtitle=held,
-    )
-
-
-def _seen(length: float, heading: float, axes: str) -> "tuple[float, float]":
-    """A vector of a heading as seen from above on the page: north or y up; the y axis of sae points down."""
-    x, y = direction_of(heading, Axes(axes))
-    return length * x, -length * y if axes == "sae" else length * y
+        panels += worst_headings(bodies, bulks, names, axes, gravity, wide=spreads is None)
+    return Picture(tuple(panels), title, columns=2, scene=True, width=WIDE if spreads else 0.0, subtitle=held or "")
 
 
 def central(result: "Any", **_: "Any") -> Picture:

@@ -16,11 +16,15 @@ from dynamics_cli.impact.conventions import (
     velocity_of,
 )
 from dynamics_cli.impact.planar.path import Mobility
-from dynamics_cli.numerics.elementary import absolute, hypot, multiply_add
+from dynamics_cli.numerics.elementary import multiply_add
 from dynamics_cli.numerics.vectors import planar_cross as cross
 from dynamics_cli.numerics.vectors import planar_dot as dot
 from dynamics_cli.quantities import Angle, AngularSpeed, Annotated, Distance, Inertia, PlanarPosition
 from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 Pair = tuple[float, float]
 
@@ -158,6 +162,24 @@ def solid(body: RigidBody | RigidTarget, contact: Pair | None, axes: Axes, gravi
     return Solid(mass, inertia, _lever(body.arm, contact, nose, name), velocity, body.spin, nose)  # type: ignore[arg-type]
 
 
+def struck(
+    vehicle: "Any", velocity: Pair, spin: float, nose: float | None, contact: Pair | None, axes: Axes, gravity: float,
+    name: str,
+) -> Solid:  # fmt: skip
+    """A vehicle at the contact by its bulk, turning and arm; without one of the latter it does not turn."""
+    if vehicle.turning is None or vehicle.arm is None:
+        return Solid(mass_of(vehicle.bulk, gravity, name), None, (0.0, 0.0), velocity, spin, (1.0, 0.0))
+    require(
+        not isinstance(vehicle.arm, OnBody) or nose is not None,
+        "the contact is measured on the body of {name}, whose nose is not given",
+        name=name,
+        code="no-nose",
+        hint="give the heading of its nose at the impact",
+    )
+    body = RigidBody(vehicle.bulk, vehicle.turning, vehicle.arm, ByVelocity(velocity), spin, nose)
+    return solid(body, contact, axes, gravity, name)
+
+
 def nose_of(nose: float | None, velocity: Pair, axes: Axes) -> Pair:
     """Direction of the nose: as given, else that of travel, or of heading zero for a body at rest."""
     return travel_of(velocity, axes) if nose is None else direction_of(nose, axes)
@@ -215,17 +237,3 @@ def mobility(a: Solid, b: Solid, normal: Pair) -> tuple[Mobility, Pair]:
         area = cross(a.lever, b.lever)
         det = det + area * area / (a.inertia * b.inertia)  # type: ignore[operator]
     return Mobility(kt + freedom, kx, kn + freedom, det), (bt, bn)
-
-
-def far_levers(a: Solid, b: Solid) -> list[tuple[str, float]]:
-    """Bodies whose contact is farther away than four radii of gyration, with the number of them."""
-    far = []
-    for body, name in ((a, "first"), (b, "second")):
-        if body.mass is None or body.inertia is None:
-            continue
-        reach = absolute(hypot(body.lever[0], body.lever[1]))
-        square = reach * reach * body.mass / body.inertia
-        plain = getattr(square, "value", square)
-        if not getattr(plain, "ndim", 0) and plain > 16.0:
-            far.append((name, plain**0.5))
-    return far

@@ -1,10 +1,10 @@
 """Checks of a planar impact, and advice about its inputs."""
 
 from dynamics_cli.errors import worded
-from dynamics_cli.impact.diagnostics import balance, not_above
-from dynamics_cli.impact.planar.bodies import Pair, Solid, far_levers
+from dynamics_cli.impact.diagnostics import balance, momentum_kept, not_above
+from dynamics_cli.impact.planar.bodies import Pair, Solid
 from dynamics_cli.impact.planar.laws import ON_THE_PATH, Meeting, Outcome
-from dynamics_cli.impact.planar.path import travel
+from dynamics_cli.impact.planar.path import Path, travel
 from dynamics_cli.numerics.elementary import absolute, hypot
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.vectors import planar_cross as cross
@@ -25,7 +25,8 @@ def certificate(
         return ()
     size = answer.impulse_magnitude
     states = (first, answer.first), (second, answer.second)
-    checks = _momentum(states, size)
+    after = answer.first.velocity, answer.second.velocity
+    checks = momentum_kept((first.mass, second.mass), (first.velocity, second.velocity), after, size)
     checks += _turning(states, answer.moment_impulse, size)
     # velocity change at the contact in the most compliant direction: all components are rounded beside it
     moved = (m.mobility.tangential + m.mobility.normal) * size
@@ -36,22 +37,10 @@ def certificate(
     if not plain(m.restitution) > 1.0:
         checks += not_above("no energy is gained", -solved.lost, 0.0, work)
     checks += not_above("no tension", -solved.normal, 0.0, size)
-    return checks + _friction(m, solved, law) + _restitution(m, solved, law)
-
-
-def _momentum(states: "tuple[tuple[Solid, AfterPlanar], ...]", size: float) -> tuple[Check, ...]:
-    """Linear momentum of both bodies, or none where one is fixed."""
-    if any(body.mass is None for body, _ in states):
-        return ()
-    checks: tuple[Check, ...] = ()
-    for axis, name in enumerate(("momentum along x", "momentum along y")):
-        before, after, scale = 0.0, 0.0, size
-        for body, end in states:
-            before = before + body.mass * body.velocity[axis]  # type: ignore[operator]
-            after = after + body.mass * end.velocity[axis]  # type: ignore[operator]
-            scale = scale + absolute(body.mass * body.velocity[axis])  # type: ignore[operator]
-        checks += balance(name, before, after, scale)
-    return checks
+    path = None
+    if law in ON_THE_PATH:
+        path = travel(m.mobility, m.slip, m.approach, m.friction, m.restitution, law)
+    return checks + _friction(m, solved, path) + _restitution(m, solved, law, path)
 
 
 def _turning(states: "tuple[tuple[Solid, AfterPlanar], ...]", moment: float | None, size: float) -> tuple[Check, ...]:
@@ -89,31 +78,25 @@ def _kinematics(
     )
 
 
-def _friction(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
+def _friction(m: Meeting, solved: Outcome, path: "Path | None") -> tuple[Check, ...]:
     """|p_t| ≤ μ p_n in all, and on the path in both phases."""
     limit = m.friction * solved.normal
-    if law == "brach" or law not in ON_THE_PATH:
-        return not_above(
-            "friction at most μ times the normal impulse", absolute(solved.tangential), limit, solved.normal
-        )
-    path = travel(m.mobility, m.slip, m.approach, m.friction, m.restitution, law)
-    steepest = max(abs(plain(path.slopes[0])), 0.0 if plain(path.ended_first) else abs(plain(path.slopes[1])))
     checks = not_above("friction at most μ times the normal impulse", absolute(solved.tangential), limit, solved.normal)
+    if path is None:
+        return checks
+    steepest = max(abs(plain(path.slopes[0])), 0.0 if plain(path.ended_first) else abs(plain(path.slopes[1])))
     return checks + not_above("friction at most μ at every stage", steepest, m.friction, 1.0 + plain(m.friction))
 
 
-def _restitution(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
+def _restitution(m: Meeting, solved: Outcome, law: str, path: "Path | None") -> tuple[Check, ...]:
     """Check restitution by its definition, from quantities that the law did not use."""
     name = f"restitution as {law} defines it"
-    if law in ("newton", "brach"):
-        return balance(name, solved.normal_after, -m.restitution * m.approach, absolute(m.approach))
     if law == "poisson":
         back = solved.normal - solved.compression  # type: ignore[operator]
         return balance(name, back, m.restitution * solved.compression, solved.normal)  # type: ignore[operator]
-    if law == "kudlich-slibar":
+    if law != "stronge" or path is None:
         return balance(name, solved.normal_after, -m.restitution * m.approach, absolute(m.approach))
     # the returned work, by the trapezoids of the path
-    path = travel(m.mobility, m.slip, m.approach, m.friction, m.restitution, law)
     k, rest = m.mobility, solved.normal - path.compression
     turned = m.approach + (k.normal + k.coupling * path.slopes[0]) * path.first_slip
     if plain(path.ended_first) or not plain(turned) > 0.0:
@@ -125,19 +108,22 @@ def _restitution(m: Meeting, solved: Outcome, law: str) -> tuple[Check, ...]:
 
 
 def lever_advice(first: Solid, second: Solid) -> tuple[Advice, ...]:
-    """Advice when a contact lies far outside a body of that inertia."""
-    return tuple(
-        Advice(
-            code="far-contact",
-            message=worded(
+    """Advice when a contact lies far outside a body of that inertia: beyond four radii of gyration."""
+    advice: tuple[Advice, ...] = ()
+    for body, name in ((first, "first"), (second, "second")):
+        if body.mass is None or body.inertia is None:
+            continue
+        reach = absolute(hypot(body.lever[0], body.lever[1]))
+        square = plain(reach * reach * body.mass / body.inertia)
+        if single(square) and square > 16.0:
+            message = worded(
                 "the contact lies {times:3} radii of gyration from the mass centre of the {name} body",
-                times=(times, Ratio),
+                times=(square**0.5, Ratio),
                 name=name,
-            ),
-            remedy="check its lever and its inertia: within a solid body it is at most about 2.5",
-        )
-        for name, times in far_levers(first, second)
-    )
+            )
+            remedy = "check its lever and its inertia: within a solid body it is at most about 2.5"
+            advice += (Advice(code="far-contact", message=message, remedy=remedy),)
+    return advice
 
 
 def side_advice(first: Solid, second: Solid, towards: Pair) -> tuple[Advice, ...]:

@@ -7,7 +7,6 @@ from dynamics_cli.errors import (
 from dynamics_cli.impact.conventions import AXES, Axes, direction_of
 from dynamics_cli.impact.diagnostics import require_finite
 from dynamics_cli.impact.planar.bodies import RigidBody, RigidTarget, Solid, solid
-from dynamics_cli.impact.planar.envelope_grid import Region
 from dynamics_cli.impact.planar.envelope_records import DeltaVRange, Envelope, EnvelopePoint, SpinRange
 from dynamics_cli.impact.planar.impact import meeting_of
 from dynamics_cli.impact.planar.laws import LAW, Law
@@ -33,6 +32,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from dynamics_cli.impact.planar.envelope_bounds import Extreme
+    from dynamics_cli.impact.planar.envelope_grid import Region
 
     Array = NDArray[Any]
 
@@ -110,7 +110,7 @@ def envelope(
     Notes
     -----
     Extremes are those of the grid: exact at its points, and at the ends of the region, where they mostly lie. Doubles
-    give their places, 60 digits their values; the bound is mostly the error of doubles at other points.
+    give their places, many digits their values; the bound is mostly the error of doubles at other points.
 
     References
     ----------
@@ -128,6 +128,7 @@ def envelope(
     import numpy as np
 
     from dynamics_cli.impact.planar.envelope_bounds import ExactContact
+    from dynamics_cli.impact.planar.envelope_grid import Region
 
     require(law != "all", "an envelope is for one law", code="one-law", hint="--law stronge")
     ends = (least_restitution, greatest_restitution), (least_friction, greatest_friction)
@@ -154,7 +155,7 @@ def envelope(
     return _report(region, body, two, map_points)
 
 
-def _map(region: Region, first: Solid, second: Solid, map_points: int) -> "Columns[EnvelopePoint]":
+def _map(region: "Region", first: Solid, second: Solid, map_points: int) -> "Columns[EnvelopePoint]":
     """The answers on a coarse grid of the region."""
     import numpy as np
 
@@ -175,7 +176,7 @@ def _map(region: Region, first: Solid, second: Solid, map_points: int) -> "Colum
     )
 
 
-def _report(region: Region, first: Solid, second: Solid, map_points: int) -> Envelope:
+def _report(region: "Region", first: Solid, second: Solid, map_points: int) -> Envelope:
     total = region.e.size * region.mu.size
     refused = total - region.good
     advice: tuple[Advice, ...] = ()
@@ -211,7 +212,7 @@ def _report(region: Region, first: Solid, second: Solid, map_points: int) -> Env
         checks=checks,
         advice=advice,
         numerics=Numerics(
-            "closed-form path at every point of a grid, extremes in 60 digits", _bounds(extremes, bodies)
+            "closed-form path at every point of a grid, extremes in many digits", _bounds(extremes, bodies)
         ),
     )
 

@@ -1,4 +1,10 @@
-"""The grid of an envelope, in blocks: where the extremes lie in doubles, and which points may lie beyond them."""
+"""The grid of an envelope, in blocks that stay in the cache: where the extremes lie in doubles.
+
+Its impulses follow the closed form of `path` on whole arrays, with plain sums where that rounds as if in twice the
+precision.
+"""
+
+import numpy as np
 
 from dynamics_cli.impact.planar.laws import ON_THE_PATH
 
@@ -12,8 +18,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Number of points indistinguishable from an extreme in doubles that are calculated in 60 digits.
-MOST_NEAR = 40
+INFINITY = float("inf")
 
 
 class Region:
@@ -21,8 +26,7 @@ class Region:
 
     def __init__(self, exact: "ExactContact", law: str, e: "Array", mu: "Array") -> None:
         self.exact = exact
-        self.meeting = exact.rounded()
-        self.turns = exact.rounded_turns()
+        self.meeting, self.turns = exact.rounded()
         self.law = str(law)
         self.e = e
         self.mu = mu
@@ -31,15 +35,9 @@ class Region:
         self.full = 0
         self.least: dict[str, tuple[float, int, int]] = {}
         self.greatest: dict[str, tuple[float, int, int]] = {}
-        # the extremes of every block of the grid, by quantity and end
-        self.blocks: dict[tuple[str, bool], list[tuple[int, float]]] = {}
 
     def answer(self, mu: "Array", e: "Array") -> "tuple[Array, Array, Array]":
         """p_n, p_t and energy lost; NaN where the law has no answer."""
-        import numpy as np
-
-        from dynamics_cli.impact.planar.path_arrays import impulses, ratio_impulses
-
         m, k = self.meeting, self.meeting.mobility
         function = impulses if self.law in ON_THE_PATH else ratio_impulses
         pn, pt = function(k.tangential, k.coupling, k.normal, k.determinant, m.slip, m.approach, mu, e, law=self.law)
@@ -62,8 +60,6 @@ class Region:
 
     def scan(self) -> None:
         """Go through all points."""
-        import numpy as np
-
         for start in range(0, self.mu.size, self.rows):
             mu = self.mu[start : start + self.rows, None]
             pn, pt, lost = self.answer(mu, self.e)
@@ -78,8 +74,6 @@ class Region:
 
     def at(self, mu: float, e: float) -> dict[str, float]:
         """The same in doubles at one point; empty where the law has no answer."""
-        import numpy as np
-
         pn, pt, lost = self.answer(np.array([mu]), np.array([e]))
         if pn[0] != pn[0]:
             return {}
@@ -88,61 +82,71 @@ class Region:
 
     def extremes(self) -> "dict[str, tuple[Extreme, Extreme]]":
         """Least and greatest of every quantity, with their bounds."""
-        from dynamics_cli.impact.planar.envelope_bounds import Extremes
+        from dynamics_cli.impact.planar.envelope_bounds import extremes
 
-        extremes = Extremes(self.exact, self.law, self.at)
         places = {(row, column) for store in (self.least, self.greatest) for _, row, column in store.values()}
         corners = {(row, column) for row in (0, self.mu.size - 1) for column in (0, self.e.size - 1)}
-        extremes.learn(self._point(*place) for place in places | corners if self.at(*self._point(*place)))
-        missed = extremes.missed()
-        unresolved = {}
-        for name, margin in missed.items():
-            for greatest in (False, True):
-                near = self._near(name, greatest, extremes.end(name, greatest=greatest, missed=0.0).value, margin)
-                unresolved[name, greatest] = margin if near is None else 0.0
-                extremes.learn(near or ())
-        return {
-            name: (
-                extremes.end(name, greatest=False, missed=unresolved[name, False]),
-                extremes.end(name, greatest=True, missed=unresolved[name, True]),
-            )
-            for name in missed
-        }
-
-    def _point(self, row: int, column: int) -> tuple[float, float]:
-        return float(self.mu[row]), float(self.e[column])
-
-    def _near(self, name: str, greatest: bool, value: float, margin: float) -> "list[tuple[float, float]] | None":
-        """The points that may be beyond the extreme within the error of doubles; None if they are many."""
-        import numpy as np
-
-        sense = 1.0 if greatest else -1.0
-        # the impulse is kept as its square
-        limit = sense * value - 2.0 * margin
-        bar = limit if name != "size" else sense * (sense * limit) ** 2 if sense * limit > 0.0 else -np.inf
-        points: list[tuple[float, float]] = []
-        for start, best in self.blocks[name, greatest]:
-            if sense * best < bar:
-                continue
-            mu = self.mu[start : start + self.rows, None]
-            pn, pt, lost = self.answer(mu, self.e)
-            values = np.where(pn == pn, self.quantities(pn, pt, lost)[name], np.nan)
-            with np.errstate(invalid="ignore"):
-                rows, columns = np.nonzero(sense * values >= bar)
-            if len(points) + rows.size > MOST_NEAR:
-                return None
-            points += [
-                self._point(start + row, column) for row, column in zip(rows.tolist(), columns.tolist(), strict=True)
-            ]
-        return points
+        points = [(float(self.mu[row]), float(self.e[column])) for row, column in places | corners]
+        return extremes(self.exact, self.law, [point for point in points if self.at(*point)], self.at)
 
     def _keep(self, name: str, values: "Array", start: int) -> None:
-        import numpy as np
-
         for store, find, better in ((self.least, np.nanargmin, -1.0), (self.greatest, np.nanargmax, 1.0)):
             index = int(find(values))
             value = float(values.flat[index])
-            self.blocks.setdefault((name, better > 0.0), []).append((start, value))
             if name not in store or better * value > better * store[name][0]:
                 row, column = divmod(index, self.e.size)
                 store[name] = value, start + row, column
+
+
+def impulses(
+    kt: "Any", kx: "Any", kn: "Any", det: "Any", ut: "Any", un: "Any", mu: "Any", e: "Any", *, law: str
+) -> "tuple[Array, Array]":
+    """p_n and p_t of one block; arrays may broadcast, so that quantities of friction alone are calculated once."""
+    with np.errstate(all="ignore"):
+        ratio = -mu * np.sign(ut)
+        slope = kn + kx * ratio
+        first = -ut / (kx + kt * ratio)
+        # never stops: infinite; and where nothing slips or would slip, both phases are the same
+        first = np.where(first >= 0.0, first, INFINITY)
+        size = np.abs(kx)
+        later = (det + size * np.maximum(size - mu * kt, 0.0)) / kt
+        late_ratio = -np.clip(kx / kt, -mu, mu)
+        turned = un + slope * first
+        inside = turned >= 0.0
+        straight = -un / slope
+        total = (1.0 + e) * straight
+        ended = inside & (total <= first)
+        bent = first - turned / later
+        if law == "newton":
+            beyond = (-e * un - turned) / later
+        elif law == "poisson":
+            beyond = np.where(inside, total, (1.0 + e) * bent) - first
+        else:
+            final = e * un
+            square_left = (final - turned) * (final + turned) / slope
+            crossing = square_left / (turned + np.sqrt(turned * turned + later * square_left))
+            work = turned * (turned / later) - (un + turned) * first
+            beyond = np.where(inside, crossing, e * np.sqrt(work / later) - turned / later)
+        along = np.where(ended, total, first)
+        beyond = np.where(ended, 0.0, np.maximum(beyond, 0.0))
+        across = np.where(un < 0.0, along + beyond, np.nan)
+        return across, ratio * along + late_ratio * beyond
+
+
+def ratio_impulses(
+    kt: "Any", kx: "Any", kn: "Any", det: "Any", ut: "Any", un: "Any", mu: "Any", e: "Any", *, law: str
+) -> "tuple[Array, Array]":
+    """p_n and p_t by Brach's impulse ratio (without moment) or by Kudlich and Slibar; NaN where p_n pulls."""
+    with np.errstate(all="ignore"):
+        grown = 1.0 + e
+        rise = -(grown if law == "brach" else 1.0) * un
+        along = kn * -ut - kx * rise
+        across = kt * rise + kx * ut
+        holds = np.abs(along) <= mu * across
+        ratio = mu * np.where(along < 0.0, -1.0, 1.0) * np.where(across < 0.0, -1.0, 1.0)
+        slid = rise / (kn + kx * ratio)
+        pn = np.where(holds, across / det, slid)
+        pt = np.where(holds, along / det, ratio * slid)
+        if law != "brach":
+            pn, pt = grown * pn, grown * pt
+        return np.where((pn > 0.0) & (un < 0.0), pn, np.nan), pt

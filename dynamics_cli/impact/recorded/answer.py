@@ -1,12 +1,14 @@
 """The result of a recorded crash, with its checks against the record itself."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.impact.conventions import DeltaV, PdofZero, conventions, delta_v, direction_of, heading_of
+from dynamics_cli.impact.conventions import DeltaV, conventions, delta_v, direction_of, heading_of
 from dynamics_cli.impact.diagnostics import balance
 from dynamics_cli.impact.recorded.records import OtherVehicle, RecordedVehicle, RecordResult
-from dynamics_cli.impact.recorded.scene import Crash, Pair, cross, dot, float_like, plus
+from dynamics_cli.impact.recorded.scene import Crash, Pair, float_like, plus
 from dynamics_cli.numerics.elementary import absolute, hypot, maximum, where
 from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.vectors import planar_cross as cross
+from dynamics_cli.numerics.vectors import planar_dot as dot
 from dynamics_cli.quantities import AngularSpeed, Energy, Ratio, RoadSpeed, Speed
 from dynamics_cli.records import Advice, Check, record
 
@@ -69,18 +71,15 @@ class Contact:
         )
 
 
-def answer(
-    crash: Crash,
-    values: Found,
-    tolerance: float,
-    final_change: float | None,
-    zero: PdofZero,
-    stated: "tuple[float, float] | None" = None,
-) -> RecordResult:
+def answer(crash: Crash, values: Found) -> RecordResult:
     """The complete answer from record and model."""
-    require(tolerance < 1.0, "a tolerance of the record of 100 % or more: it contains no information", code="tolerance")
+    require(
+        crash.tolerance < 1.0,
+        "a tolerance of the record of 100 % or more: it contains no information",
+        code="tolerance",
+    )
     contact = Contact(crash, values)
-    first = _first(crash, tolerance, zero)
+    first = _first(crash)
     verdict = None
     if values.bearing is not None:
         angle = plain(values.bearing)
@@ -88,7 +87,7 @@ def answer(
     low, high = values.speeds or (None, None)
     return RecordResult(
         first=first,
-        second=_second(crash, values, zero),
+        second=_second(crash, values),
         closing_speed=values.closing,
         closing_speed_low=low,
         closing_speed_high=high,
@@ -103,35 +102,35 @@ def answer(
         worst_heading=values.worst,
         per_degree=values.per_degree,
         verdict=verdict,  # type: ignore[arg-type]
-        conventions=conventions(crash.axes, zero),
+        conventions=conventions(crash.axes, crash.zero),
         checks=_energy(crash, values, contact),
-        advice=_advice(crash, values, contact, first, final_change, stated),
+        advice=_advice(crash, values, contact, first),
     )
 
 
-def _change(crash: Crash, mass: float, sense: float, nose: Pair, travel: Pair, zero: PdofZero) -> DeltaV:
+def _change(crash: Crash, mass: float, sense: float, nose: Pair, travel: Pair) -> DeltaV:
     push = sense * crash.impulse[0], sense * crash.impulse[1]
-    return delta_v(push, mass, nose, axes=crash.axes, pdof_zero=zero, travel=travel)
+    return delta_v(push, mass, nose, axes=crash.axes, pdof_zero=crash.zero, travel=travel)
 
 
-def _first(crash: Crash, tolerance: float, zero: PdofZero) -> RecordedVehicle:
+def _first(crash: Crash) -> RecordedVehicle:
     nose = direction_of(crash.given.nose, crash.axes)
-    change = _change(crash, float_like(crash.one.mass), 1.0, nose, crash.travel, zero)
+    change = _change(crash, float_like(crash.one.mass), 1.0, nose, crash.travel)
     speed = heading = None
     if crash.before is not None:
         leaving = plus(crash.before, crash.change)
         speed, heading = hypot(*leaving), heading_of(*leaving, crash.axes)
     return RecordedVehicle(
         delta_v=change,
-        delta_v_low=(1.0 - tolerance) * change.magnitude,
-        delta_v_high=(1.0 + tolerance) * change.magnitude,
+        delta_v_low=(1.0 - crash.tolerance) * change.magnitude,
+        delta_v_high=(1.0 + crash.tolerance) * change.magnitude,
         spin_change=crash.spin_change(crash.one, 1.0),
         exit_speed=speed,
         exit_heading=heading,
     )
 
 
-def _second(crash: Crash, values: Found, zero: PdofZero) -> OtherVehicle:
+def _second(crash: Crash, values: Found) -> OtherVehicle:
     other = crash.other
     heading = other.approach_heading
     if heading is None:
@@ -152,7 +151,7 @@ def _second(crash: Crash, values: Found, zero: PdofZero) -> OtherVehicle:
         low, high = maximum(ends[0], 0.0), ends[1]
         shown_heading, speed = where(towards, heading, back), absolute(speed)
     return OtherVehicle(
-        delta_v=_change(crash, float_like(crash.two.mass), -1.0, nose, travel, zero),
+        delta_v=_change(crash, float_like(crash.two.mass), -1.0, nose, travel),
         approach_speed=speed,
         approach_speed_low=low,
         approach_speed_high=high,
@@ -179,22 +178,15 @@ def _energy(crash: Crash, values: Found, contact: Contact) -> "tuple[Check, ...]
     return balance("energy", change, 0.0 - contact.lost, size)
 
 
-def _advice(
-    crash: Crash,
-    values: Found,
-    contact: Contact,
-    first: RecordedVehicle,
-    final_change: float | None,
-    stated: "tuple[float, float] | None",
-) -> "tuple[Advice, ...]":
+def _advice(crash: Crash, values: Found, contact: Contact, first: RecordedVehicle) -> "tuple[Advice, ...]":
     if not single(crash.size):
         return ()
     cautions: list[Advice] = []
-    if final_change is not None and plain(final_change) > RESOLUTION:
+    if crash.final_change is not None and plain(crash.final_change) > RESOLUTION:
         text = worded(
             "ΔV is a lower bound: over its last 20 ms it still changed by {change:2}, more than the resolution of "
             "1 km/h",
-            change=(final_change, RoadSpeed),
+            change=(crash.final_change, RoadSpeed),
         )
         remedy = "take the speeds as minimum values; a longer record, or the other vehicle's, closes the gap"
         cautions.append(Advice(code="lower-bound", message=text, severity="serious", remedy=remedy))
@@ -215,7 +207,7 @@ def _advice(
                 against=against,
             )
             cautions.append(Advice(code="spin-differs", message=text, remedy="check the lever, the inertia and signs"))
-    cautions += _contact_advice(values, contact, stated)
+    cautions += _contact_advice(crash, values, contact)
     if crash.one.inertia is None or crash.two.inertia is None:
         text = worded("levers and inertias of both are not given: turning is neglected")
         remedy = "give them if the force does not pass through a mass centre: the closing speed becomes larger"
@@ -223,7 +215,7 @@ def _advice(
     return tuple(cautions)
 
 
-def _contact_advice(values: Found, contact: Contact, stated: "tuple[float, float] | None") -> "list[Advice]":
+def _contact_advice(crash: Crash, values: Found, contact: Contact) -> "list[Advice]":
     cautions: list[Advice] = []
     if contact.before is not None and contact.after is not None:
         before, after = plain(contact.before), plain(contact.after)
@@ -237,7 +229,7 @@ def _contact_advice(values: Found, contact: Contact, stated: "tuple[float, float
     bounce = values.restitution
     if values.bend and bounce is not None:
         value = plain(bounce)
-        low, high = (0.0, 1.0) if stated is None else (plain(stated[0]), plain(stated[1]))
+        low, high = (0.0, 1.0) if None in crash.restitutions else (plain(end) for end in crash.restitutions)
         if not low <= value <= high:
             text = worded(
                 "the headings imply a restitution of {e:3}, outside {low:2} to {high:2}",

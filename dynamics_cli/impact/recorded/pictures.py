@@ -2,8 +2,7 @@
 
 from itertools import pairwise
 
-from dynamics_cli.impact.conventions import Axes, direction_of
-from dynamics_cli.impact.scene_pictures import collision
+from dynamics_cli.impact.scene_pictures import axes_of, collision, names_of, north_of, seen
 from dynamics_cli.pictures import Arrow, Axis, Band, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Acceleration, RoadSpeed, RoadVelocity, Time
 
@@ -14,21 +13,20 @@ if TYPE_CHECKING:
 
 def record(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
     """The vehicles with their velocities, or both ΔV where these are unknown; and the limits of the speeds."""
-    axes = Axes(result.conventions.axes.partition(":")[0].lower())
-    names = [getattr(vehicle, "name", None) or word for vehicle, word in ((first, "first"), (second, "second"))]
+    axes, names = axes_of(result), names_of(first, second)
     title = "crash from a recorded ΔV"
     limits = _limits(result, names)
     if result.second.approach_speed is None:
         return Picture((_changes(result, names), limits), title, columns=2)
     heading = first.nose if first.approach_heading is None else first.approach_heading
     before = [
-        _seen(first.approach_speed, heading, axes),
-        _seen(result.second.approach_speed, result.second.approach_heading, axes),
+        seen(first.approach_speed, heading, axes),
+        seen(result.second.approach_speed, result.second.approach_heading, axes),
     ]
-    after = [_seen(vehicle.exit_speed, vehicle.exit_heading, axes) for vehicle in (result.first, result.second)]
+    after = [seen(vehicle.exit_speed, vehicle.exit_heading, axes) for vehicle in (result.first, result.second)]
     facing = result.second.approach_heading if second.nose is None else second.nose
-    noses = [_seen(1.0, first.nose, axes), _seen(1.0, facing, axes)]
-    scene = collision(names, noses, before, after, (0.0, 1.0) if axes == "compass" else None)
+    noses = [seen(1.0, first.nose, axes), seen(1.0, facing, axes)]
+    scene = collision(names, noses, before, after, north_of(axes))
     return Picture((scene, limits), title, columns=2, scene=True)
 
 
@@ -59,13 +57,7 @@ def pulse(result: "Any", *, tolerance: float = 0.1, **_: "Any") -> Picture:
     )
 
 
-def _seen(length: float, heading: float, axes: Axes) -> "tuple[float, float]":
-    """A vector of a heading as seen from above on the page; the y axis of sae points down."""
-    x, y = direction_of(heading, axes)
-    return length * x, -length * y if axes == "sae" else length * y
-
-
-def _changes(result: "Any", names: "list[str]") -> Panel:
+def _changes(result: "Any", names: "tuple[str, str]") -> Panel:
     """Both changes of velocity from one point on one scale."""
     items: list[Any] = []
     changes = [vehicle.delta_v.vector for vehicle in (result.first, result.second)]
@@ -79,7 +71,7 @@ def _changes(result: "Any", names: "list[str]") -> Panel:
     return Panel(x_axis, y_axis, tuple(items), "changes of velocity", equal=True)
 
 
-def _limits(result: "Any", names: "list[str]") -> Panel:
+def _limits(result: "Any", names: "tuple[str, str]") -> Panel:
     """The speeds with the limits of the record's tolerance and of restitution."""
     first, second = result.first, result.second
     entries = [

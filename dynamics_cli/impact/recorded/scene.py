@@ -1,22 +1,15 @@
 """Both vehicles of a recorded crash: the exchanged impulse, and its effect at the contact."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.impact.conventions import Axes, ByVelocity, direction_of, mass_of
-from dynamics_cli.impact.planar.bodies import OnBody, RigidBody, Solid, solid
+from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, PdofZero, direction_of
+from dynamics_cli.impact.planar.bodies import Solid, struck
 from dynamics_cli.impact.recorded.records import Partner, Recorder
 from dynamics_cli.numerics.elementary import absolute, hypot
+from dynamics_cli.numerics.vectors import planar_cross as cross
+from dynamics_cli.numerics.vectors import planar_dot as dot
+from dynamics_cli.quantities import STANDARD_GRAVITY
 
 Pair = tuple[float, float]
-
-
-def cross(a: Pair, b: Pair) -> float:
-    """The part of a × b out of the plane."""
-    return a[0] * b[1] - a[1] * b[0]
-
-
-def dot(a: Pair, b: Pair) -> float:
-    """Scalar product."""
-    return a[0] * b[0] + a[1] * b[1]
 
 
 def spun(spin: float, lever: Pair) -> Pair:
@@ -33,9 +26,22 @@ class Crash:
     """Masses, levers and the recorded ΔV at the mass centre in the axes of the scene; `impulse` acts on the first."""
 
     def __init__(
-        self, first: Recorder, second: Partner, contact_point: Pair | None, axes: Axes, gravity: float
+        self,
+        first: Recorder,
+        second: Partner,
+        least_restitution: float | None = None,
+        greatest_restitution: float | None = None,
+        normal: float | None = None,
+        contact_point: Pair | None = None,
+        tolerance: float = 0.1,
+        final_change: float | None = None,
+        axes: Axes = AXES,
+        pdof_zero: PdofZero = PDOF_ZERO,
+        gravity: float = STANDARD_GRAVITY,
     ) -> None:
-        self.given, self.other, self.axes = first, second, axes
+        self.given, self.other, self.axes, self.zero = first, second, axes, pdof_zero
+        self.restitutions, self.normal = (least_restitution, greatest_restitution), normal
+        self.tolerance, self.final_change = tolerance, final_change
         nose = direction_of(first.nose, axes)
         require(
             first.spin_change is not None or (first.module[0] == 0.0) & (first.module[1] == 0.0),
@@ -104,17 +110,7 @@ def _solid(
         code="half-turning",
         hint="give both, or neither to neglect its rotation",
     )
-    if vehicle.turning is None or vehicle.arm is None:
-        return Solid(mass_of(vehicle.bulk, gravity, name), None, (0.0, 0.0), (0.0, 0.0), 0.0, (1.0, 0.0))
-    require(
-        not isinstance(vehicle.arm, OnBody) or nose is not None,
-        "the contact is measured on the body of {name}, whose nose is not given",
-        name=name,
-        code="no-nose",
-        hint="give the heading of its nose at the impact",
-    )
-    body = RigidBody(vehicle.bulk, vehicle.turning, vehicle.arm, ByVelocity((0.0, 0.0)), spin, nose)
-    return solid(body, contact_point, axes, gravity, name)
+    return struck(vehicle, (0.0, 0.0), spin, nose, contact_point, axes, gravity, name)
 
 
 def slopes(

@@ -4,9 +4,11 @@ from dynamics_cli.errors import judge, require
 from dynamics_cli.impact.conventions import AXES, PDOF_ZERO, Axes, PdofZero, direction_of
 from dynamics_cli.impact.recorded.answer import Found, answer
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
-from dynamics_cli.impact.recorded.scene import Crash, Pair, cross, dot, plus, slopes
+from dynamics_cli.impact.recorded.scene import Crash, Pair, plus, slopes
 from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, sin, where
 from dynamics_cli.numerics.number import single
+from dynamics_cli.numerics.vectors import planar_cross as cross
+from dynamics_cli.numerics.vectors import planar_dot as dot
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -22,6 +24,7 @@ from dynamics_cli.quantities import (
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
 # Sine of 5 degrees: nearly perpendicular to the normal, restitution does not determine a speed.
 ALONG_THE_SURFACE = 0.08715574274765817
@@ -72,12 +75,15 @@ def head_on(
     >>> round(head_on(first=car, second=other, least_restitution=0.0, greatest_restitution=0.2).closing_speed, 6)
     15.340909
     """
-    crash = Crash(first, second, contact_point, axes, gravity)
-    restitutions = _range(least_restitution, greatest_restitution)
+    crash = Crash(
+        first, second, least_restitution, greatest_restitution, normal, contact_point, tolerance, final_change, axes,
+        pdof_zero, gravity,
+    )  # fmt: skip
+    restitutions = _range(crash)
     inward = crash.impulse[0] / crash.size, crash.impulse[1] / crash.size
     gained = dot(crash.gained(), inward)
     closing, *ends = [gained / (1.0 + e) for e in restitutions]
-    speeds = _limits(lambda scale, k: scale * (ends[k]), tolerance)
+    speeds = _limits(crash, lambda scale, k: scale * ends[k])
     velocity = None
     other: tuple[float, float, float] | None = None
     if crash.before is not None:
@@ -87,26 +93,16 @@ def head_on(
         velocity = speed * inward[0], speed * inward[1]
         other = (speed, lone + speeds[0], lone + speeds[1])
     values = Found(inward, restitutions[0], closing, speeds, velocity, other, in_line=True)
-    return answer(crash, values, tolerance, final_change, pdof_zero)
+    return answer(crash, values)
 
 
 def by_restitution(
     *,
     first: Annotated[Recorder, "The vehicle with the recorder."],
     second: Annotated[Partner, "The other vehicle."],
-    least_restitution: Annotated[Restitution | None, "Lowest restitution that is possible, e.g. 0."] = None,
-    greatest_restitution: Annotated[Restitution | None, "Highest restitution that is possible, e.g. 0.2."] = None,
-    normal: Annotated[Angle | None, "Contact normal from the first vehicle to the second, e.g. 12 deg."] = None,
-    contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
-    tolerance: Annotated[Fraction, "Limits of the recorded ΔV; 49 CFR 563.8 allows 10 %."] = 0.1,
-    final_change: Annotated[
-        RoadSpeed | None, "How far the recorded ΔV still changed over its last 20 ms, e.g. 2 km/h."
-    ] = None,
-    axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
-    pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
-    gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
+    **circumstances: "Any",
 ) -> RecordResult:
-    """Speed of the other vehicle from the recorded ΔV, the contact normal and a range of restitution.
+    """Speed of the other vehicle from the recorded ΔV, the contact normal and a range of restitution, as `head_on`.
 
     Equation
     --------
@@ -137,17 +133,17 @@ def by_restitution(
     >>> round(result.second.approach_speed, 6)
     2.363636
     """
-    crash = Crash(first, second, contact_point, axes, gravity)
+    crash = Crash(first, second, **circumstances)
     before, travel = _planar(crash)
     require(
-        normal is not None,
+        crash.normal is not None,
         "restitution acts along the contact normal, which is not given",
         code="no-normal",
         hint="give the normal, or the exit heading of the second vehicle instead",
     )
-    inward = _inward(normal, axes)
+    inward = _inward(crash)
     _require_push(crash, inward)
-    restitutions = _range(least_restitution, greatest_restitution)
+    restitutions = _range(crash)
     facing = dot(travel, inward)
     judge(
         absolute(facing) >= ALONG_THE_SURFACE,
@@ -162,8 +158,8 @@ def by_restitution(
     closing, *ends = [gained / (1.0 + e) for e in restitutions]
     speed = (lone + closing) / facing
     _require_forward(speed)
-    speeds = _limits(lambda scale, k: scale * ends[k], tolerance)
-    limits = _limits(lambda scale, k: (lone + scale * ends[k]) / facing, tolerance)
+    speeds = _limits(crash, lambda scale, k: scale * ends[k])
+    limits = _limits(crash, lambda scale, k: (lone + scale * ends[k]) / facing)
     velocity = speed * travel[0], speed * travel[1]
     approach, tilt = slopes(crash, inward, travel, before, restitutions[0], speed)
     steepest = maximum(maximum(approach, tilt), 1e-12 * (1.0 + speed))
@@ -171,26 +167,16 @@ def by_restitution(
     bearing = minimum(0.1 * speed / steepest, HALF_TURN)
     values = Found(inward, restitutions[0], closing, speeds, velocity, (speed, *limits), bearing=bearing,
                    worst=str(worst) if single(worst) else None, per_degree=DEGREE * steepest)  # fmt: skip
-    return answer(crash, values, tolerance, final_change, pdof_zero)
+    return answer(crash, values)
 
 
 def by_headings(
     *,
     first: Annotated[Recorder, "The vehicle with the recorder."],
     second: Annotated[Partner, "The other vehicle."],
-    least_restitution: Annotated[Restitution | None, "Lowest restitution that is possible, e.g. 0."] = None,
-    greatest_restitution: Annotated[Restitution | None, "Highest restitution that is possible, e.g. 0.2."] = None,
-    normal: Annotated[Angle | None, "Contact normal from the first vehicle to the second, e.g. 12 deg."] = None,
-    contact_point: Annotated[PlanarPosition | None, "Place of the contact, where mass centres are placed."] = None,
-    tolerance: Annotated[Fraction, "Limits of the recorded ΔV; 49 CFR 563.8 allows 10 %."] = 0.1,
-    final_change: Annotated[
-        RoadSpeed | None, "How far the recorded ΔV still changed over its last 20 ms, e.g. 2 km/h."
-    ] = None,
-    axes: Annotated[Axes, "Axes of velocities and headings: mathematical, compass, sae or iso."] = AXES,
-    pdof_zero: Annotated[PdofZero, "Where a force of PDOF zero comes from: heading, travel or scene."] = PDOF_ZERO,
-    gravity: Annotated[Gravity, "Acceleration of gravity, for vehicles given by weight [m/s^2]."] = STANDARD_GRAVITY,
+    **circumstances: "Any",
 ) -> RecordResult:
-    """Speed of the other vehicle from the recorded ΔV and its directions of travel before and after.
+    """Speed of the other vehicle from the recorded ΔV and its headings before and after; parameters of `head_on`.
 
     Equation
     --------
@@ -219,14 +205,14 @@ def by_headings(
     >>> round(by_headings(first=car, second=other).second.approach_speed, 6)
     10.0
     """
-    crash = Crash(first, second, contact_point, axes, gravity)
+    crash = Crash(first, second, **circumstances)
     alpha, beta = second.approach_heading, second.exit_heading
     require(
         alpha is not None and beta is not None,
         "this needs the directions of travel of the second vehicle before and after",
         code="not-enough", hint="give its approach heading and exit heading",
     )  # fmt: skip
-    travel, leaving = direction_of(alpha, axes), direction_of(beta, axes)  # type: ignore[arg-type]
+    travel, leaving = direction_of(alpha, crash.axes), direction_of(beta, crash.axes)  # type: ignore[arg-type]
     sine = cross(travel, leaving)
     require(
         absolute(sine) > 1e-12,
@@ -250,10 +236,10 @@ def by_headings(
         results=("second.approach_speed",),
     )
     velocity = speed * travel[0], speed * travel[1]
-    limits = _limits(lambda scale, _: scale * speed, tolerance)
+    limits = _limits(crash, lambda scale, _: scale * speed)
     inward = restitution = closing = speeds = None
-    if normal is not None and crash.before is not None:
-        inward = _inward(normal, axes)
+    if crash.normal is not None and crash.before is not None:
+        inward = _inward(crash)
         _require_push(crash, inward)
         relative = plus(crash.contact(crash.one, crash.before), crash.contact(crash.two, velocity), -1.0)
         closing = 0.0 - dot(relative, inward)
@@ -261,13 +247,10 @@ def by_headings(
         restitution = dot(crash.gained(), inward) / closing - 1.0
         lone = dot(relative, inward) + speed * dot(travel, inward)
         facing = dot(travel, inward)
-        speeds = _limits(lambda scale, _: scale * speed * facing - lone, tolerance)
+        speeds = _limits(crash, lambda scale, _: scale * speed * facing - lone)
     values = Found(inward, restitution, closing, speeds, velocity, (speed, *limits), bearing=bearing,
                    worst=str(worst) if single(worst) else None, per_degree=DEGREE * steepest, bend=True)  # fmt: skip
-    stated = None
-    if least_restitution is not None and greatest_restitution is not None:
-        stated = least_restitution, greatest_restitution
-    return answer(crash, values, tolerance, final_change, pdof_zero, stated)
+    return answer(crash, values)
 
 
 def in_line(*, second: Partner, **_: object) -> str | None:
@@ -292,8 +275,8 @@ def _planar(crash: Crash) -> "tuple[Pair, Pair]":
     return crash.before, direction_of(heading, crash.axes)  # type: ignore[return-value,arg-type]
 
 
-def _inward(normal: float | None, axes: Axes) -> Pair:
-    x, y = direction_of(normal, axes)  # type: ignore[arg-type]
+def _inward(crash: Crash) -> Pair:
+    x, y = direction_of(crash.normal, crash.axes)  # type: ignore[arg-type]
     return 0.0 - x, 0.0 - y
 
 
@@ -319,8 +302,9 @@ def _require_forward(speed: float, verb: str = "come") -> None:
     )
 
 
-def _range(low: float | None, high: float | None) -> "tuple[float, float, float]":
+def _range(crash: Crash) -> "tuple[float, float, float]":
     """Middle, low and high of the restitution, the largest uncertainty of all."""
+    low, high = crash.restitutions
     require(
         low is not None and high is not None,
         "the closing speed depends on restitution, 0.1 of which is 9 % of it: its range is not given",
@@ -331,9 +315,9 @@ def _range(low: float | None, high: float | None) -> "tuple[float, float, float]
     return 0.5 * (low + high), low, high  # type: ignore[operator,return-value]
 
 
-def _limits(at: "Callable[[float, int], float]", tolerance: float) -> "tuple[float, float]":
+def _limits(crash: Crash, at: "Callable[[float, int], float]") -> "tuple[float, float]":
     """Lowest and highest of a quantity that is linear in the scale of the record, at the ends of restitution."""
-    ends = [at(scale, k) for scale in (1.0 - tolerance, 1.0 + tolerance) for k in (0, 1)]
+    ends = [at(scale, k) for scale in (1.0 - crash.tolerance, 1.0 + crash.tolerance) for k in (0, 1)]
     low, high = ends[0], ends[0]
     for end in ends[1:]:
         low, high = minimum(low, end), maximum(high, end)

@@ -7,7 +7,8 @@ from dynamics_cli.errors import require
 from dynamics_cli.impact.planar.bodies import Pair
 from dynamics_cli.impact.spatial.arithmetic import fused, length, root, total
 from dynamics_cli.numerics.inertia_tensor import require_inertia_of_body
-from dynamics_cli.numerics.vectors import add
+from dynamics_cli.numerics.vectors import add, cross, dot, times
+from dynamics_cli.records import record
 
 Vector = tuple[float, float, float]
 Matrix = tuple[Vector, Vector, Vector]
@@ -17,22 +18,17 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
 
+@record
 class SolidInSpace:
-    """A body at the contact; `mass` is None when it is fixed, `inertia` when it is a particle."""
+    """A body at the contact; `mass` is None when it is fixed, `inertia` and its inverse when it is a particle."""
 
-    __slots__ = ("inertia", "inverse", "lever", "mass", "nose", "spin", "velocity")
-    given = "mass", "inertia", "lever", "velocity", "spin", "nose"
-
-    def __init__(
-        self, mass: float | None, inertia: Matrix | None, lever: Vector, velocity: Vector, spin: Vector, nose: Pair
-    ) -> None:
-        self.mass = mass
-        self.inertia = inertia
-        self.inverse = None if inertia is None else inverse(inertia)
-        self.lever = lever
-        self.velocity = velocity
-        self.spin = spin
-        self.nose = nose
+    mass: float | None
+    inertia: Matrix | None
+    inverse: Matrix | None
+    lever: Vector
+    velocity: Vector
+    spin: Vector
+    nose: Pair
 
     def contact_velocity(self) -> Vector:
         """Velocity of the body's point at the contact."""
@@ -106,25 +102,6 @@ def nothing(like: float) -> Vector:
     return zero, zero, zero
 
 
-def dot(a: Vector, b: Vector) -> float:
-    """Scalar product."""
-    return fused(a[0], b[0], fused(a[1], b[1], a[2] * b[2]))
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    """Vector product."""
-    return (
-        fused(a[1], b[2], -(a[2] * b[1])),
-        fused(a[2], b[0], -(a[0] * b[2])),
-        fused(a[0], b[1], -(a[1] * b[0])),
-    )
-
-
-def times(matrix: Matrix, vector: Vector) -> Vector:
-    """Matrix times vector."""
-    return dot(matrix[0], vector), dot(matrix[1], vector), dot(matrix[2], vector)
-
-
 def combine(frame: Matrix, parts: Vector) -> Vector:
     """Sum of the frame's vectors times `parts`."""
     return tuple(sum(part * axis[i] for part, axis in zip(parts, frame, strict=True)) for i in range(3))  # type: ignore[return-value]
@@ -140,11 +117,6 @@ def inverse(matrix: Matrix) -> Matrix:
     det = determinant(matrix)
     rows = cross(matrix[1], matrix[2]), cross(matrix[2], matrix[0]), cross(matrix[0], matrix[1])
     return tuple(tuple(entry / det for entry in row) for row in rows)  # type: ignore[return-value]
-
-
-def scaled(a: Vector, factor: float) -> Vector:
-    """Multiple."""
-    return a[0] * factor, a[1] * factor, a[2] * factor
 
 
 def frame_about(normal: Vector, along: Vector = ZERO) -> Matrix:

@@ -12,9 +12,8 @@ from dynamics_cli.errors import InadmissibleError, require
 from dynamics_cli.impact.diagnostics import require_finite
 from dynamics_cli.impact.spatial.arithmetic import widened
 from dynamics_cli.impact.spatial.results import Solved, SpatialImpact, certificate, report
-from dynamics_cli.impact.spatial.straight_slip import End
 from dynamics_cli.quantities import Energy
-from dynamics_cli.records import Advice, ErrorBound, Numerics
+from dynamics_cli.records import Advice, ErrorBound, Numerics, over_parts
 from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
@@ -67,11 +66,12 @@ def answered(solver: "Callable[..., Solved]", *inputs: "Any", advice: tuple[Advi
             if residuals is not None and all(_small(after[name], error) for name, error in residuals.items()):
                 break
         assert residuals is not None
-        bounds = tuple(_bounds(after, residuals))
-        answer = _rounded(answer, "", residuals)
+        values, errors = _doubles(after, residuals)
+        answer = _rounded(answer, "", values)
     solved = _plain(solved)
     _refuse_gain(solved)
-    more = {"checks": certificate(answer, solved), "advice": advice, "numerics": Numerics(solved.how, bounds)}
+    numerics = Numerics(solved.how, tuple(_stated(values, errors)))
+    more = {"checks": certificate(answer, solved), "advice": advice, "numerics": numerics}
     return SpatialImpact(**{**answer.__dict__, **more})
 
 
@@ -103,26 +103,21 @@ def numbers(tree: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":
 
 def beside(answer: SpatialImpact, full: SpatialImpact) -> SpatialImpact:
     """The answer of a smaller model, with bounds that include its neglected terms."""
+    values, widths = dict(numbers(answer)), _widths(answer)
+    full_values, full_widths = dict(numbers(full)), _widths(full)
+    errors = {name: widths[name] + abs(values[name] - full_values[name]) + full_widths[name] for name in values}
     assert answer.numerics is not None
-    assert full.numerics is not None
-    more = {bound.result: bound for bound in full.numerics.bounds}
-    values, full_values = dict(numbers(answer)), dict(numbers(full))
-    vectors: dict[str, float] = {}
-    errors = []
-    for bound in answer.numerics.bounds:
-        name = bound.result
-        if name not in values:
-            # a vector's stands after those of its parts
-            errors.append(ErrorBound(name, vectors.get(name, 0.0), relative=False))
-            continue
-        size = abs(values[name])
-        error = bound.bound * (size if bound.relative else 1.0) + abs(values[name] - full_values[name])
-        error += more[name].bound * (abs(full_values[name]) if more[name].relative else 1.0)
-        errors.append(ErrorBound(name, error / size) if size else ErrorBound(name, error, relative=False))
-        vector = name.partition("[")[0]
-        vectors[vector] = max(error, vectors.get(vector, 0.0))
-    numerics = Numerics(answer.numerics.method, tuple(errors))
+    numerics = Numerics(answer.numerics.method, tuple(_stated(values, errors)))
     return SpatialImpact(**{**answer.__dict__, "numerics": numerics})
+
+
+def _widths(answer: SpatialImpact) -> dict[str, float]:
+    """Bounds of the numbers of an answer, absolute."""
+    assert answer.numerics is not None
+    bounds = {bound.result: bound for bound in answer.numerics.bounds}
+    return {
+        name: bounds[name].bound * (abs(value) if bounds[name].relative else 1.0) for name, value in numbers(answer)
+    }
 
 
 def _left(before: "dict[str, Any]", after: "dict[str, Any]", digits: int) -> dict[str, Decimal]:
@@ -158,18 +153,25 @@ def _small(value: "Any", error: Decimal) -> bool:
     return not value or error <= ENOUGH * abs(Decimal(value))
 
 
-def _bounds(values: "dict[str, Any]", left: dict[str, Decimal]) -> "Iterator[ErrorBound]":
-    """Errors by rounding, here and where a result is shown in another unit, and by the path.
+def _doubles(exact: "dict[str, Any]", left: dict[str, Decimal]) -> "tuple[dict[str, float], dict[str, float]]":
+    """The numbers in doubles, and their errors by rounding, here and where shown in another unit, and by the path."""
+    values, errors = {}, {}
+    for name, number in exact.items():
+        value, error = float(number), float(left[name]) * 1.001
+        if abs(value) <= error:
+            # indistinguishable from zero
+            value, error = 0.0, error + abs(value)
+        if value or error:
+            error += (8.0 if name.endswith(ANGLES) else 2.0) * UNIT_ROUNDOFF * abs(value) + SMALLEST
+        values[name], errors[name] = value, error
+    return values, errors
 
-    Of a vector also one for all its parts, in its unit.
-    """
+
+def _stated(values: "dict[str, float]", errors: "dict[str, float]") -> "Iterator[ErrorBound]":
+    """Bounds of all numbers, and of each vector one for all its parts, in its unit."""
     vectors: dict[str, float] = {}
-    for name, value in values.items():
-        size, error = abs(float(value)), float(left[name]) * 1.001
-        if size <= error:
-            size, error = 0.0, size + error
-        if size or error:
-            error += (8.0 if name.endswith(ANGLES) else 2.0) * UNIT_ROUNDOFF * size + SMALLEST
+    for name, error in errors.items():
+        size = abs(values[name])
         yield ErrorBound(name, error / size) if size else ErrorBound(name, error, relative=False)
         vector, bracket, _ = name.partition("[")
         if bracket:
@@ -178,31 +180,18 @@ def _bounds(values: "dict[str, Any]", left: dict[str, Decimal]) -> "Iterator[Err
         yield ErrorBound(vector, error, relative=False)
 
 
-def _rounded(tree: "Any", address: str, left: "dict[str, Decimal]") -> "Any":
-    """The answer in doubles; numbers indistinguishable from zero are zero."""
+def _rounded(tree: "Any", address: str, values: "dict[str, float]") -> "Any":
+    """The answer in the doubles of `values`."""
     if hasattr(tree, "fields"):
         parts = {name: getattr(tree, name) for name in tree.fields}
         return type(tree)(
-            **{name: _rounded(part, f"{address}.{name}" if address else name, left) for name, part in parts.items()}
+            **{name: _rounded(part, f"{address}.{name}" if address else name, values) for name, part in parts.items()}
         )
     if isinstance(tree, tuple):
-        return tuple(_rounded(part, f"{address}[{index}]", left) for index, part in enumerate(tree))
-    if not isinstance(tree, Decimal):
-        return tree
-    # as the bounds have it
-    return 0.0 if abs(float(tree)) <= float(left[address]) * 1.001 else float(tree)
+        return tuple(_rounded(part, f"{address}[{index}]", values) for index, part in enumerate(tree))
+    return values[address] if isinstance(tree, Decimal) else tree
 
 
-def _plain(solved: Solved) -> Solved:
-    """The solution, in doubles."""
-
-    def plain(tree: "Any") -> "Any":
-        if isinstance(tree, tuple):
-            return tuple(map(plain, tree))
-        if isinstance(tree, End):
-            return End(**{name: plain(getattr(tree, name)) for name in End.__slots__})
-        if hasattr(tree, "inertia"):
-            return type(tree)(*(plain(getattr(tree, name)) for name in tree.given))
-        return float(tree) if isinstance(tree, Decimal) else tree
-
-    return Solved(**{name: plain(getattr(solved, name)) for name in Solved.__slots__})
+def _plain(tree: "Any") -> "Any":
+    """A solution in doubles."""
+    return float(tree) if isinstance(tree, Decimal) else over_parts(tree, _plain)

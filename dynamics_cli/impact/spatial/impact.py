@@ -7,8 +7,8 @@ from dynamics_cli.impact.spatial.bodies import (
     Matrix,
     SolidInSpace,
     Vector,
-    dot,
     frame_about,
+    inverse,
     mobility,
     nose_in_plane,
     nothing,
@@ -19,7 +19,7 @@ from dynamics_cli.impact.spatial.bodies import (
 from dynamics_cli.impact.spatial.hodograph import ORDER, STRIDE, travel
 from dynamics_cli.impact.spatial.results import Solved, SpatialImpact
 from dynamics_cli.impact.spatial.straight_slip import End
-from dynamics_cli.numerics.vectors import subtract
+from dynamics_cli.numerics.vectors import dot, subtract
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     AngularVelocity,
@@ -238,7 +238,7 @@ def solid(body: BodyInSpace | TargetInSpace, contact: Vector | None, gravity: fl
     if isinstance(body.bulk, Fixed):
         require(body.bulk.fixed, "{name} has neither mass nor weight and is not fixed", name=name, code="no-mass")
         lever = nothing(body.velocity[0]) if body.arm is None else lever_of(body.arm, contact, name)
-        return SolidInSpace(None, None, lever, body.velocity, body.spin, nose)
+        return SolidInSpace(None, None, None, lever, body.velocity, body.spin, nose)
     mass = mass_of(body.bulk, gravity, name)
     require(
         body.inertia is not None, "{name} has no inertia", name=name, code="no-inertia", hint="give its inertia tensor"
@@ -248,7 +248,8 @@ def solid(body: BodyInSpace | TargetInSpace, contact: Vector | None, gravity: fl
     )
     inertia: Matrix = body.inertia  # type: ignore[assignment]
     require_inertia(inertia, name)
-    return SolidInSpace(mass, inertia, lever_of(body.arm, contact, name), body.velocity, body.spin, nose)  # type: ignore[arg-type]
+    lever = lever_of(body.arm, contact, name)  # type: ignore[arg-type]
+    return SolidInSpace(mass, inertia, inverse(inertia), lever, body.velocity, body.spin, nose)
 
 
 def lever_of(arm: LeverInSpace | PlacedInSpace, contact: Vector | None, name: str) -> Vector:

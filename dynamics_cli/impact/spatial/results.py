@@ -1,21 +1,11 @@
 """Results of an impact in space, and its checks."""
 
 from dynamics_cli.impact.conventions import clock
-from dynamics_cli.impact.diagnostics import balance, not_above
+from dynamics_cli.impact.diagnostics import balance, momentum_kept, not_above
 from dynamics_cli.impact.spatial.arithmetic import angle, fused, length, root
-from dynamics_cli.impact.spatial.bodies import (
-    Matrix,
-    SolidInSpace,
-    Vector,
-    combine,
-    cross,
-    dot,
-    nothing,
-    scaled,
-    times,
-)
+from dynamics_cli.impact.spatial.bodies import Matrix, SolidInSpace, Vector, combine, nothing
 from dynamics_cli.impact.spatial.straight_slip import End, stick_ratio
-from dynamics_cli.numerics.vectors import add, subtract
+from dynamics_cli.numerics.vectors import add, cross, dot, scale, subtract, times
 from dynamics_cli.quantities import (
     Angle,
     AngularVelocity,
@@ -84,32 +74,19 @@ class SpatialImpact:
     numerics: Numerics | None = None
 
 
+@record
 class Solved:
     """The solver's result of an impact in space: the bodies, the frame of the contact, K, u before, and the end."""
 
-    __slots__ = ("before", "bodies", "end", "frame", "friction", "how", "k", "law", "restitution")
-
-    def __init__(
-        self,
-        bodies: tuple[SolidInSpace, SolidInSpace],
-        frame: Matrix,
-        k: Matrix,
-        before: Vector,
-        end: End,
-        friction: float,
-        restitution: float,
-        law: str,
-        how: str,
-    ) -> None:
-        self.bodies = bodies
-        self.frame = frame
-        self.k = k
-        self.before = before
-        self.end = end
-        self.friction = friction
-        self.restitution = restitution
-        self.law = law
-        self.how = how
+    bodies: tuple[SolidInSpace, SolidInSpace]
+    frame: Matrix
+    k: Matrix
+    before: Vector
+    end: End
+    friction: float
+    restitution: float
+    law: str
+    how: str
 
     @property
     def lost(self) -> float:
@@ -195,7 +172,8 @@ def certificate(answer: SpatialImpact, solved: Solved) -> tuple[Check, ...]:
     friction, restitution, law = solved.friction, solved.restitution, solved.law
     size = answer.impulse_magnitude
     states = (bodies[0], answer.first), (bodies[1], answer.second)
-    checks = _momentum(states, size)
+    velocities = [body.velocity for body in bodies], [after.velocity for _, after in states]
+    checks = momentum_kept([body.mass for body in bodies], *velocities, size)
     for state, name in zip(states, ("first", "second"), strict=True):
         checks += _turning(*state, name, size)
     # velocity change at the contact in the most compliant direction: all components are rounded beside it
@@ -223,31 +201,18 @@ def certificate(answer: SpatialImpact, solved: Solved) -> tuple[Check, ...]:
     return checks + balance(name, end.work_back, restitution * restitution * end.work, end.work)
 
 
-def _momentum(states: tuple[State, State], size: float) -> tuple[Check, ...]:
-    """Linear momentum of both bodies, or none where one is fixed."""
-    checks: tuple[Check, ...] = ()
-    (first_body, first), (second_body, second) = states
-    if first_body.mass is None or second_body.mass is None:
-        return checks
-    for axis, letter in enumerate("xyz"):
-        parts = first_body.mass * first_body.velocity[axis], second_body.mass * second_body.velocity[axis]
-        end = first_body.mass * first.velocity[axis] + second_body.mass * second.velocity[axis]
-        checks += balance(f"momentum along {letter}", sum(parts), end, size + abs(parts[0]) + abs(parts[1]))
-    return checks
-
-
 def _turning(body: SolidInSpace, after: AfterSpatial, name: str, size: float) -> tuple[Check, ...]:
     """Angular momentum of a body about the contact, where the impulse has no moment."""
     if body.mass is None or body.inertia is None:
         return ()
-    start = add(times(body.inertia, body.spin), scaled(cross(body.velocity, body.lever), body.mass))
-    end = add(times(body.inertia, after.spin), scaled(cross(after.velocity, body.lever), body.mass))
+    start = add(times(body.inertia, body.spin), scale(body.mass, cross(body.velocity, body.lever)))
+    end = add(times(body.inertia, after.spin), scale(body.mass, cross(after.velocity, body.lever)))
     reach = root(dot(body.lever, body.lever))
-    scale = reach * size + root(dot(start, start)) + reach * body.mass * root(dot(body.velocity, body.velocity))
+    largest = reach * size + root(dot(start, start)) + reach * body.mass * root(dot(body.velocity, body.velocity))
     # the rounding of the spin, magnified about the long axes of a slender body
-    scale += max(body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]) * root(dot(after.spin, after.spin))
+    largest += max(body.inertia[0][0], body.inertia[1][1], body.inertia[2][2]) * root(dot(after.spin, after.spin))
     apart = subtract(start, end)
-    return balance(f"angular momentum of the {name} about the contact", root(dot(apart, apart)), 0.0, scale)
+    return balance(f"angular momentum of the {name} about the contact", root(dot(apart, apart)), 0.0, largest)
 
 
 def _contact(states: tuple[State, State], end: End, frame: Matrix, before: Vector, least: float) -> tuple[Check, ...]:

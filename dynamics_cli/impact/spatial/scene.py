@@ -5,20 +5,13 @@ All models use the same matrix K in the frame of the contact; each neglects effe
 """
 
 from dynamics_cli.errors import require
-from dynamics_cli.impact.spatial.bodies import (
-    SolidInSpace,
-    mobility,
-)
-from dynamics_cli.impact.spatial.impact import approach, solved_in_space
+from dynamics_cli.impact.spatial.bodies import SolidInSpace, mobility
+from dynamics_cli.impact.spatial.impact import approach, followed, solved_in_space
 from dynamics_cli.impact.spatial.results import Solved, SpatialImpact
 from dynamics_cli.impact.spatial.scene_contact import SeenScene, viewed
 from dynamics_cli.impact.spatial.scene_records import Scene
-from dynamics_cli.impact.spatial.straight_slip import End, Slip, end_of, from_rest, glide
-from dynamics_cli.quantities import (
-    STANDARD_GRAVITY,
-    Annotated,
-    Gravity,
-)
+from dynamics_cli.impact.spatial.straight_slip import End
+from dynamics_cli.quantities import STANDARD_GRAVITY, Annotated, Gravity
 from dynamics_cli.records import Advice
 
 TYPE_CHECKING = False
@@ -29,7 +22,7 @@ if TYPE_CHECKING:
 def central_suffices(scene: Scene, /, *, gravity: float = STANDARD_GRAVITY) -> str | None:
     """Reason why the line of impact is enough, or None."""
     view = viewed(scene, gravity)
-    if view.rubs or view.eccentric or view.across:
+    if view.rubs or view.eccentric or view.across():
         return None
     return "both bodies move along the normal, which passes through their mass centres: no impulse acts across it"
 
@@ -71,7 +64,7 @@ def solve_central(
     """
     view = viewed(scene, gravity)
     neglects = _neglects(
-        ("friction", view.rubs), ("the levers", view.eccentric), ("motion across the line", view.across)
+        ("friction", view.rubs), ("the levers", view.eccentric), ("motion across the line", view.across())
     )
     return _answered(_smooth, scene, gravity, "central impact", advice=neglects)
 
@@ -104,34 +97,27 @@ def _answered(
     from dynamics_cli.impact.spatial.bounds import answered, beside
 
     answer = answered(solver, scene, gravity, *more, advice=advice)
-    if advice or answer.numerics is None or not _left_out(scene, gravity, plane=solver is _in_plane):
+    if advice or answer.numerics is None or not _left_out(scene, gravity):
         return answer
     return beside(answer, answered(_in_space, scene, gravity))
 
 
-def _left_out(scene: Scene, gravity: float, *, plane: bool) -> bool:
-    """Whether a smaller model neglects anything at all."""
+def _left_out(scene: Scene, gravity: float) -> bool:
+    """Whether a smaller model neglects anything at all, were it but rounding of the inputs."""
     from decimal import Context, localcontext
 
     from dynamics_cli.impact.spatial.arithmetic import widened
 
     with localcontext(Context(prec=80)):
-        view = SeenScene(widened(scene), widened(gravity))
-        k = view.k
-        least = max(k[0][0], k[1][1], k[2][2]) / 10**60
-        coupled = (k[0][1], k[1][2]) if plane else (k[0][2], k[1][2])
-        if any(abs(entry) > least for entry in coupled):
-            return view.friction > 0 or not plane
-        if not plane and view.turning > least / 10**60:
-            return True
-        return view.slips and view.friction > 0 and not view.before[0]
+        exact = SeenScene(widened(scene), widened(gravity), absent=10**60)
+    return exact.effects != viewed(scene, gravity).effects
 
 
 def _smooth(scene: Scene, gravity: float, name: str, **_: int) -> Solved:
     """An impulse along the normal through both mass centres."""
     view = viewed(scene, gravity)
     # without inertia nothing turns; with a lever a spin still moves the contact
-    a, b = (SolidInSpace(body.mass, None, body.lever, body.velocity, body.spin, body.nose) for body in view.bodies)
+    a, b = (SolidInSpace(**{**body.__dict__, "inertia": None, "inverse": None}) for body in view.bodies)
     k = mobility((a, b), view.frame)
     before = approach((a, b), view.frame)
     e = view.restitution
@@ -173,22 +159,18 @@ def solve_planar(
     return _answered(_in_plane, scene, gravity, advice=_neglects(("the turning of the slip out of its plane", turns)))
 
 
-def _in_plane(scene: Scene, gravity: float, **_: int) -> Solved:
+def _in_plane(scene: Scene, gravity: float, **effort: int) -> Solved:
     """Slip along its line, and then stick or reversed slip."""
     view = viewed(scene, gravity)
     k, before, zero = view.k, view.before, view.before[2] * 0
     plane = (k[0][0], zero, k[0][2]), (zero, k[1][1], zero), (k[0][2], zero, k[2][2])
-    slip = Slip([*before, zero, zero, zero, zero, zero])
-    impact_data = before[2], view.friction, view.restitution, view.law
-    slides = before[0] != 0 and view.friction > 0
-    if slides and glide(plane, slip, (before[0] / abs(before[0]), zero), impact_data[1], before[2], *impact_data[2:]):
-        end = end_of(slip, "slip")
-    else:
-        end = from_rest(plane, slip, *impact_data, at_rest=not slides)
-    if end.history == "slip, slip anew":
-        end.history = "slip, reversed slip"
+    end = followed(plane, before, view.friction, view.restitution, view.law, **effort)
     aside = k[0][1] * end.impulse[0] + k[1][2] * end.impulse[2]
-    end.velocity = end.velocity[0], aside, end.velocity[2]
+    changed = {
+        "velocity": (end.velocity[0], aside, end.velocity[2]),
+        "history": end.history.replace("slip anew", "reversed slip"),
+    }
+    end = End(**{**end.__dict__, **changed})
     how = "closed-form Routh–Keller path in the plane of normal and slip, in decimals"
     return Solved(view.bodies, view.frame, k, before, end, view.friction, view.restitution, view.law, how)
 

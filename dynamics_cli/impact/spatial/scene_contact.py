@@ -7,19 +7,16 @@ from dynamics_cli.impact.spatial.bodies import (
     Matrix,
     SolidInSpace,
     Vector,
-    cross,
-    dot,
     frame_about,
     mobility,
     nose_in_plane,
     nothing,
     relative_velocity,
-    require_inertia,
     unit,
 )
-from dynamics_cli.impact.spatial.impact import approach, lever_of
+from dynamics_cli.impact.spatial.impact import TargetInSpace, approach, lever_of, solid
 from dynamics_cli.impact.spatial.scene_records import ByMoment, ByRadius, ByTensor, Scene, SceneBody, YawRate
-from dynamics_cli.numerics.vectors import subtract
+from dynamics_cli.numerics.vectors import cross, dot, subtract
 
 # A value smaller than this share of its reference is rounding of the inputs and counts as absent.
 ABSENT = 10**13
@@ -28,7 +25,7 @@ ABSENT = 10**13
 class SeenScene:
     """A scene at its contact, with the effects that smaller models neglect."""
 
-    def __init__(self, scene: Scene, gravity: float) -> None:
+    def __init__(self, scene: Scene, gravity: float, absent: int = ABSENT) -> None:
         contact = scene.contact
         x, y, z = unit(contact.normal)
         self.inward = -x, -y, -z
@@ -51,11 +48,10 @@ class SeenScene:
         # the first tangent is the direction of slip
         self.before = self.before[0], self.before[0] * 0, self.before[2]
         self.k = mobility(self.bodies, self.frame)
-        self.slips = self.before[0] != 0
         scale = max(self.k[0][0], self.k[1][1], self.k[2][2])
-        coupled = ABSENT * max(abs(self.k[0][2]), abs(self.k[1][2])) > scale
+        coupled = absent * max(abs(self.k[0][2]), abs(self.k[1][2])) > scale
         # without friction the slip has no effect: even the smallest is kept
-        if contact.friction > 0 and ABSENT * abs(self.before[0]) <= abs(self.before[2]):
+        if contact.friction > 0 and absent * abs(self.before[0]) <= abs(self.before[2]):
             self.before = *nothing(self.before[2])[:2], self.before[2]
             if coupled:
                 # without slip the coupling determines the direction of friction
@@ -64,8 +60,9 @@ class SeenScene:
                 self.k = mobility(self.bodies, self.frame)
         self.rubs = contact.friction > 0 and (self.before[0] != 0 or coupled)
         # an impulse along the normal turns a body that it passes by, though it moves the contact along the normal only
-        self.eccentric = coupled or ABSENT * ABSENT * self.turning > self.k[2][2]
-        self.turns = ABSENT * max(abs(self.k[0][1]), abs(self.k[1][2])) > scale
+        self.eccentric = coupled or absent * absent * self.turning > self.k[2][2]
+        self.turns = absent * max(abs(self.k[0][1]), abs(self.k[1][2])) > scale
+        self.effects = self.rubs, self.eccentric, self.across(absent), self.turns
         self.single = [
             name for name, body in (("first", scene.first), ("second", scene.second)) if _has_one_moment(body)
         ]
@@ -76,13 +73,12 @@ class SeenScene:
         moments = [cross(body.lever, self.inward) for body in self.bodies]
         return sum(dot(moment, body.turned(moment)) for body, moment in zip(self.bodies, moments, strict=True))
 
-    @property
-    def across(self) -> bool:
+    def across(self, absent: int = ABSENT) -> bool:
         """Whether anything moves across the line of impact, or spins."""
         for body in self.bodies:
             along = dot(body.velocity, self.inward)
             off = subtract(body.velocity, tuple(along * part for part in self.inward))  # type: ignore[arg-type]
-            if ABSENT * ABSENT * dot(off, off) > dot(body.velocity, body.velocity) or any(body.spin):
+            if absent * absent * dot(off, off) > dot(body.velocity, body.velocity) or any(body.spin):
                 return True
         return False
 
@@ -117,13 +113,10 @@ def _solid(body: SceneBody, contact: Vector | None, gravity: float, name: str) -
         spin: Vector = *nothing(body.rotation.yaw_rate)[:2], body.rotation.yaw_rate
     else:
         spin = body.rotation.spin
-    nose = nose_in_plane(body.nose, velocity)
-    lever = nothing(velocity[0]) if body.arm is None else lever_of(body.arm, contact, name)
-    if isinstance(body.bulk, Fixed):
-        require(body.bulk.fixed, "{name} has neither mass nor weight and is not fixed", name=name, code="no-mass")
-        return SolidInSpace(None, None, lever, velocity, spin, nose)
-    mass = mass_of(body.bulk, gravity, name)
-    if body.turning is None:
+    fixed = isinstance(body.bulk, Fixed)
+    if body.turning is None and not fixed:
+        lever = nothing(velocity[0]) if body.arm is None else lever_of(body.arm, contact, name)
+        mass = mass_of(body.bulk, gravity, name)  # type: ignore[arg-type]
         require_given(
             not any(lever) and not any(spin),
             "{name} has a lever or a spin, but no inertia",
@@ -131,27 +124,28 @@ def _solid(body: SceneBody, contact: Vector | None, gravity: float, name: str) -
             name=name,
             code="no-inertia",
         )
-        return SolidInSpace(mass, None, lever, velocity, spin, nose)
+        return SolidInSpace(mass, None, None, lever, velocity, spin, nose_in_plane(body.nose, velocity))
     side = side_of(name)
     require_given(
-        body.arm is not None,
+        fixed or body.arm is not None,
         "{name} has inertia, but no lever to the contact (a particle has no inertia)",
         (f"{side}.lever",),
         (f"{side}.centre", "contact.point"),
         name=name,
         code="no-lever",
     )
-    inertia = _tensor(body.turning, mass)
-    require_inertia(inertia, name)
-    return SolidInSpace(mass, inertia, lever, velocity, spin, nose)
+    inertia = None if fixed else _tensor(body, gravity, name)
+    return solid(TargetInSpace(body.bulk, inertia, body.arm, velocity, spin, body.nose), contact, gravity, name)
 
 
-def _tensor(turning: ByTensor | ByMoment | ByRadius, mass: float) -> Matrix:
+def _tensor(body: SceneBody, gravity: float, name: str) -> Matrix:
+    turning = body.turning
     if isinstance(turning, ByTensor):
         return turning.inertia
     if isinstance(turning, ByRadius):
+        mass = mass_of(body.bulk, gravity, name)  # type: ignore[arg-type]
         moment = mass * turning.radius_of_gyration * turning.radius_of_gyration
     else:
-        moment = turning.moment
+        moment = turning.moment  # type: ignore[union-attr]
     zero = type(moment)(0)
     return (moment, zero, zero), (zero, moment, zero), (zero, zero, moment)

@@ -7,6 +7,7 @@ closed form. All of it takes doubles and decimals.
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.spatial.arithmetic import fused, root
+from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -181,36 +182,23 @@ def glide(k: "Matrix", slip: Slip, way: "Pair", friction: float, approach: float
     return True
 
 
+@record
 class End:
     """The end of an impact in space, in the frame of the contact."""
 
-    __slots__ = ("compression", "heat", "history", "impulse", "slip_impulse", "steps", "velocity", "work", "work_back")
-
-    def __init__(
-        self,
-        velocity: "Vector",
-        impulse: "Vector",
-        compression: float,
-        work: float,
-        work_back: float,
-        heat: float,
-        history: str,
-        slip_impulse: float,
-        steps: int = 0,
-    ) -> None:
-        self.velocity = velocity
-        self.impulse = impulse
-        self.compression = compression
-        self.work = work
-        self.work_back = work_back
-        self.heat = heat
-        self.history = history
-        self.slip_impulse = slip_impulse
-        self.steps = steps
+    velocity: "Vector"
+    impulse: "Vector"
+    compression: float
+    work: float
+    work_back: float
+    heat: float
+    history: str
+    slip_impulse: float
+    steps: int = 0
 
 
-def end_of(slip: Slip, history: str) -> End:
-    """The end from the state."""
+def end_of(slip: Slip, history: str, slip_impulse: float | None = None) -> End:
+    """The end from the state; the slip lasted to the end unless its impulse is given."""
     state = slip.state
     return End(
         velocity=(state[X], state[Y], state[V]),
@@ -220,7 +208,7 @@ def end_of(slip: Slip, history: str) -> End:
         work_back=state[W] + slip.work,
         heat=state[H],
         history=history,
-        slip_impulse=state[P],
+        slip_impulse=state[P] if slip_impulse is None else slip_impulse,
         steps=slip.steps,
     )
 
@@ -261,6 +249,6 @@ def from_rest(
     before = (state[X], state[Y]) if at_rest else (type(slope)(0), type(slope)(0))
     state[X], state[Y], state[V] = before[0] + growth[0] * more, before[1] + growth[1] * more, after
     state[FX], state[FY], state[P] = state[FX] + ratio[0] * more, state[FY] + ratio[1] * more, begin + more
-    end = end_of(slip, words[sticks] if friction > 0 else "slip without friction")
-    end.slip_impulse = begin if friction > 0 else begin + more
-    return end
+    if friction > 0:
+        return end_of(slip, words[sticks], begin)
+    return end_of(slip, "slip without friction")

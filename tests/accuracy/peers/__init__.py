@@ -27,10 +27,8 @@ METHODS: dict[str, tuple[Method, ...]] = {
     "impact drop": (Method("bounce by bounce until it rests", "peers.impact.lines:drop_by_bounces"),),
     "impact planar": (
         Method("the same velocities, then differences", "peers.impact.bodies:planar"),
-        Method("Dormand–Prince along the impulse", "peers.impact.rigid:planar"),
         Method("pycrash, Kudlich–Slibar without spin before", "peers.impact.bodies:planar_by_pycrash", needs="pycrash"),
     ),
-    "impact spatial": (Method("Dormand–Prince along the impulse, 1e-10", "peers.impact.rigid:spatial"),),
     "mesh moments": MESHES + MESH_LIBRARIES,
     "mesh moments, 32,768 triangles": MESHES + MESH_LIBRARIES,
     "mesh moments, faces that overlap": MESHES,

@@ -1,14 +1,10 @@
-"""Solvers as numerical textbooks teach them: Brent's root, Dormand and Prince's steps with events."""
+"""A solver as numerical textbooks teach it: Brent's root."""
 
 from math import copysign, inf, isfinite
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
-
-    State = list[float]
-    Slope = Callable[[float, State], Sequence[float]]
-    Event = Callable[[float, State], float]
+    from collections.abc import Callable
 
 ROUNDING = 2.0**-52
 
@@ -60,78 +56,3 @@ def _interpolated(a: float, b: float, c: float, fa: float, fb: float, fc: float)
 def _closes_in(step: float, half: float, before: float) -> bool:
     """Whether a step stays within three quarters of the bracket, and halves the step before the last."""
     return isfinite(step) and 0.0 < step / half < 1.5 and abs(step) < 0.5 * abs(before)
-
-
-# Dormand and Prince, A family of embedded Runge–Kutta formulae (1980): places, slopes so far, weights, errors.
-PLACES = 0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0
-SLOPES = (
-    (),
-    (1 / 5,),
-    (3 / 40, 9 / 40),
-    (44 / 45, -56 / 15, 32 / 9),
-    (19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729),
-    (9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656),
-)
-WEIGHTS = 35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84
-ERRORS = 71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40
-
-
-def _step(slope: "Slope", t: float, y: "State", first: "Sequence[float]", h: float) -> "tuple[State, State]":
-    """The state a step on, and the error of each of its parts."""
-    found = [first]
-    for place, row in zip(PLACES[1:], SLOPES[1:], strict=True):
-        at = [v + h * sum(w * k[i] for w, k in zip(row, found, strict=True)) for i, v in enumerate(y)]
-        found.append(slope(t + place * h, at))
-    new = [v + h * sum(w * k[i] for w, k in zip(WEIGHTS, found, strict=True)) for i, v in enumerate(y)]
-    found.append(slope(t + h, new))
-    return new, [h * sum(w * k[i] for w, k in zip(ERRORS, found, strict=True)) for i in range(len(y))]
-
-
-def dormand_prince(
-    slope: "Slope", y: "State", events: "Sequence[Event]", tolerance: float, absolute: float, *, first: float,
-    most: int = 3000,
-) -> "tuple[float, State, list[bool]]":  # fmt: skip
-    """From t = 0 with steps of orders 5 and 4 until an event's function is no longer below zero: when, where, which.
-
-    Within a step the event is found by Brent's method on the length of the step.
-    """
-    t, h = 0.0, first
-    for _ in range(most):
-        here = slope(t, y)
-        new, errors = _step(slope, t, y, here, h)
-        parts = [
-            error / (absolute + tolerance * max(abs(old), abs(now)))
-            for error, old, now in zip(errors, y, new, strict=True)
-        ]
-        worst = max(map(abs, parts))
-        if not isfinite(worst):
-            h *= 0.1
-        elif worst > 1.0:
-            h *= max(0.2, 0.9 * worst**-0.2)
-        else:
-            over = [event(t + h, new) >= 0.0 for event in events]
-            if any(over):
-                # the earliest of those that happen
-                length = min(
-                    _when(event, slope, t, y, here, h) for event, happens in zip(events, over, strict=True) if happens
-                )
-                end = _step(slope, t, y, here, length)[0] if length < h else new
-                near = 16.0 * ROUNDING
-                which = [
-                    happens
-                    and event(t + length * (1.0 + near), _step(slope, t, y, here, length * (1.0 + near))[0]) >= 0.0
-                    for event, happens in zip(events, over, strict=True)
-                ]
-                return t + length, end, which
-            t, y = t + h, new
-            h *= min(5.0, 0.9 * max(worst, 1e-9) ** -0.2)
-    raise ArithmeticError
-
-
-def _when(event: "Event", slope: "Slope", t: float, y: "State", here: "Sequence[float]", h: float) -> float:
-    """The length of the step after which the event's function is zero."""
-
-    def value(length: float) -> float:
-        return event(t + length, _step(slope, t, y, here, length)[0]) if length else event(t, y)
-
-    return brent(value, 0.0, h) if value(h) > 0.0 else h
