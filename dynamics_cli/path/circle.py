@@ -95,7 +95,8 @@ def circle(
     >>> round(circle(radius=2.0, state=Turning(3.0, 1.0)).normal, 6)
     18.0
     """
-    require(plain(radius) > 0.0, "the radius of {radius} is not above zero", code="radius", radius=(radius, Length))
+    require(plain(radius) > 0.0, "the radius of {radius} is not above zero", code="radius",
+            hint="for example --radius '0.5 m'", radius=(radius, Length))  # fmt: skip
     ends = [name for name, value in (("time", time), ("angle", angle), ("arc", arc)) if value is not None]
     require(len(ends) <= 1, "{names} are given: give only one of them", code="exclusive", names=" and ".join(ends))
     if isinstance(state, Running):

@@ -218,6 +218,7 @@ def spherical(
         0.0 <= plain(polar_angle) <= PI,
         "φ is measured from the Z-axis, from 0 to 180 degrees; it cannot be {angle:6}",
         code="polar-angle",
+        hint="beyond 180 degrees give 360 degrees less φ, and an azimuth half a turn on",
         angle=(plain(polar_angle), Angle),
     )
     rho, (down, across) = radius, (cos(polar_angle), sin(polar_angle))

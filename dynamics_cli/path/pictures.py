@@ -275,7 +275,7 @@ def relative(result: "Any", *, first: "Any", second: "Any", end: "Any" = None, l
         return Picture((paths,), "two paths and their closest approach")
     rows = [row for row in result.points if row.closing_speed is not None]
     times = [row.time for row in rows]
-    closest = Mark(result.closest_time, result.closest_distance, "closest")
+    closest = Mark(result.closest_time, result.closest_distance, "closest", (0.0, -12.0))
     distance = Panel(TIME, Axis("distance", Length), (Curve(times, [row.distance for row in rows], role=3), closest))
     closing = [Curve(times, [row.closing_speed for row in rows], role=VELOCITY)]
     for sign in (-1.0, 1.0):

@@ -165,7 +165,8 @@ def _rotation(
 ) -> "tuple[float, float | None, float]":
     rx, ry = second.second_point[0] - point[0], second.second_point[1] - point[1]
     square = rx * rx + ry * ry
-    require(square > 0.0, "the two points coincide: they do not determine the rotation", code="one-point")
+    require(square > 0.0, "the two points coincide: they do not determine the rotation", code="one-point",
+            hint="give a second point elsewhere on the body")  # fmt: skip
     ux, uy = second.second_velocity[0] - velocity[0], second.second_velocity[1] - velocity[1]
     length = hypot(rx, ry)
     parting = (rx * ux + ry * uy) / length

@@ -33,6 +33,9 @@ FOUR_BAR = Task(
         "other_rocker_angle: θ₄ on the other branch",
         "kind: class",
         "side: this assembly",
+        "swing: rocker swings through",
+        "rocker_least: rocker angle θ₄ from",
+        "rocker_greatest: rocker angle θ₄ to",
         "table: crank turn | crank_angle=θ₂, rocker_angle=θ₄, rocker_ratio=ω₄/ω₂, rocker_change=α₄/ω₂², "
         "rocker_speed=ω₄, rocker_acceleration=α₄, transmission_angle=μ, coupler_angle=θ₃",
     ),

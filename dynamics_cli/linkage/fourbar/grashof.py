@@ -124,7 +124,7 @@ def classify(
     lengths = (crank, coupler, rocker, ground)
     links, kind = frame(*lengths), kind_of(lengths)
     outer, inner = limits(links)
-    rocking = _rocking(lengths)
+    least_angle, greatest_angle, swing = rocking(lengths)
     ends = _ends(lengths, kind)
     time_ratio = None
     if ends is not None:
@@ -138,9 +138,9 @@ def classify(
         rotates=_rotates(kind),
         outer_limit=outer,
         inner_limit=inner,
-        swing=rocking[2],
-        rocker_least=rocking[0],
-        rocker_greatest=rocking[1],
+        swing=swing,
+        rocker_least=least_angle,
+        rocker_greatest=greatest_angle,
         extended_at=ends and ends[0],
         folded_at=ends and ends[1],
         time_ratio=time_ratio,
@@ -168,7 +168,7 @@ def _rotates(kind: str) -> str:
     return "all that pass the change points" if kind.startswith("change") else "none"
 
 
-def _rocking(lengths: "tuple[float, ...]") -> "tuple[float | None, float | None, float | None]":
+def rocking(lengths: "tuple[float, ...]") -> "tuple[float | None, float | None, float | None]":
     """Rocker angles at its limits above the ground link, and the swing: the same limits with the roles changed."""
     a, b, c, d = lengths
     links = frame(c, b, a, d)

@@ -4,6 +4,7 @@ from math import pi
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.linkage.scenes.pose import is_free, posed
+from dynamics_cli.numerics.linkages.records import GROUND
 from dynamics_cli.quantities import (
     Angle,
     AngularAcceleration,
@@ -70,7 +71,8 @@ def followed(system: "System", q: "Any", name: str, steps: int, turn: "float | N
         hint="--travel '80 mm'" if first.point else "--turn '90 deg'",
     )
     named = {*system.shapes, *system.known, *system.unknown}
-    require(name in named, "no link or pin is called {name}", name=repr(name), code="name")
+    require(name in named, "no link or pin is called {name}", name=repr(name), code="name",
+            hint=f"there are {', '.join(sorted(named - {GROUND}))}")  # fmt: skip
     span = travel or (TURN if turn is None else turn)
     ahead = Continuation(system, q)
     rows = [_row(ahead, name)]

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+LET = "; or give it a value, --let 'k=2 m'"
 # A result whose bound is looser than this is evaluated once more, in 60 digits.
 LOOSE = 1e-12
 
@@ -55,8 +56,8 @@ class MovingPoint:
         self.let = let
         self.parameter = parameter
         self.flat = "z" not in self.formulas if shape is None else type(shape).__name__ not in ("Helix", "Line")
-        self.laws = {name: law_of(formula, let, ("t",)) for name, formula in self.formulas.items()}
-        self.law = law_of(parameter, let, ("t",)) if parameter is not None else None
+        self.laws = {name: law_of(formula, let, ("t",), LET) for name, formula in self.formulas.items()}
+        self.law = law_of(parameter, let, ("t",), LET) if parameter is not None else None
 
     def state(self, time: "Any") -> State:
         """The state at a time."""

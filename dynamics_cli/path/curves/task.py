@@ -180,7 +180,8 @@ def _parameter(shape: "Any", angle: Formula | None, along: Formula | None) -> Fo
 
 
 def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, float, Any]":
-    require(1 <= steps <= MOST_STEPS, "the table cannot have {steps} intervals", code="steps", steps=steps)
+    require(1 <= steps <= MOST_STEPS, "the table cannot have {steps} intervals", code="steps", steps=steps,
+            hint=f"give 1 to {MOST_STEPS}")  # fmt: skip
     require(end is not None or at is not None, "a time is missing", code="missing", hint="--end '5 s', or --at '2 s'")
     now = at if at is not None else end
     last = plain(end if end is not None else at)
@@ -189,6 +190,7 @@ def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, flo
         first <= last,
         "the range of times ends at {end}, before it starts at {start}",
         code="times",
+        hint="exchange --start and --end",
         end=(last, Time),
         start=(first, Time),
     )
