@@ -6,8 +6,7 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import is_many, plain
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.numerics.vectors import length
-from dynamics_cli.path.bends import Bend, advice_of
-from dynamics_cli.path.coordinates import parts_check
+from dynamics_cli.path.bends import Bend, advice_of, parts_check
 from dynamics_cli.path.curves.events import Event, arc_lengths, events
 from dynamics_cli.path.curves.moving_point import MovingPoint, State
 from dynamics_cli.path.curves.named import Shape
