@@ -128,9 +128,8 @@ def _motion(parts: "list[Continuation]", rows: "list[Followed]", reached: bool) 
     ends = (base + min(shifts), base + max(shifts))
     count = sum(part.steps for part in parts)
     crossed = sorted({round(base + shift, 6) for part in parts for shift in part.crossed})
-    evidence = "proved to be one motion" if parts[0].proves else "followed by small steps, without a proof"
-    evidence = "proved to be one motion but for the change point" if crossed and parts[0].proves else evidence
-    motion = Motion(rows, (None, None) if first.point else ends, f"{evidence}, in {count} steps")
+    words = f"one motion{' over a change point' if crossed else ''}, followed in {count} steps"
+    motion = Motion(rows, (None, None) if first.point else ends, words)
     if crossed:
         words = worded(
             "at {at:4} the linkage passes a change point, where it can go on in two ways: the smooth one is shown",
