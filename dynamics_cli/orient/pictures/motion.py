@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
+NOTHING = (0.0, 0.0, 0.0)
+
 
 def _polygon(terms: "Sequence[tuple[str, Any]]", total: "Any", name: str, title: "Any") -> Panel:
     """Vectors tip to tail, and their sum."""
@@ -80,26 +82,21 @@ def addition(answer: "Any", **_: "Any") -> Picture:
     return Picture(tuple(panels), "addition along the chain", columns=2)
 
 
-def moving_point(answer: "Any", *, relative_velocity: "Any" = (0.0, 0.0, 0.0), **_: "Any") -> Picture:
+def moving_point(
+    answer: "Any", *, relative_velocity: "Any" = NOTHING, origin_velocity: "Any" = NOTHING, **_: "Any"
+) -> Picture:
     """Velocity and acceleration with their terms, tip to tail."""
-    carried, relative = numbers(answer.carried_velocity), numbers(relative_velocity)
-    total = numbers(answer.velocity)
-    origin = times(-1.0, carried, times(-1.0, relative, total))
-    tiny = 1e-12 * (hypot(*total) + hypot(*carried))
-    velocities = [
-        ("v_O", origin if hypot(*origin) > tiny else (0.0, 0.0, 0.0)),
-        ("ω × r", carried),
-        ("v_rel", relative),
-    ]
+    spun = times(-1.0, numbers(origin_velocity), numbers(answer.carried_velocity))
+    velocities = [("v_O", origin_velocity), ("ω × r", spun), ("v_rel", relative_velocity)]
     terms = [
-        ("a_O", answer.origin_acceleration),
-        ("α × r", answer.tangential),
+        ("a_O", answer.origin_part),
+        ("α × r", answer.angular_part),
         ("ω × (ω × r)", answer.centripetal),
         ("2 ω × v_rel", answer.coriolis),
-        ("a_rel", answer.relative),
+        ("a_rel", answer.relative_part),
     ]
     panels = (
-        _polygon(velocities, total, "v", worded("|v| = {v}", v=(answer.speed, Speed))),
+        _polygon(velocities, answer.velocity, "v", worded("|v| = {v}", v=(answer.speed, Speed))),
         _polygon(terms, answer.acceleration, "a", worded("|a| = {v}", v=(answer.acceleration_size, Acceleration))),
     )
     return Picture(panels, "a point moving on a moving body", columns=2)
