@@ -3,7 +3,6 @@
 from math import hypot
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.number import plain
 from dynamics_cli.orient.pictures.triads import ROOM, triad
 from dynamics_cli.pictures import Mark, Panel, Picture
 from dynamics_cli.pictures.vectors import (
@@ -131,7 +130,7 @@ def points(answer: "Any", **_: "Any") -> Picture:
 
 def rolling(answer: "Any", *, normal: "Any", **_: "Any") -> Picture:
     """Relative angular velocity at the contact, with its spin and roll parts."""
-    n, roll, spin = unit(numbers(normal)), numbers(answer.roll), float(plain(answer.spin))
+    n, roll, spin = unit(numbers(normal)), numbers(answer.roll), answer.spin
     relative = times(spin, n, roll)
     size = hypot(*relative) or 1.0
     items: list[Any] = [
