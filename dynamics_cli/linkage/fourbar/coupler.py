@@ -144,7 +144,7 @@ def coupler(
         checks=_within(outline, tolerance) if outline else (),
         advice=closeness(lengths, kind),
         numerics=Numerics(
-            "trapezoid rule doubled until it settles; extremes by Newton; deviation by disc arithmetic",
+            "trapezoid rule doubled until it settles; extremes by bisection; deviation by disc arithmetic",
             (ErrorBound("length", error, relative=False),),
         ),
     )
