@@ -1,6 +1,5 @@
 """Real roots of polynomials of low degree on an interval, found between the roots of their derivatives."""
 
-from functools import partial
 from itertools import pairwise
 
 TYPE_CHECKING = False
@@ -62,6 +61,10 @@ def roots_between(coefficients: "Sequence[float]", low: float, high: float) -> "
         coefficients = coefficients[:-1]
     if len(coefficients) < 2 or not high > low:
         return []
+
+    def polynomial(x: float) -> float:
+        return value(coefficients, x)  # type: ignore[no-any-return]
+
     places = [low, *roots_between(derivative(coefficients), low, high), high]
     roots: list[float] = []
     for low_end, high_end in pairwise(places):
@@ -72,7 +75,7 @@ def roots_between(coefficients: "Sequence[float]", low: float, high: float) -> "
         elif at_right == 0.0:
             roots.append(high_end)
         elif (at_left < 0.0) != (at_right < 0.0):
-            roots.append(bisected(partial(value, coefficients), low_end, high_end))
+            roots.append(bisected(polynomial, low_end, high_end))
     return roots
 
 
