@@ -112,7 +112,7 @@ def screw(answer: "Any", **_: "Any") -> Picture:
         curve(ends, "centre", 3),
         curve(helix, "solid", 0),
         arrow(d, "", 1, dashed=True),
-        words(times(0.5, d), "d", 1),
+        words(times(1.08, d), "d", 1),
         words(ends[1], "n", 3),
         *(arrow(times(0.3 * size, axis), name, GREY) for axis, name in zip(UNITS, "xyz", strict=True)),
     ]
