@@ -4,7 +4,7 @@ from itertools import pairwise
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
     from typing import Any
 
 
@@ -61,6 +61,10 @@ def roots_between(coefficients: "Sequence[float]", low: float, high: float) -> "
         coefficients = coefficients[:-1]
     if len(coefficients) < 2 or not high > low:
         return []
+
+    def polynomial(x: float) -> float:
+        return value(coefficients, x)  # type: ignore[no-any-return]
+
     places = [low, *roots_between(derivative(coefficients), low, high), high]
     roots: list[float] = []
     for low_end, high_end in pairwise(places):
@@ -71,17 +75,18 @@ def roots_between(coefficients: "Sequence[float]", low: float, high: float) -> "
         elif at_right == 0.0:
             roots.append(high_end)
         elif (at_left < 0.0) != (at_right < 0.0):
-            roots.append(_halved(coefficients, low_end, high_end, rising=at_left < 0.0))
+            roots.append(bisected(polynomial, low_end, high_end))
     return roots
 
 
-def _halved(coefficients: "Sequence[float]", left: float, right: float, *, rising: bool) -> float:
-    """The root between two places of opposite signs, by bisection to the last bit."""
+def bisected(function: "Callable[[float], float]", low: float, high: float) -> float:
+    """The root of a function between two places of opposite signs, to the last bit."""
+    negative = function(low) < 0.0
     while True:
-        middle = 0.5 * (left + right)
-        if not left < middle < right:
-            return left if abs(value(coefficients, left)) <= abs(value(coefficients, right)) else right
-        if (value(coefficients, middle) < 0.0) == rising:
-            left = middle
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            return low if abs(function(low)) <= abs(function(high)) else high
+        if (function(middle) < 0.0) == negative:
+            low = middle
         else:
-            right = middle
+            high = middle

@@ -8,7 +8,7 @@ from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, dot, length, scale
 from dynamics_cli.numerics.vectors import compensated_cross as cross
-from dynamics_cli.records import Advice, record
+from dynamics_cli.records import Advice, Check, record
 
 
 @record
@@ -89,9 +89,10 @@ def centre_of(position: Vector, motion: Bend) -> "Vector | None":
     return position[0] + offset[0], position[1] + offset[1], position[2] + offset[2]
 
 
-def balanced(motion: Bend) -> "tuple[float, float] | None":
-    """Residual of a_t and a_n against the acceleration, and its rounding limit."""
+def parts_check(motion: Bend) -> tuple[Check, ...]:
+    """That a_t and a_n make up the acceleration."""
     if motion.tangential is None or motion.normal is None:
-        return None
+        return ()
     apart = abs(plain(hypot(motion.tangential, motion.normal)) - plain(motion.magnitude))
-    return apart, 1e-12 * plain(motion.magnitude) + 1e-300
+    room = 1e-12 * plain(motion.magnitude) + 1e-300
+    return (Check("a_t and a_n make up a", apart <= room, apart, room),)

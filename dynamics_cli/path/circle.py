@@ -15,7 +15,7 @@ from dynamics_cli.quantities import (
     Speed,
     Time,
 )
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import record
 
 
 @record
@@ -62,8 +62,6 @@ class Circle:
     turns: Annotated[Ratio | None, "Number of turns [-]."]
     arc: Annotated[Length | None, "Length along the circle [m]."]
     start: Annotated[OnCircle, "The state at the start."]
-    checks: tuple[Check, ...] = ()
-    advice: tuple[Advice, ...] = ()
 
 
 def circle(
@@ -95,7 +93,8 @@ def circle(
     >>> round(circle(radius=2.0, state=Turning(3.0, 1.0)).normal, 6)
     18.0
     """
-    require(plain(radius) > 0.0, "the radius of {radius} is not above zero", code="radius", radius=(radius, Length))
+    require(plain(radius) > 0.0, "the radius of {radius} is not above zero", code="radius",
+            hint="for example --radius '0.5 m'", radius=(radius, Length))  # fmt: skip
     ends = [name for name, value in (("time", time), ("angle", angle), ("arc", arc)) if value is not None]
     require(len(ends) <= 1, "{names} are given: give only one of them", code="exclusive", names=" and ".join(ends))
     if isinstance(state, Running):
@@ -112,8 +111,6 @@ def circle(
         last = _speed_after(omega, alpha, swept)
         elapsed = 2.0 * swept / (omega + last) if plain(swept) else 0.0 * omega
     end = _place(radius, last, alpha)
-    apart = plain(abs(end.acceleration - hypot(end.tangential, end.normal)))
-    size = 1e-12 * plain(end.acceleration)
     return Circle(
         speed=end.speed,
         angular_velocity=last,
@@ -127,7 +124,6 @@ def circle(
         turns=None if swept is None else swept / (2.0 * pi_beside(radius, swept)),
         arc=None if swept is None else radius * swept,
         start=start,
-        checks=(Check("a_t and a_n make up a", apart <= size, apart, size),),
     )
 
 

@@ -4,8 +4,8 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, dot, length
-from dynamics_cli.path.bends import advice_of, bend, centre_of
-from dynamics_cli.path.coordinates import combined, local_axes, parts_check
+from dynamics_cli.path.bends import advice_of, bend, centre_of, parts_check
+from dynamics_cli.path.coordinates import combined, local_axes
 from dynamics_cli.quantities import (
     Acceleration,
     AccelerationVector,

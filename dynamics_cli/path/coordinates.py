@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import cos, sin
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, add, scale
-from dynamics_cli.path.bends import Bend, advice_of, balanced, bend
+from dynamics_cli.path.bends import Bend, advice_of, bend, parts_check
 from dynamics_cli.quantities import (
     Acceleration,
     AccelerationVector,
@@ -218,6 +218,7 @@ def spherical(
         0.0 <= plain(polar_angle) <= PI,
         "φ is measured from the Z-axis, from 0 to 180 degrees; it cannot be {angle:6}",
         code="polar-angle",
+        hint="beyond 180 degrees give 360 degrees less φ, and an azimuth half a turn on",
         angle=(plain(polar_angle), Angle),
     )
     rho, (down, across) = radius, (cos(polar_angle), sin(polar_angle))
@@ -263,12 +264,6 @@ def local_axes(down: float, across: float, cosine: float, sine: float) -> tuple[
 def combined(axes: tuple[Vector, Vector, Vector], parts: Vector) -> Vector:
     """The vector with these parts along those axes."""
     return add(add(scale(parts[0], axes[0]), scale(parts[1], axes[1])), scale(parts[2], axes[2]))
-
-
-def parts_check(motion: Bend) -> tuple[Check, ...]:
-    """That a_t and a_n make up the acceleration."""
-    ends = balanced(motion)
-    return () if ends is None else (Check("a_t and a_n make up a", ends[0] <= ends[1], ends[0], ends[1]),)
 
 
 def missing(motion: Bend) -> tuple[Advice, ...]:

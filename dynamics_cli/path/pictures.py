@@ -4,7 +4,6 @@ import math
 from itertools import pairwise
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Mark, Panel, Picture
 from dynamics_cli.pictures.vectors import SUM, Step, arrow, corner, head_to_tail, labelled, scene, seen, times
 from dynamics_cli.pictures.vectors import curve as in_view
@@ -263,9 +262,7 @@ def relative(result: "Any", *, first: "Any", second: "Any", end: "Any" = None, l
             Mark(place[0], place[1], "", role=role),
         ]
     ends = result.first_position, result.second_position
-    name = worded(
-        "{d} after {t}", d=(float(plain(result.closest_distance)), Length), t=(float(plain(result.closest_time)), Time)
-    )
+    name = worded("{d} after {t}", d=(result.closest_distance, Length), t=(result.closest_time, Time))
     items += [
         Curve([ends[0][0], ends[1][0]], [ends[0][1], ends[1][1]], "closest approach", "dashed", role=6),
         Mark(0.5 * (ends[0][0] + ends[1][0]), 0.5 * (ends[0][1] + ends[1][1]), name, (7.0, -10.0), dot=False, role=6),
@@ -275,7 +272,7 @@ def relative(result: "Any", *, first: "Any", second: "Any", end: "Any" = None, l
         return Picture((paths,), "two paths and their closest approach")
     rows = [row for row in result.points if row.closing_speed is not None]
     times = [row.time for row in rows]
-    closest = Mark(result.closest_time, result.closest_distance, "closest")
+    closest = Mark(result.closest_time, result.closest_distance, "closest", (0.0, -12.0))
     distance = Panel(TIME, Axis("distance", Length), (Curve(times, [row.distance for row in rows], role=3), closest))
     closing = [Curve(times, [row.closing_speed for row in rows], role=VELOCITY)]
     for sign in (-1.0, 1.0):

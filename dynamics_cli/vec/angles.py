@@ -4,8 +4,8 @@ from dynamics_cli.errors import Wording, require, worded
 from dynamics_cli.numerics.elementary import absolute, atan2, hypot
 from dynamics_cli.numerics.exact.typed_products import cross, dot, norm, scaled, triple
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.quantities import Angle, Annotated, FreeNumber, FreeVector, Ratio, Text
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.quantities import Angle, Annotated, FreeVector, Ratio, Text
+from dynamics_cli.records import record
 from dynamics_cli.vec import kinds
 
 TYPE_CHECKING = False
@@ -14,9 +14,6 @@ if TYPE_CHECKING:
 
 # Possible value of a zero product due to the rounding of inputs, relative to the product of the magnitudes.
 ROUNDING = 4.0 * 2.0**-53
-LAGRANGE = 1e-13
-# Products beyond these are of no double, or of one that has lost digits.
-SMALLEST, LARGEST = 1e-290, 1e305
 
 
 @record
@@ -28,10 +25,6 @@ class AngleBetween:
     relation: Annotated[Text, "Whether they are parallel, opposite, perpendicular or oblique, and how that is known."]
     cosine: Annotated[Ratio, "Cosine of the angle [-]."]
     sine: Annotated[Ratio, "Sine of the angle [-]."]
-    scalar_product: Annotated[FreeNumber | None, "a·b."]
-    vector_product: Annotated[FreeVector | None, "a×b."]
-    checks: tuple[Check, ...] = ()
-    advice: tuple[Advice, ...] = ()
 
 
 def angle(
@@ -65,31 +58,18 @@ def angle(
     kinds.require_direction(start, "the first vector")
     kinds.require_direction(end, "the second vector")
     a, b = scaled(start.parts), scaled(end.parts)
-    product, along = cross(a, b), dot(a, b)
-    across = norm(product)
+    along, across = dot(a, b), norm(cross(a, b))
     sizes = norm(a) * norm(b)
     opposite, adjacent, hypotenuse = across, along, sizes
     if axis is not None:
         opposite, adjacent = _about(kinds.Vector(axis, "the axis"), a, b)
         hypotenuse = hypot(opposite, adjacent)
-    scaled_back = (a, b) != (start.parts, end.parts)
-    within = not scaled_back or SMALLEST < plain(norm(start.parts)) * plain(norm(end.parts)) < LARGEST
-    if scaled_back and within:
-        product, along_typed = cross(start.parts, end.parts), dot(start.parts, end.parts)
-    else:
-        along_typed = along
-    message = "the products leave the range of a double"
-    advice = tuple(Advice("range", message, severity="note", result=f"{name}_product") for name in ("scalar", "vector"))
     return AngleBetween(
         angle=atan2(opposite, adjacent),
         supplement=atan2(opposite, -adjacent),
         relation=relation(plain(across), plain(along), plain(sizes)),
         cosine=adjacent / hypotenuse,
         sine=opposite / hypotenuse,
-        scalar_product=kinds.number(along_typed, kinds.times(start.kind, end.kind)) if within else None,
-        vector_product=kinds.vector(product, kinds.times(start.kind, end.kind, cross=True)) if within else None,
-        checks=(lagrange(a, b),),
-        advice=() if within else advice,
     )
 
 
@@ -127,14 +107,3 @@ def _said(word: str, number: float, sizes: float) -> str:
     wording: Wording = worded("{word} within rounding ({name} {share:2})", word=word, name=name,
                               share=(abs(number) / sizes, Ratio))  # fmt: skip
     return str(wording)
-
-
-def lagrange(a: "Vector", b: "Vector") -> Check:
-    """|a×b|² + (a·b)² = |a|²·|b|², of the doubles."""
-    x = [plain(part) for part in a]
-    y = [plain(part) for part in b]
-    c = (x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0])
-    squares = sum(part * part for part in x) * sum(part * part for part in y)
-    left_side = sum(part * part for part in c) + sum(p * q for p, q in zip(x, y, strict=True)) ** 2
-    off = abs(left_side - squares) / squares if squares > 0.0 else 0.0
-    return Check("|a×b|² + (a·b)² = |a|²|b|²", off <= LAGRANGE, off, LAGRANGE)

@@ -5,7 +5,7 @@ from dynamics_cli.numerics.elementary import absolute, atan2
 from dynamics_cli.numerics.exact.typed_products import cross, difference, dot, norm, scaled, triple, unit
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import Angle, Annotated, FreeVector, Ratio, RotationMatrix, Text
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, record
 from dynamics_cli.vec import kinds
 from dynamics_cli.vec.angles import ROUNDING
 from dynamics_cli.vec.products import require_spanning
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
     from dynamics_cli.numerics.exact.typed_products import Vector
 
-SQUARE = 1e-14
 AXES = "xyz"
 
 
@@ -32,7 +31,6 @@ class Frame:
     handedness: Annotated[Text | None, "Of three directions: right-handed or left-handed."]
     rotation_matrix: Annotated[RotationMatrix, "Its columns are the axes: from the triad outward."]
     components: Annotated[FreeVector | None, "The components of the vector in the triad."]
-    checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
@@ -98,7 +96,6 @@ def frame(
         handedness=handedness,
         rotation_matrix=tuple(zip(*rows, strict=True)),  # type: ignore[arg-type]
         components=_seen(kinds.Vector(vector), rows) if vector is not None else None,
-        checks=(_square(rows),),
         advice=advice,
     )
 
@@ -158,13 +155,3 @@ def _handedness(directions: "dict[str, kinds.Vector]") -> "tuple[str | None, tup
 
 def _seen(vector: kinds.Vector, rows: "tuple[Vector, Vector, Vector]") -> FreeVector:
     return kinds.vector([dot(vector.parts, row) for row in rows], vector.kind)
-
-
-def _square(rows: "tuple[Vector, Vector, Vector]") -> Check:
-    plains = [[plain(x) for x in row] for row in rows]
-    off = max(
-        abs(sum(p * q for p, q in zip(plains[i], plains[j], strict=True)) - (i == j))
-        for i in range(3)
-        for j in range(3)
-    )
-    return Check("axes are perpendicular and of unit length", off <= SQUARE, off, SQUARE)

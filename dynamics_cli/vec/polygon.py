@@ -6,7 +6,7 @@ from dynamics_cli.numerics.exact.typed_products import as_typed, norm, sum_of_pr
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import Angle, Annotated, FreeNumber, FreeVector
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, record
 from dynamics_cli.vec import kinds
 
 TYPE_CHECKING = False
@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from typing import Any
 
 PARALLEL = 4.0 * 2.0**-53
-CLOSED = 1e-12
 MANY_TURNS = 100.0
 
 if TYPE_CHECKING:
@@ -39,7 +38,6 @@ class Polygon:
 
     solutions: Annotated[tuple[Solution, ...], "Every way to close the polygon."]
     missing: Annotated[FreeVector, "Sum of the two unknown vectors."]
-    checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
@@ -98,7 +96,6 @@ def polygon(
     return Polygon(
         solutions=solutions,
         missing=kinds.vector((*total, 0.0), kind, planar=True),
-        checks=tuple(_closed(p, q, total) for p, q in pairs),
         advice=(note,) if against else (),
     )
 
@@ -228,10 +225,3 @@ def _solution(p: "Pair", q: "Pair", kind: "Any", sizes: "list[float]", direction
         sides.append((kinds.vector((*parts, 0.0), kind, planar=True), kinds.number(size, kind), angle_of))
     (first, a, alpha), (second, b, beta) = sides
     return Solution(first, a, alpha, second, b, beta)
-
-
-def _closed(p: "Pair", q: "Pair", total: "Pair") -> Check:
-    parts = [plain(x) for x in (*p, *q, *total)]
-    size = max(map(abs, parts)) or 1.0
-    off = max(abs(parts[0] + parts[2] - parts[4]), abs(parts[1] + parts[3] - parts[5])) / size
-    return Check("the polygon closes", off <= CLOSED, off, CLOSED)

@@ -1,12 +1,12 @@
 """Resultants of vectors, and directions of one."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import atan2, cos, hypot, sqrt
+from dynamics_cli.numerics.elementary import atan2, hypot, sqrt
 from dynamics_cli.numerics.exact.typed_products import as_typed, difference, norm, sum_of_products, unit
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import Angle, Annotated, FreeNumber, FreeVector, Ratio
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, record
 from dynamics_cli.vec import kinds
 
 TYPE_CHECKING = False
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 # Beyond this the sum is known only to the last digits of its addends.
 MOST_CANCELLED = 1e6
-SQUARES = 1e-12
 
 
 @record
@@ -43,7 +42,6 @@ class Resultant:
     equilibrant: Annotated[FreeVector, "The vector that balances it."]
     cancellation: Annotated[Ratio | None, "Sum of the magnitudes over the magnitude of the sum [-]."]
     parts: Annotated[tuple[Added, ...], "The vectors added."]
-    checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
@@ -58,7 +56,6 @@ class DirectionOf:
     angle_y: Annotated[Angle, "Its angle with the y-axis [rad]."]
     angle_z: Annotated[Angle | None, "Its angle with the z-axis [rad]."]
     direction: Annotated[FreeVector, "Its direction cosines: the unit vector."]
-    checks: tuple[Check, ...] = ()
 
 
 def resultant(
@@ -131,7 +128,6 @@ def _summed(
         equilibrant=kinds.vector([-part + 0.0 for part in parts], kind, planar=planar),
         cancellation=cancellation,
         parts=added,
-        checks=() if zero else (_squares(angles),),
         advice=tuple(_advice(zero, cancellation)),
     )
 
@@ -226,7 +222,6 @@ def direction(
         angle_y=angles[1],
         angle_z=None if planar else angles[2],
         direction=kinds.direction(unit(parts), planar=planar),
-        checks=(_squares(angles),),
     )
 
 
@@ -238,8 +233,3 @@ def direction_angles(parts: "tuple[float, float, float]") -> "tuple[float, float
 
 def _angle(parts: "tuple[float, float, float]") -> float:
     return atan2(parts[1], parts[0])
-
-
-def _squares(angles: "tuple[float, ...]") -> Check:
-    total = sum(cos(plain(angle)) ** 2 for angle in angles)
-    return Check("squared direction cosines add to one", abs(total - 1.0) <= SQUARES, abs(total - 1.0), SQUARES)

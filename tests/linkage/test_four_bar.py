@@ -171,6 +171,17 @@ def test_a_toggle_has_no_speeds() -> None:
     assert degrees(made.transmission_angle) == 180.0  # type: ignore[attr-defined]
 
 
+@pytest.mark.parametrize("branch", ["open", "crossed"])
+def test_the_table_begins_with_the_swing_of_a_wiper(branch: str) -> None:
+    links = ("--crank", "40 mm", "--coupler", "120 mm", "--rocker", "80 mm", "--ground", "100 mm")
+    shown = answer("linkage", "four-bar", *links, "--branch", branch, "--steps", "720")["results"]
+    angles = [row["rocker_angle"]["value"] for row in shown["table"]]
+    ends = [shown[f"rocker_{end}"]["value"] for end in ("least", "greatest")]
+    assert ends == pytest.approx([min(angles), max(angles)], abs=0.01)
+    swing = answer("linkage", "class", *links)["results"]["swing"]["value"]
+    assert shown["swing"]["value"] == swing == pytest.approx(ends[1] - ends[0])
+
+
 def test_the_table_covers_what_can_be_reached_and_is_silent_at_toggles() -> None:
     table = answer("linkage", "four-bar", "--crank", "30 mm", "--coupler", "20 mm", "--rocker", "25 mm", "--ground",
                    "40 mm", "--steps", "4")["results"]["table"]  # fmt: skip

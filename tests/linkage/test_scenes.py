@@ -334,14 +334,12 @@ def test_a_parallelogram_is_followed_through_its_change_point() -> None:
     # by the side of B alone it would turn into the antiparallelogram at 180 deg
     assert all(driver == pytest.approx(angle, abs=1e-9) for driver, angle in rows_of(made))
     assert [one.code for one in made.advice] == ["change-point"]
-    assert "but for the change point" in str(made.followed_by)
+    assert "over a change point" in str(made.followed_by)
 
 
 @pytest.mark.parametrize("excess", [1e-3, 1e-6, 1e-9])
-def test_beside_a_change_point_the_motion_is_proved_and_turns_into_the_other(excess: float) -> None:
+def test_beside_a_change_point_the_motion_turns_into_the_other(excess: float) -> None:
     made = solve(four_bar_scene(1.0, 3.0, 1.0 + excess, 3.0, 0.5), follow="rocker", steps=12)
-    assert made.followed_by is not None
-    assert made.followed_by.startswith("proved to be one motion, in")
     assert not made.advice
     for driver, angle in rows_of(made):
         exact = four_bar(crank=1.0, coupler=3.0, rocker=1.0 + excess, ground=3.0, crank_angle=radians(driver))
@@ -377,7 +375,6 @@ def test_a_pushed_slider_is_followed_along_its_slide() -> None:
 def test_repeated_conditions_and_relative_drivers_are_followed() -> None:
     made = solve(Scene(PARALLEL, (Driver("one", angle=1.0, speed=2.0),)), follow="two", steps=12)
     assert all(driver == pytest.approx(angle, abs=1e-9) for driver, angle in rows_of(made))
-    assert "without a proof" in str(made.followed_by)
     elbow = (
         link("ground", O=(0.0, 0.0)),
         link("one", O=(0.0, 0.0), A=(0.3, 0.0)),

@@ -6,13 +6,13 @@ from typing import Any
 
 import pytest
 
+from dynamics_cli.numerics.orientation.moving_frame import moving_frame
 from dynamics_cli.path import pictures
 from dynamics_cli.path.circle import Turning, circle
 from dynamics_cli.path.components import components
 from dynamics_cli.path.coordinates import polar
 from dynamics_cli.path.curves.named import Cycloid, Helix
 from dynamics_cli.path.curves.task import curve
-from dynamics_cli.path.moving import moving_frame
 from dynamics_cli.path.relative.motions import Mover
 from dynamics_cli.path.relative.task import relative
 from dynamics_cli.path.straight.task import Phase, rectilinear

@@ -11,12 +11,12 @@ from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from dynamics_cli.errors import DynamicsError, InadmissibleError
+from dynamics_cli.numerics.orientation.moving_frame import moving_frame
 from dynamics_cli.path.circle import Running, Turning, circle
 from dynamics_cli.path.components import Axes, components
 from dynamics_cli.path.coordinates import cylindrical, polar, spherical
 from dynamics_cli.path.curves.named import Clothoid, Cycloid, Ellipse, Helix, Involute, Line
 from dynamics_cli.path.curves.task import curve
-from dynamics_cli.path.moving import moving_frame
 from dynamics_cli.path.relative.motions import Mover
 from dynamics_cli.path.relative.task import relative
 from dynamics_cli.path.straight.task import Phase, rectilinear, rectilinear_law

@@ -88,7 +88,6 @@ def test_a_circle_comes_back(tmp_path: Path) -> None:
     assert middle.curvature == pytest.approx(1.0, abs=4.0 * middle.curvature_noise)
     assert made.length == pytest.approx(2.0 * math.pi, rel=0.01)
     assert made.raw_noise > 5.0 * made.acceleration_noise
-    assert all(check.passed for check in made.checks)
     assert [one.code for one in made.advice] == []
 
 

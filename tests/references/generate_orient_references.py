@@ -383,7 +383,7 @@ def moving_points(g: random.Random) -> Iterator[Case]:
         )
         results = {**addresses("velocity", first), "speed": mp.norm(first), **addresses("acceleration", second),
                    "acceleration_size": mp.norm(second)}  # fmt: skip
-        yield "moving_point", "ordinary", f"any, {nth}", inputs, results
+        yield "moving_frame", "ordinary", f"any, {nth}", inputs, results
 
 
 def point_sets(g: random.Random) -> Iterator[Case]:

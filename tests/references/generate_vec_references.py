@@ -112,10 +112,7 @@ def angle(first: list[float], second: list[float], axis: list[float] | None = No
         return {"angle": turn if determinant(n, a, b) >= 0 else -turn}
     turn = between(a, b)
     rest = between(a, [-x for x in b])
-    return {
-        "angle": turn, "supplement": rest, "cosine": cos(turn), "sine": sin(turn), "scalar_product": dot(a, b),
-        **indexed("vector_product", cross(a, b)),
-    }  # fmt: skip
+    return {"angle": turn, "supplement": rest, "cosine": cos(turn), "sine": sin(turn)}
 
 
 def product(first: list[float], second: list[float], third: list[float] | None = None) -> dict[str, Any]:

@@ -1,6 +1,6 @@
 """A body in plane motion: angular velocity and acceleration, instant centre, centre of zero acceleration."""
 
-from dynamics_cli.errors import require, worded
+from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, atan2, hypot
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
@@ -15,7 +15,7 @@ from dynamics_cli.quantities import (
     Speed,
     TurnRate,
 )
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -75,7 +75,6 @@ class BodyMotion:
     inflection_direction: Annotated[Angle | None, "Direction of that diameter from the instant centre [rad]."]
     parting: Annotated[Speed | None, "Speed at which two given points part: zero of a rigid body [m/s]."]
     points: Annotated[tuple[PlacedPoint, ...] | None, "Further points."] = None
-    checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
@@ -146,7 +145,6 @@ def body(
         inflection_direction=direction,
         parting=parting,
         points=placed or None,
-        checks=_checks(point, velocity, omega, centre),
         advice=()
         if turns
         else (
@@ -165,7 +163,8 @@ def _rotation(
 ) -> "tuple[float, float | None, float]":
     rx, ry = second.second_point[0] - point[0], second.second_point[1] - point[1]
     square = rx * rx + ry * ry
-    require(square > 0.0, "the two points coincide: they do not determine the rotation", code="one-point")
+    require(square > 0.0, "the two points coincide: they do not determine the rotation", code="one-point",
+            hint="give a second point elsewhere on the body")  # fmt: skip
     ux, uy = second.second_velocity[0] - velocity[0], second.second_velocity[1] - velocity[1]
     length = hypot(rx, ry)
     parting = (rx * ux + ry * uy) / length
@@ -201,19 +200,3 @@ def _placed(
         if plain(cross) != 0.0 and plain(speed) != 0.0:
             radius = speed * speed * speed / cross
     return PlacedPoint(at, (vx, vy), speed, bent, radius)
-
-
-def _checks(point: "Pair", velocity: "Pair", omega: float, centre: "Pair | None") -> "tuple[Check, ...]":
-    if centre is None:
-        return ()
-    x, y, w = plain(centre[0]) - plain(point[0]), plain(centre[1]) - plain(point[1]), plain(omega)
-    vx, vy = plain(velocity[0]), plain(velocity[1])
-    # the coordinates of the centre are rounded relative to those of the point
-    size = abs(vx) + abs(vy) + abs(w) * (abs(plain(point[0])) + abs(plain(point[1])))
-    residual = hypot(vx - w * y, vy + w * x) / size if size else 0.0
-    return (Check("the instant centre has no velocity", residual <= ROUNDING, residual, ROUNDING),)
-
-
-def body_line(result: BodyMotion) -> str:
-    """The picture's text about the rotation."""
-    return worded("ω = {omega}", omega=(result.angular_velocity, TurnRate))

@@ -2,9 +2,10 @@
 
 from itertools import pairwise
 
-from dynamics_cli.linkage.bodies.body import body_line
+from dynamics_cli.errors import worded
 from dynamics_cli.linkage.drawing import BELOW, circle, plan, turned
 from dynamics_cli.pictures import Arrow, Curve, Mark, Picture, complex_curve
+from dynamics_cli.quantities import TurnRate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -50,7 +51,9 @@ def body_picture(
         items.append(Mark(result.zero_acceleration[0], result.zero_acceleration[1], "zero acceleration", BELOW))
     items += [Mark(position[0], position[1], name.strip(), (-12.0, -12.0)) for position, _, name in marks]
     items += _arrows(marks, size, 0, "v")
-    return Picture((plan(items),), f"plane motion of a body\n{body_line(result)}")
+    return Picture(
+        (plan(items),), worded("plane motion of a body\nω = {omega}", omega=(result.angular_velocity, TurnRate))
+    )
 
 
 def chain_picture(result: "Any", **_: "Any") -> Picture:

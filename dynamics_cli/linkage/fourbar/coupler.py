@@ -115,6 +115,7 @@ def coupler(
         not kind.startswith("a straight line"),
         "the longest link equals the other three together: the linkage is a line that cannot move",
         code="cannot-move",
+        hint="shorten the longest link",
     )
     circuit = Circuit(frame(*lengths), 1.0 if branch == OPEN else -1.0)
     place = complex(*point)
@@ -143,7 +144,7 @@ def coupler(
         checks=_within(outline, tolerance) if outline else (),
         advice=closeness(lengths, kind),
         numerics=Numerics(
-            "trapezoid rule doubled until it settles; extremes by Newton; deviation by disc arithmetic",
+            "trapezoid rule doubled until it settles; extremes by bisection; deviation by disc arithmetic",
             (ErrorBound("length", error, relative=False),),
         ),
     )

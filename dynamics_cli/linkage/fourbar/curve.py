@@ -5,6 +5,7 @@ import numpy as np
 from dynamics_cli.linkage.fourbar.circuit import FULL, Circuit, CouplerPath
 from dynamics_cli.linkage.fourbar.records import CurvePoint, Special
 from dynamics_cli.numerics.fitting.outline import outlined
+from dynamics_cli.numerics.lanes import bisected
 from dynamics_cli.records import Columns
 
 TYPE_CHECKING = False
@@ -18,8 +19,6 @@ SETTLED = 1e-13
 # A point slower than this share of its mean speed is at rest: the remainder is rounding.
 STILL = 1e-7
 SAMPLES = 1440
-# Newton's method ends at steps below this, which are rounding.
-NEAREST = 2.0**-52
 SEGMENTS = 360
 STEPS = 8
 
@@ -39,23 +38,11 @@ def measures(circuit: Circuit, point: complex) -> "tuple[float, float, float]":
 
 
 def _roots(function: "Any", u: "Any") -> "Any":
-    """Places between samples where a function that gives value and slope changes sign, by guarded Newton."""
-    value = function(u)[0]
+    """Places between samples where a function changes sign."""
+    value = function(u)
     change = np.flatnonzero(np.sign(value) * np.sign(np.roll(value, -1)) <= 0.0)
-    step = FULL / u.size
-    low, high = u[change], u[change] + step
-    sign = np.sign(function(low)[0])
-    place = 0.5 * (low + high)
-    for _ in range(60):
-        ordinate, slope = function(place)
-        low, high = np.where(np.sign(ordinate) == sign, place, low), np.where(np.sign(ordinate) == sign, high, place)
-        with np.errstate(all="ignore"):
-            newton = place - ordinate / slope
-        inside = (newton >= low) & (newton <= high)
-        before, place = place, np.where(inside, newton, 0.5 * (low + high))
-        if np.all(np.abs(place - before) <= NEAREST * FULL):
-            break
-    return place
+    sign = np.where(value[change] < 0.0, -1.0, 1.0)
+    return bisected(lambda place: sign * function(place), u[change], u[change] + FULL / u.size)
 
 
 def extremes(circuit: Circuit, point: complex) -> "tuple[tuple[float, float], tuple[float, float]]":
@@ -64,9 +51,8 @@ def extremes(circuit: Circuit, point: complex) -> "tuple[tuple[float, float], tu
     ends = []
     for which in (0, 1):
 
-        def slope(place: "Any", which: int = which) -> "tuple[Any, Any]":
-            coordinate = circuit.place(place, point)[which]
-            return coordinate.first, coordinate.second
+        def slope(place: "Any", which: int = which) -> "Any":
+            return circuit.place(place, point)[which].first
 
         places = np.concatenate((_roots(slope, u), u))
         values = circuit.place(places, point)[which].value
@@ -86,12 +72,10 @@ def angle_at(circuit: Circuit, u: "Any") -> "Any":
 def cusp_places(circuit: Circuit, point: complex, length: float) -> "list[float]":
     """Where over the parameter the point stops: minima of its speed that are zero within rounding."""
     u = np.arange(SAMPLES) * (FULL / SAMPLES)
-    h = 1e-6
 
-    def slope(place: "Any") -> "tuple[Any, Any]":
-        (x, y), (x_, y_) = circuit.place(place, point), circuit.place(place + h, point)
-        half_slope = x.first * x.second + y.first * y.second
-        return half_slope, (x_.first * x_.second + y_.first * y_.second - half_slope) / h
+    def slope(place: "Any") -> "Any":
+        x, y = circuit.place(place, point)
+        return x.first * x.second + y.first * y.second
 
     x, y = circuit.place(u, point)
     if not np.ptp(np.hypot(x.first, y.first)) > SETTLED * length:

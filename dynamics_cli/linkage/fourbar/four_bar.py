@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, Closed, Frame, close, discriminants, frame, ratios
-from dynamics_cli.linkage.fourbar.grashof import POOR, closeness, kind_of, limits, poor
+from dynamics_cli.linkage.fourbar.grashof import POOR, closeness, kind_of, limits, poor, rocking
 from dynamics_cli.linkage.fourbar.lengths import require_links
 from dynamics_cli.linkage.fourbar.records import FourBar
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt, where
@@ -81,16 +81,7 @@ def four_bar(
     kind = kind_of(lengths) if alone else None
     side = 1.0 if branch == OPEN else -1.0
     if crank_angle is None:
-        from dynamics_cli.linkage.fourbar.table import table
-
-        require(
-            alone,
-            "rows need a crank angle: a table is for a single linkage",
-            code="no-angle",
-            hint="add a column crank_angle",
-        )
-        rows = table(links, side, steps, speed, angular_acceleration)
-        return FourBar(kind=kind, table=rows, advice=closeness(lengths, kind or ""))
+        return _turn(links, kind, side, (steps, speed, angular_acceleration))
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
     both_discriminants = discriminants(links, half)
     require_closed(links, both_discriminants, crank_angle)
@@ -119,6 +110,27 @@ def four_bar(
         checks=_checks(links, loop, pin, speeds) if alone and regular else (),
         advice=(*closeness(lengths, kind), *_poor(transmission, regular)) if alone and kind else (),
     )
+
+
+def _turn(links: Frame, kind: "str | None", side: float, table_of: "tuple[int, float | None, float]") -> FourBar:
+    """The table over all crank angles, headed by the rocker's swing."""
+    from dynamics_cli.linkage.fourbar.table import table
+
+    require(
+        kind is not None,
+        "rows need a crank angle: a table is for a single linkage",
+        code="no-angle",
+        hint="add a column crank_angle",
+    )
+    ends = low, high, swing = rocking(links.lengths)
+    if kind != "crank-rocker" or low is None or high is None:
+        ends = (None, None, swing)
+    elif side < 0.0:
+        ends = (-high, -low, swing)
+    return FourBar(
+        kind=kind, swing=swing, rocker_least=ends[0], rocker_greatest=ends[1], table=table(links, side, *table_of),
+        advice=closeness(links.lengths, kind or ""),
+    )  # fmt: skip
 
 
 def _moving(

@@ -1,8 +1,9 @@
 """Grashof's rule on the decimals as typed: class, limits, swing, time ratio, change points."""
 
 from dynamics_cli.linkage.fourbar.closure import Frame, frame
-from dynamics_cli.linkage.fourbar.lengths import LINKS, margin, require_links, whole_numbers
+from dynamics_cli.linkage.fourbar.lengths import LINKS, margin, require_links
 from dynamics_cli.numerics.elementary import absolute, atan2, maximum, pi_beside, sqrt
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, record
 
@@ -51,18 +52,16 @@ class Class:
 
 
 def kind_of(lengths: "tuple[float, ...]") -> str:
-    """The class by Grashof's rule, decided by whole numbers."""
-    numbers, _ = whole_numbers(lengths)
-    order = sorted(range(4), key=lambda i: numbers[i])
-    short, long = numbers[order[0]], numbers[order[3]]
-    rest = numbers[order[1]] + numbers[order[2]]
-    if long == short + rest:
+    """The class by Grashof's rule, decided on the decimals as typed."""
+    a, b, c, d = lengths = tuple(map(plain, lengths))
+    order = _by_length(lengths)
+    if margin((-1, -1, -1, 1), [lengths[i] for i in order]) == 0.0:
         return "a straight line that cannot move"
-    if short + long < rest:
+    spare = _margin(lengths)
+    if spare > 0.0:
         return TURNS[LINKS[order[0]]]
-    if short + long > rest:
+    if spare < 0.0:
         return f"triple rocker, longest link the {LINKS[order[3]]}"
-    a, b, c, d = numbers
     if a == b == c == d:
         return "change point, rhombus"
     if a == c and b == d:
@@ -107,7 +106,7 @@ def classify(
 
     Notes
     -----
-    Equality is decided by whole numbers from the decimals as typed: 0.1, 0.5, 0.3 and 0.7 m are a change point, though
+    Equality is decided on the decimals as typed: 0.1, 0.5, 0.3 and 0.7 m are a change point, though
     the sums of their doubles differ. Uncertain lengths are judged at their nominal values.
 
     References
@@ -124,7 +123,7 @@ def classify(
     lengths = (crank, coupler, rocker, ground)
     links, kind = frame(*lengths), kind_of(lengths)
     outer, inner = limits(links)
-    rocking = _rocking(lengths)
+    least_angle, greatest_angle, swing = rocking(lengths)
     ends = _ends(lengths, kind)
     time_ratio = None
     if ends is not None:
@@ -138,9 +137,9 @@ def classify(
         rotates=_rotates(kind),
         outer_limit=outer,
         inner_limit=inner,
-        swing=rocking[2],
-        rocker_least=rocking[0],
-        rocker_greatest=rocking[1],
+        swing=swing,
+        rocker_least=least_angle,
+        rocker_greatest=greatest_angle,
         extended_at=ends and ends[0],
         folded_at=ends and ends[1],
         time_ratio=time_ratio,
@@ -152,12 +151,12 @@ def classify(
 
 
 def _margin(lengths: "tuple[float, ...]") -> float:
-    numbers, _ = whole_numbers(lengths)
-    order = sorted(range(4), key=lambda i: numbers[i])
-    signs = [0] * 4
-    for place, sign in zip(order, (-1, 1, 1, -1), strict=True):
-        signs[place] = sign
-    return margin(signs, lengths)
+    return margin((-1, 1, 1, -1), [lengths[i] for i in _by_length(lengths)])
+
+
+def _by_length(lengths: "tuple[float, ...]") -> "list[int]":
+    """The links from the shortest to the longest."""
+    return sorted(range(4), key=lambda i: plain(lengths[i]))
 
 
 def _rotates(kind: str) -> str:
@@ -168,7 +167,7 @@ def _rotates(kind: str) -> str:
     return "all that pass the change points" if kind.startswith("change") else "none"
 
 
-def _rocking(lengths: "tuple[float, ...]") -> "tuple[float | None, float | None, float | None]":
+def rocking(lengths: "tuple[float, ...]") -> "tuple[float | None, float | None, float | None]":
     """Rocker angles at its limits above the ground link, and the swing: the same limits with the roles changed."""
     a, b, c, d = lengths
     links = frame(c, b, a, d)

@@ -24,34 +24,14 @@ SMALLEST, LARGEST = 1e-75, 1e75
 LINKS = ("crank", "coupler", "rocker", "ground")
 
 
-def decimal_of(x: float) -> tuple[int, int]:
-    """The shortest decimal of a double as a whole number and a power of ten.
-
-    >>> decimal_of(0.00254)
-    (254, -5)
-    """
-    digits, _, exponent = repr(float(x)).partition("e")
-    integer, _, decimals = digits.partition(".")
-    decimals = decimals.rstrip("0")
-    return int(integer + decimals), int(exponent or 0) - len(decimals)
-
-
-def whole_numbers(lengths: "Sequence[float]") -> tuple[tuple[int, ...], int]:
-    """Lengths as whole multiples of one power of ten.
-
-    >>> whole_numbers([0.1, 0.25])
-    ((10, 25), -2)
-    """
-    pairs = [decimal_of(plain(length)) for length in lengths]
-    least = min(power for _, power in pairs)
-    return tuple(number * 10 ** (power - least) for number, power in pairs), least
-
-
 def _signed_sum(signs: "Sequence[int]", lengths: "Sequence[float]") -> float:
-    numbers, power = whole_numbers(lengths)
-    total = sum(sign * number for sign, number in zip(signs, numbers, strict=True))
-    # a quotient of whole numbers is rounded once
-    return total / 10**-power if power < 0 else float(total * 10**power)
+    """The sum of the shortest decimals of the doubles, rounded once."""
+    from decimal import Context, Decimal
+
+    context, total = Context(prec=320), Decimal(0)
+    for sign, length in zip(signs, lengths, strict=True):
+        total = context.add(total, sign * Decimal(repr(float(plain(length)))))
+    return float(total)
 
 
 def margin(signs: "Sequence[int]", lengths: "Sequence[float]") -> float:

@@ -72,7 +72,7 @@ def linkage_items(
         tip = pins[0] + turn * point
         items.append(complex_curve((pins[0], tip, pins[1]), "", "solid", 1))
         items.append(pin(tip, "P"))
-    return [*items, *_pivots(complex(d)), pin(pins[0], "A", (-12.0, 5.0)), pin(pins[1], "B")]
+    return [*items, *_pivots(complex(d)), pin(pins[0], "A", BELOW), pin(pins[1], "B")]
 
 
 def _pivots(rocker_pivot: complex) -> "list[Any]":

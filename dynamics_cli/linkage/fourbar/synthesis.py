@@ -119,7 +119,8 @@ def synthesize(
     if isinstance(task, QuickSwing):
         return _by_swing(task)
     count = len(task.pairs if isinstance(task, AnglePairs) else task.poses)
-    require(count == 3, "{count} given; three are needed", count=count, code="count")
+    require(count == 3, "{count} given; three are needed", count=count, code="count",
+            hint="give --pair or --pose three times")  # fmt: skip
     return _by_angles(task) if isinstance(task, AnglePairs) else _by_poses(task)
 
 
@@ -232,10 +233,12 @@ def _poor(least: float) -> "tuple[Advice, ...]":
 
 
 def _by_swing(task: QuickSwing) -> Synthesis:
-    require(0.0 < task.swing < PI, "a swing of {swing} is not between 0 and 180 deg", swing=(task.swing, Angle))
+    require(0.0 < task.swing < PI, "a swing of {swing} is not between 0 and 180 deg", swing=(task.swing, Angle),
+            code="swing", hint="for example 60 deg")  # fmt: skip
     require(
-        task.time_ratio >= 1.0, "a time ratio is the slow stroke's time over the quick one's: at least 1", code="ratio"
-    )
+        task.time_ratio >= 1.0, "a time ratio is the slow stroke's time over the quick one's: at least 1", code="ratio",
+        hint="give its reciprocal",
+    )  # fmt: skip
     lag = PI * (task.time_ratio - 1.0) / (task.time_ratio + 1.0)
     count = range(1, PLACES)
     best = max(count, key=lambda k: _quality(task, lag, k / PLACES))

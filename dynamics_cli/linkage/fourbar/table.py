@@ -6,19 +6,13 @@ from dynamics_cli.errors import require
 from dynamics_cli.linkage.fourbar.closure import Closed, Frame, close, discriminants, ratios
 from dynamics_cli.linkage.fourbar.grashof import limits
 from dynamics_cli.linkage.fourbar.records import Step
-from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.number import over_plain, plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-FIELDS = Frame.fields  # type: ignore[attr-defined]
 MANY = 20_000
-
-
-def in_doubles(links: Frame) -> Frame:
-    """The same lengths as plain doubles."""
-    return Frame(*(plain(getattr(links, name)) for name in FIELDS))
 
 
 def turns(theta: "Any") -> "tuple[tuple[Any, Any], tuple[Any, Any]]":
@@ -49,7 +43,7 @@ def reachable(links: Frame) -> "tuple[tuple[float, float], ...]":
 def table(links: Frame, side: float, steps: int, speed: float | None = None, gain: float = 0.0) -> "tuple[Step, ...]":
     """Rows over every range of crank angles, including its ends; what does not exist at a toggle is left out."""
     require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
-    links = in_doubles(links)
+    links = over_plain(links)
     parts = []
     for low, high in reachable(links):
         theta = np.linspace(low, high, steps + 1)

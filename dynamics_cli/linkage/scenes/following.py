@@ -4,6 +4,7 @@ from math import pi
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.linkage.scenes.pose import is_free, posed
+from dynamics_cli.numerics.linkages.records import GROUND
 from dynamics_cli.quantities import (
     Angle,
     AngularAcceleration,
@@ -70,7 +71,8 @@ def followed(system: "System", q: "Any", name: str, steps: int, turn: "float | N
         hint="--travel '80 mm'" if first.point else "--turn '90 deg'",
     )
     named = {*system.shapes, *system.known, *system.unknown}
-    require(name in named, "no link or pin is called {name}", name=repr(name), code="name")
+    require(name in named, "no link or pin is called {name}", name=repr(name), code="name",
+            hint=f"there are {', '.join(sorted(named - {GROUND}))}")  # fmt: skip
     span = travel or (TURN if turn is None else turn)
     ahead = Continuation(system, q)
     rows = [_row(ahead, name)]
@@ -126,9 +128,8 @@ def _motion(parts: "list[Continuation]", rows: "list[Followed]", reached: bool) 
     ends = (base + min(shifts), base + max(shifts))
     count = sum(part.steps for part in parts)
     crossed = sorted({round(base + shift, 6) for part in parts for shift in part.crossed})
-    evidence = "proved to be one motion" if parts[0].proves else "followed by small steps, without a proof"
-    evidence = "proved to be one motion but for the change point" if crossed and parts[0].proves else evidence
-    motion = Motion(rows, (None, None) if first.point else ends, f"{evidence}, in {count} steps")
+    words = f"one motion{' over a change point' if crossed else ''}, followed in {count} steps"
+    motion = Motion(rows, (None, None) if first.point else ends, words)
     if crossed:
         words = worded(
             "at {at:4} the linkage passes a change point, where it can go on in two ways: the smooth one is shown",

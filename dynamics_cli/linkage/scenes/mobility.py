@@ -5,8 +5,6 @@ from dynamics_cli.quantities import Annotated, Count, Text
 from dynamics_cli.records import Advice, Check, record
 
 TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import Any
 
 # Singular values below this share of the largest are zero within rounding.
 ZERO = 1e-9
@@ -57,13 +55,14 @@ def mobility(
     system = System(scene)
     possible, _ = assembled(system)
     q = system.vector(chosen(system, possible, True).at)
-    free = [index for index, name in enumerate(system.names) if not name.startswith("driver")]
-    jacobian = _undriven(system, q, free)
+    undriven = System(Scene(scene.links, (), scene.slides))
+    jacobian = undriven.jacobian(q)
     left_vectors, values, _ = np.linalg.svd(jacobian)
     top = float(values.max(initial=0.0))
     rank = int((values > ZERO * top).sum())
     repeated = jacobian.shape[0] - rank
-    names = _names(system, free, left_vectors[:, rank:]) if repeated else None
+    weights = np.abs(left_vectors[:, rank:]).max(axis=1, initial=0.0)
+    involved = dict.fromkeys(name for name, weight in zip(undriven.names, weights, strict=True) if weight > PART)
     joints = sum(
         sum(pin in shape.points for shape in system.shapes.values()) - 1
         for pin in (*system.known, *system.unknown)
@@ -78,7 +77,7 @@ def mobility(
         pins=joints,
         slides=len(scene.slides),
         repeated=repeated,
-        named=names,
+        named=", ".join(involved) if repeated else None,
         gap=float(values[rank - 1] / values[rank]) if 0 < rank < len(values) and values[rank] > 0.0 else None,
         advice=(
             Advice(
@@ -90,33 +89,3 @@ def mobility(
         if repeated and freedom > max(count, 0)
         else (),
     )
-
-
-def _undriven(system: "Any", q: "Any", free: "list[int]") -> "Any":
-    """Conditions without drivers; a driven link gets back the length condition that its driver replaced."""
-    import numpy as np
-
-    rows = [system.jacobian(q)[index] for index in free]
-    places, half = system.positions(q), len(system.unknown)
-    for driver in system.scene.drivers:
-        if driver.point or driver.against != "ground":
-            continue
-        shape = system.shapes[driver.link]
-        link_vector = places[shape.last] - places[shape.first]
-        row = np.zeros(system.size)
-        for pin, sign in ((shape.last, 1.0), (shape.first, -1.0)):
-            if pin in system.place:
-                row[system.place[pin]] = sign * link_vector.real
-                row[half + system.place[pin]] = sign * link_vector.imag
-        rows.append(row)
-    return np.array(rows).reshape(len(rows), system.size)
-
-
-def _names(system: "Any", free: "list[int]", null: "Any") -> str:
-    import numpy as np
-
-    weights = np.abs(null).max(axis=1)
-    names = [system.names[index] for index in free]
-    names += [f"length of {driver.link}" for driver in system.scene.drivers]
-    chosen = [name for name, weight in zip(names, weights, strict=False) if weight > PART]
-    return ", ".join(dict.fromkeys(chosen))

@@ -74,8 +74,8 @@ def solve(
     Dyads (two links and a pin or slide between what is placed) are solved in closed form, others by Newton's method
     from 240 starts: their list of assemblies may be incomplete, and the scene selects one by `near`.
 
-    A motion is followed from pose to pose: between two of them every position of the driver has one solution near by,
-    which the same theorem proves, so that the linkage cannot change its assembly unnoticed.
+    A motion is followed from pose to pose, in steps on which Newton moves little from the prediction and the
+    determinant of the Jacobian keeps its sign, so that the linkage cannot change its assembly unnoticed.
 
     References
     ----------

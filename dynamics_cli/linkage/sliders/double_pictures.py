@@ -52,13 +52,15 @@ def oldham_picture(result: "Any", *, offset: float, shaft_angle: float = 0.0, **
     centre = complex(*result.centre)
     direction = turned(shaft_angle)
     reach = 1.6 * offset
+    # the quarters in which no slot lies
+    clear = 6.0 if direction.real * direction.imag >= 0.0 else -14.0
     items: list[Any] = [
         complex_curve(circle(0.5 * offset + 0j, 0.5 * offset), "path of the centre", "thin", 3),
         complex_curve(circle(centre, reach), "disc", "solid", 6),
         complex_curve((-reach * direction, reach * direction), "first slot", "thick", 0),
         complex_curve((offset - 1j * reach * direction, offset + 1j * reach * direction), "second slot", "thick", 1),
-        pin(0j, "first shaft", (-52.0, -14.0)),
-        pin(complex(offset), "second shaft", (8.0, -14.0)),
+        pin(0j, "first shaft", (-8.0, clear)),
+        pin(complex(offset), "second shaft", (8.0, clear)),
         pin(centre, "C"),
     ]
     return Picture((plan(items),), worded("Oldham coupling: shafts {e} apart", e=(offset, Size)))

@@ -2,8 +2,8 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.sliders.double_slider import require_long
-from dynamics_cli.numerics.elementary import absolute, atan2, hypot, pi_beside, sqrt
-from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.elementary import atan2, hypot, pi_beside, sqrt
+from dynamics_cli.numerics.number import single
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
     Acceleration,
@@ -18,9 +18,7 @@ from dynamics_cli.quantities import (
     Text,
     TurnRate,
 )
-from dynamics_cli.records import Check, record
-
-CLOSES = 1e-12
+from dynamics_cli.records import record
 
 
 @record
@@ -40,7 +38,6 @@ class QuickReturn:
     swing: Annotated[Angle | None, "Angle through which an oscillating lever swings [rad]."] = None
     stroke: Annotated[Size | None, "Chord of the tip's path, of an oscillating lever [m]."] = None
     kind: Annotated[Text | None, "Oscillating lever, or Whitworth's turning one."] = None
-    checks: tuple[Check, ...] = ()
 
 
 def quick_return(
@@ -101,7 +98,6 @@ def quick_return(
     moving = speed is not None
     size = lever if lever is not None else 0.0 * reach
     with_tip = moving and lever is not None
-    alone = single(crank, ground, crank_angle)
     return QuickReturn(
         **fields,  # type: ignore[arg-type]
         lever_angle=atan2(ay, rx),
@@ -113,7 +109,6 @@ def quick_return(
         coriolis=coriolis if moving else None,
         tip=None if lever is None else (ground + size * ex, size * ey),
         tip_velocity=(-(size * ey) * lever_speed, size * ex * lever_speed) if with_tip else None,
-        checks=_checks(ax, ay, (ex, ey), reach, ratio, sliding) if alone else (),
     )
 
 
@@ -132,15 +127,3 @@ def _ratio(crank: float, ground: float, lever: "float | None") -> "dict[str, obj
     else:
         fields = {"kind": "turning lever (Whitworth)"}
     return {"time_ratio": (pi + angle) / rest, **fields}
-
-
-def _checks(
-    ax: float, ay: float, along: "tuple[float, float]", reach: float, ratio: float, sliding: float
-) -> "tuple[Check, ...]":
-    """Check that the pin's velocity is the lever's velocity there plus the slip along it."""
-    ex, ey = (plain(x) for x in along)
-    x, y = plain(ax), plain(ay)
-    turning = plain(ratio) * plain(reach)
-    gap = hypot(-y - plain(sliding) * ex + turning * ey, x - plain(sliding) * ey - turning * ex)
-    gap = gap / (absolute(x) + absolute(y))
-    return (Check("the pin has one velocity", gap <= CLOSES, gap, CLOSES),)

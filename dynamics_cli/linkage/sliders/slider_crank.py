@@ -6,6 +6,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.linkage.sliders.double_slider import require_long
 from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt, where
 from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.polynomials import bisected
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
     Acceleration,
@@ -22,7 +23,7 @@ from dynamics_cli.quantities import (
     Torque,
     TurnRate,
 )
-from dynamics_cli.records import Check, Choice, record
+from dynamics_cli.records import Choice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
 MANY = 20_000
 # Number of places of a turn in the search for the largest speed, and the step of the difference there.
 SAMPLES, STEP = 180, 1e-4
-CLOSES = 1e-12
 
 
 class End(Choice):
@@ -79,7 +79,6 @@ class SliderCrank:
     top_slope: Annotated[CamVelocity | None, "Largest |dx/dθ| in a turn [m/rad]."] = None
     top_at: Annotated[Angle | None, "Crank angle at which it is reached first [rad]."] = None
     table: Annotated[tuple[SliderStep, ...] | None, "A full turn of the crank, where no angle was given."] = None
-    checks: tuple[Check, ...] = ()
 
 
 def slider_crank(
@@ -152,14 +151,12 @@ def slider_crank(
             hint="give a crank angle beside it",
         )
     position = along + reach
-    alone = single(crank, rod, offset, crank_angle)
     return SliderCrank(
         **stroke,
         position=position,
         travel=_travel((crank, rod, offset), (across, height), half[1], side, position),
         rod_angle=atan2(height, across),
         **_moving((along, rise), (reach, height), across, speed, angular_acceleration, load_force),
-        checks=_checks(crank, rod, offset, turn, position) if alone else (),
     )
 
 
@@ -242,23 +239,13 @@ def _fastest(a: float, b: float, e: float, end: End, speed: "float | None") -> "
         (tau * k / SAMPLES for k in range(SAMPLES)),
         key=lambda t: round(abs(_slopes(*lengths, side, turned(t))[0]) / lengths[0], 9),
     )
-    low, high = fastest_angle - tau / SAMPLES, fastest_angle + tau / SAMPLES
-    first = _slopes(*lengths, side, turned(low))[1]
-    while low < (middle := 0.5 * (low + high)) < high:
-        same = (_slopes(*lengths, side, turned(middle))[1] < 0.0) == (first < 0.0)
-        low, high = (middle, high) if same else (low, middle)
+    ends = fastest_angle - tau / SAMPLES, fastest_angle + tau / SAMPLES
+    low = bisected(lambda t: _slopes(*lengths, side, turned(t))[1], *ends)
     ahead, behind = (_slopes(*lengths, side, turned(low + step))[1] for step in (STEP, -STEP))
     slope, bend = _slopes(a, b, e, side, turned(low + 0.0 * a))
     # one step of Newton carries bounds and derivatives by the lengths into the angle
     fields = {"top_slope": absolute(slope), "top_at": low - bend / ((ahead - behind) / (2.0 * STEP))}
     return fields if speed is None else fields | {"top_speed": absolute(slope) * absolute(speed)}
-
-
-def _checks(a: float, b: float, e: float, turn: "tuple[float, float]", x: float) -> "tuple[Check, ...]":
-    along, up = plain(x) - plain(a * turn[0]), plain(e) - plain(a * turn[1])
-    rod = plain(b)
-    gap = abs(along * along + up * up - rod * rod) / (rod * rod)
-    return (Check("the rod keeps its length", gap <= CLOSES, gap, CLOSES),)
 
 
 def _table(

@@ -74,12 +74,13 @@ def parse(
     return formula
 
 
-def check_names(formula: Expression, variables: "frozenset[str] | set[str] | tuple[str, ...]") -> None:
-    """Refuse variables that have no value."""
+def check_names(formula: Expression, variables: "frozenset[str] | set[str] | tuple[str, ...]", more: str = "") -> None:
+    """Refuse variables that have no value; the hint says `more`."""
     for name in sorted(formula.names - set(variables)):
         names = ", ".join(sorted(variables))
         start = _position_of(formula.text, name)
-        _refuse(formula.text, start, f"{name!r} has no value", hint=f"variables here: {names}; functions: sin, sqrt, …")
+        hint = f"variables here: {names}; functions: sin, sqrt, …{more}"
+        _refuse(formula.text, start, f"{name!r} has no value", hint=hint)
 
 
 def begin(text: str, units: "Units | None" = None, taken: "Collection[str]" = ()) -> Expression:

@@ -45,6 +45,10 @@ class Jet:
             factor *= number
         return self.parts[order] * factor
 
+    def integral(self, slope: "Jet", value: "Any") -> "Jet":
+        """The function that has this value and whose derivative by this jet is the slope."""
+        return _by_slope(value, self, slope)
+
     def _with(self, other: "Any") -> "list[Any]":
         return other.parts if isinstance(other, Jet) else [other, *[0.0] * (len(self.parts) - 1)]
 

@@ -20,8 +20,9 @@ def law_of(
     formula: Formula,
     let: "tuple[Let, ...]" = (),
     variables: "tuple[str, ...] | Mapping[str, tuple[int, ...]]" = ("t", "x", "v"),
+    more: str = "",
 ) -> "Callable[..., Any]":
-    """The function of a formula in SI, with the variables of `let` filled in.
+    """The function of a formula in SI, with the variables of `let` filled in; `more` ends the hint about others.
 
     Raises
     ------
@@ -32,7 +33,7 @@ def law_of(
     """
     values = {item.name: item.value for item in let}
     expression = parsed(formula, {*variables, *values})
-    check_names(expression, {*variables, *values})
+    check_names(expression, {*variables, *values}, more)
     used = [item.name for item in let if item.unit and item.name in expression.names]
     require(
         not used or formula.factor == 1.0,

@@ -56,6 +56,7 @@ def chosen(system: "System", possible: "list[Assembly]", listed: bool) -> "Assem
         require(
             pin in decided or pin in system.place or pin in system.shapes,
             "sides name {pin}, which the scene does not have",
+            hint=f"pins are {', '.join(system.unknown)}",
             pin=repr(pin),
             code="side",
         )

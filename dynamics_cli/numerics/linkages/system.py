@@ -45,9 +45,11 @@ class Shape:
 def checked(scene: Scene) -> None:
     """Refuse scenes with inconsistent names, and links of zero size."""
     names = [link.name for link in scene.links]
-    require(GROUND in names, "no link is called ground: one link must be fixed", code="no-ground")
+    require(GROUND in names, "no link is called ground: one link must be fixed", code="no-ground",
+            hint=f"there are {', '.join(names)}: rename the fixed one")  # fmt: skip
     for name in names:
-        require(names.count(name) == 1, "two links are called {name}", name=repr(name), code="same-name")
+        require(names.count(name) == 1, "two links are called {name}", name=repr(name), code="same-name",
+                hint="give every link its own name")  # fmt: skip
     for link in scene.links:
         pin_names = [pin.name for pin in link.points]
         require(
@@ -71,16 +73,22 @@ def checked(scene: Scene) -> None:
         require(
             slide.point in pins and slide.start in line and slide.end in line,
             "the slide of {point} needs a pin of that name and two points of link {link}",
+            hint="its start and end are points of that link",
             point=repr(slide.point),
             link=repr(slide.link),
             code="slide",
         )
         require(line[slide.start] != line[slide.end], "a slide along a line of length zero", code="no-length")
+    _drivers_checked(scene, names)
+
+
+def _drivers_checked(scene: Scene, names: "list[str]") -> None:
     for driver in scene.drivers:
         sliding = any(slide.point == driver.point for slide in scene.slides)
         require(
             sliding if driver.point else driver.link in names and driver.against in names,
             "the driver of {what} names no link of the scene, or no pin that slides",
+            hint=f"the links are {', '.join(names)}; a pin that is pushed needs a slide",
             what=repr(driver.point or driver.link),
             code="driver",
         )

@@ -69,7 +69,7 @@ def _flipped(turn: bool, x: float) -> float:
 def of_axis_angle(axis: Vector, angle: float) -> Quaternion:
     """The quaternion of a turn about an axis of any length."""
     size = length(axis)
-    require(size > 0.0, "the rotation axis has no length", code="rotation")
+    require(size > 0.0, "the rotation axis has no length", code="rotation", hint="for example 0, 0, 1")
     cosine, sine = turned(0.5 * angle)
     return cosine, sine * (axis[0] / size), sine * (axis[1] / size), sine * (axis[2] / size)
 

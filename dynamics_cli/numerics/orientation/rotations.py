@@ -30,8 +30,8 @@ class Euler:
     euler_angles: Annotated[tuple[Angle, ...], "The three angles, in the order of the axes, e.g. 30, 0, 45 deg."]
     euler_order: Annotated[
         Text,
-        "Axes in order: small letters turn about the body's turned axes (zyx is yaw, pitch, roll), capitals about "
-        "the fixed ones (XYZ is roll, pitch, yaw of URDF), e.g. zyx.",
+        "Order of the three turns: small letters turn about the body's turned axes (zyx is yaw, pitch, roll), capitals "
+        "about the fixed ones (XYZ is roll, pitch, yaw of URDF), e.g. zyx.",
     ]
 
 
@@ -89,7 +89,7 @@ def axis_angle(axis: "tuple[float, float, float]", angle: float) -> Matrix:
     """
     x, y, z = axis
     square = x * x + y * y + z * z
-    require(square > 0.0, "the rotation axis has no length", code="rotation")
+    require(square > 0.0, "the rotation axis has no length", code="rotation", hint="for example 0, 0, 1")
     half = sin(0.5 * angle)
     cosine, sine = turned(angle)
     versed = where(cosine <= 0.5, 1.0 - cosine, 2.0 * half * half) / square
@@ -125,7 +125,8 @@ def euler(angles: "tuple[float, ...]", order: str) -> Matrix:
         hint="zyx or zxz about the turning axes, XYZ about the fixed ones",
         read=repr(order),
     )
-    require(len(angles) == 3, "read {count} Euler angles, wanted 3", code="rotation", count=len(angles))
+    require(len(angles) == 3, "read {count} Euler angles, wanted 3", code="rotation", count=len(angles),
+            hint="for example 30, 0, 45 deg")  # fmt: skip
     rotation = IDENTITY
     for letter, angle in zip(order.lower(), angles, strict=True):
         turn = about_axis("xyz".index(letter), angle)
@@ -150,7 +151,8 @@ def from_rows(rows: "tuple[tuple[float, float, float], ...]") -> Matrix:
     ----------
     N. J. Higham, Computing the polar decomposition—with applications, SIAM J. Sci. Stat. Comput. 7 (1986) 1160.
     """
-    require(len(rows) == 3, "read {count} rows of a rotation matrix, wanted 3", code="rotation", count=len(rows))
+    require(len(rows) == 3, "read {count} rows of a rotation matrix, wanted 3", code="rotation", count=len(rows),
+            hint="for example (0, -1, 0), (1, 0, 0), (0, 0, 1)")  # fmt: skip
     matrix: Matrix = (rows[0], rows[1], rows[2])
     off = departure(matrix)
     scale = None if is_array(off) or off <= NEAR_ROTATION else _scale(matrix)

@@ -103,7 +103,7 @@ MOVING_POINT = Task(
     "Velocity and acceleration of a point that moves on a moving body, term by term.",
     Model(
         "moving frame",
-        "dynamics_cli.orient.motion.moving_point:moving_point",
+        "dynamics_cli.numerics.orientation.moving_frame:moving_frame",
         formula="v = v_O + ω × r + v_rel, a = a_O + α × r + ω × (ω × r) + 2·ω × v_rel + a_rel",
         assumptions=(RIGID, "all vectors in one set of axes"),
     ),
@@ -112,10 +112,10 @@ MOVING_POINT = Task(
         "speed: |v|",
         "acceleration: acceleration a",
         "acceleration_size: |a|",
-        "tangential: tangential α × r",
+        "angular_part: tangential α × r",
         "centripetal: centripetal ω × (ω × r)",
         "coriolis: Coriolis 2 ω × v_rel",
-        "relative: relative a_rel",
+        "relative_part: relative a_rel",
     ),
     plot="dynamics_cli.orient.pictures.motion:moving_point",
     examples=(

@@ -6,11 +6,10 @@ from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.orientation.quaternions import opposite
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import Angle, Annotated, Ratio, ShaftSpeed, Size
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, record
 
 RIGHT_ANGLE_HALF = 0.7853981633974483
 ROOT_TWO = 1.4142135623730951
-TOLERANCE = 1e-13
 # Less spin than this share of the shaft's speed goes unsaid.
 SLIGHT = 1e-6
 
@@ -28,7 +27,6 @@ class Bearing:
     cage_speed: Annotated[ShaftSpeed | None, "Speed of the cage [rad/s]."] = None
     ball_speed: Annotated[ShaftSpeed | None, "Speed of a ball about its axis, in the fixed frame [rad/s]."] = None
     spin_speed: Annotated[ShaftSpeed | None, "Spin at the contact of ball and shaft [rad/s]."] = None
-    checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
@@ -96,19 +94,7 @@ def bearing(
         cage_speed=None if shaft_speed is None else cage * shaft_speed,
         ball_speed=None if turning is None else ball * turning,
         spin_speed=None if shaft_speed is None else spin * shaft_speed,
-        checks=_checks(*map(plain, (w, cage, ball_radius, radius, contact, c, s))) if alone else (),
         advice=_advice(spin, best) if alone else (),
-    )
-
-
-def _checks(w: float, cage: float, a: float, b: float, contact: float, c: float, s: float) -> tuple[Check, ...]:
-    """The ball's centre moves with the cage, and its surface with the shaft."""
-    centre = abs(-w * a - cage * b) / contact
-    # the ball's velocity at the shaft, from its centre
-    surface = abs(-w * a - w * (c + s) * a - contact) / contact
-    return tuple(
-        Check(name, off <= TOLERANCE, off, TOLERANCE)
-        for name, off in (("centre moves with the cage", centre), ("no slip at the shaft", surface))
     )
 
 

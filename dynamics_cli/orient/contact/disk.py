@@ -20,9 +20,7 @@ from dynamics_cli.quantities import (
     Speed,
     Velocity,
 )
-from dynamics_cli.records import Check, record
-
-TOLERANCE = 1e-13
+from dynamics_cli.records import record
 
 
 @record
@@ -44,7 +42,6 @@ class Disk:
     contact_path_speed: Annotated[Speed, "Speed at which the point of contact runs along the floor [m/s]."]
     centre_path_radius: Annotated[Length | None, "Radius of the centre's circle, at a steady tilt [m]."] = None
     contact_path_radius: Annotated[Length | None, "Radius of the circle on the floor, at a steady tilt [m]."] = None
-    checks: tuple[Check, ...] = ()
 
 
 def disk(
@@ -123,7 +120,6 @@ def disk(
         contact_path_speed=absolute(radius * spin_rate),
         centre_path_radius=absolute(radius * u / heading_rate) if circles else None,
         contact_path_radius=absolute(radius * spin_rate / heading_rate) if circles else None,
-        checks=_checks(velocity, omega, radius) if alone else (),
     )
 
 
@@ -147,12 +143,3 @@ def _centre(radius: float, c: float, s: float, first: Vector, second: Vector) ->
         opposite(radius * (heading * u * c + tilt * tilt)),
         radius * (second[0] + heading * u * s),
     )
-
-
-def _checks(velocity: Vector, omega: Vector, radius: float) -> tuple[Check, ...]:
-    """The point of contact is at rest."""
-    v, w = tuple(map(plain, velocity)), tuple(map(plain, omega))
-    off = add(v, cross(w, (0.0, -plain(radius), 0.0)))  # type: ignore[arg-type]
-    size = plain(radius) * max(map(abs, w)) + 1e-300
-    relative = length(off) / size
-    return (Check("the point of contact is at rest", relative <= TOLERANCE, relative, TOLERANCE),)

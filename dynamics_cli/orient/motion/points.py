@@ -17,14 +17,13 @@ from dynamics_cli.quantities import (
     Text,
     Velocity,
 )
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, record
 
 NOTHING = (0.0, 0.0, 0.0)
 # Points whose spread across their line is this share of that along it do not determine the turning about the line.
 COLLINEAR = 1e-9
 # A departure from rigidity above this share of the velocities is worth a remark.
 RIGID = 1e-6
-TOLERANCE = 1e-12
 # A misfit below this share of the fastest velocity is rounding.
 EXACT = 1e-14
 
@@ -62,7 +61,6 @@ class Points:
     pitch: Annotated[Length | None, "Travel along the axis per radian, ω·v/ω² [m]."]
     misfit: Annotated[Speed | None, "Departure from rigidity: root mean square of the velocities' misfit [m/s]."]
     points: Annotated[tuple[PointMotion, ...], "Each point."]
-    checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
@@ -135,7 +133,6 @@ def points(
         pitch=dot(axis, velocity) / spin if axis is not None else None,
         misfit=root if velocities_given else None,
         points=tuple(moved),
-        checks=_checks(foot, base, velocity, omega) if foot is not None and single(spin) else (),
         advice=_advice(turns, root if velocities_given else 0.0, moved) if single(spin) else (),
     )
 
@@ -200,15 +197,6 @@ def _axis_point(base: Vector, velocity: Vector, axis: Vector, spin: float) -> Ve
     """The point of the screw axis nearest to the origin: base + ω × v/ω², without squares that vanish."""
     beside = add(base, scale(1.0 / spin, cross(axis, velocity)))
     return subtract(beside, scale(dot(beside, axis), axis))
-
-
-def _checks(foot: Vector, base: Vector, velocity: Vector, omega: Vector) -> tuple[Check, ...]:
-    """Points of the screw axis move along it."""
-    p, b, v, w = (tuple(map(plain, vector)) for vector in (foot, base, velocity, omega))
-    moved = add(v, cross(w, subtract(p, b)))  # type: ignore[arg-type]
-    off = length(cross(moved, w))  # type: ignore[arg-type]
-    size = (length(v) + length(w) * (length(p) + length(b))) * length(w) + 1e-300  # type: ignore[arg-type]
-    return (Check("points of the axis move along it", off <= TOLERANCE * size, off / size, TOLERANCE),)
 
 
 def _advice(turns: bool, misfit: float, moved: "list[PointMotion]") -> tuple[Advice, ...]:

@@ -21,13 +21,11 @@ from dynamics_cli.quantities import (
     RotationMatrix,
     Text,
 )
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, record
 
 NOTHING = (0.0, 0.0, 0.0)
 # Rates this many times the angular velocity deserve a remark.
 SENSITIVE = 50.0
-# Rounding error of a round trip, relative to the size of the rates.
-TOLERANCE = 1e-13
 # The determinant below this is lock: the cosine of the double nearest to 90° is 6e-17.
 LOCK = 1e-15
 
@@ -75,7 +73,6 @@ class Rates:
     third_partial: Annotated[Direction, "That of the third angle [-]."]
     names: Annotated[Text, "Other names of these angles."]
     condition: Annotated[Positive | None, "How many times ω the rates of the angles may be; none at lock [-]."]
-    checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
@@ -144,7 +141,6 @@ def rates(
         third_partial=ordered[2],
         names=names_of(sequence),
         condition=None if single(volume) and volume <= LOCK else 1.0 / volume,
-        checks=_checks(axes, omega, alpha, volume) if single(*omega, *alpha, volume) else (),
         advice=_advice(volume) if single(volume) else (),
     )
 
@@ -195,20 +191,6 @@ def _backward(axes: Matrix, omega: Vector, alpha: Vector) -> "tuple[Vector, Vect
     first = solve(omega)
     drift = _gyroscopic(axes, first)
     return first, solve((alpha[0] - drift[0], alpha[1] - drift[1], alpha[2] - drift[2]))
-
-
-def _checks(axes: Matrix, omega: Vector, alpha: Vector, volume: float) -> tuple[Check, ...]:
-    """Angular velocity, its rates, and back."""
-    if not plain(volume) > LOCK:
-        return ()
-    rows = tuple(tuple(map(plain, axis)) for axis in axes)
-    velocity = tuple(map(plain, omega))
-    acceleration = tuple(map(plain, alpha))
-    first, second = _backward(rows, velocity, acceleration)  # type: ignore[arg-type]
-    again, more = _forward(rows, first, second)  # type: ignore[arg-type]
-    size = 1.0 + max(map(abs, (*velocity, *acceleration, *first, *second))) + max(map(abs, first)) ** 2
-    off = max(abs(x - y) for x, y in zip((*again, *more), (*velocity, *acceleration), strict=True)) / size
-    return (Check("rates give the angular velocity", off <= TOLERANCE, off, TOLERANCE),)
 
 
 def _advice(volume: float) -> tuple[Advice, ...]:

@@ -3,7 +3,6 @@
 from math import cos, hypot, pi, sin
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, about_axis, product
 from dynamics_cli.pictures import Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.pictures.vectors import GREY, arrow, circle, curve, numbers, scene, times, words
@@ -18,8 +17,8 @@ POINTS = 181
 
 def disk(answer: "Any", *, radius: float, tilt: float, heading: float = 0.0, **_: "Any") -> Picture:
     """The disk on the floor, with velocity and acceleration of its centre."""
-    r, theta, phi = (float(plain(number)) for number in (radius, tilt, heading))
-    axes = product(about_axis(2, phi), about_axis(0, theta))
+    r = radius
+    axes = product(about_axis(2, heading), about_axis(0, tilt))
     nodes, up = (numbers(tuple(row[nth] for row in axes)) for nth in (0, 1))
     centre = times(r, up)
     floor = circle((0.0, 0.0, 0.0), IDENTITY[0], IDENTITY[1], 1.7 * r)
@@ -46,8 +45,7 @@ def disk(answer: "Any", *, radius: float, tilt: float, heading: float = 0.0, **_
 
 def bearing(answer: "Any", *, cone_angle: float, ball_radius: float, **_: "Any") -> Picture:
     """Half of the section through the shaft: race, ball and cone."""
-    a, theta = float(plain(ball_radius)), float(plain(cone_angle))
-    b, touch = float(plain(answer.centre_radius)), float(plain(answer.contact_radius))
+    a, theta, b, touch = ball_radius, cone_angle, answer.centre_radius, answer.contact_radius
     c, s = cos(theta), sin(theta)
     rim = [2.0 * pi * k / 96 for k in range(97)]
 
@@ -87,22 +85,20 @@ def joint(
     """Speed ratio and lead of the driven shaft over a turn."""
     from dynamics_cli.orient.contact.joint import joint as calculated
 
-    bend, fork, turned = (float(plain(number)) for number in (joint_angle, fork_angle, input_angle))
-    second = None if second_joint_angle is None else float(plain(second_joint_angle))
-    first = turned - pi
-    angles = [first + 2.0 * pi * k / (POINTS - 1) for k in range(POINTS)]
-    rows = [calculated(joint_angle=bend, input_angle=t, second_joint_angle=second, fork_angle=fork) for t in angles]
+    angles = [input_angle - pi + 2.0 * pi * k / (POINTS - 1) for k in range(POINTS)]
+    bent = {"joint_angle": joint_angle, "second_joint_angle": second_joint_angle, "fork_angle": fork_angle}
+    rows = [calculated(input_angle=t, **bent) for t in angles]  # type: ignore[arg-type]
     x = Axis("angle of the driving shaft", Angle)
     ratio = Panel(
         x,
         Axis("speed ratio", Ratio),
-        (Curve(angles, [row.ratio for row in rows], role=0), Mark(turned, float(plain(answer.ratio)), "here")),
-        worded("bent by {angle}", angle=(bend, Angle)),
+        (Curve(angles, [row.ratio for row in rows], role=0), Mark(input_angle, answer.ratio, "here")),
+        worded("bent by {angle}", angle=(joint_angle, Angle)),
     )
     lead = Panel(
         x,
         Axis("lead of the driven shaft", Angle),
-        (Curve(angles, [row.lead for row in rows], role=1), Mark(turned, float(plain(answer.lead)), "here")),
+        (Curve(angles, [row.lead for row in rows], role=1), Mark(input_angle, answer.lead, "here")),
     )
-    title = "universal joint" if second is None else "two universal joints"
+    title = "universal joint" if second_joint_angle is None else "two universal joints"
     return Picture((ratio, lead), title)

@@ -1,7 +1,6 @@
 """The configuration graph of a chain of turns: unit vectors of each frame as dots, and the lines between them."""
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.number import plain
 from dynamics_cli.orient.turns.compose import letter
 from dynamics_cli.pictures import Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle
@@ -38,7 +37,7 @@ def configuration(answer: "Any", *, turns: "Any", about: str = "body", base: str
         up, down = (i + 2) % 3, (i + 1) % 3
         items.append(Curve([left, right], [-float(i), -float(i)], role=0))
         items.append(Curve([left, right], [-float(up), -float(down)], role=1))
-        angle = worded("{angle} about " + turn.axis, angle=(float(plain(turn.angle)), Angle))
+        angle = worded("{angle} about " + turn.axis, angle=(turn.angle, Angle))
         items.append(Label(0.5 * (left + right), -2.55, angle))
     x = Axis("", ends=(-0.7, APART * len(chain) + 0.5))
     panel = Panel(x, Axis("", ends=(-2.9, 0.9)), tuple(items), equal=True, bare=True)

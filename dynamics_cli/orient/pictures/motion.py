@@ -3,7 +3,6 @@
 from math import hypot
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.number import plain
 from dynamics_cli.orient.pictures.triads import ROOM, triad
 from dynamics_cli.pictures import Mark, Panel, Picture
 from dynamics_cli.pictures.vectors import (
@@ -28,6 +27,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
+
+NOTHING = (0.0, 0.0, 0.0)
 
 
 def _polygon(terms: "Sequence[tuple[str, Any]]", total: "Any", name: str, title: "Any") -> Panel:
@@ -80,26 +81,21 @@ def addition(answer: "Any", **_: "Any") -> Picture:
     return Picture(tuple(panels), "addition along the chain", columns=2)
 
 
-def moving_point(answer: "Any", *, relative_velocity: "Any" = (0.0, 0.0, 0.0), **_: "Any") -> Picture:
+def moving_point(
+    answer: "Any", *, relative_velocity: "Any" = NOTHING, origin_velocity: "Any" = NOTHING, **_: "Any"
+) -> Picture:
     """Velocity and acceleration with their terms, tip to tail."""
-    carried, relative = numbers(answer.carried_velocity), numbers(relative_velocity)
-    total = numbers(answer.velocity)
-    origin = times(-1.0, carried, times(-1.0, relative, total))
-    tiny = 1e-12 * (hypot(*total) + hypot(*carried))
-    velocities = [
-        ("v_O", origin if hypot(*origin) > tiny else (0.0, 0.0, 0.0)),
-        ("ω × r", carried),
-        ("v_rel", relative),
-    ]
+    spun = times(-1.0, numbers(origin_velocity), numbers(answer.carried_velocity))
+    velocities = [("v_O", origin_velocity), ("ω × r", spun), ("v_rel", relative_velocity)]
     terms = [
-        ("a_O", answer.origin_acceleration),
-        ("α × r", answer.tangential),
+        ("a_O", answer.origin_part),
+        ("α × r", answer.angular_part),
         ("ω × (ω × r)", answer.centripetal),
         ("2 ω × v_rel", answer.coriolis),
-        ("a_rel", answer.relative),
+        ("a_rel", answer.relative_part),
     ]
     panels = (
-        _polygon(velocities, total, "v", worded("|v| = {v}", v=(answer.speed, Speed))),
+        _polygon(velocities, answer.velocity, "v", worded("|v| = {v}", v=(answer.speed, Speed))),
         _polygon(terms, answer.acceleration, "a", worded("|a| = {v}", v=(answer.acceleration_size, Acceleration))),
     )
     return Picture(panels, "a point moving on a moving body", columns=2)
@@ -134,7 +130,7 @@ def points(answer: "Any", **_: "Any") -> Picture:
 
 def rolling(answer: "Any", *, normal: "Any", **_: "Any") -> Picture:
     """Relative angular velocity at the contact, with its spin and roll parts."""
-    n, roll, spin = unit(numbers(normal)), numbers(answer.roll), float(plain(answer.spin))
+    n, roll, spin = unit(numbers(normal)), numbers(answer.roll), answer.spin
     relative = times(spin, n, roll)
     size = hypot(*relative) or 1.0
     items: list[Any] = [

@@ -3,7 +3,6 @@
 from math import hypot
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.quaternions import multiply, of_axis_angle, rotated
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, from_quaternion
 from dynamics_cli.pictures import Picture
@@ -53,7 +52,7 @@ def _ways(axis: "Any", angle: float, starts: "Any") -> "list[Any]":
 
 def converted(answer: "Any", **_: "Any") -> Picture:
     """Fixed axes and body axes, with the axis of the turn."""
-    angle = float(plain(answer.rotation_angle))
+    angle = answer.rotation_angle
     items = [
         *triad(IDENTITY, "", GREY, dashed=True),
         *_ways(answer.rotation_axis, angle, UNITS),
@@ -70,10 +69,8 @@ def between(answer: "Any", *, first: "Any", **_: "Any") -> Picture:
     from dynamics_cli.orient.turns.attitude import orientation
 
     start = orientation(first.turn).quaternion
-    floats = tuple(float(plain(part)) for part in start)
-    before = from_quaternion(floats)  # type: ignore[arg-type]
-    after = from_quaternion(multiply(floats, tuple(float(plain(part)) for part in answer.quaternion)))  # type: ignore[arg-type]
-    angle = float(plain(answer.rotation_angle))
+    before, after = from_quaternion(start), from_quaternion(multiply(start, answer.quaternion))
+    angle = answer.rotation_angle
     items = [
         *triad(before, "₁", GREY, dashed=True),
         *_ways(answer.rotation_axis, angle, [rotated(before, unit) for unit in UNITS]),
@@ -104,7 +101,7 @@ def screw(answer: "Any", **_: "Any") -> Picture:
     d, n = numbers(answer.displacement), numbers(answer.axis)
     size = max(hypot(*d), 1e-300)
     foot = numbers(answer.point) if answer.point is not None else (0.0, 0.0, 0.0)
-    travel, angle = float(plain(answer.travel)), float(plain(answer.rotation_angle))
+    travel, angle = answer.travel, answer.rotation_angle
     arm = times(-1.0, foot)
     turned = _swept(n, angle, arm) if angle else [arm] * (STEPS + 1)
     helix = [times(travel * k / STEPS, n, times(1.0, point, foot)) for k, point in enumerate(turned)]
@@ -115,7 +112,7 @@ def screw(answer: "Any", **_: "Any") -> Picture:
         curve(ends, "centre", 3),
         curve(helix, "solid", 0),
         arrow(d, "", 1, dashed=True),
-        words(times(0.5, d), "d", 1),
+        words(times(1.08, d), "d", 1),
         words(ends[1], "n", 3),
         *(arrow(times(0.3 * size, axis), name, GREY) for axis, name in zip(UNITS, "xyz", strict=True)),
     ]

@@ -102,7 +102,8 @@ def align(
         code="undetermined",
         hint='give --pair "before=…, after=…" twice or more',
     )
-    require(fit == "least-squares" or len(several) == 2, "triad needs two pairs; there are {count}", count=len(several))
+    require(fit == "least-squares" or len(several) == 2, "triad needs two pairs; there are {count}", count=len(several),
+            code="pairs", hint="--fit least-squares takes any number")  # fmt: skip
     total = sum(pair.weight for pair in several)
     before = [unit(pair.before) for pair in several]
     after = [unit(pair.after) for pair in several]

@@ -124,7 +124,8 @@ def _of_matrix(turn: ByMatrix) -> Orientation:
 def _of_angles(turn: Euler) -> Orientation:
     sequence = sequence_of(turn.euler_order)
     angles = turn.euler_angles
-    require(len(angles) == 3, "read {count} Euler angles, wanted 3", code="rotation", count=len(angles))
+    require(len(angles) == 3, "read {count} Euler angles, wanted 3", code="rotation", count=len(angles),
+            hint="for example 30, 0, 45 deg")  # fmt: skip
     triple = (angles[0], angles[1], angles[2])
     first, second, third = (
         about_axis(axis, angle)

@@ -1,7 +1,7 @@
 """A rotation in every notation, from any of them."""
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.number import is_many, plain, single
+from dynamics_cli.numerics.number import is_many, over_plain, plain, single
 from dynamics_cli.numerics.orientation.quaternions import axis_angle_and_vector, normalized
 from dynamics_cli.numerics.orientation.rotations import ORDERS, ByMatrix, Euler, determinant, product, transposed
 from dynamics_cli.numerics.orientation.rotations import from_quaternion as matrix_of
@@ -161,17 +161,8 @@ def _state(read: Orientation, angles: Angles) -> str:
     return "near" if margin < 1.0 / SENSITIVE else "none"
 
 
-def _bare(read: Orientation) -> Orientation:
-    """The same rotation in doubles."""
-    return Orientation(
-        quaternion=tuple(plain(part) for part in read.quaternion),  # type: ignore[arg-type]
-        matrix=tuple(tuple(plain(part) for part in row) for row in read.matrix),  # type: ignore[arg-type]
-        by_matrix=read.by_matrix,
-    )
-
-
 def _all_sequences(read: Orientation) -> tuple[SequenceAngles, ...]:
-    doubles = _bare(read)
+    doubles: Orientation = over_plain(read)
     rows = []
     for order in ORDERS:
         angles = doubles.angles(sequence_of(order))
@@ -188,7 +179,7 @@ def distance_of(a: "Matrix", b: "Matrix") -> float:
 def _checks(read: Orientation, angles: Angles, sequence: Sequence) -> tuple[Check, ...]:
     from dynamics_cli.numerics.orientation.rotations import IDENTITY
 
-    doubles = _bare(read)
+    doubles: Orientation = over_plain(read)
     triple = tuple(plain(angle) for angle in angles.angles)
     rebuilt = orientation(Euler(euler_angles=triple, euler_order=sequence.text)).matrix
     residuals = {

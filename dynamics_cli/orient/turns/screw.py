@@ -7,10 +7,9 @@ from dynamics_cli.numerics.orientation.rotations import from_quaternion
 from dynamics_cli.numerics.vectors import add, cross, dot, length, scale, subtract
 from dynamics_cli.orient.turns.attitude import Attitude, orientation
 from dynamics_cli.quantities import Angle, Annotated, Direction, Length, Position
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, record
 
 ORIGIN = (0.0, 0.0, 0.0)
-TOLERANCE = 1e-12
 TURN = 6.283185307179586
 # Below this angle [rad] the line is far away and not well known.
 SMALL = 1e-6
@@ -26,7 +25,6 @@ class Screw:
     travel: Annotated[Length, "Travel along the axis [m]."]
     lead: Annotated[Length | None, "Travel for a whole turn; absent for a pure translation [m]."]
     displacement: Annotated[Position, "Displacement of the body's point that was at the origin [m]."]
-    checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
@@ -78,7 +76,6 @@ def screw(
         travel=travel,
         lead=travel * (TURN / angle),
         displacement=d,
-        checks=_checks(matrix, point, axis, travel, d) if alone else (),
         advice=_advice(angle) if alone else (),
     )
 
@@ -95,23 +92,6 @@ def _translation(d: "tuple[float, float, float]", angle: float) -> Screw:
         result="point",
     )  # fmt: skip
     return Screw(angle, unit(d), None, length(d), None, d, advice=(note,))
-
-
-def _checks(
-    matrix: object,
-    point: "tuple[float, float, float]",
-    axis: "tuple[float, float, float]",
-    travel: float,
-    d: "tuple[float, float, float]",
-) -> tuple[Check, ...]:
-    """The point of the axis moves along it by the travel."""
-    doubles = tuple(tuple(map(plain, row)) for row in matrix)  # type: ignore[attr-defined]
-    p, n, by = (tuple(map(plain, v)) for v in (point, axis, d))
-    moved = add(rotated(doubles, p), by)  # type: ignore[arg-type]
-    expected = add(p, scale(plain(travel), n))  # type: ignore[arg-type]
-    size = max(map(abs, (*p, *by))) + 1e-300
-    off = max(abs(x - y) for x, y in zip(moved, expected, strict=True)) / size
-    return (Check("the axis stays in place", off <= TOLERANCE, off, TOLERANCE),)
 
 
 def _advice(angle: float) -> tuple[Advice, ...]:

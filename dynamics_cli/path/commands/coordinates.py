@@ -188,7 +188,7 @@ MOVING_FRAME = Task(
     "A point in a moving, turning frame: the five terms of its acceleration, including Coriolis.",
     Model(
         "moving frame",
-        "dynamics_cli.path.moving:moving_frame",
+        "dynamics_cli.numerics.orientation.moving_frame:moving_frame",
         formula="{velocity|v} = {origin_velocity|v_O} + ω×r + {relative_velocity|v_rel}; "
         "{acceleration|a} = {origin_part|a_O} + {angular_part|α×r} + {centripetal|ω×(ω×r)} + {coriolis|2ω×v_rel} + "
         "{relative_part|a_rel}",

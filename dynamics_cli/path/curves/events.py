@@ -4,6 +4,7 @@ import math
 from heapq import heappush, heapreplace
 from itertools import pairwise
 
+from dynamics_cli.numerics.polynomials import bisected
 from dynamics_cli.numerics.quadrature.gauss import legendre
 from dynamics_cli.numerics.vectors import cross, dot
 from dynamics_cli.quantities import Annotated, Curvature, Position, Speed, Time
@@ -93,25 +94,9 @@ def _turns(
         if abs(value) <= NOTHING * size:
             continue
         if before is not None and (before[1] < 0.0) != (value < 0.0):
-            turns.append((_halved(motion, before[0], time, before[1], rate), value > 0.0))
+            turns.append((bisected(lambda at: rate(motion.state(at))[0], before[0], time), value > 0.0))
         before = time, value
     return turns
-
-
-def _halved(
-    motion: "MovingPoint", low: float, high: float, before: float, rate: "Callable[[State], tuple[float, float]]"
-) -> float:
-    while True:
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            return middle
-        value, _ = rate(motion.state(middle))
-        if value == 0.0:
-            return middle
-        if (value < 0.0) == (before < 0.0):
-            low = middle
-        else:
-            high = middle
 
 
 def arc_lengths(motion: "MovingPoint", times: list[float]) -> tuple[list[float], float]:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
+LET = "; or give it a value, --let 'k=2 m'"
 # A result whose bound is looser than this is evaluated once more, in 60 digits.
 LOOSE = 1e-12
 
@@ -55,33 +56,25 @@ class MovingPoint:
         self.let = let
         self.parameter = parameter
         self.flat = "z" not in self.formulas if shape is None else type(shape).__name__ not in ("Helix", "Line")
-        self.laws = {name: law_of(formula, let, ("t",)) for name, formula in self.formulas.items()}
-        self.law = law_of(parameter, let, ("t",)) if parameter is not None else None
+        self.laws = {name: law_of(formula, let, ("t",), LET) for name, formula in self.formulas.items()}
+        self.law = law_of(parameter, let, ("t",), LET) if parameter is not None else None
 
     def state(self, time: "Any") -> State:
         """The state at a time."""
-        clock = Jet.variable(time, 3)
-        if self.shape is None:
-            paths = [self._jet(self.laws[name], clock) if name in self.laws else clock * 0.0 for name in "xyz"]
-            return State(*[_vector([path.derivative(k) for path in paths]) for k in range(4)])
-        u = clock if self.law is None else self._jet(self.law, clock)
-        rate = Jet([part * float(k) for k, part in enumerate(u.parts)][1:])
-        slopes = [slope * rate for slope in self.shape.slopes(Jet(u.parts[:3]))]
-        moves = [_vector([slope.derivative(k) for slope in slopes]) for k in range(3)]
-        return State(self.shape.place(u.parts[0]), *moves)
+        paths = self._paths(Jet.variable(time, 3))
+        return State(*[_vector([path.derivative(k) for path in paths]) for k in range(4)])
 
     def speed(self, time: float) -> float:
         """The speed alone, of doubles."""
-        clock = Jet.variable(time, 1)
-        if self.shape is None:
-            return math.hypot(*(self._jet(law, clock).parts[1] for law in self.laws.values()))
-        u = clock if self.law is None else self._jet(self.law, clock)
-        rate = math.hypot(*(slope.parts[0] for slope in self.shape.slopes(Jet(u.parts[:1]))))
-        return float(abs(u.parts[1])) * rate
+        return math.hypot(*(path.parts[1] for path in self._paths(Jet.variable(time, 1))))
 
-    def _jet(self, law: "Callable[..., Any]", clock: Jet) -> Jet:
-        out = law(t=clock)
-        return out if isinstance(out, Jet) else clock * 0.0 + out
+    def _paths(self, clock: Jet) -> "list[Jet]":
+        """The coordinates as jets over the time."""
+        if self.shape is None:
+            parts = [self.laws[name](t=clock) if name in self.laws else 0.0 for name in "xyz"]
+        else:
+            parts = self.shape.place(clock if self.law is None else _jet(self.law(t=clock), clock))
+        return [_jet(part, clock) for part in parts]
 
     def plainly(self) -> "MovingPoint":
         """The same with doubles in place of tracked numbers."""
@@ -164,6 +157,10 @@ class MovingPoint:
             )
 
 
+def _jet(part: "Any", clock: Jet) -> Jet:
+    return part if isinstance(part, Jet) else clock * 0.0 + part
+
+
 def _vector(parts: "list[Any]") -> Vector:
     return parts[0], parts[1], parts[2]
 
@@ -186,4 +183,7 @@ def _sharper(number: "Any", exact: "Any") -> "Any":
     value = plain(exact)
     if not math.isfinite(value):
         return number
-    return Tracked(value, 2.0 * UNIT_ROUNDOFF * abs(value) + 5e-324, number.slopes)
+    # 60 digits leave this of the error of doubles, and a value below it is none
+    left_over = 1e-40 * number.error
+    value = value if abs(value) > left_over else 0.0
+    return Tracked(value, 2.0 * UNIT_ROUNDOFF * abs(value) + left_over + 5e-324, number.slopes)

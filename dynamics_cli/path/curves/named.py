@@ -1,7 +1,7 @@
-"""Curves by name: where a point is, and the derivative by the curve's own parameter, in a form that does not cancel.
+"""Curves by name: where a point is at a parameter, for numbers of any type and for jets, which give the derivatives.
 
 The parameter u is an angle (circle, ellipse, helix, cycloid, involute, spirals, Lissajous), the arc length (line,
-clothoid), x (parabola, catenary) or the time (projectile).
+clothoid), x (parabola, catenary) or the time (projectile). A jet stands on the left of a product.
 """
 
 from dynamics_cli.errors import require
@@ -27,9 +27,16 @@ from dynamics_cli.records import record, tagged
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
-    Slopes = tuple[Any, Any, Any]
+    Place = tuple[Any, Any, Any]
+
+
+def _integrated(u: Jet, slopes: "tuple[Jet, Jet]", place: "Callable[[Any], Place]") -> "Place":
+    """The coordinates with these derivatives by the parameter; for a speed alone, without their values."""
+    x, y, _ = place(u.parts[0]) if len(u.parts) > 2 else (0.0, 0.0, 0.0)
+    return u.integral(slopes[0], x), u.integral(slopes[1], y), 0.0
 
 
 @tagged("curve")
@@ -40,15 +47,10 @@ class Line:
     direction: Annotated[Direction, "Direction of the line, e.g. 1, 2, 0."]
     parameter = "length"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
         x, y, z = self._unit()
         return u * x, u * y, u * z
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        x, y, z = self._unit()
-        return u * 0.0 + x, u * 0.0 + y, u * 0.0 + z
 
     def _unit(self) -> Vector:
         x, y, z = self.direction
@@ -65,13 +67,9 @@ class Circle:
     radius: Annotated[Distance, "Radius, of a wheel or a base circle too, e.g. 0.5 m."]
     parameter = "angle"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
-        return self.radius * elementary.cos(u), self.radius * elementary.sin(u), 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        return -jets.sin(u) * self.radius, jets.cos(u) * self.radius, u * 0.0
+        return elementary.cos(u) * self.radius, elementary.sin(u) * self.radius, 0.0
 
 
 @tagged("curve")
@@ -83,13 +81,9 @@ class Ellipse:
     y_radius: Annotated[Distance, "Half axis along y, e.g. 2 m."]
     parameter = "angle"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
-        return self.x_radius * elementary.cos(u), self.y_radius * elementary.sin(u), 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        return -jets.sin(u) * self.x_radius, jets.cos(u) * self.y_radius, u * 0.0
+        return elementary.cos(u) * self.x_radius, elementary.sin(u) * self.y_radius, 0.0
 
 
 @tagged("curve")
@@ -100,13 +94,9 @@ class Parabola:
     focal_length: Annotated[Distance, "Distance of the focus from the vertex, e.g. 0.5 m."]
     parameter = "length"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
         return u, u * u / (4.0 * self.focal_length), 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        return u * 0.0 + 1.0, u / (2.0 * self.focal_length), u * 0.0
 
 
 @tagged("curve")
@@ -119,17 +109,11 @@ class Projectile:
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY
     parameter = "time"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
         along = self.launch_speed * elementary.cos(self.launch_angle)
         up = self.launch_speed * elementary.sin(self.launch_angle)
-        return along * u, u * (up - 0.5 * self.gravity * u), 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        along = self.launch_speed * elementary.cos(self.launch_angle)
-        up = self.launch_speed * elementary.sin(self.launch_angle)
-        return u * 0.0 + along, u * -self.gravity + up, u * 0.0
+        return u * along, u * (u * (-0.5 * self.gravity) + up), 0.0
 
 
 @tagged("curve")
@@ -144,13 +128,9 @@ class Helix:
     def _rise(self) -> "Any":
         return self.pitch / (2.0 * pi_beside(self.pitch))
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
-        return self.radius * elementary.cos(u), self.radius * elementary.sin(u), self._rise() * u
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        return -jets.sin(u) * self.radius, jets.cos(u) * self.radius, u * 0.0 + self._rise()
+        return elementary.cos(u) * self.radius, elementary.sin(u) * self.radius, u * self._rise()
 
 
 @tagged("curve")
@@ -162,17 +142,15 @@ class Cycloid:
     arm: Annotated[Distance | None, "Point's distance from the wheel's centre, e.g. 0.2 m."] = None  # fmt: skip
     parameter = "angle"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
         arm = self.radius if self.arm is None else self.arm
-        return self.radius * u - arm * elementary.sin(u), self.radius - arm * elementary.cos(u), 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter: r − d cos u without cancelling at the cusp."""
-        arm = self.radius if self.arm is None else self.arm
-        half = jets.sin(u * 0.5)
-        along = half * half * (2.0 * arm)
-        return along if self.arm is None else along + (self.radius - arm), jets.sin(u) * arm, u * 0.0
+        if isinstance(u, Jet):
+            # r − d cos u without cancelling at the cusp
+            half: Any = jets.sin(u * 0.5)
+            along = half * half * (2.0 * arm) + (0.0 if self.arm is None else self.radius - arm)
+            return _integrated(u, (along, jets.sin(u) * arm), self.place)
+        return u * self.radius - elementary.sin(u) * arm, elementary.cos(u) * -arm + self.radius, 0.0
 
 
 @tagged("curve")
@@ -183,14 +161,10 @@ class Involute:
     radius: Annotated[Distance, "Radius of the base circle, e.g. 30 mm."]
     parameter = "angle"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
         cosine, sine = elementary.cos(u), elementary.sin(u)
-        return self.radius * (cosine + u * sine), self.radius * (sine - u * cosine), 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        return u * jets.cos(u) * self.radius, u * jets.sin(u) * self.radius, u * 0.0
+        return (cosine + u * sine) * self.radius, (sine - u * cosine) * self.radius, 0.0
 
 
 @tagged("curve")
@@ -204,15 +178,10 @@ class Archimedes:
     def _rate(self) -> "Any":
         return self.spacing / (2.0 * pi_beside(self.spacing))
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
-        reach = self._rate() * u
+        reach = u * self._rate()
         return reach * elementary.cos(u), reach * elementary.sin(u), 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        cosine, sine = jets.cos(u), jets.sin(u)
-        return (cosine - u * sine) * self._rate(), (sine + u * cosine) * self._rate(), u * 0.0
 
 
 @tagged("curve")
@@ -224,16 +193,10 @@ class Bernoulli:
     growth: Annotated[Ratio, "Growth b of log(radius) by the angle, e.g. 0.1."]
     parameter = "angle"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
-        reach = self.start_radius * elementary.exp(self.growth * u)
+        reach = elementary.exp(u * self.growth) * self.start_radius
         return reach * elementary.cos(u), reach * elementary.sin(u), 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        reach = jets.exp(u * self.growth) * self.start_radius
-        cosine, sine = jets.cos(u), jets.sin(u)
-        return reach * (cosine * self.growth - sine), reach * (sine * self.growth + cosine), u * 0.0
 
 
 @tagged("curve")
@@ -244,26 +207,22 @@ class Clothoid:
     clothoid_parameter: Annotated[Distance, "Parameter A, with A² = radius · length, e.g. 80 m."]
     parameter = "length"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter, by Gauss–Legendre quadrature over pieces of a quarter radian."""
+        if isinstance(u, Jet):
+            angle: Any = (u / self.clothoid_parameter) * (u / self.clothoid_parameter) * 0.5
+            return _integrated(u, (jets.cos(angle), jets.sin(angle)), self.place)
         end, size = plain(u), plain(self.clothoid_parameter)
         turned = 0.5 * (end / size) ** 2
         require(turned < 1e4, "the clothoid turns {count} times", code="turns", count=round(turned / 6.3))
         pieces = 1 + int(4.0 * turned)
-        x: Any = 0.0
-        y: Any = 0.0
+        x = y = 0.0 * u
         for piece in range(pieces):
             for node, weight in legendre(12):
                 s = u * ((piece + node) / pieces)
                 angle = 0.5 * (s / self.clothoid_parameter) * (s / self.clothoid_parameter)
                 x, y = x + elementary.cos(angle) * weight, y + elementary.sin(angle) * weight
         return x * u / pieces, y * u / pieces, 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        relative = u / self.clothoid_parameter
-        angle = relative * relative * 0.5
-        return jets.cos(angle), jets.sin(angle), u * 0.0
 
 
 @tagged("curve")
@@ -274,13 +233,9 @@ class Catenary:
     catenary_parameter: Annotated[Distance, "Parameter a of y = a·cosh(x/a), e.g. 2 m."]
     parameter = "length"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
-        return u, self.catenary_parameter * elementary.cosh(u / self.catenary_parameter), 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        return u * 0.0 + 1.0, jets.sinh(u / self.catenary_parameter), u * 0.0
+        return u, elementary.cosh(u / self.catenary_parameter) * self.catenary_parameter, 0.0
 
 
 @tagged("curve")
@@ -295,15 +250,10 @@ class Lissajous:
     phase: Annotated[Angle, "Phase δ along x, e.g. 90 deg."] = 0.0
     parameter = "angle"
 
-    def place(self, u: "Any") -> Vector:
+    def place(self, u: "Any") -> "Place":
         """Position at a parameter."""
-        across = self.x_radius * elementary.sin(self.x_ratio * u + self.phase)
-        return across, self.y_radius * elementary.sin(self.y_ratio * u), 0.0
-
-    def slopes(self, u: Jet) -> "Slopes":
-        """Derivatives by the parameter."""
-        across = jets.cos(u * self.x_ratio + self.phase) * (self.x_radius * self.x_ratio)
-        return across, jets.cos(u * self.y_ratio) * (self.y_radius * self.y_ratio), u * 0.0
+        across = elementary.sin(u * self.x_ratio + self.phase) * self.x_radius
+        return across, elementary.sin(u * self.y_ratio) * self.y_radius, 0.0
 
 
 Shape = (

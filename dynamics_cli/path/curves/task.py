@@ -4,10 +4,8 @@ import math
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import is_many, plain
-from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.numerics.vectors import length
-from dynamics_cli.path.bends import Bend, advice_of
-from dynamics_cli.path.coordinates import parts_check
+from dynamics_cli.path.bends import Bend, advice_of, parts_check
 from dynamics_cli.path.curves.events import Event, arc_lengths, events
 from dynamics_cli.path.curves.moving_point import MovingPoint, State
 from dynamics_cli.path.curves.named import Shape
@@ -36,8 +34,6 @@ if TYPE_CHECKING:
     from typing import Any
 
 MOST_STEPS = 2000
-# Tolerance of a derivative against the difference quotient of the function.
-QUOTIENT = 1e-5
 # An arc length less certain than this share of it is reported as uncertain.
 LOOSE = 1e-6
 DUST = 4e-15
@@ -157,7 +153,7 @@ def curve(
         events=events_met or None,
         points=rows,
         numerics=_numerics(lengths),
-        checks=(*parts_check(bend), *(_quotient(motion.plainly(), plain(now), first, last) if complete else ())),
+        checks=parts_check(bend),
         advice=(*_advice(bend, motion.flat), *_loose(lengths)),
     )
 
@@ -180,7 +176,8 @@ def _parameter(shape: "Any", angle: Formula | None, along: Formula | None) -> Fo
 
 
 def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, float, Any]":
-    require(1 <= steps <= MOST_STEPS, "the table cannot have {steps} intervals", code="steps", steps=steps)
+    require(1 <= steps <= MOST_STEPS, "the table cannot have {steps} intervals", code="steps", steps=steps,
+            hint=f"give 1 to {MOST_STEPS}")  # fmt: skip
     require(end is not None or at is not None, "a time is missing", code="missing", hint="--end '5 s', or --at '2 s'")
     now = at if at is not None else end
     last = plain(end if end is not None else at)
@@ -189,6 +186,7 @@ def _range(start: "Any", end: "Any", at: "Any", steps: int) -> "tuple[float, flo
         first <= last,
         "the range of times ends at {end}, before it starts at {start}",
         code="times",
+        hint="exchange --start and --end",
         end=(last, Time),
         start=(first, Time),
     )
@@ -234,32 +232,6 @@ def _loose(lengths: "tuple[float | None, float]") -> tuple[Advice, ...]:
         doubt=(lengths[1], Length),
     )
     return (Advice("busy", message, remedy="take a shorter range of times"),)
-
-
-def _quotient(motion: MovingPoint, now: float, first: float, last: float) -> tuple[Check, ...]:
-    """The velocity beside a difference quotient of the positions."""
-    middle = motion.state(now)
-    speed, rate, jerk = (math.hypot(*vector) for vector in (middle.velocity, middle.acceleration, middle.jerk))
-    scales = [speed / rate if rate else 0.0, math.sqrt(speed / jerk) if jerk else 0.0, last - first]
-    step = 1e-4 * min((scale for scale in scales if scale), default=1.0)
-    low, high = max(first, now - step), min(last, now + step)
-    if not low < high or now - low != high - now:
-        low, high = (now, now + step) if now + step <= last else (now - step, now)
-    try:
-        before, after = (motion.state(Tracked(time, 0.0, ())) for time in (low, high))
-        middle = motion.state(0.5 * (low + high))
-    except (ArithmeticError, ValueError):
-        return ()
-    apart = math.hypot(
-        *(
-            plain((b - a) / (high - low) - v)
-            for a, b, v in zip(before.position, after.position, middle.velocity, strict=True)
-        )
-    )
-    size = max(plain(state.bend.speed) for state in (before, middle, after))
-    noise = sum(getattr(part, "error", 0.0) for state in (before, after) for part in state.position) / (high - low)
-    allowed = QUOTIENT * size + 2.0 * noise
-    return (Check("velocity is the difference of positions", apart <= allowed, apart, allowed),)
 
 
 def _advice(motion: Bend, flat: bool) -> tuple[Advice, ...]:

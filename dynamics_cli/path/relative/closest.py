@@ -1,17 +1,13 @@
 """When two points with constant relative acceleration are closest."""
 
 import math
-from itertools import pairwise
 
 from dynamics_cli.numerics.elementary import maximum
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.polynomials import roots_between
 from dynamics_cli.numerics.vectors import Vector, add, dot, length, scale
 from dynamics_cli.numerics.vectors import compensated_cross as cross
 from dynamics_cli.records import Check
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 # A pose a little earlier or later may be closer by this share of the sizes, which is rounding.
 CLOSER = 1e-12
@@ -41,19 +37,6 @@ def closest(r: Vector, v: Vector, a: Vector) -> tuple[float, float]:
     return when, length(place_at(r, v, a, when))
 
 
-def bisected(function: "Callable[[float], float]", low: float, high: float) -> float:
-    """The root between two ends of different sign, to the last digit."""
-    negative = function(low) < 0.0
-    while True:
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            return middle
-        if (function(middle) < 0.0) == negative:
-            low = middle
-        else:
-            high = middle
-
-
 def nearest_check(gap: float, around: "list[float]", size: float) -> tuple[Check, ...]:
     """Check that they are not closer slightly earlier or later."""
     short = max(0.0, gap - min(around))
@@ -80,18 +63,7 @@ def _polished(r: Vector, v: Vector, a: Vector, time: float) -> float:
 
 
 def _stationary(r: list[float], v: list[float], a: list[float]) -> list[float]:
-    """The times after 0 at which the distance is stationary: real roots of a cubic, by its own turning points."""
+    """The times after 0 at which the distance is stationary: real roots of a cubic."""
     inner = [math.fsum(x * y for x, y in zip(p, q, strict=True)) for p, q in ((r, v), (v, v), (r, a), (v, a), (a, a))]
-    parts = (inner[0], inner[1] + inner[2], 1.5 * inner[3], 0.5 * inner[4])
-
-    def cubic(t: float) -> float:
-        return ((parts[3] * t + parts[2]) * t + parts[1]) * t + parts[0]
-
-    limit = 1.0 + max(abs(part / parts[3]) for part in parts[:3])
-    square = parts[2] * parts[2] - 3.0 * parts[3] * parts[1]
-    turns = []
-    if square > 0.0:
-        q = -(parts[2] + math.copysign(math.sqrt(square), parts[2]))
-        turns = [q / (3.0 * parts[3]), *([parts[1] / q] if q else [])]
-    edges = [0.0, *sorted(turn for turn in turns if 0.0 < turn < limit), limit]
-    return [bisected(cubic, low, high) for low, high in pairwise(edges) if cubic(low) * cubic(high) <= 0.0]
+    cubic = (inner[0], inner[1] + inner[2], 1.5 * inner[3], 0.5 * inner[4])
+    return roots_between(cubic, 0.0, 1.0 + max(abs(part / cubic[3]) for part in cubic))

@@ -168,7 +168,8 @@ def rectilinear_law(
     """
     _check_steps(steps)
     phase = phases[0] if isinstance(phases, tuple) else phases
-    require(not isinstance(phases, tuple) or len(phases) == 1, "a law takes one phase only", code="one-phase")
+    require(not isinstance(phases, tuple) or len(phases) == 1, "a law takes one phase only", code="one-phase",
+            hint="give one start speed, and a time, a distance or an end speed")  # fmt: skip
     require(law is not None, "no law is given", code="no-law", hint="--law '-0.004*v^2 m/s^2'")
     require(phase.start_speed is not None, "a law needs the start speed", code="missing", hint="--start-speed")
     require(phase.acceleration is None, "the law gives the acceleration: leave out the number", code="exclusive")
@@ -183,7 +184,8 @@ def rectilinear_law(
     numbers = (phase.start_speed, phase.time, phase.distance, phase.end_speed, *(each.value for each in let))
     only_in_doubles(*numbers)
     plainly = Phase(plain(phase.start_speed), plain(phase.end_speed), None, plain(phase.distance), plain(phase.time))
-    function = law_of(law, tuple(type(each)(each.name, plain(each.value), each.unit, each.dimension) for each in let))  # type: ignore[arg-type]
+    values = tuple(type(each)(each.name, plain(each.value), each.unit, each.dimension) for each in let)
+    function = law_of(law, values, more="; or give it a value, --let 'k=0.004 1/m'")  # type: ignore[arg-type]
     motion, rough = run(function, plainly), run(function, plainly, halved=True)
     distance, speed, rate = motion.at(motion.end)
     stop = motion.stop
@@ -205,7 +207,8 @@ def rectilinear_law(
 
 
 def _check_steps(steps: int) -> None:
-    require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {steps} rows", code="steps", steps=steps)
+    require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {steps} rows", code="steps", steps=steps,
+            hint=f"give 1 to {MOST_STEPS}")  # fmt: skip
 
 
 def _continued(phase: Phase, speed: float) -> Phase:

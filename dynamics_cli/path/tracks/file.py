@@ -55,9 +55,10 @@ def read_track(file: str, origin: Origin | None = None) -> Track:
     """
     with open(file, encoding="utf-8-sig", newline="") as stream:
         rows = [row for row in csv.reader(stream) if row and not row[0].lstrip().startswith("#")]
-    require(bool(rows), "the file is empty", code="track")
+    require(bool(rows), "the file is empty", code="track", hint="a header t[s],x[m],y[m], then a row for each time")
     columns = _columns(rows[0])
-    require(len(rows) - 1 <= MOST_ROWS, "the track has more than {most} points", code="track", most=MOST_ROWS)
+    require(len(rows) - 1 <= MOST_ROWS, "the track has more than {most} points", code="track", most=MOST_ROWS,
+            hint="give a part of it")  # fmt: skip
     numbers = [_row(row, columns, line) for line, row in enumerate(rows[1:], 2)]
     times = [row["t"] for row in numbers]
     for line, (before, after) in enumerate(pairwise(times), 3):

@@ -24,11 +24,13 @@ def require_enough(track: Track, sigma: float | None, name: str = "the track") -
         len(track.times) >= FEWEST,
         "{name} has {count} points: an acceleration with its noise needs at least {fewest}",
         code="few-points",
+        hint="give a longer part of the track",
         name=name,
         count=len(track.times),
         fewest=FEWEST,
     )
-    require(sigma is None or sigma > 0.0, "the standard deviation is not above zero", code="sigma")
+    require(sigma is None or sigma > 0.0, "the standard deviation is not above zero", code="sigma",
+            hint="for example 3 cm, or leave it out")  # fmt: skip
 
 
 def fitted(track: Track, sigma: float | None) -> "Smooth":

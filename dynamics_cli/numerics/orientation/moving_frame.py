@@ -16,7 +16,7 @@ from dynamics_cli.quantities import (
     Speed,
     Velocity,
 )
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import record
 
 ZERO = (0.0, 0.0, 0.0)
 # A quaternion typed to five digits is one of a rotation.
@@ -40,8 +40,6 @@ class InMovingFrame:
     coriolis_size: Annotated[Acceleration, "Magnitude of the Coriolis term [m/s^2]."]
     fixed_velocity: Annotated[Velocity | None, "Velocity in fixed axes; needs the orientation [m/s]."]
     fixed_acceleration: Annotated[AccelerationVector | None, "In fixed axes; needs the orientation [m/s^2]."]
-    checks: tuple[Check, ...] = ()
-    advice: tuple[Advice, ...] = ()
 
 
 def moving_frame(
@@ -96,7 +94,6 @@ def moving_frame(
         coriolis_size=length(terms.coriolis),
         fixed_velocity=None if orientation is None else _fixed(orientation, terms.velocity),
         fixed_acceleration=None if orientation is None else _fixed(orientation, terms.acceleration),
-        checks=_coriolis_check(angular_velocity, relative_velocity, terms.coriolis),
     )
 
 
@@ -114,16 +111,3 @@ def _fixed(turn: "tuple[float, float, float, float]", vector: Vector) -> Vector:
     across = cross(q, vector)
     change = add(scale(w, across), cross(q, across))
     return add(vector, scale(2.0 / square, change))
-
-
-def _coriolis_check(omega: Vector, relative: Vector, coriolis: Vector) -> tuple[Check, ...]:
-    """That the Coriolis term is square to ω and to v_rel."""
-    if not single(*omega, *relative):
-        return ()
-    size = plain(length(coriolis)) * max(plain(length(omega)), plain(length(relative)))
-    apart = max(abs(plain(dot(coriolis, omega))), abs(plain(dot(coriolis, relative))))
-    # the axes have lengths of different kinds: each product is relative to its own size
-    allowed = 1e-12 * max(
-        size, plain(length(coriolis)) * plain(length(omega)), plain(length(coriolis)) * plain(length(relative))
-    )
-    return (Check("Coriolis term perpendicular to ω and v_rel", apart <= allowed, apart, allowed),)
