@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 POINTS = 41
 TWO_SIDED = 1.96
 LEFT = Axis("distance to the end", Length)
-AWAY = Axis("distance to the impact", Length)
 
 
 def _before(longest: float, event: str = "the impact") -> Axis:
@@ -117,8 +116,11 @@ def meet(
     if spreads is not None:
         speeds += _bar(result.hazard_time, spreads, "sufficient_speed", 2)
     axis = Axis("time before the impact", Time, ends=ends)
+    highest = max(max(item.y) for item in places if isinstance(item, Curve))
+    # room above for the words where the reaction begins
+    away = Axis("distance to the impact", Length, ends=(-0.05 * highest, 1.3 * highest))
     return Picture(
-        (Panel(axis, AWAY, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
+        (Panel(axis, away, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
         "two parties before the impact",
         subtitle=held(spreads, "bands and bar"),
     )
