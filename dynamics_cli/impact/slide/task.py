@@ -17,6 +17,7 @@ from dynamics_cli.quantities import (
     Fraction,
     Friction,
     Gravity,
+    Heading,
     Mass,
     PlanarPosition,
     Positive,
@@ -45,7 +46,7 @@ def slide(
     braking: Annotated[
         Fraction, "Share of its friction that a wheel's rotation is braked with: 100 % locked, 2 % rolling [-]."
     ],
-    nose: Annotated[Angle, "Heading of the nose at the separation, e.g. 20 deg [rad]."] = 0.0,
+    nose: Annotated[Heading, "Heading of the nose at the separation, e.g. 20 deg [rad]."] = 0.0,
     left_front: Annotated[Fraction | None, "The same share of the left front wheel, where it differs [-]."] = None,
     right_front: Annotated[Fraction | None, "Of the right front wheel [-]."] = None,
     left_rear: Annotated[Fraction | None, "Of the left rear wheel [-]."] = None,
