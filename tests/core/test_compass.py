@@ -3,8 +3,8 @@
 import pytest
 from harness import answer, run
 
-from dynamics_cli.core.inputs.forms.compass import POINTS, in_degrees
 from dynamics_cli.core.inputs.context import Context
+from dynamics_cli.core.inputs.forms.compass import POINTS, in_degrees
 
 COMPASS = Context({})
 COMPASS.axes = "compass"
