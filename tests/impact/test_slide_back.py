@@ -4,7 +4,6 @@ import math
 import time
 from typing import Any
 
-import numpy as np
 import pytest
 
 from dynamics_cli.impact.slide.records import AtRest, Ground, Separation, SlideResult
@@ -181,23 +180,3 @@ def test_large_samples_go_to_as_many_digits_as_their_spread_needs(spread: float,
     apart = math.dist(one.rest_position, single.rest_position)
     assert (drawing.missed > 0.0) is drowned
     assert apart < (2e-4 if drowned else 5e-6)
-
-
-def test_cars_of_a_sample_have_the_motions_that_each_has_alone(monkeypatch: pytest.MonkeyPatch) -> None:
-    from dynamics_cli.impact.slide import separation, spread
-
-    monkeypatch.setattr(spread, "RINGS", (1.2, 2.8))
-    rng = np.random.default_rng(3)
-    share = 0.06 + 0.02 * rng.uniform(-1.0, 1.0, 40)
-    one = np.ones(40)
-    bodies = np.array([1.2 * one, 1.5 * one, 1.5 * one, 1.35 * one, 0.1 * one, one, share, share, share])
-    places = np.array([[8.0], [-6.6], [-3.3]]) + np.array([[0.1], [0.1], [0.0]]) * rng.uniform(-1.5, 1.5, (3, 40))
-    made = spread.Spread(separation.car, bodies, places)
-    motions, reached = made.at(bodies[:, :5], places[:, :5])
-    assert reached.all()
-    for body, (x, y, turning), found in zip(bodies.T.tolist(), places.T.tolist(), motions.T.tolist(), strict=False):
-        beside = math.atan2(y, x)
-        speed, bend, spin = separation.separation(tuple(body), math.hypot(x, y), beside, turning / 1.35)
-        alone = [speed * math.cos(beside + bend), speed * math.sin(beside + bend), spin]
-        assert found == pytest.approx(alone, abs=3e-3)
-    assert made.missed < 0.02
