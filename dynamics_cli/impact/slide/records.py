@@ -41,11 +41,17 @@ class AtRest:
 
 @record
 class Ground:
-    """Ground of another friction beyond an edge: what is to the left of a line."""
+    """Ground of another friction: what is to the left of a line, or a strip along it, or a patch."""
 
     friction: Annotated[Friction, "Coefficient of friction there, e.g. 0.4 [-]."]
     edge_from: Annotated[PlanarPosition, "A point of the edge; the ground is to the left, seen along it, e.g. 0, 4 m."]
     edge_to: Annotated[PlanarPosition, "A second point of the edge, e.g. 10, 4 m [m]."]
+    width: Annotated[
+        Distance | None, "How wide a strip it is, a shoulder or a lane; all beyond the edge when left out [m]."
+    ] = None
+    patch: Annotated[bool, "Whether it ends at both points of the edge, a wet patch; else they only give a line."] = (
+        False
+    )
 
 
 @record

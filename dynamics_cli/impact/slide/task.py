@@ -6,7 +6,7 @@ from dynamics_cli.impact.slide.back import Root, Target, roots
 from dynamics_cli.impact.slide.marks import marks, points
 from dynamics_cli.impact.slide.motion import TOLERANCE, Moment, Run, run
 from dynamics_cli.impact.slide.records import AtRest, Ground, Separation, SlideResult, SlideRoot
-from dynamics_cli.impact.slide.wheels import NAMES, Car, State, Verge, Wheel
+from dynamics_cli.impact.slide.wheels import INFINITE, NAMES, Car, State, Verge, Wheel
 from dynamics_cli.numerics.elementary import atan2, hypot
 from dynamics_cli.numerics.road.drag import friction_advice, speed_advice
 from dynamics_cli.quantities import (
@@ -57,7 +57,7 @@ def slide(
     ] = 0.1,
     steer: Annotated[Angle, "Steer of the front wheels, counted like headings [rad]."] = 0.0,
     place: Annotated[PlanarPosition, "Where the mass centre is at the separation [m]."] = ORIGIN,
-    grounds: Annotated[tuple[Ground, ...], "Grounds of another friction beyond edges; the last one counts."] = (),
+    grounds: Annotated[tuple[Ground, ...], "Grounds of another friction; the last one counts."] = (),
     mass: Annotated[Mass | None, "Mass, for the energy in numbers [kg]."] = None,
     axes: Annotated[Axes, "Axes of positions and headings: mathematical, compass, sae or iso."] = AXES,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
@@ -191,8 +191,9 @@ def _verge(ground: Ground, sense: float) -> Verge:
     require(
         ground.edge_from != ground.edge_to, "both points of an edge are the same: it has no direction", code="no-edge"
     )
+    require(ground.width is None or ground.width > 0.0, "a strip of ground has no width", code="no-width")
     ends = (ground.edge_from, ground.edge_to) if sense > 0.0 else (ground.edge_to, ground.edge_from)
-    return Verge(*ends, ground.friction)
+    return Verge(*ends, ground.friction, INFINITE if ground.width is None else ground.width, patch=ground.patch)
 
 
 def _sense(axes: Axes) -> float:
