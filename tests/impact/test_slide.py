@@ -220,3 +220,9 @@ def test_uncertain_inputs_against_a_sixteen_times_larger_sample() -> None:
         assert estimate < 0.03, name
         assert found == pytest.approx((low, median, high), abs=(estimate + 0.01) * deviation), name
     assert spread["evaluations"] < 10_000
+
+
+def test_a_spin_of_many_turns_a_second_is_pointed_out() -> None:
+    found = slide(motion=Separation(11.0, 0.0, 15.0), **CAR)
+    assert [note.code for note in found.advice if note.code == "fast-spin"] == ["fast-spin"]
+    assert not slide(motion=Separation(11.0, 0.0, 5.0), **CAR).advice

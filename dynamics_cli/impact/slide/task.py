@@ -8,10 +8,12 @@ from dynamics_cli.impact.slide.motion import TOLERANCE, Moment, Run, run
 from dynamics_cli.impact.slide.records import AtRest, Ground, Separation, SlideResult, SlideRoot
 from dynamics_cli.impact.slide.wheels import INFINITE, NAMES, Car, State, Verge, Wheel
 from dynamics_cli.numerics.elementary import atan2, hypot
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.road.drag import friction_advice, speed_advice
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
+    AngularSpeed,
     Annotated,
     Distance,
     Fraction,
@@ -33,6 +35,8 @@ ORIGIN = (0.0, 0.0)
 RIGHT_ANGLE = 1.5707963267948966
 ENERGY = 1e-6
 SIDEWAYS = 0.35
+# Two turns a second, in rad/s.
+FASTEST_SPIN = 12.566370614359172
 
 
 def slide(
@@ -225,7 +229,7 @@ def _answer(
             "1e-6 of the path"
         ),
         checks=(Check("work of the tyres", abs(taken / kinetic - 1.0) <= ENERGY, abs(taken / kinetic - 1.0), ENERGY),),
-        advice=_typed(car, hypot(*start.velocity)) + _advice(numbers["bend"], found),
+        advice=_typed(car, hypot(*start.velocity)) + spin_advice(start.spin) + _advice(numbers["bend"], found),
     )  # fmt: skip
 
 
@@ -278,6 +282,17 @@ def _typed(car: Car, speed: float) -> "tuple[Advice, ...]":
     """Advice on friction and a speed that are most often slips of the pen."""
     beyond = speed_advice(speed, "a speed at the separation", "check the speed, or the rest position and its unit")
     return friction_advice(car.friction) + beyond
+
+
+def spin_advice(spin: float) -> "tuple[Advice, ...]":
+    """Advice when a car turns faster than cars do: most often whole turns miscounted."""
+    if not abs(plain(spin)) > FASTEST_SPIN:
+        return ()
+    message = worded(
+        "a car that turns at {spin:4} turns faster than crashes make cars turn", spin=(abs(spin), AngularSpeed)
+    )
+    remedy = "check the whole turns of the nose at rest, and its unit"
+    return (Advice(code="fast-spin", message=message, remedy=remedy),)
 
 
 def _advice(bend: float | None, found: "tuple[SlideRoot, ...]") -> "tuple[Advice, ...]":
