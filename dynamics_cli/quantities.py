@@ -20,14 +20,15 @@ class Kind:
 
     A number of a kind that is `exact` keeps the decimals it was typed as, beside the double nearest to them. One of a
     kind that is `certain` takes no distribution: it says itself how uncertain something is. One with a `letter` may be
-    written as standards designate it, G 6.3 or 6.3, in the unit it is shown in.
+    written as standards designate it, G 6.3 or 6.3, in the unit it is shown in. One of a `compass` is a heading, which
+    has words where the axes are those of a compass: north, NE, N 30 E.
 
     A kind with a `default` is never missing: the environment `variable`, else the default, stands in and is shown among
     the inputs; with `needs`, only when the parameter of that name is given.
     """
 
     __slots__ = (
-        "about", "above", "below", "certain", "default", "exact", "example", "flat", "form", "high", "letter", "low",
+        "about", "above", "below", "certain", "compass", "default", "exact", "example", "flat", "form", "high", "letter", "low",
         "name", "needs", "si", "size", "unit", "us", "variable",
     )  # fmt: skip
 
@@ -53,6 +54,7 @@ class Kind:
         certain: bool = False,
         flat: bool = False,
         letter: str = "",
+        compass: bool = False,
     ) -> None:
         self.name = name
         self.unit = unit
@@ -73,6 +75,7 @@ class Kind:
         self.certain = certain
         self.flat = flat
         self.letter = letter
+        self.compass = compass
 
     def shown_in(self, system: str) -> str:
         """The unit this kind is shown in by the system "si", "us" or "base"."""
@@ -191,6 +194,7 @@ if TYPE_CHECKING:
     TurnRate = float
     # angles and pure numbers
     Angle = float
+    Heading = float
     Ratio = float
     Positive = float
     Friction = float
@@ -431,6 +435,7 @@ else:
     )
     # angles and pure numbers
     Angle = Kind("angle", "rad", si="deg", us="deg", example="30 deg", about="an angle")
+    Heading = Kind("angle", "rad", si="deg", us="deg", example="90 deg", about="a heading", compass=True)
     Ratio = Kind("ratio", "", example="0.5", about="a pure number")
     Positive = Kind("ratio", "", above=0.0, example="2", about="a pure number above zero")
     Friction = Kind("friction", "", low=0.0, example="0.7", about="a coefficient of friction")

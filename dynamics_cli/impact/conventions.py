@@ -9,6 +9,7 @@ from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
     Angle,
     Annotated,
+    Heading,
     Mass,
     PlanarVelocity,
     Positive,
@@ -137,7 +138,7 @@ class BySpeed:
 
     speed: Annotated[RoadSpeed, "Size of the velocity [m/s]."]
     heading: Annotated[
-        Angle,
+        Heading,
         "Direction of travel, counted as the axes say: clockwise from north on a compass, else from x towards y [rad].",
     ] = 0.0
 

@@ -147,9 +147,8 @@ def parts(
             continue
         tries += 1
         Lanes.trail = []
-        inputs = arrays if len(rows_now) == len(rows) else {name: array[rows_now] for name, array in arrays.items()}
         try:
-            outcome = call({name: array.view(kind) for name, array in inputs.items()})
+            outcome = call({name: _taken(array, rows_now).view(kind) for name, array in arrays.items()})
         except Diverged as parting:
             if parting.mask.shape != rows_now.shape:
                 raise TypeError("lanes met an array of another shape") from None
@@ -163,6 +162,11 @@ def parts(
                 waiting.append(rows_now[~np.asarray(bad)])
         else:
             yield Part(rows_now, outcome, tuple(Lanes.trail))
+
+
+def _taken(array: "Array", rows: "Rows") -> "Array":
+    """The chosen rows of an array; the array itself where they are all of it."""
+    return array if len(rows) == len(array) else array[rows]
 
 
 def bisected(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "Any":

@@ -8,7 +8,7 @@ from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
     from typing import Any, Literal
 
     Numbers = Sequence[float]
@@ -250,6 +250,8 @@ class Spreads:
     shares: "Mapping[str, tuple[tuple[str, float], ...]]"
     correlations: "Mapping[tuple[str, str], float]"
     limits: "Mapping[str, Sequence[float]]"
+    cases: "Callable[[], Iterable[Mapping[str, Any]]]" = tuple
+    """The task's parameters at some hundred fair cases of the inputs, for bands about a curve."""
 
     def covariance(self, one: str, other: str) -> float:
         """Covariance of two results; nothing of one that does not vary."""

@@ -341,11 +341,15 @@ def test_derivatives_and_samples_of_a_slide_with_spin() -> None:
         for result in range(3):
             slope = (ends[0][result] - ends[1][result]) / 2e-3
             assert tracked[result].slopes[index] == pytest.approx(slope, rel=0.03, abs=0.003)  # type: ignore[attr-defined]
-    drawn = np.random.default_rng(1).standard_normal((3, 40)) * np.array([[0.3], [0.03], [0.14]])
+    rng = np.random.default_rng(1)
+    drawn = rng.standard_normal((3, 40)) * np.array([[0.3], [0.03], [0.14]])
     places = (np.array(numbers)[:, None] + drawn).view(Sampled)
+    # the brakes of three wheels vary with the places
+    share = rng.uniform(0.03, 0.07, 40).view(Sampled)
     with Drawing() as samples:
-        many = np.array(separation(body, *places))
-        single = np.array([separation(body, *map(float, column)) for column in places.T]).T
+        many = np.array(separation((*body[:6], share, share, share), *places))[:, ::3]  # type: ignore[arg-type]
+        rows = zip(share.tolist()[::3], places.T.tolist()[::3], strict=True)
+        single = np.array([separation((*body[:6], one, one, one), *place) for one, place in rows]).T
     spread = single.std(axis=1)
     # a kink of the map, where another wheel stands at last, is rounded off
     off = np.sqrt(((many - single) ** 2).mean(axis=1)) / spread

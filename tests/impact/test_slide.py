@@ -83,17 +83,21 @@ def test_drag_as_skid_spin_counts_it() -> None:
     assert result.mean_share == pytest.approx(0.37871424, abs=1e-7)
 
 
-@pytest.mark.parametrize("offset", [-20.0, 0.0, 3.0, 6.0, 40.0])
-def test_ground_beyond_an_edge(offset: float) -> None:
+@pytest.mark.parametrize(
+    ("offset", "width"), [(-20.0, None), (0.0, None), (3.0, None), (6.0, None), (40.0, None), (3.0, 2.5), (-1.0, 4.0)]
+)
+def test_ground_beyond_an_edge(offset: float, width: float | None) -> None:
     """Straight over the edge: the front wheels cross it before the rear ones, and their loads are known."""
-    grass = Ground(0.35, (offset, 10.0), (offset, -10.0))
+    grass = Ground(0.35, (offset, 10.0), (offset, -10.0), width, patch=width is not None)
     # left of the line downwards is to its right
     result = slide(motion=Separation(11.0, 0.0), grounds=(grass,), **CAR)
     front, rear = 1.4 / 2.6, 1.2 / 2.6
 
     def work(way: float) -> float:
-        beyond = max(way + 1.2 - offset, 0.0) - max(1.2 - offset, 0.0)
-        after = max(way - 1.4 - offset, 0.0) - max(-1.4 - offset, 0.0)
+        reach = math.inf if width is None else width
+        beyond, after = (
+            min(max(way + place - offset, 0.0), reach) - min(max(place - offset, 0.0), reach) for place in (1.2, -1.4)
+        )
         return 9.80665 * (0.7 * way - 0.35 * (front * beyond + rear * after))
 
     low, high = 0.0, 60.0
@@ -159,6 +163,7 @@ def test_a_calculation_takes_milliseconds() -> None:
         ({"front_axle": 0.0}, "mass centre is not between the axles"),
         ({"radius_of_gyration": 0.0}, "radius of gyration"),
         ({"grounds": (Ground(0.4, (1.0, 1.0), (1.0, 1.0)),)}, "no direction"),
+        ({"grounds": (Ground(0.4, (1.0, 1.0), (2.0, 1.0), 0.0),)}, "has no width"),
     ],
 )
 def test_what_has_no_slide_is_refused(change: dict[str, Any], words: str) -> None:
@@ -215,3 +220,9 @@ def test_uncertain_inputs_against_a_sixteen_times_larger_sample() -> None:
         assert estimate < 0.03, name
         assert found == pytest.approx((low, median, high), abs=(estimate + 0.01) * deviation), name
     assert spread["evaluations"] < 10_000
+
+
+def test_a_spin_of_many_turns_a_second_is_pointed_out() -> None:
+    found = slide(motion=Separation(11.0, 0.0, 15.0), **CAR)
+    assert [note.code for note in found.advice if note.code == "fast-spin"] == ["fast-spin"]
+    assert not slide(motion=Separation(11.0, 0.0, 5.0), **CAR).advice

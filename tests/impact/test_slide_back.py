@@ -74,9 +74,9 @@ def test_lanes_against_thirty_digits(case: dict[str, Any]) -> None:
     assert among == pytest.approx(ended, abs=1e-12 * size)
 
 
-@pytest.mark.parametrize("offset", [3.0, 6.0])
-def test_lanes_over_an_edge_end_where_single_slides_do(offset: float) -> None:
-    grass = Ground(0.35, (offset, 10.0), (offset, -10.0))
+@pytest.mark.parametrize(("offset", "width"), [(3.0, None), (6.0, None), (3.0, 1.0)])
+def test_lanes_over_an_edge_end_where_single_slides_do(offset: float, width: float | None) -> None:
+    grass = Ground(0.35, (offset, 10.0), (offset, -10.0), width, patch=width is not None)
     lanes, velocity = lanes_of(CASES[0], [grass])
     ended = lanes.ends(velocity, 1e-5)[:3, 0]
     single = slide(motion=motion(CASES[0]), grounds=(grass,), **posed(CASES[0]))

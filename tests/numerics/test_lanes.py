@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from dynamics_cli.numerics.elementary import cos
-from dynamics_cli.numerics.lanes import Lanes
+from dynamics_cli.numerics.lanes import Lanes, parts
 
 
 def lanes(*numbers: float) -> Lanes:
@@ -40,3 +40,11 @@ def test_what_is_derived_knows_nothing_of_its_origin() -> None:
     assert cos(angle[1:]).tolist() == [math.cos(0.2), math.cos(0.3)]
     assert cos(-angle).tolist() == [math.cos(x) for x in (0.1, 0.2, 0.3)]
     assert cos(angle.copy()).tolist() == cos(angle).tolist()
+
+
+def test_only_the_rows_asked_for_are_called() -> None:
+    rows = np.arange(30)[np.arange(30) != 4]
+    found = parts(lambda inputs: abs(inputs["x"]) if inputs["x"] < 0.0 else inputs["x"], {"x": np.arange(-15.0, 15.0)},
+                  rows, lambda error: True)  # fmt: skip
+    answers = {row: value for part in found for row, value in zip(part.rows, part.outcome, strict=True)}
+    assert answers == {row: abs(row - 15.0) for row in rows}

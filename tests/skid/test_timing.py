@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from dynamics_cli.numerics.polynomials import roots_between, shifted, value
 from dynamics_cli.numerics.road.phases import Kind, Phase
+from dynamics_cli.pictures import Curve
 from dynamics_cli.skid.commands.timing import MEET
 from dynamics_cli.skid.stop import stop
 from dynamics_cli.skid.timing.follow import follow
@@ -285,3 +286,32 @@ def test_whether_it_was_avoidable_has_a_probability(monkeypatch: pytest.MonkeyPa
     )
     assert "chances" not in answer("skid", "avoid", "--speed", "62 km/h", "--sight-distance", "32 m",
                                    "--reaction-time", "1.2 s", "--friction", "0.75")  # fmt: skip
+
+
+def test_the_diagram_of_two_parties_has_bands_over_its_whole_length(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    from dynamics_cli.core.output import plot
+
+    drawn = []
+    monkeypatch.setattr(plot, "drawn", lambda picture, settings: (drawn.append(picture), (b"", {}))[1])
+    monkeypatch.chdir(tmp_path)
+    document = answer(*UNCERTAIN, "--plot", "meet.svg")
+    places, speeds = (panel.items for panel in drawn[0].panels[:2])
+    bands = [item for item in places if isinstance(item, Curve) and item.style == "fill"]
+    assert [band.role for band in bands] == [0, 1]
+    assert max(bands[0].x) >= document["results"]["hazard_time"]["interval"][1]
+    # both are at the impact at time zero, whatever their speeds
+    assert [y for x, y in zip(bands[0].x, bands[0].y, strict=True) if x == 0.0] == pytest.approx([0.0, 0.0])
+    swift = next(item for item in speeds if isinstance(item, Curve) and item.style == "fill")
+    ends = sorted(y for x, y in zip(swift.x, swift.y, strict=True) if x == 0.0)
+    assert ends == pytest.approx([8.0 - 1.96, 8.0 + 1.96], abs=0.05)
+
+
+def test_tables_fit_a_screen() -> None:
+    words = ("skid", "timeline", "--end-speed", "8 m/s", "--phase", "kind=reaction, duration=1.2 s", "--phase",
+             "kind=braking, distance=14 m, friction=0.7", "--table", "phases")  # fmt: skip
+    short, whole = run(*words).out, run(*words, "--all").out
+    assert max(map(len, short.splitlines())) <= 80
+    assert short.endswith("and duration, distance, acceleration: --all\n")
+    assert "acceleration" in whole.splitlines()[0]

@@ -313,7 +313,8 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     if settings.only:
         return only(document, settings.only, digits, settings.format, asked=bool(settings.digits), width=width)
     if settings.table:
-        return whole_table(document, settings.table, digits, settings.format, width)
+        label = "" if settings.all else dict(task.headline).get(settings.table, "")
+        return whole_table(document, settings.table, digits, settings.format, width, label)
     if settings.format != "table":
         listed = task.table if task.listing else ""
         return render(document, settings.format, digits, table if table == "sweep" else listed)

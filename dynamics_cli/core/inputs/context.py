@@ -32,6 +32,8 @@ class Context:
         self.default_units: Mapping[str, str] = {}
         # Points of the scene by their names.
         self.points: Mapping[str, Any] = {}
+        # The axes of the scene, where it has some.
+        self.axes = ""
         # How the caller writes the parameter at an address.
         self.spell: Callable[[str], str] = str
 

@@ -106,6 +106,10 @@ def read_number_of(kind: Kind, raw: "Any", address: str, context: "Context", def
     if isinstance(raw, list | dict) and context.uncertain is not None and _is_distribution(raw) and not kind.certain:
         return _uncertain(kind, raw, address, context, default_unit)
     text = _text_of(kind, raw)
+    if kind.compass and (text[:1].isalpha() or " of " in text):
+        from dynamics_cli.core.inputs.forms.compass import in_degrees
+
+        text = in_degrees(text, context)
     try:
         reading = read_scalar(text, kind, default_unit)
     except UsageError as error:

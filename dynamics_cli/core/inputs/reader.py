@@ -44,6 +44,7 @@ class Reader(Context):
 
     def read(self, fields: "tuple[Field, ...]", raw: "Raw") -> Fields:
         """Every parameter of a task; raises all errors together."""
+        self.axes = str(raw.get("axes") or "")
         bound = self._object(fields, raw, "")
         for error in self.errors:
             error.named = self.spell(error.parameter or "")

@@ -184,15 +184,15 @@ class _Answer:
 
     def accuracy(self) -> "list[str]":
         """Results accurate to few digits, and limits that lie within an error bound."""
-        lines = []
+        labels: dict[int, list[str]] = {}
         for address, label in self.labels.items():
             value = self.flat.get(address, (None, ""))[0]
             if isinstance(value, float) and value and address in self.bounds and address not in self.task.unspread:
                 relative = self._absolute_bound(address, value) / abs(value)
                 if self._worth_saying(address, value) < relative < 1.0:
-                    sure_digits = max(int(-log10(relative)), 0)
-                    lines.append(f"{label}: accurate to {sure_digits} digits")
-        return ["", *lines] if lines else []
+                    labels.setdefault(max(int(-log10(relative)), 0), []).append(label)
+        told = [f"{', '.join(alike)}: accurate to {sure_digits} digits" for sure_digits, alike in labels.items()]
+        return ["", *(line for text in told for line in wrapped(text, self.width, 4))] if told else []
 
     def _worth_saying(self, address: str, value: float) -> float:
         """The relative error bound from which a line is due: one that hides in the deviation is not worth it."""

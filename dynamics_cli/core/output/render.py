@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 # Columns before a table.
 MARGIN = 4
+SCREEN = 80
 # Columns of the sensitivities with `--all`, which may be wider than a screen.
 WIDE = 110
 
@@ -272,8 +273,11 @@ def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:
     return UsageError(f"there is no result {name!r}", parameter="only", code="unknown-result", hint=hint)
 
 
-def whole_table(document: "Document", name: str, digits: int, form: str, width: int = 0) -> str:
-    """One table of the result with all its rows, as CSV, JSON, Markdown or columns no wider than `width`."""
+def whole_table(document: "Document", name: str, digits: int, form: str, width: int = 0, label: str = "") -> str:
+    """One table of the result with all its rows, as CSV, JSON, Markdown or columns no wider than `width`.
+
+    Where it is wider than a screen it has the columns that a headline's `label` names.
+    """
     sides = {**document["inputs"], **document["results"]}
     tables = [table_name for table_name, node in sides.items() if is_table(node)]
     if name not in tables:
@@ -289,5 +293,14 @@ def whole_table(document: "Document", name: str, digits: int, form: str, width: 
         return to_csv({**document, "results": {name: sides[name]}}, name)
     if form == "markdown":
         return "\n".join(_markdown_table(sides[name], digits)) + "\n"
-    lines = _tables({name: sides[name]}, digits, width + 2 if width else 0)[2:]
+    lines = _tables({name: sides[name]}, digits)[2:]
+    room = width or SCREEN
+    if " | " in label and max(map(len, lines)) - 2 > room:
+        from dynamics_cli.core.output.answer_tables import table_lines
+
+        return (
+            "\n".join(table_lines(sides[name], name, label, digits=digits, width=room, space=len(lines) + 9)[1:]) + "\n"
+        )
+    if width:
+        lines = _tables({name: sides[name]}, digits, width + 2)[2:]
     return "\n".join("" if line == f"  {name}, continued" else line[2:] for line in lines) + "\n"

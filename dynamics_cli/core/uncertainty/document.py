@@ -89,7 +89,7 @@ def add_uncertainty(
         return None, None
     from dynamics_cli.core.uncertainty.pictures import of_spread, spreads_of
 
-    spreads = spreads_of(document["inputs"], propagation, wanted, reader.uncertain or {})
+    spreads = spreads_of(task, bound, document["inputs"], propagation, wanted, reader.uncertain or {})
     return of_spread(task, document["inputs"], propagation, kinds, wanted) if settings.plot else None, spreads
 
 

@@ -2,20 +2,27 @@
 
 import math
 
+import numpy as np
+
+from dynamics_cli.core.answering.models import arguments
 from dynamics_cli.core.output.answer_words import body_names, input_in_words, label_in_words, with_name
+from dynamics_cli.numerics.distributions.normal_arrays import quantile
+from dynamics_cli.numerics.quadrature.lattice import MOST_DIMENSIONS, lattice
 from dynamics_cli.pictures import Axis, Band, Bars, Curve, Panel, Picture, Spreads
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
     from typing import Any
 
     from dynamics_cli.core.answering.task import Task
     from dynamics_cli.core.inputs.uncertain.distributions import Distribution
+    from dynamics_cli.core.inputs.values import Fields
     from dynamics_cli.core.uncertainty.propagation import Propagation, Spread
     from dynamics_cli.quantities import Kind
 
 MOST_DRIVERS = 12
+FAIR_CASES = 512
 
 
 def of_spread(
@@ -27,7 +34,8 @@ def of_spread(
 ) -> "Picture | None":
     """The distribution of the first result that varies (the limited one, if any) and its tornado."""
     varying = [spread for spread in made.spreads.values() if spread.interval[0] < spread.interval[1]]
-    varying.sort(key=lambda spread: spread.name not in limits)
+    # a curve is there for those with a limit, or a threshold of the task's own
+    varying.sort(key=lambda spread: (spread.name not in limits, not spread.cumulative[0]))
     if not varying:
         return None
     spread = varying[0]
@@ -35,12 +43,14 @@ def of_spread(
     label = with_name(label_in_words(task, spread.name), names)
     axis = Axis(label, kinds[spread.name])
     panels = [_density(spread, axis, made.coverage, limits.get(spread.name, []))]
-    if spread.tornado:
+    if any(math.isfinite(end) for ends in spread.tornado for end in ends):
         panels.append(_tornado(made, spread, axis, inputs, names))
     return Picture(tuple(panels), f"{task.path}: distribution of {axis.title}", distributions=len(panels))
 
 
 def spreads_of(
+    task: "Task",
+    bound: "Fields",
     inputs: "dict[str, Any]",
     made: "Propagation",
     limits: "Mapping[str, list[float]]",
@@ -71,7 +81,16 @@ def spreads_of(
         shares,
         correlations,
         limits,
+        lambda: (arguments(task, bound, values)[1] for values in _fair(made)),
     )
+
+
+def _fair(made: "Propagation") -> "Iterator[dict[str, float]]":
+    """The inputs at fair cases, spread evenly."""
+    few = quantile(lattice(min(len(made.inputs), MOST_DIMENSIONS), FAIR_CASES, 1, made.seed))
+    drawn = made.inputs_at(np.resize(few, (len(made.inputs), FAIR_CASES)))
+    for row in range(FAIR_CASES):
+        yield {name: float(values[row] if np.ndim(values) else values) for name, values in drawn.items()}
 
 
 def _density(spread: "Spread", axis: Axis, coverage: float, limits: "list[float]") -> Panel:

@@ -7,11 +7,11 @@ from dynamics_cli.impact.reconstruction.momentum_terms import Branch
 from dynamics_cli.numerics.road.phases import Kind, Phase
 from dynamics_cli.quantities import (
     Acceleration,
-    Angle,
     Annotated,
     Distance,
     Fraction,
     Friction,
+    Heading,
     PlanarPosition,
     Positive,
     RoadSpeed,
@@ -72,7 +72,7 @@ class SlideAfter:
     """The slide after the impact with its spin, on four wheels, to the rest position and the nose there."""
 
     rest_nose: Annotated[
-        Angle, "Heading of its nose at rest, whole turns since the impact counted, e.g. 200 deg [rad]."
+        Heading, "Heading of its nose at rest, whole turns since the impact counted, e.g. 200 deg [rad]."
     ]
     front_axle: Annotated[Distance, "Distance from the mass centre ahead to the front axle, e.g. 1.2 m [m]."]
     rear_axle: Annotated[Distance, "Distance from the mass centre back to the rear axle, e.g. 1.4 m [m]."]
@@ -95,12 +95,14 @@ class CrashVehicle:
     """A vehicle of the crash; what is left out is unknown."""
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
-    approach_heading: Annotated[Angle | None, "Direction of travel just before the impact, e.g. 90 deg [rad]."] = None
+    approach_heading: Annotated[
+        Heading | None, "Direction of travel just before; on a compass also NE or north; e.g. 90 deg [rad]."
+    ] = None
     approach_speed: Annotated[
         RoadSpeed | None, "Speed just before the impact, where it is known otherwise and used: 0 standing [m/s]."
     ] = None
     exit_heading: Annotated[
-        Angle | None,
+        Heading | None,
         "Direction of travel of the mass centre just after; towards its rest when left out [rad].",
     ] = None
     exit_speed: Annotated[
@@ -115,7 +117,7 @@ class CrashVehicle:
         RoadSpeed | None, "Speed into the impact by another source: compared, not used [m/s]."
     ] = None
     recorded_delta_v: Annotated[RoadSpeed | None, "ΔV by another source: compared, not used [m/s]."] = None
-    nose: Annotated[Angle | None, "Heading of its nose, for PDOF; its approach heading when left out [rad]."] = None
+    nose: Annotated[Heading | None, "Heading of its nose, for PDOF; its approach heading when left out [rad]."] = None
     length: Annotated[Distance, "Length of its outline in the picture [m]."] = LENGTH
     width: Annotated[Distance, "Width of its outline in the picture [m]."] = WIDTH
     name: BodyName = None

@@ -54,7 +54,7 @@ class Spinning:
         if mirror < 0.0:
             left_front, right_front, left_rear, right_rear = shares
             numbers = (*numbers[:5], right_front, left_front, right_rear, left_rear)
-        speed, bend, spin = separation(numbers, self.distance, beside, turn)
+        speed, bend, spin = separation(numbers, self.distance, beside, turn, side)
         pace = sqrt(self.friction * gravity)  # type: ignore[operator]
         self.speed = pace * speed
         self.spin = pace * spin

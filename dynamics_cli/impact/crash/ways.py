@@ -6,6 +6,7 @@ from dynamics_cli.impact.crash.results import BeforeImpact, Course
 from dynamics_cli.impact.crash.scene import CrashScene, Ground, grounds, phases
 from dynamics_cli.impact.crash.spinning import Spinning
 from dynamics_cli.impact.diagnostics import balance
+from dynamics_cli.impact.slide.task import spin_advice
 from dynamics_cli.numerics.elementary import maximum, sqrt, summed
 from dynamics_cli.numerics.road.drag import drag_advice
 from dynamics_cli.numerics.road.leg import Leg
@@ -91,7 +92,7 @@ class After:
 
     def advice(self) -> tuple[Advice, ...]:
         """Advice on implausible surfaces."""
-        notes: tuple[Advice, ...] = ()
+        notes: tuple[Advice, ...] = () if self.spinning is None else spin_advice(self.spinning.spin)
         for index, ground in enumerate(self.grounds):
             notes += drag_advice(ground.friction, ground.grade, ground.braking, f"{self.side}.after[{index}]: ")
         return notes

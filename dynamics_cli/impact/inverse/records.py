@@ -12,6 +12,7 @@ from dynamics_cli.quantities import (
     Energy,
     Fraction,
     Friction,
+    Heading,
     Impulse,
     PlanarImpulse,
     PlanarPosition,
@@ -38,7 +39,7 @@ class ExitSpeed:
     """The motion after by speed and heading."""
 
     exit_speed: Annotated[RoadSpeed, "Speed of the mass centre just after the impact, e.g. 40 km/h."]
-    exit_heading: Annotated[Angle, "Direction of travel of the mass centre just after the impact, e.g. 40 deg."]
+    exit_heading: Annotated[Heading, "Direction of travel of the mass centre just after the impact, e.g. 40 deg."]
 
 
 @record
@@ -58,7 +59,7 @@ class TurningAfter:
     rest: Annotated[
         PlanarPosition, "Where its mass centre came to rest, from where it was at the impact, e.g. 13, 1 m."
     ]
-    rest_nose: Annotated[Angle, "Heading of its nose at rest, whole turns since the impact counted, e.g. 200 deg."]
+    rest_nose: Annotated[Heading, "Heading of its nose at rest, whole turns since the impact counted, e.g. 200 deg."]
     slide_friction: Annotated[Friction, "Coefficient of friction of its tyres, e.g. 0.7."]
     front_axle: Annotated[Distance, "Distance from the mass centre ahead to the front axle, e.g. 1.2 m."]
     rear_axle: Annotated[Distance, "Distance from the mass centre back to the rear axle, e.g. 1.4 m."]
@@ -81,7 +82,9 @@ class Departing:
     turning: Annotated[ByInertia | ByGyration | None, "Its yaw inertia, needed to use its spin."] = None
     arm: Annotated[Lever | Placed | OnBody | None, "Where it was struck, needed to use its spin."] = None
     exit_spin: Annotated[AngularSpeed | None, "Angular velocity just after the impact, e.g. -2.7 rad/s."] = None
-    approach_heading: Annotated[Angle | None, "Direction of travel just before the impact, e.g. 90 deg."] = None
+    approach_heading: Annotated[
+        Heading | None, "Direction of travel just before; on a compass also NE or north; e.g. 90 deg."
+    ] = None
     approach_spin: Annotated[
         AngularSpeed | None, "Angular velocity just before: 0 rad/s where it drove straight; unknown when left out."
     ] = None
@@ -97,7 +100,7 @@ class Departing:
     ] = None
     rest_nose_sigma: Annotated[Angle, "Standard deviation of its nose at rest, e.g. 10 deg."] = 0.17453292519943295
     drag_sigma: Annotated[DragFactor, "Standard deviation of the drag or friction of its slide, e.g. 0.05."] = 0.0
-    nose: Annotated[Angle | None, "Heading of its nose, for PDOF; its approach heading when left out."] = None
+    nose: Annotated[Heading | None, "Heading of its nose, for PDOF; its approach heading when left out."] = None
     name: BodyName = None
 
 

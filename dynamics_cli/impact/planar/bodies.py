@@ -19,7 +19,7 @@ from dynamics_cli.impact.planar.path import Mobility
 from dynamics_cli.numerics.elementary import multiply_add
 from dynamics_cli.numerics.vectors import planar_cross as cross
 from dynamics_cli.numerics.vectors import planar_dot as dot
-from dynamics_cli.quantities import Angle, AngularSpeed, Annotated, Distance, Inertia, PlanarPosition
+from dynamics_cli.quantities import AngularSpeed, Annotated, Distance, Heading, Inertia, PlanarPosition
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -84,7 +84,7 @@ class RigidBody:
     )
     spin: Annotated[AngularSpeed, "Angular velocity before, counted like headings from x towards y [rad/s]."] = 0.0
     nose: Annotated[
-        Angle | None,
+        Heading | None,
         "Heading of its nose, for PDOF and for a contact on the body; its direction of travel when left out [rad].",
     ] = None
     name: BodyName = None
@@ -102,7 +102,7 @@ class RigidTarget:
     )
     spin: Annotated[AngularSpeed, "Angular velocity before, counted like headings from x towards y [rad/s]."] = 0.0
     nose: Annotated[
-        Angle | None,
+        Heading | None,
         "Heading of its nose, for PDOF and for a contact on the body; its direction of travel when left out [rad].",
     ] = None
     name: BodyName = None

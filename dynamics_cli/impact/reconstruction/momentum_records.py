@@ -12,6 +12,7 @@ from dynamics_cli.quantities import (
     Angle,
     Annotated,
     Energy,
+    Heading,
     Impulse,
     Ratio,
     RoadSpeed,
@@ -27,12 +28,14 @@ class Vehicle:
 
     bulk: Annotated[ByMass | ByWeight, "Its mass or its weight."]
     approach_speed: Annotated[RoadSpeed | None, "Speed just before the impact [m/s]."] = None
-    approach_heading: Annotated[Angle | None, "Direction of travel just before the impact, e.g. 90 deg [rad]."] = None
+    approach_heading: Annotated[
+        Heading | None, "Direction of travel just before; on a compass also NE or north; e.g. 90 deg [rad]."
+    ] = None
     exit_speed: Annotated[RoadSpeed | None, "Speed of the mass centre just after the impact, e.g. 22 mph [m/s]."] = None
     exit_heading: Annotated[
-        Angle | None, "Direction of travel of the mass centre just after the impact, e.g. 40 deg [rad]."
+        Heading | None, "Direction of travel of the mass centre just after the impact, e.g. 40 deg [rad]."
     ] = None
-    nose: Annotated[Angle | None, "Heading of its nose, for PDOF; its approach heading when left out [rad]."] = None
+    nose: Annotated[Heading | None, "Heading of its nose, for PDOF; its approach heading when left out [rad]."] = None
     name: BodyName = None
 
 

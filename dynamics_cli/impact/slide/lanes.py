@@ -82,7 +82,7 @@ class Lanes:
         self.places = np.array([[[w.ahead], [w.left]] for w in wheels]).transpose(1, 0, 2)
         self.gyration: Array = np.array([k])
         self.friction: Array = np.array([car.friction])
-        self.edges = np.array([[*one.normal, one.offset, one.friction] for one in car.verges]).reshape(-1, 4, 1)
+        self.edges = np.array([[*one.normal, *one.bounds, one.friction] for one in car.verges]).reshape(-1, 7, 1)
         # the square of the slip below which the direction of a force is smoothed
         self.smooth = 0.0
 
@@ -117,8 +117,10 @@ class Lanes:
         ahead, left = self.places
         x, z = y[X] + c * ahead - s * left, y[Y] + s * ahead + c * left
         friction = np.broadcast_to(self.friction, x.shape)
-        for a, b, offset, beyond in self.edges:
-            friction = np.where(a * x + b * z > offset, beyond, friction)
+        for a, b, low, high, begin, end, there in self.edges:
+            across, along = a * x + b * z, b * x - a * z
+            held = (low < across) & (across < high) & (begin <= along) & (along <= end)
+            friction = np.where(held, there, friction)
         return np.concatenate([friction, friction]) * self.shares
 
     def rates(self, y: "Array", squares: "Array", moved: "list[Array] | None" = None) -> "Array":

@@ -3,24 +3,32 @@
 As a picture, and as a drawing in the coordinates of the scene.
 """
 
+from dynamics_cli.errors import worded
 from dynamics_cli.impact.conventions import AXES, Axes
 from dynamics_cli.impact.scene_labels import Words
 from dynamics_cli.impact.scene_pictures import about, finished, outline, to_scale
 from dynamics_cli.impact.slide.marks import lines
 from dynamics_cli.impact.slide.motion import Run, run
-from dynamics_cli.impact.slide.records import AtRest
+from dynamics_cli.impact.slide.records import AtRest, Ground
 from dynamics_cli.impact.slide.task import car_of, start_of
+from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.pictures import Arrow, Curve, Mark, Picture, Plan
-from dynamics_cli.quantities import STANDARD_GRAVITY
+from dynamics_cli.quantities import STANDARD_GRAVITY, Friction
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    Pair = tuple[float, float]
+
 EIGHTH = 0.7853981633974483
 # Overhangs beyond the axles and outside of the tracks, of a common car.
 OVERHANG, OUTSIDE = 0.8, 0.25
 SPEED_PER_METRE = 4.0
+# How far an edge is drawn beyond the path, in metres.
+BESIDE = 2.0
+# Where its words begin, from its edges.
+WITHIN = 0.8
 # Inches of the picture.
 WIDE, HIGH = 7.2, 4.6
 
@@ -69,6 +77,9 @@ def _drawn(
     words: list[Words] = []
     for index, wheel in enumerate(car.wheels):
         items += _marks(wheel, done, 1 if index < 2 else 2, flip)
+    places = [(one.x, one.y) for one in done.moments]
+    for ground in given.get("grounds", ()):
+        items += _edges(ground, places, flip)
     shown = _eighths(done)
     for index, (x, y, nose) in enumerate(shown):
         drawn = outline((x, flip * y), _way(nose, flip), 0, **size)
@@ -92,6 +103,31 @@ def _drawn(
     words.append(Words(front, way, "at rest", 0))
     items += [Mark(start.x, flip * start.y, "", role=6)]
     return items, words, (scale, speed), (0.0, 1.0) if axes == "compass" else None
+
+
+def _edges(ground: Ground, places: "list[Pair]", flip: float) -> "list[Any]":
+    """The edges of a ground, as far as the car came by, or all around a patch; and its friction."""
+    x, y = ground.edge_from
+    way = ground.edge_to[0] - x, ground.edge_to[1] - y
+    length = hypot(*way)
+    a, b = way[0] / length, way[1] / length
+    begin, end = 0.0, length
+    if not ground.patch:
+        along = [a * (one[0] - x) + b * (one[1] - y) for one in places]
+        begin, end = min(along) - BESIDE, max(along) + BESIDE
+    width = ground.width or 0.0
+
+    def at(along: float, across: float) -> "Pair":
+        # seen from above, left of a line
+        return x + a * along - flip * b * across, flip * (y + b * along) + a * across
+
+    corners = [at(begin, 0.0), at(end, 0.0), at(end, width), at(begin, width)]
+    closed = [*corners, corners[0]]
+    pieces = [closed] if ground.patch and width else [corners[:2], corners[2:]] if width else [corners[:2]]
+    label = worded("friction {friction:3}", friction=(ground.friction, Friction))
+    words = at(begin + WITHIN, min(WITHIN, 0.5 * (ground.width or 2.0 * WITHIN)))
+    drawn: list[Any] = [Curve([p for p, _ in one], [q for _, q in one], "", "thin", 6) for one in pieces]
+    return [*drawn, Mark(*words, label, (1.0, -3.0), False, 6)]
 
 
 def _way(nose: float, flip: float) -> "tuple[float, float]":

@@ -9,6 +9,7 @@ from dynamics_cli.quantities import (
     Energy,
     Fraction,
     Friction,
+    Heading,
     PlanarPosition,
     RoadSpeed,
     Text,
@@ -22,7 +23,7 @@ class Separation:
     """The motion just after the impact; the slide goes on from it to rest."""
 
     speed: Annotated[RoadSpeed, "Speed of the mass centre at the separation, e.g. 43 km/h [m/s]."]
-    course: Annotated[Angle, "Its direction of travel there, e.g. 30 deg [rad]."]
+    course: Annotated[Heading, "Its direction of travel there, e.g. 30 deg [rad]."]
     spin: Annotated[AngularSpeed, "Yaw rate there, from x towards y, e.g. 170 deg/s [rad/s]."] = 0.0
 
 
@@ -34,17 +35,23 @@ class AtRest:
         PlanarPosition, "Where its mass centre came to rest, in the axes of the scene, e.g. 9.6, 5.6 m [m]."
     ]
     rest_nose: Annotated[
-        Angle, "Heading of its nose at rest with all whole turns since the separation counted, e.g. 192 deg [rad]."
+        Heading, "Heading of its nose at rest with all whole turns since the separation counted, e.g. 192 deg [rad]."
     ]
 
 
 @record
 class Ground:
-    """Ground of another friction beyond an edge: what is to the left of a line."""
+    """Ground of another friction: what is to the left of a line, or a strip along it, or a patch."""
 
     friction: Annotated[Friction, "Coefficient of friction there, e.g. 0.4 [-]."]
     edge_from: Annotated[PlanarPosition, "A point of the edge; the ground is to the left, seen along it, e.g. 0, 4 m."]
     edge_to: Annotated[PlanarPosition, "A second point of the edge, e.g. 10, 4 m [m]."]
+    width: Annotated[
+        Distance | None, "How wide a strip it is, a shoulder or a lane; all beyond the edge when left out [m]."
+    ] = None
+    patch: Annotated[bool, "Whether it ends at both points of the edge, a wet patch; else they only give a line."] = (
+        False
+    )
 
 
 @record

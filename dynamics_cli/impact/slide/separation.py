@@ -43,17 +43,18 @@ def car(body: "Body") -> Car:
     return Car(wheels, gyration, 1.0, 1.0, [])
 
 
-def separation(body: "Body", distance: float, beside: float, turn: float) -> "Three":
+def separation(body: "Body", distance: float, beside: float, turn: float, whose: str = "") -> "Three":
     """Speed, course from the straight line to rest, and spin, where friction times gravity is one.
 
-    `beside` is the angle from the nose at the separation to the straight line to rest.
+    `beside` is the angle from the nose at the separation to the straight line to rest; `whose` slide it is tells those
+    of one calculation apart.
     """
     only_in_doubles(*body, distance, beside, turn)
     numbers = (distance, beside, turn)
     if any(is_array(part) for part in (*body, *numbers)):
-        if not drawing() or any(is_array(part) for part in body):
+        if not drawing():
             raise TypeError("a slide is solved one by one")
-        return _sampled(body, numbers)
+        return _sampled(body, numbers, whose)
     single: Any = tuple(float(plain(part)) for part in (*body, *numbers))
     solved = _solved(single[:-3], *single[-3:])
     if not any(is_tracked(part) for part in (*body, *numbers)):
@@ -116,23 +117,27 @@ def _rest(single: "tuple[float, ...]", motion: "list[float]") -> "Three":
     return end.x - distance, end.y, end.nose - (turn - beside)
 
 
-def _sampled(body: "Body", numbers: "tuple[Any, Any, Any]") -> "Three":
+def _sampled(body: "tuple[Any, ...]", numbers: "tuple[Any, Any, Any]", whose: str) -> "Three":
     """The motion at samples: from a grid over their spread, which is solved for once in a calculation."""
     import numpy as np
 
-    from dynamics_cli.impact.slide.spread import Spread
+    from dynamics_cli.impact.slide.spread import GYRATION, Spread
 
-    kind = type(next(part for part in numbers if is_array(part)))
-    distance, beside, turn = (np.asarray(part) for part in np.broadcast_arrays(*numbers))
-    if distance.size < FEWEST and body not in kept():
-        singles = np.array([_solved(body, *map(float, one)) for one in zip(distance, beside, turn, strict=True)])
+    kind = type(next(part for part in (*body, *numbers) if is_array(part)))
+    *several, distance, beside, turn = (np.asarray(part) for part in np.broadcast_arrays(*body, *numbers))
+    bodies = np.array(several)
+    key = (Spread, whose)
+    if distance.size < FEWEST and key not in kept():
+        rows = zip(bodies.T.tolist(), distance.tolist(), beside.tolist(), turn.tolist(), strict=True)
+        singles = np.array([_solved(tuple(one), *others) for one, *others in rows])
         return tuple(part.view(kind) for part in singles.T.copy())
-    places = np.array([distance * np.cos(beside), distance * np.sin(beside), body[3] * turn])
-    if body not in kept():
-        kept()[body] = Spread(car(body), places)
-        missed(kept()[body].missed)
-    motions, reached = kept()[body].at(places)
+    scale = kept()[key].scale if key in kept() else float(bodies[GYRATION].mean())
+    places = np.array([distance * np.cos(beside), distance * np.sin(beside), scale * turn])
+    if key not in kept():
+        kept()[key] = Spread(car, bodies, places)
+        missed(kept()[key].missed)
+    motions, reached = kept()[key].at(bodies, places)
     require(reached, "no slide of these wheels ends there", code="unreachable")
-    ahead, left, turning = (part.view(kind) for part in motions)
+    ahead, left, spin = (part.view(kind) for part in motions)
     bend = atan2(places[0] * left - places[1] * ahead, places[0] * ahead + places[1] * left)
-    return hypot(ahead, left), bend, turning / body[3]
+    return hypot(ahead, left), bend, spin

@@ -1,5 +1,8 @@
 """The motion at the separation over the spread of a sample: solved for on a grid, and splines between its points.
 
+Of an uncertain car (its brakes, its axles) the grid is solved for its middle, and once more to either side along each
+principal axis of what varies: between them the motions are parabolas.
+
 Coordinates are those of the sample itself: along its principal axes, in its own deviations. The grid is solved from its
 middle outwards, hundreds of points side by side, each from the solution and the derivatives of the nearest point
 before. Slides at further places of the sample say what the splines are off by.
@@ -12,6 +15,7 @@ from dynamics_cli.impact.slide.lanes import Lanes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from typing import Any
 
     from numpy.typing import NDArray
@@ -29,67 +33,76 @@ CLOSE = 5e-4
 # A point that ends this far off, in deviations, has no slide.
 UNREACHED = 0.05
 FINE = 1e-5
-# Places of the sample at which the splines are tried.
+# Members of the sample at which the splines are tried.
 TRIALS = 128
+# How far to either side other cars are solved for, in deviations.
+ASIDE = 1.7
+GYRATION = 3
 
 
-class Spread:
-    """Velocity ahead and to the left and gyration times spin, by where the car came to rest from its separation.
+class Grid:
+    """Velocity ahead and to the left and spin of one car, by where it came to rest from its separation.
 
-    `missed` is what they are off by, in their deviations.
+    Places have a third part, the turn times `scale`; `near` is the grid of a car that is nearly the same.
     """
 
-    def __init__(self, car: "Car", places: "Array") -> None:
-        self.lanes = Lanes(car)
-        self.middle = places.mean(axis=1)
-        sizes, axes = np.linalg.eigh(np.cov(places))
-        kept = sizes > STILL * STILL
-        self.axes = axes[:, kept] * np.sqrt(sizes[kept])
-        self.inverse = (axes[:, kept] / np.sqrt(sizes[kept])).T
-        self._solve(car)
-        self.missed = self._tried()
-
-    def _solve(self, car: "Car") -> None:
+    def __init__(self, car: "Car", scale: float, middle: "Array", axes: "Array", near: "Grid | None" = None) -> None:
         from scipy.ndimage import spline_filter
 
-        width = int(np.ceil(RINGS[-1] / SPACING))
-        count, shape = self.axes.shape[1], (2 * width + 1,) * self.axes.shape[1]
-        grid = SPACING * (np.indices(shape).reshape(count, -1) - width)
-        size = np.sqrt((grid * grid).sum(axis=0))
-        ahead, left, turn = self.middle.tolist()
-        turn /= car.gyration
-        start = roots(car, Target((0.0, 0.0), 0.0, (ahead, left), turn))[0].unknowns
-        found, slopes = np.zeros((3, size.size)), np.zeros((size.size, 3, 3))
-        first = size == 0.0
-        found[:, first] = np.array(start)[:, None]
-        slopes[first] = sloped(self.lanes, self._target(grid[:, first]), found[:, first], FINE)[1]
-        solved = first
-        for ring in RINGS:
-            near = (size <= ring) & ~solved
-            self._from(grid, found, slopes, solved, near)
-            found[:, near], _, slopes[near], off = followed(
-                self.lanes, self._target(grid[:, near]), found[:, near], self._off, CLOSE, FINE
-            )
-            solved = solved | near
-            solved[near] = off < UNREACHED
-        self._from(grid, found, slopes, solved, ~solved)
-        self.width = width
+        self.lanes, self.middle, self.axes = Lanes(car), middle, axes
+        self.scaled: Array = np.array([[1.0], [1.0], [car.gyration / scale]])
+        self.inverse: Array = np.linalg.pinv(axes)
+        self.width = int(np.ceil(RINGS[-1] / SPACING))
+        count, shape = axes.shape[1], (2 * self.width + 1,) * axes.shape[1]
+        grid = SPACING * (np.indices(shape).reshape(count, -1) - self.width)
+        size: Array = np.sqrt((grid * grid).sum(axis=0))
+        self.found, self.slopes = np.zeros((3, size.size)), np.zeros((size.size, 3, 3))
+        if near is None:
+            solved = self._outwards(car, scale, grid, size)
+        else:
+            self.found = near.found.copy()
+            solved = self._settle(grid, size <= RINGS[-1])
+        self._from(grid, solved, ~solved)
         self.reached = solved.reshape(shape) | (size > RINGS[-1]).reshape(shape)
-        self.splines = [spline_filter(part.reshape(shape)) for part in found]
+        parts = (*self.found[:2], self.found[2] / car.gyration)
+        self.splines = [spline_filter(part.reshape(shape)) for part in parts]
 
-    def _from(self, grid: "Array", found: "Array", slopes: "Array", solved: "Array", new: "Array") -> None:
+    def _outwards(self, car: "Car", scale: float, grid: "Array", size: "Array") -> "Array":
+        """Solve from the middle ring by ring; which points have a solution."""
+        ahead, left, turn = self.middle.tolist()
+        start = roots(car, Target((0.0, 0.0), 0.0, (ahead, left), turn / scale))[0].unknowns
+        solved: Array = size == 0.0
+        self.found[:, solved] = np.array(start)[:, None]
+        self.slopes[solved] = sloped(self.lanes, self._target(grid[:, solved]), self.found[:, solved], FINE)[1]
+        for ring in RINGS:
+            new = (size <= ring) & ~solved
+            self._from(grid, solved, new)
+            solved = solved | self._settle(grid, new)
+        return solved
+
+    def _settle(self, grid: "Array", chosen: "Array") -> "Array":
+        """Solve points from where they are; those that end there."""
+        self.found[:, chosen], _, self.slopes[chosen], off = followed(
+            self.lanes, self._target(grid[:, chosen]), self.found[:, chosen], self._off, CLOSE, FINE
+        )
+        reached: Array = chosen.copy()
+        reached[chosen] = off < UNREACHED
+        return reached
+
+    def _from(self, grid: "Array", solved: "Array", new: "Array") -> None:
         """Starts at new points, by the derivatives of the nearest solved one."""
         from scipy.spatial import cKDTree
 
         known = np.flatnonzero(solved)
         _, nearest = cKDTree(grid[:, known].T).query(grid[:, new].T)
         nearest = known[nearest]
-        apart = self.axes @ (grid[:, new] - grid[:, nearest])
-        slopes[new] = slopes[nearest]
-        found[:, new] = found[:, nearest] + np.linalg.solve(slopes[nearest], apart.T[:, :, None])[:, :, 0].T
+        apart = self.scaled * (self.axes @ (grid[:, new] - grid[:, nearest]))
+        self.slopes[new] = self.slopes[nearest]
+        steps = np.linalg.solve(self.slopes[nearest], apart.T[:, :, None])[:, :, 0].T
+        self.found[:, new] = self.found[:, nearest] + steps
 
     def _target(self, z: "Array") -> "Array":
-        wanted: Array = self.middle[:, None] + self.axes @ z
+        wanted: Array = self.scaled * (self.middle[:, None] + self.axes @ z)
         return wanted
 
     def _off(self, gaps: "Array") -> "Array":
@@ -98,7 +111,7 @@ class Spread:
         return np.where(np.isfinite(off), off, 1e9)
 
     def at(self, places: "Array") -> "tuple[Array, Array]":
-        """The unknowns (3, n) at places, and whether they are reached at all."""
+        """The motions (3, n) at places, and whether they are reached at all."""
         from scipy.ndimage import map_coordinates
 
         z = self.inverse @ (places - self.middle[:, None]) / SPACING + self.width
@@ -106,18 +119,62 @@ class Spread:
         nearest = np.rint(z).clip(0, 2 * self.width).astype(int)
         return np.array(made), self.reached[tuple(nearest)]
 
-    def _tried(self) -> float:
-        """The error of the splines at places of the sample, root mean square in deviations."""
-        from dynamics_cli.numerics.distributions.normal_arrays import quantile
-        from dynamics_cli.numerics.quadrature.lattice import lattice
 
-        z = quantile(lattice(len(self.inverse), TRIALS, 1, 2))
-        places = self._target(z)
-        motions, reached = self.at(places)
-        gaps, slopes = sloped(self.lanes, places, motions, FINE)
-        reached = reached & np.isfinite(gaps).all(axis=0)
-        steps = newton(slopes[reached], gaps[:, reached])[0]
+class Spread:
+    """The motions at the separation of a sample: of its `bodies` (9, n) and where they came to rest.
+
+    `missed` is what they are off by, in their deviations.
+    """
+
+    def __init__(self, car_of: "Callable[[tuple[float, ...]], Car]", bodies: "Array", places: "Array") -> None:
+        self.car_of = car_of
+        self.body = bodies.mean(axis=1)
+        self.scale = float(self.body[GYRATION])
+        middle = places.mean(axis=1)
+        axes = _principal(places)
+        self.grid = Grid(car_of(tuple(self.body)), self.scale, middle, axes)
+        ways = _principal(bodies)
+        self.inverse: Array = np.linalg.pinv(ways)
+        self.aside = []
+        for way, z in zip(ways.T, self.inverse @ (bodies - self.body[:, None]), strict=True):
+            # within what the sample has: brakes are used between nothing and wholly
+            ends = max(-ASIDE, float(z.min())), min(ASIDE, float(z.max()))
+            cars = [car_of(tuple(self.body + end * way)) for end in ends]
+            self.aside.append((ends, [Grid(one, self.scale, middle, axes, self.grid) for one in cars]))
+        self.missed = self._tried(bodies[:, :TRIALS], places[:, :TRIALS])
+
+    def at(self, bodies: "Array", places: "Array") -> "tuple[Array, Array]":
+        """Velocities ahead and to the left and spins (3, n), and whether there are such."""
+        middle, reached = self.grid.at(places)
+        made = middle.copy()
+        apart = self.inverse @ (bodies - self.body[:, None])
+        for z, (ends, grids) in zip(apart, self.aside, strict=True):
+            for end, other, grid in zip(ends, reversed(ends), grids, strict=True):
+                motions, there = grid.at(places)
+                made += z * (z - other) / (end * (end - other)) * (motions - middle)
+                reached = reached & there
+        return made, reached
+
+    def _tried(self, bodies: "Array", places: "Array") -> float:
+        """The error of the splines at members of the sample, root mean square in deviations."""
+        motions, reached = self.at(bodies, places)
+        bodies, motions, places = bodies[:, reached], motions[:, reached], places[:, reached].copy()
         if not reached.sum() > 1:
             return 1.0
-        std = motions[:, reached].std(axis=1)
-        return float((np.sqrt((steps * steps).mean(axis=1)) / std).max())
+        lanes = self.grid.lanes
+        if self.aside:
+            lanes = Lanes.joined([Lanes(self.car_of(tuple(body))) for body in bodies.T])
+        for part in (motions, places):
+            part[2] *= lanes.gyration / (1.0 if part is motions else self.scale)
+        gaps, slopes = sloped(lanes, places, motions, FINE)
+        whole = np.isfinite(gaps).all(axis=0)
+        steps = newton(slopes[whole], gaps[:, whole])[0]
+        return float((np.sqrt((steps * steps).mean(axis=1)) / motions.std(axis=1)).max()) if whole.any() else 1.0
+
+
+def _principal(sample: "Array") -> "Array":
+    """The axes along which a sample varies, a column each, as long as its deviation."""
+    sizes, axes = np.linalg.eigh(np.cov(sample))
+    kept = sizes > STILL * STILL
+    chosen: Array = axes[:, kept] * np.sqrt(sizes[kept])
+    return chosen

@@ -6,17 +6,20 @@ from dynamics_cli.impact.slide.back import Root, Target, roots
 from dynamics_cli.impact.slide.marks import marks, points
 from dynamics_cli.impact.slide.motion import TOLERANCE, Moment, Run, run
 from dynamics_cli.impact.slide.records import AtRest, Ground, Separation, SlideResult, SlideRoot
-from dynamics_cli.impact.slide.wheels import NAMES, Car, State, Verge, Wheel
+from dynamics_cli.impact.slide.wheels import INFINITE, NAMES, Car, State, Verge, Wheel
 from dynamics_cli.numerics.elementary import atan2, hypot
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.road.drag import friction_advice, speed_advice
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
+    AngularSpeed,
     Annotated,
     Distance,
     Fraction,
     Friction,
     Gravity,
+    Heading,
     Mass,
     PlanarPosition,
     Positive,
@@ -32,6 +35,8 @@ ORIGIN = (0.0, 0.0)
 RIGHT_ANGLE = 1.5707963267948966
 ENERGY = 1e-6
 SIDEWAYS = 0.35
+# Two turns a second, in rad/s.
+FASTEST_SPIN = 12.566370614359172
 
 
 def slide(
@@ -45,7 +50,7 @@ def slide(
     braking: Annotated[
         Fraction, "Share of its friction that a wheel's rotation is braked with: 100 % locked, 2 % rolling [-]."
     ],
-    nose: Annotated[Angle, "Heading of the nose at the separation, e.g. 20 deg [rad]."] = 0.0,
+    nose: Annotated[Heading, "Heading of the nose at the separation, e.g. 20 deg [rad]."] = 0.0,
     left_front: Annotated[Fraction | None, "The same share of the left front wheel, where it differs [-]."] = None,
     right_front: Annotated[Fraction | None, "Of the right front wheel [-]."] = None,
     left_rear: Annotated[Fraction | None, "Of the left rear wheel [-]."] = None,
@@ -56,7 +61,7 @@ def slide(
     ] = 0.1,
     steer: Annotated[Angle, "Steer of the front wheels, counted like headings [rad]."] = 0.0,
     place: Annotated[PlanarPosition, "Where the mass centre is at the separation [m]."] = ORIGIN,
-    grounds: Annotated[tuple[Ground, ...], "Grounds of another friction beyond edges; the last one counts."] = (),
+    grounds: Annotated[tuple[Ground, ...], "Grounds of another friction; the last one counts."] = (),
     mass: Annotated[Mass | None, "Mass, for the energy in numbers [kg]."] = None,
     axes: Annotated[Axes, "Axes of positions and headings: mathematical, compass, sae or iso."] = AXES,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
@@ -190,8 +195,9 @@ def _verge(ground: Ground, sense: float) -> Verge:
     require(
         ground.edge_from != ground.edge_to, "both points of an edge are the same: it has no direction", code="no-edge"
     )
+    require(ground.width is None or ground.width > 0.0, "a strip of ground has no width", code="no-width")
     ends = (ground.edge_from, ground.edge_to) if sense > 0.0 else (ground.edge_to, ground.edge_from)
-    return Verge(*ends, ground.friction)
+    return Verge(*ends, ground.friction, INFINITE if ground.width is None else ground.width, patch=ground.patch)
 
 
 def _sense(axes: Axes) -> float:
@@ -223,7 +229,7 @@ def _answer(
             "1e-6 of the path"
         ),
         checks=(Check("work of the tyres", abs(taken / kinetic - 1.0) <= ENERGY, abs(taken / kinetic - 1.0), ENERGY),),
-        advice=_typed(car, hypot(*start.velocity)) + _advice(numbers["bend"], found),
+        advice=_typed(car, hypot(*start.velocity)) + spin_advice(start.spin) + _advice(numbers["bend"], found),
     )  # fmt: skip
 
 
@@ -276,6 +282,17 @@ def _typed(car: Car, speed: float) -> "tuple[Advice, ...]":
     """Advice on friction and a speed that are most often slips of the pen."""
     beyond = speed_advice(speed, "a speed at the separation", "check the speed, or the rest position and its unit")
     return friction_advice(car.friction) + beyond
+
+
+def spin_advice(spin: float) -> "tuple[Advice, ...]":
+    """Advice when a car turns faster than cars do: most often whole turns miscounted."""
+    if not abs(plain(spin)) > FASTEST_SPIN:
+        return ()
+    message = worded(
+        "a car that turns at {spin:4} turns faster than crashes make cars turn", spin=(abs(spin), AngularSpeed)
+    )
+    remedy = "check the whole turns of the nose at rest, and its unit"
+    return (Advice(code="fast-spin", message=message, remedy=remedy),)
 
 
 def _advice(bend: float | None, found: "tuple[SlideRoot, ...]") -> "tuple[Advice, ...]":

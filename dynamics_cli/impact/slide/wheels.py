@@ -6,6 +6,7 @@ from dynamics_cli.numerics.elementary import cos, hypot, sin, sqrt
 # that passes through standstill step control sees no corner, and no other slip notices it.
 NO_SLIP = 1e-12
 HALVINGS = 60
+INFINITE = float("inf")
 NAMES = ("left front", "right front", "left rear", "right rear")
 
 
@@ -29,18 +30,27 @@ class State:
 
 
 class Verge:
-    """Ground of another friction to the left of a line through two points."""
+    """Ground of another friction to the left of a line through two points: all of it, a strip, or a patch.
 
-    __slots__ = ("friction", "normal", "offset")
+    `bounds` are of a point's part across the line and along it, times the distance of the two points.
+    """
 
-    def __init__(self, begin: "tuple[float, float]", end: "tuple[float, float]", friction: float) -> None:
-        self.normal = begin[1] - end[1], end[0] - begin[0]
-        self.offset = self.normal[0] * begin[0] + self.normal[1] * begin[1]
+    __slots__ = ("bounds", "friction", "normal")
+
+    def __init__(
+        self, begin: "tuple[float, float]", end: "tuple[float, float]", friction: float, width: float = INFINITE,
+        *, patch: bool = False,
+    ) -> None:  # fmt: skip
+        a, b = self.normal = begin[1] - end[1], end[0] - begin[0]
+        across = a * begin[0] + b * begin[1]
+        along = b * begin[0] - a * begin[1], b * end[0] - a * end[1]
+        self.bounds = across, across + hypot(a, b) * width, *(along if patch else (-INFINITE, INFINITE))
         self.friction = friction
 
     def holds(self, x: float, y: float) -> bool:
         """Whether a point is on it."""
-        return self.normal[0] * x + self.normal[1] * y > self.offset
+        (a, b), (low, high, begin, end) = self.normal, self.bounds
+        return low < a * x + b * y < high and begin <= b * x - a * y <= end
 
 
 class Wheel:

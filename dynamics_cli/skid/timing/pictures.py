@@ -7,6 +7,7 @@ from dynamics_cli.errors import worded
 from dynamics_cli.numerics.road.phases import Kind, Phase, legs
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Acceleration, Length, RoadSpeed, Time
+from dynamics_cli.skid.timing.bands import bands_of, before_impact, held, in_lane, party_in
 from dynamics_cli.skid.timing.courses import Course
 from dynamics_cli.skid.timing.meet import Party, course_to_impact, driving, motion_of
 from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed, summed
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
 POINTS = 41
 TWO_SIDED = 1.96
 LEFT = Axis("distance to the end", Length)
-AWAY = Axis("distance to the impact", Length)
 
 
 def _before(longest: float, event: str = "the impact") -> Axis:
@@ -42,7 +42,10 @@ def _curves(motion: "list[Leg]", role: int = -1) -> "tuple[list[Any], list[Any]]
     return places, speeds
 
 
-def timeline(result: "Any", *, phases: "Any", known: "Any", gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
+def timeline(
+    result: "Any", *, phases: "Any", known: "Any", gravity: float = STANDARD_GRAVITY,
+    spreads: "Spreads | None" = None, **_: "Any",
+) -> Picture:  # fmt: skip
     """Distance and speed over the time before the end, phase by phase."""
     motion = legs(
         phases if isinstance(phases, tuple) else (phases,), gravity,
@@ -52,9 +55,20 @@ def timeline(result: "Any", *, phases: "Any", known: "Any", gravity: float = STA
     places, speeds = _curves(motion)
     for row in result.phases:
         places.append(Mark(row.begins, row.from_distance, ""))
+    times = [result.duration * (1.0 - i / (POINTS - 1)) for i in range(POINTS)]
+    ways, swift = bands_of(
+        spreads,
+        times,
+        lambda case: before_impact(Party(case["phases"], case["known"]), case.get("gravity", STANDARD_GRAVITY)),
+        6,
+    )
+    places += ways
+    speeds += swift
     axis = _before(result.duration, "the end")
     return Picture(
-        (Panel(axis, LEFT, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))), "time and distance"
+        (Panel(axis, LEFT, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
+        "time and distance",
+        subtitle=held(spreads),
     )
 
 
@@ -72,23 +86,26 @@ def meet(
     spreads: "Spreads | None" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """Both parties' distances and speeds over the time before the impact, and the first as it would have avoided it."""
-    longest = result.moments[0].time_left
+    begins = (result.hazard_time, result.hazard_time)
+    if spreads is not None:
+        begins = spreads.intervals.get("hazard_time", begins)
+    longest = max(result.moments[0].time_left, begins[1])
     times = [longest * (1.0 - i / (4 * POINTS)) for i in range(4 * POINTS + 1)]
     places: list[Any] = []
     speeds: list[Any] = []
     for role, (party, name) in enumerate(((first, "first"), (second, "second"))):
-        motion = motion_of(party, gravity, "")
-        motion_course = course_to_impact(motion)
-        states = [motion_course.at(-time) for time in times]
-        places.append(Curve(times, [-gone for gone, _, _ in states], role=role))
-        speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
+        distances, swiftness = zip(*map(before_impact(party, gravity), times), strict=True)
+        places.append(Curve(times, distances, role=role))
+        speeds.append(Curve(times, swiftness, _named(party, name), role=role))
+        for items, band in zip((places, speeds), bands_of(spreads, times[::4], party_in(name), role), strict=True):
+            items += band
         if role == 0:
             places += [
                 Mark(row.begins, row.from_distance, "" if row.phase == "build-up" else _begun(row), role=role)
-                for row in summed(motion)
+                for row in summed(motion_of(first, gravity, ""))
             ]
     for items, words in ((places, ""), (speeds, "hazard begins")):
-        items.append(Band(result.hazard_time, result.hazard_time, words))
+        items.append(Band(*begins, words))
     ends = (1.04 * longest, 0.0)
     avoiding = _avoiding(result, motion_of(first, gravity, ""), gravity)
     if avoiding:
@@ -97,14 +114,15 @@ def meet(
         speeds.append(Curve(left, swift, f"{_named(first, 'first')}, avoiding", "dashed", role=2))
         ends = (ends[0], min(ends[1], 1.04 * left[-1]))
     if spreads is not None:
-        places += _bar(result.hazard_time, spreads, "first_distance", 0)
-        speeds += _bar(result.hazard_time, spreads, "first_speed", 0)
         speeds += _bar(result.hazard_time, spreads, "sufficient_speed", 2)
     axis = Axis("time before the impact", Time, ends=ends)
+    highest = max(max(item.y) for item in places if isinstance(item, Curve))
+    # room above for the words where the reaction begins
+    away = Axis("distance to the impact", Length, ends=(-0.05 * highest, 1.3 * highest))
     return Picture(
-        (Panel(axis, AWAY, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
+        (Panel(axis, away, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
         "two parties before the impact",
-        subtitle="" if spreads is None else f"bars hold {100.0 * spreads.coverage:.4g} %",
+        subtitle=held(spreads, "bands and bar"),
     )
 
 
@@ -141,8 +159,9 @@ def _bar(time: float, spreads: "Spreads", address: str, role: int) -> "list[Any]
 
 
 def follow(
-    result: "Any", *, leader: Party, follower: Party, gap: float, gravity: float = STANDARD_GRAVITY, **_: "Any"
-) -> Picture:
+    result: "Any", *, leader: Party, follower: Party, gap: float, gravity: float = STANDARD_GRAVITY,
+    spreads: "Spreads | None" = None, **_: "Any",
+) -> Picture:  # fmt: skip
     """Places of both and speeds over time, up to the contact."""
     end = result.moments[-1].time
     times = [end * i / (4 * POINTS) for i in range(4 * POINTS + 1)]
@@ -153,6 +172,8 @@ def follow(
         states = [motion_course.at(time) for time in times]
         places.append(Curve(times, [gone for gone, _, _ in states], _named(party, name), role=role))
         speeds.append(Curve(times, [speed for _, speed, _ in states], _named(party, name), role=role))
+        for items, band in zip((places, speeds), bands_of(spreads, times[::4], in_lane(name), role), strict=True):
+            items += band
     if result.contact:
         places.append(Mark(result.contact_time, result.follower_distance, "contact", aside=(-5.0, -12.0)))
     axis = Axis("time", Time, ends=(0.0, 1.08 * end))
@@ -160,6 +181,7 @@ def follow(
     return Picture(
         (Panel(axis, place, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
         "one behind the other",
+        subtitle=held(spreads),
     )
 
 

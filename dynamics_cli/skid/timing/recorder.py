@@ -237,7 +237,9 @@ def _limits(
 
 def _stops_early(speed: float, interval: float, least_age: float, oldest: float) -> "tuple[Advice, ...]":
     """A caution when the samples next to the event are missing."""
-    if not single(speed, interval, least_age, oldest) or plain(least_age) < plain(interval):
+    if not single(speed, interval, least_age, oldest):
+        return ()
+    if plain(least_age) < plain(interval) and plain(oldest) <= 2.0 * plain(interval):
         return ()
     message = worded(
         "the record stops {least} to {greatest} before the event, at {speed}: up to {way:3} of the way are not in it, "
