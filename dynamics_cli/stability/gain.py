@@ -20,7 +20,7 @@ from dynamics_cli.numerics.exact.whole_polynomials import (
 from dynamics_cli.quantities import AngularRate, Annotated, Count, Gain, Text
 from dynamics_cli.records import Numerics, record
 from dynamics_cli.stability.counting import ASYMPTOTIC, count, verdict
-from dynamics_cli.stability.roots import METHOD, Root, discs, roots
+from dynamics_cli.stability.roots import LAST, METHOD, Root, bounds_of, discs, root_bounds, roots
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -114,13 +114,22 @@ def gain(
     critical = [mark for mark in _marks(moving) if _crossing(moving, mark)]
     ranges = _ranges(family, critical)
     at = None if gain is None else trimmed(_at(family, gain.as_integer_ratio()))
+    found = None if at is None or len(at) < 2 else roots(at)
+    described = tuple(_described(moving, mark) for mark in critical)
     return GainAnswer(
         stable=_words(ranges),
         ranges=ranges,
-        critical=tuple(_described(moving, mark) for mark in critical) or None,
+        critical=described or None,
         verdict=None if at is None else verdict(count(at)) if len(at) > 1 else "no roots at this gain",
-        roots=None if at is None or len(at) < 2 else roots(at),
-        numerics=Numerics(METHOD),
+        roots=found,
+        numerics=Numerics(
+            METHOD,
+            (
+                *bounds_of("critical", described, gain=LAST, frequency=LAST),
+                *bounds_of("ranges", ranges, low=LAST, high=LAST),
+                *root_bounds(found or ()),
+            ),
+        ),
     )
 
 

@@ -6,7 +6,7 @@ from dynamics_cli.numerics.exact.whole_polynomials import common_divisor, mirror
 from dynamics_cli.quantities import Annotated, Count, GrowthRate, InputFile, Matrix, Text
 from dynamics_cli.records import Advice, Numerics, record
 from dynamics_cli.stability.counting import MARGINAL, REPEATED, Counts, count, verdict
-from dynamics_cli.stability.roots import METHOD, Root, roots
+from dynamics_cli.stability.roots import METHOD, Root, root_bounds, roots
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -115,7 +115,7 @@ def matrix(
         roots=roots_proved,
         polynomial=", ".join(written((c, denominator)) for c in reversed(p)),
         without_gyroscopic=plain,
-        numerics=Numerics(METHOD),
+        numerics=Numerics(METHOD, root_bounds(roots_proved, "rightmost")),
         advice=_advice(judged, plain, damping),
     )
 
