@@ -21,6 +21,8 @@ from tests.harness import run
         ("skid|speed|--zzzz|1", "try: dynamics skid speed --help"),
         ("gear|ratio|--ratio|3", "did you mean --target?"),
         ("gear|train|--held|sun", "did you mean --fixed?"),
+        ("balance|trial|--run|170 um", "did you mean --initial or --first or --second?"),
+        ("balance|grade|--grade|G x", "'G x' is not a balance grade"),
         ("gear|pair|--z1|20", "did you mean --first-teeth?"),
         ("gear|measure|--pin-diameter|3 mm", "did you mean --pin or --over?"),
         ("gear|wheels|--diameter|3 m", "did you mean --first-diameter?"),
