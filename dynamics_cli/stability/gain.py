@@ -139,7 +139,8 @@ def _family(text: str) -> "Family":
     require(highest > 0, "{text} has no gain {symbol}", text=repr(text), symbol=SYMBOL, code="no-gain",
             hint="write the gain as K: s(s+1)(s+2) + K; without one ask `dynamics stability routh`")  # fmt: skip
     require(1 <= degree <= MOST_DEGREE, "{text} has degree {degree} in s, wanted 1 to {most}", text=repr(text),
-            degree=str(degree), most=str(MOST_DEGREE), code="degree")  # fmt: skip
+            degree=str(degree), most=str(MOST_DEGREE), code="degree",
+            hint="write the characteristic polynomial of the closed loop: s(s+1)(s+2) + K")  # fmt: skip
     require(highest <= MOST_GAIN_DEGREE, "{text} has the power {power} of the gain, the highest is {most}",
             text=repr(text), power=str(highest), most=str(MOST_GAIN_DEGREE), code="degree")  # fmt: skip
     return family

@@ -116,7 +116,7 @@ def matrix(
         polynomial=", ".join(written((c, denominator)) for c in reversed(p)),
         without_gyroscopic=plain,
         numerics=Numerics(METHOD, root_bounds(roots_proved, "rightmost")),
-        advice=_advice(judged, plain, damping),
+        advice=_advice(judged, plain, "" if matrix is not None or damping is not None else "give --damping"),
     )
 
 
@@ -140,13 +140,13 @@ def _growth(roots_proved: "Sequence[Root]") -> "str | None":
     return "divergence and flutter" if len(kinds) == 2 else kinds.pop()
 
 
-def _advice(judged: str, plain: "str | None", damping: "Rows | None") -> "tuple[Advice, ...]":
-    if plain == "unstable" and judged == MARGINAL and damping is None:
+def _advice(judged: str, plain: "str | None", remedy: str) -> "tuple[Advice, ...]":
+    if plain == "unstable" and judged == MARGINAL and remedy:
         message = "the gyroscopic forces alone hold it: with damping in every direction, however small, it is unstable"
-        return (Advice("gyroscopic", message, severity="serious", remedy="give --damping and ask again"),)
+        return (Advice("gyroscopic", message, severity="serious", remedy=f"{remedy} and ask again"),)
     if judged in (MARGINAL, REPEATED):
         message = "roots on the axis are there for the elements exactly as typed: the smallest change moves them"
-        return (Advice("axis", message, remedy="give --damping too, if there is any"),)
+        return (Advice("axis", message, remedy=f"{remedy} too, if there is any" if remedy else None),)
     return ()
 
 

@@ -23,6 +23,7 @@ from tests.harness import run
         ("gear|train|--held|sun", "did you mean --fixed?"),
         ("balance|trial|--run|170 um", "did you mean --initial or --first or --second?"),
         ("balance|grade|--grade|G x", "'G x' is not a balance grade"),
+        ("force|resultant|--force|1, 0 N|--force|2, 0 N", 'several: --load "force=…" for each'),
         ("gear|pair|--z1|20", "did you mean --first-teeth?"),
         ("gear|measure|--pin-diameter|3 mm", "did you mean --pin or --over?"),
         ("gear|wheels|--diameter|3 m", "did you mean --first-diameter?"),

@@ -100,6 +100,8 @@ REFUSED = {
     "position": '--bearing "position=2 m" --bearing "position=0 m"',
     "mechanism": '--bearing "position=0.2 m"',
     "soft-bearings": '--bearing "position=0 m, stiffness=1e-12 N/m" --bearing "position=1 m, stiffness=1e-12 N/m"',
+    "material": '--bearing "position=0 m" --bearing "position=1 m" --density "0 kg/m^3"',
+    "poisson": '--bearing "position=0 m" --bearing "position=1 m" --poisson-ratio 3',
     "section": '--bearing "position=0 m" --bearing "position=1 m" --bore "50 mm"',
 }
 

@@ -49,6 +49,13 @@ class Material:
     poisson_ratio: float
     density: float
 
+    def require_solid(self) -> None:
+        """Refuse what no shaft is made of."""
+        require(self.elastic_modulus > 0.0 and self.density > 0.0, "the shaft has no stiffness, or no mass",
+                code="material", hint="give an elastic modulus and a density above zero")  # fmt: skip
+        require(-1.0 < self.poisson_ratio <= 0.5, "Poisson's ratio is {ratio}; wanted -1 to 0.5",
+                ratio=f"{self.poisson_ratio:g}", code="poisson", hint="of steel it is 0.3")  # fmt: skip
+
     def section(self, diameter: float, bore: float) -> "tuple[float, float, float, float]":
         """Of a round section: bending and shear stiffness (Cowper's coefficient), mass and inertia along the shaft."""
         area = math.pi / 4.0 * (diameter - bore) * (diameter + bore)
@@ -85,6 +92,7 @@ def assembled(
     stretches: "Any", ends: "list[float]", disks: "Any", marks: "Sequence[float]", material: Material, elements: int
 ) -> Matrices:
     """The shaft with its disks, with stations at further marks; bearings are still to come."""
+    material.require_solid()
     system = Matrices(stations_of([*ends, *(disk.position for disk in disks), *marks], elements))
     for number, (low, high) in enumerate(pairwise(system.stations)):
         middle = 0.5 * (low + high)
