@@ -131,7 +131,7 @@ def rotor(
     >>> shaft = Section(1.0, 0.02)
     >>> made = rotor(sections=shaft, bearings=(Bearing(0.0), Bearing(1.0)))
     >>> round(made.critical_speed, 1)
-    255.3
+    255.2
     """
     stretches = sections if isinstance(sections, tuple) else (sections,)
     material = Material(elastic_modulus, poisson_ratio, density)
