@@ -168,7 +168,7 @@ ROTOR_RESPONSE = Task(
         method="beam elements, lowest modes with static corrections",
     ),
     headline=(
-        "critical_speed: first peak of the response", "margin: running speed over the nearest peak",
+        "critical_speed: first peak of the response",
         "stable_to: stable at least to", "onset: unstable from", "onset_frequency: by a whirl of",
         "decrement: least logarithmic decrement",
         "peaks: peaks | position, speed, horizontal, vertical, major=long half axis, whirl",

@@ -84,7 +84,7 @@ def absorber(result: "Any", *, size: "Any", **_: "Any") -> Picture:
     limit = 4.0 * max(plain(result.lower_peak), plain(result.upper_peak))
     curves.append(Curve(ratios, [y if y < limit else math.nan for y in alone], "without absorber", "thin", role=GREY))
     for r, peak in ((result.lower_ratio, result.lower_peak), (result.upper_ratio, result.upper_peak)):
-        curves.append(Mark(plain(r), plain(peak), f"{plain(peak):.4g}"))
+        curves.append(Mark(plain(r), plain(peak), ""))
     x = Axis("frequency over that of the machine", ends=(ratios[0], ratios[-1]))
     return Picture((Panel(x, Axis("amplitude over F/k", logarithmic=True), tuple(curves)),), "tuned absorber")
 
