@@ -23,9 +23,12 @@ if TYPE_CHECKING:
     from typing import Any
 
 FINE, COARSE = 1e-11, 1e-9
-MOST_SWINGS = 2000
+# Turning points at most: until an angle, and where none is asked for.
+MOST_SWINGS, SHOWN_SWINGS = 2000, 100
 # Peaks below this are at rest for every purpose.
 STILL = 1e-6
+# Places of the time's integral; more until two numbers of them agree.
+PLACES, MOST_PLACES, AGREE = 32, 4096, 1e-13
 SAMPLES = 60
 
 
@@ -70,7 +73,7 @@ def damped(
     Returns
     -------
     Damped
-        Every turning point with its time, and what is lost from one to the next.
+        Turning points with their times, and what is lost from one to the next; a hundred where no angle is asked for.
 
     Raises
     ------
@@ -103,8 +106,12 @@ def damped(
     require(0.0 < plain(goal) < plain(size), "an amplitude of {until} is not below that of the release",
             until=(goal, Angle), code="until", hint="give a smaller angle")  # fmt: skip
     own = math.sqrt(plain(gravity) / plain(length))
-    fine = _peaks(own, plain(damping), plain(quadratic), plain(size), plain(goal), FINE)
-    coarse = _peaks(own, plain(damping), plain(quadratic), plain(size), plain(goal), COARSE)
+    most = SHOWN_SWINGS if until is None else MOST_SWINGS
+    if damping == 0.0:
+        fine = coarse = _by_energy(own, plain(quadratic), plain(size), plain(goal), most)
+    else:
+        given = own, plain(damping), plain(quadratic), plain(size), plain(goal)
+        fine, coarse = (_integrated(*given, tolerance, most) for tolerance in (FINE, COARSE))
     peaks = tuple(_losses(fine, plain(size)))
     reached = plain(until) is not None and len(fine) > 0 and fine[-1][1] <= plain(goal) if until is not None else False
     swings = _fraction(fine, plain(size), plain(goal)) if reached else None
@@ -118,7 +125,10 @@ def damped(
         swings=None if swings is None else 0.5 * swings[0],
         time=None if swings is None else swings[1],
         peaks=peaks,
-        numerics=Numerics("DOP853, two tolerances", bounds=(ErrorBound("first_loss", max(apart, 1e-12)),)),
+        numerics=Numerics(
+            "closed form of the speed, quadrature of the time" if damping == 0.0 else "DOP853, two tolerances",
+            bounds=(ErrorBound("first_loss", max(apart, 1e-12, 1e-14 / max(peaks[0].loss, 1e-14))),),
+        ),
         advice=_advice(until, reached, len(fine)),
     )
 
@@ -150,8 +160,41 @@ def _fraction(peaks: "Sequence[tuple[float, float]]", start: float, goal: float)
     return float(len(peaks)), peaks[-1][0]
 
 
-def _peaks(
-    own: float, damping: float, quadratic: float, size: float, goal: float, tolerance: float
+def _by_energy(own: float, quadratic: float, size: float, goal: float, most: int) -> "list[tuple[float, float]]":
+    """Times and sizes of the turning points where drag is by the square of the speed alone.
+
+    The square of the speed is linear in itself: from −a upwards it is 2ω₀²/(1 + 4β²) times cos φ − 2β·sin φ
+    − (cos a + 2β·sin a)·e^(−2β(φ + a)).
+    """
+    import numpy as np
+    from scipy.optimize import brentq
+
+    found: list[tuple[float, float]] = []
+    time, scale = 0.0, 2.0 * own * own / (1.0 + 4.0 * quadratic * quadratic)
+    while len(found) < most and size > goal:
+        start = math.cos(size) + 2.0 * quadratic * math.sin(size)
+
+        def square(angle: "Any", a: float = size, start: float = start) -> "Any":
+            """Of the speed, over the scale, as a sum of parts that vanish at −a."""
+            half, rest = 0.5 * (angle + a), 0.5 * (angle - a)
+            turned = -2.0 * np.sin(half) * np.sin(rest) - 4.0 * quadratic * np.sin(half) * np.cos(rest)
+            return turned - start * np.expm1(-4.0 * quadratic * half)
+
+        end = float(brentq(square, -0.999 * size, size, xtol=1e-15 * size, rtol=1e-15))
+        middle, half = 0.5 * (end - size), 0.5 * (end + size)
+        places, took, before = PLACES, 0.0, math.inf
+        while abs(took - before) > AGREE * took and places <= MOST_PLACES:
+            turns = (np.arange(places) + 0.5) * (math.pi / places)
+            speeds = np.sqrt(scale * square(middle - half * np.cos(turns)))
+            before, took = took, float((half * np.sin(turns) / speeds).sum()) * math.pi / places
+            places *= 2
+        time, size = time + took, end
+        found.append((time, end))
+    return found
+
+
+def _integrated(
+    own: float, damping: float, quadratic: float, size: float, goal: float, tolerance: float, most: int
 ) -> "list[tuple[float, float]]":
     """Times and sizes of the turning points, until one is below the goal."""
     from scipy.integrate import solve_ivp
@@ -166,7 +209,7 @@ def _peaks(
     turns.terminal = True  # type: ignore[attr-defined]
     found: list[tuple[float, float]] = []
     time, angle, span = 0.0, size, 40.0 / own
-    while len(found) < MOST_SWINGS:
+    while len(found) < most:
         # the first step leaves the turning point, where the rate is zero
         turns.direction = 1.0 if angle > 0.0 else -1.0  # type: ignore[attr-defined]
         made = solve_ivp(motion, (time, time + span), [angle, 0.0], method="DOP853", rtol=tolerance,

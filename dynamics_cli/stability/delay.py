@@ -16,8 +16,9 @@ from dynamics_cli.numerics.exact.whole_polynomials import (
     trimmed,
 )
 from dynamics_cli.quantities import AngularRate, Annotated, Count, Text, Time
-from dynamics_cli.records import Numerics, record
+from dynamics_cli.records import ErrorBound, Numerics, record
 from dynamics_cli.stability.counting import count
+from dynamics_cli.stability.roots import LAST, bounds_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 DIGITS = 40
 MOST_EVENTS = 20000
 NOTHING = 1e-12
+# An angle in doubles over a frequency, and multiples of it.
+ANGLE = 8e-16
 
 
 @record
@@ -112,7 +115,14 @@ def delay(
         crossings=tuple(crossings) or None,
         ranges=tuple(ranges),
         verdict=None if delay is None else _judged(ranges, delay),
-        numerics=Numerics("exact crossings and counts; angles in doubles"),
+        numerics=Numerics(
+            "exact crossings and counts; angles in doubles",
+            (
+                *([] if unstable is None else [ErrorBound("first_unstable", ANGLE)]),
+                *bounds_of("crossings", crossings, frequency=LAST, first=ANGLE, spacing=ANGLE),
+                *bounds_of("ranges", ranges, low=ANGLE, high=ANGLE),
+            ),
+        ),
     )
 
 

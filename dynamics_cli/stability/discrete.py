@@ -4,13 +4,17 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.exact.polynomial_text import read, whole
 from dynamics_cli.numerics.exact.whole_polynomials import plus, power, square_free, times, trimmed
 from dynamics_cli.quantities import Angle, Annotated, Count, Ratio, Text
-from dynamics_cli.records import Numerics, record
+from dynamics_cli.records import ErrorBound, Numerics, record
 from dynamics_cli.stability.counting import count
-from dynamics_cli.stability.roots import METHOD, circle_discs
+from dynamics_cli.stability.roots import LAST, METHOD, bounds_of, circle_discs, relative
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+
+# An angle of two doubles.
+ANGLE = 4e-16
 
 
 @record
@@ -88,7 +92,18 @@ def discrete(
         repeated=repeated or None,
         largest=max(root.size for root in roots_proved),
         roots=roots_proved,
-        numerics=Numerics(METHOD),
+        numerics=Numerics(
+            METHOD,
+            (
+                ErrorBound("largest", LAST),
+                *bounds_of("roots", roots_proved, size=LAST, angle=ANGLE),
+                *(
+                    ErrorBound(f"roots[{nth}].{name}", relative(getattr(root, name), root.size))
+                    for nth, root in enumerate(roots_proved)
+                    for name in ("real", "imaginary")
+                ),
+            ),
+        ),
     )
 
 

@@ -20,7 +20,7 @@ from dynamics_cli.numerics.exact.whole_polynomials import (
 from dynamics_cli.quantities import AngularRate, Annotated, Count, Gain, Text
 from dynamics_cli.records import Numerics, record
 from dynamics_cli.stability.counting import ASYMPTOTIC, count, verdict
-from dynamics_cli.stability.roots import METHOD, Root, discs, roots
+from dynamics_cli.stability.roots import LAST, METHOD, Root, bounds_of, discs, root_bounds, roots
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -114,13 +114,22 @@ def gain(
     critical = [mark for mark in _marks(moving) if _crossing(moving, mark)]
     ranges = _ranges(family, critical)
     at = None if gain is None else trimmed(_at(family, gain.as_integer_ratio()))
+    found = None if at is None or len(at) < 2 else roots(at)
+    described = tuple(_described(moving, mark) for mark in critical)
     return GainAnswer(
         stable=_words(ranges),
         ranges=ranges,
-        critical=tuple(_described(moving, mark) for mark in critical) or None,
+        critical=described or None,
         verdict=None if at is None else verdict(count(at)) if len(at) > 1 else "no roots at this gain",
-        roots=None if at is None or len(at) < 2 else roots(at),
-        numerics=Numerics(METHOD),
+        roots=found,
+        numerics=Numerics(
+            METHOD,
+            (
+                *bounds_of("critical", described, gain=LAST, frequency=LAST),
+                *bounds_of("ranges", ranges, low=LAST, high=LAST),
+                *root_bounds(found or ()),
+            ),
+        ),
     )
 
 
@@ -130,7 +139,8 @@ def _family(text: str) -> "Family":
     require(highest > 0, "{text} has no gain {symbol}", text=repr(text), symbol=SYMBOL, code="no-gain",
             hint="write the gain as K: s(s+1)(s+2) + K; without one ask `dynamics stability routh`")  # fmt: skip
     require(1 <= degree <= MOST_DEGREE, "{text} has degree {degree} in s, wanted 1 to {most}", text=repr(text),
-            degree=str(degree), most=str(MOST_DEGREE), code="degree")  # fmt: skip
+            degree=str(degree), most=str(MOST_DEGREE), code="degree",
+            hint="write the characteristic polynomial of the closed loop: s(s+1)(s+2) + K")  # fmt: skip
     require(highest <= MOST_GAIN_DEGREE, "{text} has the power {power} of the gain, the highest is {most}",
             text=repr(text), power=str(highest), most=str(MOST_GAIN_DEGREE), code="degree")  # fmt: skip
     return family

@@ -78,7 +78,9 @@ def interval(
     ranges.reverse()
     leading = ranges[-1]
     require(
-        leading[0][0] * leading[1][0] > 0, "the leading coefficient {low} to {high} may be zero",
+        leading[0][0] * leading[1][0] > 0,
+        "the leading coefficient {low} to {high} may be zero" if leading[0] != leading[1] else
+        "the leading coefficient is zero",
         low=written(leading[0]), high=written(leading[1]), code="degree",
         hint="leave a leading zero out, or narrow the range",
     )  # fmt: skip

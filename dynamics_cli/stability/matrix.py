@@ -6,7 +6,7 @@ from dynamics_cli.numerics.exact.whole_polynomials import common_divisor, mirror
 from dynamics_cli.quantities import Annotated, Count, GrowthRate, InputFile, Matrix, Text
 from dynamics_cli.records import Advice, Numerics, record
 from dynamics_cli.stability.counting import MARGINAL, REPEATED, Counts, count, verdict
-from dynamics_cli.stability.roots import METHOD, Root, roots
+from dynamics_cli.stability.roots import METHOD, Root, root_bounds, roots
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -115,8 +115,8 @@ def matrix(
         roots=roots_proved,
         polynomial=", ".join(written((c, denominator)) for c in reversed(p)),
         without_gyroscopic=plain,
-        numerics=Numerics(METHOD),
-        advice=_advice(judged, plain, damping),
+        numerics=Numerics(METHOD, root_bounds(roots_proved, "rightmost")),
+        advice=_advice(judged, plain, "" if matrix is not None or damping is not None else "give --damping"),
     )
 
 
@@ -140,13 +140,13 @@ def _growth(roots_proved: "Sequence[Root]") -> "str | None":
     return "divergence and flutter" if len(kinds) == 2 else kinds.pop()
 
 
-def _advice(judged: str, plain: "str | None", damping: "Rows | None") -> "tuple[Advice, ...]":
-    if plain == "unstable" and judged == MARGINAL and damping is None:
+def _advice(judged: str, plain: "str | None", remedy: str) -> "tuple[Advice, ...]":
+    if plain == "unstable" and judged == MARGINAL and remedy:
         message = "the gyroscopic forces alone hold it: with damping in every direction, however small, it is unstable"
-        return (Advice("gyroscopic", message, severity="serious", remedy="give --damping and ask again"),)
+        return (Advice("gyroscopic", message, severity="serious", remedy=f"{remedy} and ask again"),)
     if judged in (MARGINAL, REPEATED):
         message = "roots on the axis are there for the elements exactly as typed: the smallest change moves them"
-        return (Advice("axis", message, remedy="give --damping too, if there is any"),)
+        return (Advice("axis", message, remedy=f"{remedy} too, if there is any" if remedy else None),)
     return ()
 
 

@@ -1,6 +1,7 @@
 """Roots in the plane, root loci with stable ranges, roots over the delay, potentials with their equilibria."""
 
 import math
+from itertools import pairwise
 
 from dynamics_cli.errors import worded
 from dynamics_cli.pictures import Axis, Band, Curve, Label, Mark, Panel, Picture
@@ -11,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-LOCUS_POINTS = 400
+LOCUS_POINTS, HALVINGS = 400, 24
 CIRCLE_POINTS = 181
 CURVE_POINTS = 400
 MOST_PLANES = 4
@@ -63,11 +64,12 @@ def gain(result: "Any", polynomial: str, **_: "Any") -> Picture:
     marks = [one.gain for one in result.critical or ()]
     reach = 2.0 * max([abs(mark) for mark in marks] + [abs(marks[0]) if marks else 1.0]) or 10.0
     low = min([0.0, *[1.2 * mark for mark in marks]])
-    gains = np.unique(
-        np.concatenate([np.linspace(low, reach, LOCUS_POINTS), np.geomspace(reach * 1e-6, reach, LOCUS_POINTS)])
-    )
-    tracks = _tracks([_roots_at(family, below, value) for value in gains.tolist()])
-    steady = [_stable_at(result.ranges, value) for value in gains.tolist()]
+    even = {*np.linspace(low, reach, LOCUS_POINTS).tolist(), *np.geomspace(reach * 1e-6, reach, LOCUS_POINTS).tolist()}
+    found = {value: _roots_at(family, below, value) for value in sorted(even)}
+    found |= _meetings(family, below, found)
+    gains = sorted(found)
+    tracks = _tracks([found[value] for value in gains])
+    steady = [_stable_at(result.ranges, value) for value in gains]
     items: list[Any] = []
     for track in tracks:
         for is_stable, role in ((False, UNSTABLE), (True, STABLE)):
@@ -85,7 +87,7 @@ def gain(result: "Any", polynomial: str, **_: "Any") -> Picture:
     size = 1.2 * max([_reach([abs(root.imag) for track in tracks for root in track]), *frequencies])
     items.append(Curve([0.0, 0.0], [-size, size], "", "thin", role=GREY))
     items += [
-        Mark(0.0, one.frequency, worded("K = {gain:5}", gain=(one.gain, Gain)), role=GREY)
+        Mark(0.0, one.frequency, worded("K = {gain:5}", gain=(one.gain, Gain)), (14.0, -4.0), role=GREY)
         for one in result.critical or ()
         if one.frequency is not None
     ]
@@ -108,6 +110,25 @@ def _roots_at(family: "Sequence[Sequence[int]]", below: int, gain: float) -> "li
 
     coefficients = [math.fsum(p[k] / below * gain**j for j, p in enumerate(family)) for k in range(len(family[0]))]
     return np.roots(coefficients[::-1]).tolist()  # type: ignore[no-any-return]
+
+
+def _meetings(
+    family: "Sequence[Sequence[int]]", below: int, found: "dict[float, list[complex]]"
+) -> "dict[float, list[complex]]":
+    """Gains, with their roots, on both sides of where two roots meet on the real axis and part."""
+    made = {}
+    for low, high in pairwise(found):
+        here = _on_the_line(found[low])
+        if _on_the_line(found[high]) != here:
+            for _ in range(HALVINGS):
+                middle = 0.5 * (low + high)
+                roots = made[middle] = _roots_at(family, below, middle)
+                low, high = (middle, high) if _on_the_line(roots) == here else (low, middle)
+    return made
+
+
+def _on_the_line(roots: "list[complex]") -> int:
+    return sum(root.imag == 0.0 for root in roots)
 
 
 def _tracks(roots_at_gains: "Sequence[list[complex]]") -> "list[list[complex]]":
@@ -219,6 +240,9 @@ def equilibrium(
     for place in result.places:
         at = place.angle if angular else place.position
         stable = place.verdict.startswith("stable")
-        items.append(Mark(at, place.energy, "stable" if stable else "unstable", role=STABLE if stable else UNSTABLE))
-    axis = Axis("θ", Angle) if angular else Axis("x", Length)
+        # beyond the curve, which bends the other way
+        aside = (5.0, -16.0) if stable else (5.0, 6.0)
+        words = "stable" if stable else "unstable"
+        items.append(Mark(at, place.energy, words, aside, role=STABLE if stable else UNSTABLE))
+    axis = Axis("θ", Angle, step=math.pi / 2.0) if angular else Axis("x", Length)
     return Picture((Panel(axis, Axis("V", PotentialEnergy), tuple(items)),), "equilibria of the potential")

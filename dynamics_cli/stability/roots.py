@@ -6,13 +6,13 @@ from math import atan2, cos, isfinite, log2, pi, sin
 
 from dynamics_cli.numerics.exact.whole_polynomials import square_free
 from dynamics_cli.quantities import AngularRate, Annotated, Count, GrowthRate, Ratio, Time
-from dynamics_cli.records import record
+from dynamics_cli.records import ErrorBound, record
 from dynamics_cli.stability.counting import parted
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
-    from typing import TypeAlias
+    from typing import Any, TypeAlias
 
     # real and imaginary part
     Complex: TypeAlias = tuple[Decimal, Decimal]
@@ -22,6 +22,8 @@ FIRST_DIGITS = 50
 MOST_DIGITS = 3200
 METHOD = "exact counts; roots enclosed to 25 digits"
 ROUNDS = 200
+# Half the last bit of a double, with room for what is beyond 25 digits.
+LAST = 1.2e-16
 # Corrections in doubles stop here.
 NEAR = 1e-14
 # Discs this small beside their roots: a double is right to its last bit.
@@ -52,6 +54,32 @@ def roots(p: "Sequence[int]") -> "tuple[Root, ...]":
     upper = [(disc, multiplicity) for disc, multiplicity in proved if disc[1] >= 0]
     upper.sort(key=lambda item: (-item[0][0], item[0][1]))
     return tuple(_root(disc, multiplicity) for disc, multiplicity in upper)
+
+
+def root_bounds(found: "Sequence[Root]", *rightmost: str) -> "tuple[ErrorBound, ...]":
+    """What the discs prove of the roots, and of results that are the rightmost real part."""
+    bounds = [ErrorBound(name, relative(found[0].real, found[0].natural)) for name in rightmost]
+    for nth, root in enumerate(found):
+        real, imaginary = (relative(part, root.natural) for part in (root.real, root.imaginary))
+        parts = {"real": real, "imaginary": imaginary, "natural": LAST, "damping": real, "time_constant": real}
+        bounds += [ErrorBound(f"roots[{nth}].{name}", bound) for name, bound in parts.items()
+                   if getattr(root, name) is not None]  # fmt: skip
+    return tuple(bounds)
+
+
+def bounds_of(table: str, rows: "Sequence[Any]", **columns: float) -> "list[ErrorBound]":
+    """The same bound for each column of a table, where it has a number."""
+    return [
+        ErrorBound(f"{table}[{nth}].{name}", bound)
+        for nth, row in enumerate(rows)
+        for name, bound in columns.items()
+        if getattr(row, name) is not None
+    ]
+
+
+def relative(part: float, size: float) -> float:
+    """What a double of a real or imaginary part is off by; a zero is exact."""
+    return LAST + 2.0 * float(SMALL) * size / abs(part) if part else 0.0
 
 
 def _root(disc: "Disc", multiplicity: int) -> Root:

@@ -7,7 +7,7 @@ from dynamics_cli.quantities import Annotated, Count, GrowthRate, Text
 from dynamics_cli.records import Advice, Check, Numerics, record
 from dynamics_cli.stability.array import MOST_DEGREE, Row, array
 from dynamics_cli.stability.counting import MARGINAL, REPEATED, Counts, count, verdict
-from dynamics_cli.stability.roots import METHOD, Root, roots
+from dynamics_cli.stability.roots import METHOD, Root, root_bounds, roots
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def routh(
         rightmost=roots_proved[0].real,
         roots=roots_proved,
         array=array(p, denominator) if len(p) <= MOST_DEGREE + 1 else None,
-        numerics=Numerics(METHOD),
+        numerics=Numerics(METHOD, root_bounds(roots_proved, "rightmost")),
         checks=(_check(counts, roots_proved),),
         advice=advice_on(counts),
     )

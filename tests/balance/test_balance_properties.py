@@ -19,6 +19,7 @@ from dynamics_cli.balance.grade import grade
 from dynamics_cli.balance.planes import Unbalance, planes
 from dynamics_cli.balance.split import Holes, split
 from dynamics_cli.balance.trial import Phase, Sensor, TrialWeight, trial
+from dynamics_cli.errors import InadmissibleError
 
 angles = st.floats(-3.0, 3.0)
 sizes = st.floats(0.1, 10.0)
@@ -200,6 +201,31 @@ def test_orders_sum_to_the_turning_moment(name: str, offset: float) -> None:
         # the diagram is a wave of order ½ by chords of 4 degrees: beyond order 20 is less than their sag
         assert abs(made.mean_torque + waves - point.torque) < math.radians(2.0) ** 2 / 8.0 * scale
     assert made.torque[-1].torque == made.torque[0].torque
+
+
+def test_a_cylinder_may_have_its_own_pressures() -> None:
+    """Of four without gas in one: what cancelled is one cylinder's, the rest is three's; alike ones change nothing."""
+    usual = of_engine(preset=Preset("inline-4"))
+    points = [Diagram(math.radians(a), 1e5 * p) for a, p in PRESSURES]
+    empty = [Diagram(math.radians(a), 0.0, 2) for a in (0, 360, 720)]
+    dead = of_engine(preset=Preset("inline-4"), diagram_points=(*points, *empty))
+    assert dead.mean_torque == pytest.approx(0.75 * usual.mean_torque, rel=1e-12)
+    gas = {row.order: row.gas for row in usual.orders}
+    alone = {row.order: row.gas for row in of_engine(preset=Preset("inline-1")).orders}
+    for row in dead.orders:
+        assert row.gas == pytest.approx(0.75 * gas[row.order] if row.order in gas else alone[row.order], rel=1e-9)
+    alike = [Diagram(one.angle, one.pressure, 3) for one in points]
+    same = of_engine(preset=Preset("inline-4"), diagram_points=(*points, *alike))
+    for one, other in zip(same.torque, usual.torque, strict=True):
+        assert one.torque == pytest.approx(other.torque, rel=1e-12, abs=1e-10)
+
+
+@pytest.mark.parametrize(("more", "code"), [([Diagram(0.0, 0.0, 7)], "cylinder"), ([Diagram(0.0, 0.0, 2)], "too-few")])
+def test_pressures_of_a_cylinder_that_are_no_cycle_are_refused(more: list[Diagram], code: str) -> None:
+    points = [Diagram(math.radians(a), 1e5 * p) for a, p in PRESSURES]
+    with pytest.raises(InadmissibleError) as caught:
+        of_engine(preset=Preset("inline-4"), diagram_points=(*points, *more))
+    assert caught.value.code == code
 
 
 def test_the_mean_torque_is_the_work_of_the_diagram() -> None:

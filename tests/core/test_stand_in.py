@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from dynamics_cli.core.inputs.uncertain.distributions import Normal, Uniform
+from dynamics_cli.core.uncertainty.methods.outcome import FAIR
 from dynamics_cli.core.uncertainty.propagation import Propagation, propagate
 from dynamics_cli.numerics.distributions import normal
+from dynamics_cli.sampling import Drawing
 
 P = (0.025, 0.5, 0.975)
 Z = [normal.quantile(p) for p in P]
@@ -155,3 +157,27 @@ def test_one_input_on_which_results_turn(*, wild: bool) -> None:
     assert made.spreads["plain"].std == pytest.approx(3.0, rel=1e-4)
     assert spread.estimate < (0.3 if wild else 0.03)
     assert model.asked < (2000 if wild else 300)
+
+
+class Chaotic:
+    """Of expensive cases, a result that no polynomial follows."""
+
+    arrays = False
+
+    def __init__(self) -> None:
+        self.drawing = Drawing()
+        self.drawing.each = 0.02
+
+    def __call__(self, inputs: dict) -> tuple[dict, np.ndarray | None]:
+        self.drawing.spent += self.drawing.each * np.size(inputs["a"])
+        return {"angle": np.sin(1e4 * inputs["a"]) + 0.0 * inputs["b"]}, None
+
+
+def test_what_effort_leaves_poorly_known_is_remedied_by_the_sample_that_is_named() -> None:
+    given = {"a": Normal(0.0, 1.0), "b": Normal(0.0, 1.0)}
+    made = propagate(Chaotic(), given)
+    assert made.estimate > FAIR
+    assert "--method monte-carlo --samples" in made.remedy
+    named = propagate(Chaotic(), given, method="monte-carlo", samples=8000)
+    assert named.remedy == "raise --samples"
+    assert named.estimate < 0.2 * made.estimate

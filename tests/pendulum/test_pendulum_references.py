@@ -10,7 +10,7 @@ import pytest
 from dynamics_cli.numerics.elliptic import functions
 from dynamics_cli.pendulum.compound import CentralInertia, Gyration, PivotInertia, compound, rod
 from dynamics_cli.pendulum.conical import ConeAngle, ConeHeight, ConePeriod, ConeSpeed, conical
-from dynamics_cli.pendulum.damped import damped
+from dynamics_cli.pendulum.damped import _by_energy, _integrated, damped
 from dynamics_cli.pendulum.design import design
 from dynamics_cli.pendulum.simple import Amplitude, BottomSpeed, FromTop, State, simple
 
@@ -153,3 +153,11 @@ def test_elliptic_functions() -> None:
         sn, cn, dn = functions(u, 0.6, 0.8)
         assert sn * sn + cn * cn == pytest.approx(1.0, rel=1e-15)
         assert dn * dn + 0.36 * sn * sn == pytest.approx(1.0, rel=1e-14)
+
+
+@pytest.mark.parametrize(("beta", "size"), [(0.1, 1.0), (0.02, 3.1), (5.0, 2.0), (1e-4, 0.5), (0.3, 0.01)])
+def test_drag_by_the_square_alone_in_closed_form_is_as_integrated(beta: float, size: float) -> None:
+    closed, run = _by_energy(3.13, beta, size, 1e-6, 6), _integrated(3.13, 0.0, beta, size, 1e-6, 1e-12, 6)
+    for (time, angle), (other_time, other_angle) in zip(closed, run, strict=True):
+        assert time == pytest.approx(other_time, rel=1e-10)
+        assert angle == pytest.approx(other_angle, rel=1e-10)

@@ -18,7 +18,7 @@ from scipy.linalg import expm as expm_of_doubles
 
 mp.dps = 50
 TARGET = Path(__file__).resolve().parents[1] / "vibration" / "rotor.json"
-E, RHO = 210e9, 7850.0
+E, RHO, NU = 210e9, 7850.0, "0.3"
 # Whirls of each direction, and the grid that they are looked for on: shares of the highest rate.
 MODES, GRID = 2, 600
 
@@ -105,6 +105,12 @@ def _law(rate: Any, speed: Any, diameter: Any, bore: Any, exact: bool) -> Any:
     density, modulus = (mpf(RHO), mpf(E)) if exact else (RHO, E)
     law = _zeros(4, 4, exact)
     law[0, 1], law[1, 2] = 1, 1 / (modulus * second)
+    # slope = turn of the section + shear by the coefficient of Cowper, G = E/(2(1 + ν))
+    nu = mpf(NU) if exact else float(NU)
+    hollow = (bore / diameter) ** 2
+    shape = 6 * (1 + nu) * (1 + hollow) ** 2
+    shape /= (7 + 6 * nu) * (1 + hollow) ** 2 + (20 + 12 * nu) * hollow
+    law[0, 3] = 1 / (shape * modulus / (2 * (1 + nu)) * area)
     law[2, 1], law[2, 3] = -density * second * (rate**2 - 2 * rate * speed), -1
     law[3, 0] = -(rate**2) * density * area
     return law

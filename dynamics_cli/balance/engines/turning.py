@@ -27,6 +27,13 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Check, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.balance.engines.firing import Fired
+
+    # Gas and inertia torque of an order, of cylinders alike, and their firing angles.
+    Waves = list[tuple[tuple[Phasor, Phasor], list[float]]]
+
 FOUR = Strokes("four")
 DEGREE = math.pi / 180.0
 # Panels of integration, and points in each: torques times waves of order 20 to the last digits.
@@ -45,6 +52,7 @@ class Diagram:
 
     angle: Annotated[Angle, "Crank angle after top dead centre of its firing, e.g. 15 deg."]
     pressure: Annotated[Pressure, "Pressure above that in the crankcase, e.g. 40 bar."]
+    cylinder: Annotated[Count | None, "Of this cylinder alone, such as one that misfires, e.g. 2."] = None
 
 
 @record
@@ -161,7 +169,6 @@ def turning(
     require_rod(ratio, aside)
     turns = 2 if strokes == FOUR else 1
     cycle = turns * TURN
-    _require_cycle(diagram_points, cycle)
     count = _steps(step, cycle)
     places = [(c.crank, c.bank) for c in cylinders]
     if preset is not None:
@@ -169,17 +176,19 @@ def turning(
     fired, even = firing(places, turns, firing_order)
     area = 0.25 * math.pi * bore * bore
     rim = crank_radius * speed
-    single = _Cylinder(diagram_points, ratio, aside, area * crank_radius, -reciprocating_mass * rim * rim)
-    angles = [at for _, at, _ in fired]
+    alike = [
+        (_Cylinder(points, ratio, aside, area * crank_radius, -reciprocating_mass * rim * rim), angles)
+        for points, angles in _diagrams(diagram_points, fired, cycle)
+    ]
     numbers = [k / turns for k in range(turns * highest_order + 1)]
-    parts = [single.wave(n, cycle) for n in numbers]
-    orders = [_order(n, gas, inertia, angles) for n, (gas, inertia) in zip(numbers[1:], parts[1:], strict=True)]
+    parts = [[(cylinder.wave(n, cycle), angles) for cylinder, angles in alike] for n in numbers]
+    orders = [_order(n, waves) for n, waves in zip(numbers[1:], parts[1:], strict=True)]
     orders = [row for row in orders if row.torque > 0.0]
-    table = _table(single, angles, cycle, count)
-    gas, inertia = (0.5 * len(angles) * part.x for part in parts[0])
+    table = _table(alike, cycle, count)
+    gas, inertia = (math.fsum(0.5 * len(angles) * wave[i].x for wave, angles in parts[0]) for i in range(2))
     high, low = max(table, key=lambda row: row.torque), min(table, key=lambda row: row.torque)
-    scale = abs(single.mass) * len(angles) or 1.0
-    swept = 2.0 * area * crank_radius * len(angles)
+    scale = abs(alike[0][0].mass) * len(fired) or 1.0
+    swept = 2.0 * area * crank_radius * len(fired)
     return Turning(
         mean_torque=gas,
         power=gas * abs(speed),
@@ -195,6 +204,27 @@ def turning(
         torque=tuple(table),
         checks=(Check("the inertia torque has no mean", abs(inertia) <= 1e-10 * scale, abs(inertia) / scale, 1e-10),),
     )
+
+
+def _diagrams(
+    points: "tuple[Diagram, ...]", fired: "list[Fired]", cycle: float
+) -> "list[tuple[tuple[Diagram, ...], list[float]]]":
+    """Each diagram with the firing angles of its cylinders, that of most cylinders first."""
+    own: dict[int | None, list[Diagram]] = {}
+    for point in points:
+        own.setdefault(point.cylinder, []).append(point)
+    found: dict[int | None, list[float]] = {None: []}
+    for number, at, _ in fired:
+        found.setdefault(number if number in own else None, []).append(at)
+    for unknown in own.keys() - found.keys():
+        require(False, "there is no cylinder {number}: the engine has {count}", code="cylinder",
+                number=str(unknown), count=str(len(fired)))  # fmt: skip
+    require(bool(own.get(None)) or not found[None], "the pressures of the other cylinders are missing", code="missing",
+            hint="points without a cylinder are of all that have none of their own")  # fmt: skip
+    made = [(tuple(own[number]), angles) for number, angles in found.items() if angles]
+    for part, _ in made:
+        _require_cycle(part, cycle)
+    return made
 
 
 def _require_cycle(pressures: "tuple[Diagram, ...]", cycle: float) -> None:
@@ -275,26 +305,33 @@ class _Cylinder:
         return Phasor(sums[0] * factor, sums[1] * factor), Phasor(sums[2] * factor, sums[3] * factor)
 
 
-def _order(order: float, gas: Phasor, inertia: Phasor, angles: "list[float]") -> TorqueOrder:
-    turn = total(polar(1.0, -order * angle) for angle in angles)
-    if turn.size <= CANCELLED * len(angles):
-        turn = Phasor(0.0, 0.0)
-    both = (gas + inertia) * turn
+def _order(order: float, waves: "Waves") -> TorqueOrder:
+    turned = [(wave, _turned(order, angles)) for wave, angles in waves]
+    # the masses are alike, so that their torques may cancel where pressures do not
+    inertia = waves[0][0][1] * _turned(order, [at for _, angles in waves for at in angles])
+    gas = total(wave[0] * turn for wave, turn in turned)
+    both = gas + inertia
+    first = waves[0][0]
     return TorqueOrder(
         order=order,
         torque=both.size,
         phase=both.angle if both.size > 0.0 else None,
-        gas=(gas * turn).size,
-        inertia=(inertia * turn).size,
-        single=(gas + inertia).size,
+        gas=gas.size,
+        inertia=inertia.size,
+        single=(first[0] + first[1]).size,
     )
 
 
-def _table(single: _Cylinder, angles: "list[float]", cycle: float, count: int) -> "list[TorquePoint]":
+def _turned(order: float, angles: "list[float]") -> Phasor:
+    turn = total(polar(1.0, -order * angle) for angle in angles)
+    return turn if turn.size > CANCELLED * len(angles) else Phasor(0.0, 0.0)
+
+
+def _table(alike: "list[tuple[_Cylinder, list[float]]]", cycle: float, count: int) -> "list[TorquePoint]":
     rows = []
     for k in range(count):
         angle = cycle * k / count
-        parts = [single.at(angle - fires, cycle) for fires in angles]
+        parts = [cylinder.at(angle - fires, cycle) for cylinder, angles in alike for fires in angles]
         gas, inertia = (math.fsum(part[i] for part in parts) for i in range(2))
         rows.append(TorquePoint(angle, gas + inertia, gas, inertia))
     first = rows[0]

@@ -1,12 +1,13 @@
 """Typer's parsed values as a call; options given twice or without a value are refused."""
 
 from dynamics_cli.core.answering.task import Task
-from dynamics_cli.core.command.unknown import unknown_option
+from dynamics_cli.core.command.unknown import groups_with, unknown_option
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS, Call
 from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from typing import Any
 
 
@@ -25,7 +26,7 @@ def call_of(task: Task, values: "dict[str, Any]") -> Call:
         value = values.pop(variable("option", name), None)
         if value:
             how = "flag" if option.flag else "many" if option.repeats else "value"
-            call.options[name] = single(name, value, how)
+            call.options[name] = single(name, value, how, groups_with(task, name) if len(value) > 1 else ())
     return call
 
 
@@ -34,8 +35,8 @@ def variable(side: str, name: str) -> str:
     return f"{side}__{name.replace('-', '_')}"
 
 
-def single(name: str, value: "Any", how: str) -> "Any":
-    """The value of an option given once, or all values of one that repeats."""
+def single(name: str, value: "Any", how: str, groups: "Sequence[str]" = ()) -> "Any":
+    """The value of an option given once, or all values of one that repeats; `groups` that repeat take it as well."""
     if how == "flag":
         return True
     if how == "many":
@@ -43,5 +44,6 @@ def single(name: str, value: "Any", how: str) -> "Any":
     if value[-1].startswith("--"):
         raise UsageError(f"--{name} has no value: it is followed by {value[-1]}", code="missing", parameter=name)
     if len(value) > 1:
-        raise UsageError(f"--{name} is given {len(value)} times", code="repeated", parameter=name)
+        hint = f'several: --{groups[0]} "{name}=…" for each' if groups else None
+        raise UsageError(f"--{name} is given {len(value)} times", code="repeated", parameter=name, hint=hint)
     return value[0]

@@ -17,7 +17,7 @@ def near_option(task: Task, word: str) -> str:
     """The option that an unknown one probably means: by its name, by its description, or one that every task has."""
     typed = word.lstrip("-").partition("=")[0].lower()
     near = (
-        [f'{name} "{typed}=…"' for name in _groups_with(task, typed)]
+        [f'{name} "{typed}=…"' for name in groups_with(task, typed)]
         or suggestions(typed, task.options)
         or _each_of(task, typed)
         or _described(task, typed)
@@ -30,7 +30,7 @@ def near_option(task: Task, word: str) -> str:
     )
 
 
-def _groups_with(task: Task, typed: str) -> "list[str]":
+def groups_with(task: Task, typed: str) -> "list[str]":
     """The repeatable options whose records have a value of this very name: `--piece` for `--width`."""
     groups = {name: option for name, option in task.options.items() if option.leaf is None}
     return [

@@ -156,7 +156,12 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
         return _scalar(read_amount(text), kind, default_unit)
     except UsageError as error:
         if kind.letter and default_unit != kind.si:
-            return read_scalar(text.strip(kind.letter + kind.letter.lower() + " "), kind, kind.si)
+            bare = text.lstrip(kind.letter + kind.letter.lower() + " ")
+            try:
+                return read_scalar(bare, kind, kind.si)
+            except UsageError as of_bare:
+                message = of_bare.message.replace(shown(bare), shown(text), 1)
+                raise UsageError(message, code=of_bare.code, hint=of_bare.hint) from None
         if is_uncertain(text):
             message = f"{shown(text)} is an uncertain value; a certain value is wanted here"
             hint = f"write one number, for example {kind.example}"

@@ -125,6 +125,10 @@ SYNONYMS = {
     "json-file": "input",
     "file": "input output",
     "csv": "rows format",
+    "run": "initial first second",
+    "reading": "initial first second",
+    "trial-weight": "first-trial-mass",
+    "trial-mass": "first-trial-mass",
     "unit": "units to",
     "precision": "digits",
     "verbose": "all explain",
@@ -154,7 +158,7 @@ def suggestions(typed: str, known: "Iterable[str]") -> "list[str]":
     begun = [name for name in plain if name.startswith(word)]
     meant = [name for name in _meant(word) if name in plain]
     if len(begun) == 1:
-        return [plain[name] for name in dict.fromkeys([*meant, *begun])]
+        return [plain[name] for name in dict.fromkeys([*meant, *begun])][:MOST]
     ended = [name for name in plain if name.endswith(f"-{word}")]
     near = meant or begun or ended or nearest_words(word, plain)
     return [plain[name] for name in near[:MOST]]

@@ -315,7 +315,7 @@ def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any
         are = "intervals of {} are themselves" if len(rough) > 1 else "interval of {} is itself"
         worst = max(s.estimate for s in rough)
         known = f"known only to {worst:.1g} standard deviations" if math.isfinite(worst) else "hardly known"
-        message, remedy = f"the {are.format(listed)} {known}", "raise --samples"
+        message, remedy = f"the {are.format(listed)} {known}", propagation.remedy
         out.append({"code": "uncertainty-estimate", "severity": "caution", "message": message, "remedy": remedy})
     if propagation.stopped:
         done, every = len(propagation.spreads), len(propagation.stopped)

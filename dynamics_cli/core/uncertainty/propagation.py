@@ -92,6 +92,7 @@ class Propagation:
         self.shares_method = ""
         self.shares_error = 0.0
         self.points = 0
+        self.remedy = "raise --samples"  # where intervals are known poorly
         # The results' names, should a time limit have left some of them without a spread.
         self.stopped: list[str] = []
 
@@ -159,12 +160,13 @@ def propagate(
         stop()
         propagation.stopped = space.results
     propagation.points = space.points
+    if space.affordable is not None and method != "monte-carlo":
+        propagation.remedy = "give --method monte-carlo --samples 8000, which may take a minute"
     return propagation
 
 
 def _certain(space: Space, propagation: Propagation) -> None:
-    values = space.evaluate(np.zeros((0, 1)))[:, 0].tolist()
-    for name, value in zip(space.results, values, strict=True):
+    for name, value in zip(space.results, space.evaluate(np.zeros((0, 1)))[:, 0].tolist(), strict=True):
         propagation.spreads[name] = Spread(name, "no input is uncertain", [value] * 3, value, 0.0)
 
 
@@ -304,8 +306,8 @@ def _integrated(
 
 def across_range(interval: "tuple[float, float]") -> "Array":
     """Points across a result's range: the interval, extended by half its width to each side."""
-    low, high = interval
-    return np.linspace(low - 0.5 * (high - low), high + 0.5 * (high - low), CURVE_POINTS)
+    half = 0.5 * (interval[1] - interval[0])
+    return np.linspace(interval[0] - half, interval[1] + half, CURVE_POINTS)
 
 
 def _classical(space: Space, row: int, goal: Goal, method: str, slopes: "Mapping[str, float] | None") -> Plain:

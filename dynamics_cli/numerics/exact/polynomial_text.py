@@ -194,8 +194,9 @@ class _Reader:
     def _refuse(self, why: str) -> None:
         names = " and ".join(self.powers)
         example = "s^3 + 2s^2 + 3/7".replace("s", next(iter(self.powers), "s"))
+        rest = self.text[self.at : self.at + 12]
         raise UsageError(
-            f"{self.typed!r}, at {self.text[self.at : self.at + 12] or 'its end'!r}: {why}",
+            f"{self.typed!r}{f', at {rest!r}' if rest else ''}: {why}" if self.typed.strip() else "nothing is written",
             code="polynomial",
             hint=f"write a polynomial in {names}, such as {example}" if names else "write numbers such as 2.5 or 3/7",
         )

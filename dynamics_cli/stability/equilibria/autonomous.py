@@ -23,6 +23,7 @@ from dynamics_cli.stability.equilibria.beyond_linear import (
     of_one_state,
     weak_focus,
 )
+from dynamics_cli.stability.equilibria.multiple import distinct
 from dynamics_cli.stability.equilibria.rates import Rates, State
 from dynamics_cli.stability.matrix import characteristic_of
 from dynamics_cli.stability.roots import Root, roots
@@ -39,8 +40,12 @@ STARTS, NEWTON = 700, 100
 HALVINGS = 20
 # Places nearer than this share of the ranges are one; double ones are found to half the digits only.
 APART = 1e-5
+# Of one state, what is double is told by its terms.
+NEAR = 1e-10
 # A rate below this share of the sizes of its Jacobian, and a root below that of the largest, are taken for zero.
 ZERO, ON_AXIS = 1e-10, 1e-9
+# A root below this share of the slopes is rounding.
+NO_ROOT = 1e-20
 
 
 @record
@@ -74,7 +79,11 @@ def state_places(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> "t
     _search(rates, [tuple(0.5 * (a + b) for a, b in zip(*pair, strict=True)) for pair in pairs], ranges, places)
     require(bool(places), "no equilibrium was found within the ranges", code="no-equilibrium",
             hint="widen low and high, or check the signs; where equilibria form a line, leave out a state")  # fmt: skip
-    return tuple(_judged(rates, place, ranges) for place in sorted(places))
+    if len(states) == 1:
+        taylor = lambda at, order: rates.along((at,), (1.0,), order)[0]  # noqa: E731
+        kept = distinct(taylor, (at for (at,) in places), 0.1 * (ranges[0][1] - ranges[0][0]))
+        return tuple(_judged(rates, (at,), ranges, multiplicity) for at, multiplicity in kept)
+    return tuple(_judged(rates, place, ranges, 1) for place in sorted(places))
 
 
 def _near_zeros(rates: Rates, grid: "list[float]") -> "Iterator[Point]":
@@ -142,10 +151,11 @@ def _solved(rows: "list[list[float]]", right: "list[float]") -> "list[float] | N
 
 
 def _same(one: "Point", two: "Point", ranges: "Sequence[tuple[float, float]]") -> bool:
-    return all(abs(a - b) <= APART * (high - low) for a, b, (low, high) in zip(one, two, ranges, strict=True))
+    apart = APART if len(one) > 1 else NEAR
+    return all(abs(a - b) <= apart * (high - low) for a, b, (low, high) in zip(one, two, ranges, strict=True))
 
 
-def _judged(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]") -> StatePlace:
+def _judged(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]", multiplicity: int) -> StatePlace:
     """The equilibrium with the roots of its linear terms, which are exact of the Jacobian's doubles."""
     slopes = rates.jacobian(place)
     require(all(math.isfinite(x) for row in slopes for x in row), "the rates have no slope at {place}",
@@ -153,6 +163,7 @@ def _judged(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]
             hint="a corner such as |x| is judged on each side by itself")  # fmt: skip
     found = roots(characteristic_of([[exact(x) for x in row] for row in slopes]))
     largest = max(root.natural for root in found) or 1.0
+    steepest = max(abs(slope) for row in slopes for slope in row)
     sides = [0.0 if abs(root.real) <= ON_AXIS * largest else math.copysign(1.0, root.real) for root in found]
     counts = dict.fromkeys((-1.0, 0.0, 1.0), 0)
     for root, side in zip(found, sides, strict=True):
@@ -160,9 +171,11 @@ def _judged(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]
     leading = found[0]
     return StatePlace(
         at=place,
-        verdict=_beyond(rates, place, slopes, ranges, counts, leading) or _words(found, sides, counts),
-        rightmost=leading.real,
-        frequency=leading.imaginary / (2.0 * math.pi) if leading.pair else None,
+        verdict=_beyond(rates, place, slopes, ranges, counts, leading, multiplicity) or _words(found, sides, counts),
+        rightmost=leading.real if multiplicity == 1 and abs(leading.real) > NO_ROOT * steepest else 0.0,
+        frequency=leading.imaginary / (2.0 * math.pi)
+        if leading.pair and leading.natural > NO_ROOT**0.5 * steepest
+        else None,
         unstable_directions=counts[1.0],
         roots=found,
         jacobian=tuple(map(tuple, slopes)),
@@ -176,11 +189,12 @@ def _beyond(
     ranges: "Sequence[tuple[float, float]]",
     counts: "dict[float, int]",
     leading: Root,
+    multiplicity: int,
 ) -> "str | None":
     """The verdict by more than the linear terms, where those leave it open and the rest decides."""
     reach = 0.1 * min(high - low for low, high in ranges)
     if len(place) == 1:
-        return of_one_state(rates, place[0], reach)
+        return of_one_state(rates, place[0], reach, multiplicity)
     if counts[1.0] or leading.multiplicity > 1 or counts[0.0] != (2 if leading.pair else 1):
         return None
     if not leading.pair:

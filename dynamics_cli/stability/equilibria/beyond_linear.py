@@ -23,32 +23,16 @@ NO_COEFFICIENT = 1e-9
 CENTRE = "stable centre: the area of states is kept"
 
 
-def of_one_state(rates: "Rates", at: float, reach: float) -> "str | None":
+def of_one_state(rates: "Rates", at: float, reach: float, multiplicity: int) -> "str | None":
     """The verdict on one state by the first term that is not zero, where that is not the linear one."""
     rate = rates.along((at,), (1.0,), ORDER)[0]
     parts = [abs(part) * reach**k for k, part in enumerate(rate)]
-    order = next((k for k in range(1, ORDER + 1) if parts[k] > NOTHING * max(parts[1:])), 0)
-    if order and parts[order] < _remainder(parts, order):
-        return CLOSE
+    order = next((k for k in range(multiplicity, ORDER + 1) if parts[k] > NOTHING * max(parts[1:])), 0)
     if order < 2:
         return None
     if order % 2 == 0:
-        return f"unstable on one side, by the term of order {order}"
-    return f"{'stable' if rate[order] < 0.0 else 'unstable'} equilibrium, by the term of order {order}"
-
-
-def _remainder(parts: "Sequence[float]", order: int) -> float:
-    """The most that a term may be where a zero of higher order was missed by rounding."""
-    return max(
-        (
-            math.comb(higher, order)
-            * parts[higher]
-            * (ROUNDING * max(parts[1:]) / parts[higher]) ** (1 - order / higher)
-            for higher in range(order + 1, ORDER + 1)
-            if parts[higher] > NOTHING * max(parts[1:])
-        ),
-        default=0.0,
-    )
+        return f"unstable on one side, degenerate: by the term of order {order}"
+    return f"{'stable' if rate[order] < 0.0 else 'unstable'} equilibrium, degenerate: by the term of order {order}"
 
 
 def keeps_area(rates: "Rates", ranges: "Sequence[tuple[float, float]]") -> bool:

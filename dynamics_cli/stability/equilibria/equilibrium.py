@@ -23,6 +23,7 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, Numerics, record
 from dynamics_cli.sampling import cost, drawing
 from dynamics_cli.stability.equilibria.autonomous import StatePlace
+from dynamics_cli.stability.equilibria.multiple import distinct
 from dynamics_cli.stability.equilibria.rates import State
 
 TYPE_CHECKING = False
@@ -41,6 +42,8 @@ ORDER = 8
 NOTHING = 1e-9
 # Slopes that pass zero by less than this share of the largest touch it; zeros are parted by derivatives up to this one.
 TOUCH, DEEPEST = 1e-13, 4
+# Angles nearer than this to an end of the turn are there.
+ENDS = 1e-9
 ANGLES = ("theta", "θ")
 POSITION = "x"
 
@@ -152,11 +155,13 @@ def equilibrium(
     found = _equilibria(value, low, high, FEWER if drawing() else SAMPLES)
     if drawing():
         cost(0.0, COST, 1)
-    if angular:
-        # both ends of the turn are one place
-        found = [at for at in found if at > low + NOTHING]
     unit = inertia if angular else mass
-    places = tuple(_place(value, at, bool(angular), unit, (low, high)) for at in found)
+    reach = 0.1 * (high - low)
+    kept = distinct(lambda at, order: _slopes(value, at, order), found, reach)
+    if angular and kept[0][0] < low + ENDS:
+        # both ends of the turn are one place
+        kept = [*kept[1:], *([] if kept[-1][0] > high - ENDS else [(high, kept[0][1])])]
+    places = tuple(_place(value, one, bool(angular), unit, reach) for one in kept)
     stable = len([place for place in places if place.verdict.startswith("stable")])
     return Equilibria(
         stable=stable,
@@ -285,18 +290,25 @@ def _halved(value: "Potential", order: int, low: float, high: float) -> float:
     return low + (high - low) * one / (one - two)
 
 
-def _place(value: "Potential", at: float, angular: bool, inertia: "float | None", ends: "tuple[float, float]") -> Place:
+def _slopes(value: "Potential", at: float, order: int) -> "list[float]":
+    """Taylor coefficients of the slope."""
+    return [k * part for k, part in enumerate(value(at, order + 1)[1:], 1)]
+
+
+def _place(
+    value: "Potential", centred: "tuple[float, int]", angular: bool, inertia: "float | None", reach: float
+) -> Place:
+    at, multiplicity = centred
     parts = value(at, ORDER)
-    reach = 0.1 * (ends[1] - ends[0])
     size = max(abs(part) * reach**k for k, part in enumerate(parts[1:], 1)) or 1.0
-    order = next((k for k in range(2, ORDER + 1) if abs(parts[k]) * reach**k > NOTHING * size), 0)
+    order = next((k for k in range(multiplicity + 1, ORDER + 1) if abs(parts[k]) * reach**k > NOTHING * size), 0)
     curvature = 2.0 * parts[2] if order == 2 else 0.0
     if order and order % 2 == 0:
         verdict = "stable" if parts[order] > 0.0 else "unstable"
     else:
         verdict = "unstable on one side" if order else "neutral"
     if order > 2:
-        verdict += f", by the derivative of order {order}"
+        verdict += f", degenerate: by the derivative of order {order}"
     rate = math.sqrt(abs(curvature) / inertia) if inertia else None
     return Place(
         position=None if angular else at,

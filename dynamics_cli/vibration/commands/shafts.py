@@ -39,6 +39,7 @@ SHAFT = Task(
     tracked=False,
 )  # fmt: skip
 
+ROTOR_PICTURES = "dynamics_cli.vibration.rotors.pictures"
 ROTORS = "dynamics_cli.vibration.shafts.rotor_pictures"
 
 ABSORBER = Task(
@@ -118,11 +119,11 @@ ROTOR = Task(
     "Critical speeds, whirl and Campbell diagram of a stepped shaft with disks on bearings.",
     Model(
         "beam elements with gyroscopic moments",
-        "dynamics_cli.vibration.shafts.rotor:rotor",
-        source="Rayleigh beam, cubic elements",
+        "dynamics_cli.vibration.rotors.rotor:rotor",
+        source="Timoshenko beam, shear coefficient of Cowper",
         formula="(K + λΩ·G − λ²·M)·z = 0; K·z = λ²·(M ∓ G/h)·z at λ = ±hΩ",
         assumptions=(
-            "a slender round shaft (no shear) with rotary inertia; rigid disks",
+            "a round shaft with shear and rotary inertia; rigid disks",
             "bearings alike in every direction; no damping",
         ),
         method="beam elements, symmetric eigenvalues",
@@ -146,10 +147,53 @@ ROTOR = Task(
         "bearings[1].position": "800 mm", "disks[0].position": "300 mm", "disks[0].mass": "30 kg",
     },
     table="criticals whirls campbell",
-    plot=f"{ROTORS}:rotor",
+    plot=f"{ROTOR_PICTURES}:rotor",
     arrays=False,
     tracked=False,
     points=400,
 )  # fmt: skip
 
-TASKS = (SHAFT, ABSORBER, BEAM, WHIRL, ROTOR)
+ROTOR_RESPONSE = Task(
+    "rotor-response",
+    "A rotor on real bearings: response to unbalance, logarithmic decrements, onset of instability.",
+    Model(
+        "beam elements in two planes",
+        "dynamics_cli.vibration.rotors.response:rotor_response",
+        source="Timoshenko beam, shear coefficient of Cowper",
+        formula="M·q̈ + (C + Ω·J)·q̇ + (K + Ω·S)·q = Ω²·u·e^{iΩt}; δ = −2π·Re s/Im s",
+        assumptions=(
+            "a round shaft with shear and rotary inertia, without damping of its own; rigid disks",
+            "coefficients of bearings hold at every speed",
+        ),
+        method="beam elements, lowest modes with static corrections",
+    ),
+    headline=(
+        "critical_speed: first peak of the response",
+        "stable_to: stable at least to", "onset: unstable from", "onset_frequency: by a whirl of",
+        "decrement: least logarithmic decrement",
+        "peaks: peaks | position, speed, horizontal, vertical, major=long half axis, whirl",
+        "orbits: at the running speed | position, horizontal, horizontal_lag=lag, vertical, vertical_lag=lag, whirl",
+        "loads: rotating forces on the bearings | position, horizontal, vertical",
+    ),
+    examples=(
+        'dynamics vibration rotor-response --section "length=1 m, diameter=60 mm" '
+        '--bearing "position=50 mm, kxx=40 kN/mm, kyy=90 kN/mm, cxx=20 kN*s/m" '
+        '--bearing "position=950 mm, kxx=40 kN/mm, kyy=90 kN/mm, cxx=20 kN*s/m" '
+        '--disk "position=400 mm, mass=35 kg, polar-inertia=0.8 kg*m^2" '
+        '--unbalance "position=400 mm, unbalance=500 g*mm" --speed "3000 rpm"',
+    ),
+    scene={
+        "sections[0].length": "800 mm", "sections[0].diameter": "50 mm", "bearings[0].position": "0 mm",
+        "bearings[0].kxx": "40 kN/mm", "bearings[0].kyy": "90 kN/mm", "bearings[0].cxx": "20 kN*s/m",
+        "bearings[1].position": "800 mm", "bearings[1].kxx": "40 kN/mm", "bearings[1].kyy": "90 kN/mm",
+        "bearings[1].cxx": "20 kN*s/m", "disks[0].position": "300 mm", "disks[0].mass": "30 kg",
+        "unbalances[0].position": "300 mm", "unbalances[0].unbalance": "500 g*mm", "speed": "3000 rpm",
+    },
+    table="orbits peaks over_speed campbell",
+    plot=f"{ROTOR_PICTURES}:rotor_response",
+    arrays=False,
+    tracked=False,
+    points=100,
+)  # fmt: skip
+
+TASKS = (SHAFT, ABSORBER, BEAM, WHIRL, ROTOR, ROTOR_RESPONSE)

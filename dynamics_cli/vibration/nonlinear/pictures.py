@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.pictures import Axis, Band, Curve, Panel, Picture
 from dynamics_cli.vibration.nonlinear.averaging import averages
 from dynamics_cli.vibration.nonlinear.task import Duffing, ForcedDuffing, Pendulum, VanDerPol, law_of
 from dynamics_cli.vibration.nonlinear.truth import STIFF, mean
@@ -144,8 +144,7 @@ def _branches(result: "Any", given: ForcedDuffing) -> Picture:
         items.append(Curve(*curve, name, "solid" if stable else "dashed", role=0 if stable else 1))
     for nth, jump in enumerate(result.jumps):
         items.append(Band(jump, jump, "jumps" if nth == 0 else ""))
-    for row in result.branches:
-        aside = (-6.0, 8.0) if row.stable else (6.0, -16.0)
-        items.append(Mark(given.frequency_ratio, row.true_amplitude or row.amplitude, "integrated", aside))
+    heights = [row.true_amplitude or row.amplitude for row in result.branches]
+    items.append(Curve([given.frequency_ratio] * len(heights), heights, "integrated", "points", role=2))
     axes = Axis("frequency over linear", ends=(0.0, end)), Axis("amplitude", ends=(0.0, 1.3 * largest))
     return Picture((Panel(*axes, tuple(items)),), "steady amplitudes under the force")

@@ -1,1 +1,1 @@
-"""Torsional shaft lines with gears and branches, and whirling rotors."""
+"""Torsional shaft lines with gears and branches, a whirling disk, beams, absorbers."""

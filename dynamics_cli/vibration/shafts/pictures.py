@@ -36,7 +36,7 @@ def _campbell(result: "Any", orders: "tuple[float, ...]", low: "float | None", h
     for mode in shown:
         items.append(Curve([0.0, top], [mode.frequency, mode.frequency], role=0))
         text = worded("mode {n}", n=str(mode.number))
-        items.append(Label(0.01 * top, mode.frequency + 0.02 * ceiling, text, left=True))
+        items.append(Label(0.01 * top, mode.frequency + 0.035 * ceiling, text, left=True))
     for nth, order in enumerate(orders):
         end = min(top, ceiling * 2.0 * math.pi / order)
         items.append(

@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.pictures import Axis, Band, Curve, Label, Mark, Panel, Picture
+from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Frequency, ShaftSpeed, Size
 from dynamics_cli.vibration.shafts.absorber import amplitude
 from dynamics_cli.vibration.shafts.beam import shape
@@ -52,50 +52,13 @@ def _campbell(disk: TiltingDisk, criticals: "Any", orders: "tuple[float, ...]", 
         for whirl, style in (("forward", "solid"), ("backward", "dashed")):
             heights = [getattr(row, f"{mode}_{whirl}") for row in rows]
             items.append(Curve(speeds, heights, f"{nth + 1} {whirl}", style, role=nth))  # type: ignore[arg-type]
-    items += _order_lines(orders, top, ceiling)
+    items += order_lines(orders, top, ceiling)
     items += [Mark(plain(row.speed), plain(row.frequency), "") for row in criticals if plain(row.speed) <= top]
     axes = Axis("speed", ShaftSpeed, ends=(0.0, top)), Axis("frequency", Frequency, ends=(0.0, ceiling))
     return Panel(*axes, tuple(items), "Campbell diagram")
 
 
-def rotor(
-    result: "Any", *, bearings: "Any", disks: "Any" = (), orders: "tuple[float, ...]" = (1.0,),
-    speed: "float | None" = None, **_: "Any",
-) -> Picture:  # fmt: skip
-    """The Campbell diagram of a rotor, and its shapes at the critical speeds of unbalance."""
-    rows = result.campbell
-    speeds = [row.speed for row in rows]
-    top = speeds[-1]
-    shown = min(len(rows[0].forward), 3)
-    ceiling = 1.08 * max(max(row.forward[shown - 1] for row in rows[:1]), max(orders) * top / (2.0 * math.pi))
-    items: list[Any] = [Band(abs(speed), abs(speed), "running here")] if speed else []
-    for nth in range(len(rows[0].forward)):
-        for whirl, style in (("forward", "solid"), ("backward", "dashed")):
-            heights = [getattr(row, whirl)[nth] for row in rows]
-            if heights[0] < ceiling:
-                items.append(Curve(speeds, heights, f"{nth + 1} {whirl}", style, role=nth))  # type: ignore[arg-type]
-    items += _order_lines(orders, top, ceiling)
-    items += [
-        Mark(row.speed, row.frequency, "") for row in result.criticals if row.speed <= top and row.frequency < ceiling
-    ]
-    axes = Axis("speed", ShaftSpeed, ends=(0.0, top)), Axis("frequency", Frequency, ends=(0.0, ceiling))
-    along = Axis("along the shaft", Size)
-    places = [row.position for row in result.shapes]
-    curves = [
-        Curve(places, [getattr(row, name) for row in result.shapes], f"{nth} forward", role=nth - 1)
-        for nth, name in enumerate(("first", "second", "third"), 1)
-        if result.shapes and getattr(result.shapes[0], name) is not None
-    ]
-    parts: list[Any] = [Band(0.0, 0.0, "", vertical=False)]
-    parts += [Curve([disk.position] * 2, [-0.25, 0.25], "", "thick", role=GREY) for disk in disks]
-    parts += [Label(bearing.position, -0.07, "▲") for bearing in bearings]
-    bent = Panel(along, Axis("deflection", ends=(-1.1, 1.1)), (*parts, *curves),
-                 "shapes at critical speeds")  # fmt: skip
-    panels = (Panel(*axes, tuple(items), "Campbell diagram"), *((bent,) if curves else ()))
-    return Picture(panels, "whirl of a rotor", columns=1)
-
-
-def _order_lines(orders: "tuple[float, ...]", top: float, ceiling: float) -> "list[Any]":
+def order_lines(orders: "tuple[float, ...]", top: float, ceiling: float) -> "list[Any]":
     """A line for each order, named near its end."""
     items: list[Any] = []
     for order in orders:
@@ -121,7 +84,7 @@ def absorber(result: "Any", *, size: "Any", **_: "Any") -> Picture:
     limit = 4.0 * max(plain(result.lower_peak), plain(result.upper_peak))
     curves.append(Curve(ratios, [y if y < limit else math.nan for y in alone], "without absorber", "thin", role=GREY))
     for r, peak in ((result.lower_ratio, result.lower_peak), (result.upper_ratio, result.upper_peak)):
-        curves.append(Mark(plain(r), plain(peak), f"{plain(peak):.4g}"))
+        curves.append(Mark(plain(r), plain(peak), ""))
     x = Axis("frequency over that of the machine", ends=(ratios[0], ratios[-1]))
     return Picture((Panel(x, Axis("amplitude over F/k", logarithmic=True), tuple(curves)),), "tuned absorber")
 

@@ -116,14 +116,14 @@ def _transmissibility(ratios: "list[float]", zeta: float, marks: "list[Any]") ->
 def base(result: "Any", **_: "Any") -> Picture:
     """Transmissibility over the frequency ratio, for several damping ratios."""
     zeta, at = plain(result.damping_ratio), plain(result.ratio)
-    mark = Mark(at, plain(result.transmissibility), "running here")
+    mark = Mark(at, plain(result.transmissibility), "running here", (-6.0, -14.0))
     return Picture((_transmissibility(_ratios(at), zeta, [mark]),), "transmissibility")
 
 
 def isolator(result: "Any", *, damping_ratio: float = 0.0, **_: "Any") -> Picture:
     """Transmissibility with the mounts."""
     at = plain(result.ratio)
-    mark = Mark(at, plain(result.transmissibility), "these mounts")
+    mark = Mark(at, plain(result.transmissibility), "these mounts", (-6.0, -14.0))
     return Picture((_transmissibility(_ratios(at), plain(damping_ratio), [mark]),), "transmissibility")
 
 

@@ -27,19 +27,23 @@ class Matrices:
         """The station at a position."""
         return min(range(len(self.stations)), key=lambda k: abs(self.stations[k] - position))
 
-    def add_element(self, number: int, bending: float, line_mass: float, line_inertia: float) -> None:
-        """A beam element of Hermite's cubics from a station to the next, with the rotation of its sections."""
+    def add_element(self, number: int, bending: float, shearing: float, line_mass: float, line_inertia: float) -> None:
+        """A beam element of Timoshenko from a station to the next, with the rotation of its sections."""
         import numpy as np
 
         length = self.stations[number + 1] - self.stations[number]
         span = slice(2 * number, 2 * number + 4)
         scale = np.outer([1.0, length, 1.0, length], [1.0, length, 1.0, length])
-        bend = np.array([[12, 6, -12, 6], [6, 4, -6, 2], [-12, -6, 12, -6], [6, 2, -6, 4]])
-        shift = np.array([[156, 22, 54, -13], [22, 4, 13, -3], [54, 13, 156, -22], [-13, -3, -22, 4]])
-        tilt = np.array([[36, 3, -36, 3], [3, 4, -3, -1], [-36, -3, 36, -3], [3, -1, -3, 4]])
-        tilt = line_inertia / (30.0 * length) * scale * tilt
-        self.stiffness[span, span] += bending / length**3 * scale * bend
-        self.mass[span, span] += line_mass * length / 420.0 * scale * shift + tilt
+        # deflection by shear over that by bending
+        f = 12.0 * bending / (shearing * length**2)
+        self.stiffness[span, span] += bending / (length**3 * (1.0 + f)) * scale * _even(12, 6, -12, 6, 4 + f, 2 - f)
+        shift = _even(
+            312 + 588 * f + 280 * f * f, 44 + 77 * f + 35 * f * f, 108 + 252 * f + 140 * f * f,
+            -(26 + 63 * f + 35 * f * f), 8 + 14 * f + 7 * f * f, -(6 + 14 * f + 7 * f * f),
+        )  # fmt: skip
+        tilt = _even(36, 3 - 15 * f, -36, 3 - 15 * f, 4 + 5 * f + 10 * f * f, -1 - 5 * f + 5 * f * f)
+        tilt = line_inertia / (30.0 * length * (1.0 + f) ** 2) * scale * tilt
+        self.mass[span, span] += line_mass * length / (840.0 * (1.0 + f) ** 2) * scale * shift + tilt
         # a round section has twice the moment about its axis
         self.gyroscopic[span, span] += 2.0 * tilt
 
@@ -66,6 +70,13 @@ class Matrices:
         rest = np.setdiff1d(np.arange(len(self.mass)), self.held)
         pick = np.ix_(rest, rest)
         return self.mass[pick], self.gyroscopic[pick], self.stiffness[pick], rest
+
+
+def _even(a: float, b: float, c: float, d: float, e: float, f: float) -> "Any":
+    """The symmetric matrix of an element that is the same from both ends."""
+    import numpy as np
+
+    return np.array([[a, b, c, d], [b, e, -d, f], [c, -d, a, -b], [d, f, -b, e]])
 
 
 def stations_of(marks: "Sequence[float]", elements: int) -> "list[float]":

@@ -1,15 +1,12 @@
 """Critical speeds, whirl and Campbell diagram of a stepped shaft with disks on several bearings."""
 
 import math
-from itertools import pairwise
 
-from dynamics_cli.errors import require
 from dynamics_cli.quantities import (
     Annotated,
     Count,
     Density,
     Frequency,
-    Inertia,
     Mass,
     Positive,
     Pressure,
@@ -21,7 +18,8 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Numerics, record
 from dynamics_cli.sampling import drawing
-from dynamics_cli.vibration.shafts.beam_elements import Matrices, critical_rates, stations_of, whirl_rates
+from dynamics_cli.vibration.rotors.beam_elements import critical_rates, whirl_rates
+from dynamics_cli.vibration.rotors.stepped import ELEMENTS, Disk, Material, Section, assembled, checked, require_held
 from dynamics_cli.vibration.shafts.campbell import BACKWARD, FORWARD, WhirlCritical
 
 TYPE_CHECKING = False
@@ -29,36 +27,11 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-ELEMENTS, MODES, DIAGRAM_STEPS = 40, 3, 12
+MODES, DIAGRAM_STEPS = 3, 12
 # A running speed this near to a critical one is warned of.
 MARGIN = 0.2
-# A place this share of the length beyond an end is rounding.
-BEYOND = 1e-12
 # A deflection below this share of the largest is rounding.
 NOTHING = 1e-9
-# Rounding of an element of a matrix; the share of a lowest frequency that is refused.
-ROUNDING, POOR = 2.3e-16, 1e-3
-
-
-@record
-class Section:
-    """A stretch of the shaft; sections follow one another from the left end."""
-
-    length: Annotated[Size, "Length of the section, e.g. 200 mm."]
-    diameter: Annotated[Size, "Diameter of the section, e.g. 50 mm."]
-    bore: Annotated[Size, "Diameter of its bore, e.g. 20 mm."] = 0.0
-
-
-@record
-class Disk:
-    """A rigid disk on the shaft."""
-
-    position: Annotated[Size, "From the left end, e.g. 300 mm."]
-    mass: Annotated[Mass, "Its mass, e.g. 30 kg."]
-    polar_inertia: Annotated[Inertia, "About its axis, e.g. 0.5 kg*m^2."] = 0.0
-    diametral_inertia: Annotated[
-        Inertia | None, "About a diameter; half the polar one, as of a thin disk, unless given, e.g. 0.25 kg*m^2."
-    ] = None
 
 
 @record
@@ -125,6 +98,7 @@ def rotor(
         "End of the Campbell diagram; beyond the second critical speed unless given, e.g. 9000 rpm.",
     ] = None,
     elastic_modulus: Annotated[Pressure, "Of the shaft; steel unless given, e.g. 210000 MPa."] = 210e9,
+    poisson_ratio: Annotated[Ratio, "Of the shaft; steel unless given, e.g. 0.3."] = 0.3,
     density: Annotated[Density, "Of the shaft; steel unless given, e.g. 7850 kg/m^3."] = 7850.0,
 ) -> RotorCriticals:
     """Critical speeds and free whirl of a stepped shaft with disks on two or more bearings.
@@ -146,27 +120,30 @@ def rotor(
 
     Notes
     -----
-    Slender beams with rotary inertia and gyroscopic moments of shaft and disks; shear and damping are left out.
+    Beams with shear, rotary inertia and gyroscopic moments of shaft and disks; damping is left out.
 
     References
     ----------
-    Hermitian beam elements; checked against transfer matrices of the exact equations of each section.
+    Timoshenko beam elements, shear coefficient of Cowper; checked against transfer matrices of the exact equations.
 
     Examples
     --------
     >>> shaft = Section(1.0, 0.02)
     >>> made = rotor(sections=shaft, bearings=(Bearing(0.0), Bearing(1.0)))
     >>> round(made.critical_speed, 1)
-    255.3
+    255.2
     """
     stretches = sections if isinstance(sections, tuple) else (sections,)
-    shaft_mass, ends = _checked(stretches, disks, bearings)
-    system, coarse = (
-        _matrices(stretches, ends, disks, bearings, elastic_modulus, density, count)
-        for count in (ELEMENTS, ELEMENTS // 2)
-    )
+    material = Material(elastic_modulus, poisson_ratio, density)
+    places = [bearing.position for bearing in bearings]
+    volume, ends = checked(stretches, disk=[disk.position for disk in disks], bearing=places)
+    system, coarse = (assembled(stretches, ends, disks, places, material, count) for count in (ELEMENTS, ELEMENTS // 2))
+    for each in (system, coarse):
+        for bearing in bearings:
+            each.add_bearing(bearing.position, bearing.stiffness, bearing.tilting)
     *matrices, rest = system.free()
-    rounding = _require_held(bearings, matrices[2])
+    holding = {bearing.position for bearing in bearings if bearing.stiffness != 0.0}
+    rounding = require_held(holding, any(bearing.tilting > 0.0 for bearing in bearings), matrices[2])
     unbalance = critical_rates(matrices, 1.0, 1.0, MODES)
     check = critical_rates(coarse.free()[:3], 1.0, 1.0, MODES)
     first = unbalance[0][0] if unbalance else None
@@ -182,7 +159,7 @@ def rotor(
     return RotorCriticals(
         critical_speed=first,
         margin=margin,
-        mass=shaft_mass * density + sum(disk.mass for disk in disks),
+        mass=volume * density + sum(disk.mass for disk in disks),
         criticals=tuple(sorted(criticals, key=lambda row: row.speed)),
         whirls=None
         if speed is None
@@ -200,70 +177,9 @@ def rotor(
 
 
 def _method(fine: "list[tuple[float, Any]]", coarse: "list[tuple[float, Any]]", rounding: float) -> str:
-    """The method, with how far half as many elements move the first critical speeds: 16 times the error."""
-    apart = max((abs(a / b - 1.0) for (a, _), (b, _) in zip(fine, coarse, strict=False)), default=0.0) / 15.0 + rounding
+    """The method, with how far half as many elements move the first critical speeds: four times the error."""
+    apart = max((abs(a / b - 1.0) for (a, _), (b, _) in zip(fine, coarse, strict=False)), default=0.0) / 3.0 + rounding
     return f"beam elements, symmetric eigenvalues; critical speeds of unbalance to about {apart:.0e}"
-
-
-def _checked(stretches: "Any", disks: "Any", bearings: "Any") -> "tuple[float, list[float]]":
-    """The volume of the shaft and where its sections end; refused are sizes and places that no shaft has."""
-    volume, ends = 0.0, [0.0]
-    for number, part in enumerate(stretches, 1):
-        require(part.length > 0.0, "section {number} has no length", code="no-length", number=str(number))
-        require(
-            part.diameter > part.bore,
-            "section {number} has a bore of {bore} in a diameter of {diameter}",
-            code="section", number=str(number), bore=(part.bore, Size), diameter=(part.diameter, Size),
-        )  # fmt: skip
-        volume += math.pi / 4.0 * (part.diameter - part.bore) * (part.diameter + part.bore) * part.length
-        ends.append(ends[-1] + part.length)
-    for name, parts in (("disk", disks), ("bearing", bearings)):
-        for number, part in enumerate(parts, 1):
-            require(
-                -BEYOND * ends[-1] <= part.position <= ends[-1] * (1.0 + BEYOND),
-                "{name} {number} at {place} lies off the shaft, which is {length} long",
-                code="position", name=name, number=str(number), place=(part.position, Size), length=(ends[-1], Size),
-            )  # fmt: skip
-    return volume, ends
-
-
-def _matrices(
-    stretches: "Any", ends: "list[float]", disks: "Any", bearings: "Any", modulus: float, density: float, elements: int
-) -> Matrices:
-    marks = [*ends, *(part.position for part in (*disks, *bearings))]
-    system = Matrices(stations_of(marks, elements))
-    for number, (low, high) in enumerate(pairwise(system.stations)):
-        middle = 0.5 * (low + high)
-        part = next((one for one, end in zip(stretches, ends[1:], strict=True) if middle < end), stretches[-1])
-        area = math.pi / 4.0 * (part.diameter - part.bore) * (part.diameter + part.bore)
-        second = area / 16.0 * (part.diameter**2 + part.bore**2)
-        system.add_element(number, modulus * second, density * area, density * second)
-    for disk in disks:
-        across = 0.5 * disk.polar_inertia if disk.diametral_inertia is None else disk.diametral_inertia
-        system.add_disk(disk.position, disk.mass, disk.polar_inertia, across)
-    for bearing in bearings:
-        system.add_bearing(bearing.position, bearing.stiffness, bearing.tilting)
-    return system
-
-
-def _require_held(bearings: "Any", stiffness: "Any") -> float:
-    """Refuse a shaft that can move without bending; what rounding makes of its lowest frequency."""
-    from scipy.linalg import eigvalsh
-
-    holding = [bearing for bearing in bearings if bearing.stiffness != 0.0]
-    places = {bearing.position for bearing in holding}
-    tilting = any(bearing.tilting > 0.0 for bearing in bearings)
-    require(
-        len(places) > 1 or (len(places) == 1 and tilting),
-        "the bearings leave the shaft free to move without bending",
-        code="mechanism", hint="give two bearings at different places, or one that resists tilting (tilting=...)",
-    )  # fmt: skip
-    sizes = stiffness.diagonal() ** -0.5
-    scaled = eigvalsh(sizes[:, None] * stiffness * sizes)
-    rounding = ROUNDING * float(scaled[-1]) / max(float(scaled[0]), 1e-300)
-    require(rounding < POOR, "the bearings are too soft beside the shaft: its lowest frequency is lost in rounding",
-            code="soft-bearings", hint="check their stiffness and its unit")  # fmt: skip
-    return rounding
 
 
 def _frequencies(matrices: "Sequence[Any]", speed: float) -> "tuple[tuple[float, ...], tuple[float, ...]]":

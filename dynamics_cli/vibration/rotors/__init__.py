@@ -1,0 +1,1 @@
+"""Stepped shafts with disks on several bearings: critical speeds, whirl, response to unbalance, stability."""

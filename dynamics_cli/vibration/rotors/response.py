@@ -1,0 +1,346 @@
+"""Response to unbalance, damping and stability of a rotor on bearings of eight coefficients."""
+
+import cmath
+import math
+
+from dynamics_cli.errors import require, worded
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    Density,
+    Force,
+    Frequency,
+    Pressure,
+    Ratio,
+    ShaftSpeed,
+    Size,
+    SpringRate,
+    Text,
+    TorsionStiffness,
+    ViscousDamping,
+)
+from dynamics_cli.quantities import Unbalance as Imbalance
+from dynamics_cli.records import Advice, record
+from dynamics_cli.vibration.rotors.orbits import Rotor, Support, axes, growth, lag
+from dynamics_cli.vibration.rotors.stepped import ELEMENTS, Disk, Material, Section, assembled, checked, require_held
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from typing import Any
+
+MODES, CRITICALS, ROWS, GRID = 4, 6, 30, 200
+# A running speed this near to a peak is warned of.
+MARGIN = 0.2
+# Growth over frequency that is no rounding; how far a peak or the onset is narrowed.
+GROWS, NARROW = 1e-9, 1e-9
+
+
+@record
+class Bearing:
+    """A bearing by its coefficients, x horizontal and y vertical; rigid without kxx."""
+
+    position: Annotated[Size, "From the left end, e.g. 50 mm."]
+    kxx: Annotated[SpringRate | None, "Stiffness, horizontal; rigid unless given, e.g. 80 kN/mm."] = None
+    kyy: Annotated[SpringRate | None, "Vertical; as kxx unless given, e.g. 120 kN/mm."] = None
+    cxx: Annotated[ViscousDamping, "Damping, horizontal, e.g. 40 kN*s/m."] = 0.0
+    cyy: Annotated[ViscousDamping | None, "Vertical; as cxx unless given, e.g. 60 kN*s/m."] = None
+    kxy: Annotated[SpringRate, "Horizontal force per vertical deflection, e.g. 20 kN/mm."] = 0.0
+    kyx: Annotated[SpringRate, "Vertical force per horizontal deflection, e.g. -20 kN/mm."] = 0.0
+    cxy: Annotated[ViscousDamping, "Horizontal force per vertical speed, e.g. 5 kN*s/m."] = 0.0
+    cyx: Annotated[ViscousDamping, "Vertical force per horizontal speed, e.g. 5 kN*s/m."] = 0.0
+    swirl: Annotated[Ratio, "Speed of the oil film over that of the shaft, where it drives whirl, e.g. 0.48."] = 0.0
+    tilting: Annotated[TorsionStiffness, "Stiffness against tilting of the shaft, e.g. 5000 N*m/rad."] = 0.0
+
+
+@record
+class Unbalance:
+    """An unbalance in one plane."""
+
+    position: Annotated[Size, "From the left end, e.g. 300 mm."]
+    unbalance: Annotated[Imbalance, "Mass times radius, e.g. 500 g*mm."]
+    angle: Annotated[Angle, "From the mark on the shaft, with the rotation, e.g. 90 deg."] = 0.0
+
+
+@record
+class RotorMode:
+    """A free whirl."""
+
+    frequency: Annotated[Frequency, "Its frequency [Hz]."]
+    decrement: Annotated[Ratio, "Logarithmic decrement; below zero it grows [-]."]
+    whirl: Annotated[Text, "forward, backward, mixed along the shaft, or in a line."]
+
+
+@record
+class RotorModes:
+    """Free whirls at one speed."""
+
+    speed: Annotated[ShaftSpeed, "Speed of the shaft [rad/s]."]
+    frequencies: Annotated[tuple[Frequency, ...], "Frequencies from the lowest [Hz]."]
+    decrements: Annotated[tuple[Ratio, ...], "Their logarithmic decrements [-]."]
+
+
+@record
+class RotorCritical:
+    """A speed at which unbalance meets a whirl without damping."""
+
+    speed: Annotated[ShaftSpeed, "Speed of the shaft [rad/s]."]
+    whirl: Annotated[Text, "forward, backward, mixed along the shaft, or in a line."]
+
+
+@record
+class RotorOrbit:
+    """The orbit of one place at one speed."""
+
+    position: Annotated[Size, "From the left end [m]."]
+    speed: Annotated[ShaftSpeed, "Speed of the shaft [rad/s]."]
+    horizontal: Annotated[Size, "Amplitude [m]."]
+    horizontal_lag: Annotated[Angle, "By how much it lags the mark in passing that direction [rad]."]
+    vertical: Annotated[Size, "Amplitude [m]."]
+    vertical_lag: Annotated[Angle, "By how much it lags the mark in passing that direction [rad]."]
+    major: Annotated[Size, "Long half axis of the orbit [m]."]
+    minor: Annotated[Size, "Short half axis [m]."]
+    whirl: Annotated[Text, "forward, backward or in a line."]
+
+
+@record
+class RotatingLoad:
+    """What the unbalances do to a bearing."""
+
+    position: Annotated[Size, "From the left end [m]."]
+    horizontal: Annotated[Force, "Amplitude of the force on it [N]."]
+    vertical: Annotated[Force, "Amplitude of the force on it [N]."]
+
+
+@record
+class RotorResponse:
+    """Response and stability of a rotor."""
+
+    onset: Annotated[ShaftSpeed | None, "Lowest speed at which a whirl grows by itself [rad/s]."]
+    stable_to: Annotated[ShaftSpeed | None, "End of the range, if no whirl grows below it [rad/s]."]
+    onset_frequency: Annotated[Frequency | None, "Frequency of that whirl [Hz]."]
+    critical_speed: Annotated[ShaftSpeed | None, "First peak of the response, at any place read [rad/s]."]
+    margin: Annotated[Ratio | None, "Running speed over the nearest peak [-]."]
+    decrement: Annotated[Ratio | None, "Least logarithmic decrement at the running speed [-]."]
+    modes: Annotated[tuple[RotorMode, ...] | None, "Free whirls at the running speed."]
+    orbits: Annotated[tuple[RotorOrbit, ...] | None, "Places read, at the running speed."]
+    loads: Annotated[tuple[RotatingLoad, ...] | None, "Rotating forces on the bearings, at the running speed."]
+    peaks: Annotated[tuple[RotorOrbit, ...] | None, "Peaks of the long half axis, at each place read."]
+    criticals: Annotated[tuple[RotorCritical, ...], "Where unbalance meets whirls, without damping."]
+    over_speed: Annotated[tuple[RotorOrbit, ...] | None, "Places read, over speed."]
+    campbell: Annotated[tuple[RotorModes, ...], "Free whirls over speed."]
+    advice: tuple[Advice, ...] = ()
+
+
+def rotor_response(
+    *,
+    sections: Annotated[Section | tuple[Section, ...], "The shaft from its left end."],
+    bearings: Annotated[tuple[Bearing, ...], "Its bearings."],
+    disks: Annotated[tuple[Disk, ...], "Disks on it."] = (),
+    unbalances: Annotated[tuple[Unbalance, ...], "Unbalances."] = (),
+    speed: Annotated[ShaftSpeed | None, "Running speed, e.g. 3000 rpm."] = None,
+    highest_speed: Annotated[
+        ShaftSpeed | None, "End of the range; half beyond the second critical speed unless given, e.g. 9000 rpm."
+    ] = None,
+    read_at: Annotated[tuple[Size, ...], "Places read; the disks unless given, e.g. 400 mm, 970 mm."] = (),
+    elastic_modulus: Annotated[Pressure, "Of the shaft; steel unless given, e.g. 210000 MPa."] = 210e9,
+    poisson_ratio: Annotated[Ratio, "Of the shaft; steel unless given, e.g. 0.3."] = 0.3,
+    density: Annotated[Density, "Of the shaft; steel unless given, e.g. 7850 kg/m^3."] = 7850.0,
+) -> RotorResponse:
+    """Response to unbalance, damping and onset of instability of a rotor on real bearings.
+
+    Equation
+    --------
+    M·q̈ + (C + ΩJ)·q̇ + (K + ΩS)·q = Ω²·u·e^{iΩt} for q = (x, y) of beam elements; free whirl e^{st} with logarithmic
+    decrement −2π·Re s/Im s; a film that turns at λΩ adds S = λ·C·[[0, 1], [−1, 0]].
+
+    Returns
+    -------
+    RotorResponse
+        Orbits and forces at the running speed, peaks over speed, decrements, the onset of instability.
+
+    Raises
+    ------
+    InadmissibleError
+        When sizes are not above zero, something lies off the shaft, or the bearings leave the shaft free.
+
+    Notes
+    -----
+    Coefficients of bearings hold at every speed; damping within the shaft is left out, and so are whirls damped beyond
+    half the critical damping.
+
+    References
+    ----------
+    Timoshenko beam elements, shear coefficient of Cowper; checked against transfer matrices of the exact equations.
+
+    Examples
+    --------
+    >>> soft = (Bearing(0.0, 1e7, 2e7, 1e3), Bearing(1.0, 1e7, 2e7, 1e3))
+    >>> made = rotor_response(sections=Section(1.0, 0.05), bearings=soft, speed=100.0)
+    >>> round(made.modes[0].frequency, 3), round(made.modes[0].decrement, 4)
+    (90.047, 0.0386)
+    """
+    system, stations, rotor = built(sections, bearings, disks, unbalances, read_at, Material(
+        elastic_modulus, poisson_ratio, density))  # fmt: skip
+    criticals = rotor.criticals()[:CRITICALS]
+    top = abs(highest_speed or 0.0) or default_top(rotor, speed)
+    running = abs(speed) if speed else None
+    steps = [top * k / ROWS for k in range(ROWS + 1)]
+    rates = [rotor.rates(at) for at in steps]
+    onset, frequency = _onset(rotor, steps, rates) or (None, None)
+    damped = any(bearing.cxx or bearing.cyy for bearing in bearings)
+    places = [(system.stations[station], station) for station in stations]
+    peaks = _peaks(rotor, places, top) if unbalances and damped else None
+    nearest = min((row.speed for row in peaks or ()), key=lambda at: abs(at - (running or 0.0)), default=None)
+    margin = running / nearest if running and nearest else None
+    modes = None
+    if running is not None:
+        modes = tuple(RotorMode(*_mode(rate), way) for rate, way in rotor.modes(running, MODES))
+    answered = running if unbalances else None
+    motion = None if answered is None else rotor.response(answered)
+    return RotorResponse(
+        onset=onset,
+        stable_to=top if onset is None else None,
+        onset_frequency=frequency,
+        critical_speed=min((row.speed for row in peaks or ()), default=None),
+        margin=margin,
+        decrement=min((row.decrement for row in modes or ()), default=None),
+        modes=modes,
+        orbits=None if answered is None else tuple(orbit(rotor, *place, answered, motion) for place in places),
+        loads=None if answered is None else tuple(
+            RotatingLoad(bearing.position, *map(abs, rotor.reaction(support, answered, motion)))
+            for bearing, support in zip(bearings, rotor.supports, strict=True)
+        ),
+        peaks=peaks,
+        criticals=tuple(RotorCritical(*row) for row in criticals),
+        over_speed=tuple(orbit(rotor, *place, at, rotor.response(at)) for place in places for at in steps[1:])
+        if unbalances
+        else None,
+        campbell=tuple(
+            RotorModes(at, *zip(*map(_mode, each[:MODES]), strict=True)) for at, each in zip(steps, rates, strict=True)
+        ),
+        advice=_advice(onset, running, margin, bool(unbalances) and not damped),
+    )  # fmt: skip
+
+
+def built(
+    sections: "Any", bearings: "Sequence[Bearing]", disks: "Sequence[Disk]",
+    unbalances: "Sequence[Unbalance]", read_at: "Sequence[float]", material: Material,
+) -> "tuple[Any, list[int], Rotor]":  # fmt: skip
+    """The elements, the stations that are read, and the rotor in two planes."""
+    import numpy as np
+
+    stretches = sections if isinstance(sections, tuple) else (sections,)
+    marks = {
+        "bearing": [bearing.position for bearing in bearings],
+        "unbalance": [one.position for one in unbalances],
+        "reading": list(read_at),
+    }
+    _, ends = checked(stretches, disk=[disk.position for disk in disks], **marks)
+    system = assembled(stretches, ends, disks, [at for each in marks.values() for at in each], material, ELEMENTS)
+    supports = []
+    holding = set()
+    for number, bearing in enumerate(bearings, 1):
+        at = system.nearest(bearing.position)
+        system.stiffness[2 * at + 1, 2 * at + 1] += bearing.tilting
+        stiffness = damping = None
+        require(bearing.kxx is not None or not (bearing.kyy or bearing.cxx or bearing.cyy or bearing.swirl),
+                "bearing {number} has coefficients but no kxx", code="missing", number=str(number),
+                hint="give kxx, or leave them out for a rigid bearing")  # fmt: skip
+        if bearing.kxx is not None:
+            vertical = bearing.kxx if bearing.kyy is None else bearing.kyy
+            stiffness = np.array([[bearing.kxx, bearing.kxy], [bearing.kyx, vertical]])
+            across = bearing.cxx if bearing.cyy is None else bearing.cyy
+            damping = np.array([[bearing.cxx, bearing.cxy], [bearing.cyx, across]])
+            require(min(bearing.kxx, vertical, bearing.cxx, across) >= 0.0,
+                    "bearing {number} has a direct stiffness or damping below zero", code="negative",
+                    number=str(number), hint="kxx, kyy, cxx and cyy are zero or more; kxy and kyx have signs",
+                    )  # fmt: skip
+        if stiffness is None or min(stiffness[0, 0], stiffness[1, 1]) > 0.0:
+            holding.add(bearing.position)
+        supports.append(Support(at, stiffness, damping, bearing.swirl))
+    loads = [(system.nearest(one.position), cmath.rect(one.unbalance, one.angle)) for one in unbalances]
+    places = read_at or [disk.position for disk in disks] or marks["unbalance"] or marks["bearing"]
+    stations = sorted({system.nearest(place) for place in places})
+    tilts = [system.nearest(disk.position) for disk in disks]
+    rotor = Rotor(system, supports, loads, tilts)
+    require_held(holding, any(bearing.tilting > 0.0 for bearing in bearings), rotor.alike)
+    return system, stations, rotor
+
+
+def default_top(rotor: Rotor, speed: "float | None") -> float:
+    """The end of the range: half beyond the first two critical speeds and the running speed."""
+    speeds = [at for at, _ in rotor.criticals()]
+    return 1.5 * max(*speeds[:2], abs(speed or 0.0))
+
+
+def orbit(rotor: Rotor, position: float, station: int, speed: float, motion: "Any") -> RotorOrbit:
+    """The orbit of one place."""
+    x, y = map(complex, rotor.at(station, motion))
+    major, minor, way = axes(x, y)
+    return RotorOrbit(position, speed, abs(x), lag(x), abs(y), lag(1j * y), major, minor, way)
+
+
+def _mode(rate: complex) -> "tuple[float, float]":
+    """Frequency and logarithmic decrement."""
+    return rate.imag / (2.0 * math.pi), -2.0 * math.pi * rate.real / rate.imag
+
+
+def _onset(rotor: Rotor, speeds: "Sequence[float]", rates: "Sequence[list[complex]]") -> "tuple[float, float] | None":
+    """The lowest speed at which a mode grows, and its frequency."""
+    found = next((k for k, each in enumerate(rates) if growth(each) > GROWS), None)
+    if found is None:
+        return None
+    low, high = speeds[max(found - 1, 0)], speeds[found]
+    while high - low > NARROW * high:
+        half = 0.5 * (low + high)
+        low, high = (low, half) if growth(rotor.rates(half)) > GROWS else (half, high)
+    growing = max(rotor.rates(high), key=lambda rate: rate.real / abs(rate))
+    return high, _mode(growing)[0]
+
+
+def speeds_of(rotor: Rotor, top: float, count: int = GRID) -> "list[float]":
+    """Speeds of a curve, closer about critical ones."""
+    near = [at * (1.0 + sign * 10.0 ** (-k / 5.0)) for at, _ in rotor.criticals()[:CRITICALS] for sign in (-1.0, 1.0)
+            for k in range(3, 21)]  # fmt: skip
+    return sorted({*(top * k / count for k in range(1, count + 1)), *(at for at in near if 0.0 < at < top)})
+
+
+def _peaks(rotor: Rotor, places: "Sequence[tuple[float, int]]", top: float) -> "tuple[RotorOrbit, ...]":
+    speeds = speeds_of(rotor, top)
+    motions = [rotor.response(speed) for speed in speeds]
+    rows = []
+    for position, station in places:
+
+        def size(speed: float, at: int = station) -> float:
+            return axes(*rotor.at(at, rotor.response(speed)))[0]
+
+        sizes = [axes(*rotor.at(station, motion))[0] for motion in motions]
+        for k in range(1, len(sizes) - 1):
+            if sizes[k - 1] < sizes[k] >= sizes[k + 1]:
+                speed = _highest(size, speeds[k - 1], speeds[k + 1])
+                rows.append(orbit(rotor, position, station, speed, rotor.response(speed)))
+    return tuple(rows)
+
+
+def _highest(size: "Callable[[float], float]", low: float, high: float) -> float:
+    from scipy.optimize import minimize_scalar
+
+    found = minimize_scalar(lambda at: -math.log(size(at)), bounds=(low, high), method="bounded",
+                            options={"xatol": NARROW * high})  # fmt: skip
+    return float(found.x)
+
+
+def _advice(onset: "float | None", running: "float | None", margin: "float | None", bare: bool) -> "tuple[Advice, ...]":
+    notes = []
+    if onset is not None and (running is None or running >= onset):
+        text = "a whirl grows by itself above {onset}" if onset else "a whirl grows by itself at every speed"
+        remedy = "more damping, or less cross-coupling in the bearings"
+        notes.append(Advice("unstable", worded(text, onset=(onset, ShaftSpeed)), "serious", remedy=remedy))
+    if margin is not None and abs(margin - 1.0) <= MARGIN:
+        text = "the running speed lies within 20 % of a peak of the response"
+        notes.append(Advice("near-critical", text, remedy="change the speed, the bearings or the shaft"))
+    if bare:
+        text = "without damping there is no largest amplitude at a critical speed"
+        notes.append(Advice("undamped", text, remedy="give cxx (and cyy) of a bearing", result="peaks"))
+    return tuple(notes)
