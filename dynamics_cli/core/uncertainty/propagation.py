@@ -89,8 +89,7 @@ class Propagation:
         self.spreads: dict[str, Spread] = {}
         self.correlated: dict[tuple[str, str], float] = {}
         self.correlation: Array | None = None
-        self.shares_method = ""
-        self.shares_error = 0.0
+        self.shares_method, self.shares_error = "", 0.0
         self.points = 0
         self.remedy = "raise --samples"  # where intervals are known poorly
         # The results' names, should a time limit have left some of them without a spread.
