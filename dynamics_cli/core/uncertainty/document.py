@@ -296,7 +296,7 @@ def _same(one: Spread, other: Spread) -> bool:
 def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any]]":
     """What a reader has to know of the intervals, and of a headline (`seen`) that has none."""
     out, vary = [], propagation.varying()
-    fractions = {s.admissible for s in propagation.spreads.values() if s.admissible < 1.0 - 1e-9}
+    fractions = {s.admissible for s in propagation.spreads.values() if s.admissible < 1.0 - 1e-5}  # rarer: no digit
     if fractions:
         share = 1.0 - min(fractions)
         out.append(
