@@ -204,7 +204,8 @@ def _read(name: str, terminal: "Terminal") -> "list[tuple[str, Document, str]]":
         try:
             documents = [_parsed(line) for line in text.split("\n") if line.strip()]
         except ValueError as error:
-            raise UsageError(f"{name!r} is not JSON: {error}", code="json") from None
+            hint = "a report gathers results: write them with --json --output FILE"
+            raise UsageError(f"{name!r} is not JSON: {error}", code="json", hint=hint) from None
     for document in documents:
         if not _is_document(document):
             raise UsageError(

@@ -315,3 +315,15 @@ def test_tables_fit_a_screen() -> None:
     assert max(map(len, short.splitlines())) <= 80
     assert short.endswith("and duration, distance, acceleration: --all\n")
     assert "acceleration" in whole.splitlines()[0]
+
+
+def test_cases_without_a_contact_are_not_called_inadmissible() -> None:
+    document = answer(
+        "skid", "follow", "--gap", "25 ± 2 m", "--leader-start-speed", "20 m/s", "--leader-kind", "braking",
+        "--leader-speed", "0 m/s", "--leader-acceleration", "7 m/s^2", "--follower-start-speed", "20.5 m/s",
+        "--follower-phase", "kind=reaction, duration=1.1 s", "--follower-phase",
+        "kind=braking, speed=0 m/s, acceleration=6.5 m/s^2",
+    )  # fmt: skip
+    said = [warning["message"] for warning in document["warnings"] if warning["code"] == "partly-inadmissible"]
+    assert len(said) == 1
+    assert "of the inputs' distribution has no contact time" in said[0]

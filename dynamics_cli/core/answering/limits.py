@@ -56,9 +56,11 @@ def read_limits(task: "Task", answered: "Answer", settings: "Settings") -> "list
     limits = []
     for name, text in settings.limit:
         if name and name not in kinds:
+            from dynamics_cli.core.units.near_names import instead_of
+
             declared = any(field.key == name for field in task.specification.result.fields)
             why = f"{name!r} has no value here" if declared else f"there is no result {name!r}"
-            raise UsageError(why, parameter="limit", hint=f"results are {', '.join(kinds)}", code="unknown-result")
+            raise UsageError(why, parameter="limit", hint=instead_of(name, kinds), code="unknown-result")
         key, limit = _limited(text, {name: kinds[name]} if name else kinds)
         limits.append((key, kinds[key], plain(present[key][1]), limit))
     return limits

@@ -269,7 +269,9 @@ def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str, 
 
 
 def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:
-    hint = f"results are {', '.join(known)}"
+    from dynamics_cli.core.units.near_names import instead_of
+
+    hint = instead_of(name, known)
     return UsageError(f"there is no result {name!r}", parameter="only", code="unknown-result", hint=hint)
 
 

@@ -296,16 +296,14 @@ def _same(one: Spread, other: Spread) -> bool:
 def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any]]":
     """What a reader has to know of the intervals, and of a headline (`seen`) that has none."""
     out, vary = [], propagation.varying()
-    fractions = {s.admissible for s in propagation.spreads.values() if s.admissible < 1.0 - 1e-9}
-    if fractions:
-        share = 1.0 - min(fractions)
-        out.append(
-            {
-                "code": "partly-inadmissible",
-                "severity": "caution" if share < 0.05 else "serious",
-                "message": f"{chance(share)} of the inputs' distribution is inadmissible; results are for the rest",
-            }
-        )
+    partly = [s for s in propagation.spreads.values() if s.admissible < 1.0 - 1e-5]  # rarer: no digit
+    if partly:
+        least, refused = min(partly, key=lambda spread: spread.admissible), propagation.space.refuses
+        name, share = least.name.replace("_", " ").replace(".", " "), 1.0 - least.admissible
+        what = "is inadmissible; results are" if refused else f"has no {name}; its interval is"
+        message = f"{chance(share)} of the inputs' distribution {what} for the rest"
+        severity = "serious" if refused and share >= 0.05 else "caution"
+        out.append({"code": "partly-inadmissible", "severity": severity, "message": message})
     rough = [s for s in propagation.spreads.values() if s.varies and not s.estimate <= FAIR and not s.tails]
     if rough:
         names = [s.name.replace("_", " ").replace(".", " ") for s in rough[:MOST_NAMED]] + [

@@ -3,6 +3,7 @@
 from dynamics_cli.core.answering.limits import limit_entry
 from dynamics_cli.core.documents import number
 from dynamics_cli.core.inputs.settings import read_probability
+from dynamics_cli.core.units.near_names import instead_of
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.number import plain
 
@@ -26,7 +27,7 @@ def read_levels(kinds: "Mapping[str, Kind]", settings: "Settings") -> "list[tupl
     levels = []
     for name, text in settings.quantile:
         if name not in kinds:
-            hint = f"results are {', '.join(kinds)}"
+            hint = instead_of(name, kinds)
             raise UsageError(f"there is no result {name!r}", parameter="quantile", hint=hint, code="unknown-result")
         levels.append((name, read_probability(text, "quantile", LEAST_LEVEL)))
     return levels

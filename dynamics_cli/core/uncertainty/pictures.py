@@ -88,7 +88,7 @@ def spreads_of(
 def _fair(made: "Propagation") -> "Iterator[dict[str, float]]":
     """The inputs at fair cases, spread evenly."""
     few = quantile(lattice(min(len(made.inputs), MOST_DIMENSIONS), FAIR_CASES, 1, made.seed))
-    drawn = made.inputs_at(np.resize(few, (len(made.inputs), FAIR_CASES)))
+    drawn = made.space.inputs(np.resize(few, (len(made.inputs), FAIR_CASES)))
     for row in range(FAIR_CASES):
         yield {name: float(values[row] if np.ndim(values) else values) for name, values in drawn.items()}
 

@@ -83,7 +83,7 @@ class Propagation:
 
     def __init__(self, space: Space, coverage: float, seed: int) -> None:
         self.inputs = space.names
-        self.inputs_at = space.inputs
+        self.space = space
         self.coverage = coverage
         self.seed = seed
         self.spreads: dict[str, Spread] = {}

@@ -59,6 +59,8 @@ class Space:
         # error of the values, by result
         self.noise: Mapping[str, float] = getattr(model, "noise", {})
         self.points = 0
+        # Whether any case was refused; a result may also be missing from an admissible one.
+        self.refuses = False
         # A model called case by case is expensive, and its results are often needed at the same points.
         self.slow = not getattr(model, "arrays", True)
         # One that answers many cases at once: thousands together cost little more than a hundred.
@@ -166,6 +168,7 @@ class Space:
         for line, row in zip(made, rows, strict=True):
             line[:] = results[self.results[row]]
         if refused is not None:
+            self.refuses = True
             made[:, refused] = np.nan
         if not np.isfinite(made.sum()):
             made[~np.isfinite(made)] = np.nan

@@ -157,11 +157,10 @@ class Display:
             if name not in self.used:
                 if name in self._refused:
                     raise self._refused[name]
+                from dynamics_cli.core.units.near_names import instead_of
+
                 raise UsageError(
-                    f"there is no result {name!r}",
-                    parameter="to",
-                    hint=f"results are {', '.join(known)}",
-                    code="unknown-result",
+                    f"there is no result {name!r}", parameter="to", hint=instead_of(name, known), code="unknown-result"
                 )
 
 

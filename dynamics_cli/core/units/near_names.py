@@ -9,6 +9,9 @@ if TYPE_CHECKING:
 COMMON_PREFIXES = {"s": ("k", "M", "G", "m", "c", "u"), "w": ("kilo", "mega", "milli", "centi", "micro")}
 
 
+MANY_RESULTS = 12
+
+
 def nearest_words(word: str, known: "Iterable[str]", count: int = 3) -> "list[str]":
     """Up to `count` of the known words that look like `word`, nearest first; else those that it is a whole part of."""
     from difflib import get_close_matches
@@ -18,6 +21,13 @@ def nearest_words(word: str, known: "Iterable[str]", count: int = 3) -> "list[st
     near = get_close_matches(plain, sorted(by_plain), n=count, cutoff=0.67)
     near = near or [name for name in by_plain if f"_{plain}_" in f"_{name}_"][:count]
     return [by_plain[name] for name in near]
+
+
+def instead_of(name: str, known: "Iterable[str]") -> str:
+    """What stands instead of a result that there is not: all results, or of many those of a similar name."""
+    listed = list(known)
+    near = nearest_words(name, listed) if len(listed) > MANY_RESULTS else []
+    return f"did you mean {' or '.join(near)}? --json shows all" if near else f"results are {', '.join(listed)}"
 
 
 def names_like(name: str, count: int = 5) -> list[str]:

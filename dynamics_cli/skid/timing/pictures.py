@@ -186,7 +186,8 @@ def follow(
 
 
 def sight(
-    result: "Any", *, corner_before: "float | None" = None, corner_aside: "float | None" = None,
+    result: "Any", *, first: Party, second: Party,
+    corner_before: "float | None" = None, corner_aside: "float | None" = None,
     recognition_distance: "float | None" = None, eye_behind: float = 0.0,
     crossing: float = 0.5 * math.pi, obstruction: "Any" = None, obstruction_length: "float | None" = None,
     gravity: float = STANDARD_GRAVITY, **_: "Any",
@@ -222,12 +223,19 @@ def sight(
         Curve([-span, 0.4 * span], [-depth, 0.4 * depth], style="centre", role=1),
         Curve([eye, target[0]], [0.0, target[1]], "line of sight", "dashed", role=2),
         Arrow(eye, 0.0, eye_behind if eye_behind > 0.0 else 0.0, 0.0, role=0),
-        Mark(eye, 0.0, "eye", aside=(0.0, 8.0), role=0),
-        Mark(*target, "target", role=1),
+        Mark(eye, 0.0, f"eye of {_named(first, 'the first')}", aside=(0.0, 8.0), role=0),
+        Mark(*target, _named(second, "the second"), role=1),
         Mark(0.0, 0.0, "impact"),
     ]
     return Picture(
-        (Panel(Axis("along the way of the first", Length), Axis("aside", Length), tuple(items), equal=True),),
+        (
+            Panel(
+                Axis(f"along the way of {_named(first, 'the first')}", Length),
+                Axis("aside", Length),
+                tuple(items),
+                equal=True,
+            ),
+        ),
         "where the sight opens",
     )
 

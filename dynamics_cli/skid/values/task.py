@@ -64,7 +64,7 @@ def values(
     require(
         surface_sought is None or any(surface_sought in name for name in SURFACES),
         "no range is of the surface {surface}", surface=repr(surface), code="unknown-surface",
-        hint="there is " + ", ".join(SURFACES),
+        hint=f"there is {', '.join(SURFACES)}; a word of a row needs no option: dynamics skid values {surface}",
     )  # fmt: skip
     query = " ".join(words).lower().replace("-", " ").split()
     rows = [row for row in ROWS if _fits(row, query, surface_sought)]

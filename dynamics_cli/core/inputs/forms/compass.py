@@ -29,9 +29,10 @@ def in_degrees(text: str, context: "Context") -> str:
         hint = f"write for example 40 deg, or on a compass {FORMS}"
         raise UsageError(f"{words!r} is not a heading", code="heading", hint=hint)
     if context.axes.lower() not in ("compass", "north"):
+        given = "--axes compass" if context.spell("axes").startswith("--") else 'axes = "compass"'
         raise UsageError(
             f"{words!r} is a direction of the compass, and the axes are {context.axes or 'mathematical'}",
-            code="axes", hint=f"{context.spell('axes')} compass counts all headings clockwise from north",
+            code="axes", hint=f"{given} counts all headings clockwise from north",
         )  # fmt: skip
     return f"{heading} deg ± {width}" if width else f"{heading} deg"
 
