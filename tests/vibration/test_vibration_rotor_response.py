@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 from harness import answer, run
 
-from dynamics_cli.vibration.rotors.response import Bearing, RotorResponse, Unbalance, rotor_response
+from dynamics_cli.vibration.rotors.orbit_records import Bearing, RotorResponse, Unbalance
+from dynamics_cli.vibration.rotors.response import rotor_response
 from dynamics_cli.vibration.rotors.stepped import Disk, Section
 
 CASES: list[dict[str, Any]] = json.loads(Path(__file__).with_name("rotor_response.json").read_text("utf-8"))

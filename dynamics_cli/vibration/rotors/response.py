@@ -5,22 +5,24 @@ import math
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.quantities import (
-    Angle,
     Annotated,
     Density,
-    Force,
-    Frequency,
     Pressure,
     Ratio,
     ShaftSpeed,
     Size,
-    SpringRate,
-    Text,
-    TorsionStiffness,
-    ViscousDamping,
 )
-from dynamics_cli.quantities import Unbalance as Imbalance
-from dynamics_cli.records import Advice, record
+from dynamics_cli.records import Advice
+from dynamics_cli.vibration.rotors.orbit_records import (
+    Bearing,
+    RotatingLoad,
+    RotorCritical,
+    RotorMode,
+    RotorModes,
+    RotorOrbit,
+    RotorResponse,
+    Unbalance,
+)
 from dynamics_cli.vibration.rotors.orbits import Rotor, Support, axes, growth, lag
 from dynamics_cli.vibration.rotors.stepped import ELEMENTS, Disk, Material, Section, assembled, checked, require_held
 
@@ -34,102 +36,6 @@ MODES, CRITICALS, ROWS, GRID = 4, 6, 30, 200
 MARGIN = 0.2
 # Growth over frequency that is no rounding; how far a peak or the onset is narrowed.
 GROWS, NARROW = 1e-9, 1e-9
-
-
-@record
-class Bearing:
-    """A bearing by its coefficients, x horizontal and y vertical; rigid without kxx."""
-
-    position: Annotated[Size, "From the left end, e.g. 50 mm."]
-    kxx: Annotated[SpringRate | None, "Stiffness, horizontal; rigid unless given, e.g. 80 kN/mm."] = None
-    kyy: Annotated[SpringRate | None, "Vertical; as kxx unless given, e.g. 120 kN/mm."] = None
-    cxx: Annotated[ViscousDamping, "Damping, horizontal, e.g. 40 kN*s/m."] = 0.0
-    cyy: Annotated[ViscousDamping | None, "Vertical; as cxx unless given, e.g. 60 kN*s/m."] = None
-    kxy: Annotated[SpringRate, "Horizontal force per vertical deflection, e.g. 20 kN/mm."] = 0.0
-    kyx: Annotated[SpringRate, "Vertical force per horizontal deflection, e.g. -20 kN/mm."] = 0.0
-    cxy: Annotated[ViscousDamping, "Horizontal force per vertical speed, e.g. 5 kN*s/m."] = 0.0
-    cyx: Annotated[ViscousDamping, "Vertical force per horizontal speed, e.g. 5 kN*s/m."] = 0.0
-    swirl: Annotated[Ratio, "Speed of the oil film over that of the shaft, where it drives whirl, e.g. 0.48."] = 0.0
-    tilting: Annotated[TorsionStiffness, "Stiffness against tilting of the shaft, e.g. 5000 N*m/rad."] = 0.0
-
-
-@record
-class Unbalance:
-    """An unbalance in one plane."""
-
-    position: Annotated[Size, "From the left end, e.g. 300 mm."]
-    unbalance: Annotated[Imbalance, "Mass times radius, e.g. 500 g*mm."]
-    angle: Annotated[Angle, "From the mark on the shaft, with the rotation, e.g. 90 deg."] = 0.0
-
-
-@record
-class RotorMode:
-    """A free whirl."""
-
-    frequency: Annotated[Frequency, "Its frequency [Hz]."]
-    decrement: Annotated[Ratio, "Logarithmic decrement; below zero it grows [-]."]
-    whirl: Annotated[Text, "forward, backward, mixed along the shaft, or in a line."]
-
-
-@record
-class RotorModes:
-    """Free whirls at one speed."""
-
-    speed: Annotated[ShaftSpeed, "Speed of the shaft [rad/s]."]
-    frequencies: Annotated[tuple[Frequency, ...], "Frequencies from the lowest [Hz]."]
-    decrements: Annotated[tuple[Ratio, ...], "Their logarithmic decrements [-]."]
-
-
-@record
-class RotorCritical:
-    """A speed at which unbalance meets a whirl without damping."""
-
-    speed: Annotated[ShaftSpeed, "Speed of the shaft [rad/s]."]
-    whirl: Annotated[Text, "forward, backward, mixed along the shaft, or in a line."]
-
-
-@record
-class RotorOrbit:
-    """The orbit of one place at one speed."""
-
-    position: Annotated[Size, "From the left end [m]."]
-    speed: Annotated[ShaftSpeed, "Speed of the shaft [rad/s]."]
-    horizontal: Annotated[Size, "Amplitude [m]."]
-    horizontal_lag: Annotated[Angle, "By how much it lags the mark in passing that direction [rad]."]
-    vertical: Annotated[Size, "Amplitude [m]."]
-    vertical_lag: Annotated[Angle, "By how much it lags the mark in passing that direction [rad]."]
-    major: Annotated[Size, "Long half axis of the orbit [m]."]
-    minor: Annotated[Size, "Short half axis [m]."]
-    whirl: Annotated[Text, "forward, backward or in a line."]
-
-
-@record
-class RotatingLoad:
-    """What the unbalances do to a bearing."""
-
-    position: Annotated[Size, "From the left end [m]."]
-    horizontal: Annotated[Force, "Amplitude of the force on it [N]."]
-    vertical: Annotated[Force, "Amplitude of the force on it [N]."]
-
-
-@record
-class RotorResponse:
-    """Response and stability of a rotor."""
-
-    onset: Annotated[ShaftSpeed | None, "Lowest speed at which a whirl grows by itself [rad/s]."]
-    stable_to: Annotated[ShaftSpeed | None, "End of the range, if no whirl grows below it [rad/s]."]
-    onset_frequency: Annotated[Frequency | None, "Frequency of that whirl [Hz]."]
-    critical_speed: Annotated[ShaftSpeed | None, "First peak of the response, at any place read [rad/s]."]
-    margin: Annotated[Ratio | None, "Running speed over the nearest peak [-]."]
-    decrement: Annotated[Ratio | None, "Least logarithmic decrement at the running speed [-]."]
-    modes: Annotated[tuple[RotorMode, ...] | None, "Free whirls at the running speed."]
-    orbits: Annotated[tuple[RotorOrbit, ...] | None, "Places read, at the running speed."]
-    loads: Annotated[tuple[RotatingLoad, ...] | None, "Rotating forces on the bearings, at the running speed."]
-    peaks: Annotated[tuple[RotorOrbit, ...] | None, "Peaks of the long half axis, at each place read."]
-    criticals: Annotated[tuple[RotorCritical, ...], "Where unbalance meets whirls, without damping."]
-    over_speed: Annotated[tuple[RotorOrbit, ...] | None, "Places read, over speed."]
-    campbell: Annotated[tuple[RotorModes, ...], "Free whirls over speed."]
-    advice: tuple[Advice, ...] = ()
 
 
 def rotor_response(
@@ -196,21 +102,21 @@ def rotor_response(
     modes = None
     if running is not None:
         modes = tuple(RotorMode(*_mode(rate), way) for rate, way in rotor.modes(running, MODES))
-    answered = running if unbalances else None
-    motion = None if answered is None else rotor.response(answered)
+    orbits = loads = None
+    if running is not None and unbalances:
+        orbits, loads = _running(rotor, places, bearings, running)
     return RotorResponse(
         onset=onset,
         stable_to=top if onset is None else None,
         onset_frequency=frequency,
         critical_speed=min((row.speed for row in peaks or ()), default=None),
+        amplitude=max((row.major for row in orbits or ()), default=None),
+        force=max((max(row.horizontal, row.vertical) for row in loads or ()), default=None),
         margin=margin,
         decrement=min((row.decrement for row in modes or ()), default=None),
         modes=modes,
-        orbits=None if answered is None else tuple(orbit(rotor, *place, answered, motion) for place in places),
-        loads=None if answered is None else tuple(
-            RotatingLoad(bearing.position, *map(abs, rotor.reaction(support, answered, motion)))
-            for bearing, support in zip(bearings, rotor.supports, strict=True)
-        ),
+        orbits=orbits,
+        loads=loads,
         peaks=peaks,
         criticals=tuple(RotorCritical(*row) for row in criticals),
         over_speed=tuple(orbit(rotor, *place, at, rotor.response(at)) for place in places for at in steps[1:])
@@ -221,6 +127,18 @@ def rotor_response(
         ),
         advice=_advice(onset, running, margin, bool(unbalances) and not damped),
     )  # fmt: skip
+
+
+def _running(
+    rotor: Rotor, places: "Sequence[tuple[float, int]]", bearings: "Sequence[Bearing]", speed: float
+) -> "tuple[tuple[RotorOrbit, ...], tuple[RotatingLoad, ...]]":
+    """Orbits and forces on the bearings at a speed."""
+    motion = rotor.response(speed)
+    loads = tuple(
+        RotatingLoad(bearing.position, *map(abs, rotor.reaction(support, speed, motion)))
+        for bearing, support in zip(bearings, rotor.supports, strict=True)
+    )
+    return tuple(orbit(rotor, *place, speed, motion) for place in places), loads
 
 
 def built(
