@@ -89,8 +89,8 @@ def rotor_response(
     system, stations, rotor = built(sections, bearings, disks, unbalances, read_at, Material(
         elastic_modulus, poisson_ratio, density))  # fmt: skip
     criticals = rotor.criticals()[:CRITICALS]
-    top = abs(highest_speed or 0.0) or default_top(rotor, speed)
     running = abs(speed) if speed else None
+    top = max(abs(highest_speed or 0.0) or default_top(rotor, speed), running or 0.0)
     steps = [top * k / ROWS for k in range(ROWS + 1)]
     rates = [rotor.rates(at) for at in steps]
     onset, frequency = _onset(rotor, steps, rates) or (None, None)
@@ -117,7 +117,7 @@ def rotor_response(
         modes=modes,
         orbits=orbits,
         loads=loads,
-        peaks=peaks,
+        peaks=peaks or None,
         criticals=tuple(RotorCritical(*row) for row in criticals),
         over_speed=tuple(orbit(rotor, *place, at, rotor.response(at)) for place in places for at in steps[1:])
         if unbalances
@@ -174,6 +174,11 @@ def built(
                     "bearing {number} has a direct stiffness or damping below zero", code="negative",
                     number=str(number), hint="kxx, kyy, cxx and cyy are zero or more; kxy and kyx have signs",
                     )  # fmt: skip
+            for name, (row, other) in (("k", stiffness), ("c", damping)):
+                require((0.5 * (row[1] + other[0])) ** 2 <= row[0] * other[1],
+                        "bearing {number} pushes the shaft away: {name}xy + {name}yx is too large beside {name}xx and "
+                        "{name}yy", code="negative", number=str(number), name=name,
+                        hint="of a bearing that turns the shaft, kxy and kyx have opposite signs")  # fmt: skip
         if stiffness is None or min(stiffness[0, 0], stiffness[1, 1]) > 0.0:
             holding.add(bearing.position)
         supports.append(Support(at, stiffness, damping, bearing.swirl))
@@ -201,7 +206,8 @@ def orbit(rotor: Rotor, position: float, station: int, speed: float, motion: "An
 
 def _mode(rate: complex) -> "tuple[float, float]":
     """Frequency and logarithmic decrement."""
-    return rate.imag / (2.0 * math.pi), -2.0 * math.pi * rate.real / rate.imag
+    decrement = -2.0 * math.pi * rate.real / rate.imag
+    return rate.imag / (2.0 * math.pi), decrement if abs(decrement) > GROWS else 0.0
 
 
 def _onset(rotor: Rotor, speeds: "Sequence[float]", rates: "Sequence[list[complex]]") -> "tuple[float, float] | None":
@@ -260,5 +266,5 @@ def _advice(onset: "float | None", running: "float | None", margin: "float | Non
         notes.append(Advice("near-critical", text, remedy="change the speed, the bearings or the shaft"))
     if bare:
         text = "without damping there is no largest amplitude at a critical speed"
-        notes.append(Advice("undamped", text, remedy="give cxx (and cyy) of a bearing", result="peaks"))
+        notes.append(Advice("undamped", text, remedy="give cxx (and cyy) of a bearing", result="critical_speed"))
     return tuple(notes)
