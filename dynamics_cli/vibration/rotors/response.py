@@ -13,6 +13,7 @@ from dynamics_cli.quantities import (
     Size,
 )
 from dynamics_cli.records import Advice
+from dynamics_cli.sampling import cost, drawing
 from dynamics_cli.vibration.rotors.orbit_records import (
     Bearing,
     RotatingLoad,
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from typing import Any
 
 MODES, CRITICALS, ROWS, GRID = 4, 6, 30, 200
+# Of a sample of uncertain inputs, rows that look for an onset, speeds that look for peaks, and its seconds.
+FEWER_ROWS, FEWER, COST = 8, 60, 0.1
 # A running speed this near to a peak is warned of.
 MARGIN = 0.2
 # Growth over frequency that is no rounding; how far a peak or the onset is narrowed.
@@ -88,10 +91,13 @@ def rotor_response(
     """
     system, stations, rotor = built(sections, bearings, disks, unbalances, read_at, Material(
         elastic_modulus, poisson_ratio, density))  # fmt: skip
-    criticals = rotor.criticals()[:CRITICALS]
+    criticals = rotor.criticals(CRITICALS)
     running = abs(speed) if speed else None
     top = max(abs(highest_speed or 0.0) or default_top(rotor, speed), running or 0.0)
-    steps = [top * k / ROWS for k in range(ROWS + 1)]
+    count = FEWER_ROWS if drawing() else ROWS
+    if drawing():
+        cost(0.0, COST, 1)
+    steps = [top * k / count for k in range(count + 1)]
     rates = [rotor.rates(at) for at in steps]
     onset, frequency = _onset(rotor, steps, rates) or (None, None)
     damped = any(bearing.cxx or bearing.cyy for bearing in bearings)
@@ -120,7 +126,7 @@ def rotor_response(
         peaks=peaks or None,
         criticals=tuple(RotorCritical(*row) for row in criticals),
         over_speed=tuple(orbit(rotor, *place, at, rotor.response(at)) for place in places for at in steps[1:])
-        if unbalances
+        if unbalances and not drawing()
         else None,
         campbell=tuple(
             RotorModes(at, *zip(*map(_mode, each[:MODES]), strict=True)) for at, each in zip(steps, rates, strict=True)
@@ -193,7 +199,7 @@ def built(
 
 def default_top(rotor: Rotor, speed: "float | None") -> float:
     """The end of the range: half beyond the first two critical speeds and the running speed."""
-    speeds = [at for at, _ in rotor.criticals()]
+    speeds = [at for at, _ in rotor.criticals(2)]
     return 1.5 * max(*speeds[:2], abs(speed or 0.0))
 
 
@@ -223,15 +229,15 @@ def _onset(rotor: Rotor, speeds: "Sequence[float]", rates: "Sequence[list[comple
     return high, _mode(growing)[0]
 
 
-def speeds_of(rotor: Rotor, top: float, count: int = GRID) -> "list[float]":
+def speeds_of(rotor: Rotor, top: float, count: int) -> "list[float]":
     """Speeds of a curve, closer about critical ones."""
-    near = [at * (1.0 + sign * 10.0 ** (-k / 5.0)) for at, _ in rotor.criticals()[:CRITICALS] for sign in (-1.0, 1.0)
+    near = [at * (1.0 + sign * 10.0 ** (-k / 5.0)) for at, _ in rotor.criticals(CRITICALS) for sign in (-1.0, 1.0)
             for k in range(3, 21)]  # fmt: skip
     return sorted({*(top * k / count for k in range(1, count + 1)), *(at for at in near if 0.0 < at < top)})
 
 
 def _peaks(rotor: Rotor, places: "Sequence[tuple[float, int]]", top: float) -> "tuple[RotorOrbit, ...]":
-    speeds = speeds_of(rotor, top)
+    speeds = speeds_of(rotor, top, FEWER if drawing() else GRID)
     motions = [rotor.response(speed) for speed in speeds]
     rows = []
     for position, station in places:
