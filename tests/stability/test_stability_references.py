@@ -293,10 +293,11 @@ def test_a_multiple_zero_of_a_rate_is_one_equilibrium(rate: str, at: float, orde
     assert point.verdict == f"{way}, degenerate: by the term of order {order}"
 
 
-def test_zeros_close_together_are_not_taken_for_one() -> None:
-    points = equilibrium(states=(State("x", "x^3 - 1e-10*x"),)).points
+@pytest.mark.parametrize(("rate", "places"), [("x^3 - 1e-10*x", [-1e-5, 0.0, 1e-5]), ("x^2 - 1e-12", [-1e-6, 1e-6])])
+def test_zeros_close_together_are_not_taken_for_one(rate: str, places: list[float]) -> None:
+    points = equilibrium(states=(State("x", rate),)).points
     assert points is not None
-    assert [point.at[0] for point in points] == pytest.approx([-1e-5, 0.0, 1e-5], rel=1e-12)
+    assert [point.at[0] for point in points] == pytest.approx(places, rel=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -99,7 +99,8 @@ def _near_zeros(rates: Rates, grid: "list[float]") -> "Iterator[Point]":
     sizes = [math.inf, *map(abs, values), math.inf]
     for k, at in enumerate(grid, 1):
         if sizes[k] <= min(sizes[k - 1], sizes[k + 1]):
-            yield (at,)
+            # from both sides as well: there may be two zeros beside it
+            yield from ((near,) for near in (at, *grid[max(k - 2, 0) : k - 1], *grid[k : k + 1]))
 
 
 def _search(

@@ -160,7 +160,7 @@ ROTOR_RESPONSE = Task(
         "beam elements in two planes",
         "dynamics_cli.vibration.rotors.response:rotor_response",
         source="Timoshenko beam, shear coefficient of Cowper",
-        formula="M·q̈ + (C + Ω·J)·q̇ + (K + Ω·S)·q = Ω²·u·e^{iΩt}; δ = −2π·Re s/Im s",
+        formula="M·q̈ + (C + Ω·J)·q̇ + (K + Ω·S)·q = Ω²·u·e^(iΩt); δ = −2π·σ/ω for e^(σt + iωt)",
         assumptions=(
             "a round shaft with shear and rotary inertia, without damping of its own; rigid disks",
             "coefficients of bearings hold at every speed",
@@ -168,12 +168,12 @@ ROTOR_RESPONSE = Task(
         method="beam elements, lowest modes with static corrections",
     ),
     headline=(
-        "critical_speed: first peak of the response",
+        "critical_speed: first peak of the response", "amplitude: largest amplitude at the running speed",
+        "force: largest force on a bearing",
         "stable_to: stable at least to", "onset: unstable from", "onset_frequency: by a whirl of",
         "decrement: least logarithmic decrement",
         "peaks: peaks | position, speed, horizontal, vertical, major=long half axis, whirl",
         "orbits: at the running speed | position, horizontal, horizontal_lag=lag, vertical, vertical_lag=lag, whirl",
-        "loads: rotating forces on the bearings | position, horizontal, vertical",
     ),
     examples=(
         'dynamics vibration rotor-response --section "length=1 m, diameter=60 mm" '

@@ -100,13 +100,13 @@ class Rotor:
             self.loads[2 * station] += load
             self.force += np.kron([load, -1j * load], self.seen[2 * station])
 
-    def criticals(self) -> "list[tuple[float, str]]":
+    def criticals(self, count: int) -> "list[tuple[float, str]]":
         """Speeds at which unbalance meets a whirl without damping, with its sense; K·q = Ω²(M − iJ)·q."""
         import numpy as np
         from scipy.linalg import eigh
 
         inverse, shapes = eigh(np.eye(len(self.stiffness)) - 1j * self.gyroscopic, self.restoring)
-        met = [k for k in range(len(inverse) - 1, -1, -1) if inverse[k] > 0.0]
+        met = [k for k in range(len(inverse) - 1, -1, -1) if inverse[k] > 0.0][:count]
         return [(float(inverse[k]) ** -0.5, self.sense(shapes[:, k])) for k in met]
 
     def modes(self, speed: float, count: int) -> "list[tuple[complex, str]]":

@@ -106,7 +106,8 @@ def _curves(
             sizes.append(Curve(points, [getattr(row, way) for row in rows], name, style, role=nth))  # type: ignore[arg-type]
             turned = unwrap([getattr(row, f"{way}_lag") for row in rows])
             lags.append(Curve(points, turned, "", style, role=nth))  # type: ignore[arg-type]
-    amplitude = Axis("amplitude", Size, logarithmic=True)
+    moves = any(max(item.y) > 0.0 for item in sizes if isinstance(item, Curve))
+    amplitude = Axis("amplitude", Size, logarithmic=moves)
     return [
         Panel(along, amplitude, tuple(sizes), "response to unbalance"),
         Panel(along, Axis("lag", Angle, step=math.pi / 2.0), tuple(lags)),

@@ -5,22 +5,25 @@ import math
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.quantities import (
-    Angle,
     Annotated,
     Density,
-    Force,
-    Frequency,
     Pressure,
     Ratio,
     ShaftSpeed,
     Size,
-    SpringRate,
-    Text,
-    TorsionStiffness,
-    ViscousDamping,
 )
-from dynamics_cli.quantities import Unbalance as Imbalance
-from dynamics_cli.records import Advice, record
+from dynamics_cli.records import Advice
+from dynamics_cli.sampling import cost, drawing
+from dynamics_cli.vibration.rotors.orbit_records import (
+    Bearing,
+    RotatingLoad,
+    RotorCritical,
+    RotorMode,
+    RotorModes,
+    RotorOrbit,
+    RotorResponse,
+    Unbalance,
+)
 from dynamics_cli.vibration.rotors.orbits import Rotor, Support, axes, growth, lag
 from dynamics_cli.vibration.rotors.stepped import ELEMENTS, Disk, Material, Section, assembled, checked, require_held
 
@@ -30,106 +33,12 @@ if TYPE_CHECKING:
     from typing import Any
 
 MODES, CRITICALS, ROWS, GRID = 4, 6, 30, 200
+# Of a sample of uncertain inputs, rows that look for an onset, speeds that look for peaks, and its seconds.
+FEWER_ROWS, FEWER, COST = 8, 60, 0.1
 # A running speed this near to a peak is warned of.
 MARGIN = 0.2
 # Growth over frequency that is no rounding; how far a peak or the onset is narrowed.
 GROWS, NARROW = 1e-9, 1e-9
-
-
-@record
-class Bearing:
-    """A bearing by its coefficients, x horizontal and y vertical; rigid without kxx."""
-
-    position: Annotated[Size, "From the left end, e.g. 50 mm."]
-    kxx: Annotated[SpringRate | None, "Stiffness, horizontal; rigid unless given, e.g. 80 kN/mm."] = None
-    kyy: Annotated[SpringRate | None, "Vertical; as kxx unless given, e.g. 120 kN/mm."] = None
-    cxx: Annotated[ViscousDamping, "Damping, horizontal, e.g. 40 kN*s/m."] = 0.0
-    cyy: Annotated[ViscousDamping | None, "Vertical; as cxx unless given, e.g. 60 kN*s/m."] = None
-    kxy: Annotated[SpringRate, "Horizontal force per vertical deflection, e.g. 20 kN/mm."] = 0.0
-    kyx: Annotated[SpringRate, "Vertical force per horizontal deflection, e.g. -20 kN/mm."] = 0.0
-    cxy: Annotated[ViscousDamping, "Horizontal force per vertical speed, e.g. 5 kN*s/m."] = 0.0
-    cyx: Annotated[ViscousDamping, "Vertical force per horizontal speed, e.g. 5 kN*s/m."] = 0.0
-    swirl: Annotated[Ratio, "Speed of the oil film over that of the shaft, where it drives whirl, e.g. 0.48."] = 0.0
-    tilting: Annotated[TorsionStiffness, "Stiffness against tilting of the shaft, e.g. 5000 N*m/rad."] = 0.0
-
-
-@record
-class Unbalance:
-    """An unbalance in one plane."""
-
-    position: Annotated[Size, "From the left end, e.g. 300 mm."]
-    unbalance: Annotated[Imbalance, "Mass times radius, e.g. 500 g*mm."]
-    angle: Annotated[Angle, "From the mark on the shaft, with the rotation, e.g. 90 deg."] = 0.0
-
-
-@record
-class RotorMode:
-    """A free whirl."""
-
-    frequency: Annotated[Frequency, "Its frequency [Hz]."]
-    decrement: Annotated[Ratio, "Logarithmic decrement; below zero it grows [-]."]
-    whirl: Annotated[Text, "forward, backward, mixed along the shaft, or in a line."]
-
-
-@record
-class RotorModes:
-    """Free whirls at one speed."""
-
-    speed: Annotated[ShaftSpeed, "Speed of the shaft [rad/s]."]
-    frequencies: Annotated[tuple[Frequency, ...], "Frequencies from the lowest [Hz]."]
-    decrements: Annotated[tuple[Ratio, ...], "Their logarithmic decrements [-]."]
-
-
-@record
-class RotorCritical:
-    """A speed at which unbalance meets a whirl without damping."""
-
-    speed: Annotated[ShaftSpeed, "Speed of the shaft [rad/s]."]
-    whirl: Annotated[Text, "forward, backward, mixed along the shaft, or in a line."]
-
-
-@record
-class RotorOrbit:
-    """The orbit of one place at one speed."""
-
-    position: Annotated[Size, "From the left end [m]."]
-    speed: Annotated[ShaftSpeed, "Speed of the shaft [rad/s]."]
-    horizontal: Annotated[Size, "Amplitude [m]."]
-    horizontal_lag: Annotated[Angle, "By how much it lags the mark in passing that direction [rad]."]
-    vertical: Annotated[Size, "Amplitude [m]."]
-    vertical_lag: Annotated[Angle, "By how much it lags the mark in passing that direction [rad]."]
-    major: Annotated[Size, "Long half axis of the orbit [m]."]
-    minor: Annotated[Size, "Short half axis [m]."]
-    whirl: Annotated[Text, "forward, backward or in a line."]
-
-
-@record
-class RotatingLoad:
-    """What the unbalances do to a bearing."""
-
-    position: Annotated[Size, "From the left end [m]."]
-    horizontal: Annotated[Force, "Amplitude of the force on it [N]."]
-    vertical: Annotated[Force, "Amplitude of the force on it [N]."]
-
-
-@record
-class RotorResponse:
-    """Response and stability of a rotor."""
-
-    onset: Annotated[ShaftSpeed | None, "Lowest speed at which a whirl grows by itself [rad/s]."]
-    stable_to: Annotated[ShaftSpeed | None, "End of the range, if no whirl grows below it [rad/s]."]
-    onset_frequency: Annotated[Frequency | None, "Frequency of that whirl [Hz]."]
-    critical_speed: Annotated[ShaftSpeed | None, "First peak of the response, at any place read [rad/s]."]
-    margin: Annotated[Ratio | None, "Running speed over the nearest peak [-]."]
-    decrement: Annotated[Ratio | None, "Least logarithmic decrement at the running speed [-]."]
-    modes: Annotated[tuple[RotorMode, ...] | None, "Free whirls at the running speed."]
-    orbits: Annotated[tuple[RotorOrbit, ...] | None, "Places read, at the running speed."]
-    loads: Annotated[tuple[RotatingLoad, ...] | None, "Rotating forces on the bearings, at the running speed."]
-    peaks: Annotated[tuple[RotorOrbit, ...] | None, "Peaks of the long half axis, at each place read."]
-    criticals: Annotated[tuple[RotorCritical, ...], "Where unbalance meets whirls, without damping."]
-    over_speed: Annotated[tuple[RotorOrbit, ...] | None, "Places read, over speed."]
-    campbell: Annotated[tuple[RotorModes, ...], "Free whirls over speed."]
-    advice: tuple[Advice, ...] = ()
 
 
 def rotor_response(
@@ -182,10 +91,13 @@ def rotor_response(
     """
     system, stations, rotor = built(sections, bearings, disks, unbalances, read_at, Material(
         elastic_modulus, poisson_ratio, density))  # fmt: skip
-    criticals = rotor.criticals()[:CRITICALS]
-    top = abs(highest_speed or 0.0) or default_top(rotor, speed)
+    criticals = rotor.criticals(CRITICALS)
     running = abs(speed) if speed else None
-    steps = [top * k / ROWS for k in range(ROWS + 1)]
+    top = max(abs(highest_speed or 0.0) or default_top(rotor, speed), running or 0.0)
+    count = FEWER_ROWS if drawing() else ROWS
+    if drawing():
+        cost(0.0, COST, 1)
+    steps = [top * k / count for k in range(count + 1)]
     rates = [rotor.rates(at) for at in steps]
     onset, frequency = _onset(rotor, steps, rates) or (None, None)
     damped = any(bearing.cxx or bearing.cyy for bearing in bearings)
@@ -196,31 +108,43 @@ def rotor_response(
     modes = None
     if running is not None:
         modes = tuple(RotorMode(*_mode(rate), way) for rate, way in rotor.modes(running, MODES))
-    answered = running if unbalances else None
-    motion = None if answered is None else rotor.response(answered)
+    orbits = loads = None
+    if running is not None and unbalances:
+        orbits, loads = _running(rotor, places, bearings, running)
     return RotorResponse(
         onset=onset,
         stable_to=top if onset is None else None,
         onset_frequency=frequency,
         critical_speed=min((row.speed for row in peaks or ()), default=None),
+        amplitude=max((row.major for row in orbits or ()), default=None),
+        force=max((max(row.horizontal, row.vertical) for row in loads or ()), default=None),
         margin=margin,
         decrement=min((row.decrement for row in modes or ()), default=None),
         modes=modes,
-        orbits=None if answered is None else tuple(orbit(rotor, *place, answered, motion) for place in places),
-        loads=None if answered is None else tuple(
-            RotatingLoad(bearing.position, *map(abs, rotor.reaction(support, answered, motion)))
-            for bearing, support in zip(bearings, rotor.supports, strict=True)
-        ),
-        peaks=peaks,
+        orbits=orbits,
+        loads=loads,
+        peaks=peaks or None,
         criticals=tuple(RotorCritical(*row) for row in criticals),
         over_speed=tuple(orbit(rotor, *place, at, rotor.response(at)) for place in places for at in steps[1:])
-        if unbalances
+        if unbalances and not drawing()
         else None,
         campbell=tuple(
             RotorModes(at, *zip(*map(_mode, each[:MODES]), strict=True)) for at, each in zip(steps, rates, strict=True)
         ),
         advice=_advice(onset, running, margin, bool(unbalances) and not damped),
     )  # fmt: skip
+
+
+def _running(
+    rotor: Rotor, places: "Sequence[tuple[float, int]]", bearings: "Sequence[Bearing]", speed: float
+) -> "tuple[tuple[RotorOrbit, ...], tuple[RotatingLoad, ...]]":
+    """Orbits and forces on the bearings at a speed."""
+    motion = rotor.response(speed)
+    loads = tuple(
+        RotatingLoad(bearing.position, *map(abs, rotor.reaction(support, speed, motion)))
+        for bearing, support in zip(bearings, rotor.supports, strict=True)
+    )
+    return tuple(orbit(rotor, *place, speed, motion) for place in places), loads
 
 
 def built(
@@ -256,6 +180,11 @@ def built(
                     "bearing {number} has a direct stiffness or damping below zero", code="negative",
                     number=str(number), hint="kxx, kyy, cxx and cyy are zero or more; kxy and kyx have signs",
                     )  # fmt: skip
+            for name, (row, other) in (("k", stiffness), ("c", damping)):
+                require((0.5 * (row[1] + other[0])) ** 2 <= row[0] * other[1],
+                        "bearing {number} pushes the shaft away: {name}xy + {name}yx is too large beside {name}xx and "
+                        "{name}yy", code="negative", number=str(number), name=name,
+                        hint="of a bearing that turns the shaft, kxy and kyx have opposite signs")  # fmt: skip
         if stiffness is None or min(stiffness[0, 0], stiffness[1, 1]) > 0.0:
             holding.add(bearing.position)
         supports.append(Support(at, stiffness, damping, bearing.swirl))
@@ -270,7 +199,7 @@ def built(
 
 def default_top(rotor: Rotor, speed: "float | None") -> float:
     """The end of the range: half beyond the first two critical speeds and the running speed."""
-    speeds = [at for at, _ in rotor.criticals()]
+    speeds = [at for at, _ in rotor.criticals(2)]
     return 1.5 * max(*speeds[:2], abs(speed or 0.0))
 
 
@@ -283,7 +212,8 @@ def orbit(rotor: Rotor, position: float, station: int, speed: float, motion: "An
 
 def _mode(rate: complex) -> "tuple[float, float]":
     """Frequency and logarithmic decrement."""
-    return rate.imag / (2.0 * math.pi), -2.0 * math.pi * rate.real / rate.imag
+    decrement = -2.0 * math.pi * rate.real / rate.imag
+    return rate.imag / (2.0 * math.pi), decrement if abs(decrement) > GROWS else 0.0
 
 
 def _onset(rotor: Rotor, speeds: "Sequence[float]", rates: "Sequence[list[complex]]") -> "tuple[float, float] | None":
@@ -299,15 +229,15 @@ def _onset(rotor: Rotor, speeds: "Sequence[float]", rates: "Sequence[list[comple
     return high, _mode(growing)[0]
 
 
-def speeds_of(rotor: Rotor, top: float, count: int = GRID) -> "list[float]":
+def speeds_of(rotor: Rotor, top: float, count: int) -> "list[float]":
     """Speeds of a curve, closer about critical ones."""
-    near = [at * (1.0 + sign * 10.0 ** (-k / 5.0)) for at, _ in rotor.criticals()[:CRITICALS] for sign in (-1.0, 1.0)
+    near = [at * (1.0 + sign * 10.0 ** (-k / 5.0)) for at, _ in rotor.criticals(CRITICALS) for sign in (-1.0, 1.0)
             for k in range(3, 21)]  # fmt: skip
     return sorted({*(top * k / count for k in range(1, count + 1)), *(at for at in near if 0.0 < at < top)})
 
 
 def _peaks(rotor: Rotor, places: "Sequence[tuple[float, int]]", top: float) -> "tuple[RotorOrbit, ...]":
-    speeds = speeds_of(rotor, top)
+    speeds = speeds_of(rotor, top, FEWER if drawing() else GRID)
     motions = [rotor.response(speed) for speed in speeds]
     rows = []
     for position, station in places:
@@ -342,5 +272,5 @@ def _advice(onset: "float | None", running: "float | None", margin: "float | Non
         notes.append(Advice("near-critical", text, remedy="change the speed, the bearings or the shaft"))
     if bare:
         text = "without damping there is no largest amplitude at a critical speed"
-        notes.append(Advice("undamped", text, remedy="give cxx (and cyy) of a bearing", result="peaks"))
+        notes.append(Advice("undamped", text, remedy="give cxx (and cyy) of a bearing", result="critical_speed"))
     return tuple(notes)
