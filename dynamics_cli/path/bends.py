@@ -10,6 +10,10 @@ from dynamics_cli.numerics.vectors import Vector, dot, length, scale
 from dynamics_cli.numerics.vectors import compensated_cross as cross
 from dynamics_cli.records import Advice, Check, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 
 @record
 class Bend:
@@ -89,7 +93,15 @@ def centre_of(position: Vector, motion: Bend) -> "Vector | None":
     return position[0] + offset[0], position[1] + offset[1], position[2] + offset[2]
 
 
-def parts_check(motion: Bend) -> tuple[Check, ...]:
+def along_and_across(motion: Bend) -> "dict[str, Any]":
+    """Fields of a result: speed, parts of the acceleration along and across the path, their check."""
+    return {
+        "speed": motion.speed, "tangential": motion.tangential, "normal": motion.normal,
+        "radius_of_curvature": motion.radius, "checks": _parts_check(motion),
+    }  # fmt: skip
+
+
+def _parts_check(motion: Bend) -> tuple[Check, ...]:
     """That a_t and a_n make up the acceleration."""
     if motion.tangential is None or motion.normal is None:
         return ()

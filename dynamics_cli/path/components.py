@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, dot, length
-from dynamics_cli.path.bends import advice_of, bend, centre_of, parts_check
+from dynamics_cli.path.bends import advice_of, along_and_across, bend, centre_of
 from dynamics_cli.path.coordinates import combined, local_axes
 from dynamics_cli.quantities import (
     Acceleration,
@@ -101,11 +101,8 @@ def components(
         words = "on the Z-axis the directions of cylindrical and spherical coordinates are not determined"
         advice += [Advice("on-axis", words, "note", "give a position off the Z-axis", result=name) for name in names]
     return Components(
-        speed=motion.speed,
+        **along_and_across(motion),
         acceleration_size=motion.magnitude,
-        tangential=motion.tangential,
-        normal=motion.normal,
-        radius_of_curvature=motion.radius,
         curvature=motion.curvature,
         torsion=motion.torsion,
         tangent=motion.tangent,
@@ -118,7 +115,6 @@ def components(
         cylindrical_acceleration=_along(round_axis, acceleration),
         spherical_velocity=_along(round_pole, velocity),
         spherical_acceleration=_along(round_pole, acceleration),
-        checks=parts_check(motion),
         advice=tuple(advice),
     )
 

@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import cos, sin
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, add, scale
-from dynamics_cli.path.bends import Bend, advice_of, bend, parts_check
+from dynamics_cli.path.bends import Bend, advice_of, along_and_across, bend
 from dynamics_cli.quantities import (
     Acceleration,
     AccelerationVector,
@@ -162,7 +162,7 @@ def _around(
         radial_velocity=rates[0],
         transverse_velocity=across,
         axial_velocity=None if flat else vz,
-        speed=motion.speed,
+        **along_and_across(motion),
         radial_acceleration=outward,
         transverse_acceleration=sideward,
         axial_acceleration=None if flat else az,
@@ -170,13 +170,9 @@ def _around(
         centripetal=centripetal,
         angular_part=angular,
         coriolis=coriolis,
-        tangential=motion.tangential,
-        normal=motion.normal,
-        radius_of_curvature=motion.radius,
         position=(radius * cosine, radius * sine, z),
         cartesian_velocity=turned(rates[0], across, vz),
         cartesian_acceleration=turned(outward, sideward, az),
-        checks=parts_check(motion),
         advice=missing(motion),
     )
 
@@ -236,18 +232,14 @@ def spherical(
         radial_velocity=velocity[0],
         polar_velocity=velocity[1],
         azimuth_velocity=velocity[2],
-        speed=motion.speed,
+        **along_and_across(motion),
         radial_acceleration=acceleration[0],
         polar_acceleration=acceleration[1],
         azimuth_acceleration=acceleration[2],
         acceleration=motion.magnitude,
-        tangential=motion.tangential,
-        normal=motion.normal,
-        radius_of_curvature=motion.radius,
         position=scale(rho, axes[0]),
         cartesian_velocity=combined(axes, velocity),
         cartesian_acceleration=combined(axes, acceleration),
-        checks=parts_check(motion),
         advice=missing(motion),
     )
 

@@ -11,6 +11,8 @@ from dynamics_cli.vec.angles import ROUNDING, relation
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from dynamics_cli.numerics.exact.typed_products import Vector
 
 
@@ -23,12 +25,14 @@ class Products:
     parallelogram: Annotated[FreeNumber, "|a×b|, the area of the parallelogram of a and b."]
     triangle: Annotated[FreeNumber, "Half of |a×b|, the area of the triangle."]
     relation: Annotated[Text, "Whether a and b are parallel, opposite, perpendicular or oblique."]
-    triple_product: Annotated[FreeNumber | None, "a·(b×c)."]
-    box: Annotated[FreeNumber | None, "Its magnitude: the volume of the parallelepiped with the edges a, b and c."]
-    tetrahedron: Annotated[FreeNumber | None, "A sixth of it: the volume of the tetrahedron."]
-    coplanar: Annotated[Text | None, "Whether the three lie in one plane, and how that is known."]
-    first_with_product: Annotated[FreeVector | None, "a×(b×c)."]
-    product_with_third: Annotated[FreeVector | None, "(a×b)×c."]
+    triple_product: Annotated[FreeNumber | None, "a·(b×c)."] = None
+    box: Annotated[FreeNumber | None, "Its magnitude: the volume of the parallelepiped with the edges a, b and c."] = (
+        None
+    )
+    tetrahedron: Annotated[FreeNumber | None, "A sixth of it: the volume of the tetrahedron."] = None
+    coplanar: Annotated[Text | None, "Whether the three lie in one plane, and how that is known."] = None
+    first_with_product: Annotated[FreeVector | None, "a×(b×c)."] = None
+    product_with_third: Annotated[FreeVector | None, "(a×b)×c."] = None
     advice: tuple[Advice, ...] = ()
 
 
@@ -65,7 +69,7 @@ def product(
     sizes = plain(norm(a)) * plain(norm(b))
     kind = kinds.times(a_vector.kind, b_vector.kind, cross=True)
     none = "undetermined: a vector is zero"
-    last = _triples(a_vector, b_vector, kinds.Vector(third, "the third vector")) if third is not None else _NO_TRIPLES
+    last = _triples(a_vector, b_vector, kinds.Vector(third, "the third vector")) if third is not None else {}
     return Products(
         scalar_product=kinds.number(dot(a, b), kinds.times(a_vector.kind, b_vector.kind)),
         vector_product=kinds.vector(c, kind),
@@ -76,12 +80,7 @@ def product(
     )
 
 
-_NO_TRIPLES = dict.fromkeys(
-    ("triple_product", "box", "tetrahedron", "coplanar", "first_with_product", "product_with_third")
-)
-
-
-def _triples(first: kinds.Vector, second: kinds.Vector, third: kinds.Vector) -> "dict[str, object]":
+def _triples(first: kinds.Vector, second: kinds.Vector, third: kinds.Vector) -> "dict[str, Any]":
     a, b, c = first.parts, second.parts, third.parts
     value = triple(a, b, c)
     kind = kinds.times(kinds.times(second.kind, third.kind, cross=True), first.kind)

@@ -58,24 +58,25 @@ class Oblique:
 class Resolved:
     """A vector in its parts."""
 
-    component: Annotated[FreeNumber | None, "The component along the direction, with its sign."]
-    across: Annotated[FreeNumber | None, "Magnitude of the part across it."]
-    angle: Annotated[Angle | None, "The angle between the vector and the direction, or the plane [rad]."]
-    part_along: Annotated[FreeVector | None, "The part along the direction."]
-    part_across: Annotated[FreeVector | None, "The part across it."]
-    in_plane: Annotated[FreeNumber | None, "The magnitude of the part in the plane."]
-    out_of_plane: Annotated[FreeNumber | None, "The component along the normal, with its sign."]
-    part_in_plane: Annotated[FreeVector | None, "The part in the plane."]
-    part_out_of_plane: Annotated[FreeVector | None, "The part along its normal."]
-    condition: Annotated[Ratio | None, "How many times a relative change of the vector may appear in a part [-]."]
-    components: Annotated[tuple[Oblique, ...] | None, "The parts along the directions of the basis."]
+    component: Annotated[FreeNumber | None, "The component along the direction, with its sign."] = None
+    across: Annotated[FreeNumber | None, "Magnitude of the part across it."] = None
+    angle: Annotated[Angle | None, "The angle between the vector and the direction, or the plane [rad]."] = None
+    part_along: Annotated[FreeVector | None, "The part along the direction."] = None
+    part_across: Annotated[FreeVector | None, "The part across it."] = None
+    in_plane: Annotated[FreeNumber | None, "The magnitude of the part in the plane."] = None
+    out_of_plane: Annotated[FreeNumber | None, "The component along the normal, with its sign."] = None
+    part_in_plane: Annotated[FreeVector | None, "The part in the plane."] = None
+    part_out_of_plane: Annotated[FreeVector | None, "The part along its normal."] = None
+    condition: Annotated[Ratio | None, "How many times a relative change of the vector may appear in a part [-]."] = (
+        None
+    )
+    components: Annotated[tuple[Oblique, ...] | None, "The parts along the directions of the basis."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
 
 _ALONG = ("component", "across", "part_along", "part_across")
 _IN_PLANE = ("out_of_plane", "in_plane", "part_out_of_plane", "part_in_plane")
-_NONE: "dict[str, Any]" = dict.fromkeys((*_ALONG, *_IN_PLANE, "angle", "condition", "components"))
 
 
 def resolve(
@@ -129,9 +130,8 @@ def resolve(
     zero = resolved.is_zero
     turn = None if zero else atan2(size, component) if is_along else atan2(component, size)
     named = _ALONG if is_along else _IN_PLANE
-    parted = {**_NONE, **dict(zip(named, (*numbers, *parts), strict=True))}
-    check = _reassembled(resolved.parts, [along, rest])
-    return Resolved(**{**parted, "angle": turn}, checks=(check,))
+    parted: dict[str, Any] = dict(zip(named, (*numbers, *parts), strict=True))
+    return Resolved(**parted, angle=turn, checks=(_reassembled(resolved.parts, [along, rest]),))
 
 
 def _in_basis(vector: kinds.Vector, named: "dict[str, kinds.Vector]") -> Resolved:
@@ -164,7 +164,7 @@ def _in_basis(vector: kinds.Vector, named: "dict[str, kinds.Vector]") -> Resolve
         advice = (Advice("condition", message, remedy="give directions further apart, or with more digits"),)
     parts = [row.part.value for row in rows]
     checks = (_reassembled(vector.parts, parts, size * largest),)
-    return Resolved(**{**_NONE, "condition": largest, "components": tuple(rows)}, checks=checks, advice=advice)
+    return Resolved(condition=largest, components=tuple(rows), checks=checks, advice=advice)
 
 
 def _reciprocal_plane(vector: kinds.Vector, basis: "list[kinds.Vector]") -> "list[tuple[Vector, float, float]]":

@@ -1,5 +1,6 @@
 """Linkages from scenes: assemblies, motion, certificate, centres, mobility, and scenes that are refused."""
 
+from itertools import combinations
 from math import atan2, cos, degrees, hypot, radians, sin
 from typing import Any
 
@@ -250,7 +251,11 @@ def test_an_over_constrained_linkage_that_moves_is_known_as_one() -> None:
 def test_centres_give_the_speeds_and_lie_on_lines() -> None:
     made = centres(six_bar())
     assert made.count == 15
-    assert made.kennedy == pytest.approx(0.0, abs=1e-12)
+    places = {(row.first, row.second): complex(*row.position) for row in made.centres if row.position}
+    for one, two, three in combinations([link.name for link in six_bar().links], 3):
+        a, b, c = places[one, two], places[two, three], places[one, three]
+        # Kennedy: the centres of three links lie on a line
+        assert abs(((b - a).conjugate() * (c - a)).imag) <= 1e-12 * max(abs(b - a), abs(c - a)) ** 2
     known = {(one.first, one.second): one for one in made.centres}
     assert known["ground", "coupler"].position == pytest.approx((0.216533637130032315, 0.1816932950532851))
     x = (known["crank", "rocker"].position or (0.0, 0.0))[0]

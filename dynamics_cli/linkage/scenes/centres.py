@@ -4,7 +4,7 @@ from itertools import combinations
 
 from dynamics_cli.numerics.linkages.records import GROUND, Scene
 from dynamics_cli.quantities import Angle, Annotated, Count, PartPoint, Ratio, Text
-from dynamics_cli.records import Check, record
+from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -31,8 +31,6 @@ class Centres:
 
     count: Annotated[Count, "Their number, n(n − 1)/2."]
     centres: Annotated[tuple[Centre, ...], "The centres."]
-    kennedy: Annotated[Ratio | None, "How far centres of three links are from one line, relatively."]
-    checks: tuple[Check, ...] = ()
 
 
 def centres(
@@ -67,26 +65,19 @@ def centres(
     motions = _motions(scene, solved)
     fastest = max(abs(speed) for speed, _ in motions.values())
     rows = []
-    places: dict[frozenset[str], complex | None] = {}
     for a, b in combinations(motions, 2):
         (first, start), (second, end) = motions[a], motions[b]
         apart, drift = second - first, end - start
         ratio = second / first if abs(first) > PARALLEL * fastest and abs(second) > PARALLEL * fastest else None
         if abs(apart) > PARALLEL * fastest:
             place = 1j * drift / apart
-            places[frozenset((a, b))] = place
             rows.append(Centre(a, b, (place.real, place.imag), None, ratio))
         else:
             from cmath import phase
 
-            places[frozenset((a, b))] = None
             # square to the common translation
             rows.append(Centre(a, b, None, phase(1j * drift) if drift else None, ratio))
-    worst = _kennedy(list(motions), places)
-    return Centres(
-        len(rows), tuple(rows), worst,
-        checks=() if worst is None else (Check("centres of three links lie on a line", worst <= 1e-9, worst, 1e-9),),
-    )  # fmt: skip
+    return Centres(len(rows), tuple(rows))
 
 
 def _moving(scene: Scene) -> Scene:
@@ -112,17 +103,3 @@ def _motions(scene: Scene, solved: "Solution") -> "dict[str, tuple[float, comple
         speed = link.speed or 0.0
         motions[link.name] = (speed, complex(*(pin.velocity or (0.0, 0.0))) - 1j * speed * complex(*pin.position))
     return motions
-
-
-def _kennedy(names: "list[str]", places: "dict[frozenset[str], complex | None]") -> "float | None":
-    worst = None
-    for one, two, three in combinations(names, 3):
-        corners = [places[frozenset(pair)] for pair in ((one, two), (two, three), (one, three))]
-        if any(corner is None for corner in corners):
-            continue
-        a, b, c = (corner or 0j for corner in corners)
-        size = max(abs(b - a), abs(c - a), abs(c - b))
-        if size:
-            off = abs(((b - a).conjugate() * (c - a)).imag) / (size * size)
-            worst = off if worst is None else max(worst, off)
-    return worst

@@ -5,7 +5,7 @@ import math
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import is_many, plain
 from dynamics_cli.numerics.vectors import length
-from dynamics_cli.path.bends import Bend, advice_of, parts_check
+from dynamics_cli.path.bends import Bend, advice_of, along_and_across
 from dynamics_cli.path.curves.events import Event, arc_lengths, events
 from dynamics_cli.path.curves.moving_point import MovingPoint, State
 from dynamics_cli.path.curves.named import Shape
@@ -141,11 +141,8 @@ def curve(
         position=state.position,
         velocity=state.velocity,
         acceleration=state.acceleration,
-        speed=bend.speed,
+        **along_and_across(bend),
         acceleration_size=bend.magnitude,
-        tangential=bend.tangential,
-        normal=bend.normal,
-        radius_of_curvature=bend.radius,
         curvature=bend.curvature,
         torsion=None if motion.flat else bend.torsion,
         jerk_size=length(state.jerk),
@@ -153,7 +150,6 @@ def curve(
         events=events_met or None,
         points=rows,
         numerics=_numerics(lengths),
-        checks=parts_check(bend),
         advice=(*_advice(bend, motion.flat), *_loose(lengths)),
     )
 
