@@ -1,7 +1,7 @@
 """A comparison that is asked for: its cases, and a row for every method over them."""
 
 from dynamics_cli.accuracy.cases import Case, load
-from dynamics_cli.accuracy.measure import FEW_METHODS, Errors, Pace, count, representative, seconds
+from dynamics_cli.accuracy.measure import FEW_METHODS, Errors, count, representative, seconds
 from dynamics_cli.accuracy.rows import Row, row
 from dynamics_cli.errors import DynamicsError
 
@@ -10,28 +10,23 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
     from typing import Any
 
-    from dynamics_cli.accuracy.measure import Scale
+    from dynamics_cli.accuracy.measure import Asked, Scale
 
     # Counts a method's answer to a case, the nth, and gives the call to be timed.
     Answer = Callable[[Errors, Any, Any, int], Callable[[], Any]]
 
 
 class Comparing:
-    """The question's name, which cases take part, whether times are wanted; `more` are pairs of a name and a method.
+    """The question's name, what of the report is wanted, and further methods as pairs of a name and a function.
 
     With `few`, some of the cases and the first two methods take part.
     """
 
-    def __init__(
-        self, name: str, *, hard: bool, full: bool, timed: bool, few: bool, more: "Sequence[tuple[str, Any]]" = ()
-    ) -> None:
+    def __init__(self, name: str, wanted: "Asked", more: "Sequence[tuple[str, Any]]" = ()) -> None:
         self.name = name
-        self.hard = hard
-        self.full = full
-        self.timed = timed
-        self.few = few
+        self.hard, self.full, self.few, self.timed = wanted.hard, wanted.full, wanted.few, wanted.timed
+        self.pace = wanted.pace
         self.more = tuple(more)
-        self.pace = Pace(full=full, few=few)
 
     def cases(self, *files: str, task: str = "") -> "list[Case]":
         """The cases of files, of one task or all."""

@@ -32,7 +32,6 @@ LEGEND = {
     "arrays": "arrays: time per case in one call on arrays",
     "gives": "gives: how many of our results the method gives",
     "cases": "a/b: a of b cases answered",
-    "*": "*: no other method is as quick and as exact",
     "textbook": "textbook: its worst error (wrong: no digit right)",
     "its": "its time: over ours",
     "wrong": "wrong: textbooks' methods with a case without a right digit",
@@ -170,7 +169,7 @@ def _details(blocks: "list[list[Entry]]", digits: int, width: int) -> "tuple[lis
     room = min(width - 4 - sum(2 + size for _, size in columns), longest)
     text = [line for block in blocks for line in ("", *_block(block, columns, room, width))][1:]
     marks = {"truly"} if any(_truly(row) for row in rows) else set()
-    return text, _seen(columns, rows) | marks | ({"*"} if any(row["front"] for row in rows) else set())
+    return text, _seen(columns, rows) | marks
 
 
 def _seen(columns: "list[tuple[Column, int]]", rows: "list[Entry]") -> "set[str]":
@@ -310,7 +309,7 @@ def _block(rows: "list[Entry]", columns: "list[tuple[Column, int]]", room: int, 
     text = [f"  {title:<{room + 2}}{heads}" if len(title) <= room + 2 else f"  {title}\n{'':{room + 4}}{heads}"]
     for row in rows:
         name = row["method"].removesuffix(CHOSEN)
-        mark = "▸ " if name != row["method"] else "* " if row["front"] else "  "
+        mark = "▸ " if name != row["method"] else "  "
         figures = "".join(f"  {column.text(row):>{size}}" for column, size in columns)
         first, *rest = _wrapped(name, room)
         text.append(f"  {mark}{first:<{room}}{figures}".rstrip())

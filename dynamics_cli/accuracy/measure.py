@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence
     from typing import Any
 
+    from dynamics_cli.accuracy.machine import Peer
+    from dynamics_cli.accuracy.questions import Method
     from dynamics_cli.records import ErrorBound
 
     # What the error of a result is a share of, from its address and the sizes of all results.
@@ -221,6 +223,30 @@ class Pace:
         self.repeats = 15 if full else 5
         self.least = 5e-3 if full else 5e-4
         self.rows = 4096
+
+
+class Asked:
+    """What of the report is wanted, and which libraries of others are there."""
+
+    def __init__(
+        self, *, hard: bool, full: bool, timed: bool, few: bool, libraries: "Mapping[str, Peer]",
+        more: "Mapping[str, Any]",
+    ) -> None:  # fmt: skip
+        self.hard = hard
+        self.full = full
+        self.few = few
+        self.timed = timed
+        self.libraries = libraries
+        self.more = more
+        self.pace = Pace(full=full, few=few)
+
+    def takes(self, method: "Method") -> bool:
+        """Whether a method needs no library, or one that was asked for and is installed."""
+        return not method.needs or (method.needs in self.libraries and self.libraries[method.needs].installed)
+
+    def peers_of(self, question: str) -> "list[Method]":
+        """The further methods of a question that were asked for and can run."""
+        return [method for method in self.more.get(question, ()) if self.takes(method)]
 
 
 def scalar_time(

@@ -78,26 +78,27 @@ class Question:
         self.scale = scale
 
 
-def textbooks(family: str, file: str, module: str, *rows: "tuple[str, ...]", scale: str = "") -> "tuple[Question, ...]":
-    """Alternatives to the tasks of a file of references: their cases, words, function, and the library it needs.
+def textbooks(
+    family: str, file: str, module: str, *rows: "tuple[str, str, str]", scale: str = ""
+) -> "tuple[Question, ...]":
+    """Alternatives to the tasks of a file of references: their cases, words and function.
 
     The program's own method joins them, and gives the question its name.
     """
     return tuple(
-        Question(family, "", "", file, cases, Method(words, module + function, needs="".join(needs)), scale=scale)
-        for cases, words, function, *needs in rows
+        Question(family, "", "", file, cases, Method(words, module + function), scale=scale)
+        for cases, words, function in rows
     )
 
 
 class Comparison:
-    """A question whose rows a function of its own gives from a `Comparing`; `needs` libraries take part always."""
+    """A question whose rows a function of its own gives from a `Comparing`."""
 
-    def __init__(self, family: str, task: str, name: str, function: str, *, needs: "tuple[str, ...]" = ()) -> None:
+    def __init__(self, family: str, task: str, name: str, function: str) -> None:
         self.family = family
         self.task = task
         self.name = name
         self.function = function
-        self.needs = needs
 
 
 def groups_of(task: "Task") -> "dict[str, type]":

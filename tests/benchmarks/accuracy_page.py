@@ -91,7 +91,7 @@ def chosen_overview(accuracy: Accuracy, most: int = 11) -> Picture:
         if len(rows) > 1 and rows[0].entities is None:
             ranked.setdefault(rows[0].family, []).append(rows)
     for several in ranked.values():
-        several.sort(key=lambda rows: (-len(rows), -sum(row.front for row in rows)))
+        several.sort(key=lambda rows: -len(rows))
     picked: list[list[Row]] = []
     for place in range(max(map(len, ranked.values()), default=0)):
         picked += [several[place] for several in ranked.values() if place < len(several)]

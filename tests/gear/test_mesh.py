@@ -8,8 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.gear import options
 from dynamics_cli.gear.mesh import flank_clearance
-from dynamics_cli.gear.mesh.mesh import FULL, MeshProof, forms_of, mesh
+from dynamics_cli.gear.mesh.mesh import MeshProof, forms_of, mesh
 from dynamics_cli.gear.pitch import NormalModule
 from dynamics_cli.gear.single.flanks import ToothForm, flank
 from dynamics_cli.gear.single.gear import Sign
@@ -250,8 +251,8 @@ def test_room_is_the_least_of_many_more_points(internal: bool) -> None:
         assert found == many or many - 2e-6 < found <= many + chord * 2 * MM
 
 
-def form_at(first: int, second: int, *, internal: bool) -> tuple[ToothForm, ToothForm]:
-    more = {"helix_angle": 0.0, "pitch": M2, "profile": FULL, "pressure_angle": math.radians(20)}
+def form_at(first: int, second: int, *, internal: bool) -> list[ToothForm]:
+    more = {"helix_angle": 0.0, "pitch": M2, "profile": options.RACK_A, "pressure_angle": math.radians(20)}
     more |= {"addendum_factor": None, "dedendum_factor": None}
     return forms_of(
         first_teeth=first, second_teeth=second, first_profile_shift=0.0, second_profile_shift=0.0, internal=internal,

@@ -16,7 +16,6 @@ from dynamics_cli.gear.single.gear import Sign
 from dynamics_cli.gear.single.outline import chain_points
 from dynamics_cli.gear.single.profile import Form, GearProfile, gear_of, profile, tooth_form
 from dynamics_cli.gear.single.rack import Profile
-from dynamics_cli.gear.single.trochoid import trochoid_point
 from dynamics_cli.outlines import Arc, Line, Points
 
 MM = 1e-3
@@ -38,7 +37,7 @@ def form_of(
         helix_angle=beta,
         profile_shift=x,
         internal=internal,
-        sign="iso",
+        shift_sign="iso",
     )
     return tooth_form(gear, None, rho)
 
@@ -168,14 +167,6 @@ def test_the_trochoid_lies_within_its_triangles() -> None:
 
     bound = float(np.max(_triangles(*sampled)))
     assert 0.3 * bound <= off <= bound
-
-
-def test_points_of_the_trochoid_one_by_one_and_all_at_once() -> None:
-    cutter = form_of(9, 0.0, 0.4).cutter
-    theta = np.linspace(0.45, 1.5, 9)
-    radius, angle, _ = trochoid_points(cutter, theta)
-    for index, one in enumerate(theta):
-        assert trochoid_point(cutter, float(one)) == pytest.approx((radius[index], angle[index]), rel=1e-14)
 
 
 @pytest.mark.parametrize(("teeth", "x", "beta"), GEARS)

@@ -6,12 +6,12 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.crossing.bevel_records import BevelData, BevelGear, Flank, Kind
 from dynamics_cli.gear.crossing.virtual_teeth import tooth_advice
 from dynamics_cli.gear.pitch import require_module
+from dynamics_cli.gear.single.rack import FULL_DEPTH, require_pressure_angle
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.number import like, plain
 from dynamics_cli.quantities import Angle, Annotated, Module, Ratio, Size, Teeth, Torque
 from dynamics_cli.records import Advice, Check
 
-FULL_DEPTH = 20.0 * pi / 180.0
 RIGHT_ANGLE = 0.5 * pi
 # Gleason's usual spiral angles of cutters.
 USUAL_SPIRAL = 35.0 * pi / 180.0
@@ -21,15 +21,6 @@ _REMEDY = ("use more teeth, or a larger pressure angle", "use more teeth, or a s
 
 # of h_a2 in modules: 0.54 + 0.46/(…), working depth, whole depth
 _DEPTHS = {"gleason": (0.54, 0.46, 2.0, 2.188), "zerol": (0.54, 0.46, 2.0, 2.188), "spiral": (0.46, 0.39, 1.7, 1.888)}
-
-
-def _require_pressure_angle(pressure_angle: float) -> None:
-    require(
-        (pressure_angle > 0.0) & (pressure_angle < 0.5 * pi),
-        "the pressure angle {pressure_angle:6} must be above 0 and below 90 degrees",
-        pressure_angle=(pressure_angle, Angle),
-        code="pressure-angle",
-    )
 
 
 def _require_spiral(spiral: float, kind: Kind) -> None:
@@ -103,7 +94,7 @@ def bevel(
     30.48699
     """
     angles = _cones(first_teeth, second_teeth, like(shaft_angle, module))
-    _require_pressure_angle(pressure_angle)
+    require_pressure_angle(pressure_angle)
     require_module(module)
     pressure_angle = like(pressure_angle, module)
     usual = like(USUAL_SPIRAL, module) if kind == "spiral" else 0.0

@@ -7,7 +7,7 @@ again, finer each time.
 
 from math import acos, pi, sqrt
 
-from dynamics_cli.gear.single.flanks import ToothForm, _fillet_centre, flank
+from dynamics_cli.gear.single.flanks import ToothForm, fillet_centre, flank
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -166,7 +166,7 @@ def _fillet_points(form: ToothForm) -> "tuple[Array, Array]":
     """The fillet of an internal gear from the involute to the root circle, as radii and half angles of the space."""
     import numpy as np
 
-    centre, angle = _fillet_centre(form)
+    centre, angle = fillet_centre(form)
     reach = sqrt((centre - form.base) * (centre + form.base))
     half = pi / form.teeth - angle
     # from the normal of the involute, which leans by the pressure angle of the centre, to the radius

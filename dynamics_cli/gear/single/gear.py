@@ -10,7 +10,7 @@ from math import pi
 from dynamics_cli.errors import require
 from dynamics_cli.gear.single.rack import BasicRack
 from dynamics_cli.gear.single.toothing import once
-from dynamics_cli.gear.single.trochoid import Cutter, transverse
+from dynamics_cli.gear.single.trochoid import Cutter, Root, root, transverse
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.numerics.number import like
@@ -116,6 +116,15 @@ class Gear:
         """The rack as the cutter of the trochoid; an internal gear has none."""
         rack = self.rack
         return Cutter(self.teeth, rack.pressure_angle, self.helix_angle, self.shift, rack.dedendum, rack.tip_radius)
+
+    @once
+    def junction(self) -> Root:
+        """Where the trochoid of the rack's corner meets the involute; an internal gear has none."""
+        return root(self.cutter)
+
+    def shifted(self, shift: float, tip_change: float = 0.0) -> "Gear":
+        """The gear with another shift and another change of its tips."""
+        return Gear(self.teeth, self.module, self.rack, self.helix_angle, shift, tip_change)
 
     def roll(self, diameter: float) -> float:
         """Roll angle tan α_y at a diameter, √((d_y/d_b)² − 1), without cancellation near the base circle."""

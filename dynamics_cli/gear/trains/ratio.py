@@ -23,7 +23,7 @@ from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.gear.trains.ratio_search import Train
+    from dynamics_cli.gear.trains.ratio_limits import Train
     from dynamics_cli.numerics.exact.rational import Pair
 
 

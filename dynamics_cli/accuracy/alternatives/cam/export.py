@@ -1,4 +1,4 @@
-"""Exports of a cam: how many lines, arcs or cubics keep a tolerance, their deviation as measured and as proved.
+"""Exports of a cam: how many lines or cubics keep a tolerance, their deviation as measured and as proved.
 
 Deviations are measured at points of the exact curve between those that the fits see.
 """
@@ -130,7 +130,6 @@ def deviation(form: str, path: "Path", pieces: "Pieces") -> float:
 METHODS = (
     ("cubics that err alike (chosen)", ("cubics", alike)),
     ("lines at equal angles", ("lines", equal_angles)),
-    ("arcs that err alike", ("arcs", alike)),
 )
 
 

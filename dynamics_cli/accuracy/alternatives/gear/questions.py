@@ -21,7 +21,6 @@ QUESTIONS = (
         "gear", "profile", "undercut junction", TRAINS, "root",
         Method("bracketed, of differences", INVOLUTE + "chosen_root", chosen=True, tracked=True),
         Method("Newton on half angles", INVOLUTE + "root_by_newton"),
-        Method("halving on half angles", INVOLUTE + "root_by_halving"),
     ),
     Comparison("gear", "ratio", "gear ratio", HERE + "ratio:compare"),
     # whose references are in other words than their tasks' results

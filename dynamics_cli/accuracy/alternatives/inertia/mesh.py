@@ -78,11 +78,6 @@ def about_origin(case: "Case") -> "Call":
     return _summed(case, lambda _: np.zeros(3))
 
 
-def about_middle(case: "Case") -> "Call":
-    """The same on the middle of the box about the corners."""
-    return _summed(case, lambda triangles: 0.5 * (triangles.min(axis=(0, 1)) + triangles.max(axis=(0, 1))))
-
-
 def sums(triangles: "Array", point: "Array", *, shell: bool) -> "tuple[float, Array, Array]":
     """Measure, first and second moments about a point: of a tetrahedron Σ d·(s sᵀ + a aᵀ + b bᵀ + c cᵀ)/120."""
     import numpy as np
@@ -120,7 +115,6 @@ def moved(case: "Case", measure: float, first: "Array", second: "Array", point: 
 METHODS = (
     ("two passes by edges (chosen)", twice),
     ("about the origin of the file, LAPACK", about_origin),
-    ("about the middle of the box, LAPACK", about_middle),
 )
 
 
