@@ -29,7 +29,6 @@ LEGEND = {
     "stated": "held ×n: stated errors were never too small, typically n times the true one",
     "~": "~: an estimate",
     "ratio": "ratio: time over that of the program's own method (▸), for the formula alone",
-    "arrays": "arrays: time per case in one call on arrays",
     "gives": "gives: how many of our results the method gives",
     "cases": "a/b: a of b cases answered",
     "textbook": "textbook: its worst error (wrong: no digit right)",
@@ -152,8 +151,6 @@ def _instead(row: "Entry | None", digits: int) -> str:
     """The worst error of an alternative, or its pieces."""
     if row is None:
         return ""
-    if "entities" in row:
-        return whole(row["entities"]["value"], digits)
     return "wrong" if _is_wrong(row) else _worst(row, digits)
 
 
@@ -215,9 +212,7 @@ def _columns(rows: "list[Entry]", digits: int, *, brief: bool = False) -> "list[
         Column("median", figure("median", error), 5),
         Column("stated", _bound),
         Column(f"time{unit('time')}", figure("time", whole), 2),
-        Column(f"arrays{unit('array_time')}", figure("array_time"), 4),
         Column("ratio", figure("slower")),
-        Column("pieces", figure("entities", whole)),
         Column("gives", _gives, 4),
         Column("cases", _cases),
     ]

@@ -60,8 +60,6 @@ class Errors:
         self.worst_reference: float | None = None
         # how many results were whole numbers
         self.whole = 0
-        # pieces needed, where all methods keep a tolerance
-        self.entities: int | None = None
         # relative errors by case and result, so that methods can be compared over the same ones
         self.by_result: dict[str, float] = {}
 
@@ -222,7 +220,6 @@ class Pace:
         self.timed_cases = 25 if full else 1 if few else 5
         self.repeats = 15 if full else 5
         self.least = 5e-3 if full else 5e-4
-        self.rows = 4096
 
 
 class Asked:
@@ -264,22 +261,3 @@ def scalar_time(
         if len(times) == pace.timed_cases or sum(times) > LONG:
             break
     return median(times) if times else None
-
-
-def array_time(
-    function: "Callable[..., Any]", cases: "Sequence[Case]", groups: "Mapping[str, type]", pace: Pace
-) -> "float | None":
-    """The time per case of one call on arrays of many like the first case that arrays can answer."""
-    import numpy as np
-
-    for case in cases:
-        columns = [np.full(pace.rows, number) for number in leaves(case.inputs)]
-        if not columns:
-            return None
-        arguments = build(case.inputs, iter(columns), groups) | case.choices
-        try:
-            function(**arguments)
-        except (DynamicsError, ArithmeticError, ValueError, TypeError):
-            continue
-        return seconds(lambda: function(**arguments), repeats=pace.repeats, least=pace.least) / pace.rows  # noqa: B023
-    return None

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 # What is more exact stands at the left end, what has no digit right at the right one.
 EXACT, WRONG = 1e-17, 1.0
 ENDS = (2e-18, 5.0)
-PIECES = (10.0, 1e6)
 # The last of the colours, black.
 OWN = 6
 TITLE = "left is more exact, down is quicker (−n: n cases unanswered)"
@@ -96,12 +95,11 @@ def overview(several: "list[list[Row]]") -> Panel:
 def question_panel(rows: "list[Row]") -> Panel:
     """One question: its methods by name."""
     base = rows[0].time or 1.0
-    pieces = rows[0].entities is not None
-    x = Axis("pieces needed", None, True, ends=PIECES) if pieces else _errors_in(rows[0].measure)
+    x = _errors_in(rows[0].measure)
     ratios = [(row.time or 0.0) / base for row in rows]
     curves = tuple(
         Curve(
-            (float(row.entities or PIECES[1]) if pieces else _error(row, rows),), (ratio,), _name(row), "points",
+            (_error(row, rows),), (ratio,), _name(row), "points",
             OWN if row.method.endswith(CHOSEN) else place,
         )
         for place, (row, ratio) in enumerate(zip(rows, ratios, strict=True), start=-1)

@@ -16,8 +16,8 @@ class Method:
     """One way to answer a question.
 
     `function` names a callable of the case's inputs by keyword that gives a record or a dictionary of results;
-    `tracked` says that it carries rounding bounds, `arrays` that it takes arrays for floats, `needs` which library it
-    comes from, `fields` are the parameters of its task.
+    `tracked` says that it carries rounding bounds, `needs` which library it comes from, `fields` are the parameters of
+    its task.
     """
 
     def __init__(
@@ -27,7 +27,6 @@ class Method:
         *,
         chosen: bool = False,
         tracked: bool = False,
-        arrays: bool = False,
         needs: str = "",
         fields: "Sequence[Field]" = (),
     ) -> None:
@@ -35,7 +34,6 @@ class Method:
         self.function = function
         self.chosen = chosen
         self.tracked = tracked
-        self.arrays = arrays
         self.needs = needs
         self.fields = fields
 
@@ -139,7 +137,6 @@ def own_questions(family: "Family", file: str, cases: "set[str]") -> "list[Quest
                 model.function,
                 chosen=True,
                 tracked=task.tracked,
-                arrays=task.arrays,
                 fields=task.specification.fields,
             )
             title = task.path if len(task.models) == 1 else f"{task.path}, {model.name}"

@@ -12,7 +12,6 @@ from dynamics_cli.accuracy.measure import (
     FEW_METHODS,
     MANY,
     Asked,
-    array_time,
     errors_of,
     representative,
     scalar_time,
@@ -231,7 +230,7 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
     common = [case for index, case in enumerate(cases) if all(index in _answers(errors) for errors in each)]
     rows: list[Row] = []
     for method, errors in zip(methods, each, strict=True):
-        time = base = many = None
+        time = base = None
         if wanted.timed and errors.cases:
             # times are of the same cases; where no case is everybody's, of those that this method answers
             some = common or [cases[index] for index in sorted(_answers(errors))]
@@ -239,9 +238,8 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
             base = rows[0].time if rows else time
             if rows and not common:
                 base = scalar_time(methods[0].call(), some, groups, wanted.pace)
-            many = array_time(method.call(), cases, groups, wanted.pace) if method.arrays and not wanted.few else None
         name = f"{method.name}{CHOSEN}" if method.chosen else method.name
-        rows.append(row(question.name, name, errors, time, base, array_time=many, own=each[0] if rows else None))
+        rows.append(row(question.name, name, errors, time, base, own=each[0] if rows else None))
     return rows
 
 

@@ -50,10 +50,6 @@ class Row:
         "The stated bound over the true error, in the median; an error below half a last bit counts as that.",
     ]
     worst_case: Annotated[Text, "The case and the result with the largest error."]
-    array_time: Annotated[
-        EvaluationTime | None, "Time for each case of a call on arrays, where the method takes arrays."
-    ]
-    entities: Annotated[Count | None, "Pieces needed, where a question asks for as few as keep a tolerance."] = None
     worst_reference: Annotated[
         Text, "The true value of the worst result, in SI units: where it all but vanishes, a share of it says little."
     ] = ""
@@ -78,7 +74,6 @@ def row(
     time: "float | None",
     base: "float | None",
     *,
-    array_time: "float | None" = None,
     bound: str = "bound",
     measure: str = "relative",
     own: "Errors | None" = None,
@@ -109,8 +104,6 @@ def row(
         errors.broken,
         median(errors.looseness) if errors.looseness else None,
         errors.worst[0],
-        array_time,
-        errors.entities,
         worst_reference="" if errors.worst_reference is None else f"{errors.worst_reference:.3g}",
         share=_share(errors, own) if own else None,
         loosest=max(errors.looseness, default=None),

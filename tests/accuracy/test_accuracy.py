@@ -91,9 +91,6 @@ class TestReport:
             if name.startswith("uncertainty"):
                 continue  # errors of estimates: see TestUncertainty
             for alternative in alternatives:
-                if "entities" in chosen:
-                    assert value(alternative, "entities") > value(chosen, "entities"), (name, alternative["method"])
-                    continue
                 # over the results that both give; formulas that are one and the same may tie
                 own = value(alternative, "own_worst") if "own_worst" in alternative else value(chosen, "worst")
                 tie = max(TIE * value(alternative, "worst"), LAST_BITS)
@@ -128,7 +125,7 @@ class TestReport:
         """A choice must show: in most questions the textbook loses half of the digits or has no answer."""
         lost, asked = 0, 0
         for name, (_, *alternatives) in by_question(rows).items():
-            if alternatives and not name.startswith("uncertainty") and "entities" not in alternatives[0]:
+            if alternatives and not name.startswith("uncertainty"):
                 asked += 1
                 lost += value(alternatives[0], "worst") > 1e-8 or value(alternatives[0], "refused") > 0
         assert lost >= 0.6 * asked
@@ -137,7 +134,7 @@ class TestReport:
         "question",
         ["convert", "coords, cartesian to cylindrical", "coords, cartesian to spherical", "skid speed", "skid avoid",
          "principal moments", "cam extremes",
-         "cam export, pieces for 1 µm", "cam export, pieces for 1 nm", "inverse involute", "undercut junction",
+         "inverse involute", "undercut junction",
          "gear ratio", "gear profile", "uncertainty, smooth", "uncertainty, bounded",
          "uncertainty, kinked or folded"],
     )  # fmt: skip
@@ -158,7 +155,6 @@ class TestReport:
         assert rows[0]["slower"] == {"value": 1.0}
         assert all(0.0 < row["time"]["value"] < 1e6 for row in rows)
         assert rows[0]["time"]["unit"] == "us"
-        assert rows[0]["array_time"]["value"] > 0.0
 
     def test_the_machine_is_named_with_times_only(self, rows: list[dict]) -> None:
         import numpy as np

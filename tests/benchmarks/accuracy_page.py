@@ -48,8 +48,6 @@ def error(row: Row) -> str:
     )
     if row.bound == "bound held" and row.worst > ILL:
         number += ", and says so"
-    if row.entities is not None:
-        number = f"{row.entities:,} pieces"
     left = f" ({row.refused} of {row.cases + row.refused} not answered)" if row.refused else ""
     return (number if row.cases else "–") + left
 
@@ -71,7 +69,7 @@ def line(own: Row, other: Row | None) -> str:
     if other is None:
         return f"| {own.question} | {own.method.removesuffix(CHOSEN)} | {error(own)} | | | |"
     here = own if other.own_worst is None else Row(**{**own.__dict__, "worst": other.own_worst})
-    measure = "" if own.measure == "relative" or own.entities is not None else f", in {own.measure}"
+    measure = "" if own.measure == "relative" else f", in {own.measure}"
     cells = (
         own.question + measure,
         own.method.removesuffix(CHOSEN),
@@ -88,7 +86,7 @@ def chosen_overview(accuracy: Accuracy, most: int = 11) -> Picture:
     questions = pictures.by_question(accuracy)
     ranked: dict[str, list[list[Row]]] = {}
     for rows in questions:
-        if len(rows) > 1 and rows[0].entities is None:
+        if len(rows) > 1:
             ranked.setdefault(rows[0].family, []).append(rows)
     for several in ranked.values():
         several.sort(key=lambda rows: -len(rows))

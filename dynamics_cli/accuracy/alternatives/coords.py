@@ -49,7 +49,7 @@ ROWS = (
 QUESTIONS = tuple(
     Question(
         "coords", "", f"coords, {source} to {target}", "coords.json", f"{source}_to_{target}",
-        Method("scaled components and atan2", f"{CHOSEN}{source}_to_{target}", chosen=True, tracked=True, arrays=True),
+        Method("scaled components and atan2", f"{CHOSEN}{source}_to_{target}", chosen=True, tracked=True),
         *((Method(f"textbook, {words}", HERE + textbook),) if textbook else ()),
     )
     for source, target, words, textbook in ROWS

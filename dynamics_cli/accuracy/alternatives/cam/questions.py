@@ -10,8 +10,6 @@ ROWS = (
     ("motion", "cam motion", "laws:compare_motions"),
     ("profile", "cam extremes", "extremes:compare"),
     ("profile", "cam points", "extremes:compare_points"),
-    ("export", "cam export, pieces for 1 µm", "export:compare"),
-    ("export", "cam export, pieces for 1 nm", "export:compare"),
     ("size", "cam size", "sizes:compare"),
     ("force", "cam force", "forces:compare"),
 )

@@ -9,12 +9,12 @@ SIZES, TRAINS, MESHES = "gear_geometry.json", "gear_trains.json", "gear_meshes.j
 QUESTIONS = (
     Question(
         "gear", "pair", "inverse involute", SIZES, "inverse",
-        Method("series", INVOLUTE + "chosen_inverse", chosen=True, tracked=True, arrays=True),
+        Method("series", INVOLUTE + "chosen_inverse", chosen=True, tracked=True),
         Method("Newton on tan φ − φ", INVOLUTE + "newton"),
     ),
     Question(
         "gear", "pair", "involute function", SIZES, "inv",
-        Method("series below 0.98 rad", INVOLUTE + "chosen_involute", chosen=True, tracked=True, arrays=True),
+        Method("series below 0.98 rad", INVOLUTE + "chosen_involute", chosen=True, tracked=True),
         Method("tan φ − φ", INVOLUTE + "textbook_involute"),
     ),
     Question(

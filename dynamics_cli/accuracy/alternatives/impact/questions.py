@@ -5,7 +5,7 @@ from dynamics_cli.accuracy.questions import Method, Question, textbooks
 HERE = "dynamics_cli.accuracy.alternatives.impact."
 PARTICLES = "impact_particles.json"
 APPROACH = (
-    Method("cross products", HERE + "reconstruction:cross_products", chosen=True, tracked=True, arrays=True),
+    Method("cross products", HERE + "reconstruction:cross_products", chosen=True, tracked=True),
     Method("2×2 system, Cramer's rule", HERE + "reconstruction:by_cramer"),
 )
 SYSTEM = "textbook: slides or sticks, LAPACK", "rigid:by_system"
