@@ -26,7 +26,7 @@ _DEPTHS = {"gleason": (0.54, 0.46, 2.0, 2.188), "zerol": (0.54, 0.46, 2.0, 2.188
 def _require_spiral(spiral: float, kind: Kind) -> None:
     require(
         spiral < 0.5 * pi,
-        "a spiral angle of {spiral:6} never crosses the face",
+        "the spiral angle {spiral:6} must be below 90 degrees",
         spiral=(spiral, Angle),
         code="spiral-angle",
     )
@@ -104,7 +104,7 @@ def bevel(
     cone = 0.5 * first_teeth * module / sin(angles[0])
     require(
         (face_width > 0.0) & (face_width < cone),
-        "a face of {face_width:6} does not end before the apex at {cone:6}",
+        "the face width {face_width:6} must be above zero and below the cone distance {cone:6}",
         face_width=(face_width, Size),
         cone=(cone, Size),
         code="face-width",

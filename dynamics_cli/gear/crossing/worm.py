@@ -242,7 +242,7 @@ def _worm(
     diameter = worm.worm_diameter
     require(
         diameter > 0.0,
-        "a worm of {diameter:6} diameter has no threads",
+        "the diameter of the worm must be above zero, not {diameter:6}",
         diameter=(diameter, Size),
         code="worm-diameter",
     )

@@ -139,15 +139,8 @@ def mesh(
     """
     inputs = {name: value for name, value in locals().items() if name not in NOT_OF_GEARS}
     require(
-        points >= 2,
-        "read {points} points of contact, wanted at least 2",
-        points=points,
-        code="points",
-        hint="give 2 at least",
-    )
-    require(
-        points <= MOST_POINTS,
-        "read {points} points of contact, wanted at most {most}",
+        2 <= points <= MOST_POINTS,
+        "points of contact: give 2 to {most}, not {points}",
         points=points,
         most=MOST_POINTS,
         code="points",

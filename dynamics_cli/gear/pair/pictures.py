@@ -40,7 +40,7 @@ _SMALL = 0.6
 
 
 def pair(
-    made: "PairData", *, first: "Mate", second: "Mate", internal: bool = False, pitch: "Any", **inputs: "Any"
+    result: "PairData", *, first: "Mate", second: "Mate", internal: bool = False, pitch: "Any", **inputs: "Any"
 ) -> Picture:
     """Both gears at their working distance, the path of contact, the main sizes and the specific sliding."""
     module = module_in(pitch, float(inputs.get("helix_angle", 0.0)))
@@ -51,7 +51,7 @@ def pair(
         module=(module, Module),
     )
     return Picture(
-        pair_panels(made, first=first, second=second, internal=internal, pitch=pitch, **inputs),
+        pair_panels(result, first=first, second=second, internal=internal, pitch=pitch, **inputs),
         title,
         columns=2,
         subtitle="Transverse section at the working centre distance; pitch circles dash-dotted, base circles dotted",
@@ -59,7 +59,7 @@ def pair(
 
 
 def pair_panels(
-    made: "PairData",
+    result: "PairData",
     *,
     first: "Mate",
     second: "Mate",
@@ -72,13 +72,13 @@ def pair_panels(
 
     Beside a long table (2) the path of contact is wider than high.
     """
-    gears = _gears(made, internal, _forms(made, first, second, internal, pitch, inputs))
+    gears = _gears(result, internal, _forms(result, first, second, internal, pitch, inputs))
     module = module_in(pitch, float(inputs.get("helix_angle", 0.0)))
     return (
-        _whole(made, first, second, internal, gears, module, brief > 0),
-        contact_panel(gears, _path(made), module, wide=brief > 1, titled=not brief),
-        _table(made, first, second),
-        _sliding(made, internal, brief > 0),
+        _whole(result, first, second, internal, gears, module, brief > 0),
+        contact_panel(gears, _path(result), module, wide=brief > 1, titled=not brief),
+        _table(result, first, second),
+        _sliding(result, internal, brief > 0),
     )
 
 

@@ -183,7 +183,7 @@ def signed_gear(
     tip_change: float = 0.0,
 ) -> Gear:
     """A gear from numbers in the user's convention; `tip_change` is in modules and negative shortens."""
-    require(teeth >= 1, "read {teeth} teeth, wanted at least 1", teeth=teeth, code="teeth")
+    require(teeth >= 1, "a gear needs at least 1 tooth, not {teeth}", teeth=teeth, code="teeth")
     require_number(teeth, MOST_TEETH)
     lean = absolute(helix_angle)
     require(

@@ -140,7 +140,7 @@ def profile(
         tolerance=(tolerance, Size),
         code="tolerance",
     )
-    require(teeth > 0, "read {teeth} teeth, wanted at least 1", teeth=teeth, code="teeth")
+    require(teeth > 0, "a profile needs at least 1 tooth, not {teeth}", teeth=teeth, code="teeth")
     require(
         not (rack and internal), "a rack is neither internal nor external", code="rack", hint="leave out --internal"
     )

@@ -47,7 +47,7 @@ def gear_of(
     shift_sign: str,
 ) -> Gear:
     """The gear of the inputs, in ISO's signs; refuses an impossible gear."""
-    require(teeth >= 3, "a gear needs at least 3 teeth here, not {teeth}", teeth=teeth, code="teeth")
+    require(teeth >= 3, "a gear needs at least 3 teeth, not {teeth}", teeth=teeth, code="teeth")
     require_number(teeth, MOST_FOLLOWED)
     require(
         (pressure_angle > 0.01) & (pressure_angle < 0.25 * pi),

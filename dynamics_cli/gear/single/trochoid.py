@@ -171,7 +171,7 @@ def _require_rack(cutter: Cutter) -> None:
     )
     require(
         cutter.root_radius > 0.0,
-        "the root would be {root_radius:6} modules beyond the gear's centre",
+        "the root would reach {root_radius:6} modules beyond the centre of the gear",
         root_radius=(-cutter.root_radius, Ratio),
         code="no-root",
         hint="raise the profile shift or the number of teeth",
