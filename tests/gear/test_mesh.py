@@ -175,7 +175,7 @@ def outlines(first: ToothForm, second: ToothForm, distance: float, play: float) 
     below = slice(0, space.joint + 1)
     root = space.radius[below] * np.exp(1j * (math.pi / second.teeth - space.angle[below]))
     least = np.inf
-    for turn in np.linspace(-0.5, 0.5, 801):
+    for turn in np.linspace(-0.5, 0.5, 601):
         points = (distance - radius * np.exp(1j * (angle + turn))) * np.exp(
             1j * (turn * first.teeth / second.teeth - play)
         )
