@@ -5,6 +5,7 @@ from functools import cache
 from dynamics_cli.accuracy.alternatives.inertia.bodies import named, scale
 from dynamics_cli.accuracy.alternatives.inertia.solids import triangles
 from dynamics_cli.accuracy.cases import load
+from dynamics_cli.accuracy.measure import Errors, count
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -122,4 +123,10 @@ def compare(comparing: "Comparing") -> "list[Row]":
     """Solids of few triangles and of many, with faces that overlap, and thin shells."""
     task, shell = ASKED[comparing.name]
     cases = [case for case in comparing.cases(FILE, task=task) if case.inputs["shell"] == shell]
-    return comparing.results(METHODS, cases, scale)
+
+    def answer(errors: Errors, case: "Case", prepare: "Any", index: int) -> "Call":
+        call: Call = prepare(case)
+        count(errors, case, index, call(), scale)
+        return call
+
+    return comparing.rows(METHODS, cases, answer, most=20, shared=True)
