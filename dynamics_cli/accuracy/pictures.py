@@ -69,27 +69,21 @@ def _bars(rows: "list[Row]", family: str = "") -> Panel:
 
 
 def overview(several: "list[list[Row]]") -> Panel:
-    """Every method of every question of relative errors as a point, by family, the program's own in black."""
-    points: dict[str, tuple[list[float], list[float]]] = {}
+    """Every method of every question of relative errors as a point, the program's own in black."""
     own: list[float] = []
+    across: list[float] = []
+    up: list[float] = []
     for rows in several:
-        if rows[0].measure != "relative":
-            continue
-        base = rows[0].time or 1.0
-        for row in rows:
-            if row.method.endswith(CHOSEN):
-                own.append(_error(row, rows))
-                continue
-            across, up = points.setdefault("convert" if row.family == "coords" else row.family, ([], []))
-            across.append(_error(row, rows))
-            up.append((row.time or 0.0) / base)
-    curves = [
-        Curve(across, up, f"{family}: alternatives", "points", place)
-        for place, (family, (across, up)) in enumerate(points.items())
-    ]
-    curves.append(Curve(own, [1.0] * len(own), "our own methods", "points", OWN))
-    axis = _ratios([ratio for _, ups in points.values() for ratio in ups])
-    return Panel(Axis(ERROR, None, True, ends=ENDS), axis, tuple(curves), "all questions with several methods")
+        if rows[0].measure == "relative":
+            first, *others = rows
+            own.append(_error(first, rows))
+            across += [_error(row, rows) for row in others]
+            up += [(row.time or 0.0) / (first.time or 1.0) for row in others]
+    curves = (
+        Curve(across, up, "textbooks' methods and others", "points", 1),
+        Curve(own, [1.0] * len(own), "our own methods", "points", OWN),
+    )
+    return Panel(Axis(ERROR, None, True, ends=ENDS), _ratios(up), curves, "all questions with several methods")
 
 
 def question_panel(rows: "list[Row]") -> Panel:
