@@ -1,7 +1,7 @@
 """A comparison that is asked for: its cases, and a row for every method over them."""
 
 from dynamics_cli.accuracy.cases import Case, load
-from dynamics_cli.accuracy.measure import FEW_METHODS, Errors, Pace, count, representative, seconds
+from dynamics_cli.accuracy.measure import FEW_METHODS, Errors, representative, seconds
 from dynamics_cli.accuracy.rows import Row, row
 from dynamics_cli.errors import DynamicsError
 
@@ -10,28 +10,23 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
     from typing import Any
 
-    from dynamics_cli.accuracy.measure import Scale
+    from dynamics_cli.accuracy.measure import Asked
 
     # Counts a method's answer to a case, the nth, and gives the call to be timed.
     Answer = Callable[[Errors, Any, Any, int], Callable[[], Any]]
 
 
 class Comparing:
-    """The question's name, which cases take part, whether times are wanted; `more` are pairs of a name and a method.
+    """The question's name, what of the report is wanted, and further methods as pairs of a name and a function.
 
     With `few`, some of the cases and the first two methods take part.
     """
 
-    def __init__(
-        self, name: str, *, hard: bool, full: bool, timed: bool, few: bool, more: "Sequence[tuple[str, Any]]" = ()
-    ) -> None:
+    def __init__(self, name: str, wanted: "Asked", more: "Sequence[tuple[str, Any]]" = ()) -> None:
         self.name = name
-        self.hard = hard
-        self.full = full
-        self.timed = timed
-        self.few = few
+        self.hard, self.full, self.few, self.timed = wanted.hard, wanted.full, wanted.few, wanted.timed
+        self.pace = wanted.pace
         self.more = tuple(more)
-        self.pace = Pace(full=full, few=few)
 
     def cases(self, *files: str, task: str = "") -> "list[Case]":
         """The cases of files, of one task or all."""
@@ -66,30 +61,11 @@ class Comparing:
                     continue
                 errors.cases += 1
                 calls.append(call)
-            time = self.time(calls[:: max(1, len(calls) // most)], repeats)
+            time, timed = None, calls[:: max(1, len(calls) // most)]
+            if self.timed and timed:
+                many = repeats or self.pace.repeats
+                time = seconds(lambda: [call() for call in timed], repeats=many, least=self.pace.least) / len(timed)  # noqa: B023
             base = base or time
             rows.append(row(self.name, name, errors, time, base, own=first, **options))
             first = (first or errors) if shared else None
         return rows
-
-    def results(
-        self,
-        methods: "Iterable[tuple[str, Any]]",
-        cases: "Sequence[Case]",
-        scale: "Scale | None" = None,
-    ) -> "list[Row]":
-        """A row for every method that prepares a case's call, which gives a record or results by address."""
-
-        def answer(errors: Errors, case: Case, prepare: "Any", index: int) -> "Callable[[], Any]":
-            call: Callable[[], Any] = prepare(case)
-            count(errors, case, index, call(), scale)
-            return call
-
-        return self.rows(methods, cases, answer, most=20, shared=True)
-
-    def time(self, calls: "Sequence[Callable[[], Any]]", repeats: int = 0) -> "float | None":
-        """The mean time of calls; None where no times are wanted."""
-        if not self.timed or not calls:
-            return None
-        repeats = repeats or self.pace.repeats
-        return seconds(lambda: [call() for call in calls], repeats=repeats, least=self.pace.least) / len(calls)

@@ -29,10 +29,8 @@ LEGEND = {
     "stated": "held ×n: stated errors were never too small, typically n times the true one",
     "~": "~: an estimate",
     "ratio": "ratio: time over that of the program's own method (▸), for the formula alone",
-    "arrays": "arrays: time per case in one call on arrays",
     "gives": "gives: how many of our results the method gives",
     "cases": "a/b: a of b cases answered",
-    "*": "*: no other method is as quick and as exact",
     "textbook": "textbook: its worst error (wrong: no digit right)",
     "its": "its time: over ours",
     "wrong": "wrong: textbooks' methods with a case without a right digit",
@@ -153,8 +151,6 @@ def _instead(row: "Entry | None", digits: int) -> str:
     """The worst error of an alternative, or its pieces."""
     if row is None:
         return ""
-    if "entities" in row:
-        return whole(row["entities"]["value"], digits)
     return "wrong" if _is_wrong(row) else _worst(row, digits)
 
 
@@ -170,7 +166,7 @@ def _details(blocks: "list[list[Entry]]", digits: int, width: int) -> "tuple[lis
     room = min(width - 4 - sum(2 + size for _, size in columns), longest)
     text = [line for block in blocks for line in ("", *_block(block, columns, room, width))][1:]
     marks = {"truly"} if any(_truly(row) for row in rows) else set()
-    return text, _seen(columns, rows) | marks | ({"*"} if any(row["front"] for row in rows) else set())
+    return text, _seen(columns, rows) | marks
 
 
 def _seen(columns: "list[tuple[Column, int]]", rows: "list[Entry]") -> "set[str]":
@@ -216,9 +212,7 @@ def _columns(rows: "list[Entry]", digits: int, *, brief: bool = False) -> "list[
         Column("median", figure("median", error), 5),
         Column("stated", _bound),
         Column(f"time{unit('time')}", figure("time", whole), 2),
-        Column(f"arrays{unit('array_time')}", figure("array_time"), 4),
         Column("ratio", figure("slower")),
-        Column("pieces", figure("entities", whole)),
         Column("gives", _gives, 4),
         Column("cases", _cases),
     ]
@@ -310,7 +304,7 @@ def _block(rows: "list[Entry]", columns: "list[tuple[Column, int]]", room: int, 
     text = [f"  {title:<{room + 2}}{heads}" if len(title) <= room + 2 else f"  {title}\n{'':{room + 4}}{heads}"]
     for row in rows:
         name = row["method"].removesuffix(CHOSEN)
-        mark = "▸ " if name != row["method"] else "* " if row["front"] else "  "
+        mark = "▸ " if name != row["method"] else "  "
         figures = "".join(f"  {column.text(row):>{size}}" for column, size in columns)
         first, *rest = _wrapped(name, room)
         text.append(f"  {mark}{first:<{room}}{figures}".rstrip())

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping, Sequence
     from typing import Any
 
+    from dynamics_cli.accuracy.machine import Peer
+    from dynamics_cli.accuracy.questions import Method
     from dynamics_cli.records import ErrorBound
 
     # What the error of a result is a share of, from its address and the sizes of all results.
@@ -58,8 +60,6 @@ class Errors:
         self.worst_reference: float | None = None
         # how many results were whole numbers
         self.whole = 0
-        # pieces needed, where all methods keep a tolerance
-        self.entities: int | None = None
         # relative errors by case and result, so that methods can be compared over the same ones
         self.by_result: dict[str, float] = {}
 
@@ -220,7 +220,30 @@ class Pace:
         self.timed_cases = 25 if full else 1 if few else 5
         self.repeats = 15 if full else 5
         self.least = 5e-3 if full else 5e-4
-        self.rows = 4096
+
+
+class Asked:
+    """What of the report is wanted, and which libraries of others are there."""
+
+    def __init__(
+        self, *, hard: bool, full: bool, timed: bool, few: bool, libraries: "Mapping[str, Peer]",
+        more: "Mapping[str, Any]",
+    ) -> None:  # fmt: skip
+        self.hard = hard
+        self.full = full
+        self.few = few
+        self.timed = timed
+        self.libraries = libraries
+        self.more = more
+        self.pace = Pace(full=full, few=few)
+
+    def takes(self, method: "Method") -> bool:
+        """Whether a method needs no library, or one that was asked for and is installed."""
+        return not method.needs or (method.needs in self.libraries and self.libraries[method.needs].installed)
+
+    def peers_of(self, question: str) -> "list[Method]":
+        """The further methods of a question that were asked for and can run."""
+        return [method for method in self.more.get(question, ()) if self.takes(method)]
 
 
 def scalar_time(
@@ -238,22 +261,3 @@ def scalar_time(
         if len(times) == pace.timed_cases or sum(times) > LONG:
             break
     return median(times) if times else None
-
-
-def array_time(
-    function: "Callable[..., Any]", cases: "Sequence[Case]", groups: "Mapping[str, type]", pace: Pace
-) -> "float | None":
-    """The time per case of one call on arrays of many like the first case that arrays can answer."""
-    import numpy as np
-
-    for case in cases:
-        columns = [np.full(pace.rows, number) for number in leaves(case.inputs)]
-        if not columns:
-            return None
-        arguments = build(case.inputs, iter(columns), groups) | case.choices
-        try:
-            function(**arguments)
-        except (DynamicsError, ArithmeticError, ValueError, TypeError):
-            continue
-        return seconds(lambda: function(**arguments), repeats=pace.repeats, least=pace.least) / pace.rows  # noqa: B023
-    return None

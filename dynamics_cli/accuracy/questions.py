@@ -16,8 +16,8 @@ class Method:
     """One way to answer a question.
 
     `function` names a callable of the case's inputs by keyword that gives a record or a dictionary of results;
-    `tracked` says that it carries rounding bounds, `arrays` that it takes arrays for floats, `needs` which library it
-    comes from, `fields` are the parameters of its task.
+    `tracked` says that it carries rounding bounds, `needs` which library it comes from, `fields` are the parameters of
+    its task.
     """
 
     def __init__(
@@ -27,7 +27,6 @@ class Method:
         *,
         chosen: bool = False,
         tracked: bool = False,
-        arrays: bool = False,
         needs: str = "",
         fields: "Sequence[Field]" = (),
     ) -> None:
@@ -35,7 +34,6 @@ class Method:
         self.function = function
         self.chosen = chosen
         self.tracked = tracked
-        self.arrays = arrays
         self.needs = needs
         self.fields = fields
 
@@ -78,26 +76,27 @@ class Question:
         self.scale = scale
 
 
-def textbooks(family: str, file: str, module: str, *rows: "tuple[str, ...]", scale: str = "") -> "tuple[Question, ...]":
-    """Alternatives to the tasks of a file of references: their cases, words, function, and the library it needs.
+def textbooks(
+    family: str, file: str, module: str, *rows: "tuple[str, str, str]", scale: str = ""
+) -> "tuple[Question, ...]":
+    """Alternatives to the tasks of a file of references: their cases, words and function.
 
     The program's own method joins them, and gives the question its name.
     """
     return tuple(
-        Question(family, "", "", file, cases, Method(words, module + function, needs="".join(needs)), scale=scale)
-        for cases, words, function, *needs in rows
+        Question(family, "", "", file, cases, Method(words, module + function), scale=scale)
+        for cases, words, function in rows
     )
 
 
 class Comparison:
-    """A question whose rows a function of its own gives from a `Comparing`; `needs` libraries take part always."""
+    """A question whose rows a function of its own gives from a `Comparing`."""
 
-    def __init__(self, family: str, task: str, name: str, function: str, *, needs: "tuple[str, ...]" = ()) -> None:
+    def __init__(self, family: str, task: str, name: str, function: str) -> None:
         self.family = family
         self.task = task
         self.name = name
         self.function = function
-        self.needs = needs
 
 
 def groups_of(task: "Task") -> "dict[str, type]":
@@ -138,7 +137,6 @@ def own_questions(family: "Family", file: str, cases: "set[str]") -> "list[Quest
                 model.function,
                 chosen=True,
                 tracked=task.tracked,
-                arrays=task.arrays,
                 fields=task.specification.fields,
             )
             title = task.path if len(task.models) == 1 else f"{task.path}, {model.name}"

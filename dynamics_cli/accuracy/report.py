@@ -11,8 +11,7 @@ from dynamics_cli.accuracy.measure import (
     FEW,
     FEW_METHODS,
     MANY,
-    Pace,
-    array_time,
+    Asked,
     errors_of,
     representative,
     scalar_time,
@@ -32,9 +31,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from typing import Any
 
-    from dynamics_cli.accuracy.cases import Case
     from dynamics_cli.accuracy.measure import Errors
-    from dynamics_cli.accuracy.questions import Method, Question
+    from dynamics_cli.accuracy.questions import Question
 
 
 @record
@@ -73,30 +71,6 @@ NO_CHECKOUT = (
 
 # Questions whose cases take a tenth of a second each.
 SLOW = ("motion chain", "stability equilibrium", "stability gain", "gear mesh", "vibration modes")
-
-
-class Asked:
-    """What of the report is wanted, and which libraries of others are there."""
-
-    def __init__(
-        self, *, hard: bool, full: bool, timed: bool, few: bool, libraries: "Mapping[str, Peer]",
-        more: "Mapping[str, Any]",
-    ) -> None:  # fmt: skip
-        self.hard = hard
-        self.full = full
-        self.few = few
-        self.timed = timed
-        self.libraries = libraries
-        self.more = more
-        self.pace = Pace(full=full, few=few)
-
-    def takes(self, method: "Method") -> bool:
-        """Whether a method needs no library, or one that was asked for and is installed."""
-        return not method.needs or (method.needs in self.libraries and self.libraries[method.needs].installed)
-
-    def peers_of(self, question: str) -> "list[Method]":
-        """The further methods of a question that were asked for and can run."""
-        return [method for method in self.more.get(question, ()) if self.takes(method)]
 
 
 class Done:
@@ -194,7 +168,7 @@ def _names(asked: "Sequence[Question | Comparison]", more: "Mapping[str, Any]") 
     """The libraries of others that could answer these questions, in the order of the questions."""
     names: dict[str, None] = {}
     for question in asked:
-        needed = question.needs if isinstance(question, Comparison) else [method.needs for method in question.methods]
+        needed = [] if isinstance(question, Comparison) else [method.needs for method in question.methods]
         further = [method.needs for method in more.get(question.name, ())]
         names.update(dict.fromkeys(name for name in (*needed, *further) if name))
     return list(names)
@@ -236,10 +210,7 @@ def _rows(question: "Question | Comparison", wanted: Asked) -> "list[Row]":
     if not isinstance(question, Comparison):
         return _answered(question, wanted)
     more = [(method.name, method.call()) for method in wanted.peers_of(question.name)]
-    comparing = Comparing(
-        question.name, hard=wanted.hard, full=wanted.full, timed=wanted.timed, few=wanted.few, more=more
-    )
-    return imported(question.function)(comparing)  # type: ignore[no-any-return]
+    return imported(question.function)(Comparing(question.name, wanted, more))  # type: ignore[no-any-return]
 
 
 def _answered(question: "Question", wanted: Asked) -> "list[Row]":
@@ -259,23 +230,19 @@ def _answered(question: "Question", wanted: Asked) -> "list[Row]":
     common = [case for index, case in enumerate(cases) if all(index in _answers(errors) for errors in each)]
     rows: list[Row] = []
     for method, errors in zip(methods, each, strict=True):
-        time = base = many = None
+        time = base = None
         if wanted.timed and errors.cases:
             # times are of the same cases; where no case is everybody's, of those that this method answers
             some = common or [cases[index] for index in sorted(_answers(errors))]
             time = scalar_time(method.call(), some, groups, wanted.pace)
-            base = _base(methods[0], some, question, wanted) if rows and not common else rows[0].time if rows else time
-            many = array_time(method.call(), cases, groups, wanted.pace) if method.arrays and not wanted.few else None
+            base = rows[0].time if rows else time
+            if rows and not common:
+                base = scalar_time(methods[0].call(), some, groups, wanted.pace)
         name = f"{method.name}{CHOSEN}" if method.chosen else method.name
-        rows.append(row(question.name, name, errors, time, base, array_time=many, own=each[0] if rows else None))
+        rows.append(row(question.name, name, errors, time, base, own=each[0] if rows else None))
     return rows
 
 
 def _answers(errors: "Errors") -> "set[int]":
     """Which of the cases a method has answered."""
     return {int(where.partition(" ")[0]) for where in errors.by_result}
-
-
-def _base(method: "Method", cases: "list[Case]", question: "Question", wanted: Asked) -> "float | None":
-    """The chosen method's time over the cases that another answers."""
-    return scalar_time(method.call(), cases, catalogue.groups(question.family), wanted.pace)

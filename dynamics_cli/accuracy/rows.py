@@ -50,11 +50,6 @@ class Row:
         "The stated bound over the true error, in the median; an error below half a last bit counts as that.",
     ]
     worst_case: Annotated[Text, "The case and the result with the largest error."]
-    array_time: Annotated[
-        EvaluationTime | None, "Time for each case of a call on arrays, where the method takes arrays."
-    ]
-    entities: Annotated[Count | None, "Pieces needed, where a question asks for as few as keep a tolerance."] = None
-    front: Annotated[bool, "Whether no other method of the question is as quick and as exact."] = False
     worst_reference: Annotated[
         Text, "The true value of the worst result, in SI units: where it all but vanishes, a share of it says little."
     ] = ""
@@ -79,7 +74,6 @@ def row(
     time: "float | None",
     base: "float | None",
     *,
-    array_time: "float | None" = None,
     bound: str = "bound",
     measure: str = "relative",
     own: "Errors | None" = None,
@@ -110,8 +104,6 @@ def row(
         errors.broken,
         median(errors.looseness) if errors.looseness else None,
         errors.worst[0],
-        array_time,
-        errors.entities,
         worst_reference="" if errors.worst_reference is None else f"{errors.worst_reference:.3g}",
         share=_share(errors, own) if own else None,
         loosest=max(errors.looseness, default=None),
@@ -127,9 +119,8 @@ def _share(errors: "Errors", own: "Errors") -> "float | None":
 
 
 def finished(rows: "Sequence[Row]", family: str, task: str) -> "list[Row]":
-    """The rows of one question with their family and task, marked where no other beats them in time and error."""
-    more = {"family": family, "task": task}
-    return [Row(**{**line.__dict__, **more, "front": on_front(line, rows)}) for line in rows]
+    """The rows of one question with their family and task."""
+    return [Row(**{**line.__dict__, "family": family, "task": task}) for line in rows]
 
 
 def compared_worst(line: Row, rows: "Sequence[Row]") -> float:
@@ -147,22 +138,3 @@ def beats(line: Row) -> bool:
     if line.own_worst is None or line.refused or line.measure != "relative":
         return False
     return min(line.own_worst, 1.0) > max(TIE * line.worst, LAST_BITS)
-
-
-def quality(line: Row, rows: "Sequence[Row]") -> float:
-    """What is to be small: the pieces needed, where all keep a tolerance, else the error."""
-    return compared_worst(line, rows) if line.entities is None else float(line.entities)
-
-
-def on_front(line: Row, rows: "Sequence[Row]") -> bool:
-    """Whether no other method, `rows` being those of one question, answers as many cases as quickly and exactly."""
-    if line.time is None or not line.cases:
-        return False
-    mine = (line.refused, line.time, quality(line, rows))
-    for other in rows:
-        if other.time is None or not other.cases:
-            continue
-        theirs = (other.refused, other.time, quality(other, rows))
-        if theirs != mine and all(their <= our for their, our in zip(theirs, mine, strict=True)):
-            return False
-    return True

@@ -2,11 +2,13 @@
 
 from math import atan, atan2, cos, hypot, pi, sin
 
-from dynamics_cli.gear.rounding import bare
+from dynamics_cli.errors import InadmissibleError, worded
 from dynamics_cli.gear.single.outline import gear_outline
+from dynamics_cli.gear.single.profile import tooth_form
 from dynamics_cli.gear.single.trochoid import roll_less_arc
+from dynamics_cli.numerics.number import over_plain
 from dynamics_cli.outlines import Arc, Points
-from dynamics_cli.pictures import Axis, Curve, Mark, Panel
+from dynamics_cli.pictures import Axis, Curve, Mark, Panel, Rows
 from dynamics_cli.quantities import Coordinate
 
 TYPE_CHECKING = False
@@ -14,6 +16,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.gear.single.flanks import ToothForm
+    from dynamics_cli.gear.single.gear import Gear
     from dynamics_cli.outlines import Outline
     from dynamics_cli.pictures import Style
 
@@ -28,6 +31,24 @@ FINE, FINE_OF_GEAR = 2e-3, 5e-5
 MOST_DRAWN = 400
 # How far a ring is drawn beyond its root circle, in modules.
 RIM = 2.0
+
+
+def form_of(gear: "Gear", tip_diameter: float | None = None, root_radius: float | None = None) -> "ToothForm | None":
+    """The true form of a gear; None where it cannot be drawn, for example for pointed teeth."""
+    try:
+        return over_plain(tooth_form(gear, tip_diameter, root_radius))  # type: ignore[no-any-return]
+    except InadmissibleError:
+        return None
+
+
+def sizes(*listed: "tuple[str, str, Any, Any]", wide: bool = False) -> Panel:
+    """A table of names, symbols and values; values of None are left out, and text (of no kind) is unchanged."""
+    rows = [
+        (name, symbol, value if kind is None else worded("{value:6}", value=(float(value), kind)))
+        for name, symbol, value, kind in listed
+        if value is not None
+    ]
+    return Panel(Axis(""), Axis(""), (Rows(tuple(rows)),), wide=wide)
 
 
 def gear_items(form: "ToothForm", at: "Place", tooth: float, role: int, pitch_radius: float) -> "list[Curve]":
@@ -71,7 +92,6 @@ def tooth_line(form: "ToothForm", at: "Place", tooth: float) -> "Line":
     if form.teeth > MOST_DRAWN:
         around = circle(at, form.tip, "", "solid", 0)
         return tuple(around.x), tuple(around.y)
-    form = bare(form)
     outline, _ = gear_outline(form, max(FINE * form.module, FINE_OF_GEAR * form.tip))
     x, y = turned(outline_points(outline), tooth - 0.5 * pi, at)
     return (*x, x[0]), (*y, y[0])

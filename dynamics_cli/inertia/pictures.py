@@ -4,10 +4,9 @@ from math import cos, pi, sin, sqrt
 
 from dynamics_cli.inertia.assembly.parts import Walk
 from dynamics_cli.inertia.assembly.report import bare
-from dynamics_cli.inertia.bodies.mass_moments import times
 from dynamics_cli.inertia.shapes.wires import wires
 from dynamics_cli.numerics.orientation.rotations import IDENTITY
-from dynamics_cli.numerics.vectors import add
+from dynamics_cli.numerics.vectors import add, times
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Coordinate, Inertia, Mass
 

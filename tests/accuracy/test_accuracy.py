@@ -91,9 +91,6 @@ class TestReport:
             if name.startswith("uncertainty"):
                 continue  # errors of estimates: see TestUncertainty
             for alternative in alternatives:
-                if "entities" in chosen:
-                    assert value(alternative, "entities") > value(chosen, "entities"), (name, alternative["method"])
-                    continue
                 # over the results that both give; formulas that are one and the same may tie
                 own = value(alternative, "own_worst") if "own_worst" in alternative else value(chosen, "worst")
                 tie = max(TIE * value(alternative, "worst"), LAST_BITS)
@@ -116,7 +113,7 @@ class TestReport:
 
     def test_shares_and_times_are_over_the_same_results_and_cases(self, rows: list[dict]) -> None:
         shares = [value(row, "share") for row in rows if "share" in row]
-        assert len(shares) > 60
+        assert len(shares) >= 50
         assert all(0.0 < share <= 1.0 for share in shares)
         # of whole meshes, profiles, lists of gears and rows of a stop no textbook has more than some sizes
         few = ("gear profile", "skid stop", "skid avoid")
@@ -128,7 +125,7 @@ class TestReport:
         """A choice must show: in most questions the textbook loses half of the digits or has no answer."""
         lost, asked = 0, 0
         for name, (_, *alternatives) in by_question(rows).items():
-            if alternatives and not name.startswith("uncertainty") and "entities" not in alternatives[0]:
+            if alternatives and not name.startswith("uncertainty"):
                 asked += 1
                 lost += value(alternatives[0], "worst") > 1e-8 or value(alternatives[0], "refused") > 0
         assert lost >= 0.6 * asked
@@ -136,8 +133,8 @@ class TestReport:
     @pytest.mark.parametrize(
         "question",
         ["convert", "coords, cartesian to cylindrical", "coords, cartesian to spherical", "skid speed", "skid avoid",
-         "principal moments", "cam law, by its peak", "cam extremes",
-         "cam export, pieces for 1 µm", "cam export, pieces for 1 nm", "inverse involute", "undercut junction",
+         "principal moments", "cam extremes",
+         "inverse involute", "undercut junction",
          "gear ratio", "gear profile", "uncertainty, smooth", "uncertainty, bounded",
          "uncertainty, kinked or folded"],
     )  # fmt: skip
@@ -158,7 +155,6 @@ class TestReport:
         assert rows[0]["slower"] == {"value": 1.0}
         assert all(0.0 < row["time"]["value"] < 1e6 for row in rows)
         assert rows[0]["time"]["unit"] == "us"
-        assert rows[0]["array_time"]["value"] > 0.0
 
     def test_the_machine_is_named_with_times_only(self, rows: list[dict]) -> None:
         import numpy as np
@@ -168,7 +164,7 @@ class TestReport:
         assert machine["processor"]
         untimed = answer("accuracy", "skid", "yaw", "--untimed")["results"]
         assert "machine" not in untimed
-        assert all("time" not in row and not row["front"] for row in untimed["methods"])
+        assert all("time" not in row for row in untimed["methods"])
 
     def test_errors_alone_are_the_same_bytes_every_time(self) -> None:
         call = ("accuracy", "gear", "ratio", "--untimed")

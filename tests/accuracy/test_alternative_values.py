@@ -12,7 +12,7 @@ from peers.impact import lines as more_impact_lines
 from peers.impact import rigid as more_impact_rigid
 
 from dynamics_cli.accuracy import catalogue
-from dynamics_cli.accuracy.alternatives.impact import lines, reconstruction, rigid
+from dynamics_cli.accuracy.alternatives.impact import lines, rigid
 from dynamics_cli.accuracy.alternatives.inertia import bodies as inertia_bodies
 from dynamics_cli.accuracy.cases import load
 from dynamics_cli.accuracy.measure import errors_of
@@ -58,7 +58,7 @@ def test_every_question_has_the_chosen_method_and_most_an_alternative(report_row
     asked: dict[tuple[str, str], list[str]] = {}
     for row in report_rows:
         asked.setdefault((row["family"], row["question"]), []).append(row["method"])
-    assert sum(len(methods) > 1 for methods in asked.values()) >= 65
+    assert sum(len(methods) > 1 for methods in asked.values()) >= 55
     for methods in asked.values():
         assert ["(chosen)" in method for method in methods] == [True] + [False] * (len(methods) - 1)
         assert len(set(methods)) == len(methods)
@@ -133,14 +133,6 @@ class TestImpactsByHand:
         names = ("pendulum_speed", "speed", "rise", "share_lost")
         assert [found[name] for name in names] == pytest.approx([3.0, 300.0, 0.5, 0.99], rel=1e-10)
 
-    @pytest.mark.parametrize("method", [lines.seize])
-    @pytest.mark.parametrize(("part", "ratio"), [("edge", math.sqrt(2.0) / 8.0), ("corner", 1.0 / 7.0)])
-    def test_a_plate_seized(self, method: Any, part: str, ratio: float) -> None:
-        """By hand: √2/8 of the spin about an edge; about a corner I_O·(1, 1) = 7/12·(1, 1) against 1/12: a seventh."""
-        found = method(body=Given(plate_mass=1.0, side=1.0, spin=10.0, seized=part))
-        assert found["angular_ratio"] == pytest.approx(ratio, rel=1e-12)
-        assert found["energy_lost"] == pytest.approx((1.0 - found["energy_ratio"]) * found["energy_before"])
-
     @pytest.mark.parametrize("method", [lines.step])
     def test_a_disk_and_a_step(self, method: Any) -> None:
         """A third of the radius: 7/9 of the spin is left, and √(3·g·h)·6/7 is needed."""
@@ -149,15 +141,6 @@ class TestImpactsByHand:
         assert found["least_speed"] == pytest.approx(math.sqrt(0.3 * 9.80665) * 6.0 / 7.0, rel=1e-14)
         moment = found["impulse_forward"] * 0.2 + found["impulse_upward"] * math.sqrt(0.05)
         assert moment == pytest.approx(0.5 * 0.09 * (2.0 / 0.3) * (2.0 / 9.0))
-
-    @pytest.mark.parametrize("method", [reconstruction.by_energy])
-    def test_momentum_and_energy(self, method: Any) -> None:
-        """Two of 1000 kg go on at 5 m/s, 25 kJ of damage: 10 m/s and rest."""
-        one, two = (vehicle(1000.0, None, 0.0, 5.0, 0.0) for _ in range(2))
-        damage = Given(first_crush_energy=20000.0, second_crush_energy=5000.0)
-        found = method(first=one, second=two, damage=damage, axes="mathematical", pdof_zero="heading", gravity=9.8)
-        assert (found["first.approach_speed"], found["second.approach_speed"]) == pytest.approx((10.0, 0.0), abs=1e-9)
-        assert found["energy_lost"] == pytest.approx(25000.0)
 
     @pytest.mark.parametrize("method", [rigid.by_system, more_impact_rigid.planar])
     def test_a_ball_on_a_floor_in_the_plane(self, method: Any) -> None:
@@ -198,11 +181,6 @@ def test_the_mean_sine_of_a_half_turn() -> None:
 
 def body(mass: float, velocity: float | None) -> Given:
     return Given(bulk=Given(mass=mass), velocity=velocity)
-
-
-def vehicle(mass: float, before: float | None, heading: float, after: float, leaving: float) -> Given:
-    return Given(bulk=Given(mass=mass), approach_speed=before, approach_heading=heading, exit_speed=after,
-                 exit_heading=leaving, nose=None)  # fmt: skip
 
 
 def ball(

@@ -48,8 +48,6 @@ def error(row: Row) -> str:
     )
     if row.bound == "bound held" and row.worst > ILL:
         number += ", and says so"
-    if row.entities is not None:
-        number = f"{row.entities:,} pieces"
     left = f" ({row.refused} of {row.cases + row.refused} not answered)" if row.refused else ""
     return (number if row.cases else "–") + left
 
@@ -71,7 +69,7 @@ def line(own: Row, other: Row | None) -> str:
     if other is None:
         return f"| {own.question} | {own.method.removesuffix(CHOSEN)} | {error(own)} | | | |"
     here = own if other.own_worst is None else Row(**{**own.__dict__, "worst": other.own_worst})
-    measure = "" if own.measure == "relative" or own.entities is not None else f", in {own.measure}"
+    measure = "" if own.measure == "relative" else f", in {own.measure}"
     cells = (
         own.question + measure,
         own.method.removesuffix(CHOSEN),
@@ -83,21 +81,11 @@ def line(own: Row, other: Row | None) -> str:
     return "| " + " | ".join(cells) + " |"
 
 
-def chosen_overview(accuracy: Accuracy, most: int = 11) -> Picture:
-    """All methods in one panel, and the questions that tell most: of each family those with the most methods."""
-    questions = pictures.by_question(accuracy)
-    ranked: dict[str, list[list[Row]]] = {}
-    for rows in questions:
-        if len(rows) > 1 and rows[0].entities is None:
-            ranked.setdefault(rows[0].family, []).append(rows)
-    for several in ranked.values():
-        several.sort(key=lambda rows: (-len(rows), -sum(row.front for row in rows)))
-    picked: list[list[Row]] = []
-    for place in range(max(map(len, ranked.values()), default=0)):
-        picked += [several[place] for several in ranked.values() if place < len(several)]
-    shown = [rows for rows in questions if any(rows is pick for pick in picked[:most])]
-    panels = (pictures.overview([rows for rows in questions if len(rows) > 1]), *map(pictures.question_panel, shown))
-    return Picture(panels, pictures.TITLE, 2 if len(panels) > 1 else 1, pictures.PAGE)
+def diagram(report: Accuracy) -> Picture:
+    """All methods of all questions with several in one panel."""
+    return Picture(
+        (pictures.overview([rows for rows in pictures.by_question(report) if len(rows) > 1]),), pictures.TITLE
+    )
 
 
 def start_up() -> str:
@@ -171,7 +159,7 @@ def main(families: list[str]) -> None:
         last = next(text for text in old.splitlines() if text.startswith(MEASURED))
     else:
         last = measured(reports[0])
-        DIAGRAM.write_bytes(draw(chosen_overview(reports[0]), "svg", "si"))
+        DIAGRAM.write_bytes(draw(diagram(reports[0]), "svg", "si"))
     order = dict.fromkeys(question.family for question in catalogue.questions("", ""))
     rows = [text for family in order for text in parts.get(family, [])]
     table = ["| " + " | ".join(HEAD) + " |", "|---|---|---:|---|---:|---:|", *rows]

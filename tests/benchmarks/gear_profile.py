@@ -24,8 +24,11 @@ from mpmath import mp, mpf  # noqa: E402
 from dynamics_cli.gear.mesh.mesh import mesh  # noqa: E402
 from dynamics_cli.gear.mesh.profile_contact import path_of_contact, transmission_error  # noqa: E402
 from dynamics_cli.gear.pitch import NormalModule  # noqa: E402
-from dynamics_cli.gear.single.flanks import external_form, flank  # noqa: E402
+from dynamics_cli.gear.single.flanks import ToothForm, flank  # noqa: E402
+from dynamics_cli.gear.single.gear import Gear  # noqa: E402
 from dynamics_cli.gear.single.outline import chain_points, gear_outline  # noqa: E402
+from dynamics_cli.gear.single.profile import tooth_form  # noqa: E402
+from dynamics_cli.gear.single.rack import BasicRack  # noqa: E402
 from dynamics_cli.gear.single.trochoid import Cutter, root  # noqa: E402
 
 MM = 1e-3
@@ -59,8 +62,7 @@ def junctions(rounds: int) -> None:
 def profiles(rounds: int) -> None:
     print(f"{'whole gear':30} {'points':>7} {'bound':>10} {'curves':>10} {'drawing':>10}")
     for teeth, tolerance in ((9, 5e-6), (20, 1e-5), (20, 1e-6), (100, 5e-5), (1000, 1e-5)):
-        cutter = Cutter(teeth, TWENTY)
-        form = external_form(cutter, 2 * MM, (0.5 * teeth + 1.0) * 2 * MM)
+        form = form_of(teeth)
 
         def curves(own: Any = form, fine: float = tolerance, z: int = teeth) -> Any:
             chain = flank(own, fine)
@@ -74,9 +76,14 @@ def profiles(rounds: int) -> None:
         )
 
 
+def form_of(teeth: int) -> ToothForm:
+    """A gear of module 2 mm."""
+    return tooth_form(Gear(teeth, 2 * MM, BasicRack()), None, None)
+
+
 def meshes(rounds: int) -> None:
-    first = external_form(Cutter(17, TWENTY), 2 * MM, 19 * MM)
-    second = external_form(Cutter(53, TWENTY), 2 * MM, 55 * MM)
+    first = form_of(17)
+    second = form_of(53)
     path = path_of_contact(first, second, 70 * MM)
     taken, (_, error) = fastest(lambda: transmission_error(first, second, 70 * MM, path, 100_000), rounds)
     print(
@@ -120,7 +127,7 @@ def peers(rounds: int) -> None:
         return [curve(t) for t in np.linspace(0.0, 1.0, 1000)]
 
     taken, _ = fastest(their_profile, rounds)
-    form = external_form(Cutter(20, TWENTY), 2 * MM, 22 * MM)
+    form = form_of(20)
     own, _ = fastest(lambda: chain_points(form, flank(form, 6e-6), 20), rounds)
     print(f"whole profile of 20 teeth, about 1000 points: theirs {1e3 * taken:.1f} ms, ours {1e3 * own:.3f} ms")
 

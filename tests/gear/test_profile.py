@@ -16,7 +16,6 @@ from dynamics_cli.gear.single.gear import Sign
 from dynamics_cli.gear.single.outline import chain_points
 from dynamics_cli.gear.single.profile import Form, GearProfile, gear_of, profile, tooth_form
 from dynamics_cli.gear.single.rack import Profile
-from dynamics_cli.gear.single.trochoid import trochoid_point
 from dynamics_cli.outlines import Arc, Line, Points
 
 MM = 1e-3
@@ -38,7 +37,7 @@ def form_of(
         helix_angle=beta,
         profile_shift=x,
         internal=internal,
-        sign="iso",
+        shift_sign="iso",
     )
     return tooth_form(gear, None, rho)
 
@@ -170,14 +169,6 @@ def test_the_trochoid_lies_within_its_triangles() -> None:
     assert 0.3 * bound <= off <= bound
 
 
-def test_points_of_the_trochoid_one_by_one_and_all_at_once() -> None:
-    cutter = form_of(9, 0.0, 0.4).cutter
-    theta = np.linspace(0.45, 1.5, 9)
-    radius, angle, _ = trochoid_points(cutter, theta)
-    for index, one in enumerate(theta):
-        assert trochoid_point(cutter, float(one)) == pytest.approx((radius[index], angle[index]), rel=1e-14)
-
-
 @pytest.mark.parametrize(("teeth", "x", "beta"), GEARS)
 def test_the_rack_cuts_this_profile_and_no_more(teeth: int, x: float, beta: float) -> None:
     """Every point of the rack's tooth, rolled past the gear, stays in the space; and it touches it everywhere."""
@@ -260,8 +251,8 @@ def _half_root() -> float:
     return math.pi / 2 - tool_tip
 
 
-@settings(max_examples=25, deadline=None)
-@given(st.integers(5, 300), st.floats(-0.2, 0.5), st.floats(1e-3, 0.1))
+@settings(max_examples=12, deadline=None)
+@given(st.integers(5, 120), st.floats(-0.2, 0.5), st.floats(1e-3, 0.1))
 def test_everything_scales_with_the_module(teeth: int, x: float, module: float) -> None:
     try:
         small = profile(teeth=teeth, pitch=NormalModule(module), profile_shift=x, tolerance=1e-4 * module)

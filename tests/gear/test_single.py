@@ -23,7 +23,6 @@ from dynamics_cli.gear.single.cylindrical import helical, spur
 from dynamics_cli.gear.single.gear import Hand, Sign, signed_gear
 from dynamics_cli.gear.single.involute_curve import AtAngle, AtDiameter, AtInvolute, AtRoll, involute_point
 from dynamics_cli.gear.single.rack import Profile, basic_rack
-from dynamics_cli.gear.terms import TERMS
 
 THREE = NormalModule(0.003)
 
@@ -205,7 +204,8 @@ def test_rack_as_the_limit_of_a_large_gear() -> None:
 
 
 def test_glossary() -> None:
-    assert len(glossary().entries) == len(TERMS) == len({term[0] for term in TERMS})
+    terms = [entry.term for entry in glossary().entries]
+    assert len(terms) == len(set(terms)) > 50
     assert [entry.term for entry in glossary("Center distance", "DP").entries] == ["centre distance", "diametral pitch"]
     assert {entry.term for entry in glossary("bevel").entries} == {"bevel gear", "spiral bevel gear"}
     with pytest.raises(InadmissibleError, match="backlash"):

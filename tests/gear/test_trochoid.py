@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.single.trochoid import SERIES_LIMIT, Cutter, roll_less_arc, root, trochoid_point
+from dynamics_cli.gear.single.flanks import trochoid_points
+from dynamics_cli.gear.single.trochoid import SERIES_LIMIT, Cutter, roll_less_arc, root
 from dynamics_cli.numerics.tracked import Tracked
 
 TWENTY = math.radians(20.0)
@@ -33,7 +34,7 @@ def test_the_junction_lies_on_both_curves(teeth: int, x: float, beta: float, rho
     if cutter.root_radius <= 0.05:
         return
     found = root(cutter)
-    radius, angle = trochoid_point(cutter, found.direction)
+    radius, angle, _ = trochoid_points(cutter, found.direction)
     assert radius == pytest.approx(found.form_radius, rel=1e-13)
     assert angle == pytest.approx(
         cutter.space_half_angle + roll_less_arc(found.roll), abs=2e-15 * (1 + abs(angle) * 30)

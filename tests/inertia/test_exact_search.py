@@ -5,7 +5,7 @@ import random
 import exact_search
 import pytest
 
-BODIES = 250
+BODIES = 120
 
 
 @pytest.mark.parametrize("make", [exact_search.mesh, exact_search.section], ids=["mesh", "section"])

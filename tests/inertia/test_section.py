@@ -267,19 +267,6 @@ class TestReading:
         assert "as typed" in stated["method"]
         assert [warning["code"] for warning in document["warnings"]] == ["not-torsion"]
 
-    def test_doubles_say_what_their_rounding_may_have_done(self) -> None:
-        outline = [(0, 0), (90, 0), (90, 9), (9, 9), (9, 60), (0, 60)]
-        far = section(
-            polygon=tuple((o + p) / 1000 for corner in outline for o, p in zip((4500000, 5600000), corner, strict=True))
-        )
-        assert far.numerics is not None
-        stated = {condition.result: condition.value * U for condition in far.numerics.conditions}
-        true = self.exact([(Fraction(4500000 + x, 1000), Fraction(5600000 + y, 1000)) for x, y in outline])
-        assert abs(Fraction(far.area) / true["area"] - 1) > 1e-12
-        assert abs(Fraction(far.area) / true["area"] - 1) <= stated["area"]
-        assert abs(Fraction(far.centroidal.ix) / true["centroidal.ix"] - 1) <= stated["centroidal.ix"]
-        assert "coordinates-rounded" in [note.code for note in far.advice]
-
     def test_pieces_and_holes_of_decimals_far_away(self) -> None:
         document = answer(
             "inertia", "section", "--piece", "width=0.3 mm, height=0.1 mm, x=7000000.1 mm, y=-0.7 mm",

@@ -16,7 +16,7 @@ from dynamics_cli.accuracy.alternatives.inertia import eigen, mesh
 from dynamics_cli.accuracy.alternatives.inertia.bodies import scale
 from dynamics_cli.accuracy.cases import flat, leaves, load
 from dynamics_cli.accuracy.comparing import Comparing
-from dynamics_cli.accuracy.measure import Errors
+from dynamics_cli.accuracy.measure import Asked, Errors
 from dynamics_cli.core.answering.tightening import tighten
 from dynamics_cli.numerics.tracked import Tracked
 
@@ -70,7 +70,7 @@ def of_matrices(*_: Any, **__: Any) -> None:
 
 def of_meshes(name: str) -> Callable[..., Any]:
     def compare(*_: Any, **__: Any) -> None:
-        mesh.compare(Comparing(name, hard=False, full=False, timed=False, few=False))
+        mesh.compare(Comparing(name, Asked(hard=False, full=False, timed=False, few=False, libraries={}, more={})))
 
     return compare
 

@@ -1,6 +1,4 @@
-"""Conversions: exact rationals rounded once, factors held as doubles, and pint."""
-
-from functools import cache
+"""Conversions: exact rationals rounded once, and factors held as doubles."""
 
 from dynamics_cli.accuracy.cases import Case
 from dynamics_cli.accuracy.questions import Comparison
@@ -14,10 +12,7 @@ if TYPE_CHECKING:
     from dynamics_cli.accuracy.measure import Errors
     from dynamics_cli.accuracy.rows import Row
 
-# pint is there wherever the program is: it is named among the libraries of others, and always takes part.
-QUESTIONS = (
-    Comparison("convert", "", "convert", "dynamics_cli.accuracy.alternatives.convert:compare", needs=("pint",)),
-)
+QUESTIONS = (Comparison("convert", "", "convert", "dynamics_cli.accuracy.alternatives.convert:compare"),)
 
 
 def exact(case: Case) -> "Callable[[], float]":
@@ -46,27 +41,9 @@ def _double(unit: "Any") -> "tuple[float, float]":
     return unit.numerator / unit.denominator * pi**unit.pi, unit.offset[0] / unit.offset[1]
 
 
-@cache
-def _registry() -> "Any":
-    from dynamics_cli.core.units.fallback import registry
-
-    return registry()
-
-
-def by_pint(case: Case) -> "Callable[[], float]":
-    """The usual library, its quantity made and converted."""
-    source, target = (case.inputs[key].replace("^", "**").replace("rev", "turn") for key in ("from", "to"))
-    value, quantity = float(case.inputs["value"]), _registry().Quantity
-    return lambda: float(quantity(value, source).to(target).magnitude)
-
-
 # What is rounded once is within half a last bit, and the document says so.
 ONE_ROUNDING = 2.0**-53
-METHODS = (
-    ("exact rational factor (chosen)", exact),
-    ("factors as doubles", doubles),
-    ("pint", by_pint),
-)
+METHODS = (("exact rational factor (chosen)", exact), ("factors as doubles", doubles))
 
 
 def compare(comparing: "Comparing") -> "list[Row]":

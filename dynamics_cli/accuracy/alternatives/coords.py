@@ -1,4 +1,4 @@
-"""Coordinates: the stable forms, beside the textbook's arc functions and those of Python's library."""
+"""Coordinates: the stable forms, beside the textbook's arc functions."""
 
 import math
 
@@ -19,16 +19,6 @@ def textbook_spherical(x: float, y: float, z: float) -> "dict[str, float]":
     return {"rho": rho, "phi": math.acos(z / rho), "theta": _arc_tangent(x, y)}
 
 
-def library_cylindrical(x: float, y: float, z: float) -> "dict[str, float]":
-    """The library's hypot and atan2."""
-    return {"r": math.hypot(x, y), "theta": math.atan2(y, x), "z": z}
-
-
-def library_spherical(x: float, y: float, z: float) -> "dict[str, float]":
-    """The library's hypot and atan2, twice."""
-    return {"rho": math.hypot(x, y, z), "phi": math.atan2(math.hypot(x, y), z), "theta": math.atan2(y, x)}
-
-
 def spherical_from_cylindrical(r: float, theta: float, z: float) -> "dict[str, float]":
     """Φ = cos⁻¹(z/ρ), θ as given."""
     rho = math.sqrt(r * r + z * z)
@@ -47,21 +37,20 @@ def _arc_tangent(x: float, y: float) -> float:
     return theta + math.pi if y >= 0.0 else theta - math.pi
 
 
-# Source, target, what the textbook does, its function, and what Python's library has.
+# Source, target, what the textbook does, and its function.
 ROWS = (
-    ("cartesian", "cylindrical", "atan(y/x)", "textbook_cylindrical", "library_cylindrical"),
-    ("cartesian", "spherical", "acos(z/rho)", "textbook_spherical", "library_spherical"),
-    ("cylindrical", "cartesian", "", "", ""),
-    ("cylindrical", "spherical", "acos(z/rho)", "spherical_from_cylindrical", ""),
-    ("spherical", "cartesian", "", "", ""),
-    ("spherical", "cylindrical", "rho sin and rho cos", "cylindrical_from_spherical", ""),
+    ("cartesian", "cylindrical", "atan(y/x)", "textbook_cylindrical"),
+    ("cartesian", "spherical", "acos(z/rho)", "textbook_spherical"),
+    ("cylindrical", "cartesian", "", ""),
+    ("cylindrical", "spherical", "acos(z/rho)", "spherical_from_cylindrical"),
+    ("spherical", "cartesian", "", ""),
+    ("spherical", "cylindrical", "rho sin and rho cos", "cylindrical_from_spherical"),
 )
 QUESTIONS = tuple(
     Question(
         "coords", "", f"coords, {source} to {target}", "coords.json", f"{source}_to_{target}",
-        Method("scaled components and atan2", f"{CHOSEN}{source}_to_{target}", chosen=True, tracked=True, arrays=True),
+        Method("scaled components and atan2", f"{CHOSEN}{source}_to_{target}", chosen=True, tracked=True),
         *((Method(f"textbook, {words}", HERE + textbook),) if textbook else ()),
-        *((Method("library, hypot and atan2", HERE + library),) if library else ()),
     )
-    for source, target, words, textbook, library in ROWS
+    for source, target, words, textbook in ROWS
 )  # fmt: skip

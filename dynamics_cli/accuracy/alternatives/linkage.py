@@ -1,4 +1,4 @@
-"""Four-bars by the forms of textbooks: Freudenstein's quotient for tan(θ₄/2), and the cosine rule."""
+"""Four-bars as textbooks have them: Freudenstein's quotient for tan(θ₄/2)."""
 
 import math
 from typing import Any
@@ -31,23 +31,7 @@ def by_quotient(
     return _rates(a, c, (crank_angle, math.atan2(y, x), theta))
 
 
-def by_cosine_rule(
-    *, crank: float, coupler: float, rocker: float, ground: float, crank_angle: float, branch: str = "open",
-    **_: "Any",
-) -> "dict[str, float]":  # fmt: skip
-    """Angle at A in the triangle of coupler, rocker and diagonal, by the arc cosine."""
-    a, b, c, d = crank, coupler, rocker, ground
-    x, y = d - a * math.cos(crank_angle), -a * math.sin(crank_angle)
-    f = math.sqrt(x * x + y * y)
-    corner = math.acos((b * b + f * f - c * c) / (2 * b * f))
-    angle = math.atan2(y, x) + (corner if branch == "open" else -corner)
-    angle = math.atan2(math.sin(angle), math.cos(angle))
-    bx, by = a * math.cos(crank_angle) + b * math.cos(angle) - d, a * math.sin(crank_angle) + b * math.sin(angle)
-    return _rates(a, c, (crank_angle, angle, math.atan2(by, bx)))
-
-
 QUESTIONS = textbooks(
     "linkage", "linkage.json", "dynamics_cli.accuracy.alternatives.linkage:",
     ("four_bar", "textbook: Freudenstein's quotient", "by_quotient"),
-    ("four_bar", "textbook: cosine rule", "by_cosine_rule"),
 )  # fmt: skip

@@ -1,38 +1,13 @@
-"""Motion as scripts have it: an integrator as it comes, modes of assembled matrices, differences of formulas."""
+"""Equations of motion as scripts have them: velocities and mass matrices by differences of the formulas."""
 
 from typing import Any
 
-from dynamics_cli.accuracy.alternatives.vibration import frequencies
 from dynamics_cli.accuracy.questions import textbooks
 from dynamics_cli.motion.equations.records import Turning
 from dynamics_cli.motion.equations.system import System
-from dynamics_cli.motion.rods import chain_of, many
 
 # The usual choice for second differences: the fourth root of the roundoff.
 STEP = 1e-4
-
-
-def by_defaults(
-    *, lengths: "Any", masses: "Any", angles: "Any", duration: float, rates: "Any" = (), end_masses: "Any" = (),
-    **_: "Any",
-) -> "dict[str, float]":  # fmt: skip
-    """What solve_ivp of scipy gives with the tolerances that it has by default."""
-    from scipy.integrate import solve_ivp
-
-    rods = chain_of(lengths, masses, end_masses, (), None, 9.80665)
-    n = rods.n
-    start = many(angles, n, "angles", 0.0) + many(rates, n, "rates", 0.0)
-    end = [float(row[-1]) for row in solve_ivp(rods.rate, (0.0, duration), start).y]
-    return {f"rods[{k}].{name}": end[place + k] for k in range(n) for place, name in ((0, "angle"), (n, "rate"))}
-
-
-def by_eigh(*, lengths: "Any", masses: "Any", end_masses: "Any" = (), **_: "Any") -> "dict[str, float]":
-    """Symmetric eigenvalues of the assembled matrices (LAPACK's dsygv)."""
-    import numpy as np
-    from scipy.linalg import eigh
-
-    rods = chain_of(lengths, masses, end_masses, (), None, 9.80665)
-    return frequencies(eigh(np.diag(rods.gravity * np.array(rods.b)), np.array(rods.a), eigvals_only=True))
 
 
 def by_differences(*, scene: "Any", time: float = 0.0, up: str = "y", **_: "Any") -> "dict[str, float]":
@@ -74,7 +49,5 @@ def by_differences(*, scene: "Any", time: float = 0.0, up: str = "y", **_: "Any"
 
 QUESTIONS = textbooks(
     "motion", "motion.json", "dynamics_cli.accuracy.alternatives.motion:",
-    ("chain", "scipy.integrate.solve_ivp, default tolerances", "by_defaults", "scipy"),
-    ("modes", "scipy.linalg.eigh(K, M)", "by_eigh", "scipy"),
     ("equations", "central differences of the formulas", "by_differences"),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Orientation: the ways of textbooks and of libraries, which lose digits at small angles, half turns and near lock."""
+"""Orientation as textbooks have it: arc functions lose digits at small angles, half turns and near lock."""
 
 import math
 
@@ -11,9 +11,6 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.orient.turns.attitude import Attitude
-
-# Within this of lock, libraries set the third angle to zero.
-THRESHOLD = 1e-7
 
 
 def _addresses(name: str, v: "Any") -> "dict[str, float]":
@@ -34,16 +31,11 @@ def textbook(turn: "Attitude", sequence: str) -> "dict[str, float]":
         **_addresses("rotation_axis", axis),
         **_addresses("quaternion", quaternion),
         **_addresses("rotation_vector", [angle * part for part in axis]),
-        **_addresses("euler_angles", _angles(m, sequence, 0.0)),
+        **_addresses("euler_angles", _angles(m, sequence)),
     }
 
 
-def with_threshold(turn: "Attitude", sequence: str) -> "dict[str, float]":
-    """Angles as libraries give them: near lock the third is zero, and the first takes what both had."""
-    return _addresses("euler_angles", _angles(orientation(turn).matrix, sequence, THRESHOLD))
-
-
-def _angles(m: "Any", sequence: str, threshold: float) -> "tuple[float, ...]":
+def _angles(m: "Any", sequence: str) -> "tuple[float, ...]":
     """The middle angle by its arc function, the others by two elements each."""
     order = sequence_of(sequence)
     i, j, k = order.axes
@@ -54,15 +46,11 @@ def _angles(m: "Any", sequence: str, threshold: float) -> "tuple[float, ...]":
     else:
         b = math.asin(min(1.0, max(-1.0, e * m[i][k])))
         first, third = (-e * m[j][k], m[k][k]), (-e * m[i][j], m[i][i])
-    if math.hypot(*first) < threshold:
-        a, c = math.atan2(e * m[last][j], m[j][j]), 0.0
-    else:
-        a, c = math.atan2(*first), math.atan2(*third)
+    a, c = math.atan2(*first), math.atan2(*third)
     return (c, b, a) if order.fixed else (a, b, c)
 
 
 QUESTIONS = textbooks(
     "orient", "orient.json", "dynamics_cli.accuracy.alternatives.orient:",
     ("convert", "textbook, acos and asin", "textbook"),
-    ("convert", "zero within 1e-7 of lock", "with_threshold"),
 )  # fmt: skip

@@ -174,27 +174,16 @@ def spun(
     }  # fmt: skip
 
 
-def _flown(speed: float, angle: float, distance: float, rise: float, gravity: float) -> "dict[str, float]":
-    """Flight time by the level speed, the landing by tan⁻¹ and squares."""
-    time = distance / (speed * cos(angle))
-    return {
-        "speed": speed, "launch_angle": angle, "flight_time": time,
-        "landing_speed": sqrt(speed * speed - 2 * gravity * rise),
-        "landing_angle": atan((gravity * time - speed * sin(angle)) / (speed * cos(angle))),
-    }  # fmt: skip
-
-
-def least_vault(*, distance: float, rise: float, gravity: float, **_: "Any") -> "dict[str, float]":
-    """V² = g·(h + √(d² + h²)), tan α = v²/(g·d): digits go as the drop grows beside the distance."""
-    square = gravity * (rise + sqrt(distance * distance + rise * rise))
-    return _flown(sqrt(square), atan(square / (gravity * distance)), distance, rise, gravity)
-
-
 def vault(*, distance: float, rise: float, take_off: float, gravity: float) -> "dict[str, float]":
-    """V = d·√(g/(2·cos α·(d·sin α − h·cos α)))."""
+    """V = d·√(g/(2·cos α·(d·sin α − h·cos α))); the landing by tan⁻¹ and squares."""
     sine, cosine = sin(take_off), cos(take_off)
     speed = distance * sqrt(gravity / (2 * cosine * (distance * sine - rise * cosine)))
-    return _flown(speed, take_off, distance, rise, gravity)
+    time = distance / (speed * cosine)
+    return {
+        "speed": speed, "launch_angle": take_off, "flight_time": time,
+        "landing_speed": sqrt(speed * speed - 2 * gravity * rise),
+        "landing_angle": atan((gravity * time - speed * sine) / (speed * cosine)),
+    }  # fmt: skip
 
 
 def throw(
@@ -227,7 +216,6 @@ QUESTIONS = textbooks(
     ("drag_factor", "textbook: sine and cosine of the slope", "drag_factor"),
     ("stop", "textbook: v·t + v²/2a, cubes while brakes take hold", "stop"),
     ("yaw", "textbook: angles added", "yaw"),
-    ("vault_least_speed", "textbook: rise plus slant", "least_vault"),
     ("vault_known_angle", "textbook: range formula as printed", "vault"),
     ("pedestrian", "textbook: Searle, slide as a difference", "throw"),
     ("avoid", "textbook: root of the quadratic as taught", "avoid"),

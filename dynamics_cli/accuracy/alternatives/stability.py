@@ -12,7 +12,7 @@ from dynamics_cli.stability.matrix import matrix
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
     from typing import Any
 
 FILE, HERE = "stability_roots.json", "dynamics_cli.accuracy.alternatives.stability:"
@@ -38,10 +38,11 @@ def _sides(numbers: "Any", names: "tuple[str, str, str]" = ("left", "right", "ax
     return dict(zip(names, (left, right, len(numbers) - left - right), strict=True))
 
 
-def _array(p: "list[Any]", pivot: "Callable[[list[Any], list[Any]], list[Any]]") -> "dict[str, float]":
-    """Sign changes in the first column of Routh's array; `pivot` replaces a row that begins with zero."""
+def by_epsilon(polynomial: str) -> "dict[str, float]":
+    """Sign changes in Routh's array: a zero pivot becomes a small number, a row of zeros the derivative above."""
+    p = [float(c) for c in _numbers(polynomial)]
     degree = len(p) - 1
-    rows = [p[::2], [*p[1::2], *[0 * p[0]] * (len(p) % 2)]]
+    rows = [p[::2], [*p[1::2], *[0.0] * (len(p) % 2)]]
     even = None
     for k in range(1, degree + 1):
         above, row = rows[-2], rows[-1]
@@ -51,10 +52,9 @@ def _array(p: "list[Any]", pivot: "Callable[[list[Any], list[Any]], list[Any]]")
             even = degree - k + 1 if even is None else even
             rows[-1] = row = [power * c for power, c in zip(powers, above, strict=False) if power > 0]
         elif not row[0]:
-            rows[-1] = row = pivot(row, above)
+            rows[-1] = row = [EPSILON, *row[1:]]
         if k < degree:
-            pairs = zip_longest(above[1:], row[1:], fillvalue=0 * p[0])
-            rows.append([a - above[0] / row[0] * b for a, b in pairs])
+            rows.append([a - above[0] / row[0] * b for a, b in zip_longest(above[1:], row[1:], fillvalue=0.0)])
     column = [row[0] for row in rows]
     changes = sum((a < 0) != (b < 0) for a, b in pairwise(column))
     within = 0 if even is None else sum((a < 0) != (b < 0) for a, b in pairwise(column[degree - even :]))
@@ -62,40 +62,11 @@ def _array(p: "list[Any]", pivot: "Callable[[list[Any], list[Any]], list[Any]]")
     return {"left": degree - changes - axis, "right": changes, "axis": axis}
 
 
-def by_epsilon(polynomial: str) -> "dict[str, float]":
-    """A zero pivot becomes a small number, a row of zeros the derivative of the one above."""
-    return _array([float(c) for c in _numbers(polynomial)], lambda row, _: [EPSILON, *row[1:]])
-
-
-def by_fractions(polynomial: str) -> "dict[str, float]":
-    """The same array in fractions, begun again with one more root on the left where a pivot is zero."""
-
-    def again(*_: "Any") -> "list[Any]":
-        raise ZeroDivisionError
-
-    p = _numbers(polynomial)
-    for more in range(len(p)):
-        try:
-            counts = _array(p, again)
-        except ZeroDivisionError:
-            p = [a + (2 * more + 3) * b for a, b in zip([*p, Fraction(0)], [Fraction(0), *p], strict=True)]
-        else:
-            return counts | {"left": counts["left"] - more}
-    raise ArithmeticError
-
-
 def _top(roots: "Any") -> "dict[str, float]":
     """The root that decides, and how many are where."""
     first = max(roots, key=lambda z: (z.real, -abs(z.imag)))
     results = {"rightmost": first.real, "roots[0].real": first.real, "roots[0].imaginary": abs(first.imag)}
     return results | _sides([z.real for z in roots])
-
-
-def by_roots(polynomial: str) -> "dict[str, float]":
-    """Eigenvalues of the companion matrix, in doubles."""
-    import numpy as np
-
-    return _top(np.roots([float(c) for c in _numbers(polynomial)]))
 
 
 def circle_by_roots(polynomial: str) -> "dict[str, float]":
@@ -125,14 +96,8 @@ def by_eigenvalues(**given: "Any") -> "dict[str, float]":
     return _top(np.linalg.eigvals(_first_order(given)))
 
 
-def by_characteristic(**given: "Any") -> "dict[str, float]":
-    """The characteristic polynomial in doubles, and its roots."""
-    import numpy as np
-
-    return _top(np.roots(np.poly(_first_order(given))))
-
-
-def _gains(polynomial: str, halvings: int) -> "dict[str, float]":
+def gain_by_sweep(polynomial: str) -> "dict[str, float]":
+    """A root locus of a thousand gains, read where it crosses the axis."""
     import numpy as np
 
     p, q = (np.array([float(c) for c in _numbers(polynomial, gain="K", power=power)]) for power in (0, 1))
@@ -143,27 +108,13 @@ def _gains(polynomial: str, halvings: int) -> "dict[str, float]":
     sizes = [10.0 ** (24.0 * k / STEPS - 6.0) for k in range(STEPS // 2 + 1)]
     results: dict[str, float] = {}
     for low, high in pairwise([*(-size for size in reversed(sizes)), 0.0, *sizes]):
-        count = right(low)
-        if right(high) == count:
+        if right(high) == right(low):
             continue
-        for _ in range(halvings):
-            middle = 0.5 * (low + high)
-            low, high = (middle, high) if right(middle) == count else (low, middle)
         gain = 0.5 * (low + high)
         swing = min(np.roots(p + gain * q), key=lambda z: abs(z.real))
         place = f"critical[{len(results) // 2}]."
         results |= {place + "gain": gain, place + "frequency": abs(swing.imag)}
     return results
-
-
-def gain_by_sweep(polynomial: str) -> "dict[str, float]":
-    """A root locus of a thousand gains, read where it crosses the axis."""
-    return _gains(polynomial, 0)
-
-
-def gain_by_halving(polynomial: str) -> "dict[str, float]":
-    """The same, halved to the last bit with numpy.roots."""
-    return _gains(polynomial, 60)
 
 
 def _crossings(p: "Any", q: "Any", frequencies: "Sequence[float]") -> "dict[str, float]":
@@ -196,32 +147,17 @@ def delay_by_sweep(polynomial: str, *, delayed: str) -> "dict[str, float]":
     return _crossings(p, q, met)
 
 
-def delay_by_roots(polynomial: str, *, delayed: str) -> "dict[str, float]":
-    """Frequencies from numpy.roots of |p|² − |q|²."""
-    import numpy as np
-
-    p, q = ([float(c) for c in _numbers(text)] for text in (polynomial, delayed))
-    size = [np.polymul(c, [x * (-1) ** k for k, x in enumerate(reversed(c))][::-1]) for c in (p, q)]
-    squares = -np.roots(np.polysub(*size)[::2])
-    return _crossings(p, q, [math.sqrt(z.real) for z in squares if z.real > 0.0 and abs(z.imag) < ON_AXIS])
-
-
 QUESTIONS = (
     Question(
         "stability", "matrix", "stability matrix", FILE, "matrix",
         Method("exact counts", HERE + "own_matrix", chosen=True),
         Method("numpy.linalg.eigvals", HERE + "by_eigenvalues"),
-        Method("numpy.poly, then numpy.roots", HERE + "by_characteristic"),
     ),
     *textbooks(
         "stability", FILE, HERE,
         ("routh", "textbook: Routh's array with ε, counts alone", "by_epsilon"),
-        ("routh", "numpy.roots, the axis within 1e-9", "by_roots"),
-        ("routh", "Routh's array in fractions, counts alone", "by_fractions"),
         ("gain", "textbook: root locus of 1,000 gains", "gain_by_sweep"),
-        ("gain", "halving with numpy.roots", "gain_by_halving"),
         ("delay", "textbook: phase margin from 1,000 frequencies", "delay_by_sweep"),
-        ("delay", "numpy.roots of |p|² − |q|²", "delay_by_roots"),
         ("discrete", "numpy.roots, the circle within 1e-9", "circle_by_roots"),
     ),
 )  # fmt: skip

@@ -1,50 +1,10 @@
-"""Vibration by the forms of textbooks and scripts: modes from assembled matrices, roots of the frequency equation."""
+"""Forced vibration as textbooks have it: by the ratio of frequencies."""
 
 import cmath
 import math
 from typing import Any
 
 from dynamics_cli.accuracy.questions import textbooks
-
-
-def _assembled(system: "Any") -> "tuple[Any, Any]":
-    import numpy as np
-
-    masses, stiffnesses = system.masses, system.stiffnesses
-    n = len(masses)
-    stiffness = np.zeros((n, n))
-    first = 0 if len(stiffnesses) >= n else 1
-    for nth, k in enumerate(stiffnesses):
-        i, j = nth + first - 1, nth + first
-        for a, b, sign in ((i, i, 1.0), (j, j, 1.0), (i, j, -1.0), (j, i, -1.0)):
-            if 0 <= a < n and 0 <= b < n:
-                stiffness[a, b] += sign * k
-    return np.diag(masses), stiffness
-
-
-def frequencies(squares: "Any") -> "dict[str, float]":
-    """Modes by address, the lowest first; what came out negative is none."""
-    results: dict[str, float] = {}
-    for nth, square in enumerate(sorted(map(float, squares))):
-        rate = math.sqrt(max(square, 0.0))
-        results |= {f"modes[{nth}].angular_frequency": rate, f"modes[{nth}].frequency": rate / (2.0 * math.pi)}
-    return results
-
-
-def by_eigh(*, system: "Any", **_: "Any") -> "dict[str, float]":
-    """Symmetric eigenvalues of assembled stiffness and mass (LAPACK's dsygv)."""
-    from scipy.linalg import eigh
-
-    mass, stiffness = _assembled(system)
-    return frequencies(eigh(stiffness, mass, eigvals_only=True))
-
-
-def by_inverse(*, system: "Any", **_: "Any") -> "dict[str, float]":
-    """Eigenvalues of M⁻¹K, as scripts have it."""
-    import numpy as np
-
-    mass, stiffness = _assembled(system)
-    return frequencies(np.linalg.eigvals(np.linalg.inv(mass) @ stiffness).real)
 
 
 def _oscillator(mass: "Any", spring: "Any", damping: "Any") -> "tuple[float, float]":
@@ -82,7 +42,5 @@ def by_ratio(
 
 QUESTIONS = textbooks(
     "vibration", "vibration.json", "dynamics_cli.accuracy.alternatives.vibration:",
-    ("modes", "scipy.linalg.eigh(K, M)", "by_eigh", "scipy"),
-    ("modes", "eigenvalues of inv(M) @ K", "by_inverse", "numpy"),
     ("forced", "textbook: frequency ratio", "by_ratio"),
 )  # fmt: skip

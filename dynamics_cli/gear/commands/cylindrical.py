@@ -186,7 +186,7 @@ GLOSSARY = Task(
     listing=True,
     arrays=False,
     tracked=False,
-    headline=("entries: terms",),
+    headline=("meaning", "entries: terms"),
 )
 
 DATA_BLOCK = Task(

@@ -6,12 +6,12 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.crossing.bevel_records import BevelData, BevelGear, Flank, Kind
 from dynamics_cli.gear.crossing.virtual_teeth import tooth_advice
 from dynamics_cli.gear.pitch import require_module
+from dynamics_cli.gear.single.rack import FULL_DEPTH, require_pressure_angle
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.number import like, plain
 from dynamics_cli.quantities import Angle, Annotated, Module, Ratio, Size, Teeth, Torque
 from dynamics_cli.records import Advice, Check
 
-FULL_DEPTH = 20.0 * pi / 180.0
 RIGHT_ANGLE = 0.5 * pi
 # Gleason's usual spiral angles of cutters.
 USUAL_SPIRAL = 35.0 * pi / 180.0
@@ -23,19 +23,10 @@ _REMEDY = ("use more teeth, or a larger pressure angle", "use more teeth, or a s
 _DEPTHS = {"gleason": (0.54, 0.46, 2.0, 2.188), "zerol": (0.54, 0.46, 2.0, 2.188), "spiral": (0.46, 0.39, 1.7, 1.888)}
 
 
-def _require_pressure_angle(pressure_angle: float) -> None:
-    require(
-        (pressure_angle > 0.0) & (pressure_angle < 0.5 * pi),
-        "the pressure angle {pressure_angle:6} must be above 0 and below 90 degrees",
-        pressure_angle=(pressure_angle, Angle),
-        code="pressure-angle",
-    )
-
-
 def _require_spiral(spiral: float, kind: Kind) -> None:
     require(
         spiral < 0.5 * pi,
-        "a spiral angle of {spiral:6} never crosses the face",
+        "the spiral angle {spiral:6} must be below 90 degrees",
         spiral=(spiral, Angle),
         code="spiral-angle",
     )
@@ -103,7 +94,7 @@ def bevel(
     30.48699
     """
     angles = _cones(first_teeth, second_teeth, like(shaft_angle, module))
-    _require_pressure_angle(pressure_angle)
+    require_pressure_angle(pressure_angle)
     require_module(module)
     pressure_angle = like(pressure_angle, module)
     usual = like(USUAL_SPIRAL, module) if kind == "spiral" else 0.0
@@ -113,7 +104,7 @@ def bevel(
     cone = 0.5 * first_teeth * module / sin(angles[0])
     require(
         (face_width > 0.0) & (face_width < cone),
-        "a face of {face_width:6} does not end before the apex at {cone:6}",
+        "the face width {face_width:6} must be above zero and below the cone distance {cone:6}",
         face_width=(face_width, Size),
         cone=(cone, Size),
         code="face-width",

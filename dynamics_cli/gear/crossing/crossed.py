@@ -6,14 +6,13 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.crossing.virtual_teeth import tooth_advice
 from dynamics_cli.gear.pitch import require_module
 from dynamics_cli.gear.single.gear import Gear, signed_gear
-from dynamics_cli.gear.single.rack import basic_rack
+from dynamics_cli.gear.single.rack import FULL_DEPTH, basic_rack
 from dynamics_cli.numerics.elementary import absolute, atan, cos, sin, tan
 from dynamics_cli.numerics.involute import inverse_involute, involute
 from dynamics_cli.numerics.number import like, plain
 from dynamics_cli.quantities import Angle, Annotated, Friction, Module, Ratio, ShaftSpeed, Size, Speed, Teeth
 from dynamics_cli.records import Advice, record
 
-FULL_DEPTH = 20.0 * pi / 180.0
 # Working pressure angles that differ by less than a millionth of a degree agree.
 LEAST_DIFFERENCE = 1e-6 * pi / 180.0
 

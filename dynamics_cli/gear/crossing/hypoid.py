@@ -23,13 +23,13 @@ def _require_pair(shaft_angle: float, wheel_radius: float, pinion_spiral_angle: 
     )
     require(
         wheel_radius > 0.0,
-        "a wheel of {wheel_radius:6} radius has no teeth",
+        "the pitch radius of the wheel must be above zero, not {wheel_radius:6}",
         wheel_radius=(wheel_radius, Size),
         code="wheel-radius",
     )
     require(
         absolute(pinion_spiral_angle) < 0.5 * pi,
-        "a spiral angle of {pinion_spiral_angle:6} never crosses the face",
+        "the spiral angle {pinion_spiral_angle:6} must be below 90 degrees",
         pinion_spiral_angle=(pinion_spiral_angle, Angle),
         code="spiral-angle",
     )

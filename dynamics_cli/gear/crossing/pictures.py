@@ -2,9 +2,11 @@
 
 from math import cos, degrees, pi, sin, tan
 
-from dynamics_cli.errors import InadmissibleError, worded
-from dynamics_cli.gear.section import body, circle
-from dynamics_cli.pictures import Axis, Band, Curve, Dimension, Label, Mark, Panel, Picture, Rows
+from dynamics_cli.errors import worded
+from dynamics_cli.gear.section import BLACK, body, circle, form_of, sizes
+from dynamics_cli.gear.single.gear import Gear
+from dynamics_cli.gear.single.rack import basic_rack
+from dynamics_cli.pictures import Axis, Band, Curve, Dimension, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle, Coordinate, Force, Module, Ratio, Size, Speed, Torque
 
 TYPE_CHECKING = False
@@ -18,22 +20,11 @@ STEPS = 96
 # Lead angles a worm may have, for the curve of its efficiency.
 STEEPEST_LEAD = 0.785
 RIGHT = 0.5 * pi
-BLACK = 6
 
 
 def line(points: "list[Point]", label: str = "", style: "Any" = "solid", role: int = 0) -> Curve:
     """A curve through points."""
     return Curve([x for x, _ in points], [y for _, y in points], label, style, role)
-
-
-def sizes(listed: "tuple[tuple[str, str, Any, Any], ...]") -> Panel:
-    """A table of names, symbols and values; values of None are left out, and text is unchanged."""
-    rows = [
-        (name, symbol, value if kind is None else worded("{value:6}", value=(float(value), kind)))
-        for name, symbol, value, kind in listed
-        if value is not None
-    ]
-    return Panel(X, Y, (Rows(tuple(rows)),))
 
 
 def bevel(result: "Any", *, face_width: float, shaft_angle: float = RIGHT, **inputs: "Any") -> Picture:
@@ -66,16 +57,14 @@ def bevel(result: "Any", *, face_width: float, shaft_angle: float = RIGHT, **inp
     )
     pinion, gear = result.first, result.second
     table = sizes(
-        (
-            ("outer cone distance", "R_e", outer, Size),
-            ("face width", "b", face_width, Size),
-            ("mean module", "m_m", result.mean_module, Module),
-            ("contact ratio", "ε_α", result.contact_ratio, Ratio),
-            ("pinion: tip diameter", "d_ae1", pinion.tip_diameter, Size),
-            ("tip, root angle", "δ_a1, δ_f1", _two_angles(pinion), None),
-            ("wheel: tip diameter", "d_ae2", gear.tip_diameter, Size),
-            ("tip, root angle", "δ_a2, δ_f2", _two_angles(gear), None),
-        )
+        ("outer cone distance", "R_e", outer, Size),
+        ("face width", "b", face_width, Size),
+        ("mean module", "m_m", result.mean_module, Module),
+        ("contact ratio", "ε_α", result.contact_ratio, Ratio),
+        ("pinion: tip diameter", "d_ae1", pinion.tip_diameter, Size),
+        ("tip, root angle", "δ_a1, δ_f1", _two_angles(pinion), None),
+        ("wheel: tip diameter", "d_ae2", gear.tip_diameter, Size),
+        ("tip, root angle", "δ_a2, δ_f2", _two_angles(gear), None),
     )
     scene = Panel(X, Y, tuple(items), equal=True, bare=True)
     return Picture((scene, table), title, subtitle="Section through both axes; pitch cones dotted to their common apex")
@@ -147,21 +136,19 @@ def worm(result: "Any", *, teeth: int, threads: int = 0, **_: "Any") -> Picture:
         Label(shaft + 0.3 * pitch, -0.5 * distance, worded("a = {size:6}", size=(distance, Size)), left=True),
     ]  # fmt: skip
     table = sizes(
-        (
-            ("centre distance", "a", distance, Size),
-            ("lead angle", "γ", result.lead_angle, Angle),
-            ("axial module", "m_x", result.axial_module, Module),
-            ("diameter factor", "q", result.diameter_factor, Ratio),
-            ("worm diameter", "d_1", result.worm_diameter, Size),
-            ("wheel diameter", "d_2", result.wheel_diameter, Size),
-            ("throat diameter", "d_a2", result.throat_diameter, Size),
-            ("face width", "b", result.face_width, Size),
-            ("efficiency, worm driving", "η", result.efficiency, Ratio),
-            ("self-locking", "", "yes" if result.self_locking else "no", None),
-            ("sliding speed", "v_g", result.sliding_speed, Speed),
-            ("torque of the wheel", "T_2", result.wheel_torque, Torque),
-            ("axial force on the worm", "F_a1", result.worm_axial_force, Force),
-        )
+        ("centre distance", "a", distance, Size),
+        ("lead angle", "γ", result.lead_angle, Angle),
+        ("axial module", "m_x", result.axial_module, Module),
+        ("diameter factor", "q", result.diameter_factor, Ratio),
+        ("worm diameter", "d_1", result.worm_diameter, Size),
+        ("wheel diameter", "d_2", result.wheel_diameter, Size),
+        ("throat diameter", "d_a2", result.throat_diameter, Size),
+        ("face width", "b", result.face_width, Size),
+        ("efficiency, worm driving", "η", result.efficiency, Ratio),
+        ("self-locking", "", "yes" if result.self_locking else "no", None),
+        ("sliding speed", "v_g", result.sliding_speed, Speed),
+        ("torque of the wheel", "T_2", result.wheel_torque, Torque),
+        ("axial force on the worm", "F_a1", result.worm_axial_force, Force),
     )
     scene = Panel(X, Y, tuple(items), equal=True, bare=True, wide=True)
     title = worded(
@@ -198,20 +185,15 @@ def _threads(result: "Any") -> "list[Point]":
 
 def _wheel(result: "Any", teeth: int) -> "list[Any]":
     """The wheel in its middle plane: teeth of the rack that the worm is there, a space under the thread at x = 0."""
-    from dynamics_cli.gear.single.gear import Gear
-    from dynamics_cli.gear.single.profile import tooth_form
-    from dynamics_cli.gear.single.rack import basic_rack
-
     centre = (0.0, -float(result.centre_distance))
     items: list[Any] = [circle(centre, 0.5 * float(result.wheel_diameter), "", "centre", 1)]
     rack = basic_rack("a", float(result.axial_pressure_angle))
     gear = Gear(teeth, float(result.axial_module), rack, 0.0, float(result.profile_shift))
-    try:
-        form = tooth_form(gear, float(result.throat_diameter), None)
+    form = form_of(gear, float(result.throat_diameter))
+    if form is not None:
         return [*items, *body(form, centre, RIGHT + pi / teeth, 1)]
-    except InadmissibleError:
-        diameters = (result.throat_diameter, result.wheel_root_diameter)
-        return [*items, *(circle(centre, 0.5 * float(diameter), "", "solid", 1) for diameter in diameters)]
+    diameters = (result.throat_diameter, result.wheel_root_diameter)
+    return [*items, *(circle(centre, 0.5 * float(diameter), "", "solid", 1) for diameter in diameters)]
 
 
 def _efficiency(result: "Any") -> Panel:

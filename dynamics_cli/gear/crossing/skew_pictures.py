@@ -3,8 +3,8 @@
 from math import copysign, cos, pi, sin, tan
 
 from dynamics_cli.errors import worded
-from dynamics_cli.gear.crossing.pictures import BLACK, X, Y, line, sizes, turned_point
-from dynamics_cli.gear.section import circle
+from dynamics_cli.gear.crossing.pictures import X, Y, line, turned_point
+from dynamics_cli.gear.section import BLACK, circle, sizes
 from dynamics_cli.pictures import Arrow, Axis, Dimension, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle, Module, Ratio, Size, Speed
 
@@ -38,18 +38,16 @@ def crossed(result: "Any", *, first: "Any", second: "Any", module: float, **_: "
         Mark(0.0, 0.0, "C", (7.0, -10.0)),
     ]
     table = sizes(
-        (
-            ("shaft angle", "Σ", result.shaft_angle, Angle),
-            ("centre distance", "a_w", result.centre_distance, Size),
-            ("gear ratio", "u", result.ratio, Ratio),
-            ("working diameter", "d_w1", result.first_working_diameter, Size),
-            ("", "d_w2", result.second_working_diameter, Size),
-            ("working helix angle", "β_w1", lean1, Angle),
-            ("", "β_w2", lean2, Angle),
-            ("pressure angle", "α_wn", result.working_pressure_angle, Angle),
-            ("efficiency", "η", result.efficiency, Ratio),
-            ("sliding speed", "v_g", result.sliding_speed, Speed),
-        )
+        ("shaft angle", "Σ", result.shaft_angle, Angle),
+        ("centre distance", "a_w", result.centre_distance, Size),
+        ("gear ratio", "u", result.ratio, Ratio),
+        ("working diameter", "d_w1", result.first_working_diameter, Size),
+        ("", "d_w2", result.second_working_diameter, Size),
+        ("working helix angle", "β_w1", lean1, Angle),
+        ("", "β_w2", lean2, Angle),
+        ("pressure angle", "α_wn", result.working_pressure_angle, Angle),
+        ("efficiency", "η", result.efficiency, Ratio),
+        ("sliding speed", "v_g", result.sliding_speed, Speed),
     )
     title = worded(
         "Crossed helical gears {first} / {second}, module {module:6}",
@@ -134,18 +132,16 @@ def hypoid(result: "Any", *, offset: float | None = None, wheel_radius: float, *
     ]
     beta1, beta2 = float(result.first_spiral_angle), float(result.second_spiral_angle)
     table = sizes(
-        (
-            ("ratio", "i", result.ratio, Ratio),
-            ("pitch angle", "δ_1", result.first_pitch_angle, Angle),
-            ("", "δ_2", result.second_pitch_angle, Angle),
-            ("spiral angle", "β_1", beta1, Angle),
-            ("", "β_2", beta2, Angle),
-            ("pitch radius", "r_1", result.first_pitch_radius, Size),
-            ("", "r_2", result.second_pitch_radius, Size),
-            ("mean normal module", "m_n", result.normal_module, Module),
-            ("limit pressure angle", "α_lim", result.limit_pressure_angle, Angle),
-            ("sliding over wheel's speed", "", result.sliding_ratio, Ratio),
-        )
+        ("ratio", "i", result.ratio, Ratio),
+        ("pitch angle", "δ_1", result.first_pitch_angle, Angle),
+        ("", "δ_2", result.second_pitch_angle, Angle),
+        ("spiral angle", "β_1", beta1, Angle),
+        ("", "β_2", beta2, Angle),
+        ("pitch radius", "r_1", result.first_pitch_radius, Size),
+        ("", "r_2", result.second_pitch_radius, Size),
+        ("mean normal module", "m_n", result.normal_module, Module),
+        ("limit pressure angle", "α_lim", result.limit_pressure_angle, Angle),
+        ("sliding over wheel's speed", "", result.sliding_ratio, Ratio),
     )
     title = "Hypoid pair " + " / ".join(str(number) for number in teeth if number)
     scene = Panel(X, Y, tuple(items), equal=True, bare=True, wide=True)

@@ -7,6 +7,7 @@ from dynamics_cli.gear.crossing.virtual_teeth import tooth_advice
 from dynamics_cli.gear.crossing.worm_records import WormData
 from dynamics_cli.gear.load import torque_of
 from dynamics_cli.gear.pitch import require_module
+from dynamics_cli.gear.single.rack import FULL_DEPTH, require_pressure_angle
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, multiply_add, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.number import like, plain
 from dynamics_cli.quantities import (
@@ -27,8 +28,6 @@ from dynamics_cli.records import Advice, Check, record
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
-
-FULL_DEPTH = 20.0 * pi / 180.0
 
 # Results that need a torque.
 LOADED = (
@@ -130,12 +129,7 @@ def worm(
     >>> round(degrees(answer.lead_angle), 5)
     7.76517
     """
-    require(
-        (pressure_angle > 0.0) & (pressure_angle < 0.5 * pi),
-        "the pressure angle {pressure_angle:6} must be above 0 and below 90 degrees",
-        pressure_angle=(pressure_angle, Angle),
-        code="pressure-angle",
-    )
+    require_pressure_angle(pressure_angle)
     module, gamma, slope, diameter = _worm(size, worm, threads)
     require_module(module)
     pressure_angle, friction = like(pressure_angle, module), like(friction, module)
@@ -248,7 +242,7 @@ def _worm(
     diameter = worm.worm_diameter
     require(
         diameter > 0.0,
-        "a worm of {diameter:6} diameter has no threads",
+        "the diameter of the worm must be above zero, not {diameter:6}",
         diameter=(diameter, Size),
         code="worm-diameter",
     )

@@ -2,15 +2,16 @@
 
 from math import pi
 
+from dynamics_cli.gear import options
 from dynamics_cli.gear.measure.measurement import Measurements, measure
 from dynamics_cli.gear.pitch import Pitch
 from dynamics_cli.gear.rounding import bare, carried, error_of
 from dynamics_cli.gear.single.cylindrical import helical
-from dynamics_cli.gear.single.gear import Hand, Sign
-from dynamics_cli.gear.single.rack import FULL_DEPTH, Profile
+from dynamics_cli.gear.single.rack import FULL_DEPTH
 from dynamics_cli.gear.single.records import GearData
+from dynamics_cli.gear.single.toothing_given import gear_inputs
 from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
-from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, Ratio, Size, Teeth, Text
+from dynamics_cli.quantities import Annotated, Count, Ratio, Size, Teeth, Text
 from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
@@ -43,33 +44,21 @@ def data_block(
     *,
     teeth: Annotated[Teeth, "Number of teeth."],
     pitch: Annotated[Pitch, "Size of the teeth, normal or transverse."],
-    helix_angle: Annotated[Angle, "Helix angle β; 0 for a spur gear [rad]."] = 0.0,
-    hand: Annotated[Hand, "Hand of the helix."] = Hand("right"),  # noqa: B008
-    pressure_angle: Annotated[Angle, "Normal pressure angle α_n [rad]."] = FULL_DEPTH,
+    helix_angle: options.HelixAngle = 0.0,
+    hand: options.HelixHand = options.RIGHT,
+    pressure_angle: options.PressureAngle = FULL_DEPTH,
     profile_shift: Annotated[Ratio, "Profile shift factor x."] = 0.0,
-    profile: Annotated[
-        Profile,
-        "Basic rack: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace those of the rack.",
-    ] = Profile("a"),  # noqa: B008
-    addendum_factor: Annotated[Ratio | None, "Addendum factor h_a*, e.g. 1."] = None,
-    dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
-    root_radius_factor: Annotated[Ratio | None, "Radius of the rack's corner ρ_fP*, e.g. 0.38."] = None,
-    internal: Annotated[bool, "An internal gear (ring)."] = False,
-    shift_sign: Annotated[
-        Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as in KHK and JIS."
-    ] = Sign("iso"),  # noqa: B008
-    upper_allowance: Annotated[
-        Coordinate | None,
-        "Upper deviation of the normal tooth thickness, E_sns, negative for backlash, e.g. -0.05 mm [m].",
-    ] = None,
-    lower_allowance: Annotated[
-        Coordinate | None, "Lower deviation of the normal tooth thickness, E_sni, e.g. -0.09 mm [m]."
-    ] = None,
+    profile: options.RackName = options.RACK_A,
+    addendum_factor: options.AddendumFactor = None,
+    dedendum_factor: options.DedendumFactor = None,
+    root_radius_factor: options.RackCorner = None,
+    internal: options.Internal = False,
+    shift_sign: options.ShiftSign = options.ISO,
+    upper_allowance: options.UpperAllowance = None,
+    lower_allowance: options.LowerAllowance = None,
     face_width: Annotated[Size | None, "Face width b, e.g. 20 mm [m]."] = None,
-    over: Annotated[Count | None, "Teeth to span; the best number if left out, e.g. 4."] = None,
-    pin: Annotated[
-        Size | None, "Diameter of pins or balls; the nearest standard one unless given, e.g. 5.5 mm [m]."
-    ] = None,
+    over: options.Over = None,
+    pin: options.Pin = None,
     mate_teeth: Annotated[Teeth | None, "Number of teeth of the mating gear, e.g. 30."] = None,
     centre_distance: Annotated[Size | None, "Centre distance with the mating gear, e.g. 116.5 mm [m]."] = None,
     accuracy: Annotated[Text, "Accuracy grade, in the standard's words."] = "",
@@ -107,20 +96,7 @@ def data_block(
     >>> data_block(teeth=24, pitch=NormalModule(0.003)).rows[0].data
     '24'
     """
-    same = {
-        "teeth": teeth,
-        "pitch": pitch,
-        "helix_angle": helix_angle,
-        "profile_shift": profile_shift,
-        "profile": profile,
-        "addendum_factor": addendum_factor,
-        "dedendum_factor": dedendum_factor,
-        "root_radius_factor": root_radius_factor,
-        "internal": internal,
-        "shift_sign": shift_sign,
-        "pressure_angle": pressure_angle,
-    }
-    same = carried(same)
+    same = carried(gear_inputs(locals()))
     gear = helical(hand=hand, **same)
     sizes = measure(
         face_width=carried(face_width),

@@ -102,7 +102,7 @@ def identify(
     """
     require(teeth >= 3, "a gear needs at least 3 teeth, not {teeth}", teeth=teeth, code="teeth")
     require(count > 0, "the number of candidates to show is zero", code="count")
-    require(reading > 0.0, "readings are never exact", code="reading", hint='--reading "0.02 mm"')
+    require(reading > 0.0, "the accuracy of a reading must be above zero", code="reading", hint='--reading "0.02 mm"')
     require(bool(spans), "no span is given", code="spans", hint='--span-read "over=4, length=32.83 mm"')
     require(len({item.over for item in spans}) == len(spans), "two spans over the same number of teeth", code="spans")
     for item in spans:

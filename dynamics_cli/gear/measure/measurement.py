@@ -1,6 +1,7 @@
 """Measuring a gear: every size that shows its tooth thickness, and the profile shift back from a measured size."""
 
 from dynamics_cli.errors import InadmissibleError, require, worded
+from dynamics_cli.gear import options
 from dynamics_cli.gear.measure.pins import Pins, pins, shift_from_pins
 from dynamics_cli.gear.measure.sizes import (
     Chord,
@@ -11,15 +12,13 @@ from dynamics_cli.gear.measure.sizes import (
     shift_from_span,
     span,
 )
-from dynamics_cli.gear.pair.engagement import with_shift
 from dynamics_cli.gear.pitch import Pitch, module_advice
-from dynamics_cli.gear.single.gear import Gear, Sign, require_circles
+from dynamics_cli.gear.single.gear import Gear, require_circles
 from dynamics_cli.gear.single.rack import FULL_DEPTH
-from dynamics_cli.gear.single.rack import Profile as BasicProfile
-from dynamics_cli.gear.single.toothing_given import fillet_of, gear_of, toothing
+from dynamics_cli.gear.single.toothing_given import fillet_of, gear_inputs, gear_of, toothing
 from dynamics_cli.numerics.elementary import absolute, pi_beside, tan
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, Ratio, Size
+from dynamics_cli.quantities import Annotated, Coordinate, Count, Ratio, Size
 from dynamics_cli.records import Advice, Check, record
 
 TYPE_CHECKING = False
@@ -31,9 +30,6 @@ if TYPE_CHECKING:
 
     Sized = TypeVar("Sized")
 
-
-FULL = BasicProfile("a")
-ISO = Sign("iso")
 
 # Names of the measured sizes in refusals.
 _READ = ("a span", "a size over pins", "a chordal thickness")
@@ -67,37 +63,23 @@ def measure(
     *,
     teeth: Annotated[Count, "Number of teeth, e.g. 24."],
     pitch: Annotated[Pitch, "Module, diametral pitch or circular pitch, normal or transverse."],
-    profile: Annotated[BasicProfile, "Basic rack: a, b, c, d of ISO 53, stub, agma-coarse or agma-fine."] = FULL,
-    pressure_angle: Annotated[Angle, "Normal pressure angle [rad]."] = FULL_DEPTH,
-    helix_angle: Annotated[Angle, "Helix angle [rad]."] = 0.0,
+    profile: options.RackName = options.RACK_A,
+    pressure_angle: options.PressureAngle = FULL_DEPTH,
+    helix_angle: options.HelixAngle = 0.0,
     profile_shift: Annotated[Ratio, "Profile shift factor."] = 0.0,
-    internal: Annotated[bool, "Whether the teeth point inwards."] = False,
-    shift_sign: Annotated[
-        Sign, "Sign convention of an internal gear's profile shift: iso (towards the tips) or outward (KHK, JIS)."
-    ] = ISO,
-    addendum_factor: Annotated[Ratio | None, "Addendum in modules, in place of the basic rack's, e.g. 1."] = None,
-    dedendum_factor: Annotated[Ratio | None, "Dedendum in modules, in place of the basic rack's, e.g. 1.25."] = None,
-    root_radius_factor: Annotated[
-        Ratio | None,
-        "Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given), e.g. 0.38.",
-    ] = None,
-    tip_diameter: Annotated[Size | None, "Tip diameter, in place of that of the rack, e.g. 80 mm [m]."] = None,
+    internal: options.Internal = False,
+    shift_sign: options.ShiftSign = options.ISO,
+    addendum_factor: options.AddendumFactor = None,
+    dedendum_factor: options.DedendumFactor = None,
+    root_radius_factor: options.RootRadius = None,
+    tip_diameter: options.TipDiameter = None,
     face_width: Annotated[
         Size | None, "Face width, to see whether a helical gear is wide enough for its span, e.g. 20 mm [m]."
     ] = None,
-    over: Annotated[
-        Count | None, "Teeth to span (spaces of an internal gear); the best number if left out, e.g. 4."
-    ] = None,
-    pin: Annotated[
-        Size | None, "Diameter of pins or balls; the nearest standard one unless given, e.g. 5.5 mm [m]."
-    ] = None,
-    upper_allowance: Annotated[
-        Coordinate | None,
-        "Upper deviation of the normal tooth thickness, E_sns, negative for backlash, e.g. -0.05 mm [m].",
-    ] = None,
-    lower_allowance: Annotated[
-        Coordinate | None, "Lower deviation of the normal tooth thickness, E_sni, e.g. -0.09 mm [m]."
-    ] = None,
+    over: options.Over = None,
+    pin: options.Pin = None,
+    upper_allowance: options.UpperAllowance = None,
+    lower_allowance: options.LowerAllowance = None,
     measured_span: Annotated[Size | None, "A span that was measured over `over` teeth, e.g. 32.8 mm [m]."] = None,
     measured_pins: Annotated[
         Size | None, "A size that was measured over pins of diameter `pin`, e.g. 82.1 mm [m]."
@@ -140,19 +122,7 @@ def measure(
     >>> (answer.span.over, round(1e3 * answer.span.span, 4))
     (4, 32.8266)
     """
-    given_gear = gear_of(
-        teeth=teeth,
-        pitch=pitch,
-        profile=profile,
-        pressure_angle=pressure_angle,
-        addendum_factor=addendum_factor,
-        dedendum_factor=dedendum_factor,
-        root_radius_factor=root_radius_factor,
-        helix_angle=helix_angle,
-        profile_shift=profile_shift,
-        internal=internal,
-        sign=shift_sign,
-    )
+    given_gear = gear_of(**gear_inputs(locals()))
     gear = toothing(given_gear, tip_diameter=tip_diameter, fillet=fillet_of(given_gear, root_radius_factor))
     _require_allowances(upper_allowance, lower_allowance, gear)
     allowances = (upper_allowance, lower_allowance)
@@ -247,7 +217,7 @@ def _require_cut(
     gear: Gear, shift: float, size: float | None, name: str, tip_diameter: float | None, radius: float | None
 ) -> None:
     """Refuse a reading whose profile shift makes the gear impossible."""
-    cut = with_shift(gear, -shift if gear.internal else shift)
+    cut = gear.shifted(-shift if gear.internal else shift)
     try:
         require_circles(cut)
         toothing(cut, tip_diameter=tip_diameter, fillet=fillet_of(cut, radius))

@@ -3,9 +3,9 @@
 from math import cos, degrees, nan, pi, sin
 
 from dynamics_cli.errors import worded
-from dynamics_cli.gear.section import BLACK, RIM, circle, outline_points
-from dynamics_cli.gear.single.pictures import exact_profile
-from dynamics_cli.pictures import Axis, Bars, Curve, Label, Mark, Panel, Picture, Rows
+from dynamics_cli.gear.section import BLACK, body, circle, sizes
+from dynamics_cli.gear.single.pictures import form_in
+from dynamics_cli.pictures import Axis, Bars, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Coordinate, Module, Ratio, Size
 
 TYPE_CHECKING = False
@@ -21,57 +21,37 @@ def measure_picture(
 ) -> Picture:
     """The gear with its span and the two pins or balls in their spaces, in the transverse plane, and the sizes."""
     items: list[Any] = []
-    profile = exact_profile(teeth, internal, None, {**inputs, "profile_shift": profile_shift})
-    if profile is None:
-        limits = [float(result.pins.centre_diameter)] if result.pins is not None else []
-    else:
-        items += _gear(profile, internal)
-        limits = [float(profile.base_diameter)]
-    if result.span is not None and profile is not None:
-        items += _jaws(float(profile.base_diameter), result.span, teeth)
+    form = form_in(teeth, internal, {**inputs, "profile_shift": profile_shift})
+    if form is not None:
+        items += [*body(form, (0.0, 0.0), 0.5 * pi, 0), circle((0.0, 0.0), form.base, "", "dots", BLACK)]
+        if result.span is not None:
+            items += _jaws(2.0 * form.base, result.span, teeth)
     if result.pins is not None:
         items += _pins(result.pins, teeth)
-    if not limits:
+    if not items:
         items.append(Mark(0.0, 0.0, "none of this gear's sizes can be drawn"))
     title = worded("Measuring a gear of {teeth} teeth, x = {shift}", teeth=teeth, shift=(float(profile_shift), Ratio))
     if getattr(inputs.get("pitch"), "module", None) is not None:
         title = worded("{title}, module {module:6}", title=title, module=(float(inputs["pitch"].module), Module))
     scene = Panel(X, Y, tuple(items), equal=True, bare=True)
-    table = Panel(X, Y, (Rows(_rows(result)),))
-    return Picture((scene, table), title, subtitle="Transverse section; base circle dotted, jaws tangent to it")
+    return Picture(
+        (scene, _table(result)), title, subtitle="Transverse section; base circle dotted, jaws tangent to it"
+    )
 
 
-def _gear(profile: "Any", internal: bool) -> "list[Any]":
-    """The gear filled, with its base circle."""
-    x, y = outline_points(profile.drawing.outlines[0])
-    x, y = (*x, x[0]), (*y, y[0])
-    base = circle((0.0, 0.0), 0.5 * float(profile.base_diameter), "", "dots", BLACK)
-    if not internal:
-        return [Curve(x, y, "", "filled", 0), base]
-    depth = 0.5 * (float(profile.root_diameter) - float(profile.tip_diameter))
-    rim = circle((0.0, 0.0), 0.5 * float(profile.root_diameter) + 0.5 * RIM * depth, "", "solid", 0)
-    around = (*rim.x, *reversed(x), rim.x[0]), (*rim.y, *reversed(y), rim.y[0])
-    return [Curve(*around, "", "fill", 0), Curve(x, y, "", "outline", 0), base]
-
-
-def _rows(result: "Any") -> "tuple[tuple[str, str, str], ...]":
+def _table(result: "Any") -> Panel:
     """The sizes that an inspector reads, with their symbols."""
     listed: list[tuple[str, str, Any, Any]] = [("normal tooth thickness", "s_n", result.normal_thickness, Size)]
     if result.span is not None:
-        listed.append(
-            (f"span over {int(result.span.over)} teeth", f"W_{int(result.span.over)}", result.span.span, Size)
-        )
+        over = int(result.span.over)
+        listed.append((f"span over {over} teeth", f"W_{over}", result.span.span, Size))
         listed.append(("touched at diameter", "", result.span.contact_diameter, Size))
     if result.pins is not None:
         listed += [("pin or ball", "D_M", result.pins.pin, Size), ("size over pins", "M", result.pins.size, Size)]
     if result.chordal is not None:
         listed.append(("chordal thickness", "", result.chordal.thickness, Size))
         listed.append(("chordal height", "", result.chordal.height, Size))
-    return tuple(
-        (name, symbol, worded("{value:6}", value=(float(value), kind)))
-        for name, symbol, value, kind in listed
-        if value is not None
-    )
+    return sizes(*listed)
 
 
 def _jaws(base: float, span: "Any", teeth: int) -> "list[Any]":

@@ -1,12 +1,12 @@
 """The size over two pins or balls, or between them in an internal gear."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.measure.sizes import bare, flank_radii, thinned, with_shift
+from dynamics_cli.gear.measure.sizes import flank_radii, thinned, with_shift
 from dynamics_cli.gear.single.toothing import Toothing
 from dynamics_cli.gear.single.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import atan, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.involute import inverse_involute
-from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.number import over_plain, plain
 from dynamics_cli.quantities import Annotated, Ratio, Size
 from dynamics_cli.records import record
 
@@ -157,13 +157,13 @@ def pins(gear: Toothing, pin: float | None, allowances: "tuple[float | None, flo
     chosen = pin
     if chosen is None:
         near = _USUAL * plain(gear.module) if ideal is None else plain(ideal)
-        doubles = bare(gear)
+        doubles = over_plain(gear)
         chosen = next((item for item in standard_pins(near) if _serves(doubles, item)), None)
         require(chosen is not None, "no standard pin touches on the flanks", code="pin-off-flank", hint="give --pin")
         assert chosen is not None
     else:
         require(chosen > 0.0, "the pin diameter {pin:6} must be above zero", pin=(chosen, Size), code="pin")
-        fault = pin_fault(bare(gear), plain(chosen))
+        fault = pin_fault(over_plain(gear), plain(chosen))
         if fault is not None:
             text, diameter, limit = fault
             require(

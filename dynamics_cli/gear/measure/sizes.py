@@ -3,11 +3,9 @@
 from dynamics_cli.errors import require
 from dynamics_cli.gear.single.toothing import Toothing
 from dynamics_cli.numerics.elementary import asin, cos, pi_beside, sin, sqrt, tan
-from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.number import over_plain, plain
 from dynamics_cli.quantities import Angle, Annotated, Count, Ratio, Size
 from dynamics_cli.records import record
-
-_FIELDS = tuple(Toothing.__annotations__)
 
 
 @record
@@ -39,14 +37,9 @@ def thinned(gear: Toothing, allowance: float) -> float:
     return gear.shift - change if gear.internal else gear.shift + change
 
 
-def bare(gear: Toothing) -> Toothing:
-    """The same gear in plain doubles, for choosing."""
-    return Toothing(*(plain(getattr(gear, name)) for name in _FIELDS))  # type: ignore[arg-type]
-
-
 def with_shift(gear: Toothing, shift: float) -> Toothing:
     """The same blank cut with another profile shift."""
-    return Toothing(*(shift if name == "shift" else getattr(gear, name) for name in _FIELDS))  # type: ignore[arg-type]
+    return Toothing(**{name: getattr(gear, name) for name in Toothing.__annotations__} | {"shift": shift})
 
 
 # ---- span ----
@@ -117,7 +110,7 @@ def span(gear: Toothing, over: int | None, allowances: "tuple[float | None, floa
         hint="measure between balls",
     )
     ideal = ideal_over(gear)
-    serving = spans_that_serve(bare(gear))
+    serving = spans_that_serve(over_plain(gear))
     chosen = over
     if chosen is None:
         require(bool(serving), "no span touches on the flanks", code="span-off-flank", hint="measure over pins")

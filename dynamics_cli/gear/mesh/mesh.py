@@ -1,6 +1,7 @@
 """The proof of a mesh: both exact profiles turned through it, and their actual behaviour."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.gear import options
 from dynamics_cli.gear.mesh.advice import EXACT, OVERLAP, advice, tip_notes, tips_meet
 from dynamics_cli.gear.mesh.bounds import mesh_numerics
 from dynamics_cli.gear.mesh.flank_clearance import flank_gap
@@ -17,11 +18,9 @@ from dynamics_cli.gear.pair.engagement import require_partners
 from dynamics_cli.gear.pitch import Pitch
 from dynamics_cli.gear.rounding import bare, carried, in_digits, in_many_digits, tighten
 from dynamics_cli.gear.single.flanks import ToothForm
-from dynamics_cli.gear.single.gear import Sign
 from dynamics_cli.gear.single.profile import tooth_form
 from dynamics_cli.gear.single.rack import FULL_DEPTH
-from dynamics_cli.gear.single.rack import Profile as BasicProfile
-from dynamics_cli.gear.single.toothing_given import gear_of
+from dynamics_cli.gear.single.toothing_given import gear_inputs, gear_of
 from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, pi_beside, tan
 from dynamics_cli.numerics.involute import inverse_involute
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, Ratio, Size, Text
@@ -31,11 +30,11 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-FULL = BasicProfile("a")
-ISO = Sign("iso")
 MOST_POINTS = 10_000_000
 # Chords of the sampled flanks overlap by less than this share of the module where they touch.
 TRIMS = 1e-4
+# Inputs that say nothing of the two gears.
+NOT_OF_GEARS = ("centre_distance", "points", "shown")
 
 
 @record
@@ -86,20 +85,15 @@ def mesh(
     pitch: Annotated[Pitch, "Module, diametral pitch or circular pitch, normal or transverse."],
     centre_distance: Annotated[Size | None, "Centre distance; without backlash unless given, e.g. 90 mm [m]."] = None,
     internal: Annotated[bool, "Whether gear 2 is an internal gear."] = False,
-    profile: Annotated[BasicProfile, "Basic rack: a, b, c, d of ISO 53, stub, agma-coarse or agma-fine."] = FULL,
-    pressure_angle: Annotated[Angle, "Normal pressure angle [rad]."] = FULL_DEPTH,
-    helix_angle: Annotated[Angle, "Helix angle [rad]."] = 0.0,
+    profile: options.RackName = options.RACK_A,
+    pressure_angle: options.PressureAngle = FULL_DEPTH,
+    helix_angle: options.HelixAngle = 0.0,
     first_profile_shift: Annotated[Ratio, "Profile shift factor of gear 1."] = 0.0,
     second_profile_shift: Annotated[Ratio, "Profile shift factor of gear 2."] = 0.0,
-    shift_sign: Annotated[
-        Sign, "Whose sign the profile shift of an internal gear has: iso (towards the tips) or outward (KHK, JIS)."
-    ] = ISO,
-    addendum_factor: Annotated[Ratio | None, "Addendum in modules, in place of the basic rack's, e.g. 1."] = None,
-    dedendum_factor: Annotated[Ratio | None, "Dedendum in modules, in place of the basic rack's, e.g. 1.25."] = None,
-    root_radius_factor: Annotated[
-        Ratio | None,
-        "Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given), e.g. 0.38.",
-    ] = None,
+    shift_sign: options.ShiftSign = options.ISO,
+    addendum_factor: options.AddendumFactor = None,
+    dedendum_factor: options.DedendumFactor = None,
+    root_radius_factor: options.RootRadius = None,
     first_tip_diameter: Annotated[
         Size | None, "Tip diameter of gear 1, in place of that of the rack, e.g. 44.8 mm [m]."
     ] = None,
@@ -143,37 +137,14 @@ def mesh(
     >>> round(mesh(first_teeth=20, second_teeth=20, pitch=NormalModule(0.001)).contact_ratio, 4)
     1.5568
     """
+    inputs = {name: value for name, value in locals().items() if name not in NOT_OF_GEARS}
     require(
-        points >= 2,
-        "read {points} points of contact, wanted at least 2",
-        points=points,
-        code="points",
-        hint="give 2 at least",
-    )
-    require(
-        points <= MOST_POINTS,
-        "read {points} points of contact, wanted at most {most}",
+        2 <= points <= MOST_POINTS,
+        "points of contact: give 2 to {most}, not {points}",
         points=points,
         most=MOST_POINTS,
         code="points",
     )
-    inputs = {
-        "first_teeth": first_teeth,
-        "second_teeth": second_teeth,
-        "pitch": pitch,
-        "internal": internal,
-        "profile": profile,
-        "pressure_angle": pressure_angle,
-        "helix_angle": helix_angle,
-        "first_profile_shift": first_profile_shift,
-        "second_profile_shift": second_profile_shift,
-        "shift_sign": shift_sign,
-        "addendum_factor": addendum_factor,
-        "dedendum_factor": dedendum_factor,
-        "root_radius_factor": root_radius_factor,
-        "first_tip_diameter": first_tip_diameter,
-        "second_tip_diameter": second_tip_diameter,
-    }
     known = _Known(carried(inputs), carried(centre_distance))
     exact = in_digits(lambda: _Known(in_many_digits(inputs), in_many_digits(centre_distance), known.places))
     if exact is not None:
@@ -182,27 +153,20 @@ def mesh(
     return _proof(known, exact, points, shown, bare_tips)
 
 
-def forms_of(
-    *,
-    first_teeth: int,
-    second_teeth: int,
-    first_profile_shift: float,
-    second_profile_shift: float,
-    internal: bool,
-    shift_sign: str,
-    root_radius_factor: float | None,
-    first_tip_diameter: float | None,
-    second_tip_diameter: float | None,
-    **common: "Any",
-) -> tuple[ToothForm, ToothForm]:
+def forms_of(first_tip_diameter: float | None, second_tip_diameter: float | None, **given: "Any") -> "list[ToothForm]":
     """Both profiles, from their common and individual parameters."""
-    common = {**common, "root_radius_factor": root_radius_factor, "sign": shift_sign}
-    gear = gear_of(teeth=first_teeth, profile_shift=first_profile_shift, internal=False, **common)
-    two = gear_of(teeth=second_teeth, profile_shift=second_profile_shift, internal=internal, **common)
-    require_partners(gear, two)
-    return tooth_form(gear, first_tip_diameter, root_radius_factor), tooth_form(
-        two, second_tip_diameter, root_radius_factor
-    )
+    gears = [
+        gear_of(
+            **gear_inputs(
+                {**given, "teeth": given[f"{which}_teeth"], "profile_shift": given[f"{which}_profile_shift"],
+                 "internal": internal}
+            )
+        )
+        for which, internal in (("first", False), ("second", given["internal"]))
+    ]  # fmt: skip
+    require_partners(*gears)
+    tips = first_tip_diameter, second_tip_diameter
+    return [tooth_form(gear, tip, given["root_radius_factor"]) for gear, tip in zip(gears, tips, strict=True)]
 
 
 def without_backlash(first: ToothForm, second: ToothForm) -> float:

@@ -11,7 +11,7 @@ import math
 from math import pi
 
 from dynamics_cli.gear.rounding import bare, error_of, with_error
-from dynamics_cli.gear.single.flanks import ToothForm, _fillet_centre
+from dynamics_cli.gear.single.flanks import ToothForm, fillet_centre
 from dynamics_cli.numerics import elementary
 from dynamics_cli.numerics.elementary import absolute, acos, atan, cos, pi_beside, sin, sqrt
 from dynamics_cli.numerics.number import like
@@ -65,7 +65,7 @@ class RootCurve:
 
     def _fillet(self) -> None:
         form = self.form
-        centre, angle = _fillet_centre(form)
+        centre, angle = fillet_centre(form)
         half = pi_beside(angle) / form.teeth - angle
         self.centre = centre * cos(half), centre * sin(half)
         ratio = centre / form.base

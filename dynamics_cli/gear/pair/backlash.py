@@ -1,7 +1,7 @@
 """Backlash of a pair from centre distance and thinned teeth, and the thinning and cutting for a given one."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.pair.engagement import Engagement, at_tight_distance, reference_distance, with_shift
+from dynamics_cli.gear.pair.engagement import Engagement, at_tight_distance, reference_distance
 from dynamics_cli.gear.pair.records import Mate
 from dynamics_cli.gear.single.gear import Gear
 from dynamics_cli.numerics.elementary import absolute, cos, tan
@@ -35,7 +35,7 @@ def thinned_for(mesh: Engagement, first: Mate, second: Mate, backlash: float) ->
 def as_cut(gear: Gear, thinning: float) -> Gear:
     """The gear as its rack cuts thinner teeth into the same blank."""
     shift = generating_shift(gear, thinning)
-    return gear if shift is None else with_shift(gear, shift, gear.tip_change + (gear.shift - shift))
+    return gear if shift is None else gear.shifted(shift, gear.tip_change + (gear.shift - shift))
 
 
 def generating_shift(gear: Gear, thinning: float) -> float | None:

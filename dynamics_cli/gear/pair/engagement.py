@@ -3,7 +3,6 @@
 from dynamics_cli.errors import require
 from dynamics_cli.gear.mesh.profile_contact import remedy_of_open_mesh
 from dynamics_cli.gear.single.gear import Gear
-from dynamics_cli.gear.single.trochoid import root
 from dynamics_cli.numerics.elementary import absolute, atan2, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.involute import inverse_involute, involute
 from dynamics_cli.numerics.number import plain
@@ -121,11 +120,6 @@ def needed_shift(first: Gear, second: Gear, angle: float) -> float:
     return 0.5 * (first.teeth + second.teeth) * turn / tan(first.rack.pressure_angle)
 
 
-def with_shift(gear: Gear, shift: float, tip_change: float = 0.0) -> Gear:
-    """The gear with another shift and another change of its tips."""
-    return Gear(gear.teeth, gear.module, gear.rack, gear.helix_angle, shift, tip_change)
-
-
 @record
 class Path:
     """The path of contact, as radii of curvature of the first gear's flank."""
@@ -145,12 +139,12 @@ def path(mesh: Engagement) -> Path:
     first, second = mesh.first, mesh.second
     end = 0.5 * first.base_diameter * first.tip_roll
     start = mesh.line - 0.5 * second.base_diameter * second.tip_roll
-    own_form = 0.5 * first.base_diameter * root(first.cutter).roll
+    own_form = 0.5 * first.base_diameter * first.junction.roll
     other_form = None
     begin = start if plain(start) >= plain(own_form) else own_form
     stop = end
     if not second.internal:
-        other_form = root(second.cutter).roll * 0.5 * second.base_diameter
+        other_form = second.junction.roll * 0.5 * second.base_diameter
         latest = mesh.line - other_form
         stop = end if plain(end) <= plain(latest) else latest
     require(

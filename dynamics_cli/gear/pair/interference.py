@@ -10,7 +10,7 @@ from math import pi
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.gear.pair.engagement import Engagement, Path
 from dynamics_cli.gear.single.gear import Gear
-from dynamics_cli.gear.single.limits import bare, bisect
+from dynamics_cli.gear.single.limits import bisect
 from dynamics_cli.gear.single.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import (
     absolute,
@@ -24,7 +24,7 @@ from dynamics_cli.numerics.elementary import (
     pi_beside,
     sin,
 )
-from dynamics_cli.numerics.number import like, plain
+from dynamics_cli.numerics.number import like, over_plain, plain
 from dynamics_cli.quantities import Annotated, Coordinate, Text
 from dynamics_cli.records import record
 
@@ -71,7 +71,7 @@ def verdicts(
         )
     else:
         corner = _Corner(mesh)
-        corner_in_doubles = _Corner(_bare(mesh))
+        corner_in_doubles = _Corner(over_plain(mesh))
         turn = _last_turn(corner_in_doubles)
         running, pushing = (
             _in_numbers_of(corner, place, turn)
@@ -121,16 +121,6 @@ def _profiles(
     inward, outward, _ = root_gaps(forms[0], forms[1], distance, play, touches)
     gaps = (("first's tip in the second's", inward), ("second's tip in the first's", outward))
     return [(f"{PROFILES}: the {which} root", gap) for which, gap in gaps if gap is not None]
-
-
-def _bare(mesh: Engagement) -> Engagement:
-    return Engagement(
-        bare(mesh.first),
-        bare(mesh.second),
-        plain(mesh.centre_distance),
-        plain(mesh.angle),
-        plain(mesh.tight),
-    )
 
 
 class _Corner:

@@ -3,6 +3,7 @@
 from math import gcd
 
 from dynamics_cli.errors import require, require_given
+from dynamics_cli.gear import options
 from dynamics_cli.gear.load import torque_of
 from dynamics_cli.gear.pair.advice import pair_advice
 from dynamics_cli.gear.pair.backlash import as_cut, generating_shift, thinned_for, total_backlash
@@ -21,11 +22,11 @@ from dynamics_cli.gear.pair.records import ContactPoint, Mate, PairData
 from dynamics_cli.gear.pair.shift_split import Split, Tips, engaged
 from dynamics_cli.gear.pitch import Pitch, module_advice, module_of
 from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
-from dynamics_cli.gear.single.gear import Hand, Sign, signed_gear
-from dynamics_cli.gear.single.rack import Profile, basic_rack
+from dynamics_cli.gear.single.gear import Hand, signed_gear
+from dynamics_cli.gear.single.rack import basic_rack
 from dynamics_cli.numerics.elementary import absolute, cos, pi_beside, sqrt
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.quantities import Angle, Annotated, Friction, Power, Ratio, ShaftSpeed, Size, Torque
+from dynamics_cli.quantities import Annotated, Friction, Power, Ratio, ShaftSpeed, Size, Torque
 from dynamics_cli.records import Check
 
 EQUAL, CLEARANCE = Split("equal"), Tips("clearance")
@@ -36,26 +37,16 @@ def pair(
     first: Annotated[Mate, "The driving gear (of an internal pair, the pinion)."],
     second: Annotated[Mate, "The driven gear (of an internal pair, the ring)."],
     pitch: Annotated[Pitch, "Size of the teeth, normal or transverse."],
-    pressure_angle: Annotated[
-        Angle | None, "Normal pressure angle α_n; 20 degrees unless one is given, e.g. 20 deg [rad]."
-    ] = None,
-    transverse_pressure_angle: Annotated[
-        Angle | None, "Transverse pressure angle α_t, in place of the normal one, e.g. 20 deg [rad]."
-    ] = None,
-    helix_angle: Annotated[Angle, "Helix angle β at the reference cylinder [rad]."] = 0.0,
+    pressure_angle: options.NormalAngle = None,
+    transverse_pressure_angle: options.TransverseAngle = None,
+    helix_angle: options.HelixAngle = 0.0,
     hand: Annotated[Hand, "Hand of the first gear's helix."] = Hand("right"),  # noqa: B008
-    profile: Annotated[
-        Profile,
-        "Basic rack of both: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace those of the "
-        "rack.",
-    ] = Profile("a"),  # noqa: B008
-    addendum_factor: Annotated[Ratio | None, "Addendum factor h_a*, e.g. 1."] = None,
-    dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
-    root_radius_factor: Annotated[Ratio | None, "Radius of the rack's corner ρ_fP*, e.g. 0.38."] = None,
+    profile: options.RackName = options.RACK_A,
+    addendum_factor: options.AddendumFactor = None,
+    dedendum_factor: options.DedendumFactor = None,
+    root_radius_factor: options.RackCorner = None,
     internal: Annotated[bool, "The second gear is internal."] = False,
-    shift_sign: Annotated[
-        Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
-    ] = Sign("iso"),  # noqa: B008
+    shift_sign: options.ShiftSign = options.ISO,
     centre_distance: Annotated[
         Size | None, "Working centre distance; with both shifts given, the backlash follows from it, e.g. 90 mm [m]."
     ] = None,

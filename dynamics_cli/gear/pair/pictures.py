@@ -2,8 +2,7 @@
 
 from math import atan, cos, isfinite, sin
 
-from dynamics_cli.errors import InadmissibleError, worded
-from dynamics_cli.gear.rounding import bare
+from dynamics_cli.errors import worded
 from dynamics_cli.gear.section import (
     BLACK,
     GREEN,
@@ -13,10 +12,15 @@ from dynamics_cli.gear.section import (
     circle,
     contact_panel,
     contact_points,
+    form_of,
     meshing,
+    sizes,
 )
+from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
+from dynamics_cli.gear.single.gear import Gear
+from dynamics_cli.gear.single.rack import basic_rack
 from dynamics_cli.numerics.involute import involute
-from dynamics_cli.pictures import Axis, Band, Curve, Dimension, Label, Mark, Panel, Picture, Rows
+from dynamics_cli.pictures import Axis, Band, Curve, Dimension, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle, Coordinate, Fraction, Module, Ratio, Size
 
 TYPE_CHECKING = False
@@ -36,7 +40,7 @@ _SMALL = 0.6
 
 
 def pair(
-    made: "PairData", *, first: "Mate", second: "Mate", internal: bool = False, pitch: "Any", **inputs: "Any"
+    result: "PairData", *, first: "Mate", second: "Mate", internal: bool = False, pitch: "Any", **inputs: "Any"
 ) -> Picture:
     """Both gears at their working distance, the path of contact, the main sizes and the specific sliding."""
     module = module_in(pitch, float(inputs.get("helix_angle", 0.0)))
@@ -47,7 +51,7 @@ def pair(
         module=(module, Module),
     )
     return Picture(
-        pair_panels(made, first=first, second=second, internal=internal, pitch=pitch, **inputs),
+        pair_panels(result, first=first, second=second, internal=internal, pitch=pitch, **inputs),
         title,
         columns=2,
         subtitle="Transverse section at the working centre distance; pitch circles dash-dotted, base circles dotted",
@@ -55,7 +59,7 @@ def pair(
 
 
 def pair_panels(
-    made: "PairData",
+    result: "PairData",
     *,
     first: "Mate",
     second: "Mate",
@@ -68,13 +72,13 @@ def pair_panels(
 
     Beside a long table (2) the path of contact is wider than high.
     """
-    gears = _gears(made, internal, _forms(made, first, second, internal, pitch, inputs))
+    gears = _gears(result, internal, _forms(result, first, second, internal, pitch, inputs))
     module = module_in(pitch, float(inputs.get("helix_angle", 0.0)))
     return (
-        _whole(made, first, second, internal, gears, module, brief > 0),
-        contact_panel(gears, _path(made), module, wide=brief > 1, titled=not brief),
-        Panel(X, Y, (Rows(_rows(made, first, second)),)),
-        _sliding(made, internal, brief > 0),
+        _whole(result, first, second, internal, gears, module, brief > 0),
+        contact_panel(gears, _path(result), module, wide=brief > 1, titled=not brief),
+        _table(result, first, second),
+        _sliding(result, internal, brief > 0),
     )
 
 
@@ -87,11 +91,6 @@ def _forms(
     result: "PairData", first: "Mate", second: "Mate", internal: bool, pitch: "Any", inputs: "dict[str, Any]"
 ) -> "list[ToothForm | None]":
     """The exact forms of both gears as cut; None for a gear that cannot be drawn."""
-    from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
-    from dynamics_cli.gear.single.gear import Gear
-    from dynamics_cli.gear.single.profile import tooth_form
-    from dynamics_cli.gear.single.rack import basic_rack
-
     helix = abs(float(inputs.get("helix_angle", 0.0)))
     angle = normal_pressure_angle(inputs.get("pressure_angle"), inputs.get("transverse_pressure_angle"), helix)
     radius = inputs.get("root_radius_factor")
@@ -105,17 +104,14 @@ def _forms(
     forms: list[ToothForm | None] = []
     for teeth, shift, generating, tip in ends:
         gear = Gear(teeth, module_in(pitch, helix), rack, helix, float(shift if generating is None else generating))
-        try:
-            forms.append(tooth_form(gear, float(tip), radius))
-        except InadmissibleError:
-            forms.append(None)
+        forms.append(form_of(gear, float(tip), radius))
     return forms
 
 
 def _gears(result: "PairData", internal: bool, forms: "list[ToothForm | None]") -> "list[Any]":
     """Both gears about their axes; circles where a gear has no exact form."""
     radii = 0.5 * float(result.first_working_diameter), 0.5 * float(result.second_working_diameter)
-    exact = [bare(form) for form in forms if form is not None]
+    exact = [form for form in forms if form is not None]
     if len(exact) == len(forms):
         return [*meshing(exact, float(result.centre_distance), radii)]
     places = (0.0, 0.0), (float(-result.centre_distance if internal else result.centre_distance), 0.0)
@@ -209,33 +205,23 @@ def _names(
     return labels
 
 
-def _rows(result: "PairData", first: "Mate", second: "Mate") -> "tuple[tuple[str, str, str], ...]":
+def _table(result: "PairData", first: "Mate", second: "Mate") -> Panel:
     """The main sizes with their symbols."""
-
-    def row(name: str, symbol: str, value: "Any", kind: "Any", digits: int = 6) -> "tuple[str, str, str]":
-        return name, symbol, worded(f"{{value:{digits}}}", value=(float(value), kind))
-
     common = int(result.common_factor)
-    clearances = float(result.first_tip_clearance), float(result.second_tip_clearance)
-    rows = [
-        row("centre distance", "a_w", result.centre_distance, Size),
-        row("working pressure angle", "α_wt", result.working_pressure_angle, Angle, 5),
-        (
-            "gear ratio",
-            "u",
-            worded("{z2}/{z1} = {u:5}", z1=first.teeth, z2=second.teeth, u=(float(result.ratio), Ratio)),
-        ),
-        row("path of contact", "g_α", result.path_length, Size, 5),
-        row("transverse contact ratio", "ε_α", result.transverse_contact_ratio, Ratio),
-        row("circumferential backlash", "j_wt", result.circumferential_backlash, Coordinate),
-        row("tip clearance of gear 1", "c_1", clearances[0], Coordinate),
-        row("tip clearance of gear 2", "c_2", clearances[1], Coordinate),
-        row("efficiency of the mesh", "η", result.efficiency, Fraction),
-        ("every tooth meets every other", "", "yes" if common == 1 else f"no: common factor {common}"),
-    ]
-    if result.total_contact_ratio is not None:
-        rows.insert(5, row("total contact ratio", "ε_γ", result.total_contact_ratio, Ratio))
-    return tuple(rows)
+    ratio = worded("{z2}/{z1} = {u:5}", z1=first.teeth, z2=second.teeth, u=(float(result.ratio), Ratio))
+    return sizes(
+        ("centre distance", "a_w", result.centre_distance, Size),
+        ("working pressure angle", "α_wt", result.working_pressure_angle, Angle),
+        ("gear ratio", "u", ratio, None),
+        ("path of contact", "g_α", result.path_length, Size),
+        ("transverse contact ratio", "ε_α", result.transverse_contact_ratio, Ratio),
+        ("total contact ratio", "ε_γ", result.total_contact_ratio, Ratio),
+        ("circumferential backlash", "j_wt", result.circumferential_backlash, Coordinate),
+        ("tip clearance of gear 1", "c_1", result.first_tip_clearance, Coordinate),
+        ("tip clearance of gear 2", "c_2", result.second_tip_clearance, Coordinate),
+        ("efficiency of the mesh", "η", result.efficiency, Fraction),
+        ("every tooth meets every other", "", "yes" if common == 1 else f"no: common factor {common}", None),
+    )
 
 
 def _sliding(result: "PairData", internal: bool, brief: bool) -> Panel:
@@ -283,8 +269,6 @@ def involute_curve(result: "Any", *, base_diameter: "float | None" = None, **_: 
     """The involute from its base circle to the given point, or the involute function if no base circle is given."""
     if base_diameter is None:
         angles = [result.pressure_angle * k / (POINTS - 1) for k in range(POINTS)]
-        from dynamics_cli.quantities import Angle
-
         items = (Curve(angles, [involute(a) for a in angles]), Mark(result.pressure_angle, result.involute, "inv α"))
         return Picture(
             (Panel(Axis("pressure angle", Angle), Axis("involute function", Ratio), items),), "involute function"

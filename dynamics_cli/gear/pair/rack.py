@@ -1,11 +1,11 @@
 """A gear on a rack: dimensions and position of the rack, contact, motion and forces."""
 
 from dynamics_cli.errors import require, worded
+from dynamics_cli.gear import options
 from dynamics_cli.gear.pitch import Pitch, module_advice, module_of
 from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
 from dynamics_cli.gear.single.gear import Gear, signed_gear
-from dynamics_cli.gear.single.rack import BasicRack, Profile, basic_rack
-from dynamics_cli.gear.single.trochoid import root
+from dynamics_cli.gear.single.rack import BasicRack, basic_rack
 from dynamics_cli.numerics.elementary import absolute, pi_beside, sin, tan
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Force, Ratio, ShaftSpeed, Size, Speed, Teeth, Torque
@@ -54,7 +54,7 @@ def _line_of_action(gear: Gear, basic: BasicRack, profile_shift: float) -> tuple
     sine = sin(gear.transverse_angle)
     approach = (basic.addendum - profile_shift) * module / sine
     recess = 0.5 * gear.base_diameter * gear.tip_roll - radius * sine
-    form = root(gear.cutter).roll * 0.5 * gear.base_diameter
+    form = gear.junction.roll * 0.5 * gear.base_diameter
     margin = radius * sine - approach - form
     first = approach if plain(margin) >= 0.0 else radius * sine - form
     ratio = (recess + first) / gear.base_pitch
@@ -71,21 +71,15 @@ def rack(
     *,
     teeth: Annotated[Teeth, "Number of teeth of the gear."],
     pitch: Annotated[Pitch, "Size of the teeth, normal or transverse."],
-    pressure_angle: Annotated[
-        Angle | None, "Normal pressure angle α_n; 20 degrees unless one is given, e.g. 20 deg [rad]."
-    ] = None,
-    transverse_pressure_angle: Annotated[
-        Angle | None, "Transverse pressure angle α_t, in place of the normal one, e.g. 20 deg [rad]."
-    ] = None,
+    pressure_angle: options.NormalAngle = None,
+    transverse_pressure_angle: options.TransverseAngle = None,
     helix_angle: Annotated[Angle, "Helix angle β of the gear, and of the rack's teeth [rad]."] = 0.0,
     profile_shift: Annotated[Ratio, "Profile shift factor x of the gear."] = 0.0,
-    profile: Annotated[
-        Profile, "Basic rack: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own."
-    ] = Profile("a"),  # noqa: B008
+    profile: options.RackName = options.RACK_A,
     addendum_factor: Annotated[Ratio | None, "Addendum factor h_a* of gear and rack, e.g. 1."] = None,
     dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP* of gear and rack, e.g. 1.25."] = None,
-    root_radius_factor: Annotated[Ratio | None, "Radius of the generating rack's corner ρ_fP*, e.g. 0.38."] = None,
-    tip_shortening: Annotated[Size, "How much the gear's tips are cut back, radially [m]."] = 0.0,
+    root_radius_factor: options.RackCorner = None,
+    tip_shortening: options.TipShortening = 0.0,
     datum_height: Annotated[Size | None, "Height H of the rack's datum line above its back, e.g. 32 mm [m]."] = None,
     face_width: Annotated[Size | None, "Face width, for the overlap ratio, e.g. 20 mm [m]."] = None,
     speed: Annotated[ShaftSpeed | None, "Speed of the gear [rad/s]."] = None,

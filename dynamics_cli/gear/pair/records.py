@@ -23,7 +23,7 @@ from dynamics_cli.records import Advice, Check, record
 class Mate:
     """Inputs of one gear of a pair."""
 
-    teeth: Annotated[Teeth, "Number of teeth (AGMA: N)."]
+    teeth: Annotated[Teeth, "Number of teeth (AGMA: N); gear ratio finds both for a ratio."]
     profile_shift: Annotated[Ratio | None, "Profile shift factor x; unless given, 0 or from the centre distance."] = (
         None
     )

@@ -10,12 +10,11 @@ from dynamics_cli.gear.pair.engagement import (
     require_partners,
     specific_sliding,
     tight_involute,
-    with_shift,
 )
 from dynamics_cli.gear.rounding import bare
 from dynamics_cli.gear.single.gear import Gear, require_circles
 from dynamics_cli.gear.single.limits import bisect
-from dynamics_cli.gear.single.trochoid import roll_less_arc, root
+from dynamics_cli.gear.single.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import absolute, cos
 from dynamics_cli.numerics.involute import inverse_involute, involute
 from dynamics_cli.numerics.number import like, plain
@@ -63,7 +62,7 @@ def engaged(
         shifts = total - second.shift, second.shift
     else:
         shifts = _divided(first, second, distance, angle, total, split, (mate1, mate2, tips))
-    shifted = Engagement(with_shift(first, shifts[0]), with_shift(second, shifts[1]), distance, angle, involute(angle))
+    shifted = Engagement(first.shifted(shifts[0]), second.shifted(shifts[1]), distance, angle, involute(angle))
     return _tipped(shifted, mate1, mate2, tips)
 
 
@@ -91,7 +90,7 @@ def _balanced(
     def difference(
         shift: float, gear1: Gear, gear2: Gear, a: float, alpha: float, total_x: float, mates: "tuple[Mate, Mate, str]"
     ) -> float:
-        mesh = Engagement(with_shift(gear1, shift), with_shift(gear2, total_x - shift), a, alpha, 0.0)
+        mesh = Engagement(gear1.shifted(shift), gear2.shifted(total_x - shift), a, alpha, 0.0)
         mesh, _ = _tipped(mesh, *mates, check=False)
         end = 0.5 * mesh.first.base_diameter * mesh.first.tip_roll
         start = mesh.line - 0.5 * mesh.second.base_diameter * mesh.second.tip_roll
@@ -142,7 +141,7 @@ def _require_thickness(gear: Gear, thinning: float) -> None:
     """Refuse a thinning that leaves no tooth where the involute begins; the reference circle may be elsewhere."""
     if plain(thinning) <= 0.0:
         return
-    roll = gear.roll(gear.root_diameter) if gear.internal else root(gear.cutter).roll
+    roll = gear.roll(gear.root_diameter) if gear.internal else gear.junction.roll
     most = gear.module * gear.teeth * (gear.base_half_angle - roll_less_arc(roll))
     require(
         thinning < most,
@@ -178,11 +177,11 @@ def _tipped(
         )
     gears = []
     for gear, mate in ((first, mate1), (second, mate2)):
-        tipped = with_shift(gear, gear.shift, 0.0 if change is None else change)
+        tipped = gear.shifted(gear.shift, 0.0 if change is None else change)
         if mate.tip_diameter is not None:
-            bare_tip = with_shift(gear, gear.shift).tip_diameter
+            bare_tip = gear.shifted(gear.shift).tip_diameter
             tip = -mate.tip_diameter if gear.internal else mate.tip_diameter
-            tipped = with_shift(gear, gear.shift, 0.5 * (tip - bare_tip) / gear.module)
+            tipped = gear.shifted(gear.shift, 0.5 * (tip - bare_tip) / gear.module)
         if check:
             require_circles(tipped)
             thickness = tipped.tip_thickness
@@ -197,7 +196,7 @@ def _tipped(
             _require_thickness(tipped, mate.thinning)
         point = pointed_diameter(tipped, mate.thinning)
         if point is not None and plain(point) < plain(tipped.tip_diameter):
-            tipped = with_shift(gear, gear.shift, tipped.tip_change + 0.5 * (point - tipped.tip_diameter) / gear.module)
+            tipped = gear.shifted(gear.shift, tipped.tip_change + 0.5 * (point - tipped.tip_diameter) / gear.module)
         gears.append(tipped)
     both_given = mate1.tip_diameter is not None and mate2.tip_diameter is not None
     shortened = Engagement(gears[0], gears[1], mesh.centre_distance, mesh.angle, mesh.tight)

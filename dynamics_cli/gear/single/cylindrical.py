@@ -3,16 +3,20 @@
 from math import pi
 
 from dynamics_cli.errors import require, worded
+from dynamics_cli.gear import options
 from dynamics_cli.gear.pitch import Pitch, SpurPitch, module_advice, module_of
-from dynamics_cli.gear.single.gear import Gear, Hand, Sign, signed_gear
-from dynamics_cli.gear.single.limits import LEAST_TIP, bare, least_shift, least_teeth, pointed_shift
-from dynamics_cli.gear.single.rack import FULL_DEPTH, Profile, basic_rack
+from dynamics_cli.gear.single.gear import Gear, Hand, signed_gear
+from dynamics_cli.gear.single.limits import LEAST_TIP, least_shift, least_teeth, pointed_shift
+from dynamics_cli.gear.single.rack import FULL_DEPTH, basic_rack
 from dynamics_cli.gear.single.records import GearData
-from dynamics_cli.gear.single.trochoid import root
 from dynamics_cli.numerics.elementary import absolute, atan, cos, pi_beside, sin, tan
-from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.number import over_plain, plain
 from dynamics_cli.quantities import Angle, Annotated, Ratio, Size, Teeth
 from dynamics_cli.records import Advice, Check
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 
 def spur(
@@ -21,23 +25,14 @@ def spur(
     pitch: Annotated[SpurPitch, "Size of the teeth."],
     pressure_angle: Annotated[Angle, "Pressure angle α of the rack (AGMA: φ) [rad]."] = FULL_DEPTH,
     profile_shift: Annotated[Ratio, "Profile shift factor x, in modules."] = 0.0,
-    profile: Annotated[
-        Profile, "Basic rack: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own."
-    ] = Profile("a"),  # noqa: B008
-    addendum_factor: Annotated[Ratio | None, "Addendum factor h_a*, e.g. 1."] = None,
-    dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
-    root_radius_factor: Annotated[
-        Ratio | None,
-        "Radius of the rack's corner ρ_fP*; a basic rack's radius that does not fit becomes a full round, e.g. 0.38.",
-    ] = None,
-    tip_shortening: Annotated[Size, "How much the tips are cut back, radially [m]."] = 0.0,
-    internal: Annotated[bool, "An internal gear (ring)."] = False,
-    shift_sign: Annotated[
-        Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
-    ] = Sign("iso"),  # noqa: B008
-    avoid_undercut: Annotated[
-        bool, "Choose the smallest shift, not below zero, that avoids undercut, in place of a given one."
-    ] = False,
+    profile: options.RackName = options.RACK_A,
+    addendum_factor: options.AddendumFactor = None,
+    dedendum_factor: options.DedendumFactor = None,
+    root_radius_factor: options.RackCorner = None,
+    tip_shortening: options.TipShortening = 0.0,
+    internal: options.Internal = False,
+    shift_sign: options.ShiftSign = options.ISO,
+    avoid_undercut: options.AvoidUndercut = False,
 ) -> GearData:
     """All dimensions of one spur gear from its generating rack.
 
@@ -72,18 +67,7 @@ def spur(
     >>> round(1e3 * spur(teeth=12, pitch=NormalModule(0.003)).base_diameter, 3)
     33.829
     """
-    rack = basic_rack(profile, pressure_angle, addendum_factor, dedendum_factor, root_radius_factor)
-    module = module_of(pitch, 0.0)
-    gear = signed_gear(
-        teeth,
-        module,
-        rack,
-        internal=internal,
-        sign=shift_sign,
-        shift=profile_shift,
-        tip_change=-tip_shortening / module,
-    )
-    return describe(_without_undercut(gear) if avoid_undercut else gear, pitch, None)
+    return _described(hand=None, helix_angle=0.0, transverse_pressure_angle=None, **locals())
 
 
 def helical(
@@ -91,31 +75,20 @@ def helical(
     teeth: Annotated[Teeth, "Number of teeth z (AGMA: N)."],
     pitch: Annotated[Pitch, "Size of the teeth, normal or transverse."],
     helix_angle: Annotated[Angle, "Helix angle β at the reference cylinder (AGMA: ψ), e.g. 15 deg [rad]."],
-    hand: Annotated[Hand, "Hand of the helix."] = Hand("right"),  # noqa: B008
+    hand: options.HelixHand = options.RIGHT,
     pressure_angle: Annotated[
         Angle | None, "Normal pressure angle α_n (AGMA: φ_n); 20 degrees unless one is given, e.g. 20 deg [rad]."
     ] = None,
-    transverse_pressure_angle: Annotated[
-        Angle | None, "Transverse pressure angle α_t, in place of the normal one, e.g. 20 deg [rad]."
-    ] = None,
+    transverse_pressure_angle: options.TransverseAngle = None,
     profile_shift: Annotated[Ratio, "Profile shift factor x, in normal modules."] = 0.0,
-    profile: Annotated[
-        Profile, "Basic rack: a to d of ISO 53, stub, agma-coarse, agma-fine; the factors below replace its own."
-    ] = Profile("a"),  # noqa: B008
-    addendum_factor: Annotated[Ratio | None, "Addendum factor h_a*, e.g. 1."] = None,
-    dedendum_factor: Annotated[Ratio | None, "Dedendum factor h_fP*, e.g. 1.25."] = None,
-    root_radius_factor: Annotated[
-        Ratio | None,
-        "Radius of the rack's corner ρ_fP*; a basic rack's radius that does not fit becomes a full round, e.g. 0.38.",
-    ] = None,
-    tip_shortening: Annotated[Size, "How much the tips are cut back, radially [m]."] = 0.0,
-    internal: Annotated[bool, "An internal gear (ring)."] = False,
-    shift_sign: Annotated[
-        Sign, "Sign of an internal gear's shift: iso, positive towards its tips, or outward, as KHK and JIS have it."
-    ] = Sign("iso"),  # noqa: B008
-    avoid_undercut: Annotated[
-        bool, "Choose the smallest shift, not below zero, that avoids undercut, in place of a given one."
-    ] = False,
+    profile: options.RackName = options.RACK_A,
+    addendum_factor: options.AddendumFactor = None,
+    dedendum_factor: options.DedendumFactor = None,
+    root_radius_factor: options.RackCorner = None,
+    tip_shortening: options.TipShortening = 0.0,
+    internal: options.Internal = False,
+    shift_sign: options.ShiftSign = options.ISO,
+    avoid_undercut: options.AvoidUndercut = False,
 ) -> GearData:
     """All dimensions of one helical gear from its generating rack.
 
@@ -150,28 +123,27 @@ def helical(
     >>> round(degrees(answer.transverse_pressure_angle), 5)
     22.79588
     """
-    lean = absolute(helix_angle)
-    require(
-        lean < 0.5 * pi,
-        "the helix angle is {helix_angle:6}; it must be below 90 degrees",
-        helix_angle=(helix_angle, Angle),
-        code="helix-angle",
-    )
-    angle = normal_pressure_angle(pressure_angle, transverse_pressure_angle, lean)
-    rack = basic_rack(profile, angle, addendum_factor, dedendum_factor, root_radius_factor)
-    module = module_of(pitch, lean)
-    gear = signed_gear(
-        teeth,
-        module,
-        rack,
-        internal=internal,
-        sign=shift_sign,
-        helix_angle=lean,
-        shift=profile_shift,
-        tip_change=-tip_shortening / module,
-    )
+    given = locals()
     leaning = hand if plain(helix_angle) >= 0.0 else Hand("left" if hand == "right" else "right")
-    return describe(_without_undercut(gear) if avoid_undercut else gear, pitch, leaning)
+    return _described(**{**given, "hand": leaning, "helix_angle": absolute(helix_angle)})
+
+
+def _described(hand: "Hand | None", helix_angle: float, pitch: Pitch, **given: "Any") -> GearData:
+    """All dimensions of the gear of a task's inputs, its helix angle a magnitude."""
+    module = module_of(pitch, helix_angle)
+    angle = normal_pressure_angle(given["pressure_angle"], given["transverse_pressure_angle"], helix_angle)
+    factors = given["addendum_factor"], given["dedendum_factor"], given["root_radius_factor"]
+    gear = signed_gear(
+        given["teeth"],
+        module,
+        basic_rack(given["profile"], angle, *factors),
+        internal=given["internal"],
+        sign=given["shift_sign"],
+        helix_angle=helix_angle,
+        shift=given["profile_shift"],
+        tip_change=-given["tip_shortening"] / module,
+    )
+    return describe(_without_undercut(gear) if given["avoid_undercut"] else gear, pitch, hand)
 
 
 def normal_pressure_angle(normal: float | None, transverse: float | None, helix_angle: float) -> float:
@@ -209,7 +181,7 @@ def _without_undercut(gear: Gear) -> Gear:
         code="no-shift-serves",
         hint="use more teeth, a larger pressure angle, a smaller addendum factor, or shortened tips",
     )
-    return Gear(gear.teeth, gear.module, gear.rack, gear.helix_angle, shift, gear.tip_change)
+    return gear.shifted(shift, gear.tip_change)
 
 
 def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
@@ -232,7 +204,7 @@ def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
     base_helix = gear.base_helix_angle
     normal_thickness = module * (0.5 * pi_beside(module) + 2.0 * gear.shift * tan(gear.rack.pressure_angle))
     normal_pitch = pi_beside(module) * module
-    junction = None if gear.internal else root(gear.cutter)
+    junction = None if gear.internal else gear.junction
     cos_base = cos(base_helix)
     least = None if gear.internal else least_shift(gear)
     most = None if gear.internal else pointed_shift(gear)
@@ -279,7 +251,7 @@ def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
         virtual_teeth=abs(gear.teeth) / (cos_base * cos_base * cosine) if helical_gear else None,
         equivalent_teeth=abs(gear.teeth) / (cosine * cosine * cosine) if helical_gear else None,
         least_shift=least,
-        least_teeth=None if least is None else least_teeth(bare(gear)),
+        least_teeth=None if least is None else least_teeth(over_plain(gear)),
         pointed_shift=most,
         undercut=None if junction is None else junction.undercut,
         hand=hand if tilted else None,

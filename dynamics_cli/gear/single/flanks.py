@@ -7,9 +7,9 @@ of one tooth in polar form; a whole gear repeats the chain, and the arcs between
 from math import ceil, pi
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.single.trochoid import Cutter, Root, root
+from dynamics_cli.gear.single.trochoid import Cutter, Root
 from dynamics_cli.numerics.elementary import atan, pi_beside, sqrt
-from dynamics_cli.quantities import Angle, Annotated, Size
+from dynamics_cli.quantities import Annotated, Size
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -59,94 +59,7 @@ class ToothForm:
         return self.half_base - (roll - atan(roll))
 
 
-def external_form(cutter: Cutter, module: float, tip_radius: float) -> ToothForm:
-    """Give the form of an external gear cut by a rack; refuses gears without a flank or with a pointed tip."""
-    junction = root(cutter)
-    base = cutter.base_radius * module
-    form = junction.form_radius * module
-    require(
-        form < tip_radius,
-        "the root reaches {form:9} diameter, beyond the tips at {tip_radius:9}: no involute is left",
-        form=(2.0 * form, Size),
-        tip_radius=(2.0 * tip_radius, Size),
-        code="no-flank",
-        hint="raise the profile shift",
-    )
-    shape = ToothForm(
-        teeth=cutter.teeth,
-        internal=False,
-        module=module,
-        base=base,
-        tip=tip_radius,
-        form=form,
-        root=cutter.root_radius * module,
-        half_base=pi_beside(module) / cutter.teeth - cutter.space_half_angle,
-        cutter=cutter,
-        junction=junction,
-    )
-    return _with_tip(shape)
-
-
-def internal_form(
-    teeth: int,
-    module: float,
-    *,
-    base_radius: float,
-    half_base: float,
-    tip_radius: float,
-    root_radius: float,
-    fillet: float,
-) -> ToothForm:
-    """Give the form of an internal gear whose fillet is an arc tangent to root circle and involute.
-
-    A curve at a constant distance from an involute is an involute of the same base circle, so the centre of the fillet
-    and its point on the flank are closed forms: t = √((r_f − ρ)² − r_b²)/r_b + ρ/r_b.
-    """
-    require(
-        tip_radius >= base_radius,
-        "the tips at {tip_radius:9} diameter lie inside the base circle of {base_radius:9}, where there is no involute",
-        tip_radius=(2.0 * tip_radius, Size),
-        base_radius=(2.0 * base_radius, Size),
-        code="tip-inside-base",
-        hint="raise the tip diameter, or the profile shift",
-    )
-    centre = root_radius - fillet
-    require(centre > base_radius, "a fillet of {fillet:6} does not fit", fillet=(fillet, Size), code="fillet")
-    reach = sqrt((centre - base_radius) * (centre + base_radius)) + fillet
-    form = sqrt(base_radius * base_radius + reach * reach)
-    require(
-        form > tip_radius, "a fillet of {fillet:6} is too large: no flank remains", fillet=(fillet, Size), code="fillet"
-    )
-    shape = ToothForm(
-        teeth=teeth,
-        internal=True,
-        module=module,
-        base=base_radius,
-        tip=tip_radius,
-        form=form,
-        root=root_radius,
-        half_base=half_base,
-        fillet=fillet,
-    )
-    _fillet_centre(shape)
-    return _with_tip(shape)
-
-
-def _with_tip(shape: ToothForm) -> ToothForm:
-    half = shape.half_angle(shape.roll(shape.tip))
-    if shape.internal:
-        half = pi_beside(half) / shape.teeth - half
-    require(
-        half > -_NO_LAND,
-        "the teeth are pointed below their tips: half the tip angle would be {half:6}",
-        half=(half, Angle),
-        code="pointed",
-        hint="lower the profile shift, or shorten the tips",
-    )
-    return shape
-
-
-def _fillet_centre(shape: ToothForm) -> tuple[float, float]:
+def fillet_centre(shape: ToothForm) -> tuple[float, float]:
     """Radius, and angle from the centreline of the tooth, of the fillet's centre of an internal gear."""
     centre = shape.root - shape.fillet
     ratio = centre / shape.base

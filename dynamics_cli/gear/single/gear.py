@@ -10,7 +10,7 @@ from math import pi
 from dynamics_cli.errors import require
 from dynamics_cli.gear.single.rack import BasicRack
 from dynamics_cli.gear.single.toothing import once
-from dynamics_cli.gear.single.trochoid import Cutter, transverse
+from dynamics_cli.gear.single.trochoid import Cutter, Root, root, transverse
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.numerics.number import like
@@ -117,6 +117,15 @@ class Gear:
         rack = self.rack
         return Cutter(self.teeth, rack.pressure_angle, self.helix_angle, self.shift, rack.dedendum, rack.tip_radius)
 
+    @once
+    def junction(self) -> Root:
+        """Where the trochoid of the rack's corner meets the involute; an internal gear has none."""
+        return root(self.cutter)
+
+    def shifted(self, shift: float, tip_change: float = 0.0) -> "Gear":
+        """The gear with another shift and another change of its tips."""
+        return Gear(self.teeth, self.module, self.rack, self.helix_angle, shift, tip_change)
+
     def roll(self, diameter: float) -> float:
         """Roll angle tan α_y at a diameter, √((d_y/d_b)² − 1), without cancellation near the base circle."""
         base = self.base_diameter
@@ -174,7 +183,7 @@ def signed_gear(
     tip_change: float = 0.0,
 ) -> Gear:
     """A gear from numbers in the user's convention; `tip_change` is in modules and negative shortens."""
-    require(teeth >= 1, "read {teeth} teeth, wanted at least 1", teeth=teeth, code="teeth")
+    require(teeth >= 1, "a gear needs at least 1 tooth, not {teeth}", teeth=teeth, code="teeth")
     require_number(teeth, MOST_TEETH)
     lean = absolute(helix_angle)
     require(

@@ -5,7 +5,7 @@ from math import ceil, pi
 from dynamics_cli.gear.single.gear import Gear
 from dynamics_cli.numerics.elementary import absolute, atan, cos, maximum, sin, sqrt, tan, where
 from dynamics_cli.numerics.involute import involute
-from dynamics_cli.numerics.number import is_array, like, plain
+from dynamics_cli.numerics.number import is_array, like, over_plain, plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,16 +18,6 @@ LEAST_TIP = 0.2
 ROUNDING = 1e-13
 # Newton's steps that any gear may take: six or seven are usual.
 STEPS = 60
-
-
-def bare(gear: Gear) -> Gear:
-    """The gear in plain doubles."""
-    from dynamics_cli.gear.single.rack import BasicRack
-
-    rack = BasicRack(*(plain(value) for value in gear.rack.__dict__.values()))
-    return Gear(
-        gear.teeth, plain(gear.module), rack, plain(gear.helix_angle), plain(gear.shift), plain(gear.tip_change)
-    )
 
 
 def least_shift(gear: Gear) -> float:
@@ -46,18 +36,13 @@ def least_teeth(gear: Gear) -> int:
     return max(1, ceil(2.0 * cos(gear.helix_angle) * reach / (sine * sine) * (1.0 - ROUNDING)))
 
 
-def _shifted(gear: Gear, shift: float) -> Gear:
-    return Gear(gear.teeth, gear.module, gear.rack, gear.helix_angle, shift, gear.tip_change)
-
-
 def pointed_shift(gear: Gear) -> float:
     """Profile shift factor at which the tip thickness of an external gear vanishes.
 
     A tooth whose tip is at the reference circle has a thickness there; from it the shift is bracketed upwards, and one
     Newton step in the numbers of the input carries derivatives and rounding through.
     """
-    doubles = bare(gear)
-
+    doubles = over_plain(gear)
     base, angle = doubles.base_diameter, involute(doubles.transverse_angle) + 0.5 * pi / doubles.teeth
     widening, reach = 2.0 * tan(doubles.rack.pressure_angle) / doubles.teeth, 2.0 * doubles.module
     tip = doubles.reference_diameter + reach * (doubles.rack.addendum + doubles.tip_change)
@@ -73,12 +58,12 @@ def pointed_shift(gear: Gear) -> float:
         low, high = high, 2.0 * high - low + 1.0
     # the lower end may be pointed itself when the rack is; among tracked numbers, so that rounding of its sums counts
     root: float = like(_root_left_of(high, low, half), gear.module)
-    shifted = _shifted(gear, root)
+    shifted = gear.shifted(root, gear.tip_change)
     tip = shifted.tip_diameter
     remaining = shifted.tip_thickness / tip
     slope = 2.0 * tan(doubles.rack.pressure_angle) / doubles.teeth
     slope -= 2.0 * plain(shifted.tip_roll) * doubles.module / plain(tip)
-    return root - remaining / slope
+    return root - remaining / slope  # type: ignore[no-any-return]
 
 
 def _root_left_of(start: float, least: float, function: "Callable[[float], tuple[float, float]]") -> float:

@@ -3,7 +3,7 @@
 from math import cos, pi, sin, tan
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.single.flanks import _NO_LAND, Chain, ToothForm, _fillet_centre, flank
+from dynamics_cli.gear.single.flanks import _NO_LAND, Chain, ToothForm, fillet_centre, flank
 from dynamics_cli.outlines import Arc, Line, Outline, Points, arc_about, circle
 
 TYPE_CHECKING = False
@@ -115,7 +115,7 @@ class _Marks:
         self.tip_land = tip > _NO_LAND
         self.tip_bulge = tan(0.5 * tip)
         if shape.internal:
-            self.root_angle = _fillet_centre(shape)[1]
+            self.root_angle = fillet_centre(shape)[1]
             land = pi / shape.teeth - self.root_angle
             self.fillet_radius, self.fillet_turn = _fillet_turn(shape)
         else:

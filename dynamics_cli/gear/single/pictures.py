@@ -3,14 +3,31 @@
 from math import acos, cos, pi, sin, tan
 
 from dynamics_cli.errors import InadmissibleError, worded
-from dynamics_cli.gear.section import BLACK, MOST_DRAWN, RIM, centre_lines, circle, outline_points
-from dynamics_cli.pictures import Axis, Curve, Dimension, Label, Panel, Picture, Rows
+from dynamics_cli.gear import options
+from dynamics_cli.gear.section import (
+    BLACK,
+    RIM,
+    body,
+    centre_lines,
+    circle,
+    form_of,
+    gear_items,
+    outline_points,
+    sizes,
+    turned,
+)
+from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
+from dynamics_cli.gear.single.outline import gear_outline
+from dynamics_cli.gear.single.toothing_given import GEAR, gear_of
+from dynamics_cli.pictures import Axis, Curve, Dimension, Label, Panel, Picture
 from dynamics_cli.quantities import Angle, Coordinate, Force, Module, Ratio, Size, Speed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.gear.section import Line
+    from dynamics_cli.gear.single.flanks import ToothForm
     from dynamics_cli.pictures import Style
 
     Points = tuple[list[float], list[float]]
@@ -20,6 +37,7 @@ SHOWN = 3
 # Colours of tip, reference, base and root circle.
 ROLES = (0, 1, 2, 3)
 STEPS = 96
+UPWARDS = 0.5 * pi
 # Resolution of a printed line, relative to the module.
 FINE = 2e-3
 
@@ -34,44 +52,32 @@ def gear_picture(result: "Any", *, teeth: int, internal: bool = False, **inputs:
         module=(module, Module),
         shift=(float(result.profile_shift), Ratio),
     )
+    form = form_in(teeth, internal, inputs, result)
     return Picture(
-        (
-            _whole_gear(result, teeth, internal, inputs),
-            Panel(X, Y, (Rows(_sizes(result)),)),
-            _enlarged(result, teeth, internal, inputs),
-        ),
+        (_whole_gear(result, form, internal), _sizes(result), _enlarged(result, form, teeth)),
         title,
         columns=2,
         subtitle="Transverse section; reference circle dash-dotted, base circle dotted",
     )
 
 
-def _whole_gear(result: "Any", teeth: int, internal: bool, inputs: "dict[str, Any]") -> Panel:
+def _whole_gear(result: "Any", form: "ToothForm | None", internal: bool) -> Panel:
     """The gear with its centre lines."""
-    outer = (
-        0.5 * float(result.root_diameter) + RIM * float(result.normal_module) if internal else 0.5 * result.tip_diameter
-    )
-    centre = (0.0, 0.0)
-    items: list[Any] = [*centre_lines(centre, 1.1 * float(outer))]
-    line = _outline(result, teeth, internal, teeth, inputs) if teeth <= MOST_DRAWN else None
-    if line is None:
-        items.append(circle(centre, 0.5 * float(result.tip_diameter), "", "outline", 0))
-    elif internal:
-        rim = circle(centre, float(outer), "", "solid", 0)
-        around = (*rim.x, *reversed(line[0]), rim.x[0]), (*rim.y, *reversed(line[1]), rim.y[0])
-        items += [Curve(*around, "", "fill", 0), Curve(*line, "", "outline", 0)]
+    outer = 0.5 * float(result.root_diameter if internal else result.tip_diameter)
+    outer += RIM * float(result.normal_module) if internal else 0.0
+    centre, pitch_radius = (0.0, 0.0), 0.5 * float(result.reference_diameter)
+    items = centre_lines(centre, 1.1 * outer)
+    if form is not None:
+        items += gear_items(form, centre, UPWARDS, 0, pitch_radius)
     else:
-        items.append(Curve(*line, "", "filled", 0))
-    items += [
-        circle(centre, 0.5 * float(result.reference_diameter), "", "centre", 0),
-        circle(centre, 0.5 * float(result.base_diameter), "", "dots", 0),
-    ]
+        items.append(circle(centre, 0.5 * float(result.tip_diameter), "", "outline", 0))
+        items.append(circle(centre, pitch_radius, "", "centre", 0))
     return Panel(X, Y, tuple(items), equal=True, bare=True)
 
 
-def _sizes(result: "Any") -> "tuple[tuple[str, str, str], ...]":
+def _sizes(result: "Any") -> Panel:
     """The main sizes with their symbols; sizes that the gear does not have are left out."""
-    listed = (
+    return sizes(
         ("reference diameter", "d", result.reference_diameter, Size),
         ("base diameter", "d_b", result.base_diameter, Size),
         ("tip diameter", "d_a", result.tip_diameter, Size),
@@ -82,21 +88,14 @@ def _sizes(result: "Any") -> "tuple[tuple[str, str, str], ...]":
         ("tooth depth", "h", result.tooth_depth, Size),
         ("normal tooth thickness", "s_n", result.normal_thickness, Size),
         ("tip thickness", "s_a", result.tip_thickness, Size),
+        ("undercut", "", None if result.undercut is None else "yes" if result.undercut else "no", None),
     )
-    rows: list[tuple[str, str, str]] = [
-        (name, symbol, worded("{value:6}", value=(float(value), kind)))
-        for name, symbol, value, kind in listed
-        if value is not None
-    ]
-    if result.undercut is not None:
-        rows.append(("undercut", "", "yes" if result.undercut else "no"))
-    return tuple(rows)
 
 
-def _enlarged(result: "Any", teeth: int, internal: bool, inputs: "dict[str, Any]") -> Panel:
+def _enlarged(result: "Any", form: "ToothForm | None", teeth: int) -> Panel:
     """Three teeth with their circles, each named at its end."""
     items: list[Any] = []
-    line = _outline(result, teeth, internal, SHOWN, inputs)
+    line = None if form is None else _middle_teeth(form, min(SHOWN, teeth))
     if line is not None:
         items.append(Curve(*line, "", "outline", role=BLACK))
     reach = min(1.15 * pi * SHOWN / teeth, 0.5 * pi)
@@ -144,15 +143,10 @@ def profile_picture(result: "Any", **_: "Any") -> Picture:
 
 def rack_picture(result: "Any", *, teeth: int, helix_angle: float = 0.0, **inputs: "Any") -> Picture:
     """The gear on its rack in the transverse plane, the rack below, and the main sizes."""
-    items: list[Any] = []
-    outline = _outline(result, teeth, False, teeth, {**inputs, "helix_angle": helix_angle})
+    form = form_in(teeth, False, {**inputs, "helix_angle": helix_angle}, result)
     pitch, datum = float(result.pitch), -float(result.datum_distance)
-    if outline is not None:
-        # the gear's middle tooth stands in the rack's space at x = 0
-        turn = pi + pi * (teeth - 1) / teeth
-        x = [cos(turn) * a - sin(turn) * b for a, b in zip(*outline, strict=True)]
-        y = [sin(turn) * a + cos(turn) * b for a, b in zip(*outline, strict=True)]
-        items.append(Curve((*x, x[0]), (*y, y[0]), "", "filled", 0))
+    # a tooth of the gear stands in the rack's space at x = 0
+    items: list[Any] = body(form, (0.0, 0.0), -UPWARDS, 0) if form is not None else []
     bottom = datum - 2.2 * float(result.dedendum)
     points, foot_line = _rack_line(result, pitch, datum, bottom)
     items.append(Curve(*points, "", "filled", 1))
@@ -170,26 +164,22 @@ def rack_picture(result: "Any", *, teeth: int, helix_angle: float = 0.0, **input
         Label(0.0, bottom + 0.35 * float(result.dedendum), "rack", 1),
         Dimension((0.5 * pitch, 1.5 * pitch), (foot_line,) * 2, worded("p = {size:6}", size=(pitch, Size))),
     ]
-    rows = tuple(
-        (name, symbol, worded("{value:6}", value=(float(value), kind)))
-        for name, symbol, value, kind in (
-            ("axis to datum line", "a", result.datum_distance, Size),
-            ("axis to back of the rack", "", result.mounting_distance, Size),
-            ("pitch along the travel", "p_t", result.pitch, Size),
-            ("travel in one turn", "", result.travel, Size),
-            ("tip diameter", "d_a", result.tip_diameter, Size),
-            ("reference diameter", "d", result.reference_diameter, Size),
-            ("transverse contact ratio", "ε_α", result.transverse_contact_ratio, Ratio),
-            ("speed of the rack", "v", result.rack_speed, Speed),
-            ("force along the travel", "F_t", result.tangential_force, Force),
-        )
-        if value is not None
+    table = sizes(
+        ("axis to datum line", "a", result.datum_distance, Size),
+        ("axis to back of the rack", "", result.mounting_distance, Size),
+        ("pitch along the travel", "p_t", result.pitch, Size),
+        ("travel in one turn", "", result.travel, Size),
+        ("tip diameter", "d_a", result.tip_diameter, Size),
+        ("reference diameter", "d", result.reference_diameter, Size),
+        ("transverse contact ratio", "ε_α", result.transverse_contact_ratio, Ratio),
+        ("speed of the rack", "v", result.rack_speed, Speed),
+        ("force along the travel", "F_t", result.tangential_force, Force),
     )
     title = worded("Rack and gear of {teeth} teeth, x = {shift}", teeth=teeth, shift=(_shift(inputs), Ratio))
     x_axis, y_axis = Axis("x", Coordinate, ends=(-wide, wide)), Axis("y", Coordinate, ends=(low, top))
     scene = Panel(x_axis, y_axis, tuple(items), equal=True, bare=True)
     subtitle = "Transverse section; pitch circle dash-dotted, base circle dotted"
-    return Picture((scene, Panel(X, Y, (Rows(rows),))), title, subtitle=subtitle)
+    return Picture((scene, table), title, subtitle=subtitle)
 
 
 def _shift(inputs: "dict[str, Any]") -> float:
@@ -210,60 +200,24 @@ def _rack_line(result: "Any", pitch: float, datum: float, bottom: float) -> "tup
     return ([x[0], *x, x[-1], x[0]], [bottom, *y, bottom, bottom]), datum - 1.35 * dedendum
 
 
-def _outline(result: "Any", teeth: int, internal: bool, teeth_drawn: int, inputs: "dict[str, Any]") -> "Points | None":
-    """The exact outline of some teeth about +y; None if it cannot be drawn, for example for pointed teeth."""
-    shift = inputs.get("profile_shift", 0.0)
-    shift_as_cut = getattr(result, "profile_shift", None)
-    profile = exact_profile(
-        teeth,
-        internal,
-        teeth_drawn,
-        {**inputs, "profile_shift": shift if shift_as_cut is None else float(shift_as_cut)},
-        result,
-    )
-    if profile is None:
-        return None
-    # Tooth after tooth anticlockwise from +y: rotated back by half of them, they are centred on it.
-    turn = -pi * (min(teeth_drawn, teeth) - 1) / teeth
-    x, y = outline_points(profile.drawing.outlines[0])
-    return (
-        [cos(turn) * a - sin(turn) * b for a, b in zip(x, y, strict=True)],
-        [sin(turn) * a + cos(turn) * b for a, b in zip(x, y, strict=True)],
-    )
+def _middle_teeth(form: "ToothForm", count: int) -> "Line":
+    """The line of some teeth, centred on +y."""
+    outline, _ = gear_outline(form, FINE * form.module, teeth=count)
+    return turned(outline_points(outline), -pi * (count - 1) / form.teeth)
 
 
-def exact_profile(
-    teeth: int, internal: bool, teeth_drawn: "int | None", inputs: "dict[str, Any]", result: "Any" = None
-) -> "Any":
-    """The profile of a gear from the task's inputs, in lines; None if it cannot be drawn."""
-    from dynamics_cli.gear.pitch import module_of
-    from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
-    from dynamics_cli.gear.single.profile import profile
-
+def form_in(teeth: int, internal: bool, inputs: "dict[str, Any]", result: "Any" = None) -> "ToothForm | None":
+    """The form of a task's gear, its shift and tips as a result has them; None if it cannot be drawn."""
     helix = inputs.get("helix_angle", 0.0)
-    names = ("profile", "addendum_factor", "dedendum_factor", "root_radius_factor")
-    chosen = {name: inputs[name] for name in names if inputs.get(name) is not None}
-    transverse = inputs.get("transverse_pressure_angle")
-    if transverse is not None or inputs.get("pressure_angle") is not None:
-        chosen["pressure_angle"] = normal_pressure_angle(inputs.get("pressure_angle"), transverse, helix)
-    if result is not None:
-        chosen["tip_diameter"] = float(result.tip_diameter)
-    elif inputs.get("tip_diameter") is not None:
-        chosen["tip_diameter"] = inputs["tip_diameter"]
-    if result is None and "shift_sign" in inputs:
-        chosen["shift_sign"] = inputs["shift_sign"]
+    angle = normal_pressure_angle(inputs.get("pressure_angle"), inputs.get("transverse_pressure_angle"), helix)
+    given: dict[str, Any] = {"profile": options.RACK_A, "shift_sign": options.ISO, "profile_shift": 0.0, **inputs}
+    given |= {"teeth": teeth, "internal": internal, "helix_angle": helix, "pressure_angle": angle}
+    if getattr(result, "profile_shift", None) is not None:
+        given |= {"profile_shift": float(result.profile_shift), "shift_sign": options.ISO}
+    tip = inputs.get("tip_diameter") if result is None else float(result.tip_diameter)
     try:
-        return profile(
-            teeth=teeth,
-            pitch=inputs["pitch"],
-            helix_angle=helix,
-            profile_shift=inputs["profile_shift"],
-            internal=internal,
-            only_teeth=None if teeth_drawn is None else min(teeth_drawn, teeth),
-            form="lines",  # type: ignore[arg-type]
-            tolerance=FINE * module_of(inputs["pitch"], helix),
-            **chosen,
-        )
+        gear = gear_of(**{name: given.get(name) for name in GEAR})  # type: ignore[arg-type]
+        return form_of(gear, tip, inputs.get("root_radius_factor"))
     except InadmissibleError:
         return None
 

@@ -1,17 +1,17 @@
 """The profile of a gear, an internal gear or a rack, as a drawing of ordered pieces."""
 
 from dynamics_cli.errors import require, worded
+from dynamics_cli.gear import options
 from dynamics_cli.gear.pitch import Pitch
 from dynamics_cli.gear.rounding import bare, carried, error_of, in_digits, in_many_digits, share, tighten
-from dynamics_cli.gear.single.flanks import ToothForm, external_form, internal_form
-from dynamics_cli.gear.single.gear import Sign
+from dynamics_cli.gear.single.flanks import ToothForm, fillet_centre
 from dynamics_cli.gear.single.outline import bore_outline, construction_lines, gear_outline, rack_outline
 from dynamics_cli.gear.single.rack import FULL_DEPTH
-from dynamics_cli.gear.single.rack import Profile as BasicProfile
-from dynamics_cli.gear.single.toothing_given import fillet_of, gear_of, toothing
+from dynamics_cli.gear.single.toothing_given import fillet_of, gear_inputs, gear_of, internal_form, toothing
+from dynamics_cli.numerics.elementary import pi_beside
 from dynamics_cli.numerics.tracked import UNIT_ROUNDOFF
 from dynamics_cli.outlines import Drawing
-from dynamics_cli.quantities import Angle, Annotated, Count, Ratio, Size
+from dynamics_cli.quantities import Annotated, Count, Ratio, Size
 from dynamics_cli.records import Advice, Check, Choice, Numerics, record
 
 TYPE_CHECKING = False
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
 ONE_MICROMETRE = 1e-6
 # Below this the rounding of coordinates would be part of the deviation.
-# Teeth of a rack are drawn one by one.
-ANY_TEETH = 1000
 FINEST = 1e-12
+# The gear that a rack is taken from.
+ANY_TEETH = 1000
 # A form circle's bound above this many half units in the last place is measured.
 LOOSE = 20.0
 CIRCLES = ("tip", "root", "base", "form")
@@ -36,8 +36,6 @@ class Form(Choice):
     aliases = {"arc": "arcs", "line": "lines", "polyline": "lines"}  # noqa: RUF012
 
 
-FULL = BasicProfile("a")
-ISO = Sign("iso")
 ARCS = Form("arcs")
 
 
@@ -60,41 +58,36 @@ class GearProfile:
 
 
 def tooth_form(gear: "Gear", tip_diameter: float | None, root_radius_factor: float | None) -> ToothForm:
-    """The form of a gear: cut by its rack, or with a fillet when it is internal."""
+    """The form of a gear: cut by its rack, or with a fillet when it is internal; refuses impossible teeth."""
     fillet = fillet_of(gear, root_radius_factor)
     teeth = toothing(gear, tip_diameter=tip_diameter, fillet=fillet)
+    module = gear.module
     if not gear.internal:
-        return external_form(gear.cutter, gear.module, teeth.tip)
-    return internal_form(
-        teeth.teeth,
-        teeth.module,
-        base_radius=teeth.base_radius,
-        half_base=teeth.solid_half,
-        tip_radius=teeth.tip,
-        root_radius=teeth.root,
-        fillet=fillet * teeth.module,
-    )
+        cutter, junction = gear.cutter, gear.junction
+        half = pi_beside(module) / cutter.teeth - cutter.space_half_angle
+        radii = cutter.base_radius * module, teeth.tip, junction.form_radius * module, cutter.root_radius * module
+        return ToothForm(cutter.teeth, False, module, *radii, half, cutter, junction)
+    base, size = teeth.base_radius, fillet * module
+    radii = base, teeth.tip, internal_form(base, teeth.root, size), teeth.root
+    form = ToothForm(teeth.teeth, True, module, *radii, teeth.solid_half, fillet=size)
+    fillet_centre(form)
+    return form
 
 
 def profile(
     *,
     teeth: Annotated[Count, "Number of teeth (of a rack: how many are drawn), e.g. 24."],
     pitch: Annotated[Pitch, "Module, diametral pitch or circular pitch, normal or transverse."],
-    profile: Annotated[BasicProfile, "Basic rack: a, b, c, d of ISO 53, stub, agma-coarse or agma-fine."] = FULL,
-    pressure_angle: Annotated[Angle, "Normal pressure angle [rad]."] = FULL_DEPTH,
-    helix_angle: Annotated[Angle, "Helix angle [rad]."] = 0.0,
+    profile: options.RackName = options.RACK_A,
+    pressure_angle: options.PressureAngle = FULL_DEPTH,
+    helix_angle: options.HelixAngle = 0.0,
     profile_shift: Annotated[Ratio, "Profile shift factor."] = 0.0,
-    internal: Annotated[bool, "Whether the teeth point inwards."] = False,
-    shift_sign: Annotated[
-        Sign, "Whose sign the profile shift of an internal gear has: iso (towards the tips) or outward (KHK, JIS)."
-    ] = ISO,
-    addendum_factor: Annotated[Ratio | None, "Addendum in modules, in place of the basic rack's, e.g. 1."] = None,
-    dedendum_factor: Annotated[Ratio | None, "Dedendum in modules, in place of the basic rack's, e.g. 1.25."] = None,
-    root_radius_factor: Annotated[
-        Ratio | None,
-        "Radius of the rack's corner in modules; of an internal gear's fillet (0.2 unless given), e.g. 0.38.",
-    ] = None,
-    tip_diameter: Annotated[Size | None, "Tip diameter, in place of that of the rack, e.g. 80 mm [m]."] = None,
+    internal: options.Internal = False,
+    shift_sign: options.ShiftSign = options.ISO,
+    addendum_factor: options.AddendumFactor = None,
+    dedendum_factor: options.DedendumFactor = None,
+    root_radius_factor: options.RootRadius = None,
+    tip_diameter: options.TipDiameter = None,
     rack: Annotated[bool, "Draw the rack that meshes with the gear, in its normal plane."] = False,
     only_teeth: Annotated[
         Count | None, "Draw only this many teeth, as an open outline; tooth 0 points along +y, e.g. 3."
@@ -140,31 +133,21 @@ def profile(
     >>> (drawn.pieces, drawn.deviation <= 1e-6)
     (520, True)
     """
+    given = locals()
     require(
         tolerance >= FINEST,
         "the tolerance {tolerance:3} is smaller than the rounding of the coordinates",
         tolerance=(tolerance, Size),
         code="tolerance",
     )
-    require(teeth > 0, "read {teeth} teeth, wanted at least 1", teeth=teeth, code="teeth")
+    require(teeth > 0, "a profile needs at least 1 tooth, not {teeth}", teeth=teeth, code="teeth")
     require(
         not (rack and internal), "a rack is neither internal nor external", code="rack", hint="leave out --internal"
     )
-    inputs = {
-        "teeth": ANY_TEETH if rack else teeth,
-        "pitch": pitch,
-        "profile": profile,
-        "pressure_angle": pressure_angle,
-        "addendum_factor": addendum_factor,
-        "dedendum_factor": dedendum_factor,
-        "root_radius_factor": root_radius_factor,
-        "helix_angle": helix_angle,
-        "profile_shift": 0.0 if rack else profile_shift,
-        "internal": internal,
-        "sign": shift_sign,
-    }
+    inputs = gear_inputs(given)
     if rack:
-        toothed = gear_of(**inputs)  # type: ignore[arg-type]
+        inputs |= {"teeth": ANY_TEETH, "profile_shift": 0.0}
+        toothed = gear_of(**inputs)
         cutter = toothed.cutter
         require(
             cutter.corner_offset >= 0.0,

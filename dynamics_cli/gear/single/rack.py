@@ -80,15 +80,19 @@ def basic_rack(
     return rack
 
 
-def _require_rack(rack: BasicRack) -> None:
-    angle = rack.pressure_angle
+def require_pressure_angle(angle: float) -> None:
+    """Refuse pressure angles that no rack has."""
     require(
-        angle > 0.0 and angle < 0.5 * pi,
+        (angle > 0.0) & (angle < 0.5 * pi),
         "the pressure angle {angle:6} must be above 0 and below 90 degrees",
         angle=(angle, Angle),
         code="pressure-angle",
         hint="20 deg is usual",
     )
+
+
+def _require_rack(rack: BasicRack) -> None:
+    require_pressure_angle(rack.pressure_angle)
     require(
         rack.addendum + rack.dedendum > 0.0,
         "addendum and dedendum factors add up to {depth:6}: the teeth have no height",

@@ -7,17 +7,29 @@ from dynamics_cli.gear.pitch import module_of
 from dynamics_cli.gear.single.gear import MOST_FOLLOWED, Gear, require_number, signed_gear
 from dynamics_cli.gear.single.rack import basic_rack
 from dynamics_cli.gear.single.toothing import Toothing
-from dynamics_cli.gear.single.trochoid import roll_less_arc, root
+from dynamics_cli.gear.single.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import absolute, sqrt
 from dynamics_cli.quantities import Angle, Size
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from dynamics_cli.gear.pitch import Pitch
 
 # Default fillet of an internal gear in modules: that of most pinion cutters, which fits most spaces.
 INTERNAL_FILLET = 0.2
 STEEPEST = 84.0 * pi / 180.0
+# What `gear_of` needs to know, as the tasks call it.
+GEAR = (
+    "teeth", "pitch", "profile", "pressure_angle", "addendum_factor", "dedendum_factor", "root_radius_factor",
+    "helix_angle", "profile_shift", "internal", "shift_sign",
+)  # fmt: skip
+
+
+def gear_inputs(given: "dict[str, Any]") -> "dict[str, Any]":
+    """Those of a task's inputs that describe the gear."""
+    return {name: given[name] for name in GEAR}
 
 
 def gear_of(
@@ -32,10 +44,10 @@ def gear_of(
     helix_angle: float,
     profile_shift: float,
     internal: bool,
-    sign: str,
+    shift_sign: str,
 ) -> Gear:
     """The gear of the inputs, in ISO's signs; refuses an impossible gear."""
-    require(teeth >= 3, "a gear needs at least 3 teeth here, not {teeth}", teeth=teeth, code="teeth")
+    require(teeth >= 3, "a gear needs at least 3 teeth, not {teeth}", teeth=teeth, code="teeth")
     require_number(teeth, MOST_FOLLOWED)
     require(
         (pressure_angle > 0.01) & (pressure_angle < 0.25 * pi),
@@ -57,7 +69,7 @@ def gear_of(
         module_of(pitch, helix_angle),
         rack,
         internal=internal,
-        sign=sign,
+        sign=shift_sign,
         helix_angle=helix_angle,
         shift=profile_shift,
     )
@@ -106,9 +118,9 @@ def toothing(gear: Gear, *, tip_diameter: float | None = None, fillet: float = I
     if tip_diameter is not None:
         own_tip = 0.5 * tip_diameter
     if gear.internal:
-        form = _internal_form(0.5 * absolute(gear.base_diameter), own_root, fillet * gear.module)
+        form = internal_form(0.5 * absolute(gear.base_diameter), own_root, fillet * gear.module)
     else:
-        form = root(gear.cutter).form_radius * gear.module
+        form = gear.junction.form_radius * gear.module
     teeth_of_gear = Toothing(
         abs(gear.teeth),
         gear.internal,
@@ -157,7 +169,7 @@ def require_teeth(gear: Toothing, form: float) -> None:
     )
 
 
-def _internal_form(base: float, root_circle: float, fillet: float) -> float:
+def internal_form(base: float, root_circle: float, fillet: float) -> float:
     """Where a fillet tangent to root circle and involute ends."""
     centre = root_circle - fillet
     require(centre > base, "a root radius of {fillet:6} does not fit", fillet=(fillet, Size), code="root-radius")

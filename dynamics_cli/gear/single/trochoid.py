@@ -9,9 +9,8 @@ when that normal passes through the pitch point.
 from math import pi
 
 from dynamics_cli.errors import require
-from dynamics_cli.gear.rounding import bare
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, maximum, pi_beside, sin, sqrt, tan
-from dynamics_cli.numerics.number import like
+from dynamics_cli.numerics.number import like, over_plain
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.quantities import Annotated, Ratio
 from dynamics_cli.records import record
@@ -148,10 +147,11 @@ def root(cutter: Cutter) -> Root:
     if margin >= 0.0:
         base = cutter.base_radius
         return Root(sqrt(base * base + margin * margin), margin / base, False, cutter.transverse_angle, margin)
-    delta = like(_meeting(curve), margin)
+    corner = _Corner(over_plain(cutter))
+    place = _meeting(corner)
     # One Newton step in the numbers of the input carries their derivatives and rounding bounds through the root.
-    corner = _Corner(_bare(cutter))
-    start = Tracked.inputs([bare(delta)])[0]
+    delta = like(place, margin)
+    start = Tracked.inputs([place])[0]
     slope = corner.residual(start).slopes[0]  # type: ignore[arg-type, attr-defined]
     step = curve.residual(delta) / slope
     # R along the trochoid, so that both parts take the same step
@@ -171,7 +171,7 @@ def _require_rack(cutter: Cutter) -> None:
     )
     require(
         cutter.root_radius > 0.0,
-        "the root would be {root_radius:6} modules beyond the gear's centre",
+        "the root would reach {root_radius:6} modules beyond the centre of the gear",
         root_radius=(-cutter.root_radius, Ratio),
         code="no-root",
         hint="raise the profile shift or the number of teeth",
@@ -237,23 +237,11 @@ class _Corner:
 
 
 def _meeting(curve: _Corner) -> float:
-    """δ at the junction in plain numbers, between the trochoid's start and its crossing of the base circle."""
-    plain = _plain_corner(curve)
-    base = _bracketed(lambda delta: -plain.roll_squared(delta), 0.5 * pi - plain.angle)
-    if plain.residual(base) <= 0.0:
+    """δ at the junction in doubles, between the trochoid's start and its crossing of the base circle."""
+    base = _bracketed(lambda delta: -curve.roll_squared(delta), 0.5 * pi - curve.angle)
+    if curve.residual(base) <= 0.0:
         return base  # the two differ by a rounding
-    return _bracketed(plain.residual, base)
-
-
-def _bare(cutter: Cutter) -> Cutter:
-    """The cutter in plain doubles."""
-    return Cutter(*(getattr(value, "value", value) for value in cutter.__dict__.values()))
-
-
-def _plain_corner(curve: _Corner) -> _Corner:
-    plain = _Corner.__new__(_Corner)
-    plain.__dict__.update({name: getattr(value, "value", value) for name, value in curve.__dict__.items()})
-    return plain
+    return _bracketed(curve.residual, base)
 
 
 def _bracketed(f: "Callable[[float], float]", high: float) -> float:
@@ -282,16 +270,3 @@ def _bracketed(f: "Callable[[float], float]", high: float) -> float:
         least = 2e-16 * abs(best) / abs(b - a)
         fraction = min(max(fraction, least), 1.0 - least)
     return a if abs(fa) < abs(fb) else b
-
-
-def trochoid_point(cutter: Cutter, theta: float) -> tuple[float, float]:
-    """Radius (in modules) and half angle from the centreline of the tooth space of the trochoid's point θ."""
-    sine, cosine = sin(theta), cos(theta)
-    radius, excess = cutter.pitch_radius, cutter.stretch * cutter.stretch - 1.0
-    widening = sqrt(1.0 + excess * cosine * cosine)
-    depth = cutter.corner_depth + cutter.tip_radius * sine / widening
-    xi = radius * sine - depth / sine
-    across = radius * cosine
-    travel = cutter.corner_depth * cosine / sine - cutter.corner_offset - cutter.tip_radius * excess * cosine / widening
-    turned = theta - atan2(xi, across)
-    return sqrt(across * across + xi * xi), turned - travel / radius

@@ -2,8 +2,9 @@
 
 from math import cos, pi, sin
 
-from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.gear.section import BLACK, RIM, circle, gear_items
+from dynamics_cli.gear.section import BLACK, RIM, circle, form_of, gear_items
+from dynamics_cli.gear.single.gear import Gear
+from dynamics_cli.gear.single.rack import BasicRack
 from dynamics_cli.gear.trains.planets import place_angle
 from dynamics_cli.gear.trains.scene import Planetary, Stages
 from dynamics_cli.pictures import Axis, Bars, Curve, Label, Panel, Picture
@@ -46,15 +47,8 @@ def train_picture(result: "TrainMotion", *, arrangement: "Any", **_: "Any") -> P
 
 def _gear(teeth: int, at: "Place", tooth: float, role: int, *, internal: bool = False) -> "list[Curve]":
     """A gear of module 1 cut by the standard rack; its pitch circle where no such gear exists."""
-    from dynamics_cli.gear.single.gear import Gear
-    from dynamics_cli.gear.single.profile import tooth_form
-    from dynamics_cli.gear.single.rack import FULL_DEPTH, basic_rack
-
-    gear = Gear(-teeth if internal else teeth, 1.0, basic_rack("a", FULL_DEPTH))
-    try:
-        return gear_items(tooth_form(gear, None, None), at, tooth, role, 0.5 * teeth)
-    except InadmissibleError:
-        return [circle(at, 0.5 * teeth, "", "centre", role)]
+    form = form_of(Gear(-teeth if internal else teeth, 1.0, BasicRack()))
+    return gear_items(form, at, tooth, role, 0.5 * teeth) if form else [circle(at, 0.5 * teeth, "", "centre", role)]
 
 
 def _mate(teeth: int, tooth: float, other: int, towards: float, *, internal: bool = False) -> float:

@@ -23,7 +23,7 @@ from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.gear.trains.ratio_search import Train
+    from dynamics_cli.gear.trains.ratio_limits import Train
     from dynamics_cli.numerics.exact.rational import Pair
 
 
@@ -114,7 +114,7 @@ def ratio(
     require(
         top * bottom > 0, "no tooth numbers give a ratio of {target:6}", target=(nearest(target), Ratio), code="ratio"
     )
-    require(1 <= stages <= 4, "a search over {stages} stages is not offered: 1 to 4", stages=stages, code="stages")
+    require(1 <= stages <= 4, "a train has 1 to 4 stages here, not {stages}", stages=stages, code="stages")
     require(count > 0, "the number of trains to show is zero", code="count")
     reach = drivers[0] + driven[0], drivers[-1] + driven[-1]
     sums = _sums(tooth_sum, centre_distance, module, distance_tolerance, reach)
@@ -166,7 +166,7 @@ def _sums(
 ) -> range | None:
     """The tooth sums a pair may have."""
     if distance is None:
-        require(tolerance is None, "a tolerance without a centre distance", code="centre-distance")
+        require(tolerance is None, "the distance tolerance needs the centre distance", code="centre-distance")
         return None if tooth_sum is None else range(tooth_sum, tooth_sum + 1)
     require(tooth_sum is None, "give the tooth sum or the centre distance, not both", code="tooth-sum")
     require_given(module is not None, "a centre distance needs the module", ("module",), code="module")

@@ -20,12 +20,9 @@ from dynamics_cli.numerics.exact.rational import lowest, nearest
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from typing import TypeAlias
 
+    from dynamics_cli.gear.trains.ratio_limits import Stage, Train
     from dynamics_cli.numerics.exact.rational import Pair
-
-    Stage: TypeAlias = tuple[int, int]
-    Train: TypeAlias = tuple[Stage, ...]
 
 
 class Pairs:

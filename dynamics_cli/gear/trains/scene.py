@@ -115,8 +115,10 @@ class Planetary:
                 "(ring − sun)/2 = {difference}/2 is not whole: sun and ring do not determine the planet",
                 difference=self.ring - self.sun,
                 planet=(self.ring - self.sun) // 2,
+                less=self.ring - 1,
+                more=self.ring + 1,
                 code="planet",
-                hint="give --planet {planet} and shift the profiles, or change one gear",
+                hint="take a ring of {less} or {more} teeth, or give --planet {planet} and shift the profiles",
             )
             half = (self.ring - self.sun) // 2
             return half, half

@@ -3,8 +3,8 @@
 from math import acos, cos, degrees, pi, sin
 
 from dynamics_cli.errors import worded
-from dynamics_cli.gear.section import BLACK, centre_lines, circle
-from dynamics_cli.pictures import Axis, Curve, Dimension, Label, Mark, Panel, Picture, Rows
+from dynamics_cli.gear.section import BLACK, centre_lines, circle, sizes
+from dynamics_cli.pictures import Axis, Curve, Dimension, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import Angle, Coordinate, Force, Ratio, ShaftSpeed, Size, Speed, Torque
 
 TYPE_CHECKING = False
@@ -40,21 +40,17 @@ def wheels(
     items.append(Dimension((0.0, distance), (low, low), worded("a = {size:6}", size=(distance, Size))))
     if drive.endswith("belt"):
         items.append(_belt(radii, distance, crossed=drive == "crossed-belt"))
-    rows = [
-        (name, symbol, worded("{value:6}", value=(float(value), kind)))
-        for name, symbol, value, kind in (
-            ("ratio", "i", result.ratio, Ratio),
-            ("speed of the driven wheel", "n_2", result.second_speed, ShaftSpeed),
-            ("rim speed", "v", result.rim_speed, Speed),
-            ("belt length", "L", result.belt_length, Size),
-            ("wrap of the driver", "θ_1", result.first_wrap, Angle),
-            ("tight side", "F_1", result.tight_tension, Force),
-            ("slack side", "F_2", result.slack_tension, Force),
-            ("force that presses them together", "F_n", result.normal_force, Force),
-            ("torque on the driven wheel", "T_2", result.second_torque, Torque),
-        )
-        if value is not None
-    ]
+    table = sizes(
+        ("ratio", "i", result.ratio, Ratio),
+        ("speed of the driven wheel", "n_2", result.second_speed, ShaftSpeed),
+        ("rim speed", "v", result.rim_speed, Speed),
+        ("belt length", "L", result.belt_length, Size),
+        ("wrap of the driver", "θ_1", result.first_wrap, Angle),
+        ("tight side", "F_1", result.tight_tension, Force),
+        ("slack side", "F_2", result.slack_tension, Force),
+        ("force that presses them together", "F_n", result.normal_force, Force),
+        ("torque on the driven wheel", "T_2", result.second_torque, Torque),
+    )
     titles = {
         "external": "Friction wheels",
         "internal": "Friction wheels, one inside the other",
@@ -67,7 +63,7 @@ def wheels(
     if all(wrap is not None for wrap in wraps):
         subtitle += "; the belt wraps " + " and ".join(f"{degrees(float(wrap)):.4g}°" for wrap in wraps)
     scene = Panel(X, Y, tuple(items), equal=True, bare=True)
-    return Picture((scene, Panel(X, Y, (Rows(tuple(rows)),))), ratio, subtitle=subtitle)
+    return Picture((scene, table), ratio, subtitle=subtitle)
 
 
 def _belt(radii: "tuple[float, float]", distance: float, *, crossed: bool) -> Curve:

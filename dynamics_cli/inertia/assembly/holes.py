@@ -1,10 +1,9 @@
 """Plausibility of holes: inside their bodies, and with a density that a body has."""
 
-from dynamics_cli.inertia.bodies.mass_moments import times
 from dynamics_cli.inertia.shapes.wires import wires
 from dynamics_cli.numerics.number import is_tracked, plain
 from dynamics_cli.numerics.orientation.rotations import transposed
-from dynamics_cli.numerics.vectors import add, subtract
+from dynamics_cli.numerics.vectors import add, subtract, times
 from dynamics_cli.records import Advice, over_parts
 
 TYPE_CHECKING = False

@@ -2,13 +2,13 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.amount import Amount, OfMass, mass_of
-from dynamics_cli.inertia.bodies.mass_moments import NOTHING, Lump, second_of, times
+from dynamics_cli.inertia.bodies.mass_moments import NOTHING, Lump, second_of
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.shapes import Shape
 from dynamics_cli.inertia.tensors.tensor import require_tensor
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, Turn, matrix_of, product
-from dynamics_cli.numerics.vectors import add
+from dynamics_cli.numerics.vectors import add, times
 from dynamics_cli.quantities import Annotated, InertiaTensor, InputFile, Mass, PartPosition, Text
 from dynamics_cli.records import over_parts, record
 

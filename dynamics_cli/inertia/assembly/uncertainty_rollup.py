@@ -1,7 +1,7 @@
 """Standard uncertainties of measured parts rolled up to the assembly, in first order and for independent parts."""
 
 from dynamics_cli.inertia.bodies.records import Deviation
-from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.number import over_plain, plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, product
 from dynamics_cli.numerics.vectors import subtract
 
@@ -41,7 +41,7 @@ def deviation(assembly: "Composed") -> Deviation | None:
         for k in range(3):
             centroid[k] += (away[k] / total * sigma) ** 2 + fraction * fraction * along[k][k]
         _add(about_axes, leaf, piece, away, along, IDENTITY)
-        _add(about_principal, leaf, piece, away, along, _bare(assembly.spread.axes))
+        _add(about_principal, leaf, piece, away, along, over_plain(assembly.spread.axes))
     roots = [x**0.5 for x in about_axes]
     return Deviation(
         mass=mass_variance**0.5,
@@ -52,15 +52,11 @@ def deviation(assembly: "Composed") -> Deviation | None:
     )
 
 
-def _bare(matrix: "Matrix") -> "Matrix":
-    return tuple(tuple(plain(x) for x in row) for row in matrix)  # type: ignore[return-value]
-
-
 def _centroid_variances(leaf: "Leaf") -> "list[list[float]]":
     """Covariance of a part's mass centre in the assembly's axes."""
     if leaf.part.centroid_std is None:
         return [[0.0] * 3 for _ in range(3)]
-    r = _bare(leaf.rotation)
+    r = over_plain(leaf.rotation)
     variances = [plain(x) ** 2 for x in leaf.part.centroid_std]
     return [[sum(r[i][k] * variances[k] * r[j][k] for k in range(3)) for j in range(3)] for i in range(3)]
 
@@ -75,7 +71,7 @@ def _add(
 ) -> None:
     """Add a part's variances of the six elements of the tensor in axes that are the rows of `frame`."""
     d = [sum(frame[i][k] * away[k] for k in range(3)) for i in range(3)]
-    rotation = _bare(product(frame, leaf.rotation))
+    rotation = over_plain(product(frame, leaf.rotation))
     cov = [
         [sum(frame[i][p] * centroid[p][q] * frame[j][q] for p in range(3) for q in range(3)) for j in range(3)]
         for i in range(3)
@@ -101,7 +97,7 @@ def _per_mass(leaf: "Leaf", rotation: "Matrix") -> "list[float]":
     from dynamics_cli.inertia.bodies.mass_moments import tensor_of, turned
 
     mass = plain(leaf.lump.mass)
-    tensor = tensor_of(turned(_bare(leaf.lump.second), rotation))
+    tensor = tensor_of(turned(over_plain(leaf.lump.second), rotation))
     return [tensor[i][j] / mass for i, j in PAIRS]
 
 

@@ -9,7 +9,6 @@ from dynamics_cli.inertia.bodies.mass_moments import (
     each,
     outer,
     scaled,
-    times,
     turned,
 )
 from dynamics_cli.inertia.bodies.principal import principal
@@ -24,7 +23,7 @@ from dynamics_cli.inertia.bodies.principal_tracked import (
 )
 from dynamics_cli.numerics.number import is_tracked, plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, departure, product
-from dynamics_cli.numerics.vectors import add, subtract
+from dynamics_cli.numerics.vectors import add, subtract, times
 from dynamics_cli.quantities import Inertia, Mass
 
 TYPE_CHECKING = False

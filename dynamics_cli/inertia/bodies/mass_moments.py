@@ -69,11 +69,6 @@ def each(change: "Callable[[float], float]", v: "tuple[float, ...]") -> "Vector"
     return change(a), change(b), change(c)
 
 
-def times(matrix: "Matrix", vector: "Vector") -> "Vector":
-    """A matrix applied to a vector."""
-    return tuple(row[0] * vector[0] + row[1] * vector[1] + row[2] * vector[2] for row in matrix)  # type: ignore[return-value]
-
-
 def turned(second: "Matrix", rotation: "Matrix") -> "Matrix":
     """R S Rᵀ: second moments in axes from which the body's are rotated by `rotation`, exactly symmetric."""
     if rotation is IDENTITY:

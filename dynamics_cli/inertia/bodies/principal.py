@@ -3,6 +3,7 @@
 from dynamics_cli.numerics.eigen3.jacobi import UNIT_ROUNDOFF, eigen
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, product
+from dynamics_cli.numerics.vectors import cross
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -106,7 +107,7 @@ def _axes(vectors: "Matrix", upper: bool, lower: bool, *, beyond: bool) -> "tupl
         second, third = _across(first)
         return (first, second, third), f"{_LAST_TWO}: {why}"
     first, second = _positive(vectors[0]), _positive(vectors[1])
-    return (first, second, _cross(first, second)), "none: the principal moments are different"
+    return (first, second, _without_minus_zeros(cross(first, second))), "none: the principal moments are different"
 
 
 def _positive(v: "Vector") -> "Vector":
@@ -121,13 +122,8 @@ def _across(u: "Vector") -> "tuple[Vector, Vector]":
     along = tuple((1.0 if i == k else 0.0) - u[k] * u[i] for i in range(3))
     length = sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2])
     first = (along[0] / length, along[1] / length, along[2] / length)
-    return first, _cross(u, first)
+    return first, _without_minus_zeros(cross(u, first))
 
 
-def _cross(a: "Vector", b: "Vector") -> "Vector":
-    """The cross product, without minus zeros."""
-    return (
-        a[1] * b[2] - a[2] * b[1] + 0.0,
-        a[2] * b[0] - a[0] * b[2] + 0.0,
-        a[0] * b[1] - a[1] * b[0] + 0.0,
-    )
+def _without_minus_zeros(v: "Vector") -> "Vector":
+    return v[0] + 0.0, v[1] + 0.0, v[2] + 0.0

@@ -3,7 +3,6 @@
 from math import lcm
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.exact.typed import TypedNumber
 from dynamics_cli.quantities import Annotated, SectionCoordinate, SectionSize
 from dynamics_cli.records import record
 
@@ -153,12 +152,3 @@ def _ends(middle: "Ratio", width: "Ratio") -> "tuple[tuple[Ratio, Ratio], tuple[
     """Where a width about a middle begins and ends."""
     up, down = _half(width)
     return (middle, (-up, down)), (middle, (up, down))
-
-
-def all_typed(polygon: "tuple[float, ...]", shapes: "tuple[Piece | Hole, ...]") -> bool:
-    """Whether every number is the decimal as typed, not a rounded double."""
-    numbers = [*polygon, *(part for shape in shapes for part in shape.polygon)]
-    numbers += [
-        part for shape in shapes for part in (shape.diameter, shape.width, shape.height, shape.x, shape.y) if part
-    ]
-    return all(isinstance(number, TypedNumber) or not number for number in numbers)

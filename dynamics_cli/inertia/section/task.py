@@ -4,8 +4,7 @@ from math import atan2, fsum, hypot, pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.principal_tracked import SHOWN
-from dynamics_cli.inertia.section import reading
-from dynamics_cli.inertia.section.contours import Hole, Piece, all_typed, contours
+from dynamics_cli.inertia.section.contours import Hole, Piece, contours
 from dynamics_cli.inertia.section.integrals import Integrals, direction, principal, root
 from dynamics_cli.inertia.section.results import Gyration, Moduli, PlaneMoments, PrincipalPlane, SectionProperties
 from dynamics_cli.inertia.section.simple import require_sound
@@ -21,7 +20,7 @@ UNIT_ROUNDOFF = 2.0**-53
 EQUAL = 8.0 * 2.0**-52
 # Second moments of anything smaller would leave the range of a double.
 SMALLEST = 1e-140
-METHOD = "exact rational arithmetic of the coordinates as {given}, rounded once"
+METHOD = "exact rational arithmetic of the coordinates as typed, rounded once"
 
 
 @record
@@ -56,11 +55,10 @@ def section(
     the area properties. Raises InadmissibleError when contours cross themselves or one another, a hole is outside its
     material, pieces overlap, or the area is zero.
 
-    Coordinates are the typed decimals in their unit; doubles are taken as exact ratios, and the effect of their
-    rounding is stated with the bounds and warned of far from the origin. All integrals over polygons are formed in
-    exact ratios and rounded once (π is cut after 100 decimals), so that a section far from the origin, or very thin,
-    loses no digits. The polar second moment is the torsion constant of round sections only; of open thin sections it is
-    larger by orders of magnitude.
+    Coordinates are the typed decimals in their unit; doubles are taken as exact ratios. All integrals over polygons are
+    formed in exact ratios and rounded once (π is cut after 100 decimals), so that a section far from the origin, or
+    very thin, loses no digits. The polar second moment is the torsion constant of round sections only; of open thin
+    sections it is larger by orders of magnitude.
 
     Equation
     --------
@@ -86,16 +84,15 @@ def section(
     require(sums.area > 0, "the holes leave no material", code="no-area")
     up, down = sums.moment(sums.area, 2)
     require(up / down > SMALLEST, "an area of {area} is out of range", code="range", area=(up / down, Area))
-    return _Report(shapes, sums, typed=all_typed(polygon, (*pieces, *holes))).made()
+    return _Report(shapes, sums).made()
 
 
 class _Report:
     """Numbers of a section, each rounded from its exact ratio."""
 
-    def __init__(self, shapes: "list[Contour]", sums: Integrals, *, typed: bool) -> None:
+    def __init__(self, shapes: "list[Contour]", sums: Integrals) -> None:
         self.found = shapes
         self.sums = sums
-        self.typed = typed
         self.unit = sums.unit
         self.centroid = (sums.x, sums.area * self.unit), (sums.y, sums.area * self.unit)
 
@@ -111,18 +108,12 @@ class _Report:
         angle = 0.0 if equal else _angle(ix, iy, ixy)
         area = sums.moment(sums.area, 2)
         origin_moments = [sums.moment(part, 4) for part in (sums.yy, sums.xx, sums.xy, sums.yy + sums.xx)]
-        values = {
-            "area": area[0] / area[1], "centroidal.ix": ix / scale, "centroidal.iy": iy / scale,
-            "centroidal.polar": (ix + iy) / scale, "principal.i1": i1, "principal.i2": i2,
-        }  # fmt: skip
-        middle = self.centroid[0][0] / self.centroid[0][1], self.centroid[1][0] / self.centroid[1][1]
-        rounding = () if self.typed else reading.conditions(self.found, self.unit, middle, values)
         corners = sum(len(contour.corners) for contour in self.found if not contour.diameter)
         return SectionProperties(
-            area=values["area"],
+            area=area[0] / area[1],
             perimeter=self._perimeter(),
-            x=middle[0],
-            y=middle[1],
+            x=self.centroid[0][0] / self.centroid[0][1],
+            y=self.centroid[1][0] / self.centroid[1][1],
             centroidal=PlaneMoments(ix / scale, iy / scale, ixy / scale, (ix + iy) / scale),
             about_origin=PlaneMoments(*(up / down for up, down in origin_moments)),
             principal=PrincipalPlane(
@@ -138,8 +129,8 @@ class _Report:
             ),
             moduli=self._moduli((ix, scale), (iy, scale), first, second, (1, 0) if equal else direction(ix, iy, ixy)),
             corners=corners,
-            advice=_advice(self.found) + reading.advice(rounding),
-            numerics=Numerics(METHOD.format(given="typed" if self.typed else "doubles"), tuple(_bounds()), rounding),
+            advice=_advice(self.found),
+            numerics=Numerics(METHOD, tuple(_bounds())),
         )
 
     def _perimeter(self) -> float:

@@ -1,9 +1,9 @@
 """Inertia force and torque of a moving rigid body: d'Alembert's addition to the applied forces."""
 
 from dynamics_cli.errors import require_given
-from dynamics_cli.inertia.bodies.mass_moments import minus, times
+from dynamics_cli.inertia.bodies.mass_moments import minus
 from dynamics_cli.numerics.elementary import hypot
-from dynamics_cli.numerics.vectors import add
+from dynamics_cli.numerics.vectors import add, times
 from dynamics_cli.quantities import (
     AccelerationVector,
     AngularAccelerationVector,

@@ -19,6 +19,7 @@ DIFFERENCES = (Method("central differences of the lift", "peers.cam.laws:differe
 
 
 METHODS: dict[str, tuple[Method, ...]] = {
+    "convert": (Method("pint", "peers.convert:by_pint", needs="pint"),),
     "coords, cartesian to spherical": (Method("asin(r/rho)", "peers.coords:arc_sine_spherical"),),
     "skid vault, least speed over all angles": (
         Method("golden sections over the angle", "peers.skid:least_vault_by_search"),
@@ -33,11 +34,10 @@ METHODS: dict[str, tuple[Method, ...]] = {
     "mesh moments, 32,768 triangles": MESHES + MESH_LIBRARIES,
     "mesh moments, faces that overlap": MESHES,
     "shell moments": MESHES[:1],
-    "cam law, by its peak": (
+    "cam law": (
         *DIFFERENCES,
         Method("mechanism, a table of the turn", "peers.cam.laws:by_mechanism", needs="mechanism"),
     ),
-    "cam law, relative": DIFFERENCES,
     "cam motion": (Method("angles turned into degrees", "peers.cam.motions:by_degrees"),),
     "cam points": (Method("along the radius", "peers.cam.points:by_radius"),),
     "inverse involute": (

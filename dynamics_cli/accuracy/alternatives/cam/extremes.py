@@ -1,13 +1,10 @@
 """Extremes and points of a cam: Chebyshev proxies and the exact envelope, beside samples and differences."""
 
-from dynamics_cli.accuracy.alternatives.cam.sampling import refined, sampled
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from dynamics_cli.accuracy.alternatives.cam.sampling import Curves, Extremes
     from dynamics_cli.accuracy.cases import Case
     from dynamics_cli.accuracy.comparing import Comparing
     from dynamics_cli.accuracy.measure import Errors
@@ -25,6 +22,8 @@ PRESSURE = ("largest_pressure_angle", "least_pressure_angle")
 CONVEX = "least_convex_radius"
 POINTS = 16
 STEP = 1.7453292519943296e-3
+# A table of one turn by whole degrees.
+SAMPLES = 360
 
 
 def _given(case: "Case") -> "tuple[Geometry, Any]":
@@ -54,22 +53,21 @@ def by_proxies(geometry: "Geometry", motion: "Any") -> "Stated":
     return results | {CONVEX: (convex(geometry, analysis)[0], radii.get(CONVEX))}
 
 
-def by_samples(search: "Callable[[Curves, Any], Extremes]") -> "Method":
-    """The pressure angle, and what is greatest where the cam is sharpest."""
+def by_samples(geometry: "Geometry", motion: "Any") -> "Stated":
+    """The pressure angle in a table of a turn, and what is greatest there where the cam is sharpest."""
+    import numpy as np
 
-    def answer(geometry: "Geometry", motion: "Any") -> "Stated":
-        def curves(*moved: "Any") -> "dict[str, Any]":
-            touch = geometry.touch(*moved)
-            return {"angle": touch.pressure_angle, "sharp": touch.curvature if touch.radius is None else -touch.radius}
-
-        extremes = search(curves, motion)
-        (least, largest), sharp = extremes["angle"], extremes["sharp"][1]
-        radius = -sharp if geometry.flat else None
-        if not geometry.flat and sharp > 0.0:
-            radius = 1.0 / sharp - geometry.side * geometry.roller
-        return {PRESSURE[0]: (largest, None), PRESSURE[1]: (least, None), CONVEX: (radius, None)}
-
-    return answer
+    touch = geometry.touch(*motion.at(np.arange(SAMPLES) * (2.0 * np.pi / SAMPLES), 2))
+    angle = touch.pressure_angle
+    sharp = float(np.max(touch.curvature if touch.radius is None else -touch.radius))
+    radius = -sharp if geometry.flat else None
+    if not geometry.flat and sharp > 0.0:
+        radius = 1.0 / sharp - geometry.side * geometry.roller
+    return {
+        PRESSURE[0]: (float(np.max(angle)), None),
+        PRESSURE[1]: (float(np.min(angle)), None),
+        CONVEX: (radius, None),
+    }
 
 
 def _compared(
@@ -90,9 +88,8 @@ def _compared(
 def compare(comparing: "Comparing") -> "list[Row]":
     """Extremes of the pressure angle and the least radius of the convex cam, on every cam of the references."""
     return _compared(
-        comparing, _count_extremes, ("Chebyshev proxies (chosen)", by_proxies), ("360 samples", by_samples(sampled)),
-        ("64 steps a zone and golden sections", by_samples(refined)),
-    )  # fmt: skip
+        comparing, _count_extremes, ("Chebyshev proxies (chosen)", by_proxies), ("360 samples", by_samples)
+    )
 
 
 def _count_extremes(errors: "Errors", case: "Case", geometry: "Geometry", results: "Stated") -> None:

@@ -1,7 +1,6 @@
-"""Laws, polynomials and whole motions: folded, exact at joints and both ends, beside one formula in doubles."""
+"""Laws, polynomials and whole motions: folded, exact at joints and both ends."""
 
 from decimal import Decimal
-from math import cos, pi, sin
 
 from dynamics_cli.accuracy.measure import DIGITS
 
@@ -19,30 +18,11 @@ if TYPE_CHECKING:
     Values = tuple[float, ...]
     Call = Callable[[], Values]
     # Its values at most, which errors are shares of; and what the program states of its own.
-    Sizes = Callable[[Case], Sequence[float]] | None
+    Sizes = Callable[[Case], Sequence[float]]
 
 FILE = "cam_motion.json"
 UNIT = 2.0**-53
 NAMES = ("lift", "velocity", "acceleration", "jerk")
-# The law's powers of x, and its waves a·sin kx and b·cos kx, as textbooks print them.
-POWERS: "dict[str, tuple[float, ...]]" = {
-    "linear": (0.0, 1.0),
-    "cubic": (0.0, 0.0, 3.0, -2.0),
-    "3-4-5": (0.0, 0.0, 0.0, 10.0, -15.0, 6.0),
-    "4-5-6-7": (0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0),
-    "5-6-7-8-9": (0.0, 0.0, 0.0, 0.0, 0.0, 126.0, -420.0, 540.0, -315.0, 70.0),
-}
-WAVES: "dict[str, tuple[tuple[float, ...], tuple[tuple[float, float], ...], tuple[tuple[float, float], ...]]]" = {
-    "harmonic": ((0.5,), (), ((-0.5, pi),)),
-    "double-harmonic": ((0.375,), (), ((-0.5, pi), (0.125, 2.0 * pi))),
-    "cycloidal": ((0.0, 1.0), ((-0.5 / pi, 2.0 * pi),), ()),
-    "gutman-1-3": ((0.0, 1.0), ((-15.0 / (32.0 * pi), 2.0 * pi), (-1.0 / (96.0 * pi), 6.0 * pi)), ()),
-    "freudenstein-1-3": ((0.0, 1.0), ((-27.0 / (56.0 * pi), 2.0 * pi), (-1.0 / (168.0 * pi), 6.0 * pi)), ()),
-    "half-cycloid-start": ((0.0, 1.0), ((-1.0 / pi, pi),), ()),
-    "half-cycloid-end": ((0.0, 1.0), ((1.0 / pi, pi),), ()),
-    "half-harmonic-start": ((1.0,), (), ((-1.0, 0.5 * pi),)),
-    "half-harmonic-end": ((), ((1.0, 0.5 * pi),), ()),
-}
 
 
 def _given(case: "Case") -> "tuple[Law, float, float, float]":
@@ -81,39 +61,6 @@ def folded_bounds(case: "Case") -> "Values":
     law, lift, span, at = _given(case)
     point = _point(law, at, span, lift, [lift / span**order for order in range(4)], "rising", None)
     return tuple(bound.bound for bound in _bounds(law, (point,), span, lift, None, "rising"))
-
-
-def expanded(case: "Case") -> "Call":
-    """One formula over the whole rise, in powers of x and waves of x; laws of several formulas have none."""
-    _, lift, span, at = _given(case)
-    name = case.inputs["law"]
-    if name not in POWERS and name not in WAVES:
-        raise ArithmeticError
-    powers, sines, cosines = WAVES.get(name, (POWERS.get(name, ()), (), ()))
-    return lambda: _scaled(_one_formula(at / span, powers, sines, cosines), lift, span)
-
-
-def _one_formula(
-    x: float,
-    powers: "Sequence[float]",
-    sines: "Sequence[tuple[float, float]]",
-    cosines: "Sequence[tuple[float, float]]",
-) -> "list[float]":
-    values = []
-    turns: tuple[tuple[Any, Any, float, float], ...] = (
-        (sin, cos, 1.0, 1.0), (cos, sin, 1.0, -1.0), (sin, cos, -1.0, -1.0), (cos, sin, -1.0, 1.0),
-    )  # fmt: skip
-    for order, (first, second, one, two) in enumerate(turns):
-        total = 0.0
-        for power in range(len(powers) - 1, order - 1, -1):
-            factor = powers[power]
-            for lower in range(order):
-                factor *= power - lower
-            total = total * x + factor
-        total += sum(one * a * k**order * first(k * x) for a, k in sines)
-        total += sum(two * a * k**order * second(k * x) for a, k in cosines)
-        values.append(total)
-    return values
 
 
 def peaks(case: "Case") -> "tuple[float, ...]":
@@ -201,50 +148,33 @@ def motion_bounds(case: "Case") -> "list[float]":
 
 
 def _compared(
-    comparing: "Comparing", task: str, peaks: "Sizes", bounds: "Sizes", *methods: "tuple[str, Any]"
+    comparing: "Comparing", task: str, peaks: "Sizes", bounds: "Sizes", method: "tuple[str, Any]"
 ) -> "list[Row]":
-    """Rows for methods that give lift and derivatives; errors in shares of their peaks, or relative without."""
+    """Rows for methods that give lift and derivatives; errors in shares of their peaks."""
 
     def answer(errors: "Errors", case: "Case", prepare: "Any", _: int) -> "Call":
         call: Call = prepare(case)
-        sizes = peaks(case) if peaks else ()
-        stated = bounds(case) if bounds and prepare is methods[0][1] else (None,) * 4
-        for order, (name, value, bound) in enumerate(zip(NAMES, call(), stated, strict=True)):
-            where, text = f"{case.name}: {name}", case.results[name]
-            if sizes:
-                off = float(DIGITS.subtract(Decimal(value), Decimal(text)).copy_abs())
-                errors.note(where, off / sizes[order], None if bound is None else bound / sizes[order])
-            elif order < 2:
-                errors.add(where, value, text, None)
+        stated = bounds(case) if prepare is method[1] else (None,) * 4
+        for name, value, size, bound in zip(NAMES, call(), peaks(case), stated, strict=True):
+            off = float(DIGITS.subtract(Decimal(value), Decimal(case.results[name])).copy_abs())
+            errors.note(f"{case.name}: {name}", off / size, None if bound is None else bound / size)
         return call
 
-    return comparing.rows(methods, comparing.cases(FILE, task=task), answer, most=20)
-
-
-LAWS = ("folded and factored (chosen)", folded), ("one formula, expanded about zero", expanded)
+    return comparing.rows([method], comparing.cases(FILE, task=task), answer, most=20)
 
 
 def compare(comparing: "Comparing") -> "list[Row]":
-    """Every method on every law; errors in shares of the law's peak of that derivative."""
-    return _compared(comparing, "rise", peaks, folded_bounds, *LAWS)
-
-
-def compare_relative(comparing: "Comparing") -> "list[Row]":
-    """Relative errors of lift and velocity: the digits left of small values at the ends (others vanish in between)."""
-    return _compared(comparing, "rise", None, None, *LAWS)
+    """Every law; errors in shares of the law's peak of that derivative."""
+    return _compared(comparing, "rise", peaks, folded_bounds, ("folded and factored (chosen)", folded))
 
 
 def compare_polynomials(comparing: "Comparing") -> "list[Row]":
     """Free polynomials."""
-    return _compared(
-        comparing, "polynomial", polynomial_peaks, polynomial_bounds,
-        ("exact rationals, about both ends (chosen)", by_rationals),
-    )  # fmt: skip
+    name = "exact rationals, about both ends (chosen)"
+    return _compared(comparing, "polynomial", polynomial_peaks, polynomial_bounds, (name, by_rationals))
 
 
 def compare_motions(comparing: "Comparing") -> "list[Row]":
     """Whole motions, in shares of the peaks of the segment."""
-    return _compared(
-        comparing, "motion", motion_peaks, motion_bounds,
-        ("joints exact in degrees (chosen)", by_exact_joints),
-    )  # fmt: skip
+    name = "joints exact in degrees (chosen)"
+    return _compared(comparing, "motion", motion_peaks, motion_bounds, (name, by_exact_joints))

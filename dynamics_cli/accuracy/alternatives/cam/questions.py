@@ -5,14 +5,11 @@ from dynamics_cli.accuracy.questions import Comparison
 HERE = "dynamics_cli.accuracy.alternatives.cam."
 # The task, the question, and the function that compares the methods.
 ROWS = (
-    ("rise", "cam law, by its peak", "laws:compare"),
-    ("rise", "cam law, relative", "laws:compare_relative"),
+    ("rise", "cam law", "laws:compare"),
     ("rise", "cam polynomial", "laws:compare_polynomials"),
     ("motion", "cam motion", "laws:compare_motions"),
     ("profile", "cam extremes", "extremes:compare"),
     ("profile", "cam points", "extremes:compare_points"),
-    ("export", "cam export, pieces for 1 µm", "export:compare"),
-    ("export", "cam export, pieces for 1 nm", "export:compare"),
     ("size", "cam size", "sizes:compare"),
     ("force", "cam force", "forces:compare"),
 )

@@ -54,9 +54,9 @@ def chosen_root(**given: "Any") -> "Any":
 
 def _apart(cutter: "Cutter", theta: float) -> "tuple[float, float]":
     """Half angles of trochoid less involute at the trochoid's point θ, and its radius; above the base circle only."""
-    from dynamics_cli.gear.single.trochoid import trochoid_point
+    from dynamics_cli.gear.single.flanks import trochoid_points
 
-    radius, half = trochoid_point(cutter, theta)
+    radius, half, _ = map(float, trochoid_points(cutter, theta))  # type: ignore[arg-type]
     angle = acos(min(cutter.base_radius / radius, 1.0))
     transverse = cutter.transverse_angle
     space = (0.5 * pi - 2.0 * cutter.shift * tan(cutter.pressure_angle)) / cutter.teeth - (tan(transverse) - transverse)
@@ -85,23 +85,6 @@ def root_by_newton(**given: "Any") -> "dict[str, float]":
         if abs(step) <= 1e-14:
             radius = _apart(cutter, theta)[1]
     raise ArithmeticError
-
-
-def root_by_halving(**given: "Any") -> "dict[str, float]":
-    """Halving of the textbook's equation between the trochoid's start and the base circle."""
-    from dynamics_cli.gear.single.trochoid import Cutter, trochoid_point
-
-    cutter = Cutter(**given)
-    radius = _without_undercut(cutter)
-    if radius is not None:
-        return {"form_radius": radius}
-    # inside the base circle there is no involute; the trochoid rises above it at its start and goes below
-    low, high = cutter.transverse_angle, 0.5 * pi
-    for _ in range(MOST_STEPS):
-        middle = 0.5 * (low + high)
-        inside = trochoid_point(cutter, middle)[0] < cutter.base_radius
-        low, high = (low, middle) if inside or _apart(cutter, middle)[0] > 0.0 else (middle, high)
-    return {"form_radius": trochoid_point(cutter, 0.5 * (low + high))[0]}
 
 
 def profile(

@@ -9,19 +9,18 @@ SIZES, TRAINS, MESHES = "gear_geometry.json", "gear_trains.json", "gear_meshes.j
 QUESTIONS = (
     Question(
         "gear", "pair", "inverse involute", SIZES, "inverse",
-        Method("series", INVOLUTE + "chosen_inverse", chosen=True, tracked=True, arrays=True),
+        Method("series", INVOLUTE + "chosen_inverse", chosen=True, tracked=True),
         Method("Newton on tan φ − φ", INVOLUTE + "newton"),
     ),
     Question(
         "gear", "pair", "involute function", SIZES, "inv",
-        Method("series below 0.98 rad", INVOLUTE + "chosen_involute", chosen=True, tracked=True, arrays=True),
+        Method("series below 0.98 rad", INVOLUTE + "chosen_involute", chosen=True, tracked=True),
         Method("tan φ − φ", INVOLUTE + "textbook_involute"),
     ),
     Question(
         "gear", "profile", "undercut junction", TRAINS, "root",
         Method("bracketed, of differences", INVOLUTE + "chosen_root", chosen=True, tracked=True),
         Method("Newton on half angles", INVOLUTE + "root_by_newton"),
-        Method("halving on half angles", INVOLUTE + "root_by_halving"),
     ),
     Comparison("gear", "ratio", "gear ratio", HERE + "ratio:compare"),
     # whose references are in other words than their tasks' results

@@ -97,38 +97,6 @@ def pendulum(*, shot_mass: float, block: "Any", swing: "Any", restitution: float
     }  # fmt: skip
 
 
-def seize(*, body: "Any") -> "dict[str, float]":
-    """I_O = I_G + m·(r²·1 − r·rᵀ), H_O = I_G·ω − r × m·v; ω' = I_O⁻¹·H_O, of an axis a·(a·H_O)/(a·I_O·a)."""
-    import numpy as np
-
-    if hasattr(body, "plate_mass"):
-        # axes along the plate's edges
-        mass, half, edge = body.plate_mass, 0.5 * body.side, body.seized == "edge"
-        inertia = np.diag([1.0, 1.0, 2.0]) * mass * body.side**2 / 12.0
-        turning, velocity = np.array([body.spin, body.spin, 0.0]) / sqrt(2.0), np.zeros(3)
-        point, axis = np.array([0.0 if edge else half, -half, 0.0]), (1.0, 0.0, 0.0) if edge else None
-    else:
-        mass, inertia, axis = body.mass, np.array(body.inertia), body.axis
-        turning, velocity, point = (np.array(v) for v in (body.angular_velocity, body.velocity, body.point))
-    about = inertia + mass * (point @ point * np.eye(3) - np.outer(point, point))
-    momentum = inertia @ turning - np.cross(point, mass * velocity)
-    if axis is None:
-        spin = np.linalg.inv(about) @ momentum
-    else:
-        way = np.array(axis)
-        spin = way * (way @ momentum) / (way @ about @ way)
-    new = np.cross(spin, -point)
-    before, after = (float(0.5 * w @ inertia @ w + 0.5 * mass * v @ v) for w, v in ((turning, velocity), (spin, new)))
-    vectors = {"angular_velocity": spin, "centre_velocity": new, "impulse": mass * new - mass * velocity}
-    results = {
-        "angular_speed": float(np.linalg.norm(spin)), "impulse_size": float(np.linalg.norm(vectors["impulse"])),
-        "energy_before": before, "energy_after": after, "energy_lost": before - after, "energy_ratio": after / before,
-    }  # fmt: skip
-    if any(turning):
-        results["angular_ratio"] = results["angular_speed"] / float(np.linalg.norm(turning))
-    return results | {f"{name}[{k}]": float(x) for name, vector in vectors.items() for k, x in enumerate(vector)}
-
-
 def step(
     *, radius: float, height: float, wheel: "Any", gravity: float, speed: "float | None" = None,
     mass: "float | None" = None,

@@ -5,7 +5,7 @@ from dynamics_cli.accuracy.questions import Method, Question, textbooks
 HERE = "dynamics_cli.accuracy.alternatives.impact."
 PARTICLES = "impact_particles.json"
 APPROACH = (
-    Method("cross products", HERE + "reconstruction:cross_products", chosen=True, tracked=True, arrays=True),
+    Method("cross products", HERE + "reconstruction:cross_products", chosen=True, tracked=True),
     Method("2×2 system, Cramer's rule", HERE + "reconstruction:by_cramer"),
 )
 SYSTEM = "textbook: slides or sticks, LAPACK", "rigid:by_system"
@@ -16,9 +16,7 @@ QUESTIONS = (
         ("oblique", "textbook: components, then differences", "rigid:oblique"),
         ("drop", "textbook: powers and sums as printed", "lines:drop"),
         ("pendulum", "textbook: 1 − cos θ, energies subtracted", "lines:pendulum"),
-        ("seize", "textbook: inverse about the point, energies subtracted", "lines:seize"),
         ("step", "textbook: energies subtracted", "lines:step"),
-        ("momentum_and_energy", "textbook: quadratic for one speed", "reconstruction:by_energy"),
     ),
     *textbooks("impact", "impact_rigid.json", HERE, ("planar", *SYSTEM)),
     *textbooks("impact", "impact_spatial.json", HERE, ("spatial", *SYSTEM)),

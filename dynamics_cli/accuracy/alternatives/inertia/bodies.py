@@ -6,7 +6,7 @@ coordinate, by the moments, or by what the difference is of.
 
 from decimal import Decimal
 
-from dynamics_cli.accuracy.alternatives.inertia.eigen import textbook_axes, trigonometric
+from dynamics_cli.accuracy.alternatives.inertia.eigen import trigonometric
 from dynamics_cli.accuracy.measure import DIGITS
 
 TYPE_CHECKING = False
@@ -96,42 +96,11 @@ def body_from_origin(scene: "Any") -> "dict[str, Any]":
     return {"mass": mass, **named(centre.tolist(), tensor.tolist(), np.linalg.eigvalsh(tensor).tolist())}
 
 
-def pair_from_origin(scene: "Any") -> "dict[str, float]":
-    """Two bodies, each from the origin, and their numbers subtracted; the turn between their axes by an arc cosine."""
-    import numpy as np
-
-    (m, c, a), (n, d, b) = (_composed(side) for side in (scene.first, scene.second))
-    shift = d - c
-    results = {
-        "first_mass": m, "second_mass": n, "mass_difference": n - m, "mass_ratio": n / m,
-        "centroid_distance": float(np.linalg.norm(shift)),
-        "tensor_distance": float(np.linalg.norm(b - a) / np.linalg.norm(a)),
-    }  # fmt: skip
-    results |= {f"centroid_shift[{k}]": float(x) for k, x in enumerate(shift)}
-    places = ((0, 0), (1, 1), (2, 2), *((i, j) for _, i, j in PAIRS))
-    rows = [(float(a[place]), float(b[place])) for place in places]
-    rows += zip(np.linalg.eigvalsh(a).tolist(), np.linalg.eigvalsh(b).tolist(), strict=True)
-    for k, (old, new) in enumerate(rows):
-        results |= {f"moments[{k}].first": old, f"moments[{k}].second": new, f"moments[{k}].difference": new - old}
-    # of the four senses that leave right-handed axes right-handed the smallest turn: cos φ = (tr R − 1)/2
-    old_axes, new_axes = (np.array(textbook_axes(tuple(map(tuple, tensor.tolist())))) for tensor in (a, b))
-    shares = np.diag(old_axes @ new_axes.T) * np.sign(np.linalg.det(old_axes) * np.linalg.det(new_axes))
-    traces = [float(np.array(signs) @ shares) for signs in ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))]
-    return results | {"axes_angle": float(np.arccos(np.clip(0.5 * (max(traces) - 1.0), -1.0, 1.0)))}
-
-
 def _tensor(moments: "list[float]") -> "dict[str, float]":
     """What follows from principal moments, by differences: the greatest product, and how far I₁ + I₂ is above I₃."""
     one, two, three = moments
     results = {f"principal_moments.{name}": moment for name, moment in zip(NAMES, moments, strict=True)}
     return results | {"greatest_product": 0.5 * (three - one), "slack": (one + two - three) / three}
-
-
-def tensor_by_lapack(*, inertia: "Any") -> "dict[str, float]":
-    """Eigenvalues by `numpy.linalg.eigvalsh`."""
-    import numpy as np
-
-    return _tensor(np.linalg.eigvalsh(np.array(inertia.matrix())).tolist())
 
 
 def tensor_by_cardano(*, inertia: "Any") -> "dict[str, float]":

@@ -1,4 +1,4 @@
-"""Principal moments: Jacobi's rotations, LAPACK, and the trigonometric formula, on matrices as bodies have them."""
+"""Principal moments: Jacobi's rotations and the trigonometric formula, on matrices as bodies have them."""
 
 import math
 from decimal import Decimal
@@ -32,13 +32,6 @@ def jacobi(*, rows: "Any") -> "dict[str, Any]":
     return _values([Tracked(*pair, ()) for pair in zip(eigenvalues.values, eigenvalues.bounds, strict=True)])
 
 
-def lapack(*, rows: "Any") -> "dict[str, float]":
-    """Reduction to tridiagonal form and QR, as numpy offers it."""
-    import numpy as np
-
-    return _values(np.linalg.eigvalsh(np.array(rows))[::-1].tolist())
-
-
 def by_arc_cosine(*, rows: "Any") -> "dict[str, float]":
     """The textbook's closed form."""
     return _values(trigonometric(rows))
@@ -62,13 +55,6 @@ def jacobi_axes(rows: "Matrix") -> "Axes":
     from dynamics_cli.numerics.eigen3.jacobi import eigen
 
     return eigen(rows).vectors  # type: ignore[arg-type]
-
-
-def lapack_axes(rows: "Matrix") -> "Axes":
-    """Of numpy's eigh."""
-    import numpy as np
-
-    return np.linalg.eigh(np.array(rows))[1].T[::-1].tolist()  # type: ignore[no-any-return]
 
 
 def textbook_axes(rows: "Matrix") -> "Axes":
@@ -112,6 +98,5 @@ def compare_axes(comparing: "Comparing") -> "list[Row]":
     methods = (
         ("Jacobi (chosen)", jacobi_axes),
         ("trigonometric, across two rows", textbook_axes),
-        ("LAPACK eigh", lapack_axes),
     )
     return comparing.rows(methods, comparing.cases("eigen.json"), answer, most=comparing.pace.timed_cases)

@@ -8,7 +8,6 @@ SCALE = HERE + "bodies:scale"
 MOMENTS = (
     Method("Jacobi, an exact quotient each", HERE + "eigen:jacobi", chosen=True),
     Method("trigonometric", HERE + "eigen:by_arc_cosine"),
-    Method("LAPACK eigvalsh", HERE + "eigen:lapack"),
 )
 SECTION = Method("whole numbers, rounded once", "dynamics_cli.inertia.section.task:section", chosen=True)
 QUESTIONS = (
@@ -19,9 +18,7 @@ QUESTIONS = (
     *textbooks(
         "inertia", "inertia_bodies.json", HERE,
         ("body", "tensors about the origin, parallel axes at the end, LAPACK", "bodies:body_from_origin"),
-        ("compare", "textbook: about the origin, arc cosines", "bodies:pair_from_origin"),
         ("tensor", "textbook: roots by an arc cosine", "bodies:tensor_by_cardano"),
-        ("tensor", "LAPACK eigvalsh", "bodies:tensor_by_lapack"),
         scale=SCALE,
     ),
     Question("inertia", "section", "inertia section", "inertia_sections.json", "section", SECTION, scale=SCALE),

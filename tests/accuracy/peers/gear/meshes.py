@@ -11,15 +11,17 @@ def mesh_by_polygons(points: int = 101, shown: int = 3, **given: "Any") -> "dict
     """Distances from the roots between points: both outlines within a micrometre a metre of module, turned in steps."""
     import numpy as np
 
-    from dynamics_cli.gear.mesh.mesh import FULL, ISO, forms_of, without_backlash
+    from dynamics_cli.gear import options
+    from dynamics_cli.gear.mesh.mesh import forms_of, without_backlash
     from dynamics_cli.gear.mesh.profile_contact import half_play, path_of_contact
     from dynamics_cli.gear.single.flanks import flank
     from dynamics_cli.gear.single.rack import FULL_DEPTH
 
     distance = given.pop("centre_distance", None)
     usual = {
-        "profile": FULL, "shift_sign": ISO, "pressure_angle": FULL_DEPTH, "helix_angle": 0.0, "addendum_factor": None,
-        "dedendum_factor": None, "root_radius_factor": None, "first_tip_diameter": None, "second_tip_diameter": None,
+        "profile": options.RACK_A, "shift_sign": options.ISO, "pressure_angle": FULL_DEPTH, "helix_angle": 0.0,
+        "addendum_factor": None, "dedendum_factor": None, "root_radius_factor": None,
+        "first_tip_diameter": None, "second_tip_diameter": None,
     }  # fmt: skip
     first, second = forms_of(**{**usual, **given})
     if first.internal or second.internal:
