@@ -123,11 +123,6 @@ def _active(differences: "list[Array]", idle: "Array", active: int, level: int) 
     return nodes[keys].T, np.array(list(coordinates.values()))
 
 
-def exact_degree(level: int) -> int:
-    """The total degree of the polynomials a grid of this level integrates exactly."""
-    return 2 * level + 1
-
-
 def chaos_terms(dimensions: int, degree: int) -> int:
     """Number of Hermite polynomials of total degree ≤ `degree`."""
     return comb(dimensions + degree, degree)
