@@ -138,7 +138,7 @@ FILES: dict[str, Origin] = {
     ),
     "orient": Origin(
         "orient",
-        {},
+        {"moving_frame": "moving-point"},
         "turns as exponentials of matrices, angles by arc sines and arc cosines, velocities and accelerations as "
         "derivatives of motions, contacts as linear equations",
         "130 digits", "", r"angles|quaternion to|any|matrix in|two dir|Rodrigues|\d+ |apart|turn of|two rates|from",

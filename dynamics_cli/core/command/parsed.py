@@ -26,7 +26,9 @@ def call_of(task: Task, values: "dict[str, Any]") -> Call:
         value = values.pop(variable("option", name), None)
         if value:
             how = "flag" if option.flag else "many" if option.repeats else "value"
-            call.options[name] = single(name, value, how, groups_with(task, name) if len(value) > 1 else ())
+            call.options[name] = single(
+                name, value, how, groups_with(task, name) if how == "value" and len(value) > 1 else ()
+            )
     return call
 
 

@@ -165,7 +165,8 @@ def propagate(
 
 
 def _certain(space: Space, propagation: Propagation) -> None:
-    for name, value in zip(space.results, space.evaluate(np.zeros((0, 1)))[:, 0].tolist(), strict=True):
+    # in this order: the results are known once they are evaluated
+    for [value], name in zip(space.evaluate(np.zeros((0, 1))).tolist(), space.results, strict=True):
         propagation.spreads[name] = Spread(name, "no input is uncertain", [value] * 3, value, 0.0)
 
 
@@ -305,8 +306,7 @@ def _integrated(
 
 def across_range(interval: "tuple[float, float]") -> "Array":
     """Points across a result's range: the interval, extended by half its width to each side."""
-    half = 0.5 * (interval[1] - interval[0])
-    return np.linspace(interval[0] - half, interval[1] + half, CURVE_POINTS)
+    return np.linspace(1.5 * interval[0] - 0.5 * interval[1], 1.5 * interval[1] - 0.5 * interval[0], CURVE_POINTS)
 
 
 def _classical(space: Space, row: int, goal: Goal, method: str, slopes: "Mapping[str, float] | None") -> Plain:
