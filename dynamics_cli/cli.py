@@ -38,13 +38,21 @@ def find_task(words: "list[str]") -> "tuple[Task, int] | None":
     return (task, 2) if task is not None else None
 
 
+def _named(words: "list[str]") -> bool:
+    """Whether words after `help` name a command, or nothing; other words are searched for."""
+    from dynamics_cli.core.command.plain_commands import COMMANDS
+
+    names = {*FAMILIES, *(command.name for command in COMMANDS), "report", "examples"}
+    return not words or (len(words) == 1 and words[0] in names) or find_task(words) is not None
+
+
 def program(argv: "list[str]", terminal: Terminal) -> int:
     """Carry out one call; errors are raised."""
     from dynamics_cli.core.inputs.sources.preferences import with_preferences
 
     terminal.environ = with_preferences(terminal.environ)
     argv = [SHORT.get(word, word) for word in argv]
-    if argv[:1] == ["help"] and argv[1:] != ["options"]:
+    if argv[:1] == ["help"] and _named(argv[1:]):
         argv = [*argv[1:], "--help"]
     if argv == ["--version"]:
         terminal.write(f"dynamics {__version__}\n")
@@ -138,8 +146,8 @@ def script() -> None:
 def answer(command: str, parameters: "dict[str, object]") -> "dict[str, Any]":
     """The result document of one command, for Python callers."""
     from dynamics_cli.core.answering.gather import Gathered, over_file
+    from dynamics_cli.core.command.arguments import options_of, plain_parameters
     from dynamics_cli.core.command.execute import document_of
-    from dynamics_cli.core.command.python_arguments import options_of, plain_parameters
     from dynamics_cli.core.inputs.reader import Reader
     from dynamics_cli.core.inputs.settings import Settings
 

@@ -89,12 +89,12 @@ COMMANDS = (
     ),
     Command(
         "help",
-        "[FAMILY [TASK]] | options",
-        "Help of a task, or of the options that every task has.",
+        "[FAMILY [TASK]] | options | WORD...",
+        "Help of a task, of the options of all, or the tasks about a word.",
         "",
-        "dynamics help options",
+        "dynamics help flywheel",
         (),
-        HERE + "print_options",
+        HERE + "print_help",
     ),
 )
 # The options of every task in groups: title and names.
@@ -131,13 +131,24 @@ def print_reference(
             f"read {form!r}, wanted one of {', '.join(REFERENCE_FORMS)}", parameter="format", code="unknown-choice"
         )
     for word in words:
-        _known(word, families)
+        if word not in families:
+            raise _unknown(word, None, families, find)
     terminal.write(WRITERS[form]([find(word) for word in words or families]))
 
 
-def print_options(
+def print_help(
     words: "Sequence[str]", options: "Mapping[str, str]", families: "Lines", find: "Finder", terminal: "Terminal"
 ) -> None:
+    """The options that every task has, or the tasks about some words."""
+    if list(words) == ["options"]:
+        _print_options(terminal)
+    else:
+        from dynamics_cli.core.command.search import print_found
+
+        print_found(words, families, find, terminal)
+
+
+def _print_options(terminal: "Terminal") -> None:
     """The options that every task has, in groups."""
     from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
     from dynamics_cli.core.output.wrapping import wrapped
@@ -157,34 +168,27 @@ def print_options(
     terminal.write("\n".join([*lines, "", *wrapped(SHORT_FORMS, width, 0)]) + "\n")
 
 
-def _known(name: str, families: "Lines") -> None:
-    if name in families:
-        return
-    from dynamics_cli.core.units.near_names import nearest_words
+def _unknown(word: str, family: "Family | None", families: "Lines", find: "Finder") -> UsageError:
+    from dynamics_cli.core.command.search import unknown_command
 
-    near = nearest_words(name, families)
-    hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(families)}"
-    raise UsageError(f"there is no family {name!r}", code="unknown-command", hint=hint)
+    return unknown_command(word, family, family.tasks if family else families, families, find)
 
 
 def _task(words: "Sequence[str]", families: "Lines", find: "Finder") -> Task:
     if not words:
         hint = "for example: dynamics schema skid speed"
         raise UsageError("a family and its task are missing", code="missing", hint=hint)
-    _known(words[0], families)
+    if words[0] not in families:
+        raise _unknown(words[0], None, families, find)
     family = find(words[0])
     task = family.alone or family.tasks.get(words[1] if len(words) > 1 else "")
     if len(words) > (1 if family.alone else 2):
         raise UsageError(f"unexpected word {words[-1]!r}", code="unexpected")
-    if task is None:
-        from dynamics_cli.core.units.near_names import nearest_words
-
+    if task is None and len(words) == 1:
         hint = f"there is {', '.join(family.tasks)}"
-        if len(words) == 1:
-            raise UsageError(f"the task of {words[0]} is missing", code="missing", hint=hint)
-        near = nearest_words(words[1], family.tasks)
-        hint = f"did you mean {' or '.join(near)}?" if near else hint
-        raise UsageError(f"{words[0]} has no task {words[1]!r}", code="unknown-command", hint=hint)
+        raise UsageError(f"the task of {words[0]} is missing", code="missing", hint=hint)
+    if task is None:
+        raise _unknown(words[1], family, families, find)
     return task
 
 

@@ -12,12 +12,13 @@ from typer.completion import completion_init, get_completion_script, shell_compl
 from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
 from dynamics_cli.core.answering.task import Family, Task
+from dynamics_cli.core.command.arguments import call_of, single, variable
 from dynamics_cli.core.command.completion import POWERSHELL, completer_of, result_completer, words_that_fit
 from dynamics_cli.core.command.help import describe_options, option_help, placeholder, word_name
-from dynamics_cli.core.command.parsed import call_of, single, variable
 from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
+from dynamics_cli.core.command.search import unknown_command
 from dynamics_cli.core.command.template import takes_scene
-from dynamics_cli.core.command.unknown import extra_words, looked_up, unknown_option, without_value
+from dynamics_cli.core.command.unknown import extra_words, unknown_option, without_value
 from dynamics_cli.core.inputs.options import Option
 from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS
 from dynamics_cli.errors import UsageError
@@ -68,9 +69,7 @@ def _refusal(error: "Any", argv: "list[str]") -> UsageError:
         message = error.format_message().rstrip(".")
         if task is not None and message.startswith("Got unexpected extra"):
             return extra_words(task, message)
-        family = getattr(getattr(getattr(error, "ctx", None), "command", None), "family", None)
-        meant = looked_up(family, argv[1]) if family and "Did you mean" not in message else None
-        return UsageError(message[:1].lower() + message[1:], hint=meant or _try_help(error))
+        return UsageError(message[:1].lower() + message[1:], hint=_try_help(error))
     if task is not None:
         return unknown_option(task, error.option_name, argv)
     hint = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
@@ -102,8 +101,12 @@ def _root(
 class _Group(TyperGroup):
     """Commands by name; without one its help."""
 
-    def __init__(self, terminal: "Terminal", **rest: "Any") -> None:
+    def __init__(
+        self, families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal", **rest: "Any"
+    ) -> None:
         super().__init__(rich_markup_mode=None, **rest)
+        self.families = families
+        self.find = find
         self.terminal = terminal
         self.family: Family | None = None
 
@@ -114,6 +117,12 @@ class _Group(TyperGroup):
             ctx.exit()
         return super().parse_args(ctx, args)
 
+    def resolve_command(self, ctx: "Any", args: "list[str]") -> "Any":
+        """The command of a name, or what an unknown one may mean."""
+        if args[0] not in self.commands and not args[0].startswith("-"):
+            raise unknown_command(args[0], self.family, self.commands, self.families, self.find)
+        return super().resolve_command(ctx, args)
+
 
 class _Families(_Group):
     """The families by name; a family is imported when it is called, never for the list of names."""
@@ -121,28 +130,36 @@ class _Families(_Group):
     def __init__(
         self, families: "Mapping[str, tuple[str, str]]", find: "Finder", terminal: "Terminal", **rest: "Any"
     ) -> None:
-        super().__init__(terminal, name="dynamics", **rest)
-        self._find = find
-        self._families = families
+        super().__init__(families, find, terminal, name="dynamics", **rest)
         for name, (_, line) in families.items():
             self.commands[name] = TyperCommand(name, help=line, rich_markup_mode=None)
 
     def resolve_command(self, ctx: "Any", args: "list[str]") -> "Any":
         """The family's commands, built now; lists of families need only their lines of help."""
-        if args[0] not in self._families:
+        if args[0] not in self.families:
             return super().resolve_command(ctx, args)
-        return args[0], build_family(self._find(args[0]), self.terminal), args[1:]
+        family = self.find(args[0])
+        if family.alone is not None:
+            return args[0], _TaskCommand(family.alone, self.terminal), args[1:]
+        group = _Group(self.families, self.find, self.terminal, name=family.name, help=family.summary)
+        group.family = family
+        for name, task in family.tasks.items():
+            group.commands[name] = _TaskCommand(task, self.terminal)
+            for other in task.also:
+                group.commands[other] = _TaskCommand(task, self.terminal)
+                group.commands[other].hidden = True
+        return args[0], group, args[1:]
 
     def format_commands(self, ctx: "Any", formatter: "Any") -> None:
         """List the families by trade, without importing them; commands of no trade come last."""
         groups: dict[str, list[tuple[str, str]]] = {}
-        for name, (group, line) in self._families.items():
+        for name, (group, line) in self.families.items():
             groups.setdefault(group, []).append((name, line))
         last = list(groups)[-1]
         groups[last] += [
             (name, command.get_short_help_str(limit=70))
             for name, command in self.commands.items()
-            if name not in self._families
+            if name not in self.families
         ]
         for group, rows in groups.items():
             formatter.write(f"{group}:\n")
@@ -154,20 +171,6 @@ class _Families(_Group):
         formatter.write_paragraph()
         self.format_commands(ctx, formatter)
         formatter.write(f"Options: --version, --help, --show-completion {'|'.join(SHELLS)}\n")
-
-
-def build_family(family: Family, terminal: "Terminal") -> "TyperCommand | TyperGroup":
-    """The command of a lone task, or a group with a command for each task."""
-    if family.alone is not None:
-        return _TaskCommand(family.alone, terminal)
-    group = _Group(terminal, name=family.name, help=family.summary)
-    group.family = family
-    for name, task in family.tasks.items():
-        group.commands[name] = _TaskCommand(task, terminal)
-        for other in task.also:
-            group.commands[other] = _TaskCommand(task, terminal)
-            group.commands[other].hidden = True
-    return group
 
 
 class _TaskCommand(TyperCommand):

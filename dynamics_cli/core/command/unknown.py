@@ -1,6 +1,6 @@
 """Errors for unknown options and words of a task: all at once, each with the likely meaning."""
 
-from dynamics_cli.core.answering.task import Family, Task
+from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.command.help import describe_options
 from dynamics_cli.core.command.task_help import group_keys, group_records
 from dynamics_cli.core.documents import singular
@@ -103,12 +103,3 @@ def extra_words(task: Task, message: str) -> UsageError:
     if words.endswith((".toml", ".json", ".yaml", ".yml")):
         hint = f"a file of them: dynamics {task.path} --input {words}"
     return UsageError(f"unexpected {words!r}: {task.path} takes its values by name", code="unexpected", hint=hint)
-
-
-def looked_up(family: Family, word: str) -> str | None:
-    """What a word after a family of look-ups may mean: a value of its first two tasks."""
-    tasks = list(family.tasks.values())[:2]
-    if not all(task.listing for task in tasks):
-        return None
-    calls = (" ".join([task.path, *(f"--{name}" for name in task.options), word]) for task in tasks)
-    return f"did you mean {' or '.join(f'dynamics {call}' for call in calls)}?"

@@ -1,0 +1,107 @@
+"""Finds tasks by words: `dynamics help flywheel`, and what a command that there is not may mean."""
+
+from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.command.help import describe_options
+from dynamics_cli.core.documents import singular
+from dynamics_cli.core.output.wrapping import wrapped
+from dynamics_cli.core.units.near_names import nearest_words
+from dynamics_cli.errors import UsageError
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from dynamics_cli.core.answering.task import Family
+    from dynamics_cli.core.terminal import Terminal
+
+    Finder = Callable[[str], Family]
+
+# Words of a question that say nothing of its subject.
+IDLE = {"a", "an", "and", "at", "by", "for", "from", "how", "in", "is", "of", "on", "or", "the", "to", "what", "with"}
+# Words of the trades, and the ones that the texts here use.
+SAME = {"edr": "recorder", "center": "centre", "cg": "centroid", "cog": "centroid", "moi": "inertia", "tire": "tyre"}
+MOST, MOST_MEANT = 12, 3
+# From this length on the beginning of a word stands for it: "balanc" for balance and balancing.
+STEM = 5
+
+
+def tasks_about(words: "Sequence[str]", families: "Iterable[str]", find: "Finder") -> "list[Task]":
+    """The tasks about all the words: those that are called so, then by their summaries, else by all their texts."""
+    terms = [SAME.get(term, term) for word in words for term in _words(word) if term not in IDLE]
+    tasks = [task for name in families for task in find(name).tasks.values()] if terms else []
+    called = [task for task in tasks if _about(terms, _called(task))]
+    found = called + [task for task in tasks if task not in called and _about(terms, _summarized(task))]
+    return found or [task for task in tasks if _about(terms, _described(task))]
+
+
+def _called(task: Task) -> str:
+    return " ".join((task.family, task.name, *task.also))
+
+
+def _summarized(task: Task) -> str:
+    labels = " ".join(f"{address} {label}" for address, label in task.headline)
+    return f"{_called(task)} {task.summary} {labels}"
+
+
+def _described(task: Task) -> str:
+    return f"{_summarized(task)} {' '.join(task.options)} {' '.join(describe_options(task).values())}"
+
+
+def _about(terms: "Sequence[str]", text: str) -> bool:
+    words = _words(text)
+    return all(any(_same(term, word) for word in words) for term in terms)
+
+
+def _same(term: str, word: str) -> bool:
+    if term == word or singular(term) == singular(word):
+        return True
+    stem = min(len(term), len(word))
+    return stem >= STEM and (word.startswith(term) or (term.startswith(word) and len(term) - stem <= 3))
+
+
+def _words(text: str) -> "list[str]":
+    return "".join(c if c.isalnum() else " " for c in text.lower()).split()
+
+
+def print_found(words: "Sequence[str]", families: "Iterable[str]", find: "Finder", terminal: "Terminal") -> None:
+    """List the tasks about some words, with their summaries."""
+    found = tasks_about(words, families, find)
+    if not found:
+        hint = "try: dynamics help, or dynamics examples"
+        raise UsageError(f"no task is about {' '.join(words)!r}", code="unknown-command", hint=hint)
+    shown = found[:MOST]
+    width, column = min(terminal.columns or 80, 80), max(len(task.path) for task in shown) + 2
+    lines = []
+    for task in shown:
+        first, *others = wrapped(task.summary, width - column, 0)
+        lines += [f"{task.path:<{column}}{first}", *(" " * column + line for line in others)]
+    if len(found) > MOST:
+        lines.append(f"and {len(found) - MOST} more: add a word")
+    terminal.write("\n".join(lines) + "\n")
+
+
+def unknown_command(
+    word: str, family: "Family | None", known: "Iterable[str]", families: "Iterable[str]", find: "Finder"
+) -> UsageError:
+    """The error for a command that there is not: a task of that name elsewhere, a similar name, tasks about it."""
+    start = f"dynamics {family.name}" if family else "dynamics"
+    tasks = [task for name in families for task in find(name).tasks.values() if word in (task.name, *task.also)]
+    meant = (
+        [f"dynamics {task.path}" for task in tasks]
+        or [f"{start} {name}" for name in nearest_words(word, known)]
+        or (_looked_up(family, word) if family else [])
+        or [f"dynamics {task.path}" for task in tasks_about([word], families, find)]
+    )
+    hint = f"did you mean {' or '.join(meant)}?" if meant else f"try: {start} --help"
+    if len(meant) > MOST_MEANT:
+        hint = f"try: dynamics help {word}"
+    message = f"{family.name} has no task {word!r}" if family else f"there is no command {word!r}"
+    return UsageError(message, code="unknown-command", hint=hint)
+
+
+def _looked_up(family: "Family", word: str) -> "list[str]":
+    """Calls of a family of look-ups that a word may mean: a value of its first two tasks."""
+    tasks = list(family.tasks.values())[:2]
+    if not all(task.listing for task in tasks):
+        return []
+    return [" ".join(["dynamics", task.path, *(f"--{name}" for name in task.options), word]) for task in tasks]

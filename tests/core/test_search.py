@@ -1,0 +1,59 @@
+"""Tasks found by words, and what a command that there is not may mean."""
+
+import pytest
+from harness import run
+
+
+@pytest.mark.parametrize(
+    ("words", "first"),
+    [
+        ("flywheel", "balance flywheel"),
+        ("four-bar", "linkage four-bar"),
+        ("quaternions", "orient convert"),
+        ("stopping distance", "skid stop"),
+        ("Campbell diagram", "vibration whirl"),
+        ("center of mass", "inertia shape"),
+        ("edr", "skid record"),
+    ],
+)
+def test_tasks_are_found_by_words_of_their_names_and_texts(words: str, first: str) -> None:
+    outcome = run("help", *words.split())
+    assert outcome.status == 0
+    assert any(line.startswith(f"{first} ") for line in outcome.out.splitlines())
+    assert max(map(len, outcome.out.splitlines())) <= 80
+
+
+def test_a_task_of_that_name_stands_before_those_that_mention_it() -> None:
+    lines = run("help", "unbalance").out.splitlines()
+    assert lines[0].startswith("vibration unbalance ")
+    assert len(lines) > 2
+
+
+def test_many_tasks_are_cut_and_counted() -> None:
+    assert run("help", "mass").out.splitlines()[-1].endswith("more: add a word")
+
+
+def test_nothing_found_is_an_error() -> None:
+    outcome = run("help", "zymurgy")
+    assert (outcome.status, outcome.out) == (2, "")
+    assert "no task is about 'zymurgy'" in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        ("four-bar", "did you mean dynamics linkage four-bar?"),
+        ("skid momentum", "did you mean dynamics impact momentum?"),
+        ("speed", "did you mean dynamics skid speed or dynamics energy speed?"),
+        ("vibraton", "did you mean dynamics vibration?"),
+        ("skid sped", "did you mean dynamics skid speed?"),
+        ("Campbell", "did you mean dynamics vibration whirl or dynamics vibration rotor?"),
+        ("mass", "try: dynamics help mass"),
+        ("banana", "try: dynamics --help"),
+        ("impact banana", "try: dynamics impact --help"),
+    ],
+)
+def test_an_unknown_command_is_answered_by_what_it_may_mean(call: str, said: str) -> None:
+    outcome = run(*call.split())
+    assert outcome.status == 2
+    assert said in outcome.err
