@@ -148,20 +148,18 @@ def answer(command: str, parameters: "dict[str, object]") -> "dict[str, Any]":
     from dynamics_cli.core.answering.gather import Gathered, over_file
     from dynamics_cli.core.command.arguments import options_of, plain_parameters
     from dynamics_cli.core.command.execute import document_of
+    from dynamics_cli.core.command.plain_commands import task_of
     from dynamics_cli.core.inputs.reader import Reader
     from dynamics_cli.core.inputs.settings import Settings
 
-    words = command.split()
-    task = find_task(words)
-    if task is None or task[1] != len(words):
-        raise UsageError(f"there is no command {command!r}", code="unknown-command")
+    task = task_of(command.split(), FAMILIES, family)
     terminal = Terminal()
     raw = plain_parameters(parameters)
     settings = Settings(options_of(raw), terminal.environ)
     gathered = (
-        over_file(task[0], raw, settings.input, terminal) if settings.input else Gathered(raw, Reader(terminal.environ))
+        over_file(task, raw, settings.input, terminal) if settings.input else Gathered(raw, Reader(terminal.environ))
     )
-    return document_of(task[0], gathered, settings)
+    return document_of(task, gathered, settings)
 
 
 def answer_rows(command: str, rows: bytes, words: "tuple[str, ...]") -> bytes:

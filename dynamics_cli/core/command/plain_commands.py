@@ -5,7 +5,7 @@ from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Collection, Mapping, Sequence
 
     from dynamics_cli.core.terminal import Terminal
 
@@ -116,7 +116,7 @@ def print_schema(
     from dynamics_cli.core.command.schema import schema
     from dynamics_cli.core.output.render import to_pretty_json
 
-    terminal.write(to_pretty_json(schema(_task(words, families, find))))
+    terminal.write(to_pretty_json(schema(task_of(words, families, find))))
 
 
 def print_reference(
@@ -168,13 +168,8 @@ def _print_options(terminal: "Terminal") -> None:
     terminal.write("\n".join([*lines, "", *wrapped(SHORT_FORMS, width, 0)]) + "\n")
 
 
-def _unknown(word: str, family: "Family | None", families: "Lines", find: "Finder") -> UsageError:
-    from dynamics_cli.core.command.search import unknown_command
-
-    return unknown_command(word, family, family.tasks if family else families, families, find)
-
-
-def _task(words: "Sequence[str]", families: "Lines", find: "Finder") -> Task:
+def task_of(words: "Sequence[str]", families: "Collection[str]", find: "Finder") -> Task:
+    """The task that the words of a family and a task name, and nothing else."""
     if not words:
         hint = "for example: dynamics schema skid speed"
         raise UsageError("a family and its task are missing", code="missing", hint=hint)
@@ -190,6 +185,12 @@ def _task(words: "Sequence[str]", families: "Lines", find: "Finder") -> Task:
     if task is None:
         raise _unknown(words[1], family, families, find)
     return task
+
+
+def _unknown(word: str, family: "Family | None", families: "Collection[str]", find: "Finder") -> UsageError:
+    from dynamics_cli.core.command.search import unknown_command
+
+    return unknown_command(word, family, family.tasks if family else families, families, find)
 
 
 def completions(command: Command, words: "Sequence[str]", families: "Lines", find: "Finder") -> "list[str]":
