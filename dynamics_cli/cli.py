@@ -51,7 +51,6 @@ def program(argv: "list[str]", terminal: Terminal) -> int:
     from dynamics_cli.core.inputs.sources.preferences import with_preferences
 
     terminal.environ = with_preferences(terminal.environ)
-    argv = [SHORT.get(word, word) for word in argv]
     if argv[:1] == ["help"] and _named(argv[1:]):
         argv = [*argv[1:], "--help"]
     if argv == ["--version"]:
@@ -78,6 +77,7 @@ def program(argv: "list[str]", terminal: Terminal) -> int:
 
 def run_argv(argv: "list[str]", terminal: Terminal) -> int:
     """Carry out one call and report any failure; the exit status."""
+    argv = [SHORT.get(word, word) for word in argv]
     try:
         try:
             status = program(argv, terminal)

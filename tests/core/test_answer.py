@@ -150,3 +150,8 @@ def test_a_model_named_after_its_source_is_said_once() -> None:
 
 def test_a_quoted_temperature_with_its_target() -> None:
     assert run("convert", "98.6 F C").out.startswith("37 C\n")
+
+
+def test_errors_heed_the_short_options() -> None:
+    assert run("skid", "speed", "-j").err.startswith('{"error"')
+    assert "--output: a document cannot be written as .pdf" in run(*SPEED, "-o", "speed.pdf").err
