@@ -291,7 +291,7 @@ class _Stream:
         self._block = Tally(self.source.format)
         texts = self._answered(lines)
         passing = list(self.source.passing) if isinstance(self.source, JsonInput) else []
-        self._block.rows = len(lines)
+        self._block.rows, self._block.cautions = len(lines), self.case.cautions
         return _Block(texts, self._block, passing)
 
     def _answered(self, lines: "list[bytes | None]") -> "list[bytes]":

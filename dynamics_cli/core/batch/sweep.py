@@ -6,10 +6,8 @@ from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.batch.jobs import spread
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.inputs import nest
-from dynamics_cli.core.batch.sweep_points import Axis, read_axes
+from dynamics_cli.core.batch.sweep_points import Axis, copied, read_axes, with_list, with_polar
 from dynamics_cli.core.deadline import Reached, clock, stop
-from dynamics_cli.core.inputs.forms.splitting import split_list, split_pairs
-from dynamics_cli.core.inputs.quantity_text import read_amount
 from dynamics_cli.core.inputs.settings import Settings
 from dynamics_cli.core.inputs.values import Bound, Fields, Several
 from dynamics_cli.core.output.row_layout import Part
@@ -23,6 +21,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.core.answering.task import Model
+    from dynamics_cli.core.batch.rows.cautions import Cautions
 
     Raw = dict[str, Any]
     Single = tuple[int, list[Any] | None, DynamicsError | None, tuple[Model, str] | None]
@@ -47,19 +46,22 @@ class _Points(Case):
         self.fixed = {}
         self.default_unit = ""
         self.measure = ("", "")
+        self.cautions = {}
         self.reader = gathered.reader
         self.origins = dict(self.reader.origins)
         self.layout = self._layout(Display(settings.units, settings.to))
         self.start = gathered.raw
         for axis in axes:
             if isinstance(axis.path[-1], int) and len(axis.path) == 2:
-                self.start = _with_list(self.start, str(axis.path[0]))
+                self.start = with_list(self.start, str(axis.path[0]))
             if axis.path[-1] in ("magnitude", "direction"):
-                self.start = _with_polar(self.start, axis.path[:-1])
+                self.start = with_polar(self.start, axis.path[:-1])
         self.axes = axes
         self.count = 1
+        self.corners = {0}
         for axis in axes:
             self.count *= axis.count
+            self.corners = {corner * axis.count + end for corner in self.corners for end in (0, axis.count - 1)}
         if self.count > MOST_POINTS:
             raise UsageError(f"{self.count} points are too many", parameter="sweep", hint=f"at most {MOST_POINTS}")
 
@@ -73,7 +75,7 @@ class _Points(Case):
 
     def point(self, index: int) -> "Raw":
         """The raw input of one point."""
-        raw: Raw = _copied(self.start)
+        raw: Raw = copied(self.start)
         for axis, place in zip(self.axes, self.places(index), strict=True):
             nest(raw, axis.path, axis.text(place))
         return raw
@@ -83,13 +85,19 @@ class _Points(Case):
         try:
             bound = self.bind(self.point(place), uncertain=True)
             model, why = choose(self.task, bound, self.asked)
-            return place, self.shown(model, bound, self.called(model, bound)), None, (model, why)
+            record = self.called(model, bound)
+            if place in self.corners:
+                super().note(record, bound)
+            return place, self.shown(model, bound, record), None, (model, why)
         except DynamicsError as error:
             return place, None, error, None
 
-    def singles(self, places: "list[int]") -> "list[Single]":
-        """Several points."""
-        return [self.single(place) for place in places]
+    def note(self, record: "Any", bound: Fields) -> None:
+        """The corners alone tell the cautions of a sweep, so that arrays and single calls tell the same."""
+
+    def singles(self, places: "list[int]") -> "tuple[list[Single], Cautions]":
+        """Several points, and the cautions of their answers."""
+        return [self.single(place) for place in places], self.cautions
 
 
 class _Failures:
@@ -144,7 +152,8 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
     pieces = [unanswered[start : start + POINTS_A_PIECE] for start in range(0, len(unanswered), POINTS_A_PIECE)]
     late = []
     try:
-        for piece in spread(points.singles, pieces, settings.jobs):
+        for piece, cautions in spread(points.singles, pieces, settings.jobs):
+            points.cautions = {**cautions, **points.cautions}
             for place, values, error, chosen in piece:
                 rows[place] = values
                 if error is not None:
@@ -156,7 +165,7 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
         message = f"the time limit was reached: {rows.count(None)} of {points.count} points have no answer"
         late = [{"code": "time-limit", "severity": "serious", "message": message, "remedy": "raise --time-limit"}]
     document = _document(points, template, rows, models)
-    document["warnings"] = failures.warnings() + _notes(notes, models) + late
+    document["warnings"] = failures.warnings() + _warnings(points, notes, models) + late
     if files:
         from dynamics_cli.core.inputs.sources.hashes import once
 
@@ -200,6 +209,8 @@ def _by_arrays(points: _Points, index: int, rows: "list[list[Any] | None]") -> N
         answered = plan.run([column for column in columns if column is not None])
     except Unsuited:
         return
+    for place in sorted(points.corners):
+        points.single(place)
     for group in answered:
         places = group.rows.tolist()
         columns_out = [value.tolist() if how == "each" else [value] * len(places) for _, how, value in group.results]
@@ -275,54 +286,17 @@ def _column(part: Part, column: "list[Any]") -> "dict[str, Any]":
     return {"value": column, "unit": unit} if unit else {"value": column}
 
 
-def _notes(notes: "list[str]", models: "dict[str, tuple[Any, str]]") -> "list[dict[str, Any]]":
-    warnings: list[dict[str, Any]] = [{"code": "reading", "severity": "note", "message": note} for note in notes]
+def _warnings(points: _Points, notes: "list[str]", models: "dict[str, tuple[Any, str]]") -> "list[dict[str, Any]]":
+    """Cautions of the points' answers, each once, and notes on how the call was read."""
+    warnings: list[dict[str, Any]] = []
+    for code, (message, remedy) in points.cautions.items():
+        entry = {"code": code, "severity": "caution", "message": f"in this range: {message}"}
+        warnings.append({**entry, "remedy": remedy} if remedy else entry)
+    warnings += [{"code": "reading", "severity": "note", "message": note} for note in notes]
     if len(models) > 1:
         message = f"the points were answered by several models: {'; '.join(models)}"
         warnings.append({"code": "several-models", "severity": "note", "message": message})
     return warnings
-
-
-def _copied(raw: "Any") -> "Any":
-    """A copy whose lists and objects may be changed; a list's items written as pairs become objects."""
-    if isinstance(raw, dict):
-        return {key: _copied(value) for key, value in raw.items()}
-    if isinstance(raw, list):
-        return [_copied(_as_object(item)) for item in raw]
-    return raw
-
-
-def _with_list(raw: "Raw", name: str) -> "Raw":
-    """A vector given as one text, or as a list with a unit, as a list of components each with its unit."""
-    value = raw.get(name)
-    if isinstance(value, dict) and isinstance(value.get("value"), list):
-        return {**raw, name: [f"{item} {value.get('unit') or ''}".strip() for item in value["value"]]}
-    if not isinstance(value, str):
-        return raw
-    items = split_list(value.strip().removeprefix("(").removesuffix(")"))
-    unit = read_amount(items[-1]).parts[-1][2]
-    return {**raw, name: [item if read_amount(item).parts[-1][2] else f"{item} {unit}".strip() for item in items]}
-
-
-def _with_polar(raw: "Raw", path: "tuple[str | int, ...]") -> "Raw":
-    """A vector given as `20 N @ 30 deg` by its magnitude and its direction, so that either may be swept."""
-    raw = _copied(raw)
-    inner: Any = raw
-    try:
-        for step in path[:-1]:
-            inner = inner[step]
-        size, polar, direction = str(inner[path[-1]]).partition("@")
-    except (KeyError, IndexError, TypeError):
-        return raw
-    if size.strip() and polar:
-        inner[path[-1]] = {"magnitude": size.strip(), "direction": direction.strip()}
-    return raw
-
-
-def _as_object(item: "Any") -> "Any":
-    if isinstance(item, str) and "=" in item:
-        return {key.replace("-", "_"): value for key, value in split_pairs(item).items()}
-    return item
 
 
 def _remove(bound: Bound, address: str) -> bool:

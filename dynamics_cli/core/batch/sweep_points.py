@@ -1,6 +1,7 @@
 """The points of a sweep: START:STOP:COUNT in exact ratios, each point rounded once, in the unit written."""
 
 from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.inputs.forms.splitting import split_list, split_pairs
 from dynamics_cli.core.inputs.quantity_text import read_amount, total
 from dynamics_cli.core.inputs.sources.references import split_address
 from dynamics_cli.core.inputs.values import Bound, Constant, Fields, Several, Value, VectorValue
@@ -11,6 +12,8 @@ from dynamics_cli.errors import UsageError
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    Raw = dict[str, Any]
 
 EXAMPLE = 'for example --sweep "friction=0.3:0.9:7" or --sweep "distance=20:60 ft:5"'
 MOST = 1_000_000
@@ -139,3 +142,45 @@ def _has_number(bound: Bound, address: str) -> bool:
 
 def _is_number(item: Constant) -> bool:
     return isinstance(item.value, int) and not isinstance(item.value, bool)
+
+
+def copied(raw: "Any") -> "Any":
+    """A copy whose lists and objects may be changed; a list's items written as pairs become objects."""
+    if isinstance(raw, dict):
+        return {key: copied(value) for key, value in raw.items()}
+    if isinstance(raw, list):
+        return [copied(_as_object(item)) for item in raw]
+    return raw
+
+
+def with_list(raw: "Raw", name: str) -> "Raw":
+    """A vector given as one text, or as a list with a unit, as a list of components each with its unit."""
+    value = raw.get(name)
+    if isinstance(value, dict) and isinstance(value.get("value"), list):
+        return {**raw, name: [f"{item} {value.get('unit') or ''}".strip() for item in value["value"]]}
+    if not isinstance(value, str):
+        return raw
+    items = split_list(value.strip().removeprefix("(").removesuffix(")"))
+    unit = read_amount(items[-1]).parts[-1][2]
+    return {**raw, name: [item if read_amount(item).parts[-1][2] else f"{item} {unit}".strip() for item in items]}
+
+
+def with_polar(raw: "Raw", path: "tuple[str | int, ...]") -> "Raw":
+    """A vector given as `20 N @ 30 deg` by its magnitude and its direction, so that either may be swept."""
+    raw = copied(raw)
+    inner: Any = raw
+    try:
+        for step in path[:-1]:
+            inner = inner[step]
+        size, polar, direction = str(inner[path[-1]]).partition("@")
+    except (KeyError, IndexError, TypeError):
+        return raw
+    if size.strip() and polar:
+        inner[path[-1]] = {"magnitude": size.strip(), "direction": direction.strip()}
+    return raw
+
+
+def _as_object(item: "Any") -> "Any":
+    if isinstance(item, str) and "=" in item:
+        return {key.replace("-", "_"): value for key, value in split_pairs(item).items()}
+    return item

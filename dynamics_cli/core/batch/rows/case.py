@@ -40,6 +40,8 @@ class Case:
         for name, value in call.options.items():
             put(self.fixed, task.options[name].path, value)
         self.measure = self._measure()
+        # Cautions of the rows' answers, the first of each code.
+        self.cautions: dict[str, tuple[str, str]] = {}
         self.default_unit = ""
         self.settings = settings
         # Settings that ask for distributions before any row is seen.
@@ -137,7 +139,16 @@ class Case:
         """The results of the row; raises the errors of a single call."""
         bound = self.bind(row, uncertain=True)
         model, _ = choose(self.task, bound, self.asked)
-        return self.shown(model, bound, self.called(model, bound))
+        record = self.called(model, bound)
+        if getattr(record, "advice", True):
+            self.note(record, bound)
+        return self.shown(model, bound, record)
+
+    def note(self, record: "Any", bound: Fields) -> None:
+        """Keep the cautions of an answer, to be told when the stream ends."""
+        from dynamics_cli.core.batch.rows.cautions import note_cautions
+
+        note_cautions(self.cautions, record, bound)
 
     def called(self, model: "Model", bound: Fields) -> "Any":
         """The model's record; a judgement about uncertain inputs gets the intervals that remain."""

@@ -14,6 +14,7 @@ from dynamics_cli.core.answering.models import arguments, choose
 from dynamics_cli.core.answering.task import Model, load
 from dynamics_cli.core.batch.rows.answered import Answered, constant, kept, shown, shown_factor
 from dynamics_cli.core.batch.rows.case import Case
+from dynamics_cli.core.batch.rows.cautions import Extremes
 from dynamics_cli.core.batch.text.columns import Column, Slot, Unsuited
 from dynamics_cli.core.inputs.values import Bound, Exact, Fields, Several, Value, VectorValue
 from dynamics_cli.core.units.lookup import parse_unit
@@ -80,6 +81,7 @@ class Plan:
         self._constants = {address: si for address, _, si in self.bound.leaves()}
         self._mirrored = list(self._mirrors())
         self._scales = [shown_factor(part.shown) for part in case.layout.parts]
+        self._extremes = Extremes()
 
     def _mirrors(self) -> "Iterator[tuple[str, str]]":
         """Elements of tensors that must be equal; nearly equal ones are left to the single call."""
@@ -133,10 +135,19 @@ class Plan:
         rows = np.flatnonzero(~bad) if bad.any() else np.arange(count)
         if bad.any():
             arrays = {name: array[rows] for name, array in arrays.items()}
+        if len(rows):
+            self._note_cautions(arrays)
         answered = self._by_lanes(arrays, len(rows)) if self.lanes else self._one_by_one(arrays)
         for part in answered:
             part.rows = rows[part.rows]
         return answered
+
+    def _note_cautions(self, arrays: "dict[str, Array]") -> None:
+        for row in self._extremes.rows(arrays):
+            try:
+                self.case.note(self._record({name: float(array[row]) for name, array in arrays.items()}), self.bound)
+            except (DynamicsError, ArithmeticError, ValueError):
+                continue  # the single call words it
 
     def _by_lanes(self, arrays: "dict[str, Array]", count: int) -> "list[Answered]":
         try:

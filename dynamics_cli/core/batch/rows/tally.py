@@ -11,12 +11,13 @@ if TYPE_CHECKING:
 REPORT_IT = "this is a bug: please report it with the row"
 # Of a row or of an error so much is shown.
 SHOWN = 200
+MOST_CAUTIONS = 3
 
 
 class Tally:
-    """The numbers of rows and of failures, the first row that failed here, and the first mistake of the program."""
+    """The numbers of rows and of failures, the first row that failed, the first mistake of the program, cautions."""
 
-    __slots__ = ("failed", "fault", "first", "format", "rows")
+    __slots__ = ("cautions", "failed", "fault", "first", "format", "rows")
 
     def __init__(self, form: str) -> None:
         self.format = form
@@ -24,6 +25,7 @@ class Tally:
         self.failed = 0
         self.first = ""
         self.fault = ""
+        self.cautions: dict[str, tuple[str, str]] = {}
 
     def refuse(self, error: DynamicsError, line: bytes) -> None:
         """Count a row that failed; what failed in an earlier step has been told by it."""
@@ -43,11 +45,14 @@ class Tally:
         self.failed += other.failed
         self.first = self.first or other.first
         self.fault = self.fault or other.fault
+        self.cautions = {**other.cautions, **self.cautions}
 
     def told(self) -> "Iterator[str]":
         """What is said at the end of a stream."""
         if self.first:
             rows = "1 row" if self.failed == 1 else f"{self.failed:,} rows"
             yield f"dynamics: {rows} could not be answered; the first: {self.first}\n"
+        for message, remedy in list(self.cautions.values())[:MOST_CAUTIONS]:
+            yield f"dynamics: caution for at least one row: {message}\n" + (f"  {remedy}\n" if remedy else "")
         if self.fault:
             yield f"dynamics: {self.fault}\n  {REPORT_IT}; the other rows are answered\n"
