@@ -232,7 +232,7 @@ def test_exact_inputs_that_differ_are_told_not_refused() -> None:
 @pytest.mark.parametrize(
     ("side", "fields", "words"),
     [
-        ("first", {"after": (SegmentAfter(6.5, "gravel"),)}, "no surface gravel"),
+        ("first", {"after": (SegmentAfter(6.5, "gravel"),)}, "no surface 'gravel'"),
         ("first", {"after": (SegmentAfter(6.5),)}, "neither a surface nor a friction"),
         ("first", {"after": (SegmentAfter(6.5, "road", 0.7),)}, "are both given"),
         ("first", {"exit_speed": 11.0}, "determines it too"),
@@ -363,7 +363,7 @@ def test_derivatives_and_samples_of_a_slide_with_spin() -> None:
         ({"rest": None}, "first.slide: the slide goes to the rest position"),
         ({"exit_heading": 0.8}, "the exit heading and a slide with spin"),
         ({"after": (SegmentAfter(6.5, "road"),)}, "stretches after the impact and a slide with spin"),
-        ({"slide": SlideAfter(4.0, surface="gravel", **WHEELS)}, "no surface gravel"),
+        ({"slide": SlideAfter(4.0, surface="gravel", **WHEELS)}, "no surface 'gravel'"),
         ({"slide": SlideAfter(4.0, **WHEELS)}, "neither a surface nor a friction"),
     ],
 )

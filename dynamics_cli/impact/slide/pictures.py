@@ -27,8 +27,6 @@ OVERHANG, OUTSIDE = 0.8, 0.25
 SPEED_PER_METRE = 4.0
 # How far an edge is drawn beyond the path, in metres.
 BESIDE = 2.0
-# Where its words begin, from its edges.
-WITHIN = 0.8
 # Inches of the picture.
 WIDE, HIGH = 7.2, 4.6
 
@@ -75,11 +73,17 @@ def _drawn(
             "width": given["track"] + 2.0 * OUTSIDE}  # fmt: skip
     items: list[Any] = []
     words: list[Words] = []
-    for index, wheel in enumerate(car.wheels):
-        items += _marks(wheel, done, 1 if index < 2 else 2, flip)
+    for index, (wheel, name) in enumerate(zip(car.wheels, ("", "front wheel", "", "rear wheel"), strict=True)):
+        role = 1 if index < 2 else 2
+        marks = [[(x, flip * y) for x, y in line] for line in lines(wheel, done)]
+        items += [_line(mark, "solid", role) for mark in marks]
+        if marks and name:
+            words.append(Words(marks[0][0], (-start.vx, -flip * start.vy), name, role))
     places = [(one.x, one.y) for one in done.moments]
     for ground in given.get("grounds", ()):
-        items += _edges(ground, places, flip)
+        area, edges, label = _ground(ground, places, flip)
+        items = [area, *items, *edges]
+        words.append(label)
     shown = _eighths(done)
     for index, (x, y, nose) in enumerate(shown):
         drawn = outline((x, flip * y), _way(nose, flip), 0, **size)
@@ -105,8 +109,8 @@ def _drawn(
     return items, words, (scale, speed), (0.0, 1.0) if axes == "compass" else None
 
 
-def _edges(ground: Ground, places: "list[Pair]", flip: float) -> "list[Any]":
-    """The edges of a ground, as far as the car came by, or all around a patch; and its friction."""
+def _ground(ground: Ground, places: "list[Pair]", flip: float) -> "tuple[Curve, list[Curve], Words]":
+    """A ground as far as the car came by, or the whole patch; its edges; and its friction where the car is far."""
     x, y = ground.edge_from
     way = ground.edge_to[0] - x, ground.edge_to[1] - y
     length = hypot(*way)
@@ -115,19 +119,25 @@ def _edges(ground: Ground, places: "list[Pair]", flip: float) -> "list[Any]":
     if not ground.patch:
         along = [a * (one[0] - x) + b * (one[1] - y) for one in places]
         begin, end = min(along) - BESIDE, max(along) + BESIDE
-    width = ground.width or 0.0
+    width = ground.width
+    # seen from above, left of a line
+    across = [a * (one[1] - y) - b * (one[0] - x) for one in places]
+    deep = max(*across, 0.0) + BESIDE if width is None else width
 
     def at(along: float, across: float) -> "Pair":
-        # seen from above, left of a line
         return x + a * along - flip * b * across, flip * (y + b * along) + a * across
 
-    corners = [at(begin, 0.0), at(end, 0.0), at(end, width), at(begin, width)]
+    corners = [at(begin, 0.0), at(end, 0.0), at(end, deep), at(begin, deep)]
     closed = [*corners, corners[0]]
-    pieces = [closed] if ground.patch and width else [corners[:2], corners[2:]] if width else [corners[:2]]
+    pieces = [corners[:2]] if width is None else [closed] if ground.patch else [corners[:2], corners[2:]]
+    near = [(at(begin, 0.5 * deep), (-a, -flip * b)), (at(end, 0.5 * deep), (a, flip * b))]
+    far, away = max(near, key=lambda one: min(hypot(one[0][0] - p, one[0][1] - flip * q) for p, q in places))
     label = worded("friction {friction:3}", friction=(ground.friction, Friction))
-    words = at(begin + WITHIN, min(WITHIN, 0.5 * (ground.width or 2.0 * WITHIN)))
-    drawn: list[Any] = [Curve([p for p, _ in one], [q for _, q in one], "", "thin", 6) for one in pieces]
-    return [*drawn, Mark(*words, label, (1.0, -3.0), False, 6)]
+    return _line(closed, "fill"), [_line(one, "thin") for one in pieces], Words(far, away, label, 6)  # type: ignore[arg-type]
+
+
+def _line(points: "list[Pair]", style: "Any", role: int = 6) -> Curve:
+    return Curve([p for p, _ in points], [q for _, q in points], "", style, role)
 
 
 def _way(nose: float, flip: float) -> "tuple[float, float]":
@@ -147,14 +157,3 @@ def _eighths(done: Run) -> "list[tuple[float, float, float]]":
         listed.pop()
     listed.append((moments[-1].x, moments[-1].y, moments[-1].nose))
     return listed
-
-
-def _marks(wheel: "Any", done: Run, role: int, flip: float) -> "list[Any]":
-    """The mark of a wheel, broken where it does not slip."""
-    drawn: list[Any] = [
-        Curve([x for x, _ in line], [flip * y for _, y in line], "", "solid", role) for line in lines(wheel, done)
-    ]
-    if drawn and wheel.left < 0.0:
-        x, y = drawn[0].x[0], drawn[0].y[0]
-        drawn.append(Mark(x, y, "front wheel" if wheel.ahead > 0.0 else "rear wheel", (4.0, -9.0), False, role))
-    return drawn

@@ -43,6 +43,12 @@ class Following:
     follower_distance: Annotated[Distance | None, "Distance of the follower up to then; none without contact [m]."]
     least_gap: Annotated[Length | None, "Minimum free distance, if they do not touch [m]."]
     least_gap_time: Annotated[Time | None, "When that is; none with a contact [s]."]
+    sufficient_gap: Annotated[
+        Length | None, "Least gap at time zero with which they do not touch; none if the follower stays faster [m]."
+    ]
+    missing_gap: Annotated[
+        Length, "That gap less their own: above zero they touch; all of the gap if the follower stays faster [m]."
+    ]
     moments: Annotated[tuple[OneBehind, ...], "Both, at equal steps of time up to the contact or to the end."]
 
 
@@ -102,28 +108,19 @@ def follow(
         return [gap + first[0] - second[0], *(a - b for a, b in zip(first[1:], second[1:], strict=True))]
 
     contact = next((time for time, rises in changes(front, behind, apart, 0.0, plain(last)) if not rises), None)
+    later = _later(front, behind, gap, last)
+    nearest, when = _nearest(front, behind, gap, last)
+    short = -nearest if later is None else gap
+    enough = gap + short if later is None else None
+    contact = later if contact is None else contact
     if contact is None:
-        contact = _later(front, behind, gap, last)
-    if contact is None:
-        nearest = _nearest(front, behind, gap, last)
         table = _table(front, behind, gap, last, steps)
-        return Following(False, None, None, None, None, None, *nearest, tuple(table))
+        return Following(False, None, None, None, None, None, nearest, when, enough, short, tuple(table))
     _, slow, _ = front.at(contact)
     distance_behind, fast, _ = behind.at(contact)
-    return Following(
-        contact=True,
-        contact_time=contact,
-        closing_speed=fast - slow,
-        leader_speed=slow,
-        follower_speed=fast,
-        follower_distance=distance_behind,
-        least_gap=None,
-        least_gap_time=None,
-        moments=(
-            *_table(front, behind, gap, contact, steps)[:-1],
-            OneBehind(contact, 0.0, front.at(contact)[0], slow, distance_behind, fast),
-        ),
-    )
+    touching = OneBehind(contact, 0.0, front.at(contact)[0], slow, distance_behind, fast)
+    rows = (*_table(front, behind, gap, contact, steps)[:-1], touching)
+    return Following(True, contact, fast - slow, slow, fast, distance_behind, None, None, enough, short, rows)
 
 
 def _later(front: Course, behind: Course, gap: float, last: float) -> "float | None":
