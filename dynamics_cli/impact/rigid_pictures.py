@@ -54,7 +54,7 @@ def planar(
     )  # fmt: skip
     names = names_of(first, second)
     body, two = (
-        Solid(one.mass, one.inertia, *(on_page(v, axes) for v in (one.lever, one.velocity)), one.spin,
+        Solid(one.mass, one.inertia, on_page(one.lever, axes), on_page(one.velocity, axes), one.spin,
               on_page(one.nose, axes)) for one in (body, two)
     )  # fmt: skip
     before = [body.velocity, two.velocity]

@@ -110,7 +110,7 @@ def gap_advice(gaps: "list[Gap]") -> "tuple[Advice, ...]":
                 ),
                 remedy="give the uncertainties of the measurements: they decide whether the two contradict each other"
                 if apart is None
-                else "look for a wrong measurement, or one less certain than stated: above 3 they contradict each other",
+                else "look for a wrong measurement, or one less certain than stated: above 3 they are a contradiction",
             )
         )  # fmt: skip
     return tuple(notes)

@@ -133,7 +133,7 @@ def _ground(ground: Ground, places: "list[Pair]", flip: float) -> "tuple[Curve, 
     near = [(at(begin, 0.5 * deep), (-a, -flip * b)), (at(end, 0.5 * deep), (a, flip * b))]
     far, away = max(near, key=lambda one: min(hypot(one[0][0] - p, one[0][1] - flip * q) for p, q in places))
     label = worded("friction {friction:3}", friction=(ground.friction, Friction))
-    return _line(closed, "fill"), [_line(one, "thin") for one in pieces], Words(far, away, label, 6)  # type: ignore[arg-type]
+    return _line(closed, "fill"), [_line(one, "thin") for one in pieces], Words(far, away, label, 6)
 
 
 def _line(points: "list[Pair]", style: "Any", role: int = 6) -> Curve:
