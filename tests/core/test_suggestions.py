@@ -11,6 +11,9 @@ from tests.harness import run
     ("call", "hint"),
     [
         ("skid|speed|--dist|60 ft|--friction|0.7", "did you mean --distance?"),
+        ("crash|job.toml", "of that name: dynamics impact crash"),
+        ("skid|speed|--report|x.html", "dynamics report case.json"),
+        ("skid|speed|--distance|60 ft|--friction|0.7|--plot|x.dxf", "--drawing x.dxf"),
         ("units|pressure", "did you mean dynamics units list --kind pressure"),
         ("units|list|pressure", "did you mean --kind pressure?"),
         ("inertia|shape|sphere|--radius|1 m|--density|steel", "--material steel"),

@@ -17,7 +17,7 @@ from dynamics_cli.core.command.help import describe_options, option_help, placeh
 from dynamics_cli.core.command.parsed import call_of, single, variable
 from dynamics_cli.core.command.plain_commands import COMMANDS, Command, completions
 from dynamics_cli.core.command.template import takes_scene
-from dynamics_cli.core.command.unknown import extra_words, looked_up, unknown_option, without_value
+from dynamics_cli.core.command.unknown import extra_words, in_families, looked_up, unknown_option, without_value
 from dynamics_cli.core.inputs.options import Option
 from dynamics_cli.core.inputs.settings import FORMATS, METHODS, SYSTEMS, UNIVERSAL_OPTIONS
 from dynamics_cli.errors import UsageError
@@ -25,7 +25,7 @@ from dynamics_cli.version import __version__
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Iterator, Mapping
     from typing import Any
 
     from dynamics_cli.core.terminal import Terminal
@@ -68,8 +68,11 @@ def _refusal(error: "Any", argv: "list[str]") -> UsageError:
         message = error.format_message().rstrip(".")
         if task is not None and message.startswith("Got unexpected extra"):
             return extra_words(task, message)
-        family = getattr(getattr(getattr(error, "ctx", None), "command", None), "family", None)
+        command = getattr(getattr(error, "ctx", None), "command", None)
+        family = getattr(command, "family", None)
         meant = looked_up(family, argv[1]) if family and "Did you mean" not in message else None
+        if isinstance(command, _Families) and argv:
+            meant = in_families(command.each(), argv[0])
         return UsageError(message[:1].lower() + message[1:], hint=meant or _try_help(error))
     if task is not None:
         return unknown_option(task, error.option_name, argv)
@@ -126,6 +129,10 @@ class _Families(_Group):
         self._families = families
         for name, (_, line) in families.items():
             self.commands[name] = TyperCommand(name, help=line, rich_markup_mode=None)
+
+    def each(self) -> "Iterator[Family]":
+        """Every family, imported one by one."""
+        return map(self._find, self._families)
 
     def resolve_command(self, ctx: "Any", args: "list[str]") -> "Any":
         """The family's commands, built now; lists of families need only their lines of help."""

@@ -10,7 +10,7 @@ from dynamics_cli.errors import ManyErrors, UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
 
 def near_option(task: Task, word: str) -> str:
@@ -23,6 +23,8 @@ def near_option(task: Task, word: str) -> str:
         or _described(task, typed)
         or suggestions(typed, UNIVERSAL_OPTIONS)
     )
+    if typed == "report":
+        return "a report is made of a document: --output case.json, then: dynamics report case.json"
     return (
         "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
         if near
@@ -112,3 +114,9 @@ def looked_up(family: Family, word: str) -> str | None:
         return None
     calls = (" ".join([task.path, *(f"--{name}" for name in task.options), word]) for task in tasks)
     return f"did you mean {' or '.join(f'dynamics {call}' for call in calls)}?"
+
+
+def in_families(families: "Iterable[Family]", word: str) -> str | None:
+    """The tasks of that name, for a word where a family should stand: `dynamics crash`."""
+    calls = [f"dynamics {family.name} {word}" for family in families if word in family.tasks]
+    return f"of that name: {', '.join(calls)}" if 0 < len(calls) <= MOST else None
