@@ -104,9 +104,7 @@ def _bodies(
     for role, sense in ((0, -1.0), (1, 1.0)):
         dx, dy = sense * scale * impulse[0], sense * scale * impulse[1]
         items.append(Arrow(*at, dx, dy, "", role))
-    return Panel(
-        Axis("x", Length), Axis(up, Length), tuple(items), "contact: levers, tangent and impulses", equal=True
-    )
+    return Panel(Axis("x", Length), Axis(up, Length), tuple(items), "contact: levers, tangent and impulses", equal=True)
 
 
 def _wall(at: "Pair", towards: "Pair") -> "list[Curve]":

@@ -11,6 +11,7 @@ from dynamics_cli.impact.slide.marks import lines
 from dynamics_cli.impact.slide.motion import Run, run
 from dynamics_cli.impact.slide.records import AtRest, Ground
 from dynamics_cli.impact.slide.task import car_of, start_of
+from dynamics_cli.impact.slide.wheels import Car
 from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.pictures import Arrow, Curve, Mark, Picture, Plan
 from dynamics_cli.quantities import STANDARD_GRAVITY, Friction
@@ -71,14 +72,7 @@ def _drawn(
     done = run(car, start)
     size = {"length": car.wheels[0].ahead - car.wheels[2].ahead + 2.0 * OVERHANG,
             "width": given["track"] + 2.0 * OUTSIDE}  # fmt: skip
-    items: list[Any] = []
-    words: list[Words] = []
-    for index, (wheel, name) in enumerate(zip(car.wheels, ("", "front wheel", "", "rear wheel"), strict=True)):
-        role = 1 if index < 2 else 2
-        marks = [[(x, flip * y) for x, y in line] for line in lines(wheel, done)]
-        items += [_line(mark, "solid", role) for mark in marks]
-        if marks and name:
-            words.append(Words(marks[0][0], (-start.vx, -flip * start.vy), name, role))
+    items, words = _marks(car, done, (-start.vx, -flip * start.vy), flip)
     places = [(one.x, one.y) for one in done.moments]
     for ground in given.get("grounds", ()):
         area, edges, label = _ground(ground, places, flip)
@@ -157,3 +151,16 @@ def _eighths(done: Run) -> "list[tuple[float, float, float]]":
         listed.pop()
     listed.append((moments[-1].x, moments[-1].y, moments[-1].nose))
     return listed
+
+
+def _marks(car: Car, done: Run, back: "Pair", flip: float) -> "tuple[list[Any], list[Words]]":
+    """The marks of the wheels, broken where they do not slip, and the words of those on one side."""
+    items: list[Any] = []
+    words: list[Words] = []
+    for index, (wheel, name) in enumerate(zip(car.wheels, ("", "front wheel", "", "rear wheel"), strict=True)):
+        role = 1 if index < 2 else 2
+        marks = [[(x, flip * y) for x, y in line] for line in lines(wheel, done)]
+        items += [_line(mark, "solid", role) for mark in marks]
+        if marks and name:
+            words.append(Words(marks[0][0], back, name, role))
+    return items, words
