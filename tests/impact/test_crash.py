@@ -215,6 +215,10 @@ def test_links_that_contradict_each_other_are_refused_by_name(tmp_path: Path) ->
     assert refused.status == 3
     for word in ("momentum", "record", "54.8", "66"):
         assert word in refused.error["message"]
+    assert "without first.recorded_speed" in refused.error["hint"]
+    told, *_ = uncertain(tmp_path, 'recorded_speed = "60.5 ± 1 km/h"').document["warnings"]
+    assert "standard deviations" in told["message"]
+    assert "give the uncertainties" not in told["remedy"]
     kept = uncertain(tmp_path, 'recorded_speed = "60 ± 1 km/h"')
     assert kept.status == 0
     (entry,) = kept.document["results"]["agreements"]
