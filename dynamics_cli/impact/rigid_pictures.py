@@ -3,10 +3,10 @@
 import math
 
 from dynamics_cli.impact.conventions import AXES, direction_of
-from dynamics_cli.impact.planar.bodies import solid
+from dynamics_cli.impact.planar.bodies import Solid, solid
 from dynamics_cli.impact.planar.impact import meeting_of
 from dynamics_cli.impact.planar.path import travel
-from dynamics_cli.impact.scene_pictures import LENGTH, collision, names_of, north_of, velocities
+from dynamics_cli.impact.scene_pictures import LENGTH, collision, names_of, north_of, on_page, upward, velocities
 from dynamics_cli.impact.spatial.bodies import frame_about, mobility, unit
 from dynamics_cli.impact.spatial.hodograph import STRIDE, series, value
 from dynamics_cli.impact.spatial.hodograph import reach as reach_of
@@ -48,10 +48,18 @@ def planar(
     towards = direction_of(normal, axes)
     inward = -towards[0], -towards[1]
     m = meeting_of(body, two, inward, closing_speed, friction, contact.restitution, 1.0)
-    at = (0.0, 0.0) if contact_point is None else contact_point
+    at, towards, impulse = (
+        on_page(vector, axes) for vector in ((0.0, 0.0) if contact_point is None else contact_point, towards,
+                                             result.impulse)
+    )  # fmt: skip
     names = names_of(first, second)
-    before, after = [body.velocity, two.velocity], [result.first.velocity, result.second.velocity]
-    contact_detail = _bodies((body, two), at, towards, result.impulse, names)
+    body, two = (
+        Solid(one.mass, one.inertia, on_page(one.lever, axes), on_page(one.velocity, axes), one.spin,
+              on_page(one.nose, axes)) for one in (body, two)
+    )  # fmt: skip
+    before = [body.velocity, two.velocity]
+    after = [on_page(one.velocity, axes) for one in (result.first, result.second)]
+    contact_detail = _bodies((body, two), at, towards, impulse, names, upward(axes))
     centres = [(at[0] - vehicle.lever[0], at[1] - vehicle.lever[1]) for vehicle in (body, two)]
     heavy = [vehicle.mass is not None and vehicle.mass >= LIGHTEST_VEHICLE for vehicle in (body, two)]
     drawn = 0
@@ -61,7 +69,7 @@ def planar(
         drawn = 2
     routh = _routh(m, result, result.law)
     if not drawn:
-        return Picture((contact_detail, velocities(names, before, after), routh), PLANAR, columns=2)
+        return Picture((contact_detail, velocities(names, before, after, axes=axes), routh), PLANAR, columns=2)
     wall = _wall(at, towards) if drawn == 1 else ()
     noses = (body.nose, two.nose)[:drawn]
     scene = collision(
@@ -70,7 +78,9 @@ def planar(
     return Picture((scene, contact_detail, routh), PLANAR, columns=2, scene=True)
 
 
-def _bodies(bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pair", names: "tuple[str, str]") -> Panel:
+def _bodies(
+    bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pair", names: "tuple[str, str]", up: str
+) -> Panel:
     """The mass centres with their levers and headings, the tangent at the contact, and the impulse on each."""
     levers = [body.lever for body in bodies if body.mass is not None]
     size = max([math.hypot(*lever) for lever in levers] or [1.0]) or 1.0
@@ -94,9 +104,7 @@ def _bodies(bodies: "tuple[Any, Any]", at: "Pair", towards: "Pair", impulse: "Pa
     for role, sense in ((0, -1.0), (1, 1.0)):
         dx, dy = sense * scale * impulse[0], sense * scale * impulse[1]
         items.append(Arrow(*at, dx, dy, "", role))
-    return Panel(
-        Axis("x", Length), Axis("y", Length), tuple(items), "contact: levers, tangent and impulses", equal=True
-    )
+    return Panel(Axis("x", Length), Axis(up, Length), tuple(items), "contact: levers, tangent and impulses", equal=True)
 
 
 def _wall(at: "Pair", towards: "Pair") -> "list[Curve]":

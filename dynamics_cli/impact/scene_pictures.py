@@ -3,7 +3,7 @@
 import math
 
 from dynamics_cli.errors import Wording, worded
-from dynamics_cli.impact.conventions import Axes, direction_of
+from dynamics_cli.impact.conventions import AXES, Axes, direction_of
 from dynamics_cli.impact.scene_labels import Words, bounds, ends, placed
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Plan, Ruler
 from dynamics_cli.quantities import Length, RoadSpeed
@@ -48,7 +48,17 @@ def names_of(first: "Any", second: "Any") -> "tuple[str, str]":
 def seen(length: float, heading: float, axes: Axes) -> "Pair":
     """A vector of a heading as seen from above on the page: north or y up; the y axis of sae points down."""
     x, y = direction_of(heading, axes)
-    return length * x, -length * y if axes == "sae" else length * y
+    return on_page((length * x, length * y), axes)
+
+
+def on_page(vector: "Pair", axes: Axes) -> "Pair":
+    """A vector of the scene as seen from above; the y axis of sae points down."""
+    return vector[0], -vector[1] if axes == "sae" else vector[1]
+
+
+def upward(axes: Axes) -> str:
+    """The axis that points up on the page."""
+    return "−y" if axes == "sae" else "y"
 
 
 def north_of(axes: Axes) -> "Pair | None":
@@ -314,15 +324,16 @@ def velocities(
     before: "Sequence[Pair]",
     after: "Sequence[Pair]",
     title: str = "velocities before (dashed) and after",
+    axes: Axes = AXES,
 ) -> Panel:
-    """Velocities before, dashed, and after from one point on one scale."""
+    """Velocities on the page before, dashed, and after from one point on one scale."""
     items: list[Any] = []
     for role, (name, u, v) in enumerate(zip(names, before, after, strict=True)):
         for word, (x, y) in (("before", u), ("after", v)):
             if x or y:
                 items.append(Arrow(0.0, 0.0, x, y, "", role, dashed=word == "before"))
                 items.append(beside((x, y), (x, y), f"{name} {word}", role))
-    across, up = Axis("velocity along x", RoadSpeed), Axis("velocity along y", RoadSpeed)
+    across, up = Axis("velocity along x", RoadSpeed), Axis(f"velocity along {upward(axes)}", RoadSpeed)
     return Panel(across, up, tuple(items), title, equal=True)
 
 

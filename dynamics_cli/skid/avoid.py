@@ -123,7 +123,7 @@ def avoid(
     limit: Approach | None = None
     if speed_limit is not None:
         limit = _approach("limit", speed_limit, sight_distance, reaction_time, deceleration)
-    enough = _sufficient(sufficient, sight_distance, reaction_time, deceleration)
+    enough = _sufficient(sufficient, reaction_time, deceleration)
     return Avoidance(
         avoidable=travelled.margin >= 0.0,
         margin=travelled.margin,
@@ -173,7 +173,7 @@ def _nonzero(x: float, moving: bool) -> float:
     return where(moving, x, 1.0)
 
 
-def _sufficient(speed: float, sight: float, reaction_time: float, deceleration: float) -> Approach:
+def _sufficient(speed: float, reaction_time: float, deceleration: float) -> Approach:
     """The approach that stops exactly at the hazard: its margin and speed there are zero by definition."""
     reaction = speed * reaction_time
     braking = speed / deceleration * (0.5 * speed)

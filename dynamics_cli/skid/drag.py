@@ -188,7 +188,7 @@ def drag_factor(
         front, rear, total = measurement.loads
         front_share, rear_share = front / total, rear / total
         transfer = measurement.cm_height * friction / measurement.wheelbase
-    checks, advice = _examine(measurement, drag, friction)
+    checks, advice = _examine(measurement, friction)
     return DragFactors(
         drag_factor=drag,
         deceleration=gravity * drag,
@@ -201,9 +201,7 @@ def drag_factor(
     )
 
 
-def _examine(
-    measurement: Surface | Axles | Sled, drag: float, friction: float
-) -> tuple[tuple[Check, ...], tuple[Advice, ...]]:
+def _examine(measurement: Surface | Axles | Sled, friction: float) -> tuple[tuple[Check, ...], tuple[Advice, ...]]:
     """Check the statics by another equation than the one that was solved."""
     if isinstance(measurement, Axles):
         front, rear, total = measurement.loads

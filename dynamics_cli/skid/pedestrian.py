@@ -2,7 +2,6 @@
 
 from dynamics_cli.errors import UsageError, require, worded
 from dynamics_cli.numerics.elementary import (
-    absolute,
     atan,
     atan2,
     cos,
@@ -12,7 +11,6 @@ from dynamics_cli.numerics.elementary import (
     multiply_add,
     sin,
     sqrt,
-    tan,
     where,
 )
 from dynamics_cli.numerics.number import plain, single
@@ -27,13 +25,11 @@ from dynamics_cli.quantities import (
     Friction,
     Gravity,
     Mass,
-    Ratio,
-    RoadSpeed,
     Slope,
 )
 from dynamics_cli.records import Advice
 from dynamics_cli.skid.diagnostics import balance
-from dynamics_cli.skid.throw import Throw, require_launch, require_throw, vehicle_share, vehicle_speed
+from dynamics_cli.skid.throw import Stages, Throw, require_launch, require_throw, stages, vehicle_share, vehicle_speed
 
 
 def pedestrian(
@@ -120,7 +116,9 @@ def pedestrian(
         )  # fmt: skip
     require_launch(launch_angle)
     flown = _flown(throw_distance, launch_height, launch_angle, gravity, lands)
-    slid = _slid(friction, launch_height, launch_angle, gravity, reach, lands)
+    # where nothing slides, the numbers of a level launch from the ground
+    angle, height = where(lands, 0.0, launch_angle), where(lands, 0.0, launch_height)
+    slid = stages(friction, 0.0, 1.0, angle, height, sliding, gravity * friction, gravity)
     speed, flight_time, flight, slide_time, slide = (
         where(lands, alone, combined) for alone, combined in zip(flown, slid, strict=True)
     )
@@ -161,10 +159,6 @@ def _least_sliding(
     return where(stops, minimum(shortest, least), least)
 
 
-# Speed, time in the air, distance in the air, time and distance of the slide.
-Stages = tuple[float, float, float, float, float]
-
-
 def _flown(distance: float, height: float, angle: float, gravity: float, lands: bool) -> Stages:
     """A throw that the landing stops; where it is not one, the numbers of a throw from its own distance."""
     height = where(lands, height, distance)
@@ -184,42 +178,6 @@ def _flown(distance: float, height: float, angle: float, gravity: float, lands: 
     return speed, root, speed * cosine * root, 0.0 * speed, 0.0 * speed
 
 
-def _slid(friction: float, height: float, angle: float, gravity: float, reach: float, lands: bool) -> Stages:
-    """A throw with a slide after the landing; without a slide, the numbers of a level throw from the ground."""
-    height = where(lands, 0.0, height)
-    angle = where(lands, 0.0, angle)
-    sliding = sqrt(2.0 * gravity * (friction * reach))
-    sine, cosine = sin(angle), cos(angle)
-    gain = multiply_add(friction, sine, cosine)
-    slope = tan(angle)
-    over_forward = multiply_add(friction, slope, 1.0)
-    require(
-        (gain > 0.0) & (over_forward > 0.0),
-        "cos α + μ sin α is {gain:6} at the launch angle {angle:6}: landing stops the body at once",
-        gain=(gain, Ratio),
-        angle=(angle, Angle),
-        code="stops-at-landing",
-    )
-    speed = sliding / gain
-    forward = speed * cosine
-    # √(2gH) over the forward speed, without the speed
-    landing, falling = _flight(slope, sqrt(height / (friction * reach)) * over_forward)
-    flight_time = forward * falling / gravity
-    # the share of √(2μg r) left for the slide, from the form that subtracts less
-    retained = where(slope >= 0.0, multiply_add(-friction, landing, 1.0), over_forward - friction * falling)
-    onward = retained / over_forward
-    require(
-        retained >= -1e-15,
-        "landing stops the body at once: its horizontal speed {forward:6} is less than friction times the vertical "
-        "one, {lost:6}",
-        forward=(forward, RoadSpeed),
-        lost=(friction * landing * forward, RoadSpeed),
-        code="stops-at-landing",
-    )
-    onward = maximum(onward, 0.0)
-    return speed, flight_time, forward * flight_time, sliding * onward / (friction * gravity), reach * onward * onward
-
-
 def _greatest_angle(friction: float, share: float, part: float, distance: float, height: float) -> float:
     """Largest angle at which the speed of a level launch reaches the distance; `part` is r/s."""
     slope = 2.0 * friction
@@ -232,16 +190,6 @@ def _greatest_angle(friction: float, share: float, part: float, distance: float,
 def _slides_there(friction: float, share: float) -> bool:
     """Whether a body launched at 2 atan μ still slides when it has landed."""
     return sqrt(maximum(share, 0.0)) * hypot(1.0, friction) >= 2.0 * friction
-
-
-def _flight(slope: float, drop: float) -> tuple[float, float]:
-    """Vertical speed at landing and g times the time in the air, per forward speed; so is `drop`, √(2gH).
-
-    The time comes from whichever root does not cancel.
-    """
-    landing = hypot(slope, drop)
-    fall_speed = absolute(slope) + landing
-    return landing, where(slope >= 0.0, fall_speed, drop * (drop / where(fall_speed > 0.0, fall_speed, 1.0)))
 
 
 def _stop_advice(friction: float, share: float, greatest_angle: float, lands: bool) -> tuple[Advice, ...]:

@@ -113,7 +113,7 @@ def stop(
     deceleration = gravity * drag
     travelled = reaction_distance = speed * reaction_time
     now = reaction_time
-    rows = [Moment("reaction", 0.0, 0.0, speed), *_coast(speed, reaction_time, steps)]
+    rows = [Moment("reaction", 0.0, 0.0, speed), *_between("reaction", (0.0, 0.0, speed), reaction_time, 0.0, steps)]
     rows.append(Moment("reaction", now, travelled, speed))
     braking_speed = speed
     by_means = reaction_distance
@@ -122,13 +122,13 @@ def stop(
     if build_up_time is not None:
         rise, drop, braking_speed = _build_up(speed, deceleration, build_up_time)
         rise_way = rise * (speed - drop / 3.0)
-        rows.extend(_rise((now, travelled, speed), rise, (drop, braking_speed), steps))
+        rows.extend(_between("build-up", (now, travelled, speed), rise, drop, steps, braking_speed))
         now, travelled = now + rise, travelled + rise_way
         rows.append(Moment("build-up", now, travelled, braking_speed))
         by_means = by_means + rise * (2.0 * speed + braking_speed) / 3.0
     braking_time = braking_speed / deceleration
     braking_way = braking_time * (0.5 * braking_speed)
-    rows.extend(_brake((now, travelled, braking_speed), braking_time, steps))
+    rows.extend(_between("braking", (now, travelled, braking_speed), braking_time, braking_speed, steps))
     now, travelled = now + braking_time, travelled + braking_way
     rows.append(Moment("braking", now, travelled, 0.0 * braking_speed))
     by_means = by_means + braking_way
@@ -167,30 +167,21 @@ def _build_up(speed: float, deceleration: float, build_up_time: float) -> tuple[
     return rise, drop, rest
 
 
-# Rows between the ends of each phase; the ends are the results themselves.
-def _coast(speed: float, duration: float, steps: int) -> list[Moment]:
-    times = [duration * step / steps for step in range(1, steps)]
-    return [Moment("reaction", time, speed * time, speed) for time in times]
+# The speed lost grows with this power of the time.
+POWERS = {"reaction": 1, "build-up": 2, "braking": 1}
 
 
-def _rise(begin: tuple[float, float, float], duration: float, end: tuple[float, float], steps: int) -> list[Moment]:
-    """Speed lost grows with the square of the time, and the way lost with its cube."""
+def _between(
+    phase: str, begin: tuple[float, float, float], duration: float, drop: float, steps: int, end: "float | None" = None
+) -> list[Moment]:
+    """Rows between the ends of a phase, which are results themselves, from its time, way and speed at the begin."""
     start, travelled, speed = begin
-    drop, rest = end
+    power = POWERS[phase]
+    whole = steps**power
+    end = speed - drop if end is None else end
     rows = []
     for step in range(1, steps):
-        time = duration * step / steps
-        lost = drop * (step * step) / (steps * steps)
-        speed_now = rest + drop * (steps * steps - step * step) / (steps * steps)
-        rows.append(Moment("build-up", start + time, travelled + time * (speed - lost / 3.0), speed_now))
-    return rows
-
-
-def _brake(begin: tuple[float, float, float], duration: float, steps: int) -> list[Moment]:
-    start, travelled, speed = begin
-    rows = []
-    for step in range(1, steps):
-        time = duration * step / steps
-        speed_now = speed * (steps - step) / steps
-        rows.append(Moment("braking", start + time, travelled + time * (0.5 * (speed + speed_now)), speed_now))
+        time, gone = duration * step / steps, step**power
+        way = travelled + time * (speed - drop * gone / whole / (power + 1.0))
+        rows.append(Moment(phase, start + time, way, end + drop * (whole - gone) / whole))
     return rows

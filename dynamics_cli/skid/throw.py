@@ -185,7 +185,7 @@ def on_grade(
     if launch_angle is None:
         return Throw(least_speed=least, least_vehicle_speed=vehicle_speed(least, mass_ratio), advice=advice)
     require_launch(launch_angle)
-    speed, flight_time, flight, slide_time, slide = _stages(
+    speed, flight_time, flight, slide_time, slide = stages(
         friction, slope, road, launch_angle, height, sliding, gravity * drag, gravity / road
     )
     return Throw(
@@ -205,10 +205,14 @@ def on_grade(
     )  # fmt: skip
 
 
-def _stages(
+# Speed, time and way in the air, time and way of the slide; ways are horizontal.
+Stages = tuple[float, float, float, float, float]
+
+
+def stages(
     friction: float, slope: float, road: float, angle: float, height: float, sliding: float, slowing: float, fall: float
-) -> tuple[float, float, float, float, float]:
-    """Speed, time and way in the air, time and way of the slide; `fall` is gravity across the road, ways horizontal."""
+) -> Stages:
+    """Flight and slide of a launch; `sliding` is its speed if level, `fall` gravity across the road."""
     sine, cosine = sin(angle), cos(angle)
     up, along = (sine - slope * cosine) / road, multiply_add(slope, sine, cosine) / road
     gain = multiply_add(friction, up, along)
@@ -220,8 +224,10 @@ def _stages(
     speed = sliding / gain
     landing = sqrt(multiply_add(speed * up, speed * up, 2.0 * fall * height))
     time = _flight_time(speed * up, landing, fall, height)
-    forward = speed * along - fall * slope * time
-    landing_speed = forward - friction * landing
+    drop = fall * slope * time
+    forward = speed * along - drop
+    # what the landing leaves, from the form that subtracts less
+    landing_speed = where(up >= 0.0, forward - friction * landing, sliding - friction * (fall * time) - drop)
     require(
         landing_speed >= -1e-15 * speed,
         "landing stops the body at once: friction takes {lost:6} of the {forward:6} along the road",

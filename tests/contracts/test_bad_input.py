@@ -160,6 +160,7 @@ FILES = {
     "empty.json": (b"", "it is empty"),
     "list.json": (b"[1, 2]", "a list of cases goes to --rows"),
     "bad.toml": (b"distance = \n", "is not TOML"),
+    "words.toml": (b"a = 1\nname = Ford\n", "that line is: name = Ford; text stands in quotes"),
     "date.toml": (b"distance = 2026-01-01\n", "a date or time"),
     "inf.toml": (b"friction = inf\n", "must be finite"),
     "other.json": (b'{"schema": "other/1", "results": {}}', "wanted 'dynamics/2'"),

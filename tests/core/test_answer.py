@@ -17,6 +17,22 @@ class TestScreen:
         assert first == "speed           57.044 km/h    exceeds the limit of 50 km/h by 7.044 km/h"
         assert "within the limit of 60 km/h by 2.956" in run(*SPEED, "--limit", "60 km/h").out
 
+    def test_a_small_energy_is_in_joules_on_the_screen_alone(self) -> None:
+        ball = (
+            "--first-mass",
+            "170 g",
+            "--second-mass",
+            "170 g",
+            "--second-velocity",
+            "0 m/s",
+            "--restitution",
+            "0.95",
+        )
+        call = ("impact", "central", "--first-velocity", "2 m/s", *ball)
+        assert "energy lost E              0.016575 J" in run(*call, "-q").out
+        assert run(*call, "-q", "--to", "energy_lost=kJ").out.endswith("1.6575e-05 kJ\n")
+        assert run(*call, "--json").document["results"]["energy_lost"]["unit"] == "kJ"
+
     def test_uncertain_results_show_two_digits_of_their_deviation(self) -> None:
         lines = run(*UNCERTAIN, "--limit", "80 km/h").out.splitlines()
         assert lines[0] == "speed           82.2 km/h    95 %: 77.2 to 86.9  80 km/h exceeded: 80 %"

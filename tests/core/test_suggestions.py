@@ -11,6 +11,10 @@ from tests.harness import run
     ("call", "hint"),
     [
         ("skid|speed|--dist|60 ft|--friction|0.7", "did you mean --distance?"),
+        ("crash|job.toml", "of that name: dynamics impact crash"),
+        ("skid|speed|--report|x.html", "dynamics report case.json"),
+        ("skid|speed|--distance|60 ft|--friction|0.7|--plot|x.dxf", "--drawing x.dxf"),
+        ("skid|timeline|--end-speed|3 m/s|--phase|braking 14 m", "kind=braking; it takes duration, distance,"),
         ("units|pressure", "did you mean dynamics units list --kind pressure"),
         ("units|list|pressure", "did you mean --kind pressure?"),
         ("inertia|shape|sphere|--radius|1 m|--density|steel", "--material steel"),

@@ -215,6 +215,10 @@ def test_links_that_contradict_each_other_are_refused_by_name(tmp_path: Path) ->
     assert refused.status == 3
     for word in ("momentum", "record", "54.8", "66"):
         assert word in refused.error["message"]
+    assert "without first.recorded_speed" in refused.error["hint"]
+    told, *_ = uncertain(tmp_path, 'recorded_speed = "60.5 ± 1 km/h"').document["warnings"]
+    assert "standard deviations" in told["message"]
+    assert "give the uncertainties" not in told["remedy"]
     kept = uncertain(tmp_path, 'recorded_speed = "60 ± 1 km/h"')
     assert kept.status == 0
     (entry,) = kept.document["results"]["agreements"]
@@ -232,7 +236,7 @@ def test_exact_inputs_that_differ_are_told_not_refused() -> None:
 @pytest.mark.parametrize(
     ("side", "fields", "words"),
     [
-        ("first", {"after": (SegmentAfter(6.5, "gravel"),)}, "no surface gravel"),
+        ("first", {"after": (SegmentAfter(6.5, "gravel"),)}, "no surface 'gravel'"),
         ("first", {"after": (SegmentAfter(6.5),)}, "neither a surface nor a friction"),
         ("first", {"after": (SegmentAfter(6.5, "road", 0.7),)}, "are both given"),
         ("first", {"exit_speed": 11.0}, "determines it too"),
@@ -363,7 +367,7 @@ def test_derivatives_and_samples_of_a_slide_with_spin() -> None:
         ({"rest": None}, "first.slide: the slide goes to the rest position"),
         ({"exit_heading": 0.8}, "the exit heading and a slide with spin"),
         ({"after": (SegmentAfter(6.5, "road"),)}, "stretches after the impact and a slide with spin"),
-        ({"slide": SlideAfter(4.0, surface="gravel", **WHEELS)}, "no surface gravel"),
+        ({"slide": SlideAfter(4.0, surface="gravel", **WHEELS)}, "no surface 'gravel'"),
         ({"slide": SlideAfter(4.0, **WHEELS)}, "neither a surface nor a friction"),
     ],
 )

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from dynamics_cli.impact import rigid_pictures
-from dynamics_cli.impact.conventions import ByMass, ByVelocity, Fixed, Restituted
+from dynamics_cli.impact.conventions import Axes, ByMass, ByVelocity, Fixed, Restituted
 from dynamics_cli.impact.planar.bodies import ByInertia, Lever, RigidBody, RigidTarget
 from dynamics_cli.impact.planar.envelope import envelope
 from dynamics_cli.impact.planar.impact import planar
@@ -51,6 +51,18 @@ def test_planar_pictures_end_where_the_impact_ends(law: str, scene: dict[str, An
     assert (path.x[-1], path.y[-1]) == (made.normal_impulse, made.tangential_impulse)
     limit = friction * (1.0 + 1e-12)
     assert all(abs(q) <= limit * p + 1e-9 for p, q in zip(path.x, path.y, strict=True))
+
+
+def test_sae_axes_are_turned_over_on_the_page() -> None:
+    """The same wall seen from above, its y once to the left and once to the right."""
+    drawn = []
+    for axes, side in (("mathematical", 1.0), ("sae", -1.0)):
+        car = RigidBody(ByMass(1500.0), ByInertia(2500.0), Lever((2.0, -0.4 * side)), ByVelocity((15.0, 3.0 * side)))
+        given = {"first": car, "second": RigidTarget(Fixed(True)), "normal": 0.17 * side, "friction": 0.4,
+                 "axes": Axes(axes), "contact": Restituted(0.3), "law": Law("stronge")}  # fmt: skip
+        panels = rigid_pictures.planar(planar(**given), **given).panels
+        drawn.append(numbers(Picture(panels[:2], "")))
+    assert drawn[0] == pytest.approx(drawn[1], rel=1e-12, abs=1e-12)
 
 
 def test_the_hodograph_begins_with_the_slip_before() -> None:

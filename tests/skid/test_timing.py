@@ -114,6 +114,8 @@ def test_a_follower_reaches_a_leader_that_stands() -> None:
     apart = follow(leader=leader, follower=follower, gap=lost + 1e-9)
     assert not apart.contact
     assert apart.least_gap == pytest.approx(1e-9, abs=1e-14)
+    assert found.sufficient_gap == pytest.approx(lost, rel=1e-14)
+    assert found.missing_gap == pytest.approx(lost - 25.0, rel=1e-13)
 
 
 def test_the_least_gap_is_where_the_speeds_are_equal() -> None:
@@ -127,7 +129,10 @@ def test_the_least_gap_is_where_the_speeds_are_equal() -> None:
 def test_a_faster_follower_arrives_in_the_end() -> None:
     slow = Party(Phase(Kind("constant"), duration=1.0), StartSpeed(18.0))
     fast = Party(Phase(Kind("constant"), duration=1.0), StartSpeed(20.0))
-    assert follow(leader=slow, follower=fast, gap=70.0).contact_time == pytest.approx(35.0, rel=1e-14)
+    found = follow(leader=slow, follower=fast, gap=70.0)
+    assert found.contact_time == pytest.approx(35.0, rel=1e-14)
+    # no gap suffices
+    assert (found.sufficient_gap, found.missing_gap) == (None, 70.0)
     assert not follow(leader=fast, follower=slow, gap=70.0).contact
 
 

@@ -23,6 +23,8 @@ def near_option(task: Task, word: str) -> str:
         or _described(task, typed)
         or suggestions(typed, UNIVERSAL_OPTIONS)
     )
+    if typed == "report":
+        return "a report is made of a document: --output case.json, then: dynamics report case.json"
     return (
         "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
         if near

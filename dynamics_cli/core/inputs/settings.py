@@ -63,7 +63,7 @@ FORMATS = ("table", "json", "ndjson", "csv", "markdown")
 # The format that the ending of --output selects.
 ENDINGS = {"json": "json", "ndjson": "ndjson", "jsonl": "ndjson", "csv": "csv", "md": "markdown", "txt": "table"}
 # Endings that other options write.
-OTHER_WRITERS = {"dxf": "drawing", "svg": "drawing or --plot", "png": "plot", "pdf": "plot", "html": "report"}
+OTHER_WRITERS = {"dxf": "drawing", "svg": "drawing or --plot", "png": "plot", "pdf": "plot"}
 SYSTEMS = ("si", "us", "base")
 MOST_SAMPLES = 100_000_000
 
@@ -235,7 +235,7 @@ def _ending_format(output: str) -> str:
     if format_ is None:
         writer = OTHER_WRITERS.get(ending.lower())
         hint = f"--{writer} writes such files" if writer else f"endings are {' '.join('.' + e for e in ENDINGS)}"
-        hint += "; `dynamics report` makes one of a document in .json" if ending.lower() == "pdf" else ""
+        hint += "; `dynamics report` makes one of a document in .json" if ending.lower() in ("pdf", "html") else ""
         raise UsageError(
             f"a document cannot be written as .{ending}",
             parameter="output",

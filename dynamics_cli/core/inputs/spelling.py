@@ -77,6 +77,8 @@ def written(node: "Node") -> str:
     for field in record.fields:
         if field.required and isinstance(field.node, Leaf):
             choice, kind = field.node.choice, field.node.kind
-            value = choice.names[0] if choice else field.example or ("NAME" if kind.form == "text" else kind.example)
+            other = choice.names[0] if choice else "NAME" if kind.form == "text" else kind.example
+            value = field.example or other
             pairs += [f"{field.key}={value}"] if value else []
-    return ", ".join(pairs)
+    more = [field.key for field in record.fields if not field.required]
+    return ", ".join(pairs) + (f"; it takes {', '.join(more)} too" if len(pairs) == 1 and more else "")

@@ -137,9 +137,9 @@ class _Walk:
         return out
 
     def _scalar(self, value: "Any", kind: "Kind", address: str, *, table: bool) -> "dict[str, Any]":
-        shown = self.shown[address] = self.display.of(address, kind)
         number = plain(value)
         _finite(number, address)
+        shown = self.shown[address] = self.display.of(address, kind, 0.0 if table else number)
         out = quantity_node(shown.value(number), shown.text)
         error = getattr(value, "error", None)
         if error is not None:

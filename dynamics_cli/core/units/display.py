@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 UNIT_ROUNDOFF = 2.0**-53
 RADIAN = parse_unit("rad")
+# Below a tenth of a kilojoule a joule reads better.
+SMALL = 100.0
 _PRETTY = (("^2", "²"), ("^3", "³"), ("^4", "⁴"), ("*", "·"))
 
 
@@ -95,23 +97,24 @@ class Shown:
 
 
 class Display:
-    """The unit in which each result is shown."""
+    """The unit in which each result is shown; `by_size` a small number without the kilo of its kind."""
 
-    def __init__(self, system: str, to: "Mapping[str, str]") -> None:
+    def __init__(self, system: str, to: "Mapping[str, str]", *, by_size: bool = False) -> None:
         self.system = system
         self.to = dict(to)
+        self.by_size = by_size
         self.used: set[str] = set()
         self._refused: dict[str, UsageError] = {}
         self._made: dict[tuple[str, int], Shown] = {}
 
-    def of(self, address: str, kind: Kind) -> Shown:
-        """How the result at `address` (without indices) is shown."""
+    def of(self, address: str, kind: Kind, size: float = 0.0) -> Shown:
+        """How the result at `address` (without indices) is shown; its size counts when it is first asked for."""
         key = (address, id(kind))
         if key not in self._made:
-            self._made[key] = self._make(address, kind)
+            self._made[key] = self._make(address, kind, size)
         return self._made[key]
 
-    def _make(self, address: str, kind: Kind) -> Shown:
+    def _make(self, address: str, kind: Kind, size: float) -> Shown:
         for name in (address, address.rpartition(".")[2], *self._indexed(address)):
             if name in self.to:
                 try:
@@ -125,7 +128,9 @@ class Display:
                     continue
                 self.used.add(name)
                 return shown
-        return Shown(kind, kind.shown_in(self.system))
+        text = kind.shown_in(self.system)
+        small = self.by_size and 0.0 < abs(size) < SMALL and text == f"k{kind.unit}"
+        return Shown(kind, kind.unit if small else text)
 
     def of_measured(self, address: str, measured: Measured) -> Measured:
         """A result with its own unit, in the caller's unit if one is requested."""

@@ -40,7 +40,8 @@ SLIDE = Task(
         "wheels: wheels | wheel, braking, energy_share=energy, mark",
     ),
     notes="Wheels: 100 % is locked or jammed, about 2 % rolls freely. The nose at rest counts whole turns: 380 deg for "
-    "a turn and 20 deg.",
+    "a turn and 20 deg. A --ground is all to the left of a straight edge, seen from its first point to its second; "
+    "with a width only a strip along it; with patch=yes too it ends at both points.",
 )
 
 TASKS: "tuple[Task, ...]" = (SLIDE,)

@@ -18,11 +18,12 @@ MOST_DEVIATIONS = 3.0
 
 
 class Gap:
-    """An agreement, and the data for its refusal."""
+    """An agreement, and the data for its refusal; `field` of the scene was measured."""
 
-    def __init__(self, agreement: Agreement, kind: "Any", one: float, other: float) -> None:
+    def __init__(self, agreement: Agreement, kind: "Any", field: str, one: float, other: float) -> None:
         self.agreement = agreement
         self.kind = kind
+        self.field = field
         self.one = one
         self.other = other
 
@@ -33,26 +34,26 @@ def agreements(scene: CrashScene, names: "list[str]", courses: "list[CrashCourse
     for name, side, course in zip(names, ("first", "second"), courses, strict=True):
         given = getattr(scene, side)
         if given.slide is None and given.rest is not None and course.rest_position is not None:
-            gaps.append(_place(name, course.rest_position, given.rest))
-        for what, link, value, recorded in (
-            ("speed into the impact", "momentum", course.approach_speed, given.recorded_speed),
-            ("ΔV", "momentum", course.delta_v.magnitude, given.recorded_delta_v),
+            gaps.append(_place(name, f"{side}.rest", course.rest_position, given.rest))
+        for what, field, value, recorded in (
+            ("speed into the impact", "recorded_speed", course.approach_speed, given.recorded_speed),
+            ("ΔV", "recorded_delta_v", course.delta_v.magnitude, given.recorded_delta_v),
         ):
             if recorded is not None:
                 gap = value - recorded
-                entry = Agreement(f"{what} of {name}", link, "record", gap, None, _normalised(gap))
-                gaps.append(Gap(entry, RoadSpeed, value, recorded))
+                entry = Agreement(f"{what} of {name}", "momentum", "record", gap, None, _normalised(gap))
+                gaps.append(Gap(entry, RoadSpeed, f"{side}.{field}", value, recorded))
     return gaps
 
 
-def _place(name: str, slid: "tuple[float, float]", measured: "tuple[float, float]") -> Gap:
+def _place(name: str, field: str, slid: "tuple[float, float]", measured: "tuple[float, float]") -> Gap:
     """The end of a slide beside the rest position, along the line between them."""
     across = measured[0] - slid[0], measured[1] - slid[1]
     apart = hypot(*across)
     entry = Agreement(
         f"rest position of {name}", "slide along the exit heading", "rest as measured", None, apart, _normalised(apart)
     )
-    return Gap(entry, Length, apart, 0.0 * apart)
+    return Gap(entry, Length, field, apart, 0.0 * apart)
 
 
 def _normalised(gap: "Any") -> float | None:
@@ -75,7 +76,9 @@ def require_agreement(gaps: "list[Gap]") -> None:
         (entry.normalised or 0.0) <= MOST_DEVIATIONS,
         "{first} and {second} contradict each other on the {quantity}: " + numbers + ", {gap:2} standard deviations",
         code="contradiction",
-        hint="look for a wrong measurement, or for a larger uncertainty, in {first} and in {second}",
+        hint="one of the measurements behind them is wrong, or less certain than stated; without {field} the rest is "
+        "answered",
+        field=worst.field,
         first=entry.one,
         second=entry.other,
         quantity=entry.quantity,
@@ -96,15 +99,18 @@ def gap_advice(gaps: "list[Gap]") -> "tuple[Advice, ...]":
         if apart is not None and apart <= 2.0:
             continue
         numbers = "they are {one:3} apart" if gap.kind is Length else "{one:3} and {other:3}"
+        numbers += "" if apart is None else ", {gap:2} standard deviations"
         notes.append(
             Advice(
                 "links-differ",
                 worded(
                     "{first} and {second} differ on the {quantity}: " + numbers,
                     first=entry.one, second=entry.other, quantity=entry.quantity,
-                    one=(gap.one, gap.kind), other=(gap.other, gap.kind),
+                    one=(gap.one, gap.kind), other=(gap.other, gap.kind), gap=(apart, Ratio),
                 ),
-                remedy="give the uncertainties of the measurements: they decide whether the two contradict each other",
+                remedy="give the uncertainties of the measurements: they decide whether the two contradict each other"
+                if apart is None
+                else "look for a wrong measurement, or one less certain than stated: above 3 they are a contradiction",
             )
         )  # fmt: skip
     return tuple(notes)

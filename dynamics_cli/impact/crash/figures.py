@@ -157,7 +157,8 @@ def _curve(legs: "Sequence[Any]", name: str, role: int) -> "list[Any]":
     for leg in legs:
         if leg.kind != "build-up":
             text = worded("{kind}\n{speed:3}", kind=leg.kind, speed=(leg.start, RoadSpeed))
-            marks.append(Mark(left, way, text, (6.0, -2.0), role=role))
+            # clear of the whiskers of the start
+            marks.append(Mark(left, way, text, (6.0, 8.0), role=role))
         for nth in range(POINTS):
             time = leg.duration * nth / (POINTS - 1)
             times.append(left - time)

@@ -210,7 +210,7 @@ def surface_friction(scene: CrashScene, part: "PhaseBefore | SegmentAfter | Slid
     known = ", ".join(surface.name for surface in scene.surfaces) or "none"
     require(
         len(matching) == 1,
-        "{place}there is no surface {name}" if not matching else "{place}there is more than one surface {name}",
+        "{place}there is no surface '{name}'" if not matching else "{place}there is more than one surface '{name}'",
         code="unknown-surface",
         hint="surfaces here: {known}",
         place=place,

@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.impact.conventions import direction_of
 from dynamics_cli.impact.crash.results import BeforeImpact, Course
-from dynamics_cli.impact.crash.scene import CrashScene, Ground, grounds, phases
+from dynamics_cli.impact.crash.scene import CrashScene, Ground, grounds, named, phases
 from dynamics_cli.impact.crash.spinning import Spinning
 from dynamics_cli.impact.diagnostics import balance
 from dynamics_cli.impact.slide.task import spin_advice
@@ -104,7 +104,10 @@ class Before:
     def __init__(self, scene: CrashScene, side: str, speed: float, gravity: float) -> None:
         self.side = side
         self.phases: tuple[Phase, ...] = phases(scene, side)
-        self.legs: list[Leg] = legs(self.phases, gravity, start=None, end=speed) if self.phases else []
+        self.legs: list[Leg] = []
+        if self.phases:
+            whose = named(getattr(scene, side), side)
+            self.legs = legs(self.phases, gravity, start=None, end=speed, whose=whose)
         self.impact_speed = speed
         self.gravity = gravity
 

@@ -2,8 +2,8 @@
 
 import math
 
-from dynamics_cli.impact.conventions import direction_of, mass_of
-from dynamics_cli.impact.scene_pictures import LENGTH, axes_of, collision, names_of, north_of, seen, velocities
+from dynamics_cli.impact.conventions import mass_of
+from dynamics_cli.impact.scene_pictures import LENGTH, axes_of, collision, names_of, north_of, on_page, seen, velocities
 from dynamics_cli.impact.uncertain_shapes import at_tip, fan
 from dynamics_cli.impact.vector_pictures import polygon
 from dynamics_cli.impact.verdict_pictures import worst_headings
@@ -26,13 +26,14 @@ WIDE = 9.0
 def oblique(result: "Any", *, first: "Any" = None, second: "Any" = None, **_: "Any") -> Picture:
     """Velocities before and after on one scale, and the line of impact."""
     before, after = [], []
+    axes = axes_of(result)
     for end in (result.first, result.second):
         gone = (0.0, 0.0) if end.delta_v is None else end.delta_v.vector
-        after.append(end.velocity)
-        before.append((end.velocity[0] - gone[0], end.velocity[1] - gone[1]))
-    way = direction_of(result.normal_direction, axes_of(result))
+        after.append(on_page(end.velocity, axes))
+        before.append(on_page((end.velocity[0] - gone[0], end.velocity[1] - gone[1]), axes))
+    way = seen(1.0, result.normal_direction, axes)
     reach = 0.7 * max(max(abs(x), abs(y)) for x, y in [*before, *after]) or 1.0
-    panel = velocities(names_of(first, second), before, after)
+    panel = velocities(names_of(first, second), before, after, axes=axes)
     line = Curve([-reach * way[0], reach * way[0]], [-reach * way[1], reach * way[1]], "line of impact", "dotted", 2)
     return Picture((Panel(panel.x, panel.y, (line, *panel.items), panel.title, equal=True),), "oblique impact")
 

@@ -5,7 +5,7 @@ power of a smaller deflection, such that it returns the work of restitution. Tim
 """
 
 from dynamics_cli.errors import worded
-from dynamics_cli.impact.planar.laws import ON_THE_PATH, Meeting, Outcome
+from dynamics_cli.impact.planar.laws import ON_THE_PATH, Meeting
 from dynamics_cli.impact.planar.path import travel
 from dynamics_cli.numerics.elementary import atan2, exp, log, sqrt
 from dynamics_cli.numerics.number import single
@@ -33,9 +33,7 @@ class Hertz:
     contact_modulus: Annotated[Pressure, "Effective modulus, 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, e.g. 2 GPa [Pa]."]
 
 
-def contact_history(
-    force: Spring | Hertz | None, m: Meeting, solved: Outcome, law: str
-) -> tuple[float | None, float | None]:
+def contact_history(force: Spring | Hertz | None, m: Meeting, law: str) -> tuple[float | None, float | None]:
     """Duration and peak force; None without a stiffness, or of a law that knows no path."""
     if force is None or law not in ON_THE_PATH:
         return None, None

@@ -146,7 +146,7 @@ def planar(
     refuse(solved, main, energetic)
     answer = _answer(solved, main, meeting, body, two, inward, axes, pdof_zero)
     alternatives, missing = _all_laws(meeting, body, two, inward, energetic) if law == "all" else ({}, ())
-    duration, peak = contact_history(force, meeting, solved, main)
+    duration, peak = contact_history(force, meeting, main)
     advice = contact_advice(contact) + force_advice(force, duration, main) + missing
     advice += side_advice(body, two, towards) + lever_advice(body, two) + restituted_advice(main, moment_restitution)
     checks = certificate(answer, solved, main, meeting, body, two, inward)

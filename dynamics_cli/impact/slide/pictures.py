@@ -11,6 +11,7 @@ from dynamics_cli.impact.slide.marks import lines
 from dynamics_cli.impact.slide.motion import Run, run
 from dynamics_cli.impact.slide.records import AtRest, Ground
 from dynamics_cli.impact.slide.task import car_of, start_of
+from dynamics_cli.impact.slide.wheels import Car
 from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.pictures import Arrow, Curve, Mark, Picture, Plan
 from dynamics_cli.quantities import STANDARD_GRAVITY, Friction
@@ -27,8 +28,6 @@ OVERHANG, OUTSIDE = 0.8, 0.25
 SPEED_PER_METRE = 4.0
 # How far an edge is drawn beyond the path, in metres.
 BESIDE = 2.0
-# Where its words begin, from its edges.
-WITHIN = 0.8
 # Inches of the picture.
 WIDE, HIGH = 7.2, 4.6
 
@@ -73,13 +72,12 @@ def _drawn(
     done = run(car, start)
     size = {"length": car.wheels[0].ahead - car.wheels[2].ahead + 2.0 * OVERHANG,
             "width": given["track"] + 2.0 * OUTSIDE}  # fmt: skip
-    items: list[Any] = []
-    words: list[Words] = []
-    for index, wheel in enumerate(car.wheels):
-        items += _marks(wheel, done, 1 if index < 2 else 2, flip)
+    items, words = _marks(car, done, (-start.vx, -flip * start.vy), flip)
     places = [(one.x, one.y) for one in done.moments]
     for ground in given.get("grounds", ()):
-        items += _edges(ground, places, flip)
+        area, edges, label = _ground(ground, places, flip)
+        items = [area, *items, *edges]
+        words.append(label)
     shown = _eighths(done)
     for index, (x, y, nose) in enumerate(shown):
         drawn = outline((x, flip * y), _way(nose, flip), 0, **size)
@@ -105,8 +103,8 @@ def _drawn(
     return items, words, (scale, speed), (0.0, 1.0) if axes == "compass" else None
 
 
-def _edges(ground: Ground, places: "list[Pair]", flip: float) -> "list[Any]":
-    """The edges of a ground, as far as the car came by, or all around a patch; and its friction."""
+def _ground(ground: Ground, places: "list[Pair]", flip: float) -> "tuple[Curve, list[Curve], Words]":
+    """A ground as far as the car came by, or the whole patch; its edges; and its friction where the car is far."""
     x, y = ground.edge_from
     way = ground.edge_to[0] - x, ground.edge_to[1] - y
     length = hypot(*way)
@@ -115,19 +113,25 @@ def _edges(ground: Ground, places: "list[Pair]", flip: float) -> "list[Any]":
     if not ground.patch:
         along = [a * (one[0] - x) + b * (one[1] - y) for one in places]
         begin, end = min(along) - BESIDE, max(along) + BESIDE
-    width = ground.width or 0.0
+    width = ground.width
+    # seen from above, left of a line
+    across = [a * (one[1] - y) - b * (one[0] - x) for one in places]
+    deep = max(*across, 0.0) + BESIDE if width is None else width
 
     def at(along: float, across: float) -> "Pair":
-        # seen from above, left of a line
         return x + a * along - flip * b * across, flip * (y + b * along) + a * across
 
-    corners = [at(begin, 0.0), at(end, 0.0), at(end, width), at(begin, width)]
+    corners = [at(begin, 0.0), at(end, 0.0), at(end, deep), at(begin, deep)]
     closed = [*corners, corners[0]]
-    pieces = [closed] if ground.patch and width else [corners[:2], corners[2:]] if width else [corners[:2]]
+    pieces = [corners[:2]] if width is None else [closed] if ground.patch else [corners[:2], corners[2:]]
+    near = [(at(begin, 0.5 * deep), (-a, -flip * b)), (at(end, 0.5 * deep), (a, flip * b))]
+    far, away = max(near, key=lambda one: min(hypot(one[0][0] - p, one[0][1] - flip * q) for p, q in places))
     label = worded("friction {friction:3}", friction=(ground.friction, Friction))
-    words = at(begin + WITHIN, min(WITHIN, 0.5 * (ground.width or 2.0 * WITHIN)))
-    drawn: list[Any] = [Curve([p for p, _ in one], [q for _, q in one], "", "thin", 6) for one in pieces]
-    return [*drawn, Mark(*words, label, (1.0, -3.0), False, 6)]
+    return _line(closed, "fill"), [_line(one, "thin") for one in pieces], Words(far, away, label, 6)
+
+
+def _line(points: "list[Pair]", style: "Any", role: int = 6) -> Curve:
+    return Curve([p for p, _ in points], [q for _, q in points], "", style, role)
 
 
 def _way(nose: float, flip: float) -> "tuple[float, float]":
@@ -149,12 +153,14 @@ def _eighths(done: Run) -> "list[tuple[float, float, float]]":
     return listed
 
 
-def _marks(wheel: "Any", done: Run, role: int, flip: float) -> "list[Any]":
-    """The mark of a wheel, broken where it does not slip."""
-    drawn: list[Any] = [
-        Curve([x for x, _ in line], [flip * y for _, y in line], "", "solid", role) for line in lines(wheel, done)
-    ]
-    if drawn and wheel.left < 0.0:
-        x, y = drawn[0].x[0], drawn[0].y[0]
-        drawn.append(Mark(x, y, "front wheel" if wheel.ahead > 0.0 else "rear wheel", (4.0, -9.0), False, role))
-    return drawn
+def _marks(car: Car, done: Run, back: "Pair", flip: float) -> "tuple[list[Any], list[Words]]":
+    """The marks of the wheels, broken where they do not slip, and the words of those on one side."""
+    items: list[Any] = []
+    words: list[Words] = []
+    for index, (wheel, name) in enumerate(zip(car.wheels, ("", "front wheel", "", "rear wheel"), strict=True)):
+        role = 1 if index < 2 else 2
+        marks = [[(x, flip * y) for x, y in line] for line in lines(wheel, done)]
+        items += [_line(mark, "solid", role) for mark in marks]
+        if marks and name:
+            words.append(Words(marks[0][0], back, name, role))
+    return items, words

@@ -114,6 +114,7 @@ FOLLOW = Task(
         "follower_distance: follower has travelled",
         "least_gap",
         "least_gap_time: nearest after",
+        "sufficient_gap: gap that suffices",
         "moments | time, gap, leader_speed, follower_speed",
     ),
     findings=(
@@ -121,6 +122,7 @@ FOLLOW = Task(
         "contact_time: the contact came after {}, at a closing speed of {closing_speed}",
         "least_gap: the smallest gap was {}, after {least_gap_time}",
     ),
+    chances={"contact": "missing_gap"},
     scene={**_stopping("leader.", "70 km/h"), **_stopping("follower.", "72 km/h"), "gap": "25 m"},
     examples=(
         'dynamics skid follow --gap "25 m" --leader-start-speed "20 m/s" --leader-kind braking --leader-speed 0m/s '

@@ -94,7 +94,7 @@ def surveyed(path: Points | SurveyFile) -> Survey:
         centre=(origin[0] + circle.x, origin[1] + circle.y),
         first_half=halves[0].radius if halves else None,
         second_half=halves[1].radius if halves else None,
-        advice=_advice(circle, sigma, halves),
+        advice=_advice(sigma, halves),
     )
 
 
@@ -160,7 +160,7 @@ def _halves(x: "list[float]", y: "list[float]") -> "tuple[Circle, Circle] | None
     return (first, second) if first is not None and second is not None else None
 
 
-def _advice(circle: Circle, sigma: "float | None", halves: "tuple[Circle, Circle] | None") -> tuple[Advice, ...]:
+def _advice(sigma: "float | None", halves: "tuple[Circle, Circle] | None") -> tuple[Advice, ...]:
     if sigma is None:
         message = "three points always lie on a circle: they do not show how well the radius is known"
         return (Advice(code="no-scatter", message=message, remedy="give --point-deviation, or a fourth point"),)

@@ -1,5 +1,7 @@
 """One vehicle behind another: whether, when, where and how fast the follower runs into the leader."""
 
+from itertools import zip_longest
+
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.polynomials import derivative
@@ -43,6 +45,12 @@ class Following:
     follower_distance: Annotated[Distance | None, "Distance of the follower up to then; none without contact [m]."]
     least_gap: Annotated[Length | None, "Minimum free distance, if they do not touch [m]."]
     least_gap_time: Annotated[Time | None, "When that is; none with a contact [s]."]
+    sufficient_gap: Annotated[
+        Length | None, "Least gap at time zero with which they do not touch; none if the follower stays faster [m]."
+    ]
+    missing_gap: Annotated[
+        Length, "That gap less their own: above zero they touch; all of the gap if the follower stays faster [m]."
+    ]
     moments: Annotated[tuple[OneBehind, ...], "Both, at equal steps of time up to the contact or to the end."]
 
 
@@ -96,34 +104,23 @@ def follow(
     )
     last = max((motion.stretches[-1].origin for motion in (front, behind)), key=plain)
 
-    def apart(first_poly: "list[float]", second_poly: "list[float]") -> "list[float]":
-        size = max(len(first_poly), len(second_poly))
-        first, second = ([*part, *([0.0] * (size - len(part)))] for part in (first_poly, second_poly))
-        return [gap + first[0] - second[0], *(a - b for a, b in zip(first[1:], second[1:], strict=True))]
+    def apart(ahead: "list[float]", rear: "list[float]") -> "list[float]":
+        return _less([gap + ahead[0], *ahead[1:]], rear)
 
     contact = next((time for time, rises in changes(front, behind, apart, 0.0, plain(last)) if not rises), None)
+    later = _later(front, behind, gap, last)
+    nearest, when = _nearest(front, behind, gap, last)
+    short = -nearest if later is None else gap
+    enough = gap + short if later is None else None
+    contact = later if contact is None else contact
     if contact is None:
-        contact = _later(front, behind, gap, last)
-    if contact is None:
-        nearest = _nearest(front, behind, gap, last)
         table = _table(front, behind, gap, last, steps)
-        return Following(False, None, None, None, None, None, *nearest, tuple(table))
+        return Following(False, None, None, None, None, None, nearest, when, enough, short, tuple(table))
     _, slow, _ = front.at(contact)
     distance_behind, fast, _ = behind.at(contact)
-    return Following(
-        contact=True,
-        contact_time=contact,
-        closing_speed=fast - slow,
-        leader_speed=slow,
-        follower_speed=fast,
-        follower_distance=distance_behind,
-        least_gap=None,
-        least_gap_time=None,
-        moments=(
-            *_table(front, behind, gap, contact, steps)[:-1],
-            OneBehind(contact, 0.0, front.at(contact)[0], slow, distance_behind, fast),
-        ),
-    )
+    touching = OneBehind(contact, 0.0, front.at(contact)[0], slow, distance_behind, fast)
+    rows = (*_table(front, behind, gap, contact, steps)[:-1], touching)
+    return Following(True, contact, fast - slow, slow, fast, distance_behind, None, None, enough, short, rows)
 
 
 def _later(front: Course, behind: Course, gap: float, last: float) -> "float | None":
@@ -138,16 +135,18 @@ def _later(front: Course, behind: Course, gap: float, last: float) -> "float | N
 def _nearest(front: Course, behind: Course, gap: float, last: float) -> "tuple[float, float]":
     """The least gap and when: where the speeds are equal, at a corner, at the start or at the end."""
 
-    def faster(entry: "list[float]", second_course: "list[float]") -> "list[float]":
-        first, second = derivative(entry), derivative(second_course)
-        size = max(len(first), len(second))
-        first, second = ([*part, *([0.0] * (size - len(part)))] for part in (first, second))
-        return [a - b for a, b in zip(first, second, strict=True)]
+    def faster(ahead: "list[float]", rear: "list[float]") -> "list[float]":
+        return _less(derivative(ahead), derivative(rear))
 
     corners = [piece.origin for motion in (front, behind) for piece in motion.stretches[1:]]
     times = [*corners, *(time for time, _ in changes(front, behind, faster, 0.0, plain(last)))]
     gaps = [(gap + front.at(time)[0] - behind.at(time)[0], time) for time in times]
     return min(gaps, key=lambda entry: (plain(entry[0]), plain(entry[1])))
+
+
+def _less(one: "list[float]", other: "list[float]") -> "list[float]":
+    """The difference of two polynomials."""
+    return [a - b for a, b in zip_longest(one, other, fillvalue=0.0)]
 
 
 def _table(front: Course, behind: Course, gap: float, end: float, steps: int) -> "list[OneBehind]":

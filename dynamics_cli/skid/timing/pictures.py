@@ -95,7 +95,7 @@ def meet(
     speeds: list[Any] = []
     for role, (party, name) in enumerate(((first, "first"), (second, "second"))):
         distances, swiftness = zip(*map(before_impact(party, gravity), times), strict=True)
-        places.append(Curve(times, distances, role=role))
+        places.append(Curve(times, distances, _named(party, name), role=role))
         speeds.append(Curve(times, swiftness, _named(party, name), role=role))
         for items, band in zip((places, speeds), bands_of(spreads, times[::4], party_in(name), role), strict=True):
             items += band
@@ -118,7 +118,7 @@ def meet(
     axis = Axis("time before the impact", Time, ends=ends)
     highest = max(max(item.y) for item in places if isinstance(item, Curve))
     # room above for the words where the reaction begins
-    away = Axis("distance to the impact", Length, ends=(-0.05 * highest, 1.3 * highest))
+    away = Axis("distance to it", Length, ends=(-0.05 * highest, 1.3 * highest))
     return Picture(
         (Panel(axis, away, tuple(places)), Panel(axis, Axis("speed", RoadSpeed), tuple(speeds))),
         "two parties before the impact",
@@ -294,7 +294,7 @@ def record(
     return Picture(
         (
             Panel(axis, Axis("speed", RoadSpeed), tuple(items)),
-            Panel(axis, Axis("way to the last sample", Length), (Curve(times, ways, role=0), band)),
+            Panel(axis, Axis("distance left", Length), (Curve(times, ways, role=0), band)),
             Panel(axis, Axis("acceleration", Acceleration), (slowing,)),
         ),
         "a recorded approach",

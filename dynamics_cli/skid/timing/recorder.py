@@ -167,8 +167,7 @@ def record_of(
         brake_latest=latest,
         speed_before_braking=before,
         intervals=tuple(rows),
-        advice=_stops_early(speeds[-1], interval, least_age, oldest)
-        + _advice(speeds, changes, brake_on, greatest_slip, gravity),
+        advice=_stops_early(speeds[-1], interval, least_age, oldest) + _advice(speeds, changes, greatest_slip, gravity),
     )
 
 
@@ -249,9 +248,7 @@ def _stops_early(speed: float, interval: float, least_age: float, oldest: float)
     return (Advice(code="stops-early", message=message, remedy="look for the samples that are missing"),)
 
 
-def _advice(
-    speeds: "tuple[float, ...]", changes: "list[float]", brake_on: "int | None", slip: float, gravity: float
-) -> "tuple[Advice, ...]":
+def _advice(speeds: "tuple[float, ...]", changes: "list[float]", slip: float, gravity: float) -> "tuple[Advice, ...]":
     """Advice on causes of recorded speeds that differ from the vehicle's."""
     if not single(*speeds, *changes, gravity, slip):
         return ()

@@ -86,13 +86,31 @@ def parse_toml(text: str, name: str) -> "dict[str, Any]":
     try:
         return _plain(tomllib.loads(text, parse_float=_finite_token))  # type: ignore[no-any-return]
     except tomllib.TOMLDecodeError as error:
-        raise UsageError(f"{name!r} is not TOML: {error}", code="toml") from None
+        raise UsageError(f"{name!r} is not TOML: {error}", code="toml", hint=_toml_hint(text, str(error))) from None
     except RecursionError:
         raise UsageError(f"{name!r} is nested too deeply", code="toml") from None
     except ValueError:
         # Python reads and writes whole numbers of some thousands of digits at most.
         message = f"{name!r} is not TOML that can be read: a whole number has thousands of digits"
         raise UsageError(message, code="toml", hint="write it as 1e99") from None
+
+
+# What a parser complains of, and what was mostly meant.
+TOML_SLIPS = {
+    "Invalid value": 'text stands in quotes: name = "Ford"',
+    "declare": "each [table] is written once; one of several has double brackets: [[table]]",
+    "overwrite": "each name is given once; one table of several has double brackets: [[table]]",
+    "Expected ']'": 'a name with a space stands in quotes: [surfaces."wet grass"]',
+    "Expected '='": "a line is name = value",
+}
+
+
+def _toml_hint(text: str, message: str) -> str | None:
+    """The line that cannot be read, and what was mostly meant."""
+    number = message.partition("at line ")[2].partition(",")[0]
+    line = "".join(text.split("\n")[int(number) - 1 : int(number)]).strip() if number.isdigit() else ""
+    meant = next((hint for word, hint in TOML_SLIPS.items() if word in message), "")
+    return "; ".join(part for part in (f"that line is: {line}" if line else "", meant) if part) or None
 
 
 def parameters_of(raw: "dict[str, Any]", known: "set[str]", command: str) -> "dict[str, Any]":

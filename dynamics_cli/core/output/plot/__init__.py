@@ -33,7 +33,7 @@ def check_asked(task: "Task", settings: "Settings") -> None:
             f"read {name!r}, wanted a file that ends in .svg, .png or .pdf, or - for the terminal",
             parameter="plot",
             code="unknown-choice",
-            hint="for example: --plot picture.svg",
+            hint=f"drawings for CAD: --drawing {name}" if form == "dxf" else "for example: --plot picture.svg",
         )
     for other in ("output", "drawing"):
         other_file = getattr(settings, other)
