@@ -79,20 +79,8 @@ class Leaf:
         self.measures = measures
 
 
-class Group:
-    """The members of one assembly in its frame, that frame's position, and whether it is subtracted."""
-
-    __slots__ = ("members", "origin", "rotation", "sign")
-
-    def __init__(self, origin: "Vector", rotation: "Matrix", sign: float) -> None:
-        self.members: list[Leaf | Group] = []
-        self.origin = origin
-        self.rotation = rotation
-        self.sign = sign
-
-
 class Walk:
-    """Gathers the leaves of an assembly, in its frame and by the groups they belong to, and the origins of named parts.
+    """Gathers the leaves of an assembly, in its frame, and the origins of named parts.
 
     `width` is the number of derivatives of its numbers, None if they are plain.
     """
@@ -100,7 +88,6 @@ class Walk:
     def __init__(self, width: int | None = None) -> None:
         self.width = width
         self.leaves: list[Leaf] = []
-        self.group = Group((0.0, 0.0, 0.0), IDENTITY, 1.0)
         self.origins: dict[str, Vector] = {}
 
     def into(
@@ -110,24 +97,21 @@ class Walk:
         origin: "Vector",
         rotation: "Matrix",
         sign: float,
-        group: Group | None = None,
         stuff: Amount | None = None,
     ) -> None:
         """Every part of a list, in the frame at `origin` turned by `rotation`.
 
         A hole without a density has that of the body before it or around it: `stuff`.
         """
-        group = group or self.group
         for index, part in enumerate(parts):
             label = prefix + (part.name or f"part {index + 1}")
             place = add(origin, part.position if rotation is IDENTITY else times(rotation, part.position))
-            own_turn, turn = IDENTITY, rotation
+            turn = rotation
             if part.turn is not None:
                 own_turn = matrix_of(part.turn)
                 turn = own_turn if rotation is IDENTITY else product(rotation, own_turn)
             self._name(part, label, place)
-            own_sign = -1.0 if part.subtract else 1.0
-            part_sign = own_sign * sign
+            part_sign = -sign if part.subtract else sign
             amount = part.amount
             if amount is None and part.subtract and (part.shape or part.mesh):
                 amount = stuff
@@ -136,7 +120,6 @@ class Walk:
             properties, measure = lump_of(part, amount, label, self.width)
             if properties is not None:
                 self.leaves.append(Leaf(label, part, properties, place, turn, part_sign, measure))
-                group.members.append(Leaf(label, part, properties, part.position, own_turn, own_sign, measure))
             else:
                 require(
                     part.parts,
@@ -146,9 +129,7 @@ class Walk:
                     part=label,
                 )
             if part.parts:
-                inner = Group(part.position, own_turn, own_sign)
-                group.members.append(inner)
-                self.into(part.parts, label + "/", place, turn, part_sign, inner, stuff)
+                self.into(part.parts, label + "/", place, turn, part_sign, stuff)
 
     def _name(self, part: Part, label: str, place: "Vector") -> None:
         if not part.name:
