@@ -172,7 +172,7 @@ def _taken(array: "Array", rows: "Rows") -> "Array":
 def bisected(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "Any":
     """Sign change of a function that is positive at `low` and not at `high`, lane by lane.
 
-    Each lane takes the steps that `gear.single.limits.bisect` takes alone, and stays where these end.
+    Each lane takes the steps that `numerics.polynomials.bisect` takes alone, and stays where these end.
     """
     f_low, f_high = function(low), function(high)
     kind = type(f_low)

@@ -1,8 +1,6 @@
-"""Extremes of forces, torques, stress and jump speed: references of 40 digits, and random programs on dense grids."""
+"""Extremes of motions, forces, torques, stress and jump speed against dense grids of random programs."""
 
-import json
 import random
-from decimal import Decimal
 from math import pi
 from typing import Any
 
@@ -11,7 +9,6 @@ import pytest
 from geometry_cases import KINDS, NOTHING, SWINGING, random_follower
 from search_length import EVALUATIONS
 
-from dynamics_cli.accuracy.cases import DATA
 from dynamics_cli.cam.forces.forces import force
 from dynamics_cli.cam.forces.loads import load_of
 from dynamics_cli.cam.forces.records import ArmOnSpring, ArmOnTorsionSpring, Contact, Forces, Slide
@@ -19,65 +16,15 @@ from dynamics_cli.cam.geometry import followers
 from dynamics_cli.cam.geometry.contact import Geometry
 from dynamics_cli.cam.laws.names import LawName
 from dynamics_cli.cam.program.reading import motion_of
+from dynamics_cli.cam.program.summary import extreme
 from dynamics_cli.errors import InadmissibleError
 
-CASES = json.loads((DATA / "cam_forces.json").read_text(encoding="utf-8"))["cases"]
-TRAINS = {one.__name__: one for one in (Slide, ArmOnTorsionSpring, ArmOnSpring)}
 LAWS = [name for name in LawName.names if name not in ("scca", "polynomial", "spline") and not name.startswith("half")]
 GRID = np.linspace(0.0, 1.0, 1501)
 FREE = (
     "rise 20 mm in 90 deg {}; return 5 mm in 40 deg polynomial; return 10 mm in 50 deg linear; "
     "return 5 mm in 40 deg polynomial; dwell"
 )
-
-
-def numbers(tree: dict[str, str]) -> dict[str, float]:
-    return {key: float(value) for key, value in tree.items() if key != "record"}
-
-
-def answered(inputs: dict[str, Any]) -> Forces:
-    train, follower, contact = (inputs.get(key) for key in ("train", "follower", "contact"))
-    return force(
-        NOTHING,
-        program=inputs["program"],
-        shaft_speed=float(inputs["shaft_speed"]),
-        train=TRAINS[train["record"]](**numbers(train)),
-        follower=follower and getattr(followers, follower["record"])(**numbers(follower)),
-        rotation=followers.Rotation(inputs["rotation"]),
-        contact=contact and Contact(**numbers(contact)),
-        count=2,
-    )
-
-
-@pytest.mark.parametrize("case", CASES, ids=[case["name"] for case in CASES])
-def test_results_keep_their_bounds(case: dict[str, Any]) -> None:
-    found = answered(case["inputs"])
-    assert found.numerics is not None
-    bounds = {bound.result: bound for bound in found.numerics.bounds}
-    for name, text in case["results"].items():
-        value, bound = getattr(found, name), bounds[name]
-        error = abs(Decimal(value) - Decimal(text))
-        stated = Decimal(bound.bound) * (abs(Decimal(text)) if bound.relative else 1)
-        assert error <= stated, (name, float(error), float(stated))
-
-
-@pytest.mark.parametrize("case", CASES, ids=[case["name"] for case in CASES])
-def test_bounds_are_of_the_size_of_rounding(case: dict[str, Any]) -> None:
-    found = answered(case["inputs"])
-    assert found.numerics is not None
-    for bound in found.numerics.bounds:
-        ends = [abs(getattr(found, end + bound.result.partition("_")[2])) for end in ("least_", "greatest_")
-                if hasattr(found, end + bound.result.partition("_")[2])]  # fmt: skip
-        size = 1.0 if bound.relative else max(ends)
-        loose = any(
-            word in case["name"] for word in ("of the radius of curvature", "off a cusp", "stretched beyond the axis")
-        )
-        assert bound.bound <= (1e-6 if loose else 1e-12) * size, bound.result
-
-
-def test_enough_cases_are_hard() -> None:
-    assert sum(case["kind"] == "hard" for case in CASES) >= 12
-    assert all(case["why"] for case in CASES if case["kind"] == "hard")
 
 
 def program(chance: random.Random, swing: bool) -> str:
@@ -149,6 +96,7 @@ def compared(kind: str, seed: int) -> bool:
     motion = motion_of(NOTHING, line)
     if any(advice.code == "velocity-jump" for advice in found.advice):
         return False
+    _motion_compared(kind, seed, motion)
     load, geometry = load_of(train, motion, speed), Geometry(follower, rotation)
     dense = curves(motion, geometry, load, kind)
     assert all(check.passed for check in found.checks), (kind, seed)
@@ -166,6 +114,16 @@ def compared(kind: str, seed: int) -> bool:
     assert slowest * (1.0 - 5e-4) <= found.jump_speed <= slowest * (1.0 + 1e-12), (kind, seed)
     _stress_compared(kind, seed, found, dense, (line, speed, train, follower, rotation))
     return True
+
+
+def _motion_compared(kind: str, seed: int, motion: Any) -> None:
+    states = [motion.in_zone(index, GRID) for index in range(len(motion.zones))]
+    for order in range(4):
+        ends = extreme(motion, order)
+        size = max(abs(ends.least), abs(ends.greatest))
+        for values in (state[order] for state in states):
+            assert values.max() <= ends.greatest + 1e-14 * size, (kind, seed, order)
+            assert values.min() >= ends.least - 1e-14 * size, (kind, seed, order)
 
 
 def _stress_compared(kind: str, seed: int, found: Forces, dense: Any, given: Any) -> None:

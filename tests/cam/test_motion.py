@@ -34,6 +34,12 @@ def of(line: str):
     return motion_of(Program(), line)
 
 
+def test_commas_between_clauses_and_no_word_before_the_angle() -> None:
+    other = of("rise 20 mm 90 deg cycloidal, dwell 60 deg, return in 90 deg 3-4-5, rest")
+    assert other.in_zone(0, 0.3) == of(LINE).in_zone(0, 0.3)
+    assert other.joints == of(LINE).joints
+
+
 @pytest.mark.parametrize("line", LINES)
 class TestAnyMotion:
     def test_it_closes_and_repeats_to_the_bit(self, line: str) -> None:

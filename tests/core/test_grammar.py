@@ -407,6 +407,16 @@ def test_pairs() -> None:
     assert split_pairs('name="a, b=c", at=(1, 2) m') == {"name": "a, b=c", "at": "(1, 2) m"}
 
 
+def test_pairs_without_a_comma() -> None:
+    assert split_pairs("over=4 length=12 mm") == {"over": "4", "length": "12 mm"}
+    assert split_pairs("name=hole at=1, 0, 0 mm profile-shift=2 subtract=true") == {
+        "name": "hole",
+        "at": "1, 0, 0 mm",
+        "profile-shift": "2",
+        "subtract": "true",
+    }
+
+
 @pytest.mark.parametrize("text", ["", "60 ft", "a=1, a=2", "a=, b=2", "=3", "a=1, b"])
 def test_refused_pairs(text: str) -> None:
     with pytest.raises(UsageError):

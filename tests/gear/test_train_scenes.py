@@ -81,3 +81,9 @@ def test_a_flag_is_written_in_a_repeated_group() -> None:
     refused = run("gear", "train", "--mesh", mesh + "perhaps", "--driver", "a", "--driven", "b")
     assert refused.status == 2
     assert "--mesh: internal: read 'perhaps', wanted true or false" in refused.err
+
+
+def test_stages_stand_apart_by_commas_or_blanks() -> None:
+    for stages in ("20:60,18:54", "20:60 18 : 54", "20 : 60; 18:54"):
+        assert answer("gear", "train", "--stages", stages)["results"]["ratio"] == "9"
+    assert run("gear", "train", "--stages", "20 60, 18:54").status == 3

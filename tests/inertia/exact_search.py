@@ -1,9 +1,8 @@
-"""A search for bounds of meshes and sections below the true error, against exact rationals.
+"""A search for bounds of sections below the true error, against exact rationals.
 
     python tests/inertia/exact_search.py [SECONDS [SEED]]
 
-Meshes are stretched to needles and plates, turned, moved far off and rounded to single precision; sections are thin,
-turned and far off. The worst that were found are among the shipped cases.
+Sections are thin, turned and far off. The worst that were found are among the shipped cases.
 """
 
 import math
@@ -18,20 +17,12 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "references"))
 
-import generate_inertia_mesh_references as meshes
 import generate_inertia_sections_references as sections
 import inertia_answers
-import numpy as np
 from mpmath import mp, mpf, nstr
 
-from dynamics_cli.accuracy.alternatives.inertia.bodies import named
 from dynamics_cli.accuracy.cases import Case
 from dynamics_cli.errors import InadmissibleError
-from dynamics_cli.inertia.bodies.mass_moments import tensor_of
-from dynamics_cli.inertia.mesh.measurement import Measured, require_closed
-from dynamics_cli.inertia.mesh.stl import Corners
-from dynamics_cli.inertia.mesh.surface import LengthUnit
-from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 
 # A result's address, its true value to 40 digits, and the program's with its bound.
 Result = tuple[str, str, Any]
@@ -40,33 +31,6 @@ Result = tuple[str, str, Any]
 def between(rng: random.Random, low: float, high: float) -> float:
     """A number of any order of magnitude."""
     return math.exp(rng.uniform(math.log(low), math.log(high)))
-
-
-def mesh(rng: random.Random) -> Iterator[Result]:
-    """A solid or a shell that exact arithmetic says has a volume."""
-    stretch = [1.0, between(rng, 1e-7, 1.0), between(rng, 1e-7, 1.0)]
-    rng.shuffle(stretch)
-    turn = [rng.uniform(-1.0, 1.0) for _ in range(4)]
-    offset = [rng.choice((0.0, 1.0)) * rng.uniform(-1.0, 1.0) * 10.0 ** rng.uniform(0.0, 8.0) for _ in range(3)]
-    solid = rng.choice(("ball 1", "box", "tetrahedron", "bracket", "hollow ball", "ball 2"))
-    single, shell = rng.random() < 0.15, rng.random() < 0.2
-    recipe = meshes.recipe(solid, stretch, turn, offset, single=single, shell=shell)
-    mp.dps = 60
-    true = meshes.integrals(recipe)
-    corners = np.array(meshes.triangles(recipe)).reshape(-1, 3)
-    source = Corners("", "", corners, np.arange(len(corners)).reshape(-1, 3))
-    found = Measured(source, shell=shell)
-    if not shell:
-        require_closed(found, allowed=False)
-    lift = Lift(found, LengthUnit("m"), 0)
-    tensor = tensor_of(lift.second(1.0))
-    made = named(lift.centroid(), tensor, lift.spread(1.0).moments)
-    made["area" if shell else "volume"] = lift.measure()
-    # results that come to nothing come to the noise of these digits in the reference
-    reach, most = float(np.abs(corners).max()), max(abs(float(text)) for name, text in true.items() if "." in name)
-    for name, text in true.items():
-        size = reach if name.startswith("centroid") else most
-        yield name, text if abs(float(text)) > 1e-45 * size else "0.0", made[name]
 
 
 def section(rng: random.Random) -> Iterator[Result]:
@@ -118,14 +82,13 @@ def short(make: Callable[[random.Random], Iterator[Result]], rng: random.Random)
 def main() -> None:
     """Search as long as asked."""
     seconds, seed = (float(sys.argv[1]) if len(sys.argv) > 1 else 60.0), int(sys.argv[2]) if len(sys.argv) > 2 else 1
-    for make in (mesh, section):
-        rng, until, bodies, results = random.Random(seed), time.monotonic() + 0.5 * seconds, 0, 0
-        while time.monotonic() < until:
-            count, found = short(make, rng)
-            bodies, results = bodies + (count > 0), results + count
-            for line in found:
-                print(line, flush=True)
-        print(f"{make.__name__}: {bodies} bodies, {results} results")
+    rng, until, bodies, results = random.Random(seed), time.monotonic() + seconds, 0, 0
+    while time.monotonic() < until:
+        count, found = short(section, rng)
+        bodies, results = bodies + (count > 0), results + count
+        for line in found:
+            print(line, flush=True)
+    print(f"{bodies} sections, {results} results")
 
 
 if __name__ == "__main__":

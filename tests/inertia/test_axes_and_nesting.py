@@ -129,37 +129,6 @@ class TestBoundsOfAxes:
 
 
 class TestNesting:
-    def test_a_sub_assembly_far_away_keeps_the_digits_of_its_own_frame(self) -> None:
-        """Two blocks 1/8 apart, 10⁷ from the scene's origin: positions added there are rounded to 10⁻⁹."""
-        masses, sides, apart = (1.0, 2.0), (0.25, 0.5, 0.75), (0.1, 0.07, 0.03)
-        far, point = (1e7, -2e7, 3e7), 1e-12
-        inner = tuple(
-            Part(shape=Block(*sides), amount=OfMass(m), position=tuple(s * x for x in apart), turn=turn)  # type: ignore[arg-type]
-            for m, s, turn in zip(masses, (0.0, 1.0), (None, ByQuaternion((1.0, 1.0, 0.0, 0.0))), strict=True)
-        )
-        whole = Part(parts=inner, turn=ByQuaternion(QUATERNION), position=far)
-        beside = Part(amount=OfMass(point), position=far)
-        made = body(Assembly(parts=tracked((whole, beside))))
-        with mp.workdps(60):
-            d = matrix([mpf(x) for x in apart])
-            second = matrix(3, 3)
-            for m, (a, b, c) in zip(masses, (sides, (0.25, 0.75, 0.5)), strict=True):
-                second += mpf(m) / 12 * mp.diag([mpf(x) ** 2 for x in (a, b, c)])
-            total = mpf(masses[0]) + masses[1] + mpf(point)
-            second += mpf(masses[1]) * d * d.T - mpf(masses[1]) ** 2 / total * d * d.T
-            seen = rotation() * second * rotation().T
-            for i in range(3):
-                for j in range(3):
-                    found = made.second_moments[i][j]
-                    assert abs(mpf(found.value) - seen[i, j]) <= found.error
-                    assert found.error < 1e-14
-            values, _ = mp.eigsy(second)
-            trace = sum(values)
-            for k, name in enumerate(("first", "second", "third")):
-                true = trace - values[2 - k]
-                assert abs(mpf(getattr(made.principal_moments, name)) - true) <= bound_of(made, name) * true
-                assert bound_of(made, name) < 2e-14
-
     def test_what_is_cut_out_cancels_in_the_frame_of_its_assembly(self) -> None:
         """A plate less an equal one of half its thickness: thin along its own axis, not the scene's."""
         plate = Part(shape=Block(1.0, 1.0, 2.0**-20), amount=OfMass(1.0))

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from references.inertia_solids import ball, write_stl
 
+from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.inertia.assembly.assembly import Assembly, body
 from dynamics_cli.inertia.assembly.parts import Part
 from dynamics_cli.inertia.bodies.amount import OfDensity, OfMass
@@ -50,6 +51,15 @@ class TestHoles:
         assert self.codes(self.PLATE, brass, hole) == []
         measured = Part(amount=OfMass(3.0), tensor=((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)))
         assert self.codes(measured, hole) == []
+
+    def test_a_hole_without_a_density_has_that_of_the_body_before_or_around_it(self) -> None:
+        hole = Part(name="hole", shape=Cylinder(0.02, 0.1), subtract=True)
+        dense = Part(name="hole", shape=Cylinder(0.02, 0.1), subtract=True, amount=OfDensity(1000.0))
+        assert body_of(self.PLATE, hole) == body_of(self.PLATE, dense)
+        drilled = Part(name="plate", shape=self.PLATE.shape, amount=self.PLATE.amount, parts=(hole,))
+        assert body_of(drilled).mass == body_of(self.PLATE, dense).mass
+        with pytest.raises(InadmissibleError, match="neither mass nor density"):
+            body_of(hole, self.PLATE)
 
     def test_a_mesh_part_given_twice_is_named(self, tmp_path: Path) -> None:
         path = tmp_path / "ball.stl"

@@ -327,3 +327,11 @@ def test_materials_lie_within_their_ranges() -> None:
     with pytest.raises(InadmissibleError) as refused:
         density_of("stainles")
     assert "stainless-304" in (refused.value.hint or "")
+
+
+def test_a_rod_has_an_end_and_shapes_further_names() -> None:
+    at_end = answer("inertia", "shape", "rod", "--length", "2 m", "--mass", "3 kg", "--about", "end")
+    assert at_end["results"]["moments"]["zz"]["value"] == pytest.approx(4.0)
+    sizes = ("--radius", "30 mm", "--thickness", "5 mm", "--length", "1 m", "--mass", "1 kg")
+    tube, hollow = (answer("inertia", "shape", name, *sizes)["results"] for name in ("tube", "hollow-cylinder"))
+    assert tube == hollow

@@ -49,6 +49,7 @@ PROFILE = Task(
     arrays=False,
     tracked=False,
     writers={"svg": "dynamics_cli.cam.geometry.animation:animation"},
+    pointers={"drawing": "the outline for a machine: dynamics cam export … --drawing cam.dxf"},
     plot="dynamics_cli.cam.geometry.pictures:profile_picture",
     sheet="dynamics_cli.cam.export.sheet:cam_sheet",
 )

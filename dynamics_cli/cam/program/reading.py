@@ -203,7 +203,7 @@ def _swings(steps: "Sequence[Step]") -> bool:
         not (any(swings) and any(lifts)),
         "the program has both lifts and swings: a follower either slides or oscillates",
         code="swing",
-        hint="write all of them as lengths, or all as angles",
+        hint="write all of them as lengths, or all as angles; `in` goes before the angle turned: return in 90 deg",
     )
     return any(swings)
 

@@ -1,7 +1,7 @@
 """A motion program in one line: `rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell`.
 
 program   = clause { ";" clause }
-clause    = "start" angle | move [ ["to"] amount ] [ ("in" | "over" | "for") angle ] [ law ]
+clause    = "start" angle | move [ ["to"] amount [ angle ] ] [ ("in" | "over" | "for") angle ] [ law ]
 move      = "rise" | "return" | "dwell"                     amount = length or angle
 law       = name { number | key "=" value }                 numbers: shares, degree or share at constant velocity
 """
@@ -41,7 +41,10 @@ def read_program(text: str) -> "tuple[list[Step], Exact | None]":
     """
     steps: list[Step] = []
     start: Exact | None = None
-    for clause in text.replace("\n", ";").replace("−", "-").split(";"):
+    text = text.replace("\n", ";").replace("−", "-")
+    for word in (*Move.names, *Move.aliases):
+        text = text.replace(f", {word}", f"; {word}")
+    for clause in text.split(";"):
         if not clause.strip():
             continue
         words = _Words(clause)
@@ -72,7 +75,8 @@ def _step(words: "_Words") -> Step:
         return Step(Segment(**fields), span)
     absolute = words.skip("to")
     words.skip("by")
-    if words.at_number():
+    at_amount = words.at_number()
+    if at_amount:
         amount, is_angle = words.amount()
         if absolute:
             # A level has the dimension of the program, as the lift has.
@@ -81,7 +85,7 @@ def _step(words: "_Words") -> Step:
             fields.update({"swing": abs(amount)} if is_angle else {})
         else:
             fields["swing" if is_angle else "lift"] = amount
-    if words.skip("in", "over", "for"):
+    if words.skip("in", "over", "for") or (at_amount and words.at_number()):
         span = words.angle()
     _read_law(words, fields)
     return Step(Segment(**fields), span, level)

@@ -102,9 +102,9 @@ class Task:
     How it is called
         also: further names that a call may use; help and listings show the first. names: where to find the values that
         an option may take, for completion, {"material": "module:names"}. pointers: where to find values of parameters
-        that are missing or typed as a word. notes: the language of an option, after the examples in the help. scene:
-        the values that a template shows, by address, where its required fields alone do not make a case with an
-        answer, {"bodies[1].mass": "2 kg"}.
+        that are missing or typed as a word; under `drawing`, the task that writes what its own --drawing does not.
+        notes: the language of an option, after the examples in the help. scene: the values that a template shows, by
+        address, where its required fields alone do not make a case with an answer, {"bodies[1].mass": "2 kg"}.
     """
 
     def __init__(

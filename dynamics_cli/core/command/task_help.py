@@ -30,7 +30,7 @@ def task_help(task: "Task", width: int, word: str = "") -> str:
 
     `word` may name one of a positional parameter's alternatives, whose parameters are then shown.
     """
-    chosen = next((node.members.get(word) for node in _tagged(task)), None)
+    chosen = next((node.member(word) for node in _tagged(task)), None)
     words = f" {word}" if chosen else "".join(f" {word_name(field)}" for field in task.specification.words)
     required, optional = _parameters(task, width, chosen)
     full = [line for row in optional for line in _row(row[1], row[2], width)]

@@ -25,11 +25,10 @@ def near_option(task: Task, word: str) -> str:
     )
     if typed == "report":
         return "a report is made of a document: --output case.json, then: dynamics report case.json"
-    return (
-        "did you mean " + " or ".join(f"--{name}" for name in near) + "?"
-        if near
-        else f"try: dynamics {task.path} --help"
-    )
+    if not near:
+        return f"try: dynamics {task.path} --help"
+    half = ", half of it" if "diameter" in typed and all("radius" in name for name in near) else ""
+    return "did you mean " + " or ".join(f"--{name}" for name in near) + f"{half}?"
 
 
 def groups_with(task: Task, typed: str) -> "list[str]":

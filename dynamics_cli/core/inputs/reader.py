@@ -5,7 +5,7 @@ its text so that it is read exactly), `{"value": 60, "unit": "ft"}`, truth value
 """
 
 from dynamics_cli.core.inputs.context import Context, Token
-from dynamics_cli.core.inputs.leaves import read_leaf
+from dynamics_cli.core.inputs.leaves import MANY_CHOICES, read_leaf
 from dynamics_cli.core.inputs.options import kebab
 from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged
 from dynamics_cli.core.inputs.spelling import underscored, written
@@ -235,12 +235,16 @@ class Reader(Context):
                     place, f"{self.spell(place)} is missing", code="missing", hint=f"one of {', '.join(node.members)}"
                 )
             return None
-        member = node.members.get(kebab(str(tag).strip().lower().replace(" ", "-")))
+        member = node.member(kebab(str(tag).strip().lower().replace(" ", "-")))
         if member is None:
             from dynamics_cli.core.units.near_names import nearest_words
 
             near = nearest_words(str(tag), node.members)
-            hint = f"did you mean {' or '.join(near)}?" if near else f"one of {', '.join(node.members)}"
+            hint = f"one of {', '.join(node.members)}"
+            if len(node.members) > MANY_CHOICES:
+                hint = f"--help lists all {len(node.members)}"
+            if near:
+                hint = f"did you mean {' or '.join(near)}?"
             self._fail(place, f"there is no {node.key} {str(tag)!r}", code="unknown-choice", hint=hint)
             return None
         values = {key: value for key, value in raw.items() if key != node.key and (alone or key in names)}

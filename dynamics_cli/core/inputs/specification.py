@@ -127,6 +127,11 @@ class Tagged:
         self.members = members
         self._names: frozenset[str] | None = None
 
+    def member(self, name: str) -> "Record | None":
+        """The alternative of a name, or of a further one that it goes by: `disc` for `disk`."""
+        further = (record for record in self.members.values() if name in getattr(record.cls, "also", ()))
+        return self.members.get(name) or next(further, None)
+
     @property
     def names(self) -> "frozenset[str]":
         """Every name that may be given for one of the alternatives."""

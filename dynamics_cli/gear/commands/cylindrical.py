@@ -3,6 +3,7 @@
 from dynamics_cli.core.answering.task import Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+DRAWN = {"drawing": "exact outlines, one gear at a time: dynamics gear profile … --drawing gear.dxf; a picture: --plot"}
 RACK = ("the flanks are those a rack generates, without allowances or deviations", "strength is not rated")
 
 SPUR = Task(
@@ -18,6 +19,7 @@ SPUR = Task(
         assumptions=RACK,
     ),
     plot="dynamics_cli.gear.single.pictures:gear_picture",
+    pointers=DRAWN,
     examples=(
         'dynamics gear spur --teeth 12 --module "3 mm" --profile-shift 0.6',
         'dynamics gear spur --teeth 18 --diametral-pitch "8 1/in" --pressure-angle "14.5 deg" --units us',
@@ -50,6 +52,7 @@ HELICAL = Task(
         assumptions=RACK,
     ),
     plot="dynamics_cli.gear.single.pictures:gear_picture",
+    pointers=DRAWN,
     examples=(
         'dynamics gear helical --teeth 12 --module "3 mm" --helix-angle "30 deg" --profile-shift 0.09809',
         'dynamics gear helical --teeth 20 --transverse-module "3 mm" --helix-angle "15 deg" --hand left '
@@ -124,6 +127,7 @@ PAIR = Task(
         '--first-bearings-left "50 mm" --first-bearings-right "50 mm"',
     ),
     plot="dynamics_cli.gear.pair.pictures:pair",
+    pointers=DRAWN,
     sheet="dynamics_cli.gear.pair.sheet:pair_sheet",
     table="points",
     arrays=False,
@@ -154,6 +158,7 @@ RACK_TASK = Task(
         assumptions=("no backlash, no deviations", "strength is not rated"),
     ),
     plot="dynamics_cli.gear.single.pictures:rack_picture",
+    pointers=DRAWN,
     examples=(
         'dynamics gear rack --teeth 12 --module "3 mm" --profile-shift 0.6 --datum-height "32 mm"',
         'dynamics gear rack --teeth 20 --transverse-module "2 mm" --helix-angle "20 deg" --speed "120 rpm" '

@@ -4,9 +4,9 @@ from math import pi
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.crossing.hypoid_records import HypoidData
-from dynamics_cli.gear.single.limits import bisect
 from dynamics_cli.numerics.elementary import absolute, asin, atan, atan2, cos, sin, sqrt, tan
 from dynamics_cli.numerics.number import like, plain
+from dynamics_cli.numerics.polynomials import bisect
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, ShaftSpeed, Size, Teeth
 from dynamics_cli.records import Advice, Check
 

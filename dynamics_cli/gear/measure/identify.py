@@ -13,6 +13,10 @@ from dynamics_cli.records import Advice, Check, record
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from typing import TypeAlias
+
+    # deviation, name, module as a fraction, and pressure angle in degrees
+    Found: TypeAlias = "tuple[float, str, tuple[int, int], float]"
 
 PRESSURE_ANGLES = (20.0, 14.5, 15.0, 17.5, 22.5, 25.0, 30.0)
 SMALL_MODULES = (0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9)
@@ -23,6 +27,8 @@ DIAMETRAL_PITCHES = (
 COMMON_SHIFT = 1.0
 # Teeth are cut thinner for backlash by up to so much of a profile shift: the tip diameter does not follow.
 THINNED = 0.06
+# How many of the gears that fit a warning names.
+NAMED = 4
 
 
 @record
@@ -135,7 +141,7 @@ def identify(
         base_pitch=readings.pitch,
         fitting=fitting,
         checks=_checks(readings, candidates[0]),
-        advice=_advice(fitting, tip_diameter),
+        advice=_advice(names[:fitting], tip_diameter),
     )
 
 
@@ -205,8 +211,8 @@ class _Readings:
         return sum(span_length(unit, reading.over) for reading in self.spans) / len(self.spans)
 
 
-def _chosen(read: _Readings) -> "list[tuple[float, str, tuple[int, int], float]]":
-    """Candidates, best first: deviation, name, module as a fraction, and pressure angle in degrees."""
+def _chosen(read: _Readings) -> "list[Found]":
+    """Candidates, best first."""
     candidates_fitting = []
     mean, sizes = read.mean(), tuple(_sizes())
     for degrees in PRESSURE_ANGLES:
@@ -281,12 +287,17 @@ def _checks(read: _Readings, best: Candidate) -> tuple[Check, ...]:
     return (Check("spans of the best candidate against the readings [m]", worst <= tolerance, worst, tolerance),)
 
 
-def _advice(fitting: int, tip_diameter: float | None) -> tuple[Advice, ...]:
-    if fitting == 1:
+def _advice(fitting: "list[Found]", tip_diameter: float | None) -> tuple[Advice, ...]:
+    if len(fitting) == 1:
         return ()
-    if fitting == 0:
+    if not fitting:
         text = "no standard gear fits within the accuracy of the readings: the nearest are shown"
         return (Advice("no-fit", text, "serious"),)
-    message = worded("{fitting} standard gears fit these readings", fitting=fitting)
+    named = ", ".join(f"{name} of {degrees:g}°" for _, name, _, degrees in fitting[:NAMED])
+    message = worded(
+        "{fitting} standard gears fit these readings: {named}",
+        fitting=len(fitting),
+        named=named + ", …" * (len(fitting) > NAMED),
+    )
     remedy = "measure more accurately" if tip_diameter is not None else "give the tip diameter"
     return (Advice("several-fit", message, remedy=remedy),)

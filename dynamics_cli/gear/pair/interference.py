@@ -10,7 +10,6 @@ from math import pi
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.gear.pair.engagement import Engagement, Path
 from dynamics_cli.gear.single.gear import Gear
-from dynamics_cli.gear.single.limits import bisect
 from dynamics_cli.gear.single.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import (
     absolute,
@@ -25,6 +24,7 @@ from dynamics_cli.numerics.elementary import (
     sin,
 )
 from dynamics_cli.numerics.number import like, over_plain, plain
+from dynamics_cli.numerics.polynomials import bisect
 from dynamics_cli.quantities import Annotated, Coordinate, Text
 from dynamics_cli.records import record
 

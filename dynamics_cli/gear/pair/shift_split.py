@@ -13,11 +13,11 @@ from dynamics_cli.gear.pair.engagement import (
 )
 from dynamics_cli.gear.rounding import bare
 from dynamics_cli.gear.single.gear import Gear, require_circles
-from dynamics_cli.gear.single.limits import bisect
 from dynamics_cli.gear.single.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import absolute, cos
 from dynamics_cli.numerics.involute import inverse_involute, involute
 from dynamics_cli.numerics.number import like, plain
+from dynamics_cli.numerics.polynomials import bisect
 from dynamics_cli.quantities import Ratio, Size
 from dynamics_cli.records import Choice
 

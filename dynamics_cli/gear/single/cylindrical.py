@@ -289,9 +289,7 @@ def _advice(
     if least is None or most is None or plain(least) <= plain(gear.shift):
         return tuple(advice)
     low, high = plain(least), plain(most)
-    remedy = worded(
-        "raise the profile shift by {more} to {low:6}", more=(low - plain(gear.shift), Ratio), low=(low, Ratio)
-    )
+    remedy = worded("raise the profile shift to {low:6}", low=(low, Ratio))
     if low > high:
         remedy = worded(
             "no profile shift is possible with {teeth} teeth: undercut ends at x = {low:6}, tips are pointed from "

@@ -237,7 +237,5 @@ def _undercut_advice(form: ToothForm) -> Advice:
 
     more = -junction.margin * sin(cutter.transverse_angle)
     message = worded("the rack undercuts the involute below {form:6} diameter", form=(2.0 * form.form, Size))
-    remedy = worded(
-        "raise the profile shift by {more} to {shift}", more=(more, Ratio), shift=(cutter.shift + more, Ratio)
-    )
+    remedy = worded("raise the profile shift to {shift:6}", shift=(cutter.shift + more, Ratio))
     return Advice("undercut", message, remedy=remedy)

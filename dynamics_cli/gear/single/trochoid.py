@@ -11,6 +11,7 @@ from math import pi
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, maximum, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.number import like, over_plain
+from dynamics_cli.numerics.polynomials import bisect
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.quantities import Annotated, Ratio
 from dynamics_cli.records import record
@@ -245,28 +246,8 @@ def _meeting(curve: _Corner) -> float:
 
 
 def _bracketed(f: "Callable[[float], float]", high: float) -> float:
-    """The sign change of f between 0 (f < 0) and high (f ≥ 0): down by sixteenths, then Chandrupatla's method."""
+    """The sign change of f between 0 (f < 0) and high (f ≥ 0), bracketed downwards by sixteenths."""
     low = 0.0625 * high
     while f(low) > 0.0 and low > 1e-60:
         high, low = low, 0.0625 * low
-    a, b, fa, fb = high, low, f(high), f(low)
-    c, fc, fraction = a, fa, 0.5
-    for _ in range(100):
-        x = a + fraction * (b - a)
-        fx = f(x)
-        if (fx > 0.0) == (fa > 0.0):
-            c, fc = a, fa
-        else:
-            c, b, fc, fb = b, a, fb, fa
-        a, fa = x, fx
-        best = a if abs(fa) < abs(fb) else b
-        if fa == 0.0 or abs(b - a) <= 4e-16 * abs(best):
-            return best
-        xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
-        if phi * phi < xi and (1.0 - phi) * (1.0 - phi) < 1.0 - xi:
-            fraction = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
-        else:
-            fraction = 0.5
-        least = 2e-16 * abs(best) / abs(b - a)
-        fraction = min(max(fraction, least), 1.0 - least)
-    return a if abs(fa) < abs(fb) else b
+    return bisect(lambda delta: -f(delta), low, high)

@@ -42,8 +42,8 @@ class Stages:
         """The meshes in order."""
         meshes: list[Mesh] = []
         shaft = 1
-        text = self.stages.replace("×", ":").replace("x", ":").replace(" ", "").replace(";", ",")
-        for stage in text.split(","):
+        text = self.stages.replace("×", ":").replace("x", ":").replace(";", " ").replace(",", " ")
+        for stage in ":".join(part.strip() for part in text.split(":")).split() or [""]:
             teeth = [_whole(word, stage) for word in stage.split(":")]
             require(
                 len(teeth) > 1,

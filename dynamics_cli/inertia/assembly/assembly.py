@@ -87,7 +87,16 @@ def body(
     assembly = compose_scene(scene)
     if not assembly.sloped:
         about_point, turn, shaft = each_number((about_point, turn, shaft), plain, _tracked())
-    view = view_of(about, about_point, turn, axes=axes, product_sign=product_sign, shaft=shaft, parts=assembly.origins)
+    view = view_of(
+        about,
+        about_point,
+        turn,
+        axes=axes,
+        product_sign=product_sign,
+        shaft=shaft,
+        points=assembly.origins,
+        called="the origin of part {}",
+    )
     return reported(assembly, view)
 
 

@@ -56,7 +56,9 @@ class Part:
         0.0,
     )
     turn: Annotated[Turn | None, "How the part's own axes are turned in that frame."] = None
-    subtract: Annotated[bool, "Subtract the part, as a hole."] = False
+    subtract: Annotated[
+        bool, "Subtract the part, as a hole; unless given, its density is that of the body before it."
+    ] = False
     parts: Annotated["tuple[Part, ...]", "Parts in its own frame."] = ()
 
 
@@ -77,20 +79,8 @@ class Leaf:
         self.measures = measures
 
 
-class Group:
-    """The members of one assembly in its frame, that frame's position, and whether it is subtracted."""
-
-    __slots__ = ("members", "origin", "rotation", "sign")
-
-    def __init__(self, origin: "Vector", rotation: "Matrix", sign: float) -> None:
-        self.members: list[Leaf | Group] = []
-        self.origin = origin
-        self.rotation = rotation
-        self.sign = sign
-
-
 class Walk:
-    """Gathers the leaves of an assembly, in its frame and by the groups they belong to, and the origins of named parts.
+    """Gathers the leaves of an assembly, in its frame, and the origins of named parts.
 
     `width` is the number of derivatives of its numbers, None if they are plain.
     """
@@ -98,7 +88,6 @@ class Walk:
     def __init__(self, width: int | None = None) -> None:
         self.width = width
         self.leaves: list[Leaf] = []
-        self.group = Group((0.0, 0.0, 0.0), IDENTITY, 1.0)
         self.origins: dict[str, Vector] = {}
 
     def into(
@@ -108,24 +97,29 @@ class Walk:
         origin: "Vector",
         rotation: "Matrix",
         sign: float,
-        group: Group | None = None,
+        stuff: Amount | None = None,
     ) -> None:
-        """Every part of a list, in the frame at `origin` turned by `rotation`."""
-        group = group or self.group
+        """Every part of a list, in the frame at `origin` turned by `rotation`.
+
+        A hole without a density has that of the body before it or around it: `stuff`.
+        """
         for index, part in enumerate(parts):
             label = prefix + (part.name or f"part {index + 1}")
             place = add(origin, part.position if rotation is IDENTITY else times(rotation, part.position))
-            own_turn, turn = IDENTITY, rotation
+            turn = rotation
             if part.turn is not None:
                 own_turn = matrix_of(part.turn)
                 turn = own_turn if rotation is IDENTITY else product(rotation, own_turn)
             self._name(part, label, place)
-            own_sign = -1.0 if part.subtract else 1.0
-            part_sign = own_sign * sign
-            properties, measure = lump_of(part, label, self.width)
+            part_sign = -sign if part.subtract else sign
+            amount = part.amount
+            if amount is None and part.subtract and (part.shape or part.mesh):
+                amount = stuff
+            elif amount is not None and not isinstance(amount, OfMass):
+                stuff = amount
+            properties, measure = lump_of(part, amount, label, self.width)
             if properties is not None:
                 self.leaves.append(Leaf(label, part, properties, place, turn, part_sign, measure))
-                group.members.append(Leaf(label, part, properties, part.position, own_turn, own_sign, measure))
             else:
                 require(
                     part.parts,
@@ -135,9 +129,7 @@ class Walk:
                     part=label,
                 )
             if part.parts:
-                inner = Group(part.position, own_turn, own_sign)
-                group.members.append(inner)
-                self.into(part.parts, label + "/", place, turn, part_sign, inner)
+                self.into(part.parts, label + "/", place, turn, part_sign, stuff)
 
     def _name(self, part: Part, label: str, place: "Vector") -> None:
         if not part.name:
@@ -152,7 +144,7 @@ class Walk:
         self.origins[label] = place
 
 
-def lump_of(part: Part, label: str, width: int | None) -> "tuple[Lump | None, Any]":
+def lump_of(part: Part, amount: Amount | None, label: str, width: int | None) -> "tuple[Lump | None, Any]":
     """The mass properties of a part in its own axes, and its measure by dimension; None if it is only an assembly."""
     bodies = [word for word, has in (("shape", part.shape), ("mesh", part.mesh), ("tensor", part.tensor)) if has]
     require(
@@ -163,18 +155,24 @@ def lump_of(part: Part, label: str, width: int | None) -> "tuple[Lump | None, An
         part=label,
         given=" and ".join(bodies),
     )
-    _require_measured(part, label, bodies)
-    if part.shape is not None:
-        return _shaped(part, label)
-    if part.mesh:
-        return _meshed(part, label, width)
-    if part.amount is None:
+    _require_measured(part, label, body=bool(bodies) or amount is not None)
+    if amount is None:
+        require(
+            not bodies,
+            "{part} has neither mass nor density",
+            code="missing",
+            hint="give mass, density, material, areal-density or linear-density",
+            part=label,
+        )
         return None, None
-    return _weighed(part, label)
+    if part.shape is not None:
+        return _shaped(part, amount, label)
+    if part.mesh:
+        return _meshed(part, amount, label, width)
+    return _weighed(part, amount, label)
 
 
-def _require_measured(part: Part, label: str, bodies: list[str]) -> None:
-    body = bool(bodies) or part.amount is not None
+def _require_measured(part: Part, label: str, *, body: bool) -> None:
     for word in ("mass_std", "centroid_std", "tensor_std", "centroid"):
         require(
             getattr(part, word) is None or body,
@@ -198,27 +196,14 @@ def _require_measured(part: Part, label: str, bodies: list[str]) -> None:
     )
 
 
-def _amount(part: Part, label: str) -> Amount:
-    require(
-        part.amount is not None,
-        "{part} has neither mass nor density",
-        code="missing",
-        hint="give mass, density, material, areal-density or linear-density",
-        part=label,
-    )
-    assert part.amount is not None
-    return part.amount
-
-
-def _shaped(part: Part, label: str) -> "tuple[Lump, Any]":
+def _shaped(part: Part, amount: Amount, label: str) -> "tuple[Lump, Any]":
     unit = part.shape.unit()  # type: ignore[union-attr]
     dimension = part.shape.dimension  # type: ignore[union-attr]
-    mass = mass_of(_amount(part, label), unit.measure, dimension, label)
+    mass = mass_of(amount, unit.measure, dimension, label)
     return unit.lump(mass), (dimension, unit.measure)
 
 
-def _weighed(part: Part, label: str) -> "tuple[Lump, Any]":
-    amount = _amount(part, label)
+def _weighed(part: Part, amount: Amount, label: str) -> "tuple[Lump, Any]":
     require(
         isinstance(amount, OfMass),
         "{part} has a density and no shape",
@@ -234,7 +219,7 @@ def _weighed(part: Part, label: str) -> "tuple[Lump, Any]":
     return Lump(mass, middle, second_of(part.tensor)), None
 
 
-def _meshed(part: Part, label: str, width: int | None) -> "tuple[Lump, Any]":
+def _meshed(part: Part, amount: Amount, label: str, width: int | None) -> "tuple[Lump, Any]":
     from dynamics_cli.inertia.mesh.measurement import measured, require_closed, require_extent, unit_of
     from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 
@@ -243,7 +228,6 @@ def _meshed(part: Part, label: str, width: int | None) -> "tuple[Lump, Any]":
     require_extent(readings, shell=False, part=label)
     lift = Lift(readings, unit_of(readings, part.length_unit, label), width or 0)
     volume = lift.measure()
-    amount = _amount(part, label)
     mass = mass_of(amount, volume, 3, label)
     density = mass / volume if isinstance(amount, OfMass) else mass_of(amount, 1.0, 3, label)
     properties = Lump(mass, lift.centroid(), lift.second(density))

@@ -1,16 +1,7 @@
 """Composition of parts about their common mass centre, then once more in the principal frame."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.assembly.parts import Group
-from dynamics_cli.inertia.bodies.mass_moments import (
-    NOTHING,
-    Lump,
-    added,
-    each,
-    outer,
-    scaled,
-    turned,
-)
+from dynamics_cli.inertia.bodies.mass_moments import NOTHING, Lump, added, each, outer, scaled, turned
 from dynamics_cli.inertia.bodies.principal import principal
 from dynamics_cli.inertia.bodies.principal_tracked import (
     Spread,
@@ -55,119 +46,38 @@ def composed(walk: "Walk", *, asked: bool) -> Composed:
     Raises InadmissibleError when holes leave no mass, or second moments that no body has.
     """
     leaves = walk.leaves
-    base = tuple(plain(x) for x in leaves[0].origin)
-    pieces = [_piece(leaf.lump, leaf, base, IDENTITY, leaf.rotation) for leaf in leaves]  # type: ignore[arg-type]
-    group = walk.group
-    if len(group.members) == len(leaves):
-        group = Group((0.0, 0.0, 0.0), IDENTITY, 1.0)
-        group.members.extend(leaves)
-    total = _sum(pieces if group is not walk.group else _pieces(group, base, IDENTITY))  # type: ignore[arg-type]
-    centroid = add(base, total.centroid)  # type: ignore[arg-type]
+    base: Vector = tuple(plain(x) for x in leaves[0].origin)  # type: ignore[assignment]
+    pieces = [_piece(leaf, base, IDENTITY) for leaf in leaves]
+    total = _sum(pieces)
     first = spread_of(total.second)
     if any(not piece.mass > 0.0 for piece in pieces):
         _require_body(first)
-    spread = _second_pass(group, base, first)  # type: ignore[arg-type]
-    properties = Lump(total.mass, centroid, total.second)
-    placed = [Lump(piece.mass, add(base, piece.centroid), piece.second) for piece in pieces]  # type: ignore[arg-type]
+    spread = _second_pass(leaves, base, first)
+    properties = Lump(total.mass, add(base, total.centroid), total.second)
+    placed = [Lump(piece.mass, add(base, piece.centroid), piece.second) for piece in pieces]
     return Composed(walk, properties, spread, placed, asked=asked)
 
 
-class _Sums:
-    """An assembly by its mass, and its first and second moments about a point that is near its mass centre.
-
-    Nothing is divided by the mass, which may be small or negative where most is cut out.
-    """
-
-    __slots__ = ("centroid", "first", "mass", "second")
-
-    def __init__(self, mass: float, point: "Vector", second: "Matrix", first: "Vector") -> None:
-        self.mass = mass
-        self.centroid = point
-        self.second = second
-        self.first = first
-
-
-def _cuts(member: "Leaf | Group") -> bool:
-    """Whether something is cut out within an assembly."""
-    return any(part.sign < 0.0 or _cuts(part) for part in getattr(member, "members", ()))
-
-
-def _pieces(group: "Group", base: "Vector", frame: "Matrix") -> "list[Lump | _Sums]":
-    """The members of an assembly from `base` in axes that are the rows of `frame`."""
-    pieces = []
-    for member in group.members:
-        rotation = member.rotation
-        if frame is not IDENTITY:
-            rotation = frame if rotation is IDENTITY else product(frame, rotation)
-        if not isinstance(member, Group):
-            pieces.append(_piece(member.lump, member, base, frame, rotation))
-            continue
-        # holes cancel best in the axes of their assembly; a needle keeps its digits in its principal axes
-        ahead = frame is not IDENTITY and not _cuts(member)
-        gathered = _gathered(member, rotation if ahead else IDENTITY)
-        pieces.append(_piece(gathered, member, base, frame, rotation, ahead=ahead))
-    return pieces
-
-
-def _gathered(group: "Group", frame: "Matrix") -> _Sums:
-    """An assembly about a point near its mass centre, with moments along the rows of `frame`."""
-    points, masses = [], []
-    for piece in _pieces(group, (0.0, 0.0, 0.0), IDENTITY):
-        points.append(each(plain, piece.centroid))
-        masses.append(plain(piece.mass))
-    total = sum(masses)
-    point = []
-    for column in zip(*points, strict=True):
-        mean = sum(mass * x for mass, x in zip(masses, column, strict=True)) / total if total else column[0]
-        point.append(min(max(mean, min(column)), max(column)))
-    base = point[0], point[1], point[2]
-    mass, first, second = _added(_pieces(group, base, frame), (0.0, 0.0, 0.0))
-    return _Sums(mass, base, second, first)
-
-
-def _piece(
-    own: "Lump | _Sums",
-    member: "Leaf | Group",
-    base: "Vector",
-    frame: "Matrix",
-    rotation: "Matrix",
-    *,
-    ahead: bool = False,
-) -> "Lump | _Sums":
-    """A member of an assembly from `base`; holes are negative. `ahead`: its moments are along `frame` already."""
-    away = subtract(member.origin, base)
+def _piece(leaf: "Leaf", base: "Vector", frame: "Matrix") -> Lump:
+    """A body from `base` in axes that are the rows of `frame`; holes are negative."""
+    own, rotation, away = leaf.lump, leaf.rotation, subtract(leaf.origin, base)
     if frame is not IDENTITY:
+        rotation = frame if rotation is IDENTITY else product(frame, rotation)
         away = times(frame, away)
     centroid = add(away, own.centroid if rotation is IDENTITY else times(rotation, own.centroid))
-    mass, second = own.mass, own.second if ahead else turned(own.second, rotation)
-    if member.sign < 0.0:
-        mass, second = -mass, scaled(-1.0, second)
-    if isinstance(own, Lump):
-        return Lump(mass, centroid, second)
-    x, y, z = own.first if ahead or rotation is IDENTITY else times(rotation, own.first)
-    return _Sums(mass, centroid, second, (member.sign * x, member.sign * y, member.sign * z))
+    mass, second = own.mass, turned(own.second, rotation)
+    return Lump(-mass, centroid, scaled(-1.0, second)) if leaf.sign < 0.0 else Lump(mass, centroid, second)
 
 
-def _added(pieces: "Sequence[Lump | _Sums]", near: "Vector") -> "tuple[float, Vector, Matrix]":
-    """Mass, first and second moments of all pieces about a point."""
+def _sum(pieces: "Sequence[Lump]") -> Lump:
+    """All pieces as one, about a plain point near their mass centre, which brings no rounding."""
+    near = _near(pieces)
     mass, first, second = 0.0, (0.0, 0.0, 0.0), NOTHING
     for piece in pieces:
         d = subtract(piece.centroid, near)
         mass = piece.mass + mass
         first = add(first, (piece.mass * d[0], piece.mass * d[1], piece.mass * d[2]))
         second = added(second, added(piece.second, outer(piece.mass, d)))
-        if isinstance(piece, _Sums):
-            f = piece.first
-            first = add(first, f)
-            cross = [[d[i] * f[j] + f[i] * d[j] for j in range(3)] for i in range(3)]
-            second = added(second, tuple(map(tuple, cross)))  # type: ignore[arg-type]
-    return mass, first, second
-
-
-def _sum(pieces: "Sequence[Lump | _Sums]") -> Lump:
-    """All pieces as one, about a plain point near their mass centre, which brings no rounding."""
-    near = _near(pieces)
-    mass, first, second = _added(pieces, near)
     require(
         mass > 0.0,
         "the holes remove all mass: {mass:6} remains",
@@ -179,7 +89,7 @@ def _sum(pieces: "Sequence[Lump | _Sums]") -> Lump:
     return Lump(mass, add(near, rest), added(second, outer(-mass, rest)))
 
 
-def _near(pieces: "Sequence[Lump | _Sums]") -> "Vector":
+def _near(pieces: "Sequence[Lump]") -> "Vector":
     """A point within rounding of the mass centre."""
     masses = [plain(piece.mass) for piece in pieces]
     require(max(masses) > 0.0, "there is no body to cut a hole out of", code="no-mass")
@@ -188,7 +98,6 @@ def _near(pieces: "Sequence[Lump | _Sums]") -> "Vector":
         return (0.0, 0.0, 0.0)
     x, y, z = (
         sum(mass * plain(piece.centroid[k]) for mass, piece in zip(masses, pieces, strict=True)) / total
-        + sum(plain(piece.first[k]) for piece in pieces if isinstance(piece, _Sums)) / total
         for k in range(3)
     )
     return x, y, z
@@ -207,14 +116,14 @@ def _require_body(spread: Spread) -> None:
     )
 
 
-def _second_pass(group: "Group", base: "Vector", first: Spread) -> Spread:
+def _second_pass(leaves: "Sequence[Leaf]", base: "Vector", first: Spread) -> Spread:
     """Principal second moments composed in the principal frame, where those of a needle keep their digits."""
     frame = first.axes
     if in_many_digits(frame):
         return first
     if sorted(abs(x) for row in frame for x in row) == [0.0] * 6 + [1.0] * 3:
         return first
-    total = _sum(_pieces(group, base, frame))
+    total = _sum([_piece(leaf, base, frame) for leaf in leaves])
     matrix = tuple(tuple(plain(x) for x in row) for row in total.second)
     axes = principal(matrix)  # type: ignore[arg-type]
     seconds = axes.seconds

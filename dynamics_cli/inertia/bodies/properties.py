@@ -130,10 +130,27 @@ class View:
         self.shaft = shaft
 
 
-def named_point(
-    about: str, about_point: "Vector | None", parts: "dict[str, Vector] | None" = None
+def view_of(
+    about: str,
+    about_point: "Vector | None",
+    turn: Turn | None,
+    *,
+    axes: str,
+    product_sign: str,
+    shaft: Shaft | None,
+    points: "dict[str, Vector] | None" = None,
+    called: str = "{}",
+) -> View:
+    """The view that a task's parameters ask for; `points` are further reference points by name, `called` so."""
+    words, point = _reference(about, about_point, points or {}, called)
+    rotation = None if turn is None else matrix_of(turn)
+    return View(words, point, axes=axes, rotation=rotation, product_sign=product_sign, shaft=shaft)
+
+
+def _reference(
+    about: str, about_point: "Vector | None", points: "dict[str, Vector]", called: str
 ) -> "tuple[str, Vector | None]":
-    """The name of a reference point, and the point: None for the mass centre."""
+    """The name of the reference point, and the point: None for the mass centre."""
     if about_point is not None:
         require(
             about == "centroid",
@@ -143,9 +160,8 @@ def named_point(
             read=repr(about),
         )
         return "the given point", about_point
-    points = parts or {}
     if about in points and about not in ("centroid", "origin"):
-        return f"the origin of part {about}", points[about]
+        return called.format(about), points[about]
     require(
         about in ("centroid", "origin"),
         "there is no reference point {read}",
@@ -155,22 +171,6 @@ def named_point(
         read=repr(about),
     )
     return about, None if about == "centroid" else (0.0, 0.0, 0.0)
-
-
-def view_of(
-    about: str,
-    about_point: "Vector | None",
-    turn: Turn | None,
-    *,
-    axes: str,
-    product_sign: str,
-    shaft: Shaft | None,
-    parts: "dict[str, Vector] | None" = None,
-) -> View:
-    """The view that a task's parameters ask for; `parts` are the origins of named parts."""
-    words, point = named_point(about, about_point, parts)
-    rotation = None if turn is None else matrix_of(turn)
-    return View(words, point, axes=axes, rotation=rotation, product_sign=product_sign, shaft=shaft)
 
 
 def properties(

@@ -67,6 +67,7 @@ class HollowCylinder:
     thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
     length: Annotated[Size, "Length along z [m]."]
 
+    also = ("tube", "pipe", "washer", "bush")
     dimension = 3
     formula = "r = R − t: Izz = m·(R² + r²)/2, Ixx = Iyy = m·(3·(R² + r²) + L²)/12"
 
@@ -178,6 +179,7 @@ class RectangularTube:
     thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
     length: Annotated[Size, "Length along z [m]."]
 
+    also = ("box-section", "square-tube")
     dimension = 3
     formula = "outer less inner block, factored in the thickness; Σz² = m·L²/12"
 

@@ -78,6 +78,7 @@ class Disk:
 
     radius: Annotated[Size, "Radius [m]."]
 
+    also = ("disc", "circle")
     dimension = 2
     formula = "Ixx = Iyy = m·R²/4, Izz = m·R²/2"
 

@@ -18,6 +18,7 @@ class Block:
     depth: Annotated[Size, "Side along y [m]."]
     height: Annotated[Size, "Side along z [m]."]
 
+    also = ("box", "cuboid", "plate")
     dimension = 3
     formula = "Ixx = m·(d² + h²)/12, Iyy = m·(h² + w²)/12, Izz = m·(w² + d²)/12"
 

@@ -24,6 +24,7 @@ class Sphere:
 
     radius: Annotated[Size, "Radius [m]."]
 
+    also = ("ball",)
     dimension = 3
     formula = "Ixx = Iyy = Izz = (2/5)·m·R²"
 

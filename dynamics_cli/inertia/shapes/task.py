@@ -4,6 +4,7 @@ from dynamics_cli.inertia.bodies.amount import Amount, mass_of
 from dynamics_cli.inertia.bodies.properties import Axes, MassProperties, ProductSign, properties, view_of
 from dynamics_cli.inertia.bodies.records import Shaft
 from dynamics_cli.inertia.shapes import Shape
+from dynamics_cli.inertia.shapes.rods import Rod
 from dynamics_cli.numerics.orientation.rotations import Turn
 from dynamics_cli.quantities import Annotated, PartPosition, Text
 
@@ -20,7 +21,7 @@ def shape(
         Amount, "Mass; or density or material of a solid, areal density of a lamina or shell, linear density of a rod."
     ],
     about: Annotated[
-        Text, "Reference point of moments and products: centroid, or origin of the shape's own axes."
+        Text, "Reference point of moments and products: centroid, origin of the shape's own axes, or end of a rod."
     ] = "centroid",
     about_point: Annotated[PartPosition | None, "Another point to refer them to, in the shape's own axes [m]."] = None,
     axes: Annotated[Axes, "Axes of moments and products: given (the shape's own), or principal."] = Axes("given"),  # noqa: B008
@@ -64,6 +65,7 @@ def shape(
     """
     unit_body = shape.unit()
     mass = mass_of(amount, unit_body.measure, shape.dimension, "the " + shape.tag[1])  # type: ignore[union-attr]
-    view = view_of(about, about_point, turn, axes=axes, product_sign=product_sign, shaft=shaft)
+    ends = {"end": (-0.5 * shape.length, 0.0, 0.0)} if isinstance(shape, Rod) else {}
+    view = view_of(about, about_point, turn, axes=axes, product_sign=product_sign, shaft=shaft, points=ends)
     measure: dict[str, Any] = {("length", "area", "volume")[shape.dimension - 1]: unit_body.measure}
     return properties(unit_body.lump(mass), view, **measure)

@@ -39,7 +39,7 @@ def split_pairs(text: str) -> dict[str, str]:
     """Split `force=3, 4 N, at=2, 0 m` into names and values; quotes around a whole value are taken off."""
     pairs: dict[str, str] = {}
     name = ""
-    for item in split_list(text):
+    for item in (part for read in split_list(text) for part in _apart(read)):
         if name and "=" not in item and number_end(item, 0):  # a further component of the value before
             pairs[name] += f", {item}"
             continue
@@ -51,3 +51,16 @@ def split_pairs(text: str) -> dict[str, str]:
         quoted = len(value) > 1 and value[0] in "\"'" and value[-1] == value[0]
         pairs[name] = value[1:-1] if quoted else value
     return pairs
+
+
+def _apart(item: str) -> list[str]:
+    """Items between which a comma was forgotten: `over=4 length=12 mm`, `0 mm name=hole`."""
+    name, _, value = item.partition("=")
+    component, _, own_name = name.strip().rpartition(" ")
+    if value and component and number_end(component, 0):
+        return [component, *_apart(f"{own_name}={value}")]
+    head, equals, tail = value.partition("=")
+    own_value, _, next_name = head.strip().rpartition(" ")
+    if not (equals and own_value and next_name.replace("-", "_").isidentifier()) or own_value[0] in "\"'" + OPENING:
+        return [item]
+    return [f"{name}={own_value}", *_apart(f"{next_name}={tail}")]

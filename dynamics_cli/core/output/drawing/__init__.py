@@ -40,10 +40,11 @@ def check_asked(task: "Task", name: str, output: str) -> None:
     """Refuse, before anything is calculated, a file that this task cannot write."""
     forms = [*(FORMATS if drawing_fields(task) else ()), *task.writers]
     if not forms:
-        raise UsageError(f"{task.path} has no drawing", parameter="drawing", code="no-drawing")
+        hint = task.pointers.get("drawing")
+        raise UsageError(f"{task.path} has no drawing", parameter="drawing", code="no-drawing", hint=hint)
     form = _extension(name)
     if form not in forms:
-        raise _unknown(name, forms)
+        raise _unknown(name, forms, task.pointers.get("drawing", ""))
     if output and os.path.realpath(output) == os.path.realpath(name):
         raise UsageError(
             "--drawing and --output name the same file", parameter="drawing", code="exclusive", hint="give it two names"
@@ -148,11 +149,11 @@ def _extension(name: str) -> str:
     return os.path.splitext(name)[1].lower().removeprefix(".")
 
 
-def _unknown(name: str, known: "list[str] | tuple[str, ...]") -> UsageError:
+def _unknown(name: str, known: "list[str] | tuple[str, ...]", pointer: str = "") -> UsageError:
     names = ", ".join(f".{form}" for form in known[:-1]) + (" or " if len(known) > 1 else "") + f".{known[-1]}"
     return UsageError(
         f"read {name!r}, wanted a file that ends in {names}",
         parameter="drawing",
         code="unknown-choice",
-        hint=f"for example: --drawing shape.{known[0]}",
+        hint=pointer or f"for example: --drawing shape.{known[0]}",
     )
