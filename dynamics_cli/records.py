@@ -174,6 +174,20 @@ class Numerics:
     conditions: tuple[Condition, ...] = ()
 
 
+class LateNumerics(Numerics):
+    """Numerics whose bounds are calculated where they are asked for: rows do without them."""
+
+    def __init__(self, method: str, bounds: "Callable[[], tuple[ErrorBound, ...]]") -> None:
+        self.__dict__.update(method=method, conditions=(), late=bounds)
+
+    @property
+    def bounds(self) -> tuple[ErrorBound, ...]:
+        """The bounds, calculated once."""
+        if "found" not in self.__dict__:
+            self.__dict__["found"] = self.__dict__["late"]()
+        return self.__dict__["found"]  # type: ignore[no-any-return]
+
+
 @record
 class Measured:
     """A result that carries its own unit; compound units give a tuple of numbers and `ft;in`.

@@ -34,6 +34,11 @@ def single(*values: object) -> bool:
     return not any(getattr(value, "ndim", 0) for value in values)
 
 
+def decides(*values: object) -> bool:
+    """Whether formulas may branch on these: single numbers, or lanes, which part where their branches differ."""
+    return not any(getattr(value, "ndim", 0) and not hasattr(value, "known") for value in values)
+
+
 def is_carrier(x: object) -> bool:
     """Whether this carries more than a double: its error and slopes, or many digits."""
     return hasattr(x, "apply")

@@ -8,6 +8,7 @@ beside GNU units' conversions a second, where it is installed: a case is to cost
 shows where a stream spends its time.
 """
 
+# ruff: noqa: E402
 import argparse
 import cProfile
 import json
@@ -21,57 +22,24 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-# The call of every task measured: what it says in numbers varies from row to row.
-CALLS = (
-    'skid speed --distance "60 ft" --friction 0.7',
-    'skid distance --speed "50 mph" --friction 0.7 --grade "-3 %"',
-    'skid friction --speed "30 mph" --distance "43 ft"',
-    'skid drag-factor --friction 0.7 --grade "-4 %" --braking "85 %"',
-    'skid stop --speed "50 km/h" --friction 0.75 --reaction-time "1.0 s" --build-up-time "0.2 s"',
-    'skid yaw --chord "100 ft" --middle-ordinate "3.5 ft" --friction 0.72',
-    'skid vault --distance "18 m" --rise "-3 m" --take-off "6 deg"',
-    'skid pedestrian --throw-distance "25 m" --friction 0.66',
-    'skid avoid --speed "62 km/h" --speed-limit "50 km/h" --sight-distance "32 m" --reaction-time "1.2 s"'
-    " --friction 0.75",
-    'skid spin --rotation "210 deg" --rolling-drag "10 %" --distance "18 m" --friction 0.65',
-    'impact central --first-mass "2 kg" --first-velocity "3 m/s" --second-mass "1 kg" --restitution 0.5',
-    'impact oblique --first-mass "1 kg" --first-velocity "3, 0.2 m/s" --second-mass "1 kg"'
-    ' --second-velocity "-1, 0.4 m/s" --normal "2 deg" --restitution 0.95',
-    'impact drop --height "1 m" --rebound-height "0.64 m"',
-    'impact pendulum --shot-mass "10 g" --block-mass "2 kg" --rise "10 cm"',
-    'impact seize --plate-mass "1 kg" --side "1 m" --spin "10 rad/s" --seized edge',
-    'impact step --radius "300 mm" --height "100 mm"',
-    'impact momentum --first-mass "1500 kg" --first-approach-heading "0.1 deg" --first-exit-speed "8 m/s"'
-    ' --first-exit-heading "40 deg" --second-mass "1200 kg" --second-approach-heading "90 deg"'
-    ' --second-exit-speed "9 m/s" --second-exit-heading "37 deg"',
-    'impact crush --first-mass "1500 kg" --first-energy "62 kJ" --second-mass "1200 kg" --second-ees "30 km/h"'
-    " --restitution 0.15",
-    'impact yaw-inertia --mass "1500 kg" --wheelbase "2.7 m" --length "4.6 m" --width "1.8 m"',
-    'impact planar --first-mass "1500 kg" --first-inertia "2500 kg*m^2" --first-velocity "15, 0.1 m/s"'
-    ' --first-lever "2, -0.4 m" --second-mass "1200 kg" --second-inertia "1800 kg*m^2"'
-    ' --second-velocity "0.1, 10 m/s" --second-lever "-0.8, 0.5 m" --normal "10 deg" --friction 0.5 --restitution 0.1',
-    'inertia shape cylinder --radius "40 mm" --length "120 mm" --material steel',
-    'inertia tensor --moments "2, 2.2, 3 kg*m^2" --products "-0.5, 0.1, 0.2 kg*m^2"',
-    'inertia torque --tensor "[[0.02, 0, 0], [0, 0.03, 0], [0, 0, 0.04]] kg*m^2" --angular-velocity "1, 300, 2 rad/s"',
-    'cam rise --law cycloidal --lift "20 mm" --span "90 deg" --at "30 deg"',
-    'gear spur --teeth 12 --module "3 mm" --profile-shift 0.6',
-    'gear helical --teeth 12 --module "3 mm" --helix-angle "30 deg" --profile-shift 0.09809',
-    'gear involute --angle "20 deg"',
-    'gear pair --first-teeth 12 --second-teeth 24 --module "3 mm" --first-profile-shift 0.6'
-    " --second-profile-shift 0.36",
-    'gear rack --teeth 12 --module "3 mm" --profile-shift 0.6',
-    'gear bevel --first-teeth 20 --second-teeth 40 --module "3 mm" --face-width "22 mm"',
-    'gear crossed --first-teeth 15 --first-helix-angle "20 deg" --first-profile-shift 0.4 --second-teeth 24'
-    ' --second-helix-angle "30 deg" --second-profile-shift 0.2 --module "3 mm"',
-    'gear worm --threads 2 --teeth 30 --module "3 mm" --worm-diameter "44 mm"',
-    'gear wheels --first-diameter "100 mm" --second-diameter "300 mm"',
-    'gear measure --teeth 24 --module "3 mm" --profile-shift 0.4',
-    "coords 3 1 4 --from cartesian --into spherical",
-)
-NUMBER = re.compile(r"-?\d+\.?\d*")
+sys.path.insert(0, str(ROOT))
+
+from dynamics_cli.core.answering.task import Task
+from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
+from dynamics_cli.core.inputs.specification import Field, Leaf, Many, Record
+from dynamics_cli.registry import FAMILIES
+
+# A number of a call, but no exponent of a unit.
+NUMBER = re.compile(r"(?<![\w^.])-?\d+\.?\d*(?:e-?\d+)?")
+LIST = re.compile(rf"({NUMBER.pattern})((?:, ?{NUMBER.pattern})*)(?: +([^\d,@±][^,@±]*))?")
+# The methods of tasks whose rows are measured.
+METHODS = ("closed form", "closed-form Routh–Keller path", "Jacobi rotations", "series, no iteration")
+# What such parameters say is the same in all rows.
+FIXED = ("whole", "text", "flag", "unit", "file")
 # A number is moved by so much of itself, as no row may leave what its task admits.
 SPREAD = 0.02
 
@@ -81,55 +49,87 @@ def moved(number: float, draw: random.Random) -> float:
     return float(f"{number * (1.0 + SPREAD * (draw.random() - 0.5)):.5g}")
 
 
+def tasks() -> Iterator[Task]:
+    """Every task of the program."""
+    for name, entry in FAMILIES.items():
+        families = __import__(entry.module, fromlist=["FAMILIES"]).FAMILIES
+        if name in families:
+            yield from families[name].tasks.values()
+
+
+def calls() -> list[str]:
+    """The first example of every task in closed form whose parameters are cells, not a scene or phases."""
+    chosen = []
+    for task in tasks():
+        text = task.examples[0].removeprefix("dynamics ")
+        if any(model.method in METHODS for model in task.models) and not task.listing and " --format " not in text:
+            call = Call(text)
+            if any(varies and NUMBER.search(given) for _, given, varies in call.given) and call.complete:
+                chosen.append(text)
+    return chosen
+
+
 class Call:
-    """One task with the parameters of a call, to be written as rows."""
+    """One task with the parameters of its call, to be written as rows; `complete` if all of them are cells."""
 
     def __init__(self, text: str) -> None:
-        from dynamics_cli.registry import FAMILIES
-
-        words = shlex.split(text)
-        tasks = __import__(FAMILIES[words[0]].module, fromlist=["FAMILIES"]).FAMILIES[words[0]].tasks
-        self.task = tasks.get(words[1]) or tasks[""]
+        rest = shlex.split(text)
+        self.task = next(task for task in tasks() if rest[: len(task.path.split())] == task.path.split())
         self.command = self.task.path.split()
-        rest = words[len(self.command) :]
-        self.given: list[tuple[tuple[str, ...], str, bool]] = []
-        places = iter(self.task.specification.words)
+        self.given: list[tuple[tuple[str | int, ...], str, bool]] = []
+        self.complete = True
+        del rest[: len(self.command)]
+        fields = iter(self.task.specification.words)
         while rest:
-            if rest[0].startswith("--"):
-                option = self.task.options[rest[0][2:]]
-                varies = option.leaf is None or option.leaf.kind.form not in ("whole", "text", "flag")
-                self.given.append((option.path, rest[1], varies))
-                rest = rest[2:]
+            word = rest.pop(0)
+            option = self.task.options.get(word.removeprefix("--"))
+            if not word.startswith("--"):
+                self._word(next(fields), [word, *rest], rest)
+            elif option is None or option.flag:
+                takes = option is None and UNIVERSAL_OPTIONS[word[2:]][0] != "flag"
+                self.command += [word, rest.pop(0)] if takes else [word]
             else:
-                field = next(places)
-                key = getattr(field.node, "key", None) or field.key
-                self.given.append(((key,), rest.pop(0), True))
+                self.complete &= option.leaf is not None
+                self.given.append((option.path, rest.pop(0), option.leaf is None or option.leaf.kind.form not in FIXED))
+
+    def _word(self, field: Field, words: list[str], rest: list[str]) -> None:
+        node = field.node
+        self.complete &= not isinstance(node, Record)
+        if isinstance(node, Many):
+            several = [word for word in words if not word.startswith("--")]
+            self.given += [((field.key, index), text, True) for index, text in enumerate(several)]
+            del rest[: len(several) - 1]
+        else:
+            varies = not isinstance(node, Leaf) or node.kind.form not in FIXED
+            self.given.append(((getattr(node, "key", None) or field.key,), words[0], varies))
 
     def row(self, draw: random.Random) -> dict[str, object]:
         """One row as an object."""
         made: dict[str, object] = {}
         for path, text, varies in self.given:
             inner: dict = made  # type: ignore[type-arg]
+            value = self._value(text, draw) if varies else (int(text) if text.isdigit() else text)
+            if isinstance(path[-1], int):
+                made.setdefault(path[0], []).append(value)  # type: ignore[attr-defined]
+                continue
             for step in path[:-1]:
                 inner = inner.setdefault(step, {})
-            inner[path[-1]] = self._value(text, draw) if varies else (int(text) if text.isdigit() else text)
+            inner[path[-1]] = value
         return made
 
     @staticmethod
     def _value(text: str, draw: random.Random) -> object:
-        numbers = NUMBER.findall(text.partition("kg")[0])
-        if not NUMBER.match(text.lstrip("[")):
-            return text
-        unit = re.sub(r"^[-\d.,\[\]\s]+", "", text)
-        if text.startswith("["):
-            value: object = json.loads(
-                NUMBER.sub(lambda match: repr(moved(float(match[0]), draw)), text[: text.rindex("]") + 1])
-            )
-        elif "," in text:
-            value = [moved(float(number), draw) for number in numbers]
-        else:
-            value = moved(float(numbers[0]), draw)
-        return {"value": value, "unit": unit} if unit else value
+        """A value as people write it: a number, a list of them, either with a unit, or a text with numbers in it."""
+        changed = NUMBER.sub(lambda match: f"{moved(float(match[0]), draw):g}", text)
+        matrix, _, unit = changed.rpartition("]")
+        if matrix:
+            return {"value": json.loads(matrix + "]"), "unit": unit.strip()}
+        several = LIST.fullmatch(changed)
+        if several is None:
+            return changed
+        numbers = [float(number) for number in f"{several[1]}{several[2]}".split(",")]
+        value = numbers if several[2] else numbers[0]
+        return {"value": value, "unit": several[3]} if several[3] else value
 
     def cells(self, row: dict[str, object]) -> list[tuple[str, str]]:
         """One row as columns' heads and cells."""
@@ -160,7 +160,7 @@ class Call:
                 pairs = self.cells(row)
                 if not index:
                     cells.write(",".join(head for head, _ in pairs) + "\n")
-                cells.write(",".join(cell for _, cell in pairs) + "\n")
+                cells.write(",".join(f'"{cell}"' if "," in cell else cell for _, cell in pairs) + "\n")
                 objects.write(json.dumps(row) + "\n")
         return files
 
@@ -190,7 +190,6 @@ def conversions(count: int, folder: Path) -> float:
 
 def profile(call: Call, file: Path) -> None:
     """Where one stream's time goes."""
-    sys.path.insert(0, str(ROOT))
     from dynamics_cli import cli
     from dynamics_cli.core.terminal import Terminal
 
@@ -214,7 +213,7 @@ def main() -> None:
         rate = conversions(max(asked.rows), folder)
         heads = "".join(f"{f'{form} {count:,}':>16}" for count in asked.rows for form in ("csv", "ndjson"))
         print(f"{'rows a second':22}{heads}  of GNU units' {rate:,.0f}/s")
-        for text in CALLS:
+        for text in calls():
             if not text.startswith(asked.only):
                 continue
             call = Call(text)
@@ -233,5 +232,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    sys.path.insert(0, str(ROOT))
     main()

@@ -127,7 +127,7 @@ def streams(count: int, rounds: int, folder: Path) -> Iterator[Line]:
         units = max(units, rows_of_tasks.conversions(count, folder))
         took = min(took, rows_of_tasks.seconds(convert))
     yield "convert, rows/s", count / took, units, "GNU units", UNITS_LIMITS["convert"], True
-    for text in rows_of_tasks.CALLS:
+    for text in rows_of_tasks.calls():
         call = rows_of_tasks.Call(text)
         path = call.task.path
         for form, file in call.write(count, folder).items():

@@ -24,7 +24,8 @@ def many(tmp_path: Path) -> Path:
     """Rows of several makes, some of them wrong, more than several pieces of them."""
     file = tmp_path / "rows.csv"
     makes = ("{d},0.7,a", "{d},0.{f},b", "{d},-1,c", "x,0.5,d", "{d} m,0.6,e")
-    lines = [makes[(i // 7) % 5].format(d=20 + i % 89, f=3 + i % 6) for i in range(60_000)]
+    # wrong ones are answered one by one, and a few in each piece tell as much as many
+    lines = [makes[(i // 7) % (5 if i % 2000 < 200 else 2)].format(d=20 + i % 89, f=3 + i % 6) for i in range(60_000)]
     file.write_text("distance[ft],friction,note\n" + "\n".join(lines) + "\n")
     return file
 
@@ -59,10 +60,10 @@ def test_rows_that_are_slow_alone_are_spread_and_written_a_few_at_a_time() -> No
     pieces = list(_pieces(iter(blocks), 2, singly=True))
     assert [len(piece) for piece in pieces] == [64, 64, 22, 1, 1]
     assert [line for piece in pieces for line in piece] == [line for block in blocks for line in block]
-    rows = "distance[ft],friction\n" + "".join(f"{20 + i % 89},0.{3 + i % 6} ± 0.05\n" for i in range(150))
+    rows = "distance[ft],friction\n" + "".join(f"{20 + i % 89},0.{3 + i % 6} ± 0.05\n" for i in range(70))
     alone = run(*SPEED, "--rows", "-", stdin=rows)
     assert run(*SPEED, "--rows", "-", "--jobs", "2", stdin=rows) == alone
-    assert alone.out.count("\n") == 151
+    assert alone.out.count("\n") == 71
 
 
 def test_one_case_needs_no_processes() -> None:

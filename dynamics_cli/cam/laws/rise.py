@@ -25,7 +25,7 @@ from dynamics_cli.quantities import (
     Speed,
     Time,
 )
-from dynamics_cli.records import Advice, Check, ErrorBound, Numerics, record
+from dynamics_cli.records import Advice, Check, ErrorBound, LateNumerics, Numerics, record
 
 ROUNDING = 2.0**-52
 UNIT = 2.0**-53
@@ -148,9 +148,12 @@ def rise(
         **_in_time(peaks, shaft_speed),
         checks=area_checks(profile),
         advice=(*_infinite(profile, peaks, places), *_ways_down(profile, direction), *rounding_advice(profile)),
-        numerics=Numerics(
+        numerics=LateNumerics(
             METHOD,
-            (*_peak_bounds(profile, peaks, shaft_speed), *_bounds(profile, table, span, lift, shaft_speed, direction)),
+            lambda: (
+                *_peak_bounds(profile, peaks, shaft_speed),
+                *_bounds(profile, table, span, lift, shaft_speed, direction),
+            ),
         ),
     )  # fmt: skip
 

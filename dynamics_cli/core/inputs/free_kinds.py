@@ -78,6 +78,7 @@ class OfAnyKind(VectorValue):
     def __init__(self, inner: VectorValue) -> None:
         super().__init__(inner.address, inner.kind, inner.si, inner.shown, inner.unit)
         self._inner = inner
+        self.parts = inner.parts
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
         """The components with their kind."""
@@ -96,7 +97,7 @@ class DirectedVector(VectorValue):
     """A vector by its magnitude and a certain direction, which is a unit vector."""
 
     def __init__(self, address: str, kind: Kind, magnitude: Value, along: "tuple[float, ...]") -> None:
-        self._magnitude = magnitude
+        self.parts = (magnitude,)
         self._along = along
         self._direction = _normed(along)
         si = self.assemble()
@@ -104,16 +105,16 @@ class DirectedVector(VectorValue):
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
         """The components."""
-        size = self._magnitude.assemble(values)
+        size = self.parts[0].assemble(values)
         return tuple(size * cosine for cosine in self._direction)
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
         """The magnitude."""
-        return self._magnitude.leaves()
+        return self.parts[0].leaves()
 
     def echo(self) -> "Any":
         """The JSON form, which reads back: nominal components, magnitude and direction."""
-        return {**super().echo(), "magnitude": self._magnitude.echo(), "direction": {"value": list(self._along)}}
+        return {**super().echo(), "magnitude": self.parts[0].echo(), "direction": {"value": list(self._along)}}
 
 
 def _read(raw: "Any", address: str, context: "Context") -> VectorValue:

@@ -296,15 +296,12 @@ def read_planar(kind: Kind, raw: "Any", address: str, context: "Context") -> Vec
         size, _, direction = (part.strip() for part in raw.partition("@"))
     else:
         return read_vector(kind, raw, address, context)
-    from dynamics_cli.numerics.turns import turned
     from dynamics_cli.quantities import Angle
 
     magnitude = read_number_of(kind, size, f"{address}.magnitude", context, "")
     angle = read_number_of(Angle, direction, f"{address}.direction", context, "")  # type: ignore[arg-type]
-    if type(magnitude) is not Value or type(angle) is not Value:
-        return PolarVector(address, kind, magnitude, angle)
-    cosine, sine = turned(angle.si)
-    return TypedPolar(address, kind, (magnitude.si * cosine, magnitude.si * sine), magnitude, angle)
+    certain = type(magnitude) is Value and type(angle) is Value
+    return (TypedPolar if certain else PolarVector)(address, kind, magnitude, angle)
 
 
 def _tensor(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:

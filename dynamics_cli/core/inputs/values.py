@@ -59,7 +59,9 @@ class Value(Bound):
 
 
 class VectorValue(Bound):
-    """A vector or tensor: SI components by index (`position[0]`), and as written."""
+    """A vector or tensor: SI components by index (`position[0]`), and as written; its `parts` if in another way."""
+
+    parts: "tuple[Value, ...]" = ()
 
     def __init__(self, address: str, kind: Kind, si: "tuple[Any, ...]", shown: "Any", unit: str) -> None:
         self.address = address
@@ -99,41 +101,40 @@ class PolarVector(VectorValue):
     """A planar vector by magnitude and direction, which may have distributions."""
 
     def __init__(self, address: str, kind: "Kind", magnitude: Value, direction: Value) -> None:
-        self._magnitude = magnitude
-        self._direction = direction
-        si = self.assemble()
+        self.parts = magnitude, direction
+        si = PolarVector.assemble(self)
         super().__init__(address, kind, si, list(si), kind.unit)
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
         """Both components."""
         from dynamics_cli.numerics.turns import turned
 
-        size, angle = self._magnitude.assemble(values), self._direction.assemble(values)
+        size, angle = (part.assemble(values) for part in self.parts)
         cosine, sine = turned(angle)
         return size * cosine, size * sine
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
         """The magnitude and the direction."""
-        yield from self._magnitude.leaves()
-        yield from self._direction.leaves()
+        for part in self.parts:
+            yield from part.leaves()
 
     def echo(self) -> "Any":
         """The JSON form, which reads back: nominal components, magnitude and direction."""
-        return {**super().echo(), "magnitude": self._magnitude.echo(), "direction": self._direction.echo()}
+        magnitude, direction = self.parts
+        return {**super().echo(), "magnitude": magnitude.echo(), "direction": direction.echo()}
 
 
-class TypedPolar(VectorValue):
+class TypedPolar(PolarVector):
     """Certain components of a planar vector that was written by magnitude and direction, and is shown so."""
 
-    def __init__(
-        self, address: str, kind: "Kind", si: "tuple[float, float]", magnitude: Value, direction: Value
-    ) -> None:
-        super().__init__(address, kind, si, list(si), kind.unit)
-        self._written = {"magnitude": magnitude.echo(), "direction": direction.echo()}
+    def assemble(self, values: "Values" = NOTHING) -> "Any":
+        """Both components: those of another magnitude or direction where rows give them."""
+        typed = any(part.address in values for part in self.parts)
+        return PolarVector.assemble(self, values) if typed else VectorValue.assemble(self, values)
 
-    def echo(self) -> "Any":
-        """The JSON form, which reads back: components, and the text as written."""
-        return {**super().echo(), **self._written}
+    def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
+        """Both components."""
+        return VectorValue.leaves(self)
 
 
 class Constant(Bound):

@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.sliders.double_slider import require_long
 from dynamics_cli.numerics.elementary import atan2, hypot, pi_beside, sqrt
-from dynamics_cli.numerics.number import single
+from dynamics_cli.numerics.number import decides
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
     Acceleration,
@@ -113,7 +113,7 @@ def quick_return(
 
 
 def _ratio(crank: float, ground: float, lever: "float | None") -> "dict[str, object]":
-    if not single(crank, ground):
+    if not decides(crank, ground):
         return {}
     if crank == ground:
         return {"kind": "crank as long as the ground link: the lever turns at half the crank's speed"}

@@ -58,7 +58,13 @@ def sum_of_products(*terms: "Sequence[float]") -> float:
     factors = [factor for term in terms for factor in term]
     if any(is_many(factor) for factor in factors):
         return _plain_sum([[as_typed(factor) for factor in term] for term in terms])
-    if drawing() or any(is_array(factor) for factor in factors):
+    if any(is_array(factor) for factor in factors):
+        if drawing() or not any(hasattr(factor, "known") for factor in factors):
+            return _plain_sum(terms)
+        from dynamics_cli.numerics.exact.typed_lanes import summed
+
+        return summed(terms, typed)  # type: ignore[no-any-return]
+    if drawing():
         return _plain_sum(terms)
     value = nearest(total([product(*[typed(plain(factor)) for factor in term]) for term in terms]))
     width = max((len(factor.slopes) for factor in factors if is_tracked(factor)), default=-1)  # type: ignore[attr-defined]

@@ -60,13 +60,17 @@ def shown(found: "Any", part: Part, factor: "Factor | None", good: "Mask") -> "A
     """A column of results as shown: doubles, or the text of compound units and flags."""
     if part.how != "number":
         return np.asarray(found).astype(object)
-    values = np.asarray(found, dtype=float)
-    if part.shown is None or (factor is not None and factor.is_one):
+    return scaled(np.asarray(found, dtype=float), part.shown, factor, good)
+
+
+def scaled(values: "Array", show: "Shown | None", factor: "Factor | None", good: "Mask") -> "Any":
+    """A column of numbers as shown; rows whose numbers cannot be are no longer good."""
+    if show is None or (factor is not None and factor.is_one):
         return values
     if factor is None:
-        return _mapped(values, part.shown, good)
+        return _mapped(values, show, good)
     with np.errstate(all="ignore"):
-        column = scale(np.where(good, values, 0.0), factor, _one_by_one(part.shown))
+        column = scale(np.where(good, values, 0.0), factor, _one_by_one(show))
     lost = np.isnan(column)
     if lost.any():
         good &= ~lost

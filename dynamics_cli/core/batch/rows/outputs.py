@@ -130,8 +130,11 @@ class CsvOutput(Output):
 
 def _measured_cells(part: Part, columns: "list[list[bytes]]", units: "list[str]") -> "list[Piece]":
     pieces: list[Piece] = []
+    between = b"," if part.how == "components" else b";"
     for column in columns:
-        pieces += [b";", column]
+        pieces += [between, column]
+    if part.how == "components":
+        pieces.append(b"," * (3 - len(columns)))
     return pieces[1:] if part.unit else [*pieces[1:], b"," + csv_cell(";".join(units)).encode()]
 
 
@@ -160,7 +163,7 @@ class JsonOutput(Output):
     def pieces(self, echoes: "list[bytes]", results: "list[tuple[Part, str, Any]]") -> "list[Piece]":
         """The results as a template with a place for each number."""
         slot = Slot()
-        entries = self.layout.entries([_template(slot, how, value) for _, how, value in results])
+        entries = self.layout.entries([_template(slot, *result) for result in results])
         texts = (',"results":' + compact(entries) + "}\n").encode().split(b"\0")
         pieces: list[Piece] = [echoes, texts[0]]
         each = [column for _, how, value in results for column in _columns(how, value)]
@@ -169,7 +172,9 @@ class JsonOutput(Output):
         return pieces
 
 
-def _template(slot: Slot, how: str, value: "Any") -> "Any":
+def _template(slot: Slot, part: Part, how: str, value: "Any") -> "Any":
+    if part.how == "components" and how == "measured":
+        return Measured(tuple([slot for _ in value[0]]), *value[1])  # type: ignore[misc]
     if how == "measured":
         places = tuple([Measured(slot, unit) for unit in value[1]])  # type: ignore[arg-type]
         return places if len(places) > 1 else places[0]

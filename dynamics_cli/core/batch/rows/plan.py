@@ -12,7 +12,7 @@ import numpy as np
 
 from dynamics_cli.core.answering.models import arguments, choose
 from dynamics_cli.core.answering.task import Model, load
-from dynamics_cli.core.batch.rows.answered import Answered, constant, kept, shown, shown_factor
+from dynamics_cli.core.batch.rows.answered import Answered, constant, kept, scaled, shown, shown_factor
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.cautions import Extremes
 from dynamics_cli.core.batch.text.columns import Column, Slot, Unsuited
@@ -22,7 +22,7 @@ from dynamics_cli.errors import DynamicsError, InadmissibleError
 from dynamics_cli.numerics.lanes import Part as LanePart
 from dynamics_cli.numerics.lanes import parts
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.records import Check, Columns, Measured
+from dynamics_cli.records import Check, Columns, Measured, Numerics, Quantity
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -66,10 +66,11 @@ class Plan:
         self.failures = 0
         self.bound = case.bind(raw)
         leaves = {bound.address: bound for bound in values_of(self.bound)}
-        # A list of one item may be given by that item alone.
+        self._leaves = {address: leaf for leaf in leaves.values() for address, _, _ in leaf.leaves()}
+        # A list of one item may be given by that item alone, a vector of one component by its number.
         alone = {name.replace("[0]", ""): name for name, leaf in leaves.items() if isinstance(leaf, Value)}
-        addresses = [name if name in leaves else alone.get(name, name) for name in addresses]
-        self._leaves = {address: leaves[_owner(address, leaves)] for address, _, _ in self.bound.leaves()}
+        alone |= {name: f"{name}[0]" for name in leaves if f"{name}[0]" in self._leaves}
+        addresses = [name if name in self._leaves else alone.get(name, name) for name in addresses]
         self._leaves |= {address: leaf for address, leaf in leaves.items() if isinstance(leaf, Exact)}
         unknown = [address for address in addresses if address not in self._leaves]
         if unknown or not addresses:
@@ -168,7 +169,7 @@ class Plan:
         for layout, factor in zip(self.case.layout.parts, self._scales, strict=True):
             value = layout.of(record)
             if layout.how in OWN_UNITS and value is not None:
-                columns.append(_measured(layout, value))
+                columns.append(_measured(layout, value, good))
                 continue
             if not isinstance(value, np.ndarray) or not value.ndim:
                 columns.append((layout, "all", constant(layout, record)))
@@ -219,9 +220,17 @@ class Plan:
         return kept(np.array(rows), columns, good, missing)
 
 
-def _measured(part: "Part", value: "Any") -> "tuple[Part, str, Any]":
-    """A column of results that carry their own unit, the same in all rows and not to be changed by the caller."""
-    if part.display is None or part.display.to or part.display.system == "base" or not isinstance(value, Measured):
+def _measured(part: "Part", value: "Any", good: "Mask") -> "tuple[Part, str, Any]":
+    """A column of results that carry their own unit, the same in all rows."""
+    assert part.display is not None
+    if isinstance(value, Quantity):
+        show = part.display.of(part.address, value.kind)
+        if show.compound:
+            raise Unsuited("a number of several units is written one by one")
+        numbers = value.value if isinstance(value.value, tuple) else (value.value,)
+        columns = [np.broadcast_to(np.asarray(number, dtype=float), good.shape) for number in numbers]
+        return part, "measured", ([scaled(column, show, shown_factor(show), good) for column in columns], [show.text])
+    if part.display.to or part.display.system == "base" or not isinstance(value, Measured):
         raise Unsuited("results whose units depend on their numbers are written one by one")
     if isinstance(value.value, np.ndarray):
         return part, "measured", ([np.asarray(value.value)], [value.unit])
@@ -266,14 +275,16 @@ def _below(node: "Any") -> "Iterator[Any]":
             yield from _below(item)
     elif isinstance(node, Check) or not hasattr(node, "fields"):
         yield node
-    else:
+    elif not isinstance(node, Numerics):
         for name in node.fields:
             yield from _below(getattr(node, name))
 
 
 def values_of(bound: Bound) -> "Iterator[Value | VectorValue | Exact]":
-    """Every number and vector among the inputs as read."""
-    if isinstance(bound, Value | VectorValue | Exact):
+    """Every number and vector among the inputs as read; of magnitude and direction each."""
+    if isinstance(bound, VectorValue) and bound.parts:
+        yield from bound.parts
+    elif isinstance(bound, Value | VectorValue | Exact):
         yield bound
     elif isinstance(bound, Fields):
         for item in bound.fields.values():
@@ -281,9 +292,3 @@ def values_of(bound: Bound) -> "Iterator[Value | VectorValue | Exact]":
     elif isinstance(bound, Several):
         for item in bound.items:
             yield from values_of(item)
-
-
-def _owner(address: str, leaves: "dict[str, Value | VectorValue | Exact]") -> str:
-    while address not in leaves:
-        address = address.rpartition("[")[0]
-    return address

@@ -154,7 +154,7 @@ class CellGroups(Groups):
         for index, way in zip(self.parameters, ways, strict=True):
             if isinstance(way, Written):
                 addresses += way.addresses(self.addresses[index])
-                units += [way.unit or self.units[index] or None] * way.count
+                units += way.units(self.units[index])
         if not addresses:
             return None
         for line in lines:

@@ -142,11 +142,9 @@ class Slot:
 def texts(values: "Array") -> "list[bytes]":
     """The shortest text of each number that reads back as it: what `repr` writes."""
     listed = values.tolist()
-    encoded = _encode(listed)
-    tokens = encoded[1:-1].split(b",") if listed else []
-    if _is_odd(encoded):
-        for row in _odd_sized(values):
-            tokens[row] = repr(listed[row]).encode()
+    tokens = _encode(listed)[1:-1].split(b",") if listed else []
+    for row in _odd_sized(values):
+        tokens[row] = repr(listed[row]).encode()
     return tokens
 
 
@@ -156,24 +154,17 @@ def joined_texts(columns: "list[Array]") -> "list[bytes]":
         return texts(columns[0])
     matrix = np.stack(columns, axis=1)
     listed = matrix.tolist()
-    encoded = _encode(listed)
-    rows = encoded[2:-2].split(b"],[") if listed else []
-    if _is_odd(encoded):
-        for row in _odd_sized(matrix):
-            rows[row] = ",".join(map(repr, listed[row])).encode()
+    rows = _encode(listed)[2:-2].split(b"],[") if listed else []
+    for row in _odd_sized(matrix):
+        rows[row] = ",".join(map(repr, listed[row])).encode()
     return rows
-
-
-def _is_odd(encoded: bytes) -> bool:
-    """Whether some number may be written in another way than `repr` does: with an exponent, or one is missing."""
-    return b"e" in encoded or b"0.0000" in encoded
 
 
 def _odd_sized(values: "Array") -> "list[int]":
     """The rows with a number that msgspec writes in another way than `repr`, which gives it an exponent."""
     size = np.abs(values)
-    odd = ((size < _PLAIN_LOW) & (size != 0.0)) | (size >= _PLAIN_HIGH)
-    return sorted(set(np.nonzero(odd)[0].tolist()))
+    odd = (size < _PLAIN_LOW) | (size >= _PLAIN_HIGH)
+    return sorted(set(np.nonzero(odd & (size != 0.0))[0].tolist())) if odd.any() else []
 
 
 def weave(pieces: "list[bytes | list[bytes]]", count: int) -> bytes:

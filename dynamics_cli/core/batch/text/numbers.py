@@ -22,6 +22,8 @@ _is_loose = re.compile(rb" *" + LOOSE + rb" *").fullmatch
 _SEVERAL = re.compile(
     rb"([\[(]?)" + LOOSE + rb"(, ?| )" + LOOSE + rb"(?:\2" + LOOSE + rb")*((?:[\s\])A-DF-Zf-z\x80-\xff%][^,]*)?)"
 )
+# A magnitude and a direction, `20 N @ 30 deg`.
+_POLAR = re.compile(rb"()" + LOOSE + rb"([^\d@,.][^@,]*@ *| *@ *)" + LOOSE + rb"([^\d.@,][^@,]*)")
 
 
 class Written:
@@ -40,13 +42,15 @@ class Written:
         """What is the same for cells written alike."""
         return self.count, self.before, self.between, self.after
 
-    @property
-    def unit(self) -> str:
-        """The unit behind the numbers."""
-        return self.after.decode().strip("]) ")
+    def units(self, others: str = "") -> "list[str | None]":
+        """The unit of each number: that behind them, else that of others."""
+        unit = self.after.decode().strip("]) ") or others or None
+        return [self.between.decode().strip(" @") or None, unit] if b"@" in self.between else [unit] * self.count
 
     def addresses(self, address: str) -> "list[str]":
         """Those of the numbers of the input at this address."""
+        if b"@" in self.between:
+            return [f"{address}.magnitude", f"{address}.direction"]
         return [address] if self.count == 1 else [f"{address}[{index}]" for index in range(self.count)]
 
     def pattern(self, number: bytes) -> bytes:
@@ -71,7 +75,7 @@ class Written:
 def written(text: bytes) -> "Written | None":
     """How a cell or a string that begins with a number, or a bracket, is written; None for other texts."""
     text = text.strip(b" ")
-    several = _SEVERAL.fullmatch(text)
+    several = _SEVERAL.fullmatch(text) or _POLAR.fullmatch(text)
     if several is not None:
         before, between, after = several.groups()
         inner = text[len(before) : len(text) - len(after)]

@@ -27,7 +27,7 @@ def records(blocks: "Iterable[Lines]") -> "Iterator[Lines]":
         if None in lines:
             yield joiner.rest()
             yield lines
-        elif joiner.held or b'"' in b"".join(lines):  # type: ignore[arg-type]
+        elif joiner.held or not _closed(b"\n".join(lines)):  # type: ignore[arg-type]
             yield joiner.joined(lines)  # type: ignore[arg-type]
         else:
             yield lines
@@ -103,6 +103,16 @@ class _Joiner:
             self.held = []
             records += [first, *self.joined(following)]
         return records
+
+
+def _closed(data: bytes) -> bool:
+    """Whether every cell ends in its line: none is quoted, or each of those is closed and has no quote in it."""
+    if b'"' not in data:
+        return True
+    import re
+
+    cell = rb'(?:"[^"\n]*"|[^",\n]*)'
+    return re.fullmatch(rb"(?:" + cell + rb"[,\n])*" + cell, data) is not None
 
 
 def _whole(lines: "list[bytes]") -> bool | None:

@@ -117,11 +117,11 @@ class Shape:
         pattern, position = b"", 0
         for token in tokens(line):
             in_results = results is not None and token.start > results[0]
-            piece, addresses, unit = _piece(token, names, pairs, numeric, in_results=in_results)
+            piece, addresses, units = _piece(token, names, pairs, numeric, in_results=in_results)
             pattern += self._between(position, token.start) + piece
             position = token.end
             self.addresses += addresses
-            self.units += [unit] * len(addresses)
+            self.units += units
         pattern += re.escape(line[position:])
         if self.cut:
             pattern = b"(" + pattern
@@ -161,23 +161,23 @@ def _pairs(line: bytes) -> "set[Path]":
 
 def _piece(
     token: Token, names: "set[str]", pairs: "set[Path]", numeric: "set[str] | None", *, in_results: bool
-) -> "tuple[bytes, list[str], str | None]":
-    """The pattern of one token, the addresses of the numbers it finds, and the unit of those in a string."""
-    fixed: tuple[bytes, list[str], None] = (re.escape(token.text), [], None)
+) -> "tuple[bytes, list[str], list[str | None]]":
+    """The pattern of one token, the addresses of the numbers it finds, and the units of those in a string."""
+    fixed: tuple[bytes, list[str], list[str | None]] = (re.escape(token.text), [], [])
     if token.key:
         return fixed
     path = token.path[1:] if in_results else token.path
     string = token.text.startswith(b'"')
     if not path or path[0] not in names:
         if string and b"\\" not in token.text:
-            return _OTHER_STRING, [], None
-        return (_OTHER_NUMBER, [], None) if is_number(token.text) else fixed
+            return _OTHER_STRING, [], []
+        return (_OTHER_NUMBER, [], []) if is_number(token.text) else fixed
     address = _address(path, pairs, 1 if in_results else 0, token.path)
     if not address:
         return fixed
     if not string:
         found = is_number(token.text) and (numeric is None or address in numeric)
-        return (b"(" + NUMBER + b")", [address], None) if found else fixed
+        return (b"(" + NUMBER + b")", [address], [None]) if found else fixed
     quantity = written(token.text[1:-1]) if b"\\" not in token.text else None
     # In a value with its unit only the value is a number, and `1/s` is not a number with a unit `/s`.
     if quantity is None or token.path[-1] == "unit" or quantity.after[:1].isdigit():
@@ -185,7 +185,7 @@ def _piece(
     addresses = quantity.addresses(address)
     if numeric is not None and not numeric.issuperset(addresses):
         return fixed
-    return b'"' + quantity.pattern(b"(" + NUMBER + b")") + b'"', addresses, quantity.unit
+    return b'"' + quantity.pattern(b"(" + NUMBER + b")") + b'"', addresses, quantity.units()
 
 
 def _address(path: Path, pairs: "set[Path]", skipped: int, whole: Path) -> str:
