@@ -2,9 +2,11 @@
 
 from itertools import pairwise
 
+from dynamics_cli.numerics.roots import bisected
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
     from typing import Any
 
 
@@ -77,16 +79,3 @@ def roots_between(coefficients: "Sequence[float]", low: float, high: float) -> "
         elif (at_left < 0.0) != (at_right < 0.0):
             roots.append(bisected(polynomial, low_end, high_end))
     return roots
-
-
-def bisected(function: "Callable[[float], float]", low: float, high: float) -> float:
-    """The root of a function between two places of opposite signs, to the last bit."""
-    negative = function(low) < 0.0
-    while True:
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            return low if abs(function(low)) <= abs(function(high)) else high
-        if (function(middle) < 0.0) == negative:
-            low = middle
-        else:
-            high = middle

@@ -3,7 +3,7 @@
 from math import ceil, pi
 
 from dynamics_cli.gear.single.gear import Gear
-from dynamics_cli.numerics.elementary import absolute, atan, cos, maximum, sin, sqrt, tan, where
+from dynamics_cli.numerics.elementary import atan, cos, maximum, sin, sqrt, tan, where
 from dynamics_cli.numerics.involute import involute
 from dynamics_cli.numerics.number import is_array, like, over_plain, plain
 
@@ -77,29 +77,3 @@ def _root_left_of(start: float, least: float, function: "Callable[[float], tuple
         if not (moving.any() if is_array(moving) else moving):
             break
     return place
-
-
-def bisect(function: "Callable[[float], float]", low: float, high: float) -> float:
-    """The sign change of a function that is positive at `low` and not at `high`, to the last bits.
-
-    Illinois steps kept within the bracket; every third step halves it.
-    """
-    f_low, f_high = function(low), function(high)
-    if is_array(f_low):
-        from dynamics_cli.numerics.lanes import bisected
-
-        return bisected(function, low, high)  # type: ignore[no-any-return]
-    for count in range(200):
-        middle = 0.5 * (low + high)
-        if count % 3 != 2 and f_low > 0.0 > f_high:
-            trial = (low * f_high - high * f_low) / (f_high - f_low)
-            if low < trial < high or high < trial < low:
-                middle = trial
-        if middle in (low, high) or absolute(high - low) <= 4e-16 * max(absolute(low), absolute(high)):
-            break
-        value = function(middle)
-        if value > 0.0:
-            low, f_low = middle, value
-        else:
-            high, f_high = middle, value
-    return low if abs(f_low) < abs(f_high) else high

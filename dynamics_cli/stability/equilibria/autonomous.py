@@ -5,6 +5,7 @@ import math
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.exact.rational import exact
+from dynamics_cli.numerics.roots import bisected
 from dynamics_cli.quantities import (
     Annotated,
     Count,
@@ -91,11 +92,7 @@ def _near_zeros(rates: Rates, grid: "list[float]") -> "Iterator[Point]":
     values = [rates.at((at,))[0] for at in grid]
     for k, (one, two) in enumerate(itertools.pairwise(values)):
         if (one < 0.0) != (two < 0.0):
-            low, high = grid[k], grid[k + 1]
-            for _ in range(HALVINGS):
-                middle = 0.5 * (low + high)
-                low, high = (middle, high) if (rates.at((middle,))[0] < 0.0) == (one < 0.0) else (low, middle)
-            yield (low,)
+            yield (bisected(lambda at: rates.at((at,))[0], grid[k], grid[k + 1], HALVINGS),)
     sizes = [math.inf, *map(abs, values), math.inf]
     for k, at in enumerate(grid, 1):
         if sizes[k] <= min(sizes[k - 1], sizes[k + 1]):
