@@ -315,7 +315,10 @@ def _all_digits(text: str) -> bool:
 
 def _not_a_number(text: str, why: str = "") -> UsageError:
     hint = None
-    if "," in text or "_" in text or "'" in text:
+    whole, _, broken = text.partition(",")
+    if _all_digits(whole) and _all_digits(broken):
+        hint = f"write {whole}.{broken} with a point"
+    elif "," in text or "_" in text or "'" in text:
         hint = "write 1.5 with a point, and thousands without a separator: 1000"
     return UsageError(f"{shown(text)} is not a decimal number{why and ': '}{why}", code="number", hint=hint)
 
