@@ -20,15 +20,6 @@ STIFF = 20.0
 NEWTON = 12
 
 
-def mean(a: float, b: float) -> float:
-    """The arithmetic–geometric mean."""
-    for _ in range(60):
-        if abs(a - b) <= 4e-16 * a:
-            break
-        a, b = 0.5 * (a + b), math.sqrt(a * b)
-    return 0.5 * (a + b)
-
-
 def half_cycle(f: "Law", start: float, tolerance: float, jacobian: "Any" = None) -> "tuple[float, float]":
     """From rest at `start` to the next rest of ẍ + x + f(x, ẋ) = 0: the time, and the displacement there."""
     from scipy.integrate import solve_ivp
