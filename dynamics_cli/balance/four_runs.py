@@ -1,6 +1,6 @@
 """Balancing in one plane by amplitudes alone: one run as it is, three with a trial weight at known angles."""
 
-from dynamics_cli.balance.phasors import Phasor, polar, total
+from dynamics_cli.balance.phasors import Phasor, cross, polar, total
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, sqrt
 from dynamics_cli.numerics.number import plain
@@ -131,14 +131,10 @@ def _amplitudes(*readings: "Any") -> "tuple[Any, list[Any]]":
     return first, sizes
 
 
-def _cross(one: Phasor, other: Phasor) -> "Any":
-    return one.x * other.y - one.y * other.x
-
-
 def _fitted(still: "Any", sizes: "list[Any]", places: "list[Phasor]") -> "tuple[Any, Phasor]":
     """t² and z of the plane through the squares of the readings over the places of the weight."""
     a, b, c = places
-    area = _cross(b - a, c - a)
+    area = cross(b - a, c - a)
     require(
         abs(plain(area)) > FLAT,
         "two runs have the weight at almost the same angle",
@@ -147,7 +143,7 @@ def _fitted(still: "Any", sizes: "list[Any]", places: "list[Phasor]") -> "tuple[
     )
     squares = [size * size for size in sizes]
     opposite = [(b, c), (c, a), (a, b)]
-    mean = sum(T * _cross(*pair) for T, pair in zip(squares, opposite, strict=True)) / area
+    mean = sum(T * cross(*pair) for T, pair in zip(squares, opposite, strict=True)) / area
     slopes = [(p - q).times(T) for T, (p, q) in zip(squares, opposite, strict=True)]
     slope = total(slopes)
     return mean - still * still, Phasor(slope.y / (2.0 * area), -slope.x / (2.0 * area))

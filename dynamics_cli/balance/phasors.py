@@ -87,6 +87,11 @@ def total(parts: "Iterable[Phasor]") -> Phasor:
     return whole
 
 
+def cross(one: Phasor, other: Phasor) -> "Any":
+    """The sine of the angle from one to the other, times both amounts."""
+    return one.x * other.y - one.y * other.x
+
+
 def scale_of(parts: "Iterable[Phasor]") -> float:
     """The largest amount that may cancel in a sum."""
     return float(sum(abs(plain(part.x)) + abs(plain(part.y)) for part in parts))

@@ -3,7 +3,7 @@
 from itertools import product
 from math import floor
 
-from dynamics_cli.balance.phasors import Phasor, polar, total
+from dynamics_cli.balance.phasors import Phasor, cross, polar, total
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import pi_beside
 from dynamics_cli.numerics.number import plain
@@ -92,7 +92,7 @@ def split(
     else:
         first, second = places.first_angle, places.second_angle
     ways = polar(1.0, first), polar(1.0, second)
-    sine = _cross(*ways)
+    sine = cross(*ways)
     require(
         abs(plain(sine)) > FLAT,
         "the places at {first} and {second} lie on one line through the axis",
@@ -101,7 +101,7 @@ def split(
         first=(first, Angle),
         second=(second, Angle),
     )
-    sizes = [_cross(wanted, ways[1]) / sine, _cross(ways[0], wanted) / sine]
+    sizes = [cross(wanted, ways[1]) / sine, cross(ways[0], wanted) / sine]
     tiny = CLOSED * plain(mass)
     require(
         min(map(plain, sizes)) >= -tiny,
@@ -124,10 +124,6 @@ def split(
         residual=left if stock is not None else 0.0, residual_share=left / mass if stock is not None else 0.0,
         checks=() if stock is not None else (Check("both add up to the correction", closed <= CLOSED, closed, CLOSED),),
     )  # fmt: skip
-
-
-def _cross(one: Phasor, other: Phasor) -> "Any":
-    return one.x * other.y - one.y * other.x
 
 
 def _beside(angle: float, pattern: Holes) -> "tuple[Any, Any, tuple[int, int]]":

@@ -34,6 +34,7 @@ else:
 # Units of a slope: rise over run.
 SLOPES = ("%", "‰", "percent", "permille", "pct")
 ANGLE = (0, 0, 0, 0, 0, 0, 0, 1)
+PURE = "1"
 HALF_ULP = 2.0**-53
 SMALLEST_NORMAL = 2.0**-1022
 SMALLEST_DOUBLE = 5e-324
@@ -98,7 +99,7 @@ def convert(
     if gravity is not None:
         _gravity(gravity)
     if not value.unit:
-        raise UsageError("value: it has no unit", parameter="value", hint="for example 60 mph")
+        raise UsageError(f"{value.text.strip()} has no unit", parameter="value", hint="for example 60 mph")
     for target in targets:
         if target.strip()[:1].isdigit() and not target.strip().startswith("1/"):
             raise UsageError(
@@ -108,8 +109,7 @@ def convert(
             )
     if not all(target.strip() for target in targets):
         raise UsageError("targets: the unit to convert to is empty", parameter="targets", hint="for example ft/s")
-    targets = targets or (_in_si(value.unit),)
-    parts = [_one(value, target, weight=weight, gravity=gravity) for target in targets]
+    parts = [_one(value, target, weight=weight, gravity=gravity) for target in targets or (_in_si(value.unit),)]
     several = len(parts) > 1
     name = "values" if several else "value"
     return Conversion(
@@ -179,6 +179,8 @@ def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuant
         if part is None:
             message, hint = _mismatch(source, target_unit)
             near = _near(value.unit, target_unit) or _near(target, source)
+            if target == "in":
+                near = "in is the inch; between a value and its target stands to: 60 mph to km/h"
             raise UsageError(message, code="dimension", parameter="targets", hint=near or hint)
         part.reading, part.notes = reading, (*reading, *target_unit.notes, *part.notes)
         return part
@@ -195,7 +197,7 @@ def _one(value: ExactQuantity, target: str, *, weight: bool, gravity: ExactQuant
         numbers = from_exact_compound(numerator, denominator, source, compound)
         part = _Part(Measured(numbers, target), exact, f"{exact_text} {target_unit.text}", factor, 1.0)
     else:
-        part = _Part(Measured(rounded, target), exact, exact_text, factor, 1.0)
+        part = _Part(Measured(rounded, "" if target == PURE else target), exact, exact_text, factor, 1.0)
         if is_offset(source) or is_offset(target_unit):
             part.condition = _affine_condition(numerator, denominator, source, target_unit, rounded)
     if is_offset(source) or is_offset(target_unit):

@@ -169,10 +169,10 @@ def _taken(array: "Array", rows: "Rows") -> "Array":
     return array if len(rows) == len(array) else array[rows]
 
 
-def bisected(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "Any":
+def sign_changes(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "Any":
     """Sign change of a function that is positive at `low` and not at `high`, lane by lane.
 
-    Each lane takes the steps that `numerics.polynomials.bisect` takes alone, and stays where these end.
+    Each lane takes the steps that `roots.sign_change` takes alone, and stays where these end.
     """
     f_low, f_high = function(low), function(high)
     kind = type(f_low)

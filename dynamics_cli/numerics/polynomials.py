@@ -1,13 +1,12 @@
-"""Real roots of polynomials of low degree on an interval, and places where any function changes its sign."""
+"""Real roots of polynomials of low degree on an interval, found between the roots of their derivatives."""
 
 from itertools import pairwise
 
-from dynamics_cli.numerics.elementary import absolute
-from dynamics_cli.numerics.number import is_array
+from dynamics_cli.numerics.roots import bisected
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
     from typing import Any
 
 
@@ -80,42 +79,3 @@ def roots_between(coefficients: "Sequence[float]", low: float, high: float) -> "
         elif (at_left < 0.0) != (at_right < 0.0):
             roots.append(bisected(polynomial, low_end, high_end))
     return roots
-
-
-def bisected(function: "Callable[[float], float]", low: float, high: float) -> float:
-    """The root of a function between two places of opposite signs, to the last bit."""
-    negative = function(low) < 0.0
-    while True:
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            return low if abs(function(low)) <= abs(function(high)) else high
-        if (function(middle) < 0.0) == negative:
-            low = middle
-        else:
-            high = middle
-
-
-def bisect(function: "Callable[[float], float]", low: float, high: float) -> float:
-    """The sign change of a function that is positive at `low` and not at `high`, to the last bits.
-
-    Illinois steps kept within the bracket; every third step halves it.
-    """
-    f_low, f_high = function(low), function(high)
-    if is_array(f_low):
-        from dynamics_cli.numerics.lanes import bisected
-
-        return bisected(function, low, high)  # type: ignore[no-any-return]
-    for count in range(200):
-        middle = 0.5 * (low + high)
-        if count % 3 != 2 and f_low > 0.0 > f_high:
-            trial = (low * f_high - high * f_low) / (f_high - f_low)
-            if low < trial < high or high < trial < low:
-                middle = trial
-        if middle in (low, high) or absolute(high - low) <= 4e-16 * max(absolute(low), absolute(high)):
-            break
-        value = function(middle)
-        if value > 0.0:
-            low, f_low = middle, value
-        else:
-            high, f_high = middle, value
-    return low if abs(f_low) < abs(f_high) else high

@@ -1,7 +1,13 @@
 """Vectors of three or two components and symmetric tensors as tuples, for numbers, arrays and tracked numbers alike."""
 
+from math import isfinite
+
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot, multiply_add
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 Vector = tuple[float, float, float]
 Pair = tuple[float, float]
@@ -137,3 +143,22 @@ def solve(tensor: Tensor, right: Vector, message: str) -> Vector:
     z = y2 / third
     y = y1 / second - l3 * z
     return right[0] / first - l1 * y - l2 * z, y, z
+
+
+def eliminated(matrix: "Sequence[Sequence[float]]", right: "Sequence[float]") -> "list[float] | None":
+    """The solution of a small linear system by elimination with pivots; None where it is singular."""
+    rows = [[*row, end] for row, end in zip(matrix, right, strict=True)]
+    size = len(rows)
+    for column in range(size):
+        best = max(range(column, size), key=lambda row: abs(rows[row][column]))
+        if rows[best][column] == 0.0 or not all(map(isfinite, rows[best])):
+            return None
+        rows[column], rows[best] = rows[best], rows[column]
+        for row in range(column + 1, size):
+            factor = rows[row][column] / rows[column][column]
+            rows[row] = [a - factor * b for a, b in zip(rows[row], rows[column], strict=True)]
+    answer = [0.0] * size
+    for row in reversed(range(size)):
+        substituted = sum(rows[row][k] * answer[k] for k in range(row + 1, size))
+        answer[row] = (rows[row][size] - substituted) / rows[row][row]
+    return answer

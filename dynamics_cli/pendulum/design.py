@@ -4,12 +4,12 @@ from dynamics_cli.errors import UsageError, require, worded
 from dynamics_cli.numerics.elementary import atan2, cos, pi_beside, sqrt
 from dynamics_cli.numerics.elliptic import mean
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.roots import halved
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Annotated, Gravity, Length, Ratio, Time
 from dynamics_cli.records import record
 
 PI = 3.141592653589793
 SECONDS_PER_DAY = 86400.0
-ROUNDS = 80
 
 
 @record
@@ -96,8 +96,5 @@ def design(
 
 def _amplitude(wanted: float) -> float:
     """The amplitude at which M(1, cos ½θ₀) is as wanted, by halving on the complementary modulus."""
-    low, high = 0.0, 1.0
-    for _ in range(ROUNDS):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if mean(1.0, middle) < plain(wanted) else (low, middle)
+    high = halved(lambda modulus: mean(1.0, modulus) < plain(wanted), 0.0, 1.0)[1]
     return 2.0 * atan2(sqrt((1.0 - high) * (1.0 + high)), high)

@@ -71,6 +71,8 @@ def _complete(case: Calculation) -> "list[Block]":
     rows = []
     notes = []
     for name, value, unit in flatten(case.results):
+        if value == "":
+            continue
         if isinstance(value, str) or value is None:
             notes.append(f"{name}: {value if value is not None else 'none'}")
             continue

@@ -81,7 +81,8 @@ class Calculation:
         words = source.name.lstrip("0123456789_-. ").replace("_", " ") or source.name
         self.name = words[:1].upper() + words[1:]
         command = source.document["command"]
-        self.title = f"{self.name}: {_lowered(task.summary)}" if task else f"{self.name}: {command}"
+        self.about = task.summary.rstrip(".").partition(":")[0] if task else command
+        self.title = f"{self.name}: {_lowered(task.summary) if task else command}"
 
     @property
     def results(self) -> "Document":

@@ -94,7 +94,7 @@ def _blocks(
         except UsageError as error:
             if error.code != "not-installed":
                 raise
-    title = given_title or "Calculations"
+    title = given_title or (cases[0].about if len(cases) == 1 else "Calculations")
     pictures = _drawn(cases, terminal)
     blocks = front(title, _facts(options), cases, pictures.pop(0, []), pictures.pop(ACROSS, []))
     for case in cases:

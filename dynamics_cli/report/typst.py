@@ -12,6 +12,7 @@ from dynamics_cli.report.blocks import (
     Code,
     Formula,
     Heading,
+    Image,
     Items,
     Paragraph,
     Table,
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
     from dynamics_cli.report.blocks import Block, Text
 
 PAPERS = {"a4": "a4", "letter": "us-letter"}
+# A picture higher than this share of the text's width goes to the top or the end of a page.
+TALL = 0.7
 # A cell of more letters than this may be broken into lines.
 _LONGEST_CELL = 24
 # A data sheet's table of no more columns has the first as wide as there is room.
@@ -135,10 +138,17 @@ class _Writer:
             sides = ["\n".join(self.parts(side)) for side in (block.left, block.right)]
             return f"#grid(columns: (11fr, 9fr), gutter: 16pt, [{sides[0]}], [{sides[1]}])"
         self.figures += 1
+        place = ", placement: auto" if _is_tall(block) else ""
         return (
             f'#figure(fitted("{self.figures}.svg", {100.0 * block.width:.0f}%, {_string(block.description)}), '
-            f"caption: [{_escape(block.text)}])"
+            f"caption: [{_escape(block.text)}]{place})"
         )
+
+
+def _is_tall(image: Image) -> bool:
+    """Whether a picture is so high that the page before it would be left half empty."""
+    size = re.search(rb'viewBox="0 0 ([\d.]+) ([\d.]+)"', image.svg)
+    return size is not None and image.width * float(size[2]) > TALL * float(size[1])
 
 
 def _table(block: Table) -> str:

@@ -5,6 +5,7 @@ rows that say otherwise and temperatures, which it takes for differences.
 """
 
 import csv
+import json
 from fractions import Fraction
 from pathlib import Path
 
@@ -36,6 +37,38 @@ def test_the_number_stands_first_and_alone_then_what_was_meant() -> None:
     assert run("convert", "60 mph to m/s", "-q").out == "26.8224 m/s\n"
     assert run("convert", "60", "mph", "ft/s", "km/h", "-q").out == "88 ft/s\n96.56064 km/h\n"
     assert run("convert", "98.6", "F", "C", "-q").out == "37 C\n"
+    assert run("convert", "10 %", "-q").out == "0.1\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "wanted", "typed"),
+    [
+        ("5 ft 6 in m", "1.6764 m", "5 ft 6 in"),
+        ("6ft 2in cm", "187.96 cm", "6 ft 2 in"),
+        ("5 ft 6 1/2 in to mm", "1689.1 mm", "5 ft 6.5 in"),
+        ("2 h 30 min s", "9000 s", "2 h 30 min"),
+        ("-5 ft 6 in m", "-1.6764 m", "-5 ft -6 in"),
+        ("5-1/2 in mm", "139.7 mm", "5.5 in"),
+        ("3/8 in mm", "9.525 mm", "0.375 in"),
+        ("5 1/in 1/ft", "60 1/ft", "5 1/in"),
+    ],
+)
+def test_a_quantity_of_several_words_needs_no_quotes_and_is_shown_as_typed(words: str, wanted: str, typed: str) -> None:
+    shown = run("convert", *words.split()).out.splitlines()
+    assert shown[0] == wanted
+    assert any(line.startswith(f"for   value {typed}, targets") for line in shown)
+
+
+def test_a_document_with_feet_and_inches_reads_back() -> None:
+    once = run("skid", "speed", "--distance", "60 ft 6 in", "--friction", "0.7", "--json")
+    assert json.loads(once.out)["inputs"]["distance"] == {"value": [60, 6], "unit": "ft;in"}
+    assert run("skid", "speed", "--input", "-", "--json", stdin=once.out).out == once.out
+
+
+def test_remedies_name_what_was_typed() -> None:
+    assert "write 12.5 with a point" in run("convert", "12,5", "mm", "in").err
+    assert "60 mph to km/h" in run("convert", "60", "mph", "in", "km/h").err
+    assert "60 has no unit" in run("convert", "60").err
 
 
 def number(exact: str) -> mp.mpf:

@@ -9,7 +9,8 @@ from row_helpers import run
 
 from dynamics_cli.core.batch.rows.plan import Plan
 from dynamics_cli.core.batch.text.columns import joined_texts, texts
-from dynamics_cli.numerics.lanes import Diverged, Lanes, bisected, parts
+from dynamics_cli.numerics.lanes import Diverged, Lanes, parts, sign_changes
+from dynamics_cli.numerics.roots import sign_change
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 from rows_of_tasks import Call, calls
@@ -98,9 +99,7 @@ def test_a_power_of_lanes_has_the_bits_of_python_s() -> None:
 
 
 def test_bisection_lane_by_lane_is_that_of_one_case() -> None:
-    from dynamics_cli.gear.single.limits import bisect
-
     targets = np.random.default_rng(7).uniform(0.01, 9.0, 200)
-    made = bisected(lambda x: targets - x * x * x, 0.0, 5.0)
-    wanted = [bisect(lambda x, target=target: target - x * x * x, 0.0, 5.0) for target in targets.tolist()]
+    made = sign_changes(lambda x: targets - x * x * x, 0.0, 5.0)
+    wanted = [sign_change(lambda x, target=target: target - x * x * x, 0.0, 5.0) for target in targets.tolist()]
     assert made.tolist() == wanted

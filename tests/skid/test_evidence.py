@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.numerics.elliptic import first_kind_with_pair
 from dynamics_cli.numerics.fitting.circle import circle_through
-from dynamics_cli.numerics.quadrature.elliptic import first_kind_with_pair
 from dynamics_cli.numerics.road.phases import Kind, Phase
 from dynamics_cli.skid.curved.survey import Points
 from dynamics_cli.skid.curved.swerve import swerve

@@ -9,6 +9,7 @@ import numpy as np
 from dynamics_cli.cam.geometry.contact import Geometry
 from dynamics_cli.cam.program.pieces import Cover, within
 from dynamics_cli.numerics.chebyshev.proxies import extremes
+from dynamics_cli.numerics.roots import halved
 from dynamics_cli.quantities import Annotated
 from dynamics_cli.records import record
 
@@ -163,15 +164,11 @@ class Envelope:
 
     def _zero(self, zone: int, bad: float, good: float) -> float:
         """Where the speed passes zero, by bisection."""
-        for _ in range(80):
-            middle = 0.5 * (bad + good)
-            if middle in (bad, good):
-                break
-            if float(self.geometry.touch(*self.motion.in_zone(zone, np.array([middle]), 2)).run[0]) > 0.0:
-                good = middle
-            else:
-                bad = middle
-        return bad
+
+        def backward(place: float) -> bool:
+            return not self.geometry.touch(*self.motion.in_zone(zone, np.array([place]), 2)).run[0] > 0.0
+
+        return halved(backward, bad, good)[0]
 
     def forward(self, backward: "list[tuple[float, float]]") -> "list[Arc]":
         """Arcs of the forward parts in order, each bending little.

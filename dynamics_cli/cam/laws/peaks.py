@@ -3,16 +3,13 @@
 from math import inf
 
 from dynamics_cli.cam.laws.normalised import Law, Piece
+from dynamics_cli.numerics.roots import bisected
 from dynamics_cli.numerics.tracked import Tracked
 
 DERIVATIVES = ("lift", "velocity", "acceleration", "jerk", "rate of jerk")
 STILL = 2.0**-53
 # a slope below this share of the greatest is rounding
 NOISE = 1e-13
-
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 
 def extremes(law: Law, order: int) -> "list[tuple[float, float]]":
@@ -55,19 +52,8 @@ def _turning(piece: Piece, order: int, low: float, high: float, steps: int) -> "
     turning = [t for t, value in zip(grid[1:-1], values[1:-1], strict=True) if value == 0.0]
     for start, end, a, b in zip(grid, grid[1:], values, values[1:], strict=False):
         if a * b < 0.0 and max(abs(a), abs(b)) > least:
-            turning.append(_settled(piece, order, _bisected(slope, start, end, a)))
+            turning.append(_settled(piece, order, bisected(slope, start, end)))
     return sorted(turning)
-
-
-def _bisected(slope: "Callable[[float], float]", low: float, high: float, at_low: float) -> float:
-    while True:
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            return low
-        if (slope(middle) < 0.0) == (at_low < 0.0):
-            low = middle
-        else:
-            high = middle
 
 
 def _settled(piece: Piece, order: int, t: float) -> float:

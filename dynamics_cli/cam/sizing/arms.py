@@ -13,12 +13,12 @@ from dynamics_cli.cam.sizing.roundness import sure_about
 from dynamics_cli.cam.sizing.slides import CURVATURE, ROLLER, UNIT, extremes_of, kept, signs, stated, undercut
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.discs import Disc
+from dynamics_cli.numerics.roots import halved
 from dynamics_cli.quantities import Angle, Annotated, Size
 from dynamics_cli.records import Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from typing import Any
 
 
@@ -214,17 +214,5 @@ def round_start(
             code="curvature-binds",
             hint="lengthen arm and pivot distance, or give the motion larger angles",
         )
-    angle = _halved(short, low, low + step)
+    angle = halved(short, low, low + step)[1]
     return angle, sure_about(bend, wanted, angle, UNIT * angle)
-
-
-def _halved(short: "Callable[[float], bool]", low: float, high: float) -> float:
-    """The smallest angle at which it is large enough, by bisection."""
-    while True:
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            return high
-        if short(middle):
-            low = middle
-        else:
-            high = middle

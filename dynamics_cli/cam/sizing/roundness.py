@@ -13,6 +13,7 @@ from dynamics_cli.cam.geometry.analysis import analyse
 from dynamics_cli.cam.geometry.contact import Geometry
 from dynamics_cli.cam.program.pieces import within
 from dynamics_cli.numerics.chebyshev.proxies import extremes, proxies
+from dynamics_cli.numerics.roots import halved
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -174,12 +175,7 @@ class Round:
             else:
                 low = high - step
             step *= 0.5
-        for _ in range(60):
-            middle = 0.5 * (low + high)
-            if not low < middle < high:
-                break
-            low, high = (low, middle) if self.kept(e, middle) else (middle, high)
-        return high
+        return halved(lambda height: not self.kept(e, height), low, high)[1]
 
 
 def sure_about(bend: "Callable[[float], tuple[float, float]]", wanted: float, place: float, step: float) -> float:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 TEMPERATURES = ("F", "C", "K", "R", "°F", "°C", "degF", "degC")
 # Words that may stand between a quantity and its target unit, among the first few words.
 CONNECTIVES = ("to", "into", "->", "→")
-MOST_WORDS = 4
+MOST_WORDS = 7
 
 
 class Gathered:
@@ -137,6 +137,8 @@ def read_words(fields: "tuple[Field, ...]", words: "list[str]", *, rows: bool) -
     raw: dict[str, Any] = {}
     rest = list(words)
     scene = ""
+    # 5 ft 6 in, where no other number can follow
+    alone = [field.place for field in fields if field.place][1:] == ["words"]
     for field in fields:
         if not field.place or not rest:
             continue
@@ -154,9 +156,9 @@ def read_words(fields: "tuple[Field, ...]", words: "list[str]", *, rows: bool) -
         elif rows and isinstance(node, Leaf) and node.kind.form == "exact" and not _has_number(rest[0]):
             continue
         else:
-            raw[field.key] = rest.pop(0)
-            if rest and _is_bare(raw[field.key]) and _takes_unit(node) and not _has_number(rest[0]):
-                raw[field.key] += " " + rest.pop(0)
+            raw[field.key] = _with_unit(rest) if _takes_unit(node) else rest.pop(0)
+            while rest and alone and _takes_unit(node) and _has_number(rest[0]):
+                raw[field.key] += " " + _with_unit(rest)
     if rest:
         raise UsageError(f"unexpected word {rest[0]!r}", code="unexpected", hint="quote a value that has spaces")
     return raw, scene
@@ -178,6 +180,14 @@ def _at_connective(words: "list[str]") -> "list[str]":
     return words
 
 
+def _with_unit(rest: "list[str]") -> str:
+    """The next word and, after a bare number, those of a fraction and of its unit: 5 1/2 in."""
+    word = rest.pop(0)
+    if rest and _is_bare(word) and _is_bare(rest[0]) and "/" in rest[0]:
+        word += " " + rest.pop(0)
+    return f"{word} {rest.pop(0)}" if rest and _is_bare(word) and not _has_number(rest[0]) else word
+
+
 def _takes_unit(node: object) -> bool:
     """Whether the word after a bare number can only be its unit."""
     return isinstance(node, Leaf) and (node.kind.form == "exact" or bool(node.kind.unit))
@@ -190,4 +200,4 @@ def _has_number(word: str) -> bool:
 
 def _is_bare(word: str) -> bool:
     """Whether a word is a number and nothing more."""
-    return bool(word) and not word.strip("+-−.0123456789eE")
+    return bool(word) and not word.strip("+-−./ 0123456789eE")

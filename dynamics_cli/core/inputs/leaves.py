@@ -3,6 +3,7 @@
 from dynamics_cli.core.inputs.context import Token
 from dynamics_cli.core.inputs.quantity_text import (
     is_uncertain,
+    parts_of,
     read_amount,
     read_fraction,
     read_scalar,
@@ -117,7 +118,7 @@ def read_number_of(kind: Kind, raw: "Any", address: str, context: "Context", def
             raise
         return _uncertain(kind, text, address, context, default_unit)
     context.note(address, reading.notes)
-    return Value(address, kind, reading.si or 0.0, reading.value, reading.unit)
+    return Value(address, kind, reading.si or 0.0, reading.value, reading.unit, reading.parts)
 
 
 def _is_distribution(raw: "Any") -> bool:
@@ -233,7 +234,8 @@ def _exact(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
         unit = last.text
     value = ExactQuantity(numerator, denominator, unit, text)
     displayed = numerator if denominator == 1 and abs(numerator) < 2**53 else nearest(numerator, denominator)
-    return Exact(address, kind, value, {"value": displayed, "unit": unit} if unit else {"value": displayed})
+    shown, unit = parts_of(amount) or (displayed, unit)
+    return Exact(address, kind, value, {"value": shown, "unit": unit} if unit else {"value": shown})
 
 
 def components_of(kind: Kind, raw: "Any") -> "list[Any]":

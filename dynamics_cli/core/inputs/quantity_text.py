@@ -11,9 +11,11 @@ from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import NoReturn
+    from typing import NoReturn, TypeAlias
 
     from dynamics_cli.quantities import Kind
+
+    Parts: TypeAlias = tuple[list[float], str]
 
 DIGITS = "0123456789"
 SIGNS = "+-−"
@@ -50,15 +52,21 @@ class Amount:
 
 
 class Reading:
-    """One scalar as read: its SI value, the number and the unit as written, and notes on its interpretation."""
+    """One scalar as read: its SI value, the number and the unit as written, and notes on its interpretation.
 
-    __slots__ = ("notes", "si", "unit", "value")
+    `parts`: the numbers and units of `5 ft 6 in`, as a document writes them.
+    """
 
-    def __init__(self, si: float, value: float, unit: str, notes: tuple[str, ...] = ()) -> None:
+    __slots__ = ("notes", "parts", "si", "unit", "value")
+
+    def __init__(
+        self, si: float, value: float, unit: str, notes: tuple[str, ...] = (), parts: "Parts | None" = None
+    ) -> None:
         self.si = si
         self.value = value
         self.unit = unit
         self.notes = notes
+        self.parts = parts
 
 
 def read_number(text: str) -> tuple[int, int]:
@@ -227,7 +235,15 @@ def _scalar(amount: Amount, kind: "Kind", default_unit: str) -> Reading:
         if abs(numerator // denominator) > EXACT_INTEGERS:
             raise UsageError(f"it must be at most {EXACT_INTEGERS}", code="bounds")
         return Reading(si, numerator // denominator, "")
-    return Reading(si, _as_written(numerator, denominator, amount), unit.text, unit.notes)
+    return Reading(si, _as_written(numerator, denominator, amount), unit.text, unit.notes, parts_of(amount))
+
+
+def parts_of(amount: Amount) -> "Parts | None":
+    """The numbers of `5 ft 6 in` and their units as `ft;in`; None of one number, and of parts joined by a plus."""
+    if len(amount.parts) == 1 or amount.added:
+        return None
+    numbers = [up // down if up % down == 0 else nearest(up, down) for up, down, _ in amount.parts]
+    return numbers, ";".join(unit for *_, unit in amount.parts)
 
 
 def _as_written(numerator: int, denominator: int, amount: Amount) -> float:
@@ -299,7 +315,10 @@ def _all_digits(text: str) -> bool:
 
 def _not_a_number(text: str, why: str = "") -> UsageError:
     hint = None
-    if "," in text or "_" in text or "'" in text:
+    whole, _, broken = text.partition(",")
+    if _all_digits(whole) and _all_digits(broken):
+        hint = f"write {whole}.{broken} with a point"
+    elif "," in text or "_" in text or "'" in text:
         hint = "write 1.5 with a point, and thousands without a separator: 1000"
     return UsageError(f"{shown(text)} is not a decimal number{why and ': '}{why}", code="number", hint=hint)
 

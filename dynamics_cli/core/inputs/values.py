@@ -36,14 +36,17 @@ class Bound:
 
 
 class Value(Bound):
-    """A number: its SI value, and the number and unit as written."""
+    """A number: its SI value, and the number and unit as written; `parts`: the numbers and units of `5 ft 6 in`."""
 
-    def __init__(self, address: str, kind: Kind, si: float, shown: "Any", unit: str) -> None:
+    def __init__(
+        self, address: str, kind: Kind, si: float, shown: "Any", unit: str, parts: "tuple[Any, str] | None" = None
+    ) -> None:
         self.address = address
         self.kind = kind
         self.si = si
         self.shown = shown
         self.unit = unit
+        self.parts = parts
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
         """The SI value, or its substitute."""
@@ -55,7 +58,8 @@ class Value(Bound):
 
     def echo(self) -> "Any":
         """Number and unit as written."""
-        return {"value": self.shown, "unit": self.unit} if self.unit else {"value": self.shown}
+        shown, unit = self.parts or (self.shown, self.unit)
+        return {"value": shown, "unit": unit} if unit else {"value": shown}
 
 
 class VectorValue(Bound):

@@ -6,7 +6,7 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.crossing.hypoid_records import HypoidData
 from dynamics_cli.numerics.elementary import absolute, asin, atan, atan2, cos, sin, sqrt, tan
 from dynamics_cli.numerics.number import like, plain
-from dynamics_cli.numerics.polynomials import bisect
+from dynamics_cli.numerics.roots import sign_change
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, ShaftSpeed, Size, Teeth
 from dynamics_cli.records import Advice, Check
 
@@ -200,7 +200,9 @@ def _solved(point: _Point) -> float:
             hint="a smaller offset, or another pitch angle of the wheel",
         )
     roots = (
-        sign * bisect(lambda eta: -sign * doubles.residual(sign * eta), high - step, high) if doubles.offset else 0.0
+        sign * sign_change(lambda eta: -sign * doubles.residual(sign * eta), high - step, high)
+        if doubles.offset
+        else 0.0
     )
     slope = (doubles.residual(roots + 1e-6) - doubles.residual(roots - 1e-6)) / 2e-6
     # As a tracked number, so that the rounding of its sine and cosine is included.

@@ -24,7 +24,7 @@ from dynamics_cli.numerics.elementary import (
     sin,
 )
 from dynamics_cli.numerics.number import like, over_plain, plain
-from dynamics_cli.numerics.polynomials import bisect
+from dynamics_cli.numerics.roots import sign_change
 from dynamics_cli.quantities import Annotated, Coordinate, Text
 from dynamics_cli.records import record
 
@@ -221,5 +221,5 @@ def extremum(function: "Callable[[float], float]", slope: "Callable[[float], flo
     best = values.index(min(values))
     a, b = places[max(best - 1, 0)], places[min(best + 1, _SAMPLES)]
     if slope(a) < 0.0 < slope(b):
-        return bisect(lambda x: -slope(x), a, b)
+        return sign_change(lambda x: -slope(x), a, b)
     return places[best]

@@ -17,7 +17,7 @@ from dynamics_cli.gear.single.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import absolute, cos
 from dynamics_cli.numerics.involute import inverse_involute, involute
 from dynamics_cli.numerics.number import like, plain
-from dynamics_cli.numerics.polynomials import bisect
+from dynamics_cli.numerics.roots import sign_change
 from dynamics_cli.quantities import Ratio, Size
 from dynamics_cli.records import Choice
 
@@ -113,7 +113,7 @@ def _balanced(
             values.append(None)
     for low, high, a, b in zip(grid, grid[1:], values, values[1:], strict=False):
         if a is not None and b is not None and a > 0.0 >= b and max(abs(a), abs(b)) < 1e3:
-            root = bisect(lambda shift: difference(shift, *doubles), low, high)
+            root = sign_change(lambda shift: difference(shift, *doubles), low, high)
             slope = (difference(root + 1e-5, *doubles) - difference(root - 1e-5, *doubles)) / 2e-5
             start: float = like(root, total)
             return start - difference(start, first, second, distance, angle, total, scheme) / slope

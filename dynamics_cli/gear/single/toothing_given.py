@@ -9,6 +9,7 @@ from dynamics_cli.gear.single.rack import basic_rack
 from dynamics_cli.gear.single.toothing import Toothing
 from dynamics_cli.gear.single.trochoid import roll_less_arc
 from dynamics_cli.numerics.elementary import absolute, sqrt
+from dynamics_cli.numerics.roots import halved
 from dynamics_cli.quantities import Angle, Size
 
 TYPE_CHECKING = False
@@ -94,11 +95,7 @@ def fillet_of(gear: Gear, root_radius_factor: float | None) -> float:
         code="pointed-space",
         hint="give a smaller dedendum factor, or another profile shift",
     )
-    low, high = 0.0, INTERNAL_FILLET
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if _space_beside(gear, middle) >= 0.0 else (low, middle)
-    return low
+    return halved(lambda fillet: _space_beside(gear, fillet) >= 0.0, 0.0, INTERNAL_FILLET, 40)[0]
 
 
 def _space_beside(gear: Gear, fillet: float) -> float:

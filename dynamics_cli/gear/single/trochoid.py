@@ -11,7 +11,7 @@ from math import pi
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, maximum, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.number import like, over_plain
-from dynamics_cli.numerics.polynomials import bisect
+from dynamics_cli.numerics.roots import sign_change
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.quantities import Annotated, Ratio
 from dynamics_cli.records import record
@@ -250,4 +250,4 @@ def _bracketed(f: "Callable[[float], float]", high: float) -> float:
     low = 0.0625 * high
     while f(low) > 0.0 and low > 1e-60:
         high, low = low, 0.0625 * low
-    return bisect(lambda delta: -f(delta), low, high)
+    return sign_change(lambda delta: -f(delta), low, high)

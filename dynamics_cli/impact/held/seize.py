@@ -2,8 +2,8 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.impact.diagnostics import balance, not_above, require_finite, require_sizes
+from dynamics_cli.impact.inertia_tensor import require_inertia_of_body
 from dynamics_cli.numerics.elementary import absolute, maximum, sqrt
-from dynamics_cli.numerics.inertia_tensor import require_inertia_of_body
 from dynamics_cli.numerics.number import single
 from dynamics_cli.numerics.vectors import Vector, add, cross, dot, moved, scale, solve, subtract, times
 from dynamics_cli.quantities import (

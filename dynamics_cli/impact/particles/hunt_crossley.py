@@ -9,6 +9,8 @@ import math
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import is_array, is_tracked
+from dynamics_cli.numerics.quadrature.gauss import legendre
+from dynamics_cli.numerics.roots import halved
 from dynamics_cli.quantities import (
     Annotated,
     Distance,
@@ -96,18 +98,6 @@ def _sampled(restitution: "Any") -> "Any":
     return tuple(chebyshev.chebval(place, coefficients) for coefficients in _POLYNOMIALS)
 
 
-_NODES: "list[tuple[tuple[float, float], ...]]" = []
-
-
-def _nodes() -> tuple[tuple[float, float], ...]:
-    """Gauss's nodes, found once."""
-    if not _NODES:
-        from dynamics_cli.numerics.quadrature.gauss import legendre
-
-        _NODES.append(legendre(NODES))
-    return _NODES[0]
-
-
 def _phi(t: float) -> float:
     """(t − ln(1 + t))/t²."""
     if abs(t) < 0.02:
@@ -117,15 +107,9 @@ def _phi(t: float) -> float:
 
 def loss(e: float) -> float:
     """X = c u of a restitution: the work of compression, φ(x), is e² φ(−e x) times that of release."""
-    low, high = 0.0, (1.0 - 1e-15) / e
     if e == 1.0:
         return 0.0
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
-            break
-        low, high = (middle, high) if _phi(middle) > e * e * _phi(-e * middle) else (low, middle)
-    return 0.5 * (low + high)
+    return halved(lambda x: _phi(x) > e * e * _phi(-e * x), 0.0, (1.0 - 1e-15) / e)[0]
 
 
 def _work(v: float, x: float, span: float) -> float:
@@ -133,7 +117,7 @@ def _work(v: float, x: float, span: float) -> float:
     if span == 0.0:
         return v / (1.0 + x * v)
     if x < 0.5:
-        return sum(weight * w / (1.0 + x * w) for w, weight in ((v + span * z, g) for z, g in _nodes()))
+        return sum(weight * w / (1.0 + x * w) for w, weight in ((v + span * z, g) for z, g in legendre(NODES)))
     return (1.0 - math.log1p(x * span / (1.0 + x * v)) / (x * span)) / x
 
 
@@ -154,15 +138,9 @@ def _shape(e: float) -> tuple[float, float, float]:
         return 2.5 / (rise * (1.0 + x * v))
 
     time = _integral(going_in, 1.0) + _integral(coming_out, e)
-    low, high = 0.0, 1.0
-    while True:
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
-            break
-        # the force peaks where 1.5 v = x δ^2.5
-        sign = 1.5 * middle - 2.5 * x * (1.0 - middle) * _work(middle, x, 1.0 - middle)
-        low, high = (middle, high) if sign < 0.0 else (low, middle)
-    peak = (2.5 * (1.0 - low) * _work(low, x, 1.0 - low)) ** 0.6 * (1.0 + x * low)
+    # the force peaks where 1.5 v = x δ^2.5
+    top, _ = halved(lambda v: 1.5 * v < 2.5 * x * (1.0 - v) * _work(v, x, 1.0 - v), 0.0, 1.0)
+    peak = (2.5 * (1.0 - top) * _work(top, x, 1.0 - top)) ** 0.6 * (1.0 + x * top)
     return time, peak, depth
 
 
@@ -173,5 +151,5 @@ def _integral(function: "Callable[[float], float]", reach: float) -> float:
     total = 0.0
     for index in range(len(edges) - 1):
         left, span = edges[index], edges[index + 1] - edges[index]
-        total += span * sum(weight * function((left + span * z) ** 2.5) for z, weight in _nodes())
+        total += span * sum(weight * function((left + span * z) ** 2.5) for z, weight in legendre(NODES))
     return total

@@ -1,6 +1,7 @@
 """A car on four wheels and what the road does to it, for one velocity of the car."""
 
 from dynamics_cli.numerics.elementary import cos, hypot, sin, sqrt
+from dynamics_cli.numerics.roots import halved
 
 # The square of the slip, beside a car's speed of one, below which the direction of a force is smoothed: of a wheel
 # that passes through standstill step control sees no corner, and no other slip notices it.
@@ -177,14 +178,7 @@ class Car:
             moments.append(power)
         pivot = Pivot(spin, sum(moments) / inertia, (dx, dy), moments)
         if not self._holds(at, index, pivot, 0.0):
-            low, high = 0.0, spin * spin
-            for _ in range(HALVINGS):
-                middle = 0.5 * (low + high)
-                if self._holds(at, index, pivot, middle):
-                    high = middle
-                else:
-                    low = middle
-            pivot.end = sqrt(high)
+            pivot.end = sqrt(halved(lambda x: not self._holds(at, index, pivot, x), 0.0, spin * spin, HALVINGS)[1])
         return pivot
 
     def _holds(self, at: State, index: int, pivot: Pivot, square: float) -> bool:

@@ -4,9 +4,9 @@ Everything works in doubles and in decimals.
 """
 
 from dynamics_cli.errors import require
+from dynamics_cli.impact.inertia_tensor import require_inertia_of_body
 from dynamics_cli.impact.planar.bodies import Pair
 from dynamics_cli.impact.spatial.arithmetic import fused, length, root, total
-from dynamics_cli.numerics.inertia_tensor import require_inertia_of_body
 from dynamics_cli.numerics.vectors import add, cross, dot, times
 from dynamics_cli.records import record
 

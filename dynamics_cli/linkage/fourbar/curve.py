@@ -5,7 +5,7 @@ import numpy as np
 from dynamics_cli.linkage.fourbar.circuit import FULL, Circuit, CouplerPath
 from dynamics_cli.linkage.fourbar.records import CurvePoint, Special
 from dynamics_cli.numerics.fitting.outline import outlined
-from dynamics_cli.numerics.lanes import bisected
+from dynamics_cli.numerics.lanes import sign_changes
 from dynamics_cli.records import Columns
 
 TYPE_CHECKING = False
@@ -42,7 +42,7 @@ def _roots(function: "Any", u: "Any") -> "Any":
     value = function(u)
     change = np.flatnonzero(np.sign(value) * np.sign(np.roll(value, -1)) <= 0.0)
     sign = np.where(value[change] < 0.0, -1.0, 1.0)
-    return bisected(lambda place: sign * function(place), u[change], u[change] + FULL / u.size)
+    return sign_changes(lambda place: sign * function(place), u[change], u[change] + FULL / u.size)
 
 
 def extremes(circuit: Circuit, point: complex) -> "tuple[tuple[float, float], tuple[float, float]]":

@@ -6,14 +6,13 @@ from dynamics_cli.errors import require
 from dynamics_cli.linkage.fourbar.closure import frame
 from dynamics_cli.linkage.fourbar.grashof import POOR, kind_of, poor, transmission
 from dynamics_cli.numerics.elementary import absolute, acos, atan2, cos, hypot, sin, sqrt
+from dynamics_cli.numerics.roots import highest
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, PartPoint, Positive, Size, Text
 from dynamics_cli.records import Advice, Check, record
 
 PI = 3.141592653589793
-# Places tried along the circle of pivots, and the steps of the golden section about the best.
+# Places tried along the circle of pivots.
 PLACES = 720
-STEPS = 60
-GOLDEN = 0.6180339887498949
 CLOSES = 1e-9
 # Maximum length of a crank-rocker's links, in rockers: in line, longer ones are always slightly better.
 LONGEST = 3.0
@@ -242,14 +241,7 @@ def _by_swing(task: QuickSwing) -> Synthesis:
     lag = PI * (task.time_ratio - 1.0) / (task.time_ratio + 1.0)
     count = range(1, PLACES)
     best = max(count, key=lambda k: _quality(task, lag, k / PLACES))
-    low, high = (best - 1) / PLACES, (best + 1) / PLACES
-    for _ in range(STEPS):
-        first, second = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        if _quality(task, lag, first) < _quality(task, lag, second):
-            low = first
-        else:
-            high = second
-    position = 0.5 * (low + high)
+    position = highest(lambda place: _quality(task, lag, place), (best - 1) / PLACES, (best + 1) / PLACES, 1e-12)
     require(
         _quality(task, lag, position) > 0.0,
         "no crank-rocker swings through {swing} with a time ratio of {ratio}",

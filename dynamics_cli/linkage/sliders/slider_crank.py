@@ -6,7 +6,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.linkage.sliders.double_slider import require_long
 from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt, where
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.polynomials import bisected
+from dynamics_cli.numerics.roots import bisected
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
     Acceleration,

@@ -7,6 +7,7 @@ places where something is reached, cost a polynomial.
 import math
 
 from dynamics_cli.numerics.expressions.jets import Jet
+from dynamics_cli.numerics.roots import bisected
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -122,20 +123,6 @@ def crossing(piece: Piece, value: "Callable[[float], float]") -> float | None:
         high = piece.length * sample / SAMPLES
         after = value(high)
         if after == 0.0 or (before != 0.0 and (before < 0.0) != (after < 0.0)):
-            return _halved(value, low, high, before)
+            return bisected(value, low, high)
         low, before = high, after
     return None
-
-
-def _halved(value: "Callable[[float], float]", low: float, high: float, before: float) -> float:
-    while True:
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            return high
-        now = value(middle)
-        if now == 0.0:
-            return middle
-        if (now < 0.0) == (before < 0.0):
-            low = middle
-        else:
-            high = middle

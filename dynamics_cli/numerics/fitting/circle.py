@@ -3,6 +3,7 @@
 from math import fsum, hypot, sqrt
 
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.vectors import eliminated
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -56,13 +57,13 @@ def circle_through(x: "Sequence[float]", y: "Sequence[float]") -> "Circle | None
         rows = [_row(a - cx, b - cy) for a, b in zip(u, v, strict=True)]
         off = [hypot(a - cx, b - cy) - radius for a, b in zip(u, v, strict=True)]
         normal = [[fsum(row[i] * row[j] for row in rows) for j in range(3)] for i in range(3)]
-        step = solved(normal, [-fsum(row[i] * part for row, part in zip(rows, off, strict=True)) for i in range(3)])
+        step = eliminated(normal, [-fsum(row[i] * part for row, part in zip(rows, off, strict=True)) for i in range(3)])
         if step is None:
             return None
         cx, cy, radius = cx + step[0], cy + step[1], radius + step[2]
         if max(map(abs, step)) <= CLOSE * (1.0 + radius):
             break
-    inverse = solved(normal, [0.0, 0.0, 1.0])
+    inverse = eliminated(normal, [0.0, 0.0, 1.0])
     if inverse is None or not inverse[2] > 0.0 or not radius > 0.0:
         return None
     off = [hypot(a - cx, b - cy) - radius for a, b in zip(u, v, strict=True)]
@@ -97,7 +98,7 @@ def settled_radius(x: "Sequence[Any]", y: "Sequence[Any]", circle: Circle) -> "A
                 second[i][j] += row[i] * row[j]
                 if i < 2 and j < 2:
                     second[i][j] += bend * ((i == j) - row[i] * row[j])
-    weights = solved(second, [0.0, 0.0, 1.0])
+    weights = eliminated(second, [0.0, 0.0, 1.0])
     assert weights is not None
     return circle.radius - (weights[0] * gradient[0] + weights[1] * gradient[1] + weights[2] * gradient[2])
 
@@ -120,22 +121,3 @@ def _algebraic(u: "list[float]", v: "list[float]") -> "tuple[float, float, float
     other = 0.5 * fsum(b * s for b, s in zip(v, squares, strict=True))
     cx, cy = (first * vv - other * uv) / det, (other * uu - first * uv) / det
     return cx, cy, sqrt(cx * cx + cy * cy + fsum(squares) / len(u))
-
-
-def solved(matrix: "Rows", right: "list[float]") -> "list[float] | None":
-    """The solution of a symmetric system of three, with pivots; None where it has none."""
-    rows = [[*row, end] for row, end in zip(matrix, right, strict=True)]
-    size = len(rows)
-    for column in range(size):
-        best = max(range(column, size), key=lambda row: abs(rows[row][column]))
-        if rows[best][column] == 0.0:
-            return None
-        rows[column], rows[best] = rows[best], rows[column]
-        for row in range(column + 1, size):
-            factor = rows[row][column] / rows[column][column]
-            rows[row] = [a - factor * b for a, b in zip(rows[row], rows[column], strict=True)]
-    answer = [0.0] * size
-    for row in reversed(range(size)):
-        substituted = fsum(rows[row][k] * answer[k] for k in range(row + 1, size))
-        answer[row] = (rows[row][size] - substituted) / rows[row][row]
-    return answer

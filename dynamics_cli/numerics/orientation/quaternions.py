@@ -160,12 +160,3 @@ def unit(v: Vector, message: str = "the direction is the zero vector") -> Vector
     size = length(v)
     require(size > 0.0, message, code="direction", hint="give three numbers of which one is not zero")
     return v[0] / size, v[1] / size, v[2] / size
-
-
-def rotated(m: Matrix, v: Vector) -> Vector:
-    """A matrix applied to a vector."""
-    return (
-        m[0][0] * v[0] + m[0][1] * v[1] + m[0][2] * v[2],
-        m[1][0] * v[0] + m[1][1] * v[1] + m[1][2] * v[2],
-        m[2][0] * v[0] + m[2][1] * v[1] + m[2][2] * v[2],
-    )

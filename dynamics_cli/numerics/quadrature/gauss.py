@@ -2,6 +2,8 @@
 
 import math
 
+_found: "dict[int, tuple[tuple[float, float], ...]]" = {}
+
 
 def legendre(count: int) -> tuple[tuple[float, float], ...]:
     """Nodes and weights on (0, 1), by Newton's method from Tricomi's estimate; exact to a few roundings.
@@ -10,6 +12,8 @@ def legendre(count: int) -> tuple[tuple[float, float], ...]:
     ----------
     W. H. Press et al., Numerical Recipes, 3rd ed., Cambridge 2007, section 4.6.
     """
+    if count in _found:
+        return _found[count]
     pairs = []
     for index in range(count):
         x = math.cos(math.pi * (index + 0.75) / (count + 0.5))
@@ -23,4 +27,5 @@ def legendre(count: int) -> tuple[tuple[float, float], ...]:
             if abs(step) < 1e-16:
                 break
         pairs.append((0.5 * (1.0 - x), 1.0 / ((1.0 - x) * (1.0 + x) * slope * slope)))
-    return tuple(pairs)
+    _found[count] = tuple(pairs)
+    return _found[count]

@@ -3,10 +3,11 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.orientation.quaternions import opposite, rotated
+from dynamics_cli.numerics.orientation.quaternions import opposite
 from dynamics_cli.numerics.orientation.rotations import about_axis, product
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.numerics.vectors import Vector, add, cross, length
+from dynamics_cli.numerics.vectors import times as rotated
 from dynamics_cli.quantities import (
     AccelerationVector,
     Angle,

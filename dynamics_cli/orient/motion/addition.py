@@ -1,8 +1,9 @@
 """Angular velocity and acceleration along a chain of bodies, each turning about an axis in the one before it."""
 
-from dynamics_cli.numerics.orientation.quaternions import rotated, unit
+from dynamics_cli.numerics.orientation.quaternions import unit
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, axis_angle, product
 from dynamics_cli.numerics.vectors import Vector, add, cross, length, scale
+from dynamics_cli.numerics.vectors import times as rotated
 from dynamics_cli.orient.turns.compose import letter
 from dynamics_cli.quantities import (
     Angle,

@@ -2,10 +2,11 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.orientation.quaternions import multiply, rotated, upright
+from dynamics_cli.numerics.orientation.quaternions import multiply, upright
 from dynamics_cli.numerics.orientation.rotations import Matrix, about_axis, product, transposed
 from dynamics_cli.numerics.orientation.sequences import Sequence, names_of, quaternion_of_angles, sequence_of
 from dynamics_cli.numerics.vectors import Vector, add, cross, dot, length, scale
+from dynamics_cli.numerics.vectors import times as rotated
 from dynamics_cli.quantities import (
     AngleAccelerations,
     AngleRates,

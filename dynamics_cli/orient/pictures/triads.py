@@ -3,8 +3,9 @@
 from math import hypot
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.orientation.quaternions import multiply, of_axis_angle, rotated
+from dynamics_cli.numerics.orientation.quaternions import multiply, of_axis_angle
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, from_quaternion
+from dynamics_cli.numerics.vectors import times as rotated
 from dynamics_cli.pictures import Picture
 from dynamics_cli.pictures.vectors import GREY, arrow, curve, numbers, scene, times, tipped, unit, words
 from dynamics_cli.quantities import Angle, Length

@@ -3,10 +3,11 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import only_in_doubles
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, of_rotation, rotated, unit, upright
+from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, of_rotation, unit, upright
 from dynamics_cli.numerics.orientation.rotations import Matrix, from_quaternion, product, transposed
 from dynamics_cli.numerics.orientation.sequences import angles_in_words, angles_of_quaternion, sequence_of
 from dynamics_cli.numerics.vectors import Vector, cross, dot, length, scale, subtract
+from dynamics_cli.numerics.vectors import times as rotated
 from dynamics_cli.orient.turns.jacobi4 import largest
 from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Direction, Positive, Quaternion, Ratio, Text
 from dynamics_cli.quantities import RotationMatrix as RotationMatrixKind

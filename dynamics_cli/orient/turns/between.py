@@ -7,12 +7,12 @@ from dynamics_cli.numerics.orientation.quaternions import (
     conjugate,
     multiply,
     of_axis_angle,
-    rotated,
     unit,
     upright,
 )
 from dynamics_cli.numerics.orientation.rotations import from_quaternion, product
 from dynamics_cli.numerics.orientation.sequences import angles_of_quaternion, sequence_of
+from dynamics_cli.numerics.vectors import times as rotated
 from dynamics_cli.orient.turns.attitude import Attitude, orientation, part_about
 from dynamics_cli.orient.turns.convert import TOLERANCE, distance_of
 from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Count, Direction, Fraction, Quaternion, Text

@@ -2,9 +2,10 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, rotated, unit
+from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, unit
 from dynamics_cli.numerics.orientation.rotations import from_quaternion
 from dynamics_cli.numerics.vectors import add, cross, dot, length, scale, subtract
+from dynamics_cli.numerics.vectors import times as rotated
 from dynamics_cli.orient.turns.attitude import Attitude, orientation
 from dynamics_cli.quantities import Angle, Annotated, Direction, Length, Position
 from dynamics_cli.records import Advice, record

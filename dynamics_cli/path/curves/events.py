@@ -4,8 +4,8 @@ import math
 from heapq import heappush, heapreplace
 from itertools import pairwise
 
-from dynamics_cli.numerics.polynomials import bisected
 from dynamics_cli.numerics.quadrature.gauss import legendre
+from dynamics_cli.numerics.roots import bisected
 from dynamics_cli.numerics.vectors import cross, dot
 from dynamics_cli.quantities import Annotated, Curvature, Position, Speed, Time
 from dynamics_cli.records import record

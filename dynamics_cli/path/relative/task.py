@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.polynomials import bisected
+from dynamics_cli.numerics.roots import bisected
 from dynamics_cli.numerics.vectors import add, dot, length, scale, subtract
 from dynamics_cli.path.relative.closest import check_of_constant, closest, nearest_check, place_at
 from dynamics_cli.path.relative.motions import Mover, Pair, noise_of_rates, require_one_sort

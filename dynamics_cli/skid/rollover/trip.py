@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import atan, hypot, sqrt
-from dynamics_cli.numerics.quadrature.elliptic import first_kind_with_pair
+from dynamics_cli.numerics.elliptic import first_kind_with_pair
 from dynamics_cli.quantities import Acceleration
 
 

@@ -5,6 +5,8 @@ import math
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.exact.rational import exact
+from dynamics_cli.numerics.roots import bisected
+from dynamics_cli.numerics.vectors import eliminated
 from dynamics_cli.quantities import (
     Annotated,
     Count,
@@ -91,11 +93,7 @@ def _near_zeros(rates: Rates, grid: "list[float]") -> "Iterator[Point]":
     values = [rates.at((at,))[0] for at in grid]
     for k, (one, two) in enumerate(itertools.pairwise(values)):
         if (one < 0.0) != (two < 0.0):
-            low, high = grid[k], grid[k + 1]
-            for _ in range(HALVINGS):
-                middle = 0.5 * (low + high)
-                low, high = (middle, high) if (rates.at((middle,))[0] < 0.0) == (one < 0.0) else (low, middle)
-            yield (low,)
+            yield (bisected(lambda at: rates.at((at,))[0], grid[k], grid[k + 1], HALVINGS),)
     sizes = [math.inf, *map(abs, values), math.inf]
     for k, at in enumerate(grid, 1):
         if sizes[k] <= min(sizes[k - 1], sizes[k + 1]):
@@ -118,7 +116,7 @@ def _search(
 def _newton(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]") -> "Point | None":
     """The equilibrium that a start leads to, if one lies within the ranges."""
     for _ in range(NEWTON):
-        step = _solved(*rates.linear(place))
+        step = eliminated(*rates.linear(place))
         if step is None:
             return None
         place = tuple(x - d for x, d in zip(place, step, strict=True))
@@ -133,22 +131,6 @@ def _newton(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]
     sizes = [sum(abs(slope) * (high - low) for slope, (low, high) in zip(row, ranges, strict=True)) for row in slopes]
     still = all(abs(value) <= ZERO * max(size, 1e-3) for value, size in zip(values, sizes, strict=True))
     return place if inside and still else None
-
-
-def _solved(rows: "list[list[float]]", right: "list[float]") -> "list[float] | None":
-    """The solution of a small linear system by elimination with pivots; none where it is singular."""
-    size = len(rows)
-    table = [[*row, value] for row, value in zip(rows, right, strict=True)]
-    for k in range(size):
-        pivot = max(range(k, size), key=lambda i: abs(table[i][k]))
-        table[k], table[pivot] = table[pivot], table[k]
-        if not table[k][k] or not all(map(math.isfinite, table[k])):
-            return None
-        for i in range(size):
-            if i != k:
-                share = table[i][k] / table[k][k]
-                table[i] = [a - share * b for a, b in zip(table[i], table[k], strict=True)]
-    return [table[k][size] / table[k][k] for k in range(size)]
 
 
 def _same(one: "Point", two: "Point", ranges: "Sequence[tuple[float, float]]") -> bool:

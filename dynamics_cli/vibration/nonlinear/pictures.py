@@ -4,10 +4,11 @@ import math
 
 import numpy as np
 
+from dynamics_cli.numerics.elliptic import mean
 from dynamics_cli.pictures import Axis, Band, Curve, Panel, Picture
 from dynamics_cli.vibration.nonlinear.averaging import averages
 from dynamics_cli.vibration.nonlinear.task import Duffing, ForcedDuffing, Pendulum, VanDerPol, law_of
-from dynamics_cli.vibration.nonlinear.truth import STIFF, mean
+from dynamics_cli.vibration.nonlinear.truth import STIFF
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -150,7 +150,7 @@ def nonlinear(
         return _decaying(oscillator)
     if isinstance(oscillator, VanDerPol):
         return _van_der_pol(oscillator.mu, natural_frequency)
-    from dynamics_cli.vibration.nonlinear.truth import mean
+    from dynamics_cli.numerics.elliptic import mean
 
     if isinstance(oscillator, Pendulum):
         swing = abs(oscillator.swing)

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.roots import bisected
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -17,15 +18,6 @@ TOLERANCE, LOOSER = 1e-12, 1e-10
 # Beyond this a van der Pol oscillator is stiff.
 STIFF = 20.0
 NEWTON = 12
-
-
-def mean(a: float, b: float) -> float:
-    """The arithmetic–geometric mean."""
-    for _ in range(60):
-        if abs(a - b) <= 4e-16 * a:
-            break
-        a, b = 0.5 * (a + b), math.sqrt(a * b)
-    return 0.5 * (a + b)
 
 
 def half_cycle(f: "Law", start: float, tolerance: float, jacobian: "Any" = None) -> "tuple[float, float]":
@@ -154,13 +146,9 @@ def jumps(zeta: float, cubic: float, force: float, top: float) -> "list[float]":
     made = []
     for nth in range(len(looks) - 1):
         if (values[nth] > 0.0) != (values[nth + 1] > 0.0):
-            low, high = float(looks[nth]), float(looks[nth + 1])
-            start = values[nth] > 0.0
-            for _ in range(60):
-                half = 0.5 * (low + high)
-                low, high = (half, high) if (discriminant(half) > 0.0) == start else (low, half)
-            if _returns(zeta, cubic, force, 0.5 * (low + high)):
-                made.append(0.5 * (low + high))
+            place = bisected(discriminant, float(looks[nth]), float(looks[nth + 1]))
+            if _returns(zeta, cubic, force, place):
+                made.append(place)
     return made
 
 

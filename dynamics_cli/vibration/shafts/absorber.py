@@ -3,6 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot, over_array, sqrt
 from dynamics_cli.numerics.number import is_array, plain
+from dynamics_cli.numerics.roots import halved
 from dynamics_cli.quantities import (
     Annotated,
     DampingRatio,
@@ -19,8 +20,6 @@ from dynamics_cli.vibration.single.oscillator import require_damping
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
-
-STEPS = 200
 
 
 class Tuning(Choice):
@@ -116,12 +115,7 @@ def _peak(mu: float, f: float, zeta: float, upper: float) -> float:
     if valley == 0.0:
         return 0.0
     a, b = (valley, 4.0 * high) if upper else (0.1 * low, valley)
-    for _ in range(STEPS):
-        half = 0.5 * (a + b)
-        if half in (a, b):
-            break
-        a, b = (half, b) if _slope(mu, f, zeta, half) > 0.0 else (a, half)
-    return 0.5 * (a + b)
+    return halved(lambda u: _slope(mu, f, zeta, u) > 0.0, a, b)[0]
 
 
 def _valley(mu: float, f: float, zeta: float, low: float, high: float) -> float:
@@ -131,14 +125,7 @@ def _valley(mu: float, f: float, zeta: float, low: float, high: float) -> float:
     turns = [nth for nth in range(600) if not signs[nth] and signs[nth + 1]]
     if not turns:
         return 0.0
-    a: float = looks[turns[0]]
-    b: float = looks[turns[0] + 1]
-    for _ in range(STEPS):
-        half = 0.5 * (a + b)
-        if half in (a, b):
-            break
-        a, b = (a, half) if _slope(mu, f, zeta, half) > 0.0 else (half, b)
-    return b
+    return halved(lambda u: not _slope(mu, f, zeta, u) > 0.0, looks[turns[0]], looks[turns[0] + 1])[1]
 
 
 def _bend(mu: float, f: float, zeta: float, u: float) -> float:

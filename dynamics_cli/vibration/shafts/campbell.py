@@ -2,6 +2,7 @@
 
 from dynamics_cli.numerics.elementary import over_array, pi_beside, sqrt
 from dynamics_cli.numerics.number import is_array, plain
+from dynamics_cli.numerics.roots import halved
 from dynamics_cli.quantities import Annotated, Count, Frequency, Ratio, ShaftSpeed, Text
 from dynamics_cli.records import record
 
@@ -9,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-HALVINGS, DIAGRAM_STEPS = 200, 20
+DIAGRAM_STEPS = 20
 FORWARD, BACKWARD = "forward", "backward"
 
 
@@ -110,13 +111,7 @@ def _halved(
         low = high = max(alone)
         while _characteristic(*numbers, high)[0] <= 0.0:
             low, high = high, 2.0 * high
-    for _ in range(HALVINGS):
-        half = 0.5 * (low + high)
-        if half in (low, high):
-            break
-        inside = (_characteristic(*numbers, half)[0] > 0.0) == bool(upper)
-        low, high = (low, half) if inside else (half, high)
-    return 0.5 * (low + high)
+    return halved(lambda rate: (_characteristic(*numbers, rate)[0] > 0.0) != bool(upper), low, high)[0]
 
 
 def whirls_at(disk: TiltingDisk, speed: "Any") -> "tuple[FreeWhirl, ...]":

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from harness import run
 
-from dynamics_cli.numerics.inertia_tensor import possible
+from dynamics_cli.impact.inertia_tensor import possible
 from dynamics_cli.numerics.tracked import Tracked
 
 TURNED = "[[0.02, 0, 0], [0, 0.03, 0.024], [0, 0.024, 0.04]] kg*m^2"
