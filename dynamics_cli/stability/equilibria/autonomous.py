@@ -83,12 +83,12 @@ def state_places(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> "t
         taylor = lambda at, order: rates.along((at,), (1.0,), order)[0]  # noqa: E731
         kept = distinct(taylor, (at for (at,) in places), 0.1 * (ranges[0][1] - ranges[0][0]))
         return tuple(_judged(rates, (at,), ranges, multiplicity) for at, multiplicity in kept)
-    kept: list[StatePlace] = []
+    points: list[StatePlace] = []
     for point in (_judged(rates, place, ranges, 1) for place in sorted(places)):
         # of several orders, one place may have been found as several
-        if not any(point.verdict == other.verdict and _same(point.at, other.at, ranges) for other in kept):
-            kept.append(point)
-    return tuple(kept)
+        if not any(point.verdict == other.verdict and _same(point.at, other.at, ranges) for other in points):
+            points.append(point)
+    return tuple(points)
 
 
 def _near_zeros(rates: Rates, grid: "list[float]") -> "Iterator[Point]":
