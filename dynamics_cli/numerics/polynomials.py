@@ -1,6 +1,8 @@
-"""Real roots of polynomials of low degree on an interval, found between the roots of their derivatives."""
+"""Real roots of polynomials of low degree, found between those of their derivatives; roots and tops of any function."""
 
 from itertools import pairwise
+
+GOLDEN = 0.6180339887498949
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -90,3 +92,19 @@ def bisected(function: "Callable[[float], float]", low: float, high: float) -> f
             low = middle
         else:
             high = middle
+
+
+def highest(function: "Callable[[float], float]", low: float, high: float, width: float) -> float:
+    """Where a function with one top between two places is greatest, by golden sections down to a width."""
+    left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+    at_left, at_right = function(left), function(right)
+    while high - low > width and low < left < right < high:
+        if at_left > at_right:
+            high, right, at_right = right, left, at_left
+            left = high - GOLDEN * (high - low)
+            at_left = function(left)
+        else:
+            low, left, at_left = left, right, at_right
+            right = low + GOLDEN * (high - low)
+            at_right = function(right)
+    return 0.5 * (low + high)

@@ -4,6 +4,7 @@ import math
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.polynomials import bisected, highest
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.particle.flights import Linear, Quadratic, Upright, Vacuum
 from dynamics_cli.quantities import Annotated, Area, Density, Mass, Positive, Speed
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     Launch: TypeAlias = Callable[[float], Flight]
 
 RIGHT = 1.5707963267948966
-GOLDEN = 0.6180339887498949
 SCAN = 60
 # Angles to either side of the best, whose ranges are compared.
 BESIDE = 1e-4
@@ -88,37 +88,10 @@ def angles_to(launch: "Launch", x: float, y: float) -> "tuple[float, float | Non
     misses = [miss(angle) for angle in angles]
     top = max(range(SCAN), key=misses.__getitem__)
     low, high = angles[max(top - 1, 0)], angles[min(top + 1, SCAN - 1)]
-    crown = _maximum(miss, low, high)
+    crown = highest(miss, low, high, 1e-9)
     require(miss(crown) >= 0.0, "at this speed it passes below the target at every angle", code="out-of-reach",
             hint="launch it faster, or aim lower")  # fmt: skip
-    return _crossing(miss, floor, crown), _crossing(miss, RIGHT - 1e-12, crown)
-
-
-def _crossing(miss: "Callable[[float], float]", below: float, above: float) -> float:
-    for _ in range(200):
-        middle = 0.5 * (below + above)
-        if not min(below, above) < middle < max(below, above):
-            break
-        below, above = (middle, above) if miss(middle) < 0.0 else (below, middle)
-    return above
-
-
-def _maximum(function: "Callable[[float], float]", low: float, high: float) -> float:
-    """Where a function is greatest, by golden sections."""
-    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    at_a, at_b = function(a), function(b)
-    for _ in range(60):
-        if at_a > at_b:
-            high, b, at_b = b, a, at_a
-            a = high - GOLDEN * (high - low)
-            at_a = function(a)
-        else:
-            low, a, at_a = a, b, at_b
-            b = low + GOLDEN * (high - low)
-            at_b = function(b)
-        if high - low < 1e-9:
-            break
-    return 0.5 * (low + high)
+    return bisected(miss, floor, crown), bisected(miss, crown, RIGHT - 1e-12)
 
 
 def best_angle(launch: "Launch", height: float) -> float:

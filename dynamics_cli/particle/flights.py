@@ -4,6 +4,7 @@ import math
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import sqrt
+from dynamics_cli.numerics.polynomials import bisected
 from dynamics_cli.numerics.quadrature.gauss import legendre
 
 TYPE_CHECKING = False
@@ -97,7 +98,7 @@ class Linear:
             low, high = high, 2.0 * high
             if self.at(high)[3] <= 0.0 or high > 1e3 * self.tau:
                 return None
-        return self.at(_root(lambda time: self.at(time)[1] - distance, low, high))
+        return self.at(bisected(lambda time: self.at(time)[1] - distance, low, high))
 
 
 class Quadratic:
@@ -279,17 +280,3 @@ def _difference(high: float, low: float) -> float:
         p = high - share * span
         total += weight * 2.0 * math.sqrt(1.0 + p * p)
     return span * total
-
-
-def _root(function: "object", low: float, high: float) -> float:
-    """A place where a function changes its sign, by halving."""
-    below = function(low) < 0.0  # type: ignore[operator]
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            break
-        if (function(middle) < 0.0) == below:  # type: ignore[operator]
-            low = middle
-        else:
-            high = middle
-    return high

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.polynomials import bisected
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -154,13 +155,9 @@ def jumps(zeta: float, cubic: float, force: float, top: float) -> "list[float]":
     made = []
     for nth in range(len(looks) - 1):
         if (values[nth] > 0.0) != (values[nth + 1] > 0.0):
-            low, high = float(looks[nth]), float(looks[nth + 1])
-            start = values[nth] > 0.0
-            for _ in range(60):
-                half = 0.5 * (low + high)
-                low, high = (half, high) if (discriminant(half) > 0.0) == start else (low, half)
-            if _returns(zeta, cubic, force, 0.5 * (low + high)):
-                made.append(0.5 * (low + high))
+            place = bisected(discriminant, float(looks[nth]), float(looks[nth + 1]))
+            if _returns(zeta, cubic, force, place):
+                made.append(place)
     return made
 
 

@@ -3,6 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot, over_array, sqrt
 from dynamics_cli.numerics.number import is_array, plain
+from dynamics_cli.numerics.polynomials import bisected
 from dynamics_cli.quantities import (
     Annotated,
     DampingRatio,
@@ -116,12 +117,7 @@ def _peak(mu: float, f: float, zeta: float, upper: float) -> float:
     if valley == 0.0:
         return 0.0
     a, b = (valley, 4.0 * high) if upper else (0.1 * low, valley)
-    for _ in range(STEPS):
-        half = 0.5 * (a + b)
-        if half in (a, b):
-            break
-        a, b = (half, b) if _slope(mu, f, zeta, half) > 0.0 else (a, half)
-    return 0.5 * (a + b)
+    return bisected(lambda u: _slope(mu, f, zeta, u), a, b)
 
 
 def _valley(mu: float, f: float, zeta: float, low: float, high: float) -> float:

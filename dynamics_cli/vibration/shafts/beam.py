@@ -2,6 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import cos, exp, pi_beside, sin, sqrt
+from dynamics_cli.numerics.polynomials import bisected
 from dynamics_cli.quantities import (
     Annotated,
     Count,
@@ -221,9 +222,5 @@ def nodes(ends: str, nth: int) -> "tuple[float, ...]":
     for i in range(len(places) - 1):
         if values[i] * values[i + 1] < 0.0 or values[i] == 0.0:
             a, b = (places[i], places[i + 1]) if values[i] else (places[i] - 0.5 / LOOKS, places[i] + 0.5 / LOOKS)
-            start = shape_of(ends, beta, a) > 0.0
-            for _ in range(52):
-                half = 0.5 * (a + b)
-                a, b = (half, b) if (shape_of(ends, beta, half) > 0.0) == start else (a, half)
-            made.append(0.5 * (a + b))
+            made.append(bisected(lambda x: shape_of(ends, beta, x), a, b))
     return tuple(made)

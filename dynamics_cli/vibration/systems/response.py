@@ -3,6 +3,7 @@
 import math
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.polynomials import highest
 from dynamics_cli.quantities import (
     Angle,
     Annotated,
@@ -26,7 +27,8 @@ if TYPE_CHECKING:
 
 # Frequencies of the curve about each resonance, and between lowest and highest.
 NEAR, GRID = 60, 400
-GOLDEN = 0.6180339887498949
+# Peaks are narrowed to this share of their frequency.
+NARROW = 1e-7
 RECIPROCAL = 1e-9
 
 
@@ -169,23 +171,7 @@ def _peaks(modal: "Modal", weights: "Any", read: int, force: float) -> "tuple[Pe
     for i in range(1, len(rates) - 1):
         if sizes[i - 1] < sizes[i] >= sizes[i + 1]:
             ends = float(rates[i - 1]), float(rates[i + 1])
-            at = _golden(lambda rate: float(abs(modal.curve([rate], weights, read)[0])), *ends)
+            at = highest(lambda rate: float(abs(modal.curve([rate], weights, read)[0])), *ends, NARROW * ends[1])
             value = complex(modal.curve([at], weights, read)[0])
             peaks.append(Peak(at / (2.0 * math.pi), abs(value) * force, abs(value), _lag(value)))
     return tuple(peaks)
-
-
-def _golden(function: "Any", low: float, high: float) -> float:
-    """The place of a maximum by golden section; a flat top hardly changes its height."""
-    left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    f, g = function(left), function(right)
-    while high - low > 1e-7 * high:
-        if f > g:
-            high, right, g = right, left, f
-            left = high - GOLDEN * (high - low)
-            f = function(left)
-        else:
-            low, left, f = left, right, g
-            right = low + GOLDEN * (high - low)
-            g = function(right)
-    return 0.5 * (low + high)
