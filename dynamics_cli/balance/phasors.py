@@ -1,7 +1,5 @@
 """Phasors of any number: an amount with its angle, added, turned and divided as complex numbers are."""
 
-from math import pi
-
 from dynamics_cli.numerics.elementary import atan2, hypot, pi_beside
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.turns import turned
@@ -13,6 +11,8 @@ if TYPE_CHECKING:
 
 # A sum this small beside its addends has no direction.
 NOTHING = 1e-13
+# An angle that rounding alone puts before the mark stays there: 360 degrees would not be read as 0.
+BEFORE = 1e-14
 
 
 class Phasor:
@@ -58,9 +58,9 @@ class Phasor:
 
     @property
     def angle(self) -> "Any":
-        """Its angle, above −π and up to π."""
+        """Its angle, from 0 up to a whole turn."""
         angle = atan2(self.y, self.x)
-        return angle if plain(angle) > -pi else angle + 2.0 * pi_beside(angle)
+        return angle if plain(angle) >= -BEFORE else angle + 2.0 * pi_beside(angle)
 
     @property
     def pair(self) -> "tuple[Any, Any]":

@@ -19,6 +19,8 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import record
 
 QUARTER = 1.5707963267948966
+# A cosine below this is that of a right angle.
+RIGHT = 1e-15
 # Decimals in other units are rounded on their way to SI.
 ROUNDING = 1.0 + 1e-12
 
@@ -38,7 +40,9 @@ class Gyro:
 def gyro(
     *,
     axial: Annotated[Inertia, "Moment of inertia about the spin axis, e.g. 0.03 kg*m^2."],
-    transverse: Annotated[Inertia, "Moment of inertia across the spin axis, e.g. 0.02 kg*m^2."],
+    transverse: Annotated[
+        Inertia | None, "Moment of inertia across the spin axis; not needed at 90 deg, e.g. 0.02 kg*m^2."
+    ] = None,
     spin: Annotated[ShaftSpeed, "Speed of the rotor in its frame, e.g. 3000 rpm."],
     precession: Annotated[TurnRate, "Angular velocity of the frame, e.g. 2 rad/s."],
     angle: Annotated[Angle, "Between spin axis and precession axis, e.g. 60 deg."] = QUARTER,
@@ -58,8 +62,8 @@ def gyro(
     Raises
     ------
     InadmissibleError
-        When a moment of inertia is not above zero, the axial one is above twice the transverse one, or the span is
-        not above zero.
+        When a moment of inertia is not above zero, the axial one is above twice the transverse one or needs it, or
+        the span is not above zero.
 
     References
     ----------
@@ -71,11 +75,14 @@ def gyro(
     >>> round(gyro(**given, angle=1.0471975511965976).torque, 9)
     16.341514786
     """
-    check_body(axial, transverse)
+    sine, cosine = sin(angle), cos(angle)
+    require(transverse is not None or abs(plain(cosine)) < RIGHT, "at {angle} the moment of inertia across the spin "
+            "axis counts", angle=(angle, Angle), code="missing", hint="give --transverse")  # fmt: skip
+    check_body(axial, axial if transverse is None else transverse)
     require(span is None or span > 0.0, "the bearings are at one place", code="span",
             hint="give the distance between them")  # fmt: skip
-    sine, cosine = sin(angle), cos(angle)
-    torque = precession * sine * (axial * spin + (axial - transverse) * precession * cosine)
+    tilted = 0.0 if transverse is None else (axial - transverse) * precession * cosine
+    torque = precession * sine * (axial * spin + tilted)
     simple = axial * spin * precession * sine
     sign = plain(torque)
     if sign > 0.0:

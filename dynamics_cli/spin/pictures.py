@@ -163,7 +163,7 @@ def gyro(
     made: "Any",
     *,
     axial: float,
-    transverse: float,
+    transverse: "float | None" = None,
     spin: float,
     precession: float,
     angle: float = QUARTER,
@@ -172,7 +172,7 @@ def gyro(
     """The angular momentum beside the axes, and the torque over the angle between them."""
     sine, cosine = math.sin(angle), math.cos(angle)
     along = axial * (spin + precession * cosine)
-    across = transverse * precession * sine
+    across = (transverse or 0.0) * precession * sine
     size = math.hypot(along, across) or 1.0
     # across the axis lies the part of the precession, at right angles in the plane of both axes
     momentum = ((along * sine - across * cosine) / size, (along * cosine + across * sine) / size)
@@ -182,22 +182,26 @@ def gyro(
         Curve([0.0, 1.2 * sine], [0.0, 1.2 * cosine], "", "centre", GREY),
         Curve([0.45 * sine - rim * cosine, 0.45 * sine + rim * cosine],
               [0.45 * cosine + rim * sine, 0.45 * cosine - rim * sine], "", "thick", GREY),
-        Arrow(0.0, 0.0, *momentum, "angular momentum", role=0),
+        Arrow(0.0, 0.0, *momentum, "angular momentum" + (" of the spin" if transverse is None else ""), role=0),
         Arrow(0.0, 0.0, 0.0, math.copysign(0.7, precession or 1.0), "precession", role=1),
         Label(1.3 * sine, 1.3 * cosine, "spin axis", GREY),
     )  # fmt: skip
     axes = Panel(Axis("", ends=(-0.7, 1.7)), Axis("", ends=(-0.6, 1.5)), items, "", equal=True, bare=True)
     angles = [math.pi * k / POINTS for k in range(POINTS + 1)]
     simple = [axial * spin * precession * math.sin(a) for a in angles]
-    exact = [
-        one + precession * math.sin(a) * (axial - transverse) * precession * math.cos(a)
-        for one, a in zip(simple, angles, strict=True)
-    ]
+    exact = (
+        []
+        if transverse is None
+        else [
+            one + precession * math.sin(a) * (axial - transverse) * precession * math.cos(a)
+            for one, a in zip(simple, angles, strict=True)
+        ]
+    )
     torques = Panel(
         Axis("angle between spin and precession", Angle, step=math.pi / 6.0),
         Axis("gyroscopic torque", Torque),
         (
-            Curve(angles, exact, "exact", role=0),
+            *([Curve(angles, exact, "exact", role=0)] if exact else []),
             Curve(angles, simple, "spin times precession", "dashed", role=1),
             Mark(angle, plain(made.torque), "as given", role=3),
         ),

@@ -174,7 +174,7 @@ def test_the_picture_of_four_runs_speaks_in_the_units_of_the_answer(tmp_path: Pa
     readings = ("--initial", "6 mm/s", "--first", "4 mm/s", "--second", "9 mm/s", "--third", "7.5 mm/s")
     picture = tmp_path / "runs.svg"
     assert run("balance", "four-runs", *readings, "--trial-mass", "10 g", "--plot", str(picture)).status == 0
-    assert "where to add 12.56 g, at -22.16 deg" in picture.read_text()
+    assert "where to add 12.56 g, at 337.8 deg" in picture.read_text()
 
 
 def test_what_dependent_planes_do_together_is_corrected_on_demand() -> None:
@@ -206,7 +206,7 @@ def test_what_dependent_planes_do_together_is_corrected_on_demand() -> None:
     made = document["results"]
     for name, mass in zip(("first", "second"), masses, strict=True):
         assert made[f"{name}_mass"]["value"] == pytest.approx(abs(mass), rel=1e-10)
-        assert made[f"{name}_angle"]["value"] == pytest.approx(np.degrees(np.angle(mass)), rel=1e-10)
+        assert made[f"{name}_angle"]["value"] == pytest.approx(np.degrees(np.angle(mass)) % 360.0, rel=1e-10)
     share = np.linalg.norm(runs[:, 0] + influence @ masses) / np.linalg.norm(runs[:, 0])
     assert f"{100 * share:.4g} %" in refused["hint"]
     assert document["warnings"][0]["code"] == "dependent-planes"

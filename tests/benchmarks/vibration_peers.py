@@ -235,7 +235,7 @@ def speed_table(folder: Path) -> str:
     shafts = tuple(Shaft(str(i), str(i + 1), Rate(1e4 + 100.0 * i)) for i in range(19))
     rows.append(
         [
-            "torsional line of 20, frequencies proved",
+            "torsional line of 20",
             f"{1e3 * fastest(lambda: shaft(rotors=rotors, shafts=shafts)):.1f} ms",
             "5 ms",
         ]

@@ -16,6 +16,11 @@ def exact(text: str) -> Any:
     return mpf(float(text))
 
 
+def turn_of(phasor: Any) -> Any:
+    """Its angle, from 0 up to a whole turn."""
+    return arg(phasor) % (2 * pi)
+
+
 def drawn(low: float, high: float) -> str:
     return repr(round(RANDOM.uniform(low, high), 3))
 
@@ -47,7 +52,7 @@ def four_runs() -> Iterator[Case]:
         yield (
             "four_runs", f"runs {nth}", why, inputs,
             {
-                "mass": exact(trial) * abs(answer) / square, "angle": arg(-answer), "effect": sqrt(square),
+                "mass": exact(trial) * abs(answer) / square, "angle": turn_of(-answer), "effect": sqrt(square),
                 "consistency": abs(answer) / (still * sqrt(square)), "miss": max(misses),
             },
         )  # fmt: skip

@@ -29,7 +29,7 @@ def text(value):
 
 
 def polar(x, y):
-    return [text(sqrt(x * x + y * y)), text(atan2(y, x) / DEGREE)]
+    return [text(sqrt(x * x + y * y)), text(atan2(y, x) % (2 * pi) / DEGREE)]
 
 
 def planes():

@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
-from balance_runs import four_runs, turnings
+from balance_runs import four_runs, turn_of, turnings
 from case_files import Case, write
-from mpmath import arg, cos, expj, lu_solve, matrix, mp, mpf, pi, sin, sqrt
+from mpmath import cos, expj, lu_solve, matrix, mp, mpf, pi, sin, sqrt
 
 mp.dps = 90
 ABOUT = (
@@ -57,7 +57,7 @@ def statics() -> Iterator[Case]:
         yield (
             "static", f"masses {nth}", why, inputs,
             {
-                "unbalance": size, "angle": arg(whole), "correction_angle": arg(-whole), "eccentricity": off,
+                "unbalance": size, "angle": turn_of(whole), "correction_angle": turn_of(-whole), "eccentricity": off,
                 "correction_mass": size / exact(inputs["correction_radius"]), "force": size * speed**2,
                 "grade": off * speed,
             },
@@ -128,12 +128,12 @@ def planes() -> Iterator[Case]:
         sides = [-side for side in two_shares(given, first, second)]
         static = sum(size for size, _ in given)
         results = {
-            "first_unbalance": abs(sides[0]), "first_angle": arg(sides[0]), "second_unbalance": abs(sides[1]),
-            "second_angle": arg(sides[1]), "static": abs(static), "static_angle": arg(static),
+            "first_unbalance": abs(sides[0]), "first_angle": turn_of(sides[0]), "second_unbalance": abs(sides[1]),
+            "second_angle": turn_of(sides[1]), "static": abs(static), "static_angle": turn_of(static),
             "couple": abs(sum(size * (place - (first + second) / 2) for size, place in given)),
         }  # fmt: skip
         for k, load in enumerate(two_shares(given, left, right)):
-            results |= {f"bearings[{k}].load": abs(load) * speed**2, f"bearings[{k}].angle": arg(load)}
+            results |= {f"bearings[{k}].load": abs(load) * speed**2, f"bearings[{k}].angle": turn_of(load)}
         yield "planes", f"rotor {nth}", why, inputs, results
 
 
@@ -160,7 +160,7 @@ def trials() -> Iterator[Case]:
         masses = [solved[0] + 1j * solved[1], solved[2] + 1j * solved[3]]
         left = rows * solved - right
         results = {f"{name}_mass": abs(mass) for name, mass in zip(names[1:], masses, strict=True)}
-        results |= {f"{name}_angle": arg(mass) for name, mass in zip(names[1:], masses, strict=True)}
+        results |= {f"{name}_angle": turn_of(mass) for name, mass in zip(names[1:], masses, strict=True)}
         if len(sensors) > 2:
             for s in range(len(sensors)):
                 results[f"predicted[{s}].residual"] = sqrt(left[2 * s] ** 2 + left[2 * s + 1] ** 2)

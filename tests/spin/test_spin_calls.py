@@ -19,6 +19,10 @@ REFUSED = {
         'gyro --axial "1 kg*m^2" --transverse "1 kg*m^2" --spin "9 rpm" --precession "1 rad/s" --span "0 mm"',
         "span",
     ),
+    "not at right angles": (
+        'gyro --axial "1 kg*m^2" --spin "9 rpm" --precession "1 rad/s" --angle "80 deg" --span "1 m"',
+        "missing",
+    ),
     "triangle": ('free --moments "1, 2, 3.5 kg*m^2" --angular-velocity "0, 1, 1 rad/s"', "impossible-body"),
     "no body": ('free --moments "0, 2, 2 kg*m^2" --angular-velocity "0, 1, 1 rad/s"', "impossible-body"),
     "still": ('free --moments "1, 2, 2 kg*m^2" --angular-velocity "0, 0, 0 rad/s"', "at-rest"),
@@ -88,3 +92,9 @@ def test_the_path_that_is_drawn_dips_to_the_tilt_answered(spin: float, tilt: flo
     path = pictures.let_go(2.5e-3, 6e-4 * spin, pull, tilt, top.nutation, top.slow)
     assert max(angle for angle, _ in path) == pytest.approx(top.lowest_tilt, abs=2e-4)
     assert min(angle for angle, _ in path) == pytest.approx(tilt, abs=1e-6)
+
+
+def test_at_right_angles_the_moment_across_does_not_count(tmp_path: Path) -> None:
+    typed = shlex.split('spin gyro --axial "60 t*m^2" --spin "120 rpm" --precession "2 deg/s" --only torque')
+    assert run(*typed).out == run(*typed, "--transverse", "40 t*m^2").out == "26318.9 N·m\n"
+    assert run(*typed, "--plot", str(tmp_path / "gyro.svg")).status == 0

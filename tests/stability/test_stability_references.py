@@ -224,7 +224,10 @@ VERDICTS = {
     "stable focus": ("y", "-x-y/2"),
     "unstable focus": ("y", "(1-x^2)*y - x"),
     "undecided: centre of the linear terms": ("y*(1 + x)", "-x*(1 + x)"),
-    "undecided: a root at zero": ("x^5", "-y"),
+    "undecided: a root at zero": ("y", "-x^3"),
+    "unstable, by terms of fifth order": ("x^5", "-y"),
+    "stable, by terms of fifth order": ("x*y - 2*x^5", "-y + x^4"),
+    "unstable on one side, by terms of fourth order": ("x*y", "-y + x^3"),
     "stable centre: the area of states is kept": ("y", "-sin(x)"),
     "stable focus, by terms of third order": ("y + x*y", "-x - x^2 - x^2*y"),
     "unstable focus, by terms of third order": ("y + x*z", "-x + y*z", "-z + x^2"),
@@ -291,6 +294,23 @@ def test_a_multiple_zero_of_a_rate_is_one_equilibrium(rate: str, at: float, orde
     assert point.rightmost == 0.0
     way = "unstable on one side" if order == 2 else "stable equilibrium"
     assert point.verdict == f"{way}, degenerate: by the term of order {order}"
+
+
+@pytest.mark.parametrize(
+    ("rate", "at", "words"),
+    [
+        ("(x - 1)^2 - y", 1.0, "unstable on one side, by terms of second order"),
+        ("-(x - 1)^3 + y", 1.0, "stable, by terms of third order"),
+        ("-x^3 + 3*x^2 - 3*x + 1 + x*y", 1.0, "stable, by terms of third order"),
+        ("(x - 0.5)^5 + y", 0.5, "unstable, by terms of fifth order"),
+    ],
+)
+def test_a_multiple_equilibrium_of_two_states_is_one(rate: str, at: float, words: str) -> None:
+    points = equilibrium(states=(State("x", rate), State("y", "-y"))).points
+    assert points is not None
+    assert [(*point.at, point.verdict, point.rightmost) for point in points] == [
+        (pytest.approx(at, rel=1e-14), 0.0, words, 0.0)
+    ]
 
 
 @pytest.mark.parametrize(("rate", "places"), [("x^3 - 1e-10*x", [-1e-5, 0.0, 1e-5]), ("x^2 - 1e-12", [-1e-6, 1e-6])])

@@ -22,7 +22,7 @@ from dynamics_cli.vibration.shocks.pulses import Shape
 from dynamics_cli.vibration.shocks.shock import Pulse, shock
 from dynamics_cli.vibration.shocks.transient import Jolt, Push, transient
 from dynamics_cli.vibration.single.oscillator import DampingShare, Natural, Spring
-from dynamics_cli.vibration.systems.elements import CERTAIN, MOST_PROVED, Elements
+from dynamics_cli.vibration.systems.elements import BY_FACTOR, CERTAIN, SMALL, Elements
 from dynamics_cli.vibration.systems.inputs import Line, Matrices
 from dynamics_cli.vibration.systems.modes import modes
 
@@ -156,17 +156,6 @@ def test_soft_modes_where_matrices_fail() -> None:
     assert math.sqrt(abs(eigh(k, eigvals_only=True)[0])) > 5.0 * 0.0158
 
 
-def test_counts_prove_what_a_bound_says() -> None:
-    chain = Elements([1.0, 2.0, 3.0], [(0, -1, 1.0), (1, 0, 1e14), (2, 1, 1e3)])
-    values = chain.modes()[0].tolist()
-    assert chain.proved(values) == 2e-15
-    wrong = [values[0] * (1.0 + 1e-6), *values[1:]]
-    assert chain.proved(wrong) is None
-    ring = Elements([1.0] * 3, [(0, 1, 1.0), (1, 2, 1.0), (2, 0, 1.0)])
-    assert ring.modes()[2] is None
-    assert ring.modes()[0][:2] == pytest.approx([0.0, math.sqrt(3.0)], abs=1e-15)
-
-
 def _uniform(count: int) -> list[float]:
     """√λ of a chain of equal masses and springs from a wall: 2·sin((2j − 1)π/(4n + 2))."""
     from mpmath import mp, mpf, sin
@@ -179,12 +168,11 @@ def _uniform(count: int) -> list[float]:
 def test_large_ordinary_chains_are_answered_from_their_matrix(count: int) -> None:
     """On both sides of the size at which the matrix is tried first, frequencies lie within the bound stated."""
     chain = Elements([1.0] * count, [(i, i - 1, 1.0) for i in range(count)])
-    omega, _, width = chain.modes()
-    assert width is not None
-    assert width <= CERTAIN
-    off = max(abs(a / b - 1.0) for a, b in zip(omega.tolist(), _uniform(count), strict=True))
-    assert off <= width
-    assert (omega == chain.by_matrix()[0]).all() == (count > MOST_PROVED)
+    omega, _, widths, _ = chain.modes()
+    assert (widths > 0.0).all()
+    assert (widths <= CERTAIN).all()
+    assert (abs(omega / np.array(_uniform(count)) - 1.0) <= widths).all()
+    assert (omega == chain.by_matrix()[0]).all() == (count > SMALL)
 
 
 def test_large_graded_chains_are_answered_from_their_factor() -> None:
@@ -192,8 +180,9 @@ def test_large_graded_chains_are_answered_from_their_factor() -> None:
     soft, stiff = 1e-3, 1e15
     chain = Elements([1.0] * 40, [(0, -1, soft), *((i, i - 1, stiff) for i in range(1, 40))])
     assert chain.by_matrix()[2] > 1e3 * CERTAIN
-    omega, _, width = chain.modes()
-    assert width is None
+    omega, _, widths, method = chain.modes()
+    assert method == BY_FACTOR
+    assert widths[0] == 0.0
     assert omega[0] == pytest.approx(math.sqrt(soft / 40.0), rel=EXACT)
 
 

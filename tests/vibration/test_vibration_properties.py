@@ -16,7 +16,6 @@ from dynamics_cli.vibration.single.forced import forced
 from dynamics_cli.vibration.single.free import free
 from dynamics_cli.vibration.single.isolator import Passing, isolator
 from dynamics_cli.vibration.single.oscillator import AtFrequency, AtRatio, DampingShare, Natural, Spring
-from dynamics_cli.vibration.systems.elements import Elements
 from dynamics_cli.vibration.systems.inputs import Line
 from dynamics_cli.vibration.systems.modes import modes
 from dynamics_cli.vibration.systems.response import response
@@ -107,17 +106,6 @@ def test_response_is_reciprocal(masses: list[float], data: st.DataObject, hertz:
     )  # fmt: skip
     assert there.amplitude == pytest.approx(back.amplitude, rel=1e-9)
     assert math.cos((there.lag or 0.0) - (back.lag or 0.0)) == pytest.approx(1.0)
-
-
-@few
-@given(st.lists(sizes, min_size=2, max_size=6), st.data(), st.floats(0.01, 30.0))
-def test_counts_are_those_of_the_eigenvalues(masses: list[float], data: st.DataObject, square: float) -> None:
-    n = len(masses)
-    carriers = [data.draw(st.integers(-1, i - 1)) for i in range(n)]
-    springs = [(i, j, data.draw(sizes)) for i, j in enumerate(carriers)]
-    tree = Elements(masses, springs)
-    values = tree.modes()[0].tolist()
-    assert tree.count_below(square) == sum(value * value < square for value in values)
 
 
 @few

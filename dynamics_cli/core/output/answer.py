@@ -16,6 +16,7 @@ from dynamics_cli.core.output.answer_tables import file_lines, table_lines
 from dynamics_cli.core.output.answer_words import (
     asked_of,
     body_names,
+    designated,
     deviation,
     estimated,
     headline_labels,
@@ -111,11 +112,12 @@ class _Answer:
             if address.partition(".")[0] not in fixed
         }
         self.bounds = document["numerics"].get("error_bound", {})
+        self.letters = task.specification.letters
 
     def headline(self) -> "list[str]":
         """A line for each headline result: label, value with unit, interval or limit."""
         rows = [
-            (label, self._text(address), self._remarks(address))
+            (label, designated(self._text(address), self.letters.get(address)), self._remarks(address))
             for address, label in self.labels.items()
             if address in self.flat
         ]
@@ -245,7 +247,7 @@ class _Answer:
         inputs = self.document["inputs"]
         for name, value, unit in listed(given_inputs(inputs)):
             standard = " (standard)" if name == "gravity" and value == 9.80665 and unit == "m/s²" else ""
-            value_text = value_in_words(value, unit)
+            value_text = designated(value_in_words(value, unit), self.letters.get(name))
             unbroken = value_text.replace(" ", JOINED) if len(value_text) < self.width // 3 else value_text
             if not name:
                 value_text = self._counted(value_text)

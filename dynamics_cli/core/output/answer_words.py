@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.core.answering.task import Task
+    from dynamics_cli.quantities import Kind
 
 # Digits of a result that stands in the label of another.
 LABEL_DIGITS = 6
@@ -139,6 +140,12 @@ def _as_typed(value: "Any") -> "Any":
     if isinstance(value, float) and len(repr(value).partition("e")[0].strip("-0.").replace(".", "")) >= CALCULATED:
         return float(f"{value:.6g}")
     return value
+
+
+def designated(text: str, kind: "Kind | None") -> str:
+    """6.3 mm/s as standards designate a number of its kind, G 6.3; one in another unit, or without letter, as it is."""
+    bare = text.removesuffix(f" {kind.si}") if kind else text
+    return f"{kind.letter} {bare}" if kind and bare != text else text
 
 
 def node_at(results: "Any", address: str) -> "Any":

@@ -4,6 +4,7 @@ import math
 
 from dynamics_cli.errors import require
 from dynamics_cli.motion.bodies.joints import NONE
+from dynamics_cli.numerics.polynomials import highest
 from dynamics_cli.quantities import (
     Angle,
     AngularAcceleration,
@@ -28,7 +29,8 @@ if TYPE_CHECKING:
     from dynamics_cli.motion.bodies.system import System
 
 MOST_SAMPLES = 4000
-GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
+# Peaks between two samples are narrowed to this share of their distance.
+NARROW = 1e-5
 # Components below this share of the largest are rounding.
 DUST = 1e-13
 
@@ -195,21 +197,11 @@ def _couple(three: "tuple[float, float, float]") -> float:
 
 
 def _refined(value: "Any", low: float, high: float, at: float, best: float) -> "tuple[float, float]":
-    """The maximum between two samples by golden sections."""
+    """The maximum between two samples."""
     if best == 0.0:
         return at, best
-    a, b = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-    va, vb = value(a), value(b)
-    for _ in range(24):
-        if va > vb:
-            high, b, vb = b, a, va
-            a = high - GOLDEN * (high - low)
-            va = value(a)
-        else:
-            low, a, va = a, b, vb
-            b = low + GOLDEN * (high - low)
-            vb = value(b)
-    top, when = max((va, a), (vb, b))
+    when = highest(value, low, high, NARROW * (high - low))
+    top = value(when)
     return (when, top) if top > best else (at, best)
 
 

@@ -111,7 +111,10 @@ class _Reader:
                 self.at += 1
                 divisor = {key: value for key, value in self._power(depth).items() if value[0]}
                 if list(divisor) != [(0, 0)]:
-                    self._refuse("a polynomial is divided by numbers other than zero only")
+                    self._refuse(
+                        "a polynomial is divided by numbers other than zero only",
+                        "multiply the whole by the denominator: s(s+2) + K instead of 1 + K/(s(s+2))",
+                    )
                 top, bottom = divisor[0, 0]
                 terms = {key: product(value, lowest(bottom, top)) for key, value in terms.items()}
             else:
@@ -191,12 +194,13 @@ class _Reader:
         shift = exponent - len(after)
         return lowest(int(before + after) * 10 ** max(shift, 0), 10 ** max(-shift, 0))
 
-    def _refuse(self, why: str) -> None:
+    def _refuse(self, why: str, remedy: str = "") -> None:
         names = " and ".join(self.powers)
         example = "s^3 + 2s^2 + 3/7".replace("s", next(iter(self.powers), "s"))
         rest = self.text[self.at : self.at + 12]
         raise UsageError(
             f"{self.typed!r}{f', at {rest!r}' if rest else ''}: {why}" if self.typed.strip() else "nothing is written",
             code="polynomial",
-            hint=f"write a polynomial in {names}, such as {example}" if names else "write numbers such as 2.5 or 3/7",
+            hint=remedy
+            or (f"write a polynomial in {names}, such as {example}" if names else "write numbers such as 2.5 or 3/7"),
         )

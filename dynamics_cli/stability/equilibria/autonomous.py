@@ -85,7 +85,12 @@ def state_places(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> "t
         taylor = lambda at, order: rates.along((at,), (1.0,), order)[0]  # noqa: E731
         kept = distinct(taylor, (at for (at,) in places), 0.1 * (ranges[0][1] - ranges[0][0]))
         return tuple(_judged(rates, (at,), ranges, multiplicity) for at, multiplicity in kept)
-    return tuple(_judged(rates, place, ranges, 1) for place in sorted(places))
+    points: list[StatePlace] = []
+    for point in (_judged(rates, place, ranges, 1) for place in sorted(places)):
+        # of several orders, one place may have been found as several
+        if not any(point.verdict == other.verdict and _same(point.at, other.at, ranges) for other in points):
+            points.append(point)
+    return tuple(points)
 
 
 def _near_zeros(rates: Rates, grid: "list[float]") -> "Iterator[Point]":
@@ -124,7 +129,7 @@ def _newton(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]
             return None
         if all(abs(d) <= 1e-14 * (high - low) for d, (low, high) in zip(step, ranges, strict=True)):
             break
-    place = tuple(0.0 if abs(x) < ZERO * (high - low) else x for x, (low, high) in zip(place, ranges, strict=True))
+    place = _cleared(place, ranges)
     inside = all(low - APART * (high - low) <= x <= high + APART * (high - low)
                  for x, (low, high) in zip(place, ranges, strict=True))  # fmt: skip
     slopes, values = rates.linear(place)
@@ -152,10 +157,12 @@ def _judged(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]
     for root, side in zip(found, sides, strict=True):
         counts[side] += root.multiplicity * (2 if root.pair else 1)
     leading = found[0]
+    at, verdict = _beyond(rates, place, slopes, ranges, counts, leading, multiplicity)
+    simple = multiplicity == 1 and at == place
     return StatePlace(
-        at=place,
-        verdict=_beyond(rates, place, slopes, ranges, counts, leading, multiplicity) or _words(found, sides, counts),
-        rightmost=leading.real if multiplicity == 1 and abs(leading.real) > NO_ROOT * steepest else 0.0,
+        at=at,
+        verdict=verdict or _words(found, sides, counts),
+        rightmost=leading.real if simple and abs(leading.real) > NO_ROOT * steepest else 0.0,
         frequency=leading.imaginary / (2.0 * math.pi)
         if leading.pair and leading.natural > NO_ROOT**0.5 * steepest
         else None,
@@ -173,16 +180,18 @@ def _beyond(
     counts: "dict[float, int]",
     leading: Root,
     multiplicity: int,
-) -> "str | None":
-    """The verdict by more than the linear terms, where those leave it open and the rest decides."""
+) -> "tuple[Point, str | None]":
+    """The place, and the verdict by more than the linear terms where those leave it open and the rest decides."""
     reach = 0.1 * min(high - low for low, high in ranges)
     if len(place) == 1:
-        return of_one_state(rates, place[0], reach, multiplicity)
+        return place, of_one_state(rates, place[0], reach, multiplicity)
     if counts[1.0] or leading.multiplicity > 1 or counts[0.0] != (2 if leading.pair else 1):
-        return None
+        return place, None
     if not leading.pair:
-        return critical_root(rates, place, slopes, reach)
-    return weak_focus(rates, place, slopes) or (CENTRE if len(place) == 2 and keeps_area(rates, ranges) else None)
+        exact_place, verdict = critical_root(rates, place, slopes, reach)
+        return _cleared(exact_place, ranges), verdict
+    centre = CENTRE if len(place) == 2 and keeps_area(rates, ranges) else None
+    return place, weak_focus(rates, place, slopes) or centre
 
 
 def _words(found: "Sequence[Root]", sides: "Sequence[float]", counts: "dict[float, int]") -> str:

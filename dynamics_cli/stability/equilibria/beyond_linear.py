@@ -2,6 +2,8 @@
 
 import math
 
+from dynamics_cli.stability.equilibria.multiple import distinct
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -9,7 +11,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.stability.equilibria.rates import Point, Rates
 
-# Terms of a single state are looked at up to this order.
+# Terms of a single state, and along the direction of a root at zero, are looked at up to this order.
 ORDER = 8
 # A term is zero below the first share of the largest. Equilibria that coincide are found to a fraction of the digits,
 # which leaves lower terms behind: between the shares it is open whether a term is that.
@@ -20,6 +22,7 @@ CLOSE = "undecided: equilibria coincide, or nearly so"
 PLACES, NO_TRACE = 60, 1e-12
 # A Lyapunov coefficient below that share of the terms it is made of is taken for zero.
 NO_COEFFICIENT = 1e-9
+NTH = ("", "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 CENTRE = "stable centre: the area of states is kept"
 
 
@@ -49,12 +52,39 @@ def keeps_area(rates: "Rates", ranges: "Sequence[tuple[float, float]]") -> bool:
     return True
 
 
-def critical_root(rates: "Rates", place: "Point", slopes: "list[list[float]]", reach: float) -> "str | None":
-    """The verdict on a simple root at zero, all else on the left, by the motion along its direction.
+def critical_root(
+    rates: "Rates", place: "Point", slopes: "list[list[float]]", reach: float
+) -> "tuple[Point, str | None]":
+    """A simple root at zero, all else on the left: the place with all its digits, and the verdict.
+
+    Along the direction of that root the first term of the reduced rate decides, as for one state.
+    """
+    curve, rate = _reduced(rates, place, slopes)
+
+    def taylor(at: float, order: int) -> "list[float]":
+        near = abs(at) < reach
+        return [_shifted(rate, at, k) if near else math.nan for k in range(order + 1)]
+
+    ((at, multiplicity),) = distinct(taylor, (0.0,), reach)
+    exact = tuple(_shifted(row, at, 0) for row in curve)
+    parts = taylor(at, ORDER)
+    sizes = [abs(part) * reach**k for k, part in enumerate(parts)]
+    order = next((k for k in range(multiplicity, ORDER + 1) if sizes[k] > NOTHING * max(sizes[1:])), 0)
+    if not order:
+        return place, None
+    if order == 1 or sizes[order] < REMAINDER * max(sizes[order:]):
+        return place, CLOSE
+    words = "unstable on one side" if order % 2 == 0 else "stable" if parts[order] < 0.0 else "unstable"
+    return exact, f"{words}, by terms of {NTH[order]} order"
+
+
+def _reduced(rates: "Rates", place: "Point", slopes: "list[list[float]]") -> "tuple[list[list[float]], list[float]]":
+    """Terms of the curve along which only the direction of a root at zero is left, and of the rate on it.
 
     Equation
     --------
-    A·q = 0, Aᵀ·p = 0, ⟨p, q⟩ = 1: u̇ = ½⟨p, B(q, q)⟩·u² + ⅙⟨p, C(q, q, q) + 3B(q, h)⟩·u³, with A·h = −B(q, q).
+    A·q = 0, Aᵀ·p = 0, ⟨p, q⟩ = 1: f(x(u)) = g(u)·q with x = x₀ + u·q + w(u), ⟨p, w⟩ = 0, order by order
+    (Liapunov–Schmidt); u̇ = g(u) but for terms above the first.
     """
     import numpy as np
 
@@ -62,19 +92,20 @@ def critical_root(rates: "Rates", place: "Point", slopes: "list[list[float]]", r
     left, _, right = np.linalg.svd(system)
     p, q = left[:, -1], right[-1]
     p = p / (p @ q)
-    second, third = _derivatives(rates, place)
-    alike = second(q, q).real
-    bent = -np.linalg.lstsq(system, alike, rcond=None)[0]
-    square = (p @ alike) * reach**2 / 2.0
-    cubes = np.array([third(q, 0.0 * q).real, 3.0 * second(q, bent).real]) @ p * reach**3 / 6.0
-    size = abs(cubes).sum()
-    if abs(square) > max(REMAINDER * size, NOTHING * float(abs(p) @ abs(alike)) * reach**2):
-        return "unstable on one side, by terms of second order"
-    if abs(square) > NOTHING * size:
-        return CLOSE
-    if abs(cubes.sum()) <= NO_COEFFICIENT * size:
-        return None
-    return f"{'stable' if cubes.sum() < 0.0 else 'unstable'}, by terms of third order"
+    bordered = np.block([[system, -q[:, None]], [p[None, :], np.zeros((1, 1))]])
+    terms = np.zeros((ORDER + 1, len(place)))
+    terms[0], terms[1] = place, q
+    rate = np.zeros(ORDER + 1)
+    for order in range(ORDER + 1):
+        beside = np.array([parts[order] for parts in rates.on(terms.T.tolist())])
+        *step, rate[order] = np.linalg.solve(bordered, [*-beside, 0.0])
+        terms[order] += step
+    return terms.T.tolist(), rate.tolist()
+
+
+def _shifted(parts: "Sequence[float]", at: float, order: int) -> float:
+    """A Taylor coefficient about another place."""
+    return sum(math.comb(k, order) * parts[k] * at ** (k - order) for k in range(order, len(parts)))
 
 
 def weak_focus(rates: "Rates", place: "Point", slopes: "list[list[float]]") -> "str | None":

@@ -98,9 +98,9 @@ def equilibrium(
     Equation
     --------
     V′ = 0; stable where the first derivative after it that is not zero is of even order and positive; ω = √(V″/m).
-    Or ẋ = f(x) = 0; stable where all roots of det(s·1 − ∂f/∂x) lie on the left. Where one root or one pair lies on
-    the axis and the rest on the left, terms of third order decide; where they vanish too, two states without
-    divergence have a centre.
+    Or ẋ = f(x) = 0; stable where all roots of det(s·1 − ∂f/∂x) lie on the left. Where one root lies at zero and
+    the rest on the left, the first term along its direction decides; where one pair lies on the axis, terms of third
+    order do; where they vanish too, two states without divergence have a centre.
 
     Returns
     -------
@@ -204,7 +204,7 @@ def _advice(points: "tuple[StatePlace, ...]") -> "tuple[Advice, ...]":
         kind = "the linear motion goes round with the frequency shown and neither grows nor decays"
     else:
         kind = "in the direction of a root at zero the linear motion neither leaves nor returns"
-    text = f"{kind}: the linear terms leave open whether the full equations do, and so do the terms of third order"
+    text = f"{kind}: the linear terms leave open whether the full equations do, and so do the terms beyond them"
     remedy = "look for a conserved energy (--potential), or integrate from beside it"
     return (Advice("undecided", text, remedy=remedy),)
 

@@ -48,10 +48,15 @@ class Rates:
         except (ArithmeticError, ValueError):
             return [math.nan] * len(self.names)
 
+    def on(self, curve: "list[list[float]]") -> "list[list[float]]":
+        """Taylor coefficients of each rate on a curve, given by those of every state."""
+        order = len(curve[0]) - 1
+        rates = self._evaluated(dict(zip(self.names, map(Jet, curve), strict=True)))
+        return [parts_of(rate, order) for rate in rates]
+
     def along(self, place: "Point", direction: "Point", order: int) -> "list[list[float]]":
         """Taylor coefficients of each rate in t, on the line place + t·direction."""
-        line = [Jet([at, step, *[0.0] * (order - 1)]) for at, step in zip(place, direction, strict=True)]
-        return [parts_of(rate, order) for rate in self._evaluated(dict(zip(self.names, line, strict=True)))]
+        return self.on([[at, step, *[0.0] * (order - 1)] for at, step in zip(place, direction, strict=True)])
 
     def jacobian(self, place: "Point") -> "list[list[float]]":
         """The slopes by every state, a row for each rate, exact but for rounding."""

@@ -14,7 +14,7 @@ SHAFT = Task(
         source=BOOK + "section 13.7; Holzer's method",
         formula="(K − ω²·J)·φ = 0, reduced to the reference's speed; n = 60·f/h",
         assumptions=("massless shafts between rigid rotors", "gears without backlash, their teeth rigid"),
-        method="one-sided Jacobi on the factor; exact counts",
+        method="one-sided Jacobi on the factor",
     ),
     headline=(
         "rotors", "rigid_modes: rigid modes", "modes_below: modes below",

@@ -4,6 +4,7 @@ import cmath
 import math
 
 from dynamics_cli.errors import require, worded
+from dynamics_cli.numerics.polynomials import highest
 from dynamics_cli.quantities import (
     Annotated,
     Density,
@@ -29,7 +30,7 @@ from dynamics_cli.vibration.rotors.stepped import ELEMENTS, Disk, Material, Sect
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
     from typing import Any
 
 MODES, CRITICALS, ROWS, GRID = 4, 6, 30, 200
@@ -248,17 +249,9 @@ def _peaks(rotor: Rotor, places: "Sequence[tuple[float, int]]", top: float) -> "
         sizes = [axes(*rotor.at(station, motion))[0] for motion in motions]
         for k in range(1, len(sizes) - 1):
             if sizes[k - 1] < sizes[k] >= sizes[k + 1]:
-                speed = _highest(size, speeds[k - 1], speeds[k + 1])
+                speed = highest(size, speeds[k - 1], speeds[k + 1], NARROW * speeds[k + 1])
                 rows.append(orbit(rotor, position, station, speed, rotor.response(speed)))
     return tuple(rows)
-
-
-def _highest(size: "Callable[[float], float]", low: float, high: float) -> float:
-    from scipy.optimize import minimize_scalar
-
-    found = minimize_scalar(lambda at: -math.log(size(at)), bounds=(low, high), method="bounded",
-                            options={"xatol": NARROW * high})  # fmt: skip
-    return float(found.x)
 
 
 def _advice(onset: "float | None", running: "float | None", margin: "float | None", bare: bool) -> "tuple[Advice, ...]":

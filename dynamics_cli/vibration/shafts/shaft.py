@@ -99,7 +99,7 @@ def shaft(
 
     References
     ----------
-    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 13.7; Holzer's method in its counts.
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, section 13.7; Holzer's method.
 
     Examples
     --------
@@ -116,17 +116,18 @@ def shaft(
     rows = [_mode(line, nth, *pair) for nth, pair in enumerate(zip(omega[moving].tolist(), whole, strict=True), 1)]
     low, high = _range(lowest_speed, highest_speed)
     criticals = _criticals(rows, orders, low, high)
-    count = None
-    if below is not None:
-        count = elements.count_below((2.0 * math.pi * below) ** 2)
-        count = sum(row.frequency < below for row in rows) if count is None else count - rigid
+    bounds = tuple(
+        ErrorBound(f"modes[{nth}].{name}", error)
+        for nth, error in enumerate(errors[moving].tolist()) if error
+        for name in ("frequency", "speed")
+    )  # fmt: skip
     return TorsionalLine(
         rotors=", ".join(line.names),
         rigid_modes=rigid,
         modes=tuple(rows),
         criticals=criticals,
-        modes_below=count,
-        numerics=Numerics(numerics.method, _bounds(len(rows), float(errors.max()))),
+        modes_below=None if below is None else sum(row.frequency < below for row in rows),
+        numerics=Numerics(numerics.method, bounds),
         checks=_checks(elements, omega[moving], shapes[moving]),
         advice=(*line.system.advice, *_advice(criticals)),
     )
@@ -152,12 +153,6 @@ def _mode(line: ShaftLine, nth: int, value: float, shape: "list[float]") -> Tors
         twisted=f"{most.from_}–{most.to}",
         twisted_share=energy / whole,
     )
-
-
-def _bounds(count: int, width: float) -> "tuple[ErrorBound, ...]":
-    """What is proved of every frequency."""
-    names = ("frequency", "speed") if width else ()
-    return tuple(ErrorBound(f"modes[{nth}].{name}", width) for nth in range(count) for name in names)
 
 
 def _range(low: "float | None", high: "float | None") -> "tuple[float | None, float | None]":

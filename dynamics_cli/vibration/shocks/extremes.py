@@ -52,17 +52,21 @@ def over_piece(
     row, cell = np.nonzero(dy[:, :-1] * dy[:, 1:] < 0.0)
     if not len(row):
         return
-    some = of.some(row)
     low, high = times[cell], times[cell + 1]
-    mixed = (alpha[row], beta[row])
     t = low + (high - low) * dy[row, cell] / (dy[row, cell] - dy[row, cell + 1])
+    at = _settled(of.some(row), (start[0][row], start[1][row]), piece, t, (low, high), (alpha[row], beta[row]))
+    into.take(row, at[1], piece.start + at[0])
+
+
+def _settled(
+    of: Oscillators, start: "tuple[Any, Any]", piece: Piece, t: "Any", ends: "tuple[Any, Any]", mix: "Any"
+) -> "tuple[Any, Any]":
+    """Times of extremes between `ends` by Newton's method, and the values there."""
     for _ in range(NEWTON):
-        value, first, second = slopes(some, some.after(start[0][row], start[1][row], piece, t), piece, t, mixed)
+        _, first, second = slopes(of, of.after(*start, piece, t), piece, t, mix)
         with np.errstate(all="ignore"):
-            step = np.where(second != 0.0, first / second, 0.0)
-        t = np.clip(t - step, low, high)
-    value, _, _ = slopes(some, some.after(start[0][row], start[1][row], piece, t), piece, t, mixed)
-    into.take(row, value, piece.start + t)
+            t = np.clip(t - np.where(second != 0.0, first / second, 0.0), *ends)
+    return t, slopes(of, of.after(*start, piece, t), piece, t, mix)[0]
 
 
 def over_rest(of: Oscillators, start: "tuple[Any, Any]", at: float, mix: "Any", into: Extremes) -> None:
@@ -82,22 +86,12 @@ def over_rest(of: Oscillators, start: "tuple[Any, Any]", at: float, mix: "Any", 
 def over_record(of: Oscillators, times: "Any", loads: "Any", mix: "Any", into: Extremes) -> "tuple[Any, Any]":
     """Extremes over a record of straight lines between samples, and the state at its end."""
     state = np.zeros((2, len(of.omega)))
-    alpha, beta = np.broadcast_to(mix[0], of.omega.shape), np.broadcast_to(mix[1], of.omega.shape)
-    last_step = -1.0
-    factors: tuple[Any, ...] = ()
+    mixed = tuple(np.broadcast_to(part, of.omega.shape) for part in mix)
     for begin in range(0, len(times) - 1, BLOCK):
-        end = min(begin + BLOCK, len(times) - 1)
-        states = np.empty((2, end - begin + 1, len(of.omega)))
-        states[:, 0] = state
-        for i in range(begin, end):
-            step = float(times[i + 1] - times[i])
-            if abs(step - last_step) > EVEN * step:
-                last_step, factors = step, _factors(of, step)
-            slope = (loads[i + 1] - loads[i]) / step
-            of_z, of_v, of_load, of_slope = factors
-            state = of_z * state[0] + of_v * state[1] + (of_load * loads[i] + of_slope * slope)
-            states[:, i - begin + 1] = state
-        _within(of, times[begin : end + 1], loads[begin : end + 1], states, (alpha, beta), into)
+        block = slice(begin, begin + BLOCK + 1)
+        states = _stepped(of, times[block], loads[block], state)
+        state = states[-1]
+        _within(of, times[block], loads[block], states.transpose(1, 0, 2), mixed, into)
     return state[0], state[1]
 
 
@@ -130,22 +124,22 @@ def _within(of: Oscillators, times: "Any", loads: "Any", states: "Any", mix: "An
     cell, row, steps = cell[worth], row[worth], steps[worth]
     if not len(row):
         return
-    some = of.some(row)
     piece = Piece(0.0, math.inf, a=loads[cell], b=(loads[cell + 1] - loads[cell]) / steps)
-    mixed = (alpha[row], beta[row])
-    begin = (z[cell, row], v[cell, row])
     t = steps * dy[cell, row] / (dy[cell, row] - dy[cell + 1, row])
-    for _ in range(NEWTON):
-        _, first, second = slopes(some, some.after(*begin, piece, t), piece, t, mixed)
-        with np.errstate(all="ignore"):
-            t = np.clip(t - np.where(second != 0.0, first / second, 0.0), 0.0, steps)
-    value, _, _ = slopes(some, some.after(*begin, piece, t), piece, t, mixed)
-    into.take(row, value, times[cell] + t)
+    at = _settled(of.some(row), (z[cell, row], v[cell, row]), piece, t, (0.0, steps), (alpha[row], beta[row]))
+    into.take(row, at[1], times[cell] + at[0])
 
 
 def states_of_record(of: Oscillators, times: "Any", loads: "Any") -> "tuple[Any, Any]":
     """Displacements and velocities at every sample of a record of straight lines, an oscillator in each row."""
-    made = np.zeros((len(times), 2, len(of.omega)))
+    made = _stepped(of, times, loads, np.zeros((2, len(of.omega))))
+    return made[:, 0].T, made[:, 1].T
+
+
+def _stepped(of: Oscillators, times: "Any", loads: "Any", state: "Any") -> "Any":
+    """The states (samples, 2, oscillators) at every sample, from that at the first one."""
+    made = np.empty((len(times), *state.shape))
+    made[0] = state
     last_step = -1.0
     factors: tuple[Any, ...] = ()
     for i, step in enumerate(np.diff(times).tolist()):
@@ -154,4 +148,4 @@ def states_of_record(of: Oscillators, times: "Any", loads: "Any") -> "tuple[Any,
         slope = (loads[i + 1] - loads[i]) / step
         of_z, of_v, of_load, of_slope = factors
         made[i + 1] = of_z * made[i, 0] + of_v * made[i, 1] + (of_load * loads[i] + of_slope * slope)
-    return made[:, 0].T, made[:, 1].T
+    return made

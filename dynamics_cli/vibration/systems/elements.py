@@ -1,11 +1,11 @@
-"""Masses joined by springs: modes to the last digits, and exact counts of frequencies below a limit.
+"""Masses joined by springs: modes to the last digits.
 
 Formed into matrices, a soft mount beside stiff springs is rounded away. The factor √k·A·m^{−½}, A the incidence of the
 springs, keeps every spring; one-sided Jacobi (Drmač & Veselić, SIAM J. Matrix Anal. Appl. 29 (2008) 1322) finds its
 singular values, which are the angular frequencies, each to its own digits. It takes five times as long as the
 eigenvalues of the matrices. So large systems try those first: their shapes, put into the quotient of Rayleigh spring by
 spring, give frequencies whose error is bounded (Kato and Temple) by the residual of the shape squared over the distance
-to the next frequency. Where that bound is not small enough, Jacobi answers.
+to the next frequency. Where that bound is not small enough, Jacobi answers, beside the quotients of its own shapes.
 """
 
 import math
@@ -20,13 +20,15 @@ if TYPE_CHECKING:
     Spring = tuple[int, int, float]
 
 GROUND = -1
-# The first and the widest interval about a frequency that counts are tried at, relatively.
-TIGHT, WIDE = 2e-15, 1e-9
-# Larger systems have a bound from their matrix before exact counts of them would be done.
-MOST_PROVED = 30
+# Larger systems try the matrix first.
+SMALL = 30
 # Frequencies from matrices serve where their bound is below this.
 CERTAIN = 2e-14
+# A second computation bounds an error where it comes as near as this.
+CLOSE = 1e-14
 UNIT = 2.0**-53
+BY_FACTOR = "one-sided Jacobi on the factor of springs and masses; beside element Rayleigh quotients"
+BY_MATRIX = "element Rayleigh quotients of the shapes of the matrices; bound of Kato and Temple"
 
 
 class Elements:
@@ -60,17 +62,26 @@ class Elements:
             members.setdefault(top(i), []).append(i)
         return [(those, head in held) for head, those in members.items()]
 
-    def modes(self) -> "tuple[Any, Any, float | None]":
-        """Angular frequencies from the lowest, shapes of unit modal mass in rows, and what bounds their errors.
+    def modes(self) -> "tuple[Any, Any, Any, str]":
+        """Angular frequencies from the lowest, shapes of unit modal mass in rows, relative errors, and the method.
 
-        The bound is relative, and None where there is none; rigid modes are exactly zero.
+        Rigid modes are exactly zero. An error is 0 where nothing bounds it: the quotient of a soft mode beside stiff
+        springs has fewer digits than its frequency.
         """
-        if len(self.masses) > MOST_PROVED:
-            made = self.by_matrix()
-            if made[2] <= CERTAIN:
-                return made
+        import numpy as np
+
+        if len(self.masses) > SMALL:
+            omega, shapes, width = self.by_matrix()
+            if width <= CERTAIN:
+                return omega, shapes, np.full(len(omega), width), BY_MATRIX
         omega, shapes = self.by_factor()
-        return omega, shapes, self.proved(omega.tolist())
+        moving, off = omega > 0.0, np.full(len(omega), self._rounding())
+        off[moving] += abs(self.rayleigh(shapes[moving]) / omega[moving] - 1.0)
+        return omega, shapes, np.where(off <= CLOSE, off, 0.0), BY_FACTOR
+
+    def _rounding(self) -> float:
+        """What a quotient of Rayleigh, a sum of positive terms, is off by in hertz."""
+        return (14.0 + math.log2(len(self.springs) or 1)) * UNIT
 
     def _rigid(self) -> "Any":
         """The shapes of the groups that nothing holds, one in a row."""
@@ -127,7 +138,7 @@ class Elements:
         ends = np.concatenate([[0.0 if none else -math.inf], squares, [math.inf]])
         gaps = np.minimum(squares - ends[:-2], ends[2:] - squares) - math.sqrt(len(roots)) * residuals.max()
         bounds = np.where(gaps > residuals, residuals * residuals / np.maximum(gaps, residuals), residuals)
-        width = 0.5 * float((bounds / (omega * omega)).max()) + (10.0 + math.log2(len(self.springs))) * UNIT
+        width = 0.5 * float((bounds / (omega * omega)).max()) + self._rounding()
         return np.concatenate([np.zeros(none), omega]), np.vstack([rigid, shapes]), width
 
     def assembled(self, springs: "list[Spring]") -> "Any":
@@ -165,98 +176,6 @@ class Elements:
         # each sum is as good as its terms are small
         smaller = held.sum() * abs(shapes).max(axis=1) / squares < abs(shapes) @ masses
         return np.where(smaller, shapes @ held / squares, shapes @ masses)
-
-    def order(self) -> "list[tuple[int, int, int]] | None":
-        """Bodies from leaves to roots, each with what carries it (−1: none), by which spring; None for loops."""
-        n = len(self.masses)
-        beside: list[list[tuple[int, int]]] = [[] for _ in range(n)]
-        inner = [(i, j, nth) for nth, (i, j, _) in enumerate(self.springs) if j != GROUND]
-        if len(inner) != n - len(self.groups()):
-            return None
-        for i, j, nth in inner:
-            beside[i].append((j, nth))
-            beside[j].append((i, nth))
-        seen: set[int] = set()
-        walk: list[tuple[int, int, int]] = []
-        for root in range(n):
-            if root in seen:
-                continue
-            waiting = [(root, GROUND, GROUND)]
-            seen.add(root)
-            while waiting:
-                here = waiting.pop()
-                walk.append(here)
-                for other, nth in beside[here[0]]:
-                    if other not in seen:
-                        seen.add(other)
-                        waiting.append((other, here[0], nth))
-        return walk[::-1]
-
-    def _whole_numbers(self) -> "tuple[list[int], list[int], int]":
-        """Masses and stiffnesses times powers of two that make them whole, and the difference of the exponents."""
-        sides = []
-        for values in (self.masses, [k for _, _, k in self.springs]):
-            pairs = [value.as_integer_ratio() for value in values]
-            shift = max((below.bit_length() - 1 for _, below in pairs), default=0)
-            sides.append(([above << (shift + 1 - below.bit_length()) for above, below in pairs], shift))
-        return sides[0][0], sides[1][0], sides[1][1] - sides[0][1]
-
-    def count_below(self, square: float) -> int | None:
-        """How many ω² lie below `square`, by exact signs of pivots; None where springs form loops."""
-        walk = self.order()
-        return None if walk is None else self._count(walk, self._whole_numbers(), *square.as_integer_ratio())
-
-    def _count(
-        self, walk: "list[tuple[int, int, int]]", whole: "tuple[list[int], list[int], int]", above: int, below: int
-    ) -> int:
-        """The count for a limit `above/below` in whole numbers, never reduced: their growth costs less than that."""
-        masses, springs, shift = whole
-        shift -= below.bit_length() - 1
-        heavy, stiff = above << max(shift, 0), max(-shift, 0)
-        held = [(0, 1)] * len(masses)
-        for (i, j, _), k in zip(self.springs, springs, strict=True):
-            if j == GROUND:
-                held[i] = (held[i][0] + (k << stiff), 1)
-        count = 0
-        for body, carrier, spring in walk:
-            number, under = held[body]
-            rest = number - heavy * masses[body] * under
-            if carrier == GROUND:
-                count += rest < 0
-                continue
-            k = springs[spring] << stiff
-            pivot = rest + k * under
-            if pivot == 0:
-                # at a zero of a minor the count is that of a limit a hair larger
-                return self._count(walk, whole, (above << 80) + above, below << 80)
-            count += pivot < 0
-            number, under = held[carrier]
-            number, under = number * pivot + k * rest * under, under * pivot
-            held[carrier] = (number, under) if under > 0 else (-number, -under)
-        return count
-
-    def proved(self, values: "Sequence[float]") -> float | None:
-        """The relative interval within which counts prove every frequency; None where they cannot."""
-        walk = self.order()
-        if len(self.masses) > MOST_PROVED or walk is None:
-            return None
-        whole = self._whole_numbers()
-
-        def within(nth: int, value: float, width: float) -> bool:
-            # limits that lie inside the interval, whatever their rounding
-            low, high = (value * value * (1.0 + 1.8 * side * width) for side in (-1.0, 1.0))
-            below, above = (self._count(walk, whole, *limit.as_integer_ratio()) for limit in (low, high))
-            return below <= nth < above
-
-        worst = 0.0
-        for nth, value in enumerate(values):
-            width = TIGHT
-            while value and not within(nth, value, width):
-                width *= 4.0
-                if width > WIDE:
-                    return None
-            worst = max(worst, width if value else 0.0)
-        return worst
 
 
 def _ends(springs: "list[Spring]") -> "tuple[Any, Any, Any]":

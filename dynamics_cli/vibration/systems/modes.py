@@ -17,7 +17,6 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, Choice, ErrorBound, Numerics, record
 from dynamics_cli.vibration.single.oscillator import require_damping
-from dynamics_cli.vibration.systems.elements import MOST_PROVED
 from dynamics_cli.vibration.systems.inputs import Bodies, Line, Matrices, MatrixFiles, System
 
 TYPE_CHECKING = False
@@ -33,8 +32,6 @@ ORTHOGONAL = 1e-9
 NOISE, ABSENT = 1e-15, 1e-12
 # Matrices of more coordinates are not listed.
 MOST_LISTED = 12
-# What turning radians into hertz adds to a bound.
-ROUNDED = 4.5e-16
 
 
 class Scale(Choice):
@@ -157,8 +154,6 @@ def _matrices(mass: "Any", damping: "Any", stiffness: "Any") -> "dict[str, Any]"
 
 def undamped(model: System) -> "tuple[Any, Any, Any, Numerics]":
     """Angular frequencies, shapes of unit modal mass in rows, relative errors, and how they are known."""
-    import numpy as np
-
     if model.elements is None:
         from dynamics_cli.vibration.systems.matrices import symmetric_modes
 
@@ -166,14 +161,8 @@ def undamped(model: System) -> "tuple[Any, Any, Any, Numerics]":
         method = "symmetric eigenvalues of the scaled matrices; bound 4nε‖K‖/ω², as the matrices were rounded"
         known = errors <= LOST
     else:
-        omega, shapes, width = model.elements.modes()
-        if width is None:
-            method = "one-sided Jacobi on the factor of springs and masses; checked by element Rayleigh quotients"
-            return omega, shapes, np.zeros(len(omega)), Numerics(method)
-        method = "one-sided Jacobi on the factor; every frequency proved by exact counts below and above it"
-        if len(omega) > MOST_PROVED:
-            method = "element Rayleigh quotients of the shapes of the matrices; bound of Kato and Temple"
-        errors, known = np.full(len(omega), width + ROUNDED), omega > 0.0
+        omega, shapes, errors, method = model.elements.modes()
+        known = (omega > 0.0) & (errors > 0.0)
     bounds = tuple(
         ErrorBound(f"modes[{nth}].{name}", error)
         for nth, (error, stated) in enumerate(zip(errors.tolist(), known.tolist(), strict=True)) if stated
