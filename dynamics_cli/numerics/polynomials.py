@@ -1,4 +1,4 @@
-"""Real roots of polynomials of low degree, found between those of their derivatives; roots and tops of any function."""
+"""Real roots of polynomials of low degree on an interval, found between the roots of their derivatives."""
 
 from itertools import pairwise
 

@@ -63,8 +63,8 @@ def sign_change(function: "Callable[[float], float]", low: float, high: float) -
     return low if abs(f_low) < abs(f_high) else high
 
 
-def highest(function: "Callable[[float], float]", low: float, high: float, within: float) -> float:
-    """The place of a maximum by golden section, to the share `within` of itself; a flat top hardly changes its height.
+def highest(function: "Callable[[float], float]", low: float, high: float, width: float) -> float:
+    """Where a function with one top between two places is greatest, by golden sections down to a width.
 
     References
     ----------
@@ -72,7 +72,7 @@ def highest(function: "Callable[[float], float]", low: float, high: float, withi
     """
     left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     at_left, at_right = function(left), function(right)
-    while high - low > within * max(abs(low), abs(high)):
+    while high - low > width and low < left < right < high:
         if at_left > at_right:
             high, right, at_right = right, left, at_left
             left = high - GOLDEN * (high - low)

@@ -88,7 +88,7 @@ def angles_to(launch: "Launch", x: float, y: float) -> "tuple[float, float | Non
     misses = [miss(angle) for angle in angles]
     top = max(range(SCAN), key=misses.__getitem__)
     low, high = angles[max(top - 1, 0)], angles[min(top + 1, SCAN - 1)]
-    crown = highest(miss, low, high, 1e-9)
+    crown = highest(miss, low, high, 1e-9 * max(abs(low), abs(high)))
     require(miss(crown) >= 0.0, "at this speed it passes below the target at every angle", code="out-of-reach",
             hint="launch it faster, or aim lower")  # fmt: skip
     flat, steep = (halved(lambda angle: miss(angle) < 0.0, end, crown)[1] for end in (floor, RIGHT - 1e-12))

@@ -4,7 +4,6 @@ import math
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import sqrt
-from dynamics_cli.numerics.polynomials import bisected
 from dynamics_cli.numerics.quadrature.gauss import legendre
 from dynamics_cli.numerics.roots import bisected
 

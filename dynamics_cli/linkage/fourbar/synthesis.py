@@ -241,7 +241,9 @@ def _by_swing(task: QuickSwing) -> Synthesis:
     lag = PI * (task.time_ratio - 1.0) / (task.time_ratio + 1.0)
     count = range(1, PLACES)
     best = max(count, key=lambda k: _quality(task, lag, k / PLACES))
-    position = highest(lambda place: _quality(task, lag, place), (best - 1) / PLACES, (best + 1) / PLACES, 1e-12)
+    position = highest(
+        lambda place: _quality(task, lag, place), (best - 1) / PLACES, (best + 1) / PLACES, 1e-12 * best / PLACES
+    )
     require(
         _quality(task, lag, position) > 0.0,
         "no crank-rocker swings through {swing} with a time ratio of {ratio}",

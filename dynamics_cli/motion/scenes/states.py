@@ -4,7 +4,7 @@ import math
 
 from dynamics_cli.errors import require
 from dynamics_cli.motion.bodies.joints import NONE
-from dynamics_cli.numerics.polynomials import highest
+from dynamics_cli.numerics.roots import highest
 from dynamics_cli.quantities import (
     Angle,
     AngularAcceleration,

@@ -143,6 +143,11 @@ def _same(one: "Point", two: "Point", ranges: "Sequence[tuple[float, float]]") -
     return all(abs(a - b) <= apart * (high - low) for a, b, (low, high) in zip(one, two, ranges, strict=True))
 
 
+def _cleared(place: "Point", ranges: "Sequence[tuple[float, float]]") -> "Point":
+    """The place with zero for what is rounding beside the ranges."""
+    return tuple(0.0 if abs(x) < ZERO * (high - low) else x for x, (low, high) in zip(place, ranges, strict=True))
+
+
 def _judged(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]", multiplicity: int) -> StatePlace:
     """The equilibrium with the roots of its linear terms, which are exact of the Jacobian's doubles."""
     slopes = rates.jacobian(place)

@@ -4,7 +4,7 @@ import cmath
 import math
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.polynomials import highest
+from dynamics_cli.numerics.roots import highest
 from dynamics_cli.quantities import (
     Annotated,
     Density,

@@ -169,7 +169,7 @@ def _peaks(modal: "Modal", weights: "Any", read: int, force: float) -> "tuple[Pe
     for i in range(1, len(rates) - 1):
         if sizes[i - 1] < sizes[i] >= sizes[i + 1]:
             ends = float(rates[i - 1]), float(rates[i + 1])
-            at = highest(lambda rate: float(abs(modal.curve([rate], weights, read)[0])), *ends, 1e-7)
+            at = highest(lambda rate: float(abs(modal.curve([rate], weights, read)[0])), *ends, 1e-7 * ends[1])
             value = complex(modal.curve([at], weights, read)[0])
             peaks.append(Peak(at / (2.0 * math.pi), abs(value) * force, abs(value), _lag(value)))
     return tuple(peaks)
