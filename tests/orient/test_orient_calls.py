@@ -195,3 +195,8 @@ def test_the_point_whose_velocity_is_told_is_the_base() -> None:
     one = answer("orient", "points", *turning, "--body-point", told)["results"]
     other = answer("orient", "points", *turning, "--base", "1, 0, 0 m", "--base-velocity", "1, 0, 0 m/s")["results"]
     assert one["points"][0]["velocity"] == other["points"][0]["velocity"] == {"value": [-5, 0, 0], "unit": "m/s"}
+
+
+def test_nine_numbers_are_three_rows() -> None:
+    turned = answer("orient", "convert", "--rotation-matrix", "1, 0, 0, 0, 0, -1, 0, 1, 0")["results"]
+    assert turned["rotation_angle"]["value"] == 90
