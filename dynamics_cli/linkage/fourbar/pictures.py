@@ -44,7 +44,7 @@ def _frames(lengths: "tuple[float, ...]", side: float, point: "complex | None", 
     tracks = []
     for place in (0j, complex(lengths[1]), 0.5 * lengths[1] + 0j if point is None else point):
         x, y = circuit.place(u, place)
-        tracks.append((x.value + 1j * y.value).tolist())
+        tracks.append((x.parts[0] + 1j * y.parts[0]).tolist())
     return list(zip(*tracks, strict=True))
 
 
