@@ -110,6 +110,11 @@ def test_the_slider_crank_at_its_dead_centres() -> None:
     close = slider_crank(crank=0.05, rod=0.15, crank_angle=1e-7)
     assert close.travel == pytest.approx(3.3333333333333287037e-16, rel=1e-14)
     offset = slider_crank(crank=0.05, rod=0.15, offset=0.02)
+    ends = degrees(offset.outer_at or 0.0), degrees(offset.inner_at or 0.0)
+    assert ends == pytest.approx((5.73917047726679, 191.536959032815), rel=1e-14)
+    line = slider_crank(crank=1.0, rod=3.5)
+    assert degrees(line.top_at or 0.0) == pytest.approx(75.13558695385620715409, rel=1e-13)
+    assert line.top_slope == pytest.approx(1.040244084128667156987, rel=1e-15)
     assert (offset.stroke, offset.time_ratio) == pytest.approx((0.101017897709996867, 1.06656389155424092))
     assert offset.outer_at is not None
     assert slider_crank(crank=0.05, rod=0.15, offset=0.02, crank_angle=offset.outer_at).slope == pytest.approx(
