@@ -195,8 +195,5 @@ class CouplerPath:
         del piece
         with np.errstate(all="ignore"):
             x, y = self.circuit.place(Disc(theta, half), self.point)
-            return (np.hypot(part.size, other.size) * (1.0 + 2.0**-49) for part, other in _pairs(x, y))  # type: ignore[return-value]
-
-
-def _pairs(x: Jet, y: Jet) -> "tuple[tuple[Any, Any], tuple[Any, Any]]":
-    return (x.parts[2] * 2.0, y.parts[2] * 2.0), (x.parts[1], y.parts[1])
+            pairs = (x.parts[2] * 2.0, y.parts[2] * 2.0), (x.parts[1], y.parts[1])
+            return (np.hypot(part.size, other.size) * (1.0 + 2.0**-49) for part, other in pairs)  # type: ignore[return-value]

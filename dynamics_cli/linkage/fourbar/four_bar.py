@@ -1,7 +1,17 @@
 """A four-bar in one pose, with velocities and accelerations, or its table over the crank angles it reaches."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, Closed, Frame, close, discriminants, frame, ratios
+from dynamics_cli.linkage.fourbar.closure import (
+    OPEN,
+    Branch,
+    Closed,
+    Frame,
+    close,
+    discriminants,
+    frame,
+    is_regular,
+    ratios,
+)
 from dynamics_cli.linkage.fourbar.grashof import POOR, closeness, kind_of, limits, poor, rocking
 from dynamics_cli.linkage.fourbar.lengths import require_links
 from dynamics_cli.linkage.fourbar.records import FourBar
@@ -91,8 +101,14 @@ def four_bar(
     require_closed(links, both_discriminants, crank_angle)
     loop, other = (close(links, turn, half, sign * side, both_discriminants) for sign in (1.0, -1.0))
     if speed is not None or load_torque is not None:
-        _require_movable(loop, links)
-    regular = _shown(loop, links) if alone else True
+        require(
+            is_regular(links, loop),
+            "coupler and rocker are in line (a toggle): the crank cannot move through this pose, only the rocker can "
+            "drive",
+            code="toggle",
+            hint="give a crank angle near it, or let the rocker drive",
+        )
+    regular = bool(is_regular(links, loop)) if alone else True
     speeds = ratios(links, loop)
     transmission = 2.0 * atan2(_size(loop.second), _size(loop.first))
     pin = (crank * turn[0], crank * turn[1])
@@ -191,19 +207,6 @@ def require_closed(links: Frame, both: "Pair", crank_angle: float) -> None:
         code="free",
         hint="give a crank angle near it",
     )
-
-
-def _require_movable(loop: Closed, links: Frame) -> None:
-    require(
-        (loop.first * loop.second != 0.0) | (links.outer == 0.0) | (links.inner == 0.0),
-        "coupler and rocker are in line (a toggle): the crank cannot move through this pose, only the rocker can drive",
-        code="toggle",
-        hint="give a crank angle near it, or let the rocker drive",
-    )
-
-
-def _shown(loop: Closed, links: Frame) -> bool:
-    return bool(loop.first * loop.second != 0.0 or links.outer == 0.0 or links.inner == 0.0)
 
 
 def _size(x: float) -> float:

@@ -3,7 +3,7 @@
 from math import tau
 
 from dynamics_cli.errors import require
-from dynamics_cli.linkage.fourbar.closure import Closed, Frame, close, discriminants, ratios
+from dynamics_cli.linkage.fourbar.closure import Closed, Frame, close, discriminants, is_regular, ratios
 from dynamics_cli.linkage.fourbar.grashof import limits
 from dynamics_cli.linkage.fourbar.records import Step
 from dynamics_cli.numerics.elementary import atan2
@@ -54,8 +54,7 @@ def posed(links: Frame, angle: float, side: float, *, limit: bool = False) -> "t
         least = TOGGLE * (links.a + links.b + links.c + links.d) ** 2
         roots = tuple(0.0 if part <= least else part for part in roots)  # type: ignore[assignment]
     loop = close(links, turn, half, side, roots)
-    regular = loop.first * loop.second != 0.0 or links.outer == 0.0 or links.inner == 0.0
-    return loop, ratios(links, loop) if regular else None
+    return loop, ratios(links, loop) if is_regular(links, loop) else None
 
 
 def table(links: Frame, side: float, steps: int, speed: float | None = None, gain: float = 0.0) -> "tuple[Step, ...]":

@@ -120,7 +120,7 @@ def solution(
         pins=None if motion else pins,
         assembly=choice.text,
         assemblies=len(possible),
-        solved_by=_method(choice.dyads, newton),
+        solved_by=f"{choice.dyads} dyad{'s' * (choice.dyads != 1)} in closed form{', the rest by Newton' * newton}",
         pin_error=sure.error if sure else None,
         nearest_other=sure.apart if sure else None,
         kantorovich=proof.share if proof else None,
@@ -145,11 +145,6 @@ def _singular() -> "tuple[Advice, ...]":
             remedy="move the driver a little",
         ),
     )
-
-
-def _method(dyads: int, newton: bool) -> str:
-    words = f"{dyads} dyad{'' if dyads == 1 else 's'} in closed form"
-    return f"{words}, the rest by Newton" if newton else words
 
 
 def _listed(system: "System", possible: "list[Assembly]") -> "tuple[AssemblyPin, ...]":

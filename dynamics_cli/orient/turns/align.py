@@ -1,7 +1,7 @@
 """The rotation that takes given directions to measured ones: least squares, or one direction exactly."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import only_in_doubles
+from dynamics_cli.numerics.elementary import atan2, only_in_doubles
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.quaternions import axis_and_angle, of_rotation, rotated, unit, upright
 from dynamics_cli.numerics.orientation.rotations import Matrix, from_quaternion, product, transposed
@@ -179,8 +179,6 @@ def _triad(directions: "list[Vector]") -> Matrix:
 
 def _angle(a: Vector, b: Vector) -> float:
     """The angle of two unit vectors, which keeps its digits when it is small."""
-    from dynamics_cli.numerics.elementary import atan2
-
     return atan2(length(cross(a, subtract(b, scale(dot(a, b), a)))), dot(a, b))
 
 
