@@ -77,12 +77,17 @@ REST = (
 STRAIGHT = "velocity and acceleration are parallel: the curvature is zero and the radius of curvature infinite"
 
 
+# What a straight path has and a point at rest has not.
+OF_ALL_MOTION = ("tangential", "normal", "curvature", "tangent")
+
+
 def advice_of(motion: Bend, *names: str) -> tuple[Advice, ...]:
-    """Reasons for results that are None."""
+    """Reasons for those of some results that are None."""
     if not motion.reason:
         return ()
     message = REST if motion.reason == "rest" else STRAIGHT
-    return tuple(Advice(f"at-{motion.reason}", message, "note", result=name) for name in names)
+    missing = [name for name in names if motion.reason == "rest" or name not in OF_ALL_MOTION]
+    return tuple(Advice(f"at-{motion.reason}", message, "note", result=name) for name in missing)
 
 
 def centre_of(position: Vector, motion: Bend) -> "Vector | None":

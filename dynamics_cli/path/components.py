@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, dot, length
-from dynamics_cli.path.bends import advice_of, along_and_across, bend, centre_of
+from dynamics_cli.path.bends import OF_ALL_MOTION, advice_of, along_and_across, bend, centre_of
 from dynamics_cli.path.coordinates import combined, local_axes
 from dynamics_cli.quantities import (
     Acceleration,
@@ -95,7 +95,9 @@ def components(
         jerk = None if jerk is None else combined(frame_axes, jerk)
     motion = bend(velocity, acceleration, jerk)
     round_axis, round_pole = frames.get("cylindrical"), frames.get("spherical")
-    advice = list(advice_of(motion, *_absent(motion.reason, jerk is not None, position is not None)))
+    asked = (*(("torsion",) if jerk is not None else ()), *(("centre",) if position is not None else ()))
+    directions = ("radius_of_curvature", "normal_direction", "binormal")
+    advice = list(advice_of(motion, *directions, *asked, *OF_ALL_MOTION))
     if round_axis is None and position is not None:
         names = [f"{system}_{what}" for system in ("cylindrical", "spherical") for what in ("velocity", "acceleration")]
         words = "on the Z-axis the directions of cylindrical and spherical coordinates are not determined"
@@ -117,12 +119,6 @@ def components(
         spherical_acceleration=_along(round_pole, acceleration),
         advice=tuple(advice),
     )
-
-
-def _absent(reason: str, jerk: bool, placed: bool) -> tuple[str, ...]:
-    names = ("radius_of_curvature", "normal_direction", "binormal", *(("torsion",) if jerk else ()))
-    names = (*names, "centre") if placed else names
-    return names if reason != "rest" else (*names, "tangential", "normal", "curvature", "tangent")
 
 
 def _frames(position: Vector) -> dict[str, tuple[Vector, Vector, Vector]]:

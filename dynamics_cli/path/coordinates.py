@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import cos, sin
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, add, scale
-from dynamics_cli.path.bends import Bend, advice_of, along_and_across, bend
+from dynamics_cli.path.bends import advice_of, along_and_across, bend
 from dynamics_cli.quantities import (
     Acceleration,
     AccelerationVector,
@@ -21,6 +21,7 @@ from dynamics_cli.quantities import (
 from dynamics_cli.records import Advice, Check, record
 
 PI = 3.141592653589793
+ALONG_AND_ACROSS = ("tangential", "normal", "radius_of_curvature")
 
 
 @record
@@ -173,7 +174,7 @@ def _around(
         position=(radius * cosine, radius * sine, z),
         cartesian_velocity=turned(rates[0], across, vz),
         cartesian_acceleration=turned(outward, sideward, az),
-        advice=missing(motion),
+        advice=advice_of(motion, *ALONG_AND_ACROSS),
     )
 
 
@@ -240,7 +241,7 @@ def spherical(
         position=scale(rho, axes[0]),
         cartesian_velocity=combined(axes, velocity),
         cartesian_acceleration=combined(axes, acceleration),
-        advice=missing(motion),
+        advice=advice_of(motion, *ALONG_AND_ACROSS),
     )
 
 
@@ -256,9 +257,3 @@ def local_axes(down: float, across: float, cosine: float, sine: float) -> tuple[
 def combined(axes: tuple[Vector, Vector, Vector], parts: Vector) -> Vector:
     """The vector with these parts along those axes."""
     return add(add(scale(parts[0], axes[0]), scale(parts[1], axes[1])), scale(parts[2], axes[2]))
-
-
-def missing(motion: Bend) -> tuple[Advice, ...]:
-    """Why a_t, a_n and the radius of curvature do not exist."""
-    names = ("tangential", "normal", "radius_of_curvature") if motion.reason == "rest" else ("radius_of_curvature",)
-    return advice_of(motion, *names)

@@ -1,10 +1,10 @@
 """Pictures of a motion: curves over time, the path with velocity, acceleration and its circle of curvature."""
 
+import cmath
 import math
-from itertools import pairwise
 
 from dynamics_cli.errors import worded
-from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Mark, Panel, Picture
+from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Mark, Panel, Picture, complex_curve
 from dynamics_cli.pictures.vectors import SUM, Step, arrow, corner, head_to_tail, labelled, scene, seen, times
 from dynamics_cli.pictures.vectors import curve as in_view
 from dynamics_cli.quantities import Acceleration, Length, Speed, Time
@@ -13,8 +13,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
-
-    Plane = tuple[float, float]
 
 TIME = Axis("time", Time)
 X, Y = Axis("x", Length), Axis("y", Length)
@@ -27,131 +25,96 @@ LARGE = 3.0
 VELOCITY, ACCELERATION, PART = 0, 1, 2
 
 
-def rectilinear(result: "Any", **_: "Any") -> Picture:
+def rectilinear(result: "Any", *, phases: "Any", law: "Any" = None, let: "Any" = (), **_: "Any") -> Picture:
     """Displacement, velocity and acceleration over time."""
-    times, distances, speeds, rates = _smooth(result.motion)
+    from dynamics_cli.path.straight import task
+
+    followed = task.rectilinear if law is None else task.rectilinear_law
+    rows = followed(phases=phases, law=law, let=let, steps=ROUND).motion
+    times = [row.time for row in rows]
     stops = result.stop_time is not None and 0.0 < result.stop_time < times[-1]
     rest = (Band(result.stop_time, result.stop_time, "at rest"),) if stops else ()
     panels = [
-        Panel(TIME, Axis("displacement", Length), (Curve(times, distances, role=0), *rest)),
-        Panel(TIME, Axis("velocity", Speed), (Curve(times, speeds, role=0), *rest)),
-        Panel(TIME, Axis("acceleration", Acceleration), (Curve(times, rates, role=0), Band(0.0, 0.0, vertical=False))),
-    ]
+        Panel(TIME, Axis("displacement", Length), (Curve(times, [row.distance for row in rows], role=0), *rest)),
+        Panel(TIME, Axis("velocity", Speed), (Curve(times, [row.speed for row in rows], role=0), *rest)),
+        Panel(
+            TIME, Axis("acceleration", Acceleration),
+            (Curve(times, [row.acceleration for row in rows], role=0), Band(0.0, 0.0, vertical=False)),
+        ),
+    ]  # fmt: skip
     return Picture(tuple(panels), "straight motion")
-
-
-def _smooth(rows: "Sequence[Any]") -> "tuple[list[float], ...]":
-    """Cubics through displacements and velocities of the table, from row to row, and the slope of the latter."""
-    track: tuple[list[float], ...] = ([], [], [], [])
-    for row, following in pairwise(rows):
-        span = following.time - row.time
-        for u in (i / 12 for i in range(13)) if span > 0.0 else ():
-            place = _cubic(u, row.distance, following.distance, span * row.speed, span * following.speed)
-            speed = _cubic(u, row.speed, following.speed, span * row.acceleration, span * following.acceleration)
-            now = row.time + u * span, place[0], speed[0], speed[1] / span
-            for column, value in zip(track, now, strict=True):
-                column.append(value)
-    return track
-
-
-def _cubic(u: float, first: float, last: float, slope: float, end: float) -> "tuple[float, float]":
-    """The cubic with these values and slopes at 0 and 1, and its slope."""
-    w, rise = 1.0 - u, last - first
-    value = w * w * (1 + 2 * u) * first + u * u * (1 + 2 * w) * last + u * w * (w * slope - u * end)
-    return value, 6.0 * u * w * rise + w * (1 - 3 * u) * slope + u * (1 - 3 * w) * end
 
 
 def circle(result: "Any", *, radius: float, **_: "Any") -> Picture:
     """The circle with velocity and acceleration at the start and at the end."""
-    items: list[Any] = [_ring((0.0, 0.0), radius, "centre"), Mark(0.0, 0.0, "")]
+    items: list[Any] = [complex_curve(_arc(0j, radius, 0.0, math.pi), "", "centre", 6), Mark(0.0, 0.0, "")]
     ends = [("start" if result.angle is not None else "", 0.0, result.start)]
     if result.angle is not None:
         ends.append(("end", result.angle, result))
     fastest = max(abs(end.speed) for _, _, end in ends)
     hardest = max(end.acceleration for _, _, end in ends)
     for name, angle, end in ends:
-        along, inward = (-math.sin(angle), math.cos(angle)), (-math.cos(angle), -math.sin(angle))
-        place = (radius * math.cos(angle), radius * math.sin(angle))
-        rate = _sum((end.tangential, along), (end.normal, inward))
-        items += [Mark(*place, name), _arrow(place, (end.speed * along[0], end.speed * along[1]), fastest, radius, "v")]
+        out = cmath.rect(1.0, angle)
+        place, rate = radius * out, (1j * end.tangential - end.normal) * out
+        items += [Mark(place.real, place.imag, name), _arrow(place, 1j * end.speed * out, fastest, radius, "v")]
         items.append(_arrow(place, rate, hardest, radius, "a"))
     return Picture((Panel(X, Y, tuple(items), equal=True),), "velocity and acceleration on the circle")
 
 
-def _sum(*parts: "tuple[float, Plane]") -> "Plane":
-    return sum(size * direction[0] for size, direction in parts), sum(size * direction[1] for size, direction in parts)
+def _arc(centre: complex, radius: float, heading: float, half: float) -> "list[complex]":
+    """Part of a circle, so far on either side of a heading."""
+    return [centre + cmath.rect(radius, heading + half * (2.0 * i / (ROUND - 1) - 1.0)) for i in range(ROUND)]
 
 
-def _ring(centre: "Plane", radius: float, style: "Any", label: str = "") -> Curve:
-    angles = [2.0 * math.pi * i / (ROUND - 1) for i in range(ROUND)]
-    x = [centre[0] + radius * math.cos(angle) for angle in angles]
-    return Curve(x, [centre[1] + radius * math.sin(angle) for angle in angles], label, style, role=6)
+def _scaled(vector: complex, largest: float, size: float) -> complex:
+    return 2.0 * ARROW * size / largest * vector if largest else 0j
 
 
-def _arrow(place: "Plane", vector: "Plane", largest: float, size: float, label: str) -> Arrow:
-    return Arrow(*place, *_scaled(vector, largest, size), label, VELOCITY if label == "v" else ACCELERATION)
+def _arrow(place: complex, vector: complex, largest: float, size: float, label: str) -> Arrow:
+    way = _scaled(vector, largest, size)
+    return Arrow(place.real, place.imag, way.real, way.imag, label, VELOCITY if label == "v" else ACCELERATION)
 
 
 def around(result: "Any", *, radius: float, angle: float = 0.0, **_: "Any") -> Picture:
     """The radius, velocity and acceleration with its parts, in the plane square to the axis."""
-    place = (result.position[0], result.position[1])
-    out, beside = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
-    size = radius or 0.5
-    rate = (result.cartesian_acceleration[0], result.cartesian_acceleration[1])
-    parts = [
-        ("aᵣ", (result.radial_acceleration * out[0], result.radial_acceleration * out[1])),
-        ("aθ", (result.transverse_acceleration * beside[0], result.transverse_acceleration * beside[1])),
-    ]
-    largest = max(math.hypot(*rate), 1e-300)
-    velocity = (result.cartesian_velocity[0], result.cartesian_velocity[1])
-    steps = [
-        Step(place, _scaled(part, largest, size), name, PART, dashed=True)
-        for name, part in parts
-        if math.hypot(*part) > 0.02 * largest
-    ]
-    steps += [
-        Step(place, _scaled(velocity, math.hypot(*velocity), size), "v", VELOCITY),
-        Step(place, _scaled(rate, largest, size), "a", ACCELERATION),
-    ]
+    place, velocity, rate = (
+        complex(*v[:2]) for v in (result.position, result.cartesian_velocity, result.cartesian_acceleration)
+    )
+    out, largest = cmath.rect(1.0, angle), max(abs(rate), 1e-300)
+    parts = (("aᵣ", result.radial_acceleration * out), ("aθ", result.transverse_acceleration * 1j * out))
+    steps = []
+    for name, vector, longest, role in (
+        *((name, part, largest, PART) for name, part in parts if abs(part) > 0.02 * largest),
+        ("v", velocity, abs(velocity), VELOCITY),
+        ("a", rate, largest, ACCELERATION),
+    ):
+        way = _scaled(vector, longest, radius or 0.5)
+        steps.append(Step((place.real, place.imag), (way.real, way.imag), name, role, dashed=role == PART))
     items: list[Any] = [
-        Curve([0.0, place[0]], [0.0, place[1]], "", "thin", role=6),
+        complex_curve((0j, place), "", "thin", 6),
         Mark(0.0, 0.0, "axis", (-6.0, 6.0)),
         *labelled(steps),
-        Mark(*place, ""),
+        Mark(place.real, place.imag, ""),
     ]
     return Picture((Panel(X, Y, tuple(items), equal=True),), "velocity and acceleration, with their parts")
 
 
-def _scaled(vector: "Plane", largest: float, size: float) -> "Plane":
-    factor = 2.0 * ARROW * size / largest if largest else 0.0
-    return factor * vector[0], factor * vector[1]
-
-
 def in_space(result: "Any", **_: "Any") -> Picture:
     """Velocity and acceleration seen in the plane of both, with the circle of curvature."""
-    speed = result.speed
-    tangential, normal = result.tangential, result.normal
-    if tangential is None or normal is None:
-        items: tuple[Any, ...] = (Arrow(0.0, 0.0, 1.0, 0.0, "a", role=ACCELERATION), Mark(0.0, 0.0, "at rest"))
-        return Picture((Panel(Axis("along a"), Axis("across"), items, equal=True),), "acceleration")
-    size = result.radius_of_curvature if result.radius_of_curvature is not None else 1.0
-    items = (
-        *(() if result.radius_of_curvature is None else (
-            Curve(*_arc(size), "path (circle of curvature)", "thin", role=6),
-            Mark(0.0, size, "centre of curvature"),
-        )),
-        _arrow((0.0, 0.0), (speed, 0.0), speed, size, "v"),
-        _arrow((0.0, 0.0), (tangential, normal), math.hypot(tangential, normal), size, "a"),
-        Mark(0.0, 0.0, ""),
-    )  # fmt: skip
-    kind = None if result.radius_of_curvature is None else Length
+    if result.tangential is None or result.normal is None:
+        items: list[Any] = [Arrow(0.0, 0.0, 1.0, 0.0, "a", role=ACCELERATION), Mark(0.0, 0.0, "at rest")]
+        return Picture((Panel(Axis("along a"), Axis("across"), tuple(items), equal=True),), "acceleration")
+    radius, rate = result.radius_of_curvature, complex(result.tangential, result.normal)
+    items, kind = [], None
+    if radius is not None:
+        kind = Length
+        arc = _arc(1j * radius, radius, -0.5 * math.pi, math.radians(70.0))
+        items = [complex_curve(arc, "path (circle of curvature)", "thin", 6), Mark(0.0, radius, "centre of curvature")]
+    size = 1.0 if radius is None else radius
+    items += [_arrow(0j, complex(result.speed), result.speed, size, "v"), _arrow(0j, rate, abs(rate), size, "a")]
     along, across = Axis("along the path, T", kind), Axis("to the centre, N", kind)
-    return Picture((Panel(along, across, items, equal=True),), "velocity and acceleration along and across the path")
-
-
-def _arc(radius: float) -> "tuple[list[float], list[float]]":
-    angles = [math.radians(-70.0 + 140.0 * i / (ROUND - 1)) for i in range(ROUND)]
-    return [radius * math.sin(angle) for angle in angles], [radius * (1.0 - math.cos(angle)) for angle in angles]
+    panel = Panel(along, across, (*items, Mark(0.0, 0.0, "")), equal=True)
+    return Picture((panel,), "velocity and acceleration along and across the path")
 
 
 def curve(result: "Any", *, x: "Any" = None, y: "Any" = None, z: "Any" = None, shape: "Any" = None, let: "Any" = (),
@@ -184,28 +147,17 @@ def _or_gap(value: "float | None") -> float:
 def _path_panel(result: "Any", states: "Sequence[Any]") -> Panel:
     xs, ys = [state.position[0] for state in states], [state.position[1] for state in states]
     size = 0.5 * max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
-    place = (result.position[0], result.position[1])
+    place, velocity, rate = (complex(*v[:2]) for v in (result.position, result.velocity, result.acceleration))
     items: list[Any] = [Curve(xs, ys, role=3, style="thick")]
     radius = result.radius_of_curvature
     if radius is not None and radius < LARGE * size and result.speed > 0.0:
-        v, turn = (
-            result.velocity,
-            result.velocity[0] * result.acceleration[1] - result.velocity[1] * result.acceleration[0],
-        )
-        side = math.copysign(radius / result.speed, turn)
-        centre = place[0] - side * v[1], place[1] + side * v[0]
+        side = math.copysign(radius / result.speed, (velocity.conjugate() * rate).imag)
+        centre = place + 1j * side * velocity
         # as much of a large circle as the path is long: the path fills the picture
-        half, heading = min(math.pi, size / radius), math.atan2(place[1] - centre[1], place[0] - centre[0])
-        around = [heading + half * (2.0 * i / (ROUND - 1) - 1.0) for i in range(ROUND)]
-        xs, ys = ([c + radius * wave(t) for t in around] for c, wave in zip(centre, (math.cos, math.sin), strict=True))
-        items.append(Curve(xs, ys, "circle of curvature", "dotted", role=6))
-    velocity, rate = (result.velocity[0], result.velocity[1]), (result.acceleration[0], result.acceleration[1])
-    if math.hypot(*velocity):
-        items.append(_arrow(place, velocity, math.hypot(*velocity), size, "v"))
-    if math.hypot(*rate):
-        items.append(_arrow(place, rate, math.hypot(*rate), size, "a"))
-    items.append(Mark(*place, ""))
-    return Panel(X, Y, tuple(items), equal=True)
+        ring = _arc(centre, radius, cmath.phase(place - centre), min(math.pi, size / radius))
+        items.append(complex_curve(ring, "circle of curvature", "dotted", 6))
+    items += [_arrow(place, v, abs(v), size, name) for v, name in ((velocity, "v"), (rate, "a")) if v]
+    return Panel(X, Y, (*items, Mark(place.real, place.imag, "")), equal=True)
 
 
 def _path_in_space(result: "Any", states: "Sequence[Any]") -> Panel:

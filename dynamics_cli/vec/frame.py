@@ -86,16 +86,19 @@ def frame(
     axes: dict[int, Vector] = {i: first_axis, j: unit(turned), 3 - i - j: last}
     rows = (axes[0], axes[1], axes[2])
     handedness, advice = _handedness(directions)
-    departure = _departure(directions, order)
+    components = None
+    if vector is not None:
+        seen = kinds.Vector(vector)
+        components = kinds.vector([dot(seen.parts, row) for row in rows], seen.kind)
     return Frame(
         x_axis=kinds.direction(rows[0]),
         y_axis=kinds.direction(rows[1]),
         z_axis=kinds.direction(rows[2]),
         kept=f"{first} kept its direction, {second} its plane with {first}",
-        departure=departure,
+        departure=_departure(directions, order),
         handedness=handedness,
         rotation_matrix=tuple(zip(*rows, strict=True)),  # type: ignore[arg-type]
-        components=_seen(kinds.Vector(vector), rows) if vector is not None else None,
+        components=components,
         advice=advice,
     )
 
@@ -151,7 +154,3 @@ def _handedness(directions: "dict[str, kinds.Vector]") -> "tuple[str | None, tup
         return "right-handed", ()
     message = worded("the three directions are left-handed: the z-axis of the triad is opposite to the given one")
     return "left-handed", (Advice("left-handed", message, remedy="exchange two of them, or reverse one"),)
-
-
-def _seen(vector: kinds.Vector, rows: "tuple[Vector, Vector, Vector]") -> FreeVector:
-    return kinds.vector([dot(vector.parts, row) for row in rows], vector.kind)

@@ -149,18 +149,26 @@ def _point_and_line(a: _Read, b: _Read) -> "dict[str, Any]":
     gap = difference(a.point, b.point)
     distance = norm(cross(gap, b.way)) / norm(b.way)
     foot = _moved(b.point, dot(gap, b.way) / dot(b.way, b.way), b.way)
-    incident = _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
-    relation = _touch("the point is on the line", distance) if incident else "apart"
+    relation = _touch("the point is on the line", distance) if _incident(distance, a, b) else "apart"
     return {"distance": distance, "relation": relation, "feet": (a.point, foot)}
 
 
 def _point_and_plane(a: _Read, b: _Read) -> "dict[str, Any]":
     height = _apart(b.point, a.point, b.way) / norm(b.way)
     foot = _moved(a.point, -height / norm(b.way), b.way)
-    incident = _is_small(height, plain(norm(a.point)) + plain(norm(b.point)))
     side = "on the side of the normal" if plain(height) > 0.0 else "on the side away from the normal"
-    relation = _touch("the point is in the plane", height) if incident else f"apart, {side}"
+    relation = _touch("the point is in the plane", height) if _incident(height, a, b) else f"apart, {side}"
     return {"distance": absolute(height), "relation": relation, "feet": (a.point, foot)}
+
+
+def _incident(distance: float, a: _Read, b: _Read) -> bool:
+    """Whether a distance is none, beside those of the points from the origin."""
+    return _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
+
+
+def _parallel(distance: float, off: float, a: _Read, b: _Read, within: str) -> str:
+    """Parallel, or one within the other, and how that is known."""
+    return _touch(within, distance) if _incident(distance, a, b) else _touch("parallel", off)
 
 
 def _touch(words: str, value: float) -> str:
@@ -174,12 +182,10 @@ def _two_lines(a: _Read, b: _Read) -> "dict[str, Any]":
     size = plain(norm(u)) * plain(norm(v))
     angle = atan2(sine, absolute(dot(u, v)))
     gap = difference(b.point, a.point)
-    reach = plain(norm(a.point)) + plain(norm(b.point))
     if _is_small(sine, size):
         distance = norm(cross(gap, u)) / norm(u)
         foot = _moved(b.point, -dot(gap, v) / dot(v, v), v)
-        coincident = _is_small(distance, reach)
-        relation = _touch("coincident" if coincident else "parallel", sine if not coincident else distance)
+        relation = _parallel(distance, sine, a, b, "coincident")
         return {"distance": distance, "relation": relation, "angle": angle, "feet": (a.point, foot)}
     volume = _apart(a.point, b.point, product)
     distance = absolute(volume) / sine
@@ -187,7 +193,7 @@ def _two_lines(a: _Read, b: _Read) -> "dict[str, Any]":
     s = dot(cross(gap, v), product) / square
     t = dot(cross(gap, u), product) / square
     feet = _moved(a.point, s, u), _moved(b.point, t, v)
-    meet = _is_small(distance, reach)
+    meet = _incident(distance, a, b)
     pose = {"distance": distance, "angle": angle, "feet": feet, "sine": plain(sine) / size}
     return {**pose, "relation": _touch("intersecting", distance), "meet": feet[0]} if meet else {
         **pose, "relation": "skew"}  # fmt: skip
@@ -201,9 +207,8 @@ def _line_and_plane(a: _Read, b: _Read) -> "dict[str, Any]":
     height = _apart(b.point, a.point, n)
     if _is_small(along, size):
         distance = absolute(height) / norm(n)
-        inside = _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
         foot = _moved(a.point, -height / dot(n, n), n)
-        relation = _touch("the line is in the plane" if inside else "parallel", distance if inside else along)
+        relation = _parallel(distance, along, a, b, "the line is in the plane")
         return {"distance": distance, "relation": relation, "angle": angle, "feet": (a.point, foot)}
     meet = _moved(a.point, -height / along, u)
     pose = {"distance": 0.0 * height, "relation": "intersecting", "angle": angle, "meet": meet}
@@ -219,9 +224,7 @@ def _two_planes(a: _Read, b: _Read) -> "dict[str, Any]":
     height = _apart(b.point, a.point, n)
     if _is_small(sine, size):
         distance = absolute(height) / norm(n)
-        coincident = _is_small(distance, plain(norm(a.point)) + plain(norm(b.point)))
-        relation = _touch("coincident" if coincident else "parallel", distance if coincident else sine)
-        return {"distance": distance, "relation": relation, "angle": angle}
+        return {"distance": distance, "relation": _parallel(distance, sine, a, b, "coincident"), "angle": angle}
     # within the first plane, square to the common line, down to the second plane
     direction = cross(product, m)
     meet = _moved(a.point, -height / dot(direction, n), direction)

@@ -65,7 +65,8 @@ def matrix(
     """
     size, width = len(matrix), len(matrix[0])
     square = size == width
-    determinant, reduced, rank = _eliminated(matrix, _identity(size))
+    identity = tuple(tuple((int(i == j), 1) for j in range(size)) for i in range(size))
+    determinant, reduced, rank = _eliminated(matrix, identity)
     regular = square and rank == size
     inverse = reduced if regular else None
     added = _added(matrix, plus) if plus is not None else None
@@ -100,10 +101,6 @@ def _advice(square: bool, rank: int, size: int, condition: "float | None") -> "t
             Advice("condition", message, remedy="the answer is exact for the numbers as typed: type all known digits"),
         )
     return ()
-
-
-def _identity(size: int) -> "Rows":
-    return tuple(tuple((int(i == j), 1) for j in range(size)) for i in range(size))
 
 
 def _eliminated(left: "Rows", right: "Rows") -> "tuple[Pair, Rows, int]":

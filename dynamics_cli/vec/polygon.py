@@ -67,7 +67,7 @@ def polygon(
     >>> round(polygon(sum_=(6.0, 2.0), magnitudes=(5.0, 4.0)).solutions[1].first_angle, 6)
     1.006215
     """
-    sizes = list(_numbers(magnitudes))
+    sizes = [] if magnitudes is None else [as_typed(size) for size in kinds.parts_of(magnitudes)]
     require(
         len(sizes) + len(directions) == 2,
         "a planar sum determines two unknowns, {count} are given",
@@ -110,11 +110,6 @@ def _missing(known: "tuple[Any, ...]", sum_: "Any") -> "tuple[Any, Pair]":
     terms = [(-1.0, vector) for vector in those[: len(known)]] + [(1.0, vector) for vector in those[len(known) :]]
     x, y = (sum_of_products((0.0,), *((sign, vector.parts[axis]) for sign, vector in terms)) for axis in range(2))
     return (those[0].kind if those else None), (x, y)
-
-
-def _numbers(raw: "Any") -> "tuple[float, ...]":
-    value = () if raw is None else getattr(raw, "value", raw)
-    return tuple(as_typed(item) for item in (value if isinstance(value, tuple) else (value,)))
 
 
 def _two_directions(total: "Pair", a: float, b: float, kind: "Any") -> "list[tuple[Pair, Pair]]":

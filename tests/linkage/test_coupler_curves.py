@@ -47,15 +47,15 @@ def test_every_motion_is_closed_smooth_and_keeps_its_links(lengths: tuple[float,
     circuit = Circuit(frame(*lengths), side)
     u = np.linspace(0.0, FULL, 97)
     (ax, ay), (bx, by) = circuit.place(u, 0j), circuit.place(u, complex(b))
-    for x, y, length in ((ax.value, ay.value, a), (bx.value - ax.value, by.value - ay.value, b),
-                         (bx.value - d, by.value, c)):  # fmt: skip
+    for x, y, length in ((ax.parts[0], ay.parts[0], a), (bx.parts[0] - ax.parts[0], by.parts[0] - ay.parts[0], b),
+                         (bx.parts[0] - d, by.parts[0], c)):  # fmt: skip
         assert np.abs(np.hypot(x, y) - length).max() <= 1e-13 * d
-    assert abs(bx.value[0] - bx.value[-1]) <= 1e-13 * d
+    assert abs(bx.parts[0][0] - bx.parts[0][-1]) <= 1e-13 * d
     step = 1e-6
     ahead, behind = circuit.place(u + step, complex(b)), circuit.place(u - step, complex(b))
     for jet, one, other in ((bx, ahead[0], behind[0]), (by, ahead[1], behind[1])):
-        assert np.abs((one.value - other.value) / (2.0 * step) - jet.first).max() <= 1e-7 * d
-        assert np.abs((one.first - other.first) / (2.0 * step) - jet.second).max() <= 1e-5 * d
+        assert np.abs((one.parts[0] - other.parts[0]) / (2.0 * step) - jet.parts[1]).max() <= 1e-7 * d
+        assert np.abs((one.parts[1] - other.parts[1]) / (2.0 * step) - jet.derivative(2)).max() <= 1e-5 * d
 
 
 @pytest.mark.parametrize("form", ["arcs", "cubics", "lines"])
@@ -141,9 +141,9 @@ def test_hoeken() -> None:
     made = curve((1.0, 2.5, 2.5, 2.0), (5.0, 0.0), tolerance=1e-3)
     path = Circuit(frame(1.0, 2.5, 2.5, 2.0), 1.0)
     _, y = path.place(np.linspace(0.5 * pi, 1.5 * pi, 20001), 5.0 + 0j)
-    assert y.value.min() == pytest.approx(4.0, abs=1e-9)
-    assert y.value.max() == pytest.approx(4.009753733086360005765, abs=1e-9)
-    assert made.top >= float(y.value.max())  # type: ignore[attr-defined]
+    assert y.parts[0].min() == pytest.approx(4.0, abs=1e-9)
+    assert y.parts[0].max() == pytest.approx(4.009753733086360005765, abs=1e-9)
+    assert made.top >= float(y.parts[0].max())  # type: ignore[attr-defined]
     # the peak over the straight part
     peak = four_bar(crank=1.0, coupler=2.5, rocker=2.5, ground=2.0, crank_angle=radians(128.68218745348944),
                     speed=1.0, point=(5.0, 0.0))  # fmt: skip

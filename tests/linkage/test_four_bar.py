@@ -107,6 +107,8 @@ def test_limits_and_both_sides_of_them() -> None:
         (24.1468479965023866, 231.31781254651056)
     )
     assert done.time_ratio == pytest.approx(1.3555733302903552)
+    ends = degrees(done.least_transmission_angle), degrees(done.greatest_transmission_angle)
+    assert ends == pytest.approx((26.3843297494079658, 86.4166783015280271), rel=1e-15)
     # the rocker stands still at its ends
     assert pose((0.04, 0.12, 0.08, 0.1), done.extended_at).rocker_ratio == pytest.approx(0.0, abs=1e-12)  # type: ignore[attr-defined]
 
@@ -130,6 +132,22 @@ def test_closure_velocity_and_power(lengths: tuple[float, ...], angle: float, br
         assert made.rocker_ratio == pytest.approx(turn / 2e-6, abs=1e-6)  # type: ignore[attr-defined]
         change = (ahead.rocker_ratio - behind.rocker_ratio) / 2e-6  # type: ignore[attr-defined]
         assert made.rocker_acceleration == pytest.approx(4.0 * change, rel=1e-5, abs=1e-5)  # type: ignore[attr-defined]
+
+
+# A pose in degrees (lengths, crank angle, branch), and its angles printed to 18 digits.
+PRINTED = [
+    ((40.0, 120.0, 80.0, 100.0), 40.0, "open", "coupler_angle", 20.297882788196474700),
+    ((40.0, 120.0, 80.0, 100.0), 40.0, "open", "rocker_angle", 57.324880070360794216),
+    ((40.0, 120.0, 80.0, 100.0), 40.0, "open", "transmission_angle", 37.026997282164319516),
+    ((40.0, 120.0, 80.0, 100.0), 40.0, "crossed", "coupler_angle", -60.977966795864430686),
+    ((40.0, 120.0, 80.0, 100.0), 40.0, "crossed", "rocker_angle", -98.004964078028750203),
+    ((1.0, 3.0, 1.000000001, 3.0), 180.0, "open", "transmission_angle", 179.9970412586694705),
+]
+
+
+@pytest.mark.parametrize(("lengths", "at", "branch", "name", "printed"), PRINTED)
+def test_angles_that_are_printed(lengths: tuple[float, ...], at: float, branch: str, name: str, printed: float) -> None:
+    assert degrees(getattr(pose(lengths, radians(at), branch), name)) == pytest.approx(printed, rel=1e-14)
 
 
 def test_coupler_motion_of_the_reference_pose() -> None:
@@ -254,6 +272,7 @@ def test_where_the_quotient_of_half_angles_is_indeterminate(branch: str, rocker:
 
 def test_a_crank_of_a_micrometre_and_a_near_parallelogram() -> None:
     tiny = pose((1e-6, 1.0, 0.8, 0.9), radians(70.0), speed=1.0)
+    assert tiny.rocker_acceleration == pytest.approx(1.369150701025882917642e-6, rel=1e-14)  # type: ignore[attr-defined]
     # by the first order of the crank: ω₄ = ω₂·a·sin(θ₂ − θ₃)/(c·sin(θ₄ − θ₃))
     angles = tiny.rocker_angle - tiny.coupler_angle, radians(70.0) - tiny.coupler_angle  # type: ignore[attr-defined]
     assert tiny.rocker_speed == pytest.approx(1e-6 * sin(angles[1]) / (0.8 * sin(angles[0])), rel=1e-14)  # type: ignore[attr-defined]

@@ -110,6 +110,11 @@ def test_the_slider_crank_at_its_dead_centres() -> None:
     close = slider_crank(crank=0.05, rod=0.15, crank_angle=1e-7)
     assert close.travel == pytest.approx(3.3333333333333287037e-16, rel=1e-14)
     offset = slider_crank(crank=0.05, rod=0.15, offset=0.02)
+    ends = degrees(offset.outer_at or 0.0), degrees(offset.inner_at or 0.0)
+    assert ends == pytest.approx((5.73917047726679, 191.536959032815), rel=1e-14)
+    line = slider_crank(crank=1.0, rod=3.5)
+    assert degrees(line.top_at or 0.0) == pytest.approx(75.13558695385620715409, rel=1e-13)
+    assert line.top_slope == pytest.approx(1.040244084128667156987, rel=1e-15)
     assert (offset.stroke, offset.time_ratio) == pytest.approx((0.101017897709996867, 1.06656389155424092))
     assert offset.outer_at is not None
     assert slider_crank(crank=0.05, rod=0.15, offset=0.02, crank_angle=offset.outer_at).slope == pytest.approx(
@@ -146,6 +151,13 @@ def test_quick_returns_of_both_kinds() -> None:
     made = quick_return(crank=0.05, ground=0.05, crank_angle=1.0, speed=2.0)
     assert made.lever_speed == pytest.approx(1.0)
     assert made.slip == pytest.approx(0.1 * cos(0.5))
+    rows = quick_return(crank=0.05, ground=0.12, speed=2.0, steps=5).table or ()
+    for row in rows:
+        pose = quick_return(crank=0.05, ground=0.12, speed=2.0, crank_angle=row.crank_angle)
+        assert row.lever_angle == pytest.approx((pose.lever_angle or 0.0) % (2.0 * pi))
+        assert (row.lever_speed, row.lever_acceleration) == (pose.lever_speed, pose.lever_acceleration)
+    # the pin passes through the lever's pivot at an angle of zero
+    assert len(quick_return(crank=0.05, ground=0.05, steps=4).table or ()) == 3
 
 
 def test_rows_uncertainty_and_unknown_units() -> None:
@@ -163,6 +175,18 @@ def test_rows_uncertainty_and_unknown_units() -> None:
     )
     assert made["std"] == pytest.approx(abs(degrees(one - other)) / 2.0, rel=1e-3)
     assert "without" not in run("linkage", "four-bar", *arm, "--crank-angle", "40").out
+
+
+@pytest.mark.parametrize("angle", [(), ("--crank-angle", "75 deg")])
+def test_tolerances_have_stroke_swing_and_time_ratio(angle: tuple[str, ...]) -> None:
+    """Results that arrays do not have are those of single samples."""
+    lever = answer("linkage", "quick-return", "--crank", "50 ± 0.1 mm", "--ground", "120 mm", *angle)["results"]
+    ends = [quick_return(crank=a, ground=0.12).time_ratio or 0.0 for a in (0.0501, 0.0499)]
+    assert lever["time_ratio"]["std"] == pytest.approx((ends[0] - ends[1]) / 2.0, rel=1e-3)
+    bars = ("--coupler", "120 mm", "--rocker", "80 mm", "--ground", "100 mm")
+    wiper = answer("linkage", "four-bar", "--crank", "40 ± 0.1 mm", *bars, *angle)["results"]["swing"]
+    swings = [classify(crank=a, coupler=0.12, rocker=0.08, ground=0.1).swing or 0.0 for a in (0.0401, 0.0399)]
+    assert wiper["std"] == pytest.approx(degrees(swings[0] - swings[1]) / 2.0, rel=1e-3)
 
 
 def test_pairs_of_many_turns_are_met() -> None:

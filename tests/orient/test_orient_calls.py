@@ -195,3 +195,14 @@ def test_the_point_whose_velocity_is_told_is_the_base() -> None:
     one = answer("orient", "points", *turning, "--body-point", told)["results"]
     other = answer("orient", "points", *turning, "--base", "1, 0, 0 m", "--base-velocity", "1, 0, 0 m/s")["results"]
     assert one["points"][0]["velocity"] == other["points"][0]["velocity"] == {"value": [-5, 0, 0], "unit": "m/s"}
+
+
+def test_a_rounded_matrix_says_how_far_it_is_from_a_rotation() -> None:
+    rows = "0.8138, -0.4410, 0.3785; 0.4698, 0.8826, 0.0180; -0.3420, 0.1632, 0.9254"
+    turned = answer("orient", "convert", "--rotation-matrix", rows)["results"]
+    assert turned["departure"]["value"] == pytest.approx(7.24580291497726e-5, rel=1e-11)
+
+
+def test_nine_numbers_are_three_rows() -> None:
+    turned = answer("orient", "convert", "--rotation-matrix", "1, 0, 0, 0, 0, -1, 0, 1, 0")["results"]
+    assert turned["rotation_angle"]["value"] == 90

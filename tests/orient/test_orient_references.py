@@ -41,6 +41,7 @@ PRINTED = [
     ("rolling", "O7 cone on a plane", "first.angular_acceleration[1]", "-10.989909677818489115"),
     ("disk", "O8", "centre_velocity[2]", "0.14"),
     ("disk", "O8", "centre_acceleration[0]", "0.15373066958946423164"),
+    ("disk", "O8", "centre_acceleration[1]", "1.322125"),
     ("disk", "O8", "centre_acceleration[2]", "-2.4919825191808590201"),
     ("disk", "O8", "contact_acceleration[2]", "2.7279800219209817373"),
     ("bearing", "O9", "rolling_radius", "0.035294167535348353368"),
@@ -49,6 +50,10 @@ PRINTED = [
     ("joint", "O13", "ratio", "0.96578519864473661860"),
 ]
 IN_DEGREES = [
+    ("convert", "O2 to xyz", "rotation_angle", "57.073181492604892299"),
+    ("convert", "O2 to xyz", "euler_angles[2]", "35.169129767203256294"),
+    ("convert", "O2 to zxz", "euler_angles[0]", "-172.17599258890334928"),
+    ("convert", "O11 matrix of four decimals", "euler_angles[1]", "19.998857299098652738"),
     ("convert", "O2 to xyz", "euler_angles[0]", "-43.690498071688037594"),
     ("convert", "O2 to xyz", "euler_angles[1]", "-5.4221321701251992953"),
     ("convert", "O2 to zxz", "euler_angles[1]", "43.958207002617775463"),

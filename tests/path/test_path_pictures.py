@@ -24,10 +24,8 @@ def items(picture: Any, kind: type, panel: int = 0) -> list[Any]:
 
 
 def test_straight_motion_is_smooth_between_its_rows() -> None:
-    made = rectilinear(
-        phases=(Phase(start_speed=0.0, end_speed=20.0, acceleration=2.0), Phase(acceleration=0.0, time=5.0)), steps=2
-    )
-    drawn = pictures.rectilinear(made)
+    phases = (Phase(start_speed=0.0, end_speed=20.0, acceleration=2.0), Phase(acceleration=0.0, time=5.0))
+    drawn = pictures.rectilinear(rectilinear(phases=phases, steps=2), phases=phases)
     (place,), (speed,), (rate,) = (items(drawn, Curve, panel) for panel in range(3))
     for t, s, v, a in zip(place.x, place.y, speed.y, rate.y, strict=True):
         assert s == pytest.approx(t * t if t <= 10.0 else 100.0 + 20.0 * (t - 10.0), abs=1e-9)

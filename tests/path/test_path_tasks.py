@@ -276,6 +276,13 @@ def test_velocity_and_acceleration_are_differences_of_positions(at: float, shape
         assert (after.velocity[k] - before.velocity[k]) / (2 * step) == pytest.approx(here.acceleration[k], abs=1e-6)
 
 
+def test_a_nearly_straight_path_and_a_turning_tube() -> None:
+    nearly = components(velocity=(300.0, 0.0, 0.0), acceleration=(9.8, 1e-7, 0.0))
+    assert (nearly.normal, nearly.radius_of_curvature) == pytest.approx((1e-7, 9e11), rel=1e-15)
+    tube = polar(radius=0.3, radial_speed=0.8, angular_velocity=5.0, angular_acceleration=2.0)
+    assert (tube.radial_acceleration, tube.transverse_acceleration) == (-7.5, 8.6)
+
+
 def test_published_curves() -> None:
     made = curve(x=metres("t^2"), y=metres("sin(3*t)"), z=metres("exp(-t)"), end=0.8)
     wanted = (2.7668830736899897, 5.9439901373771936, 2.4139529687754316, 3.1714130484305902, -0.66851701181875830)

@@ -260,6 +260,23 @@ def test_tracks_without_a_common_frame_are_refused(given: dict[str, Any], words:
         relative(**movers)
 
 
+def test_dates_with_times_count_from_the_first(tmp_path: Path) -> None:
+    """As GPS loggers write them; two tracks of one clock stay apart by what lies between their first rows."""
+    rows = [f"{second},{0.5 * second * second}" for second in range(12)]
+    for name, hour, head in (("a", "2024-05-01T23:59:5", "t,x[m]"), ("b", "", "t[s],x[m]")):
+        times = (row.replace(f"{k},", f"{hour}{k}Z," if k < 10 else f"2024-05-02T00:00:0{k - 10}Z,", 1) if hour else row
+                 for k, row in enumerate(rows))  # fmt: skip
+        (tmp_path / f"{name}.csv").write_text("\n".join([head, *times]), encoding="utf-8")
+    dated, plain = (read_track(str(tmp_path / f"{name}.csv")) for name in "ab")
+    assert (dated.times, dated.places) == (plain.times, plain.places)
+    later = (tmp_path / "a.csv").read_text(encoding="utf-8").split("\n")
+    (tmp_path / "c.csv").write_text("\n".join(later[:1] + later[3:]), encoding="utf-8")
+    a, b, c = (Mover(track=str(tmp_path / f"{name}.csv")) for name in "abc")
+    assert relative(first=a, second=c).closest_distance == pytest.approx(0.0, abs=1e-9)
+    with pytest.raises(DynamicsError, match="times of one track are dates"):
+        relative(first=a, second=b)
+
+
 def test_two_tracks_are_drawn_with_their_distance_and_closing_speed(tmp_path: Path) -> None:
     first, second = crossing(tmp_path, 2)
     seen = relative(first=first, second=second)

@@ -30,6 +30,7 @@ grad | grade | grad grads gon gons gradian gradians | | gradian, 1/400 of a turn
 rev | turn | rev revs revolution revolutions turn turns | | turn
 rpm | turn / minute | rpm RPM | | revolution per minute
 rps | turn / second | rps | | revolution per second
+dps | degree / second | dps | | degree per second
 cycle | 1 | cycle cycles | | pure number: cycle/s is Hz
 % | 0.01 | % percent pct | | hundredth
 ‰ | 0.001 | ‰ permille | | thousandth

@@ -58,6 +58,11 @@ def four_bar(
         ("crank_pin", a), ("rocker_pin", a + b), ("position", a + arm), ("velocity", v), ("acceleration", acceleration),
     ):  # fmt: skip
         found[f"{name}[0]"], found[f"{name}[1]"] = value.real, value.imag
+    limits = classify(crank, coupler, rocker, ground)
+    if "time_ratio" in limits:
+        least, greatest = limits["rocker_least"], limits["rocker_greatest"]
+        ends = (least, greatest) if side > 0 else (-greatest, -least)
+        found |= {"swing": greatest - least, "rocker_least": ends[0], "rocker_greatest": ends[1]}
     return found
 
 

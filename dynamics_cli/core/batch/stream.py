@@ -224,7 +224,8 @@ def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
             f"no column of the header {decode_line(first)[:80]!r} is a parameter of {case.task.path}",
             parameter="rows",
             code="header",
-            hint=f"cells are separated by commas, semicolons or tabs; parameters are {', '.join(sorted(case.names))}",
+            hint="cells are separated by commas, semicolons or tabs; a vector has a column for each component, "
+            f"NAME[0], NAME[1] and so on; parameters are {', '.join(sorted(case.names))}",
         )
     _warn(case, [column.name for column in source.columns if not column.path], terminal)
     return source

@@ -321,12 +321,6 @@ class Specification:
         """The positional parameters."""
         return tuple(field for field in self.fields if field.place)
 
-    @property
-    def letters(self) -> "dict[str, Kind]":
-        """The parameters and results that standards designate by a letter, by name."""
-        fields = (*self.fields, *self.result.fields)
-        return {f.key: f.node.kind for f in fields if isinstance(f.node, Leaf) and f.node.kind.letter}
-
 
 def specification(function: "Callable[..., Any]") -> Specification:
     """Read a function's signature: `/` for positional, `*name` for any number of them, all the rest options."""

@@ -24,6 +24,7 @@ from dynamics_cli.core.output.answer_words import (
     input_in_words,
     is_in_parts,
     is_uncertain_vector,
+    letters,
     listed,
     message_in_words,
     node_at,
@@ -112,7 +113,7 @@ class _Answer:
             if address.partition(".")[0] not in fixed
         }
         self.bounds = document["numerics"].get("error_bound", {})
-        self.letters = task.specification.letters
+        self.letters = letters(task)
 
     def headline(self) -> "list[str]":
         """A line for each headline result: label, value with unit, interval or limit."""

@@ -142,6 +142,13 @@ def _as_typed(value: "Any") -> "Any":
     return value
 
 
+def letters(task: "Task") -> "dict[str, Kind]":
+    """The parameters and results that standards designate by a letter, by name."""
+    fields = (*task.specification.fields, *task.specification.result.fields)
+    kinds = {field.key: getattr(field.node, "kind", None) for field in fields}
+    return {key: kind for key, kind in kinds.items() if kind is not None and kind.letter}
+
+
 def designated(text: str, kind: "Kind | None") -> str:
     """6.3 mm/s as standards designate a number of its kind, G 6.3; one in another unit, or without letter, as it is."""
     bare = text.removesuffix(f" {kind.si}") if kind else text

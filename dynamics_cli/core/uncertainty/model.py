@@ -137,7 +137,9 @@ class TaskModel:
         with self.drawing:
             record = self.function(*args, **kwargs)
         numbers = {name: np.asarray(value, dtype=float) for name, _, value in result_numbers(record, self.spec)}
-        return {name: numbers.get(name, np.nan) for name in self.names}
+        if not numbers.keys() >= set(self.names):
+            raise ValueError("results that only a single case has")
+        return {name: numbers[name] for name in self.names}
 
     def _spread(self, results: "dict[str, Any]", kept: "Any", count: int) -> "tuple[dict[str, Any], Any]":
         refused = np.ones(count, dtype=bool)

@@ -226,11 +226,14 @@ QUICK_RETURN = Task(
         "swing: lever swings through",
         "stroke: stroke of the tip",
         "kind: kind",
+        "table: crank turn | crank_angle=θ₂, lever_angle=θ₄, lever_ratio=ω₄/ω₂, lever_speed=ω₄, "
+        "lever_acceleration=α₄, slip",
     ),
     examples=(
         'dynamics linkage quick-return --crank "50 mm" --ground "120 mm" --crank-angle "75 deg" --speed "10 rad/s"',
-        'dynamics linkage quick-return --crank "50 mm" --ground "120 mm" --lever "250 mm"',
+        'dynamics linkage quick-return --crank "50 mm" --ground "120 mm" --lever "250 mm" --speed "60 rpm"',
     ),
+    table="table",
     plot="dynamics_cli.linkage.sliders.pictures:quick_return_picture",
 )
 

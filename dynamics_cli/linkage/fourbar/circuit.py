@@ -11,6 +11,7 @@ import numpy as np
 from dynamics_cli.linkage.fourbar.closure import Frame
 from dynamics_cli.linkage.fourbar.grashof import limits
 from dynamics_cli.numerics.discs import Disc
+from dynamics_cli.numerics.expressions.jets import Jet
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,64 +21,17 @@ if TYPE_CHECKING:
 FULL = 2.0 * np.pi
 
 
-class Jet:
-    """A function of one parameter: its value, slope and second derivative, over arrays or over discs that hold them."""
-
-    __slots__ = ("first", "second", "value")
-
-    def __init__(self, value: "Any", first: "Any" = 0.0, second: "Any" = 0.0) -> None:
-        self.value = value
-        self.first = first
-        self.second = second
-
-    def __add__(self, other: "Any") -> "Jet":
-        o = _jet(other)
-        return Jet(self.value + o.value, self.first + o.first, self.second + o.second)
-
-    __radd__ = __add__
-
-    def __neg__(self) -> "Jet":
-        return Jet(-self.value, -self.first, -self.second)
-
-    def __sub__(self, other: "Any") -> "Jet":
-        return self + (-_jet(other))
-
-    def __rsub__(self, other: "Any") -> "Jet":
-        return _jet(other) + (-self)
-
-    def __mul__(self, other: "Any") -> "Jet":
-        if not isinstance(other, Jet):
-            return Jet(self.value * other, self.first * other, self.second * other)
-        return Jet(
-            self.value * other.value,
-            self.value * other.first + self.first * other.value,
-            self.value * other.second + 2.0 * (self.first * other.first) + self.second * other.value,
-        )
-
-    __rmul__ = __mul__
-
-    def inverse(self) -> "Jet":
-        """One over it."""
-        over = 1.0 / self.value
-        slope = -(self.first * over) * over
-        return Jet(over, slope, -2.0 * (slope * self.first * over) - self.second * over * over)
-
-    def root(self) -> "Jet":
-        """Its square root, where it is positive."""
-        value = self.value.root() if isinstance(self.value, Disc) else np.sqrt(self.value)
-        half = 0.5 * (1.0 / value)
-        slope = self.first * half
-        return Jet(value, slope, (self.second - 2.0 * (slope * slope)) * half)
-
-
-def _jet(x: "Any") -> Jet:
-    return x if isinstance(x, Jet) else Jet(x)
-
-
 def wave(u: "Any") -> "tuple[Jet, Jet]":
-    """Cosine and sine of the parameter."""
-    cosine, sine = (u.cosine(), u.sine()) if isinstance(u, Disc) else (np.cos(u), np.sin(u))
-    return Jet(cosine, -sine, -cosine), Jet(sine, cosine, -sine)
+    """Cosine and sine of the parameter, of arrays or of discs that hold them, with two derivatives."""
+    cosine, sine = np.cos(u), np.sin(u)
+    return Jet([cosine, -sine, cosine * -0.5]), Jet([sine, cosine, sine * -0.5])
+
+
+def _root(u: Jet) -> Jet:
+    """Its square root, where it is positive."""
+    value = np.sqrt(u.parts[0])
+    slope = u.parts[1] / (value * 2.0)
+    return Jet([value, slope, (u.parts[2] - slope * slope) / (value * 2.0)])
 
 
 class Circuit:
@@ -110,21 +64,21 @@ class Circuit:
             far, near = np.cos(self.inner), np.cos(self.outer)
             middle, half = 0.5 * (far + near), 0.5 * (far - near)
             turn = sine * half + middle
-            return turn, (Jet(1.0) - turn * turn).root() * self.side, cosine * (2.0 * ad * half)
+            return turn, _root(1.0 - turn * turn) * self.side, cosine * (2.0 * ad * half)
         reach = np.sin(0.5 * self.outer) if self.outer is not None else np.cos(0.5 * self.inner)  # type: ignore[operator]
         relative = sine * reach
         square = relative * relative
-        other = (Jet(1.0) - square).root()
-        turn, across = Jet(1.0) - square * 2.0, relative * other * 2.0
+        other = _root(1.0 - square)
+        turn, across = 1.0 - square * 2.0, relative * other * 2.0
         root = cosine * (2.0 * np.sqrt(ad) * reach)
         gap = abs(links.slim)
         if self.outer is not None:
             if links.inner == 0.0:
                 return turn, across, root * relative * (2.0 * np.sqrt(ad))
-            return turn, across, root * (square * (4.0 * ad) + links.inner * (links.apart + gap)).root()
+            return turn, across, root * _root(square * (4.0 * ad) + links.inner * (links.apart + gap))
         if links.outer == 0.0:
             return -turn, -across, root * relative * (2.0 * np.sqrt(ad))
-        return -turn, -across, root * (square * (4.0 * ad) + links.outer * (a + b + c + d)).root()
+        return -turn, -across, root * _root(square * (4.0 * ad) + links.outer * (a + b + c + d))
 
     def _turning(self, u: "Any") -> "tuple[Jet, Jet, Jet]":
         links = self.links
@@ -135,17 +89,17 @@ class Circuit:
             square = half_sine * half_sine * (4.0 * ad)
         else:
             turn, across = wave(u)
-            square = (Jet(1.0) - turn) * (2.0 * ad)
+            square = (1.0 - turn) * (2.0 * ad)
         gap = abs(links.slim)
         first = (b + c - links.apart) * (b + c + links.apart) - square
         second = square + links.inner * (links.apart + gap)
         if links.outer == 0.0 and links.inner == 0.0:
             return turn, across, across * (2.0 * ad * self.side)
         if links.outer == 0.0:
-            return turn, across, half_cosine * second.root() * (2.0 * np.sqrt(ad) * self.side)
+            return turn, across, half_cosine * _root(second) * (2.0 * np.sqrt(ad) * self.side)
         if links.inner == 0.0:
-            return turn, across, half_sine * first.root() * (2.0 * np.sqrt(ad) * self.side)
-        return turn, across, (first * second).root() * self.side
+            return turn, across, half_sine * _root(first) * (2.0 * np.sqrt(ad) * self.side)
+        return turn, across, _root(first * second) * self.side
 
     def place(self, u: "Any", point: complex) -> "tuple[Jet, Jet]":
         """A coupler point's coordinates as jets over u; the point is given from A along and left of AB."""
@@ -157,8 +111,8 @@ class Circuit:
         turn, across, area = self.crank(u)
         ax, ay = turn * links.a, across * links.a
         fx, fy = -ax + links.d, -ay
-        square = (Jet(1.0) - turn) * (2.0 * links.product) + links.apart * links.apart
-        twice = (square * 2.0).inverse()
+        square = (1.0 - turn) * (2.0 * links.product) + links.apart * links.apart
+        twice = 0.5 / square
         ahead, offset = (square + links.excess) * twice, area * twice
         bx, by = ahead * fx - offset * fy, ahead * fy + offset * fx
         return ax + bx * along - by * aside, ay + by * along + bx * aside
@@ -176,12 +130,12 @@ class Circuit:
             if self.outer is not None:
                 reach = np.sin(0.5 * self.outer)
                 relative = sine * reach
-                half, root = ((Jet(1.0) - relative * relative).root(), relative), cosine * (2.0 * a * reach)
+                half, root = (_root(1.0 - relative * relative), relative), cosine * (2.0 * a * reach)
             if root is None:
-                root = (Jet(4.0 * b * b) - half[1] * half[1] * (4.0 * a * a)).root() * self.side
+                root = _root(4.0 * b * b - half[1] * half[1] * (4.0 * a * a)) * self.side
             ax, ay = (half[0] * half[0] * 2.0 - 1.0) * a, half[0] * half[1] * (2.0 * a)
             leanx, leany = root * half[0] * 0.5, root * half[1] * 0.5
-        return (ax, ay), ((Jet(links.d) - ax) * 0.5 + leanx, -ay * 0.5 + leany)
+        return (ax, ay), ((links.d - ax) * 0.5 + leanx, -ay * 0.5 + leany)
 
 
 class CouplerPath:
@@ -210,7 +164,7 @@ class CouplerPath:
         fractions = np.linspace(0.0, 1.0, 17)
         while True:
             x, y = self.circuit.place(cusp + room * fractions, self.point)
-            z = x.value + 1j * y.value
+            z = x.parts[0] + 1j * y.parts[0]
             chord = z[-1] - z[0]
             if np.abs(((z - z[0]) * chord.conj()).imag).max() <= 0.5 * tolerance * abs(chord):
                 return abs(room)
@@ -220,9 +174,9 @@ class CouplerPath:
         """Point, unit direction of travel and speed."""
         del piece
         x, y = self.circuit.place(theta, self.point)
-        speed = np.hypot(x.first, y.first)
+        speed = np.hypot(x.parts[1], y.parts[1])
         over = 1.0 / np.where(speed > 0.0, speed, 1.0)
-        return x.value, y.value, x.first * over, y.first * over, speed
+        return x.parts[0], y.parts[0], x.parts[1] * over, y.parts[1] * over, speed
 
     def on(self, piece: int) -> "Any":
         """The curve seen from within its piece."""
@@ -234,15 +188,12 @@ class CouplerPath:
         """Discs that hold the coordinates."""
         del piece
         x, y = self.circuit.place(Disc(theta, np.zeros_like(theta)), self.point)
-        return x.value, y.value
+        return x.parts[0], y.parts[0]
 
     def acceleration(self, theta: "Any", half: "Any", piece: int) -> "tuple[Any, Any]":
         """Bounds of the second and the first derivative on cells."""
         del piece
         with np.errstate(all="ignore"):
             x, y = self.circuit.place(Disc(theta, half), self.point)
-            return (np.hypot(part.size, other.size) * (1.0 + 2.0**-49) for part, other in _pairs(x, y))  # type: ignore[return-value]
-
-
-def _pairs(x: Jet, y: Jet) -> "tuple[tuple[Any, Any], tuple[Any, Any]]":
-    return (x.second, y.second), (x.first, y.first)
+            pairs = (x.parts[2] * 2.0, y.parts[2] * 2.0), (x.parts[1], y.parts[1])
+            return (np.hypot(part.size, other.size) * (1.0 + 2.0**-49) for part, other in pairs)  # type: ignore[return-value]

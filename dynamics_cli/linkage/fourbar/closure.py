@@ -145,6 +145,11 @@ def close(
     )  # fmt: skip
 
 
+def is_regular(links: Frame, loop: Closed) -> bool:
+    """Whether the crank's speed determines the others: not at a toggle, but at a change point passed smoothly."""
+    return (loop.first * loop.second != 0.0) | (links.outer == 0.0) | (links.inner == 0.0)
+
+
 def _kept(x: float) -> float:
     """The value, or zero if it is below zero."""
     return maximum(x, 0.0 * x) if single(x) else x.clip(0.0)  # type: ignore[attr-defined]

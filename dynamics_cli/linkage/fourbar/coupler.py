@@ -5,7 +5,7 @@ from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, frame
 from dynamics_cli.linkage.fourbar.grashof import closeness, kind_of
 from dynamics_cli.linkage.fourbar.lengths import require_links
 from dynamics_cli.linkage.fourbar.records import CurvePoint, Special
-from dynamics_cli.outlines import Drawing, Outline
+from dynamics_cli.outlines import Drawing
 from dynamics_cli.quantities import Annotated, Area, Coordinate, Count, PartPoint, Size, Text
 from dynamics_cli.records import Advice, Check, Choice, Columns, ErrorBound, Numerics, record
 from dynamics_cli.sampling import drawing
@@ -124,6 +124,7 @@ def coupler(
     sampled = drawing()
     sharp = [] if sampled else cusp_places(circuit, place, length)
     outline = None if sampled else drawn(circuit, place, str(form), tolerance, sharp)
+    off = outline.deviation if outline else tolerance
     (min_x, max_x), (min_y, max_y) = extremes(circuit, place)
     return CouplerCurve(
         length=length,
@@ -137,25 +138,17 @@ def coupler(
         cognates=cognates(lengths, place),
         cusps=cusps(circuit, place, sharp) or None,
         crossings=None if sampled else crossings(circuit, place) or None,
-        deviation=outline.deviation if outline else tolerance,
-        pieces=_count(outline) if outline else 0,
+        deviation=off,
+        pieces=sum(len(getattr(piece, "points", (0, 0))) - 1 for piece in outline.pieces) if outline else 0,
         shape=Drawing((outline,), "coupler curve") if outline else None,
         points=columns(circuit, place, points),
-        checks=_within(outline, tolerance) if outline else (),
+        checks=(Check("deviation is within the tolerance", off <= tolerance, off, tolerance),) if outline else (),
         advice=closeness(lengths, kind),
         numerics=Numerics(
             "trapezoid rule doubled until it settles; extremes by bisection; deviation by disc arithmetic",
             (ErrorBound("length", error, relative=False),),
         ),
     )
-
-
-def _count(outline: Outline) -> int:
-    return sum(len(getattr(piece, "points", (0, 0))) - 1 for piece in outline.pieces)
-
-
-def _within(outline: Outline, tolerance: float) -> "tuple[Check, ...]":
-    return (Check("deviation is within the tolerance", outline.deviation <= tolerance, outline.deviation, tolerance),)
 
 
 def cognates(lengths: "tuple[float, ...]", point: complex) -> "tuple[Cognate, ...]":

@@ -29,17 +29,16 @@ def measures(circuit: Circuit, point: complex) -> "tuple[float, float, float]":
     while True:
         u = np.arange(count) * (FULL / count)
         x, y = circuit.place(u, point)
-        length = float(np.hypot(x.first, y.first).mean()) * FULL
-        area = 0.5 * FULL * float((x.value * y.first - y.value * x.first).mean())
+        length = float(np.hypot(x.parts[1], y.parts[1]).mean()) * FULL
+        area = 0.5 * FULL * float((x.parts[0] * y.parts[1] - y.parts[0] * x.parts[1]).mean())
         error = abs(length - before)
         if error <= SETTLED * length or count >= MOST:
             return length, max(error, 4e-16 * length), area
         count, before = 2 * count, length
 
 
-def _roots(function: "Any", u: "Any") -> "Any":
-    """Places between samples where a function changes sign."""
-    value = function(u)
+def _roots(function: "Any", value: "Any", u: "Any") -> "Any":
+    """Places between samples where a function, which has these values at them, changes sign."""
     change = np.flatnonzero(np.sign(value) * np.sign(np.roll(value, -1)) <= 0.0)
     sign = np.where(value[change] < 0.0, -1.0, 1.0)
     return sign_changes(lambda place: sign * function(place), u[change], u[change] + FULL / u.size)
@@ -49,13 +48,13 @@ def extremes(circuit: Circuit, point: complex) -> "tuple[tuple[float, float], tu
     """Smallest and largest coordinates."""
     u = np.arange(SAMPLES) * (FULL / SAMPLES)
     ends = []
-    for which in (0, 1):
+    for which, sampled in enumerate(circuit.place(u, point)):
 
         def slope(place: "Any", which: int = which) -> "Any":
-            return circuit.place(place, point)[which].first
+            return circuit.place(place, point)[which].parts[1]
 
-        places = np.concatenate((_roots(slope, u), u))
-        values = circuit.place(places, point)[which].value
+        turns = circuit.place(_roots(slope, sampled.parts[1], u), point)[which].parts[0]
+        values = np.concatenate((turns, sampled.parts[0]))
         ends.append((float(values.min()), float(values.max())))
     return ends[0], ends[1]
 
@@ -65,7 +64,7 @@ def angle_at(circuit: Circuit, u: "Any") -> "Any":
     if circuit.full:
         return np.mod(u, FULL) * circuit.turns
     turn, across, _ = circuit.crank(u)
-    angle = np.arctan2(across.value, turn.value)
+    angle = np.arctan2(across.parts[0], turn.parts[0])
     return angle if circuit.inner is None or circuit.outer is not None else np.mod(angle, FULL)
 
 
@@ -75,14 +74,14 @@ def cusp_places(circuit: Circuit, point: complex, length: float) -> "list[float]
 
     def slope(place: "Any") -> "Any":
         x, y = circuit.place(place, point)
-        return x.first * x.second + y.first * y.second
+        return x.parts[1] * x.parts[2] + y.parts[1] * y.parts[2]
 
     x, y = circuit.place(u, point)
-    if not np.ptp(np.hypot(x.first, y.first)) > SETTLED * length:
+    if not np.ptp(np.hypot(x.parts[1], y.parts[1])) > SETTLED * length:
         return []
-    places = _roots(slope, u)
+    places = _roots(slope, x.parts[1] * x.parts[2] + y.parts[1] * y.parts[2], u)
     x, y = circuit.place(places, point)
-    speed = np.hypot(x.first, y.first)
+    speed = np.hypot(x.parts[1], y.parts[1])
     specials: list[float] = []
     for place in sorted(places[speed <= STILL * length / FULL].tolist()):
         if not specials or place - specials[-1] > FULL / SAMPLES:
@@ -95,7 +94,7 @@ def cusps(circuit: Circuit, point: complex, places: "list[float]") -> "tuple[Spe
     specials = []
     for place in places:
         x, y = circuit.place(place, point)
-        specials.append(Special(float(angle_at(circuit, place)), None, float(x.value), float(y.value)))
+        specials.append(Special(float(angle_at(circuit, place)), None, float(x.parts[0]), float(y.parts[0])))
     return tuple(specials)
 
 
@@ -103,7 +102,7 @@ def crossings(circuit: Circuit, point: complex) -> "tuple[Special, ...]":
     """Points that the curve passes twice: crossings of its chords, then Newton."""
     u = np.arange(SEGMENTS) * (FULL / SEGMENTS)
     x, y = circuit.place(u, point)
-    z = x.value + 1j * y.value
+    z = x.parts[0] + 1j * y.parts[0]
     step = np.roll(z, -1) - z
     apart = z[None, :] - z[:, None]
     cross = (np.conj(step[:, None]) * step[None, :]).imag
@@ -118,19 +117,19 @@ def crossings(circuit: Circuit, point: complex) -> "tuple[Special, ...]":
         if pair is None:
             continue
         (ax, ay), angles = circuit.place(pair[0], point), (angle_at(circuit, pair[0]), angle_at(circuit, pair[1]))
-        specials.append(Special(float(angles[0]), float(angles[1]), float(ax.value), float(ay.value)))
+        specials.append(Special(float(angles[0]), float(angles[1]), float(ax.parts[0]), float(ay.parts[0])))
     return tuple(specials)
 
 
 def _crossing(circuit: Circuit, point: complex, first: float, second: float) -> "tuple[float, float] | None":
     for _ in range(STEPS):
         (ax, ay), (bx, by) = circuit.place(first, point), circuit.place(second, point)
-        determinant = ax.first * by.first - ay.first * bx.first
+        determinant = ax.parts[1] * by.parts[1] - ay.parts[1] * bx.parts[1]
         if determinant == 0.0:
             return None
-        ex, ey = bx.value - ax.value, by.value - ay.value
-        first += (ex * by.first - ey * bx.first) / determinant
-        second += (ex * ay.first - ey * ax.first) / determinant
+        ex, ey = bx.parts[0] - ax.parts[0], by.parts[0] - ay.parts[0]
+        first += (ex * by.parts[1] - ey * bx.parts[1]) / determinant
+        second += (ex * ay.parts[1] - ey * ax.parts[1]) / determinant
     return (first, second) if abs(first - second) > FULL / SEGMENTS else None
 
 
@@ -138,10 +137,10 @@ def columns(circuit: Circuit, point: complex, count: int) -> "Columns[CurvePoint
     """The table."""
     u = np.arange(count) * (FULL / count)
     x, y = circuit.place(u, point)
-    speed = np.hypot(x.first, y.first)
+    speed = np.hypot(x.parts[1], y.parts[1])
     still = speed <= STILL * speed.mean()
-    tangent = np.arctan2(np.where(still, y.second, y.first), np.where(still, x.second, x.first))
-    return Columns(CurvePoint, crank_angle=angle_at(circuit, u), x=x.value, y=y.value, tangent_angle=tangent)
+    tangent = np.arctan2(np.where(still, y.derivative(2), y.parts[1]), np.where(still, x.derivative(2), x.parts[1]))
+    return Columns(CurvePoint, crank_angle=angle_at(circuit, u), x=x.parts[0], y=y.parts[0], tangent_angle=tangent)
 
 
 def drawn(circuit: Circuit, point: complex, form: str, tolerance: float, sharp: "list[float]") -> "Outline":

@@ -1,7 +1,17 @@
 """A four-bar in one pose, with velocities and accelerations, or its table over the crank angles it reaches."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, Closed, Frame, close, discriminants, frame, ratios
+from dynamics_cli.linkage.fourbar.closure import (
+    OPEN,
+    Branch,
+    Closed,
+    Frame,
+    close,
+    discriminants,
+    frame,
+    is_regular,
+    ratios,
+)
 from dynamics_cli.linkage.fourbar.grashof import POOR, closeness, kind_of, limits, poor, rocking
 from dynamics_cli.linkage.fourbar.lengths import require_links
 from dynamics_cli.linkage.fourbar.records import FourBar
@@ -19,6 +29,7 @@ from dynamics_cli.quantities import (
     TurnRate,
 )
 from dynamics_cli.records import Advice, Check
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -80,15 +91,24 @@ def four_bar(
     alone = single(*lengths, crank_angle)
     kind = kind_of(lengths) if alone else None
     side = 1.0 if branch == OPEN else -1.0
+    swing = _swing(lengths, kind, side) if kind else {}
+    if crank_angle is None and drawing():
+        return FourBar(**swing)
     if crank_angle is None:
-        return _turn(links, kind, side, (steps, speed, angular_acceleration))
+        return _turn(links, swing, side, (steps, speed, angular_acceleration))
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
     both_discriminants = discriminants(links, half)
     require_closed(links, both_discriminants, crank_angle)
     loop, other = (close(links, turn, half, sign * side, both_discriminants) for sign in (1.0, -1.0))
     if speed is not None or load_torque is not None:
-        _require_movable(loop, links)
-    regular = _shown(loop, links) if alone else True
+        require(
+            is_regular(links, loop),
+            "coupler and rocker are in line (a toggle): the crank cannot move through this pose, only the rocker can "
+            "drive",
+            code="toggle",
+            hint="give a crank angle near it, or let the rocker drive",
+        )
+    regular = bool(is_regular(links, loop)) if alone else True
     speeds = ratios(links, loop)
     transmission = 2.0 * atan2(_size(loop.second), _size(loop.first))
     pin = (crank * turn[0], crank * turn[1])
@@ -105,32 +125,33 @@ def four_bar(
         crank_pin=pin,
         rocker_pin=(pin[0] + loop.bx, pin[1] + loop.by),
         **_moving(links, loop, pin, speeds, (speed, angular_acceleration), point),
-        kind=kind,
+        **(swing if kind == "crank-rocker" else {"kind": kind}),
         side=_side(kind, side, plain(turn[1])) if alone and kind else None,
         checks=_checks(links, loop, pin, speeds) if alone and regular else (),
         advice=(*closeness(lengths, kind), *_poor(transmission, regular)) if alone and kind else (),
     )
 
 
-def _turn(links: Frame, kind: "str | None", side: float, table_of: "tuple[int, float | None, float]") -> FourBar:
+def _turn(links: Frame, swing: "dict[str, Any]", side: float, table_of: "tuple[int, float | None, float]") -> FourBar:
     """The table over all crank angles, headed by the rocker's swing."""
     from dynamics_cli.linkage.fourbar.table import table
 
     require(
-        kind is not None,
+        bool(swing),
         "rows need a crank angle: a table is for a single linkage",
         code="no-angle",
         hint="add a column crank_angle",
     )
-    ends = low, high, swing = rocking(links.lengths)
+    return FourBar(**swing, table=table(links, side, *table_of), advice=closeness(links.lengths, swing["kind"]))
+
+
+def _swing(lengths: "tuple[float, ...]", kind: str, side: float) -> "dict[str, Any]":
+    """Class and swing of the rocker; its ends, where it has two on this branch."""
+    low, high, swing = rocking(lengths)
     if kind != "crank-rocker" or low is None or high is None:
-        ends = (None, None, swing)
-    elif side < 0.0:
-        ends = (-high, -low, swing)
-    return FourBar(
-        kind=kind, swing=swing, rocker_least=ends[0], rocker_greatest=ends[1], table=table(links, side, *table_of),
-        advice=closeness(links.lengths, kind or ""),
-    )  # fmt: skip
+        return {"kind": kind, "swing": swing}
+    ends = (low, high) if side > 0.0 else (-high, -low)
+    return {"kind": kind, "swing": swing, "rocker_least": ends[0], "rocker_greatest": ends[1]}
 
 
 def _moving(
@@ -186,19 +207,6 @@ def require_closed(links: Frame, both: "Pair", crank_angle: float) -> None:
         code="free",
         hint="give a crank angle near it",
     )
-
-
-def _require_movable(loop: Closed, links: Frame) -> None:
-    require(
-        (loop.first * loop.second != 0.0) | (links.outer == 0.0) | (links.inner == 0.0),
-        "coupler and rocker are in line (a toggle): the crank cannot move through this pose, only the rocker can drive",
-        code="toggle",
-        hint="give a crank angle near it, or let the rocker drive",
-    )
-
-
-def _shown(loop: Closed, links: Frame) -> bool:
-    return bool(loop.first * loop.second != 0.0 or links.outer == 0.0 or links.inner == 0.0)
 
 
 def _size(x: float) -> float:

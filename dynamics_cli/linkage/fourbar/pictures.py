@@ -1,7 +1,7 @@
 """Pictures of a four-bar: poses with the curve of a coupler point, speeds, transmission angle, and a moving SVG."""
 
 from cmath import exp
-from math import pi
+from math import atan2, nan, pi, sin
 
 from dynamics_cli.animation import animated
 from dynamics_cli.errors import worded
@@ -44,7 +44,7 @@ def _frames(lengths: "tuple[float, ...]", side: float, point: "complex | None", 
     tracks = []
     for place in (0j, complex(lengths[1]), 0.5 * lengths[1] + 0j if point is None else point):
         x, y = circuit.place(u, place)
-        tracks.append((x.value + 1j * y.value).tolist())
+        tracks.append((x.parts[0] + 1j * y.parts[0]).tolist())
     return list(zip(*tracks, strict=True))
 
 
@@ -98,16 +98,12 @@ def _circuit_side(lengths: "tuple[float, ...]", side: float, crank_angle: "float
     """The side that names the circuit: of the crank where that swings on either side of the ground link."""
     links = frame(*lengths)
     if links.outer < 0.0 and links.inner < 0.0 and crank_angle is not None:
-        from math import sin
-
         return 1.0 if sin(crank_angle) >= 0.0 else -1.0
     return side
 
 
 def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | None") -> "tuple[Panel, ...]":
-    import numpy as np
-
-    from dynamics_cli.linkage.fourbar.table import poses, reachable
+    from dynamics_cli.linkage.fourbar.table import posed, reachable, spread
 
     links = frame(*lengths)
     ranges = reachable(links)
@@ -115,14 +111,13 @@ def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | Non
         (ends for ends in ranges if crank_angle is not None and ends[0] <= crank_angle <= ends[1]), ranges[-1]
     )
     inset = (0.0, 1.0) if links.outer >= 0.0 and links.inner >= 0.0 else ENDS
-    theta = np.linspace(low + (high - low) * inset[0], low + (high - low) * inset[1], SAMPLES)
-    with np.errstate(all="ignore"):
-        loop, tracks = poses(links, theta, side)
-    clipped = [np.where(np.abs(part) <= STEEP, part, np.nan).tolist() for part in tracks]
+    angles = spread(low + (high - low) * inset[0], low + (high - low) * inset[1], SAMPLES - 1)
+    poses = [posed(links, angle, side) for angle in angles]
+    tracks = zip(*(there or (nan,) * 4 for _, there in poses), strict=True)
+    clipped = [[part if abs(part) <= STEEP else nan for part in track] for track in tracks]
     angle_axis = Axis("crank angle θ₂", Angle, ends=(low, high), step=pi / 6.0 if high - low > 2.0 else pi / 18.0)
     marks = () if crank_angle is None or not low <= crank_angle <= high else (Band(crank_angle, crank_angle),)
-    mu = (2.0 * np.arctan2(np.abs(loop.second), np.abs(loop.first))).tolist()
-    angles = theta.tolist()
+    mu = [2.0 * atan2(abs(loop.second), abs(loop.first)) if loop else nan for loop, _ in poses]
     ratios = (
         ("speed ratio", ("ω₄/ω₂", "ω₃/ω₂"), clipped[:2], "speeds of rocker and coupler over that of the crank"),
         ("α/ω₂²", ("α₄/ω₂²", "α₃/ω₂²"), clipped[2:], "accelerations, crank at uniform speed"),

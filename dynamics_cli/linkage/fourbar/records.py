@@ -55,7 +55,7 @@ class FourBar:
     acceleration: Annotated[PartAcceleration | None, "Its acceleration [m/s^2]."] = None
     kind: Annotated[Text | None, "Class of the linkage by Grashof's rule, on the decimals as typed."] = None
     side: Annotated[Text | None, "Which assembly this is."] = None
-    swing: Annotated[Angle | None, "Angle through which the rocker swings, beside the table [rad]."] = None
+    swing: Annotated[Angle | None, "Angle through which the rocker swings [rad]."] = None
     rocker_least: Annotated[Angle | None, "Rocker angle at one end of a crank-rocker's swing [rad]."] = None
     rocker_greatest: Annotated[Angle | None, "Rocker angle at the other end [rad]."] = None
     table: Annotated[tuple[Step, ...] | None, "The crank angles that can be reached, where none was given."] = None

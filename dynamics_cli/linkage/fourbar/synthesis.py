@@ -117,9 +117,9 @@ def synthesize(
     """
     if isinstance(task, QuickSwing):
         return _by_swing(task)
-    count = len(task.pairs if isinstance(task, AnglePairs) else task.poses)
-    require(count == 3, "{count} given; three are needed", count=count, code="count",
-            hint="give --pair or --pose three times")  # fmt: skip
+    name, given = ("pair", task.pairs) if isinstance(task, AnglePairs) else ("pose", task.poses)
+    require(len(given) == 3, f"{{count}} {name}s given; three are needed", count=len(given), code="count",
+            hint=f"give --{name} three times")  # fmt: skip
     return _by_angles(task) if isinstance(task, AnglePairs) else _by_poses(task)
 
 

@@ -42,18 +42,10 @@ class Followed:
     pin_acceleration: Annotated[PartAcceleration | None, "Its acceleration [m/s^2]."] = None
 
 
-class Motion:
-    """The rows, the range that the driver went through, and advice about it."""
-
-    def __init__(self, rows: "list[Followed]", ends: "tuple[float | None, float | None]", words: str) -> None:
-        self.rows = tuple(rows)
-        self.start, self.end = ends
-        self.words = words
-        self.advice: tuple[Advice, ...] = ()
-
-
-def followed(system: "System", q: "Any", name: str, steps: int, turn: "float | None", travel: "float | None") -> Motion:
-    """Rows over the first driver's range from the pose q on, each joined to the last without a jump.
+def followed(
+    system: "System", q: "Any", name: str, steps: int, turn: "float | None", travel: "float | None"
+) -> "dict[str, Any]":
+    """Fields of a solution: rows over the first driver's range from the pose q on, joined to each other without a jump.
 
     Without a range the driver goes through a turn, or to its limits either way. A range beyond a limit ends there, with
     a caution.
@@ -120,27 +112,31 @@ def _unwrapped(rows: "list[Followed]") -> "list[Followed]":
     return out
 
 
-def _motion(parts: "list[Continuation]", rows: "list[Followed]", reached: bool) -> Motion:
+def _motion(parts: "list[Continuation]", rows: "list[Followed]", reached: bool) -> "dict[str, Any]":
+    """The rows, the range that the driver went through, and advice about it."""
     first = parts[0].start.scene.drivers[0]
     kind = Coordinate if first.point else Angle
     base = first.position if first.point else first.angle
     shifts = [0.0, *(part.shift for part in parts)]
-    ends = (base + min(shifts), base + max(shifts))
+    low, high = base + min(shifts), base + max(shifts)
     count = sum(part.steps for part in parts)
     crossed = sorted({round(base + shift, 6) for part in parts for shift in part.crossed})
-    words = f"one motion{' over a change point' if crossed else ''}, followed in {count} steps"
-    motion = Motion(rows, (None, None) if first.point else ends, words)
+    advice = []
     if crossed:
         words = worded(
             "at {at:4} the linkage passes a change point, where it can go on in two ways: the smooth one is shown",
             at=(crossed[0], kind),
         )
-        motion.advice += (Advice("change-point", words, remedy="a second driver there decides which way it goes"),)
+        advice.append(Advice("change-point", words, remedy="a second driver there decides which way it goes"))
     if not reached:
         words = worded(
-            "the linkage follows its driver from {low:8} to {high:8} only",
-            low=(ends[0], kind),
-            high=(ends[1], kind),
+            "the linkage follows its driver from {low:8} to {high:8} only", low=(low, kind), high=(high, kind)
         )
-        motion.advice += (Advice("limit", words, severity="note"),)
-    return motion
+        advice.append(Advice("limit", words, severity="note"))
+    return {
+        "driver_from": None if first.point else low,
+        "driver_to": None if first.point else high,
+        "followed_by": f"one motion{' over a change point' if crossed else ''}, followed in {count} steps",
+        "motion": tuple(rows),
+        "advice": tuple(advice),
+    }

@@ -112,27 +112,25 @@ def solution(
     proof = None if free or len(system.rows) != system.size else Certificate(system, q, jacobian)
     sure = proof if proof and proof.proved else None
     links, pins = posed(system, q, jacobian, free)
-    motion = followed(system, q, *wanted) if wanted[0] else None
+    motion = followed(system, q, *wanted) if wanted[0] else {}
+    advice = (_singular() if free else ()) + motion.pop("advice", ())
     gap = float(np.abs(system.residuals(q)).max(initial=0.0))
     return Solution(
         links=None if motion else links,
         pins=None if motion else pins,
         assembly=choice.text,
         assemblies=len(possible),
-        solved_by=_method(choice.dyads, newton),
+        solved_by=f"{choice.dyads} dyad{'s' * (choice.dyads != 1)} in closed form{', the rest by Newton' * newton}",
         pin_error=sure.error if sure else None,
         nearest_other=sure.apart if sure else None,
         kantorovich=proof.share if proof else None,
-        driver_from=motion.start if motion else None,
-        driver_to=motion.end if motion else None,
-        followed_by=motion.words if motion else None,
-        motion=motion.rows if motion else None,
+        **motion,
         every_assembly=_listed(system, possible) if listed else None,
         checks=(
             Check("links keep their lengths", gap <= CLOSES, gap, CLOSES),
             *((Check("the pose is proved (Kantorovich)", proof.proved, proof.share, 0.5),) if proof else ()),
         ),
-        advice=(_singular() if free else ()) + (motion.advice if motion else ()),
+        advice=advice,
         numerics=Numerics("dyads in closed form, then Newton's method with Kantorovich's certificate"),
     )
 
@@ -147,11 +145,6 @@ def _singular() -> "tuple[Advice, ...]":
             remedy="move the driver a little",
         ),
     )
-
-
-def _method(dyads: int, newton: bool) -> str:
-    words = f"{dyads} dyad{'' if dyads == 1 else 's'} in closed form"
-    return f"{words}, the rest by Newton" if newton else words
 
 
 def _listed(system: "System", possible: "list[Assembly]") -> "tuple[AssemblyPin, ...]":

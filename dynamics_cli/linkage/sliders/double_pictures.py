@@ -5,7 +5,7 @@ from math import cos, pi, sin, tan
 from dynamics_cli.errors import worded
 from dynamics_cli.linkage.drawing import BELOW, LEFT, ROUND, ZERO, block, circle, here, over_turn, pin, plan, turned
 from dynamics_cli.pictures import Arrow, Axis, Picture, complex_curve
-from dynamics_cli.quantities import CamVelocity, Coordinate, Size
+from dynamics_cli.quantities import CamVelocity, Coordinate, Distance, Size
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -87,4 +87,4 @@ def trammel_picture(result: "Any", *, bar: float, angle: float, point: float = 0
         speed = complex(*result.velocity)
         arrow = speed * (0.3 * bar / abs(speed))
         items.append(Arrow(tracing_point.real, tracing_point.imag, arrow.real, arrow.imag, "v", 6))
-    return Picture((plan(items),), worded("bar of {l} on two slides", l=(bar, Size)))
+    return Picture((plan(items),), worded("bar of {l} on two slides", l=(bar, Distance)))

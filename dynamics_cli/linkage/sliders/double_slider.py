@@ -9,11 +9,14 @@ from dynamics_cli.quantities import (
     AngularAcceleration,
     Annotated,
     Coordinate,
+    Distance,
     Force,
+    Length,
     Mass,
     PartAcceleration,
     PartPoint,
     PartVelocity,
+    PlanarPosition,
     Size,
     Speed,
     Torque,
@@ -177,25 +180,25 @@ def oldham(
 class Trammel:
     """A bar whose ends slide on two lines square to each other, and a point of it."""
 
-    position: Annotated[PartPoint, "The point P [m]."]
+    position: Annotated[PlanarPosition, "The point P [m]."]
     velocity: Annotated[PartVelocity | None, "Its velocity [m/s]."]
     acceleration: Annotated[PartAcceleration | None, "Its acceleration [m/s^2]."]
     bar_speed: Annotated[TurnRate | None, "Angular velocity φ̇ of the bar, growing φ positive [rad/s]."]
     bar_acceleration: Annotated[AngularAcceleration | None, "Its angular acceleration [rad/s^2]."]
-    foot: Annotated[Coordinate, "The end A on the x axis [m]."]
+    foot: Annotated[Length, "The end A on the x axis [m]."]
     foot_velocity: Annotated[Speed | None, "Its velocity [m/s]."]
-    top: Annotated[Coordinate, "The end B on the y axis [m]."]
+    top: Annotated[Length, "The end B on the y axis [m]."]
     top_velocity: Annotated[Speed | None, "Its velocity [m/s]."]
-    centre: Annotated[PartPoint, "Instant centre of the bar [m]."]
-    along_x: Annotated[Size, "Half axis of P's ellipse along x [m]."]
-    along_y: Annotated[Size, "Half axis along y [m]."]
+    centre: Annotated[PlanarPosition, "Instant centre of the bar [m]."]
+    along_x: Annotated[Distance, "Half axis of P's ellipse along x [m]."]
+    along_y: Annotated[Distance, "Half axis along y [m]."]
 
 
 def trammel(
     *,
-    bar: Annotated[Size, "Length L of the bar between its sliding ends, e.g. 5 m."],
+    bar: Annotated[Distance, "Length L of the bar between its sliding ends, e.g. 5 m."],
     angle: Annotated[Angle, "Angle φ of the bar from the x axis, at its end A there, e.g. 60 deg."],
-    point: Annotated[Coordinate, "Distance p of the point P from A towards B, e.g. 2 m."] = 0.0,
+    point: Annotated[Length, "Distance p of the point P from A towards B, e.g. 2 m."] = 0.0,
     speed: Annotated[TurnRate | None, "Angular velocity φ̇ of the bar, e.g. -0.3 rad/s."] = None,
     angular_acceleration: Annotated[AngularAcceleration, "Its angular acceleration [rad/s^2]."] = 0.0,
     pull: Annotated[Speed | None, "Or the velocity of the end A along x, e.g. 0.5 m/s."] = None,

@@ -5,6 +5,7 @@ from math import pi, sin
 from dynamics_cli.animation import animated
 from dynamics_cli.errors import worded
 from dynamics_cli.linkage.drawing import LEFT, TURN, ZERO, block, circle, here, over_turn, pin, plan, turned
+from dynamics_cli.linkage.sliders.quick_return import quick_return
 from dynamics_cli.linkage.sliders.slider_crank import RIGHT, End, slider_crank
 from dynamics_cli.pictures import Axis, Curve, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Acceleration, CamVelocity, Coordinate, Size, Speed
@@ -112,13 +113,8 @@ def quick_return_picture(
         complex_curve((0j, place), "crank", "thick", 0), complex_curve((pivot, tip), "lever", "thick", 1),
         pin(0j, "O₂", LEFT), pin(pivot, "O₄"), pin(place, "A"),
     ]  # fmt: skip
-    angles = [2.0 * pi * k / STEPS for k in range(STEPS + 1)]
-    ratios = []
-    for angle in angles:
-        place = lever_at(angle)[0]
-        way_out = place - pivot
-        square = abs(way_out) ** 2
-        ratios.append((place * way_out.conjugate()).real / square if square else float("nan"))
+    rows = quick_return(crank=crank, ground=ground, steps=STEPS).table or ()
+    angles, ratios = [row.crank_angle for row in rows], [row.lever_ratio for row in rows]
     words = "the return is where the lever runs against the crank" if crank < ground else ""
     speeds = Panel(TURN, Axis("speed ratio ω₄/ω₂"), (Curve(angles, ratios, role=1), ZERO), words)
     title = worded("quick return: crank {a}, pivots {d} apart", a=(crank, Size), d=(ground, Size))

@@ -1,15 +1,19 @@
 """Quick returns: a crank whose pin slides along a lever, oscillating (crank shorter) or turning (Whitworth)."""
 
+from math import tau
+
 from dynamics_cli.errors import require
+from dynamics_cli.linkage.fourbar.table import spread
 from dynamics_cli.linkage.sliders.double_slider import require_long
 from dynamics_cli.numerics.elementary import atan2, hypot, pi_beside, sqrt
-from dynamics_cli.numerics.number import decides
+from dynamics_cli.numerics.number import decides, over_plain, single
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
     Acceleration,
     Angle,
     AngularAcceleration,
     Annotated,
+    Count,
     PartPoint,
     PartVelocity,
     Ratio,
@@ -19,6 +23,23 @@ from dynamics_cli.quantities import (
     TurnRate,
 )
 from dynamics_cli.records import record
+from dynamics_cli.sampling import drawing
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+@record
+class LeverStep:
+    """One crank angle of the table."""
+
+    crank_angle: Annotated[Angle, "Crank angle θ₂ [rad]."]
+    lever_angle: Annotated[Angle, "Lever angle θ₄, from 0 to 360 degrees [rad]."]
+    lever_ratio: Annotated[Ratio, "ω₄/ω₂."]
+    lever_speed: Annotated[TurnRate | None, "ω₄ at the speed given [rad/s]."] = None
+    lever_acceleration: Annotated[AngularAcceleration | None, "α₄ there [rad/s^2]."] = None
+    slip: Annotated[Speed | None, "Speed of the pin along the lever, outwards [m/s]."] = None
 
 
 @record
@@ -38,16 +59,20 @@ class QuickReturn:
     swing: Annotated[Angle | None, "Angle through which an oscillating lever swings [rad]."] = None
     stroke: Annotated[Size | None, "Chord of the tip's path, of an oscillating lever [m]."] = None
     kind: Annotated[Text | None, "Oscillating lever, or Whitworth's turning one."] = None
+    table: Annotated[tuple[LeverStep, ...] | None, "A full turn of the crank, where no angle was given."] = None
 
 
 def quick_return(
     *,
     crank: Annotated[Size, "Length a of the crank, e.g. 50 mm."],
     ground: Annotated[Size, "Distance d of the crank's pivot from the lever's, e.g. 120 mm."],
-    crank_angle: Annotated[Angle | None, "Crank angle θ₂ from the line to the lever's pivot, e.g. 75 deg."] = None,
+    crank_angle: Annotated[
+        Angle | None, "Crank angle θ₂ from the line to the lever's pivot; without it a table."
+    ] = None,
     speed: Annotated[TurnRate | None, "Angular velocity ω₂ of the crank, e.g. 10 rad/s."] = None,
     angular_acceleration: Annotated[AngularAcceleration, "Angular acceleration α₂ of the crank [rad/s^2]."] = 0.0,
     lever: Annotated[Size | None, "Length of the lever from its pivot to its tip, e.g. 250 mm."] = None,
+    steps: Annotated[Count, "Steps of the table over a full turn."] = 24,
 ) -> QuickReturn:
     """Lever of a quick return: angle, speed, acceleration, slip of the pin, time ratio.
 
@@ -74,8 +99,30 @@ def quick_return(
         require_long(name, length)
     fields = _ratio(crank, ground, lever)
     if crank_angle is None:
-        require(speed is None, "a speed needs a crank angle", code="no-angle", hint="give --crank-angle")
-        return QuickReturn(**fields)  # type: ignore[arg-type]
+        return QuickReturn(**fields, table=_table(crank, ground, steps, (speed, angular_acceleration)) or None)  # type: ignore[arg-type]
+    return QuickReturn(**fields, **_pose(crank, ground, crank_angle, (speed, angular_acceleration), lever))  # type: ignore[arg-type]
+
+
+def _table(crank: float, ground: float, steps: int, turning: "tuple[float | None, float]") -> "tuple[LeverStep, ...]":
+    """Poses over a turn; without that in which the pin lies on the lever's pivot."""
+    if drawing() or not single(crank, ground):
+        return ()
+    a, d, turning = over_plain((crank, ground, turning))
+    rows = []
+    for angle in spread(0.0, tau, steps):
+        if a * turned(angle)[0] != d:
+            pose = _pose(a, d, angle, turning, None)
+            moving = (pose.get(name) for name in ("lever_ratio", "lever_speed", "lever_acceleration", "slip"))
+            # an oscillating lever swings about the half turn
+            rows.append(LeverStep(angle, pose["lever_angle"] % tau, *moving))  # type: ignore[arg-type]
+    return tuple(rows)
+
+
+def _pose(
+    crank: float, ground: float, crank_angle: float, turning: "tuple[float | None, float]", lever: "float | None"
+) -> "dict[str, Any]":
+    """The lever at a crank angle."""
+    speed, angular_acceleration = turning
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
     apart = crank - ground
     # a cos θ − d without cancellation where the pin passes near the lever's pivot
@@ -90,26 +137,27 @@ def quick_return(
     )
     ex, ey = rx / reach, ay / reach
     ratio = (ax * ex + ay * ey) / reach
-    sliding = ax * ey - ay * ex
-    rate = 0.0 * crank_angle if speed is None else speed
-    lever_speed, sliding_speed = ratio * rate, sliding * rate
-    across = -(angular_acceleration * ay + rate * rate * ax) * -ey + (angular_acceleration * ax - rate * rate * ay) * ex
-    coriolis = 2.0 * sliding_speed * lever_speed
-    moving = speed is not None
     size = lever if lever is not None else 0.0 * reach
-    with_tip = moving and lever is not None
-    return QuickReturn(
-        **fields,  # type: ignore[arg-type]
-        lever_angle=atan2(ay, rx),
-        lever_ratio=ratio,
-        lever_speed=lever_speed if moving else None,
-        lever_acceleration=(across - coriolis) / reach if moving else None,
-        reach=reach,
-        slip=sliding_speed if moving else None,
-        coriolis=coriolis if moving else None,
-        tip=None if lever is None else (ground + size * ex, size * ey),
-        tip_velocity=(-(size * ey) * lever_speed, size * ex * lever_speed) if with_tip else None,
+    pose = {
+        "lever_angle": atan2(ay, rx),
+        "lever_ratio": ratio,
+        "reach": reach,
+        "tip": None if lever is None else (ground + size * ex, size * ey),
+    }
+    if speed is None:
+        return pose
+    slip, lever_speed = (ax * ey - ay * ex) * speed, ratio * speed
+    across = (
+        -(angular_acceleration * ay + speed * speed * ax) * -ey + (angular_acceleration * ax - speed * speed * ay) * ex
     )
+    coriolis = 2.0 * slip * lever_speed
+    return pose | {
+        "lever_speed": lever_speed,
+        "lever_acceleration": (across - coriolis) / reach,
+        "slip": slip,
+        "coriolis": coriolis,
+        "tip_velocity": None if lever is None else (-(size * ey) * lever_speed, size * ex * lever_speed),
+    }
 
 
 def _ratio(crank: float, ground: float, lever: "float | None") -> "dict[str, object]":

@@ -1,8 +1,9 @@
 """The slider-crank, in line or offset: one pose with velocity and acceleration, its stroke, or a table."""
 
-from math import isfinite, tau
+from math import tau
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
+from dynamics_cli.linkage.fourbar.table import spread
 from dynamics_cli.linkage.sliders.double_slider import require_long
 from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt, where
 from dynamics_cli.numerics.number import plain, single
@@ -23,13 +24,13 @@ from dynamics_cli.quantities import (
     Torque,
     TurnRate,
 )
-from dynamics_cli.records import Choice, record
+from dynamics_cli.records import Advice, Choice, record
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-MANY = 20_000
 # Number of places of a turn in the search for the largest speed, and the step of the difference there.
 SAMPLES, STEP = 180, 1e-4
 
@@ -79,6 +80,7 @@ class SliderCrank:
     top_slope: Annotated[CamVelocity | None, "Largest |dx/dθ| in a turn [m/rad]."] = None
     top_at: Annotated[Angle | None, "Crank angle at which it is reached first [rad]."] = None
     table: Annotated[tuple[SliderStep, ...] | None, "A full turn of the crank, where no angle was given."] = None
+    advice: tuple[Advice, ...] = ()
 
 
 def slider_crank(
@@ -121,13 +123,16 @@ def slider_crank(
     if stroke and single(crank, rod, offset):
         stroke |= _fastest(crank, rod, offset, end, speed)
     if crank_angle is None:
+        if drawing():
+            return SliderCrank(**stroke)
         require(
             single(crank, rod, offset),
             "rows need a crank angle: a table is for a single mechanism",
             code="no-angle",
             hint="add a column crank_angle",
         )
-        return SliderCrank(**stroke, table=_table((crank, rod, offset), end, steps, speed, angular_acceleration))
+        rows = _table((crank, rod, offset), end, steps, speed, angular_acceleration)
+        return SliderCrank(**stroke, table=rows, advice=_partial(crank, rod, offset))
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
     rise, along = crank * turn[1], crank * turn[0]
     height = offset - rise
@@ -251,31 +256,37 @@ def _fastest(a: float, b: float, e: float, end: End, speed: "float | None") -> "
 def _table(
     lengths: "tuple[float, float, float]", end: End, steps: int, speed: float | None, gain: float
 ) -> "tuple[SliderStep, ...]":
-    import numpy as np
-
-    require(2 <= steps <= MANY, "steps: {count}; a table has 2 to {most}", count=steps, most=MANY, code="steps")
     a, b, e = map(plain, lengths)
-    theta: Any = np.linspace(0.0, 2.0 * np.pi, steps + 1)
-    theta = theta[np.abs(e - a * turned(theta)[1]) <= b]
+    side = 1.0 if end == RIGHT else -1.0
+    rows = []
+    for angle in spread(0.0, tau, steps):
+        turn = turned(angle)
+        height = e - a * turn[1]
+        if abs(height) >= b:
+            continue
+        reach = side * sqrt((b - height) * (b + height))
+        slope, bend = _slopes(a, b, e, side, turn)
+        moving: tuple[float | None, ...] = (None, None, slope, bend)
+        if speed is not None:
+            rate = plain(speed)
+            moving = (slope * rate, bend * rate * rate + slope * plain(gain), None, None)
+        row: Any = (angle, a * turn[0] + reach, *moving, atan2(height, abs(reach)))
+        rows.append(SliderStep(*row))
     require(
-        theta.size > 0,
+        bool(rows),
         "the rod of {rod} reaches the slide at no crank angle",
         rod=(b, Size),
         code="unreachable",
         hint="lengthen the rod, or bring the slide nearer to the crank's pivot",
     )
-    cosine, sine = turned(theta)
-    height = e - a * sine
-    side = 1.0 if end == RIGHT else -1.0
-    reach = side * np.sqrt((b - height) * (b + height))
-    with np.errstate(all="ignore"):
-        slopes: Any = _slopes(a, b, e, side, (cosine, sine))
-    slope, bend = (np.where(reach == 0.0, np.nan, part) for part in slopes)
-    nothing = np.full(theta.shape, np.nan)
-    moving = (nothing, nothing, slope, bend)
-    if speed is not None:
-        rate = plain(speed)
-        moving = (slope * rate, bend * rate * rate + slope * plain(gain), nothing, nothing)
-    columns = (theta, a * cosine + reach, *moving, np.arctan2(height, np.abs(reach)))
-    rows = zip(*(column.tolist() for column in columns), strict=True)
-    return tuple(SliderStep(*(value if isfinite(value) else None for value in row)) for row in rows)  # type: ignore[arg-type]
+    return tuple(rows)
+
+
+def _partial(crank: float, rod: float, offset: float) -> "tuple[Advice, ...]":
+    """That the crank does not turn fully, and the rod with which it would."""
+    full = plain(crank) + abs(plain(offset))
+    if plain(rod) >= full:
+        return ()
+    message = "the crank does not turn fully: crank angles at which the rod does not reach the slide are left out"
+    remedy = worded("with a rod longer than {full} it does", full=(full, Size))
+    return (Advice("partial-turn", message, severity="note", remedy=remedy),)

@@ -53,7 +53,9 @@ class Jet:
         return other.parts if isinstance(other, Jet) else [other, *[0.0] * (len(self.parts) - 1)]
 
     def __add__(self, other: "Any") -> "Jet":
-        return Jet([a + b for a, b in zip(self.parts, self._with(other), strict=True)])
+        if not isinstance(other, Jet):
+            return Jet([self.parts[0] + other, *self.parts[1:]])
+        return Jet([a + b for a, b in zip(self.parts, other.parts, strict=True)])
 
     __radd__ = __add__
 
@@ -61,7 +63,9 @@ class Jet:
         return Jet([-a for a in self.parts])
 
     def __sub__(self, other: "Any") -> "Jet":
-        return Jet([a - b for a, b in zip(self.parts, self._with(other), strict=True)])
+        if not isinstance(other, Jet):
+            return Jet([self.parts[0] - other, *self.parts[1:]])
+        return Jet([a - b for a, b in zip(self.parts, other.parts, strict=True)])
 
     def __rsub__(self, other: "Any") -> "Jet":
         return (-self).__add__(other)

@@ -54,7 +54,7 @@ COMPOSE = Task(
         "cosines: direction cosines",
     ),
     table="cosines",
-    plot="dynamics_cli.orient.pictures.graph:configuration",
+    plot="dynamics_cli.orient.pictures.triads:configuration",
     examples=(
         'dynamics orient compose --simple-turn "axis=z, angle=40 deg" --simple-turn "axis=x, angle=25 deg" '
         '--simple-turn "axis=z, angle=70 deg"',

@@ -102,8 +102,10 @@ def points(
     velocity, alpha, omega = base_velocity, angular_acceleration, angular_velocity
     if omega is None:
         base, velocity, omega = _from_velocities(each)
-    elif len(moving := [point for point in each if point.velocity is not None]) == 1 and _at_rest(base, base_velocity):
-        # the one point with a velocity is the base that was meant
+    elif len(moving := [point for point in each if point.velocity is not None]) == 1 and not any(
+        not single(part) or plain(part) for part in (*base, *base_velocity)
+    ):
+        # no base is given, which is the origin at rest: the one point with a velocity is the base that was meant
         base, velocity = moving[0].position, moving[0].velocity or velocity
     moved, total = [], 0.0
     for nth, point in enumerate(each, 1):
@@ -135,11 +137,6 @@ def points(
         points=tuple(moved),
         advice=_advice(turns, root if velocities_given else 0.0, moved) if single(spin) else (),
     )
-
-
-def _at_rest(base: Vector, velocity: Vector) -> bool:
-    """Whether no base was given: the origin, at rest."""
-    return single(*base, *velocity) and not any(plain(part) for part in (*base, *velocity))
 
 
 def _from_velocities(points: "tuple[BodyPoint, ...]") -> "tuple[Vector, Vector, Vector]":

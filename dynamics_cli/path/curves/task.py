@@ -5,7 +5,7 @@ import math
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import is_many, plain
 from dynamics_cli.numerics.vectors import length
-from dynamics_cli.path.bends import Bend, advice_of, along_and_across
+from dynamics_cli.path.bends import advice_of, along_and_across
 from dynamics_cli.path.curves.events import Event, arc_lengths, events
 from dynamics_cli.path.curves.moving_point import MovingPoint, State
 from dynamics_cli.path.curves.named import Shape
@@ -136,6 +136,7 @@ def curve(
         rows = tuple(_row(plainly.sharp(time), time, arc, plainly.flat) for time, arc in zip(times, arcs, strict=True))
         events_met = events(plainly, first, last)
         lengths = (arcs[-1], doubt)
+    names = ("radius_of_curvature", *(() if motion.flat else ("torsion",)), "tangential", "normal", "curvature")
     return CurveMotion(
         time=now,
         position=state.position,
@@ -150,7 +151,7 @@ def curve(
         events=events_met or None,
         points=rows,
         numerics=_numerics(lengths),
-        advice=(*_advice(bend, motion.flat), *_loose(lengths)),
+        advice=(*advice_of(bend, *names), *_loose(lengths)),
     )
 
 
@@ -228,12 +229,3 @@ def _loose(lengths: "tuple[float | None, float]") -> tuple[Advice, ...]:
         doubt=(lengths[1], Length),
     )
     return (Advice("busy", message, remedy="take a shorter range of times"),)
-
-
-def _advice(motion: Bend, flat: bool) -> tuple[Advice, ...]:
-    names = ["radius_of_curvature"] if motion.reason else []
-    if motion.reason and not flat:
-        names.append("torsion")
-    if motion.reason == "rest":
-        names += ["tangential", "normal", "curvature"]
-    return advice_of(motion, *names)

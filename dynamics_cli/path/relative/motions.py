@@ -211,6 +211,15 @@ def _tracks(movers: "dict[str, Mover]") -> "dict[str, Track]":
         first=axes[0],
         second=axes[-1],
     )
+    clocks = [track.clock for track in tracks.values() if track.clock is not None]
+    require(
+        len(clocks) in (0, len(tracks)),
+        "the times of one track are dates, those of the other are not",
+        code="times",
+        hint="count the times of both on one clock",
+    )
+    for track, clock in zip(tracks.values(), clocks, strict=False):
+        track.times = [time + (clock - clocks[0]) for time in track.times]
     require(
         origin is None or len(tracks) == 2,
         "positions of a track of latitudes and longitudes count from its first point: the other motion has no place "

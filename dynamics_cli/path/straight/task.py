@@ -102,7 +102,9 @@ def rectilinear(
     solutions_by_phase = []
     speed: float | None = None
     for index, phase in enumerate(several):
-        continued = phase if speed is None or phase.start_speed is not None else _continued(phase, speed)
+        continued = phase
+        if speed is not None and phase.start_speed is None:
+            continued = Phase(speed, phase.end_speed, phase.acceleration, phase.distance, phase.time)
         if speed is not None and phase.start_speed is not None:
             require(
                 abs(plain(phase.start_speed) - plain(speed)) <= TOLERANCE * abs(plain(speed)),
@@ -200,7 +202,9 @@ def rectilinear_law(
         stop_distance=motion.at(stop)[0] if stop is not None else None,
         end_acceleration=rate,
         alternatives=None,
-        motion=tuple(_rows(motion, steps)),
+        motion=tuple(
+            Moment(1, time, *motion.at(time)) for time in (*(motion.end * k / steps for k in range(steps)), motion.end)
+        ),
         numerics=_numerics(motion, rough),
         checks=_work(motion, function),
     )
@@ -209,10 +213,6 @@ def rectilinear_law(
 def _check_steps(steps: int) -> None:
     require((steps >= 1) & (steps <= MOST_STEPS), "the table cannot have {steps} rows", code="steps", steps=steps,
             hint=f"give 1 to {MOST_STEPS}")  # fmt: skip
-
-
-def _continued(phase: Phase, speed: float) -> Phase:
-    return Phase(speed, phase.end_speed, phase.acceleration, phase.distance, phase.time)
 
 
 def _stop(solution: Solution) -> "tuple[float, float] | None":
@@ -235,11 +235,6 @@ def _table(chosen: "list[Solution]", steps: int) -> "list[Moment]":
             rows.append(Moment(number, now + time, travelled + gone, speed, motion.acceleration))
         now, travelled = now + motion.time, travelled + motion.distance
     return rows
-
-
-def _rows(motion: Run, steps: int) -> "list[Moment]":
-    times = [motion.end * step / steps for step in range(steps)] + [motion.end]
-    return [Moment(1, time, *motion.at(time)) for time in times]
 
 
 def _energy(chosen: "list[Solution]") -> tuple[Check, ...]:

@@ -36,12 +36,17 @@ class Origin:
 
 
 class Track:
-    """Times [s] and positions [m] as rows of numbers, with the origin of those that were latitudes and longitudes."""
+    """Times [s] and positions [m] as rows of numbers, with the origin of those that were latitudes and longitudes.
+
+    Dates with times count from the first, whose seconds since 1970 are `clock`.
+    """
 
     def __init__(
-        self, times: "list[float]", places: "list[list[float]]", names: "list[str]", origin: Origin | None
-    ) -> None:
+        self, times: "list[float]", clock: float | None, places: "list[list[float]]", names: "list[str]",
+        origin: Origin | None,
+    ) -> None:  # fmt: skip
         self.times = times
+        self.clock = clock
         self.places = places
         self.names = names
         self.origin = origin
@@ -60,7 +65,8 @@ def read_track(file: str, origin: Origin | None = None) -> Track:
     require(len(rows) - 1 <= MOST_ROWS, "the track has more than {most} points", code="track", most=MOST_ROWS,
             hint="give a part of it")  # fmt: skip
     numbers = [_row(row, columns, line) for line, row in enumerate(rows[1:], 2)]
-    times = [row["t"] for row in numbers]
+    clock = numbers[0]["t"] if numbers and ":" in rows[1][columns["t"][0]] else None
+    times = [row["t"] - (clock or 0.0) for row in numbers]
     for line, (before, after) in enumerate(pairwise(times), 3):
         require(
             after > before,
@@ -72,7 +78,7 @@ def read_track(file: str, origin: Origin | None = None) -> Track:
         )
     names = [name for name in LENGTHS if name in columns]
     if "lat" not in columns:
-        return Track(times, [[row[name] for name in names] for row in numbers], names, None)
+        return Track(times, clock, [[row[name] for name in names] for row in numbers], names, None)
     latitudes = [math.radians(row["lat"]) for row in numbers]
     origin = origin or Origin(numbers[0], latitudes)
     places = []
@@ -80,7 +86,7 @@ def read_track(file: str, origin: Origin | None = None) -> Track:
         turned = math.radians(math.remainder(row["lon"] - origin.longitude, 360.0))
         flat = [origin.east * turned, origin.north * (latitude - origin.latitude)]
         places.append([*flat, row["z"]] if "z" in names else flat)
-    return Track(times, places, ["x", "y", *(["z"] if "z" in names else [])], origin)
+    return Track(times, clock, places, ["x", "y", *(["z"] if "z" in names else [])], origin)
 
 
 def _columns(header: "list[str]") -> "dict[str, tuple[int, float]]":
@@ -116,13 +122,10 @@ def _row(row: "list[str]", columns: "dict[str, tuple[int, float]]", line: int) -
     numbers = {}
     for name, (place, factor) in columns.items():
         text = row[place].strip() if place < len(row) else ""
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
+        value, factor = (_clock(text), 1.0) if name == "t" and ":" in text else (_number(text), factor)
         require(
             math.isfinite(value),
-            "line {line}: {text} is not a number",
+            "line {line}: {text} is not a number" + (" of seconds, nor a time as 2024-05-01T10:00:00Z" * (name == "t")),
             code="number",
             hint="leave out rows without a measurement",
             line=line,
@@ -130,6 +133,24 @@ def _row(row: "list[str]", columns: "dict[str, tuple[int, float]]", line: int) -
         )
         numbers[name] = value * factor
     return numbers
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
+
+
+def _clock(text: str) -> float:
+    """Seconds since 1970 of a date with a time, as GPS loggers write it."""
+    from datetime import UTC, datetime
+
+    try:
+        moment = datetime.fromisoformat(text)
+    except ValueError:
+        return math.nan
+    return (moment if moment.tzinfo else moment.replace(tzinfo=UTC)).timestamp()
 
 
 def third_differences(values: "Any") -> float:

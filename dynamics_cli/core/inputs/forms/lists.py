@@ -47,6 +47,11 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
             return _vectors_in_rows(text)
         text = text[1:-1] if form == "vector" and text[:2] + text[-2:] == "[[]]" else text.replace(";", ",")
         items = split_list(text)
+        if form == "vector" and not any(mark in text for mark in "()[]@"):
+            # nine numbers in a row are three rows of three
+            size = node.item.kind.size  # type: ignore[union-attr]
+            rows = [", ".join(items[i : i + size]) for i in range(0, len(items), size)]
+            return _vectors_in_rows("; ".join(rows))
         return share_unit(items) if form in ("scalar", "slope") else items
     return [value]
 
