@@ -133,9 +133,11 @@ def test_samples_side_by_side_are_what_they_are_alone(back: bool, edge: bool) ->
         many = slides(cases)
     assert isinstance(many.pop(2), InadmissibleError)
     del cases[2]
-    for sample, case in zip(many, cases, strict=True):
-        assert not isinstance(sample, Exception)
-        alone = slide(**case)
+    assert not any(isinstance(sample, Exception) for sample in many)
+    # two alone take as long as hundreds side by side
+    for index in (0, -1):
+        sample: Any = many[index]
+        alone = slide(**cases[index])
         # of what a hundredth of a measurement's deviation is, an edge that is jumped over costs the more
         tolerance = 3e-4 if edge else 2e-5
         for name in ("time", "path_length", "rest_heading", "turned", "straight_distance", "mean_share", "energy"):

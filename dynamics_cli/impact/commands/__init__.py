@@ -1,7 +1,7 @@
 """The tasks of `dynamics impact`."""
 
 from dynamics_cli.core.answering.task import Family
-from dynamics_cli.impact.commands import crash, evidence, light, particles, rigid, slide
+from dynamics_cli.impact.commands import crash, evidence, particles, rigid
 
 FAMILIES = {
     "impact": Family(
@@ -10,8 +10,6 @@ FAMILIES = {
         *particles.TASKS,
         *rigid.TASKS,
         *crash.TASKS,
-        *slide.TASKS,
         *evidence.TASKS,
-        *light.TASKS,
     )
 }

@@ -7,7 +7,7 @@ from dynamics_cli.impact.slide.marks import lines
 from dynamics_cli.impact.slide.motion import run
 from dynamics_cli.impact.slide.records import Separation
 from dynamics_cli.impact.slide.separation import separation
-from dynamics_cli.impact.slide.task import car_of, start_of
+from dynamics_cli.impact.slide.task import car_of, shares_of, start_of
 from dynamics_cli.numerics.elementary import atan2, cos, hypot, sin, sqrt
 from dynamics_cli.numerics.number import plain, single
 
@@ -32,10 +32,7 @@ class Spinning:
             "{place}neither a surface nor a friction is given",
             place=place, code="no-surface", hint="name one of the [surfaces], or give friction",
         )  # fmt: skip
-        shares = [
-            part.braking if one is None else one
-            for one in (part.left_front, part.right_front, part.left_rear, part.right_rear)
-        ]
+        shares = shares_of(part.__dict__)
         numbers = (part.front_axle, part.rear_axle, part.track, part.radius_of_gyration, part.grip_slope, *shares)
         if single(*numbers):
             # refused here what no car is
@@ -91,13 +88,9 @@ def swept(
     """Places from the separation and angles of the nose along a slide with spin, and marks of its wheels: a picture."""
     given = getattr(scene, side)
     part = given.slide
-    shares = [
-        part.braking if one is None else one
-        for one in (part.left_front, part.right_front, part.left_rear, part.right_rear)
-    ]
     car = car_of(
         part.front_axle, part.rear_axle, part.track, part.radius_of_gyration, surface_friction(scene, part, "") or 0.0,
-        shares, part.grip_slope, 0.0, gravity, (), scene.axes,
+        shares_of(part.__dict__), part.grip_slope, 0.0, gravity, (), scene.axes,
     )  # fmt: skip
     motion = Separation(course.exit_speed, course.exit_heading, course.exit_spin or 0.0)
     nose = given.approach_heading if given.nose is None else given.nose

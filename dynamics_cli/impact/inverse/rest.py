@@ -5,7 +5,7 @@ from dynamics_cli.impact.conventions import Axes, direction_of
 from dynamics_cli.impact.inverse.fit import SETTLED, Fit, Side, stepped
 from dynamics_cli.impact.inverse.records import Departing, InverseResult, KnownContact, RestAfter, TurningAfter
 from dynamics_cli.impact.slide.motion import run
-from dynamics_cli.impact.slide.task import car_of, heading_angle
+from dynamics_cli.impact.slide.task import car_of, heading_angle, shares_of
 from dynamics_cli.impact.slide.wheels import State
 from dynamics_cli.numerics.elementary import cos, hypot, sin, sqrt
 from dynamics_cli.quantities import Angle, Ratio
@@ -65,16 +65,11 @@ class Ended:
     def car(self, friction: float) -> "Any":
         """The car on its wheels, with this friction."""
         motion = self.motion
-        wheel_braking = [
-            motion.braking if braking is None else braking
-            for braking in (motion.left_front, motion.right_front, motion.left_rear, motion.right_rear)
-        ]
         assert self.side.spins is not None
         gyration = sqrt(self.side.spins[0] / self.side.mass)
         return car_of(
-            motion.front_axle, motion.rear_axle, motion.track, gyration, friction, wheel_braking, 0.1, 0.0,
-            self.gravity, (),
-            self.axes,
+            motion.front_axle, motion.rear_axle, motion.track, gyration, friction,
+            shares_of(motion.__dict__), 0.1, 0.0, self.gravity, (), self.axes,
         )  # fmt: skip
 
     def gaps(self, velocity: "Pair", spin: float, drag: float) -> "list[tuple[str, float]]":

@@ -11,7 +11,7 @@ from dynamics_cli.impact.slide.back import COARSE, Root, Target, followed, gaps_
 from dynamics_cli.impact.slide.lanes import Lanes
 from dynamics_cli.impact.slide.motion import Moment, Run
 from dynamics_cli.impact.slide.records import AtRest, SlideResult
-from dynamics_cli.impact.slide.task import car_of, moving, numbers_of, roots_of, slide, target_of
+from dynamics_cli.impact.slide.task import car_of, moving, numbers_of, roots_of, shares_of, slide, target_of
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.records import Numerics
 from dynamics_cli.sampling import drawing, kept, missed
@@ -36,7 +36,6 @@ MANY, TRIED, DROWNED = 512, 64, 5e-3
 CLOSE, SETTLED = 1e-4, 1e-4
 # Fewer take longer side by side than one after another.
 FEWEST = 5
-SHARES = ("left_front", "right_front", "left_rear", "right_rear")
 
 
 class _Case:
@@ -44,10 +43,9 @@ class _Case:
 
     def __init__(self, parameters: "Given") -> None:
         self.given = given = {**(slide.__kwdefaults__ or {}), **parameters}
-        shares = [given["braking"] if given[name] is None else given[name] for name in SHARES]
         self.car: Car = car_of(
             given["front_axle"], given["rear_axle"], given["track"], given["radius_of_gyration"], given["friction"],
-            shares, given["grip_slope"], given["steer"], given["gravity"], given["grounds"], given["axes"],
+            shares_of(given), given["grip_slope"], given["steer"], given["gravity"], given["grounds"], given["axes"],
         )  # fmt: skip
         self.pose = given["nose"], given["place"], given["axes"]
         self.back = isinstance(given["motion"], AtRest)

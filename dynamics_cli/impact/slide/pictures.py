@@ -10,7 +10,7 @@ from dynamics_cli.impact.scene_pictures import about, finished, outline, to_scal
 from dynamics_cli.impact.slide.marks import lines
 from dynamics_cli.impact.slide.motion import Run, run
 from dynamics_cli.impact.slide.records import AtRest, Ground
-from dynamics_cli.impact.slide.task import car_of, start_of
+from dynamics_cli.impact.slide.task import car_of, shares_of, start_of
 from dynamics_cli.impact.slide.wheels import Car
 from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.pictures import Arrow, Curve, Mark, Picture, Plan
@@ -58,11 +58,9 @@ def _drawn(
     """The scene with its words, the scale of its arrow with the speed, and north."""
     axes: Axes = given.get("axes", AXES)
     flip = -1.0 if axes == "sae" else 1.0
-    shares = [given[name] if given.get(name) is not None else given["braking"] for name in
-              ("left_front", "right_front", "left_rear", "right_rear")]  # fmt: skip
     car = car_of(
         given["front_axle"], given["rear_axle"], given["track"], given["radius_of_gyration"], given["friction"],
-        shares, given.get("grip_slope", 0.1), given.get("steer", 0.0), given.get("gravity", STANDARD_GRAVITY),
+        shares_of(given), given.get("grip_slope", 0.1), given.get("steer", 0.0), given.get("gravity", STANDARD_GRAVITY),
         given.get("grounds", ()), axes,
     )  # fmt: skip
     motion = given["motion"]

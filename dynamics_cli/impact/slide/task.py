@@ -29,6 +29,7 @@ from dynamics_cli.records import Advice, Check, Numerics
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from typing import Any
 
 ORIGIN = (0.0, 0.0)
@@ -114,6 +115,12 @@ def slide(
         start = Root((state.vx, state.vy, car.gyration * state.spin), car, Run())
         done = run(car, state, TOLERANCE)
     return _answer(car, start, done, ways, axes, place, nose, mass)
+
+
+def shares_of(given: "Mapping[str, Any]") -> "list[float]":
+    """The braking of each wheel: that of the car, where the wheel has none of its own."""
+    own = (given.get(name.replace(" ", "_")) for name in NAMES)
+    return [given["braking"] if one is None else one for one in own]
 
 
 def start_of(motion: Separation | SlideRoot, nose: float, place: "tuple[float, float]", axes: Axes) -> State:
