@@ -4,6 +4,7 @@ import msgspec
 import numpy as np
 
 from dynamics_cli.core.batch.text.numbers import loose_numbers
+from dynamics_cli.core.batch.text.weaving import Tokens
 from dynamics_cli.core.inputs.quantity_text import read_number
 from dynamics_cli.core.units.conversion import to_si
 from dynamics_cli.core.units.unit import Unit
@@ -30,31 +31,19 @@ _encode = msgspec.json.Encoder().encode
 _PLAIN_LOW, _PLAIN_HIGH = 1e-4, 1e16
 
 
-class Unsuited(Exception):
-    """These rows cannot be answered together; `numeric` holds the addresses of the numbers that could be."""
-
-    def __init__(self, why: str, numeric: "set[str] | None" = None) -> None:
-        super().__init__(why)
-        self.numeric = numeric
-
-
-class Column:
+class Column(Tokens):
     """Tokens that are all numbers, with spaces around them perhaps, and the doubles nearest to them."""
 
-    __slots__ = ("long", "tokens", "values")
+    __slots__ = ("long", "values")
 
     def __init__(self, tokens: "list[bytes]", values: "Array") -> None:
-        self.tokens = tokens
+        super().__init__(tokens)
         self.values = values
         longest = max(map(len, tokens), default=0)
         # Longer tokens may have more digits than a double distinguishes.
         self.long: list[int] = []
         if longest > DECIMAL_DIGITS:
             self.long = [index for index, token in enumerate(tokens) if len(token) > DECIMAL_DIGITS]
-
-    def take(self, rows: "list[int]") -> "Column":
-        """Some of its rows."""
-        return Column([self.tokens[row] for row in rows], self.values[rows])
 
     def suspicious(self) -> "Mask | None":
         """Mask of numbers beyond the range of a double, for which the single call writes the message."""
@@ -165,17 +154,3 @@ def _odd_sized(values: "Array") -> "list[int]":
     size = np.abs(values)
     odd = (size < _PLAIN_LOW) | (size >= _PLAIN_HIGH)
     return sorted(set(np.nonzero(odd & (size != 0.0))[0].tolist())) if odd.any() else []
-
-
-def weave(pieces: "list[bytes | list[bytes]]", count: int) -> bytes:
-    """Rows of pieces, joined: a piece is the same in every row, or a list with one item for each."""
-    merged: list[Any] = []
-    for piece in pieces:
-        if isinstance(piece, bytes) and merged and isinstance(merged[-1], bytes):
-            merged[-1] += piece
-        elif piece != b"":
-            merged.append(piece)
-    woven: list[bytes] = [b""] * (len(merged) * count)
-    for index, piece in enumerate(merged):
-        woven[index :: len(merged)] = [piece] * count if isinstance(piece, bytes) else piece
-    return b"".join(woven)
