@@ -362,8 +362,7 @@ class _Stream:
 
     def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], list[bytes]]]":
         """The rows of a group that could be answered together: their indices in it, and their texts."""
-        from dynamics_cli.core.batch.rows.results import sliced
-        from dynamics_cli.core.batch.text.weaving import Unsuited, weave
+        from dynamics_cli.core.batch.text.weaving import Unsuited, sliced, weave
 
         plan = group.plan
         if plan.failures > MOST_FAILURES:

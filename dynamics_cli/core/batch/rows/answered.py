@@ -2,9 +2,8 @@
 
 import numpy as np
 
-from dynamics_cli.core.batch.rows.results import Answered, rows_of
 from dynamics_cli.core.batch.text.columns import joined_texts, texts
-from dynamics_cli.core.batch.text.weaving import Unsuited
+from dynamics_cli.core.batch.text.weaving import Answered, Unsuited, rows_of
 from dynamics_cli.core.output.row_layout import Part, compact
 from dynamics_cli.core.units.display import Shown
 from dynamics_cli.errors import UsageError
@@ -16,7 +15,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from dynamics_cli.core.batch.rows.results import Result
+    from dynamics_cli.core.batch.text.weaving import Result
 
     Array = NDArray[Any]
     Mask = NDArray[Any]

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from dynamics_cli.core.batch.rows.results import Answered
+    from dynamics_cli.core.batch.text.weaving import Answered
     from dynamics_cli.core.output.row_layout import Part
 
     Array = NDArray[Any]

@@ -66,29 +66,6 @@ def column_of(tokens: "list[bytes]", *, strict: bool = False) -> "Column | None"
     return Column(tokens, np.fromiter(values, float, len(values)))
 
 
-def exact_scale(
-    column: Column, factor: Factor, decimals: Decimals, exact: "Callable[[int, int], float]"
-) -> "tuple[Array, Array, int, list[int]]":
-    """Decimals times a factor: the results, the integers N and the power k of N·10^-k, and the rows done one by one."""
-    integers, power, missing = decimals.find(column.values)
-    singly = sorted({*column.long, *(np.flatnonzero(missing).tolist() if missing is not None else ())})
-    ten = 10**power
-    if singly:
-        integers[singly] = 0.0
-    result = scale(integers, factor.over_ten_to(power), lambda value: exact(int(value), ten), whole=True)
-    for row in singly:
-        result[row] = exactly(column.tokens[row], exact)
-    return result, integers, power, singly
-
-
-def exactly(token: bytes, exact: "Callable[[int, int], float]") -> float:
-    """One token by exact integers; NaN when a single call would refuse it."""
-    try:
-        return exact(*read_number(token.decode().strip()))
-    except UsageError:
-        return NAN
-
-
 class Slot:
     """Where a column's numbers go: the address of the input, its kind and its unit."""
 
@@ -99,9 +76,9 @@ class Slot:
         self.factor = Factor(unit.numerator, unit.denominator, unit.pi, unit.offset)
         self.decimals = Decimals()
 
-    def _exact(self, numerator: int, denominator: int) -> float:
+    def _exact(self, read: "Callable[[], tuple[int, int]]") -> float:
         try:
-            return to_si(numerator, denominator, self.unit)
+            return to_si(*read(), self.unit)
         except UsageError:
             return NAN
 
@@ -109,12 +86,18 @@ class Slot:
         """SI values, and a mask of those that a single call would refuse (None: none)."""
         odd = column.suspicious()
         if self.factor.is_one:
-            values = column.values + 0.0
-        else:
-            values, *_ = exact_scale(column, self.factor, self.decimals, self._exact)
-            lost = np.isnan(values)
-            if lost.any():
-                odd = lost if odd is None else odd | lost
+            return column.values + 0.0, self._outside(column.values, odd)
+        integers, power, missing = self.decimals.find(column.values)
+        singly = sorted({*column.long, *(np.flatnonzero(missing).tolist() if missing is not None else ())})
+        ten = 10**power
+        integers[singly] = 0.0
+        factor = self.factor.over_ten_to(power)
+        values = scale(integers, factor, lambda value: self._exact(lambda: (int(value), ten)), whole=True)
+        for row in singly:
+            values[row] = self._exact(lambda: read_number(column.tokens[row].decode().strip()))  # noqa: B023  at once
+        lost = np.isnan(values)
+        if lost.any():
+            odd = lost if odd is None else odd | lost
         return values, self._outside(values, odd)
 
     def _outside(self, values: "Array", odd: "Mask | None") -> "Mask | None":

@@ -3,8 +3,7 @@
 from math import gcd
 
 from dynamics_cli.core.batch.rows.case import Case
-from dynamics_cli.core.batch.rows.results import Answered
-from dynamics_cli.core.batch.text.weaving import Tokens, Unsuited
+from dynamics_cli.core.batch.text.weaving import Answered, Tokens, Unsuited
 from dynamics_cli.core.inputs.quantity_text import read_number
 from dynamics_cli.core.inputs.values import Constant, Several
 from dynamics_cli.core.units.conversion import PI, PI_DIGITS, convert, is_offset, nearest
@@ -18,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    from dynamics_cli.core.batch.rows.results import Result
+    from dynamics_cli.core.batch.text.weaving import Result
 
     # Of a number N·10^-k: what N is multiplied by, and by k what is added and what divides.
     Way = tuple[int, list[int], list[int]]

@@ -7,40 +7,34 @@ from dynamics_cli.core.batch.text.numbers import is_number
 from dynamics_cli.core.batch.text.weaving import Tokens, Unsuited
 from dynamics_cli.errors import DynamicsError
 
-
-class Pairs:
-    """Lines of a number, its unit and the target unit: grouped by the text after the number."""
-
-    def __init__(self, case: Case) -> None:
-        self.case = case
-        self.plans: dict[bytes, ExactPlan | None] = {}
-
-    def plan(self, rest: bytes, token: bytes) -> "ExactPlan | None":
-        """The plan for lines that end like this one, or None when they are answered one by one."""
-        if rest not in self.plans:
-            if len(self.plans) >= 2048:
-                self.plans.clear()
-            try:
-                if b"'" in rest or b'"' in rest:
-                    raise Unsuited("quotes may join words")
-                raw = self.case.words((token + b" " + rest).decode().split())
-                self.plans[rest] = ExactPlan(
-                    self.case, raw, [self.case.measure[0]], flags=self.case.settings.format_given
-                )
-            except (Unsuited, DynamicsError, UnicodeDecodeError):
-                self.plans[rest] = None
-        return self.plans[rest]
+MOST_PLANS = 2048
 
 
 class WordGroups(Groups):
     """Lines of a number, its unit and the units wanted."""
 
     def __init__(self, case: Case) -> None:
-        self.pairs = Pairs(case)
+        self.case = case
+        self.plans: dict[bytes, ExactPlan | None] = {}
+
+    def _plan(self, rest: bytes, token: bytes) -> "ExactPlan | None":
+        """The plan for lines that end like this one, or None when they are answered one by one."""
+        if rest not in self.plans:
+            if len(self.plans) >= MOST_PLANS:
+                self.plans.clear()
+            try:
+                if b"'" in rest or b'"' in rest:
+                    raise Unsuited("quotes may join words")
+                raw = self.case.words((token + b" " + rest).decode().split())
+                flags = self.case.settings.format_given
+                self.plans[rest] = ExactPlan(self.case, raw, [self.case.measure[0]], flags=flags)
+            except (Unsuited, DynamicsError, UnicodeDecodeError):
+                self.plans[rest] = None
+        return self.plans[rest]
 
     def uniform(self, lines: "list[bytes]") -> "list[Group] | None":
         """Bare numbers, all in the unit that the call fixes."""
-        plan = self.pairs.plan(b"", b"1")
+        plan = self._plan(b"", b"1")
         return [Group(plan, [Tokens(lines)])] if plan is not None and _may_be_numbers(lines) else None
 
     def sorted(self, lines: "list[bytes]") -> "list[Group]":
@@ -57,7 +51,7 @@ class WordGroups(Groups):
         for rest, places in groups.items():
             if len(places) < SMALLEST_GROUP // 4:
                 continue
-            plan = self.pairs.plan(rest, parts[places[0]][0])
+            plan = self._plan(rest, parts[places[0]][0])
             if plan is not None:
                 tokens = Tokens([parts[place][0] for place in places])
                 result.append(Group(plan, [tokens], places if rows is None else [rows[place] for place in places]))
