@@ -115,7 +115,7 @@ def texts(values: "Array") -> "list[bytes]":
     """The shortest text of each number that reads back as it: what `repr` writes."""
     listed = values.tolist()
     tokens = _encode(listed)[1:-1].split(b",") if listed else []
-    for row in _odd_sized(values):
+    for (row,) in _odd_sized(values):
         tokens[row] = repr(listed[row]).encode()
     return tokens
 
@@ -127,13 +127,18 @@ def joined_texts(columns: "list[Array]") -> "list[bytes]":
     matrix = np.stack(columns, axis=1)
     listed = matrix.tolist()
     rows = _encode(listed)[2:-2].split(b"],[") if listed else []
-    for row in _odd_sized(matrix):
-        rows[row] = ",".join(map(repr, listed[row])).encode()
+    cells: dict[int, list[bytes]] = {}
+    for row, place in _odd_sized(matrix):
+        if row not in cells:
+            cells[row] = rows[row].split(b",")
+        cells[row][place] = repr(listed[row][place]).encode()
+    for row, tokens in cells.items():
+        rows[row] = b",".join(tokens)
     return rows
 
 
-def _odd_sized(values: "Array") -> "list[int]":
-    """The rows with a number that msgspec writes in another way than `repr`, which gives it an exponent."""
+def _odd_sized(values: "Array") -> "list[list[int]]":
+    """Where the numbers are that msgspec writes in another way than `repr`, which gives them an exponent."""
     size = np.abs(values)
     odd = (size < _PLAIN_LOW) | (size >= _PLAIN_HIGH)
-    return sorted(set(np.nonzero(odd & (size != 0.0))[0].tolist())) if odd.any() else []
+    return np.argwhere(odd & (size != 0.0)).tolist() if odd.any() else []
