@@ -48,9 +48,12 @@ class Column(Tokens):
     def suspicious(self) -> "Mask | None":
         """Mask of numbers beyond the range of a double, for which the single call writes the message."""
         odd = ~np.isfinite(self.values)
-        for row in np.flatnonzero(self.values == 0.0).tolist():
-            mantissa = self.tokens[row].lower().partition(b"e")[0]
-            odd[row] = bool(mantissa.strip(b"+-0. \t"))
+        zeros = np.flatnonzero(self.values == 0.0).tolist()
+        lost = {
+            token for token in {self.tokens[row] for row in zeros} if token.lower().partition(b"e")[0].strip(b"+-0. \t")
+        }
+        for row in zeros if lost else ():
+            odd[row] = self.tokens[row] in lost
         return odd if odd.any() else None
 
 
