@@ -1,5 +1,6 @@
 """Exact conversions in bulk: the same ratio for all rows of a pair of units, each row rounded once by `int / int`."""
 
+import re
 from math import gcd
 
 from dynamics_cli.core.batch.rows.case import Case
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
 NAN = float("nan")
 # Numbers with more decimals, or longer than this, are converted one by one.
 DECIMALS, LONGEST = 41, 100
+_is_short = re.compile(rb" *[+-]?(?:[0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40}) *").fullmatch
 # From so many numbers on the import of a faster writer pays.
 MANY = 25_000
 
@@ -61,8 +63,14 @@ class Conversion:
         try:
             values, exact = self._together(tokens, flag=flag)
         except (OverflowError, ValueError, IndexError):
-            pairs = list(map(self._single, tokens))
-            values, exact = [value for value, _ in pairs], [exact for _, exact in pairs]
+            short = {row: token for row, token in enumerate(tokens) if _is_short(token)}
+            if 0 < len(short) < len(tokens):
+                made, _, marks = self.run(list(short.values()), flag=True)
+                pairs = dict(zip(short, zip(made, marks, strict=True), strict=True))
+            else:
+                pairs = {}
+            every = [pairs[row] if row in pairs else self._single(token) for row, token in enumerate(tokens)]
+            values, exact = [value for value, _ in every], [exact for _, exact in every]
         total = sum(values)
         return values, {row for row, value in enumerate(values) if value != value} if total != total else set(), exact
 
