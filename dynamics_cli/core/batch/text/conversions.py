@@ -100,13 +100,11 @@ class Conversion:
             for row, (n, k) in enumerate(zip(wholes, places, strict=True)):
                 if n * factor + zeros[k] < 0:
                     values[row] = NAN
-        exact = []
-        if flag:
-            odds = [bottom // (bottom & -bottom) for bottom in bottoms]
-            rational = len(self.ways) == 1
-            for n, k, value in zip(tops, places, values, strict=True):
-                even = not n or (rational and not n % odds[k])
-                exact.append(even and value == value and _is(value, n, bottoms[k]))
+        if not flag:
+            return values, []
+        rational = len(self.ways) == 1
+        every = zip(tops, places, values, strict=True)
+        exact = [value == value and (rational or not n) and _is(value, n, bottoms[k]) for n, k, value in every]
         return values, exact
 
     def _single(self, token: bytes) -> "tuple[float, bool]":
