@@ -6,8 +6,8 @@ from unittest.mock import patch
 
 from dynamics_cli.core.answering.task import Family, Model, Task
 from dynamics_cli.core.batch import stream
-from dynamics_cli.core.batch.rows import groups
 from dynamics_cli.core.batch.text import cells, objects
+from dynamics_cli.core.batch.text import words as pairs
 from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.terminal import Terminal
 from dynamics_cli.errors import require
@@ -186,7 +186,7 @@ def run(task, data, *words, stdin=None, environ=None, arrays=True, **options):
     with ExitStack() as patches:
         patches.enter_context(patch.object(stream, "FIRST_ARRAY_ROWS", 1 if arrays else 10**9))
         patches.enter_context(patch.object(stream, "ARRAY_ROWS", 1))
-        for module in (cells, objects, groups):
+        for module in (cells, objects, pairs):
             patches.enter_context(patch.object(module, "SMALLEST_GROUP", 4))
         status = stream.run_rows(task, call, made, terminal)
     return status, out.getvalue(), err.getvalue().decode()

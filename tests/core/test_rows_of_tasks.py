@@ -16,10 +16,8 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 from rows_of_tasks import Call, calls
 
 COUNT = 60
-# Each row of the first is a calculation of its own; of the last not every row is a body's.
-ALONE = ("cam size", "gear profile", "spin free", "spin shaft")
 TASKS = (
-    *(text for text in calls() if not text.startswith(ALONE)),
+    *calls(),
     'coords "4 ft" "30 deg" "0.0003 ft" --from cylindrical --into spherical',
     'impact oblique --first-mass "1 kg" --first-velocity "3, 0.2 m/s" --second-mass "1 kg"'
     ' --second-velocity "-1, 0.4 m/s" --normal "2 deg" --restitution 0.95',

@@ -5,6 +5,9 @@ import json
 import pytest
 from harness import answer, run
 
+from dynamics_cli.core.batch import sweep
+from dynamics_cli.core.batch.stream import FIRST_ARRAY_ROWS
+
 SPEED = ("skid", "speed")
 CSV = "distance[ft],friction\n60,0.7 ± 0.05\n50,0.65..0.75\n40,0.7\n"
 
@@ -50,12 +53,12 @@ def test_an_option_may_be_uncertain_for_every_row() -> None:
     assert second["interval"][1] < first["interval"][1]
 
 
-def test_two_thousand_rows_with_an_uncertain_option_are_not_taken_as_certain() -> None:
-    rows = "distance[ft]\n" + "60\n" * 1500
+def test_so_many_rows_that_arrays_pay_are_not_taken_as_certain_where_an_option_is_uncertain() -> None:
+    rows = "distance[ft]\n" + "60\n" * (FIRST_ARRAY_ROWS + 10)
     outcome = run(*SPEED, "--rows", "-", "--friction", "0.7 ± 0.05", "--method", "linear", stdin=rows)
     assert outcome.status == 0
     lines = outcome.out.splitlines()
-    assert len(lines) == 1501
+    assert len(lines) == FIRST_ARRAY_ROWS + 11
     assert len(set(lines[1:])) == 1
     assert ",," not in lines[1][: lines[1].index("18.288")]
 
@@ -96,7 +99,8 @@ class TestSweeps:
         assert "speed.low" not in table
         assert table["speed"]["value"][1] == single("--distance", "60 ft", "--friction", "0.7")["speed"]["value"]
 
-    def test_many_points_are_not_taken_as_certain(self) -> None:
-        argv = ("--distance", "60 ft", "--friction", "0.7 ± 0.05", "--sweep", "distance=20 ft:60 ft:1001")
+    def test_many_points_are_not_taken_as_certain(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(sweep, "ARRAY_POINTS", 40)
+        argv = ("--distance", "60 ft", "--friction", "0.7 ± 0.05", "--sweep", "distance=20 ft:60 ft:41")
         table = answer(*SPEED, *argv, "--method", "linear")["results"]["sweep"]
         assert all(value is not None for value in table["speed.low"]["value"])

@@ -363,8 +363,7 @@ class _Stream:
 
     def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], list[bytes]]]":
         """The rows of a group that could be answered together: their indices in it, and their texts."""
-        from dynamics_cli.core.batch.rows.answered import sliced, written
-        from dynamics_cli.core.batch.text.columns import Unsuited, weave
+        from dynamics_cli.core.batch.text.weaving import Unsuited, sliced, weave
 
         plan = group.plan
         if plan.failures > MOST_FAILURES:
@@ -376,13 +375,13 @@ class _Stream:
             return
         plan.failures += sum(len(part.rows) for part in answered) * 4 < len(lines)
         for part in answered:
-            places = part.rows.tolist()
+            places = list(part.rows)
             complete = len(places) == len(lines)
             answered_lines = lines if complete else [lines[place] for place in places]
             echoes = self._echoes(answered_lines, group, None if complete else places)
             texts = []
             for rows, results in sliced(part.results, len(places)):
-                pieces = self.output.pieces(echoes[rows], written(results, self.output.format))
+                pieces = self.output.pieces(echoes[rows], plan.written(results, self.output.format))
                 texts.append(weave(pieces, rows.stop - rows.start))
             if part.signature not in plan.proved:
                 if not self._agrees(answered_lines, texts):

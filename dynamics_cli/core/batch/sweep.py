@@ -201,7 +201,8 @@ def _template(points: _Points) -> "tuple[Fields | None, int]":
 def _by_arrays(points: _Points, index: int, rows: "list[list[Any] | None]") -> None:
     """Fill in the points that one array call can answer; the others stay None."""
     from dynamics_cli.core.batch.rows.plan import Plan
-    from dynamics_cli.core.batch.text.columns import Unsuited, column_of
+    from dynamics_cli.core.batch.text.columns import column_of
+    from dynamics_cli.core.batch.text.weaving import Unsuited
 
     try:
         plan = Plan(points, points.point(index), [axis.name for axis in points.axes], [None] * len(points.axes))

@@ -39,9 +39,9 @@ def typed(x: float) -> "Pair":
         raise InadmissibleError("a number leaves the range of a double", code="range", hint="check the inputs")
     mantissa, _, power = repr(float(x)).partition("e")
     integer, _, fraction = mantissa.partition(".")
-    digits = int(integer + fraction)
-    if len(str(abs(digits)).rstrip("0")) > DECIMAL_DIGITS:
+    if len((integer + fraction).strip("-0")) > DECIMAL_DIGITS:
         return float(x).as_integer_ratio()
+    digits = int(integer + fraction)
     exponent = int(power or 0) - len(fraction)
     return product((digits * 10**exponent, 1) if exponent >= 0 else (digits, 10**-exponent))
 

@@ -47,9 +47,9 @@ def check_of_constant(r: Vector, v: Vector, a: Vector, when: float, gap: float) 
     """The same for constant accelerations, in doubles."""
     r, v, a = (tuple(map(plain, x)) for x in (r, v, a))  # type: ignore[assignment]
     when, gap = plain(when), plain(gap)
-    size = math.hypot(*r) + math.hypot(*v) * when + math.hypot(*a) * when * when
+    size = length(r) + length(v) * when + length(a) * when * when
     step = 1e-3 * when or 1e-6
-    around = [math.hypot(*place_at(r, v, a, time)) for time in (max(when - step, 0.0), when + step)]
+    around = [length(place_at(r, v, a, time)) for time in (max(when - step, 0.0), when + step)]
     return nearest_check(gap, around, size)
 
 

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from dynamics_cli.core.batch.text.columns import Unsuited, joined_texts, texts
+from dynamics_cli.core.batch.text.columns import joined_texts, texts
+from dynamics_cli.core.batch.text.weaving import Answered, Unsuited, rows_of
 from dynamics_cli.core.output.row_layout import Part, compact
 from dynamics_cli.core.units.display import Shown
 from dynamics_cli.errors import UsageError
@@ -10,32 +11,17 @@ from dynamics_cli.numerics.exact.factors import Factor, scale
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
     from typing import Any
 
     from numpy.typing import NDArray
 
+    from dynamics_cli.core.batch.text.weaving import Result
+
     Array = NDArray[Any]
     Mask = NDArray[Any]
     Rows = NDArray[np.int64]
-    # (part, "each", one value or text a row), (part, "measured", (texts, units)), (part, "all", that of every row) or
-    # (part, "beside", None) where its text is that of the part before.
-    Result = tuple[Part, str, Any]
 
 NAN = float("nan")
-# Numbers whose texts are put together at once, and the fewest rows.
-SLICE_NUMBERS, LEAST_SLICE = 10_000, 100
-
-
-class Answered:
-    """Rows answered in the same way: their indices, results and branch."""
-
-    __slots__ = ("results", "rows", "signature")
-
-    def __init__(self, rows: "Rows", results: "list[Result]", signature: "tuple[Any, ...]") -> None:
-        self.rows = rows
-        self.results = results
-        self.signature = signature
 
 
 def kept(rows: "Rows", columns: "list[Result]", good: "Mask", trail: "tuple[Any, ...]") -> "Answered | None":
@@ -43,7 +29,7 @@ def kept(rows: "Rows", columns: "list[Result]", good: "Mask", trail: "tuple[Any,
     if not good.all():
         if not good.any():
             return None
-        columns = [(part, how, _rows(how, value, good)) for part, how, value in columns]
+        columns = [(part, how, rows_of(how, value, good)) for part, how, value in columns]
         rows = rows[good]
     return Answered(rows, columns, trail)
 
@@ -109,24 +95,6 @@ def shown_factor(shown: "Shown | None") -> "Factor | None":
         return None
     shift, over = unit.offset
     return Factor(unit.denominator, unit.numerator, -unit.pi, (-shift * unit.denominator, over * unit.numerator))
-
-
-def sliced(results: "list[Result]", count: int) -> "Iterator[tuple[slice, list[Result]]]":
-    """The results of a few rows at a time: their texts are put together while they are in the processor's cache."""
-    step = max(LEAST_SLICE, SLICE_NUMBERS // max(len(results), 1))
-    if count <= step:
-        yield slice(0, count), results
-        return
-    for start in range(0, count, step):
-        rows = slice(start, min(start + step, count))
-        yield rows, [(part, how, _rows(how, value, rows)) for part, how, value in results]
-
-
-def _rows(how: str, value: "Any", rows: "slice | Mask") -> "Any":
-    if how == "measured":
-        columns, units = value
-        return [column[rows] for column in columns], units
-    return value[rows] if how == "each" else value
 
 
 def written(results: "list[Result]", form: str) -> "list[Result]":

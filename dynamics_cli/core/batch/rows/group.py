@@ -3,7 +3,6 @@
 from abc import ABC, abstractmethod
 
 from dynamics_cli.core.batch.rows.case import Case
-from dynamics_cli.core.batch.rows.plan import Plan
 from dynamics_cli.core.batch.text.conversions import ExactPlan
 
 TYPE_CHECKING = False
@@ -11,7 +10,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    from dynamics_cli.core.batch.text.columns import Column
+    from dynamics_cli.core.batch.rows.plan import Plan
+    from dynamics_cli.core.batch.text.weaving import Tokens
 
 # Groups smaller than this are cheaper one by one.
 SMALLEST_GROUP = 64
@@ -28,7 +28,7 @@ class Group:
     def __init__(
         self,
         plan: "Plan | ExactPlan",
-        columns: "list[Column]",
+        columns: "Sequence[Tokens]",
         rows: "list[int] | None" = None,
         echoes: "list[bytes] | None" = None,
     ) -> None:
@@ -44,6 +44,8 @@ def make_plan(
     """The plan for rows like this one; raises Unsuited, or the error of this one row."""
     if case.measure[0]:
         return ExactPlan(case, raw, addresses)
+    from dynamics_cli.core.batch.rows.plan import Plan
+
     return Plan(case, raw, addresses, units)
 
 

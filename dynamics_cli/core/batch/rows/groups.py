@@ -4,55 +4,24 @@ Most blocks are one group: that is tried first, by whole-block operations. Only 
 """
 
 from dynamics_cli.core.batch.rows.case import Case
-from dynamics_cli.core.batch.rows.group import SMALLEST_GROUP, Group, Groups
 from dynamics_cli.core.batch.rows.inputs import CsvInput, Input, JsonInput, TextInput
-from dynamics_cli.core.batch.text.cells import CellGroups
-from dynamics_cli.core.batch.text.columns import column_of
-from dynamics_cli.core.batch.text.conversions import Pairs
-from dynamics_cli.core.batch.text.numbers import is_number
-from dynamics_cli.core.batch.text.objects import JsonGroups
+from dynamics_cli.core.batch.text.words import WordGroups
 from dynamics_cli.core.inputs.specification import Leaf
 
-
-class WordGroups(Groups):
-    """Lines of a number, its unit and the units wanted."""
-
-    def __init__(self, case: Case) -> None:
-        self.pairs = Pairs(case)
-
-    def uniform(self, lines: "list[bytes]") -> "list[Group] | None":
-        """Bare numbers, all in the unit that the call fixes."""
-        plan = self.pairs.plan(b"", b"1")
-        column = column_of(lines) if plan is not None else None
-        return [Group(plan, [column])] if plan is not None and column is not None else None
-
-    def sorted(self, lines: "list[bytes]") -> "list[Group]":
-        """Groups by the text after the number."""
-        parts = [line.partition(b" ") for line in lines]
-        column = column_of([part[0] for part in parts])
-        rows: list[int] | None = None
-        if column is None:
-            rows = [row for row, part in enumerate(parts) if is_number(part[0])]
-            column = column_of([parts[row][0] for row in rows])
-            if column is None:
-                return []
-            parts = [parts[row] for row in rows]
-        groups: dict[bytes, list[int]] = {}
-        for place, part in enumerate(parts):
-            groups.setdefault(part[2], []).append(place)
-        result = []
-        for rest, places in groups.items():
-            if len(places) < SMALLEST_GROUP // 4:
-                continue
-            plan = self.pairs.plan(rest, parts[places[0]][0])
-            if plan is not None:
-                result.append(Group(plan, [column.take(places)], places if rows is None else [rows[p] for p in places]))
-        return result
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.core.batch.rows.group import Groups
 
 
 def groups_of(source: Input, case: Case, first: bytes) -> "Groups | None":
     """How the rows of this input are sorted; None when they are answered one by one."""
+    if isinstance(source, TextInput) and case.measure[0]:
+        return WordGroups(case)
+    from dynamics_cli.core.batch.text.cells import CellGroups
+
     if isinstance(source, JsonInput):
+        from dynamics_cli.core.batch.text.objects import JsonGroups
+
         return JsonGroups(source, case)
     if isinstance(source, CsvInput):
         columns = source.columns
@@ -62,8 +31,6 @@ def groups_of(source: Input, case: Case, first: bytes) -> "Groups | None":
             return None
         addresses = [address or ("error" if i in source.errors else "") for i, address in enumerate(addresses)]
         return CellGroups(source, case, b",", addresses, [column.unit for column in columns])
-    if case.measure[0]:
-        return WordGroups(case)
     free = [field for field in case.task.specification.words if field.key not in case.fixed]
     words = first.split()
     if not isinstance(source, TextInput) or len(words) != len(free):

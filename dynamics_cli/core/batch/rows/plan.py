@@ -12,10 +12,11 @@ import numpy as np
 
 from dynamics_cli.core.answering.models import arguments, choose
 from dynamics_cli.core.answering.task import Model, load
-from dynamics_cli.core.batch.rows.answered import Answered, constant, kept, scaled, shown, shown_factor
+from dynamics_cli.core.batch.rows.answered import constant, kept, scaled, shown, shown_factor, written
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.cautions import Extremes
-from dynamics_cli.core.batch.text.columns import Column, Slot, Unsuited
+from dynamics_cli.core.batch.text.columns import Slot
+from dynamics_cli.core.batch.text.weaving import Unsuited
 from dynamics_cli.core.inputs.values import Bound, Exact, Fields, Several, Value, VectorValue
 from dynamics_cli.core.units.lookup import parse_unit
 from dynamics_cli.errors import DynamicsError, InadmissibleError
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dynamics_cli.core.batch.text.weaving import Answered
     from dynamics_cli.core.output.row_layout import Part
 
     Array = NDArray[Any]
@@ -56,6 +58,8 @@ def _is_fixed(fixed: "dict[str, Any]", address: str) -> bool:
 
 class Plan:
     """How rows of one kind are answered: the template's inputs, where its numbers go, and the model."""
+
+    written = staticmethod(written)
 
     def __init__(
         self, case: Case, raw: "dict[str, Any]", addresses: "Sequence[str]", units: "Sequence[str | None]"
@@ -121,7 +125,7 @@ class Plan:
         args, kwargs = arguments(self.case.task, self.bound, values)
         return self._model(values).call()(*args, **kwargs)
 
-    def run(self, columns: "list[Column]") -> "list[Answered]":
+    def run(self, columns: "Sequence[Any]") -> "list[Answered]":
         """The results of all rows that can be answered together, grouped by branch; the others are left out."""
         count = len(columns[0].tokens)
         arrays: dict[str, Array] = {}

@@ -13,8 +13,9 @@ from dynamics_cli.core.batch.rows.group import (
     readable,
 )
 from dynamics_cli.core.batch.rows.inputs import Input
-from dynamics_cli.core.batch.text.columns import Column, Unsuited, column_of
+from dynamics_cli.core.batch.text.columns import Column, column_of
 from dynamics_cli.core.batch.text.numbers import QUOTED, Written, apart, written
+from dynamics_cli.core.batch.text.weaving import Unsuited
 from dynamics_cli.errors import DynamicsError
 
 TYPE_CHECKING = False

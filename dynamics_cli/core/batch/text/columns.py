@@ -4,6 +4,7 @@ import msgspec
 import numpy as np
 
 from dynamics_cli.core.batch.text.numbers import loose_numbers
+from dynamics_cli.core.batch.text.weaving import Tokens
 from dynamics_cli.core.inputs.quantity_text import read_number
 from dynamics_cli.core.units.conversion import to_si
 from dynamics_cli.core.units.unit import Unit
@@ -30,21 +31,13 @@ _encode = msgspec.json.Encoder().encode
 _PLAIN_LOW, _PLAIN_HIGH = 1e-4, 1e16
 
 
-class Unsuited(Exception):
-    """These rows cannot be answered together; `numeric` holds the addresses of the numbers that could be."""
-
-    def __init__(self, why: str, numeric: "set[str] | None" = None) -> None:
-        super().__init__(why)
-        self.numeric = numeric
-
-
-class Column:
+class Column(Tokens):
     """Tokens that are all numbers, with spaces around them perhaps, and the doubles nearest to them."""
 
-    __slots__ = ("long", "tokens", "values")
+    __slots__ = ("long", "values")
 
     def __init__(self, tokens: "list[bytes]", values: "Array") -> None:
-        self.tokens = tokens
+        super().__init__(tokens)
         self.values = values
         longest = max(map(len, tokens), default=0)
         # Longer tokens may have more digits than a double distinguishes.
@@ -52,16 +45,15 @@ class Column:
         if longest > DECIMAL_DIGITS:
             self.long = [index for index, token in enumerate(tokens) if len(token) > DECIMAL_DIGITS]
 
-    def take(self, rows: "list[int]") -> "Column":
-        """Some of its rows."""
-        return Column([self.tokens[row] for row in rows], self.values[rows])
-
     def suspicious(self) -> "Mask | None":
         """Mask of numbers beyond the range of a double, for which the single call writes the message."""
         odd = ~np.isfinite(self.values)
-        for row in np.flatnonzero(self.values == 0.0).tolist():
-            mantissa = self.tokens[row].lower().partition(b"e")[0]
-            odd[row] = bool(mantissa.strip(b"+-0. \t"))
+        zeros = np.flatnonzero(self.values == 0.0).tolist()
+        lost = {
+            token for token in {self.tokens[row] for row in zeros} if token.lower().partition(b"e")[0].strip(b"+-0. \t")
+        }
+        for row in zeros if lost else ():
+            odd[row] = self.tokens[row] in lost
         return odd if odd.any() else None
 
 
@@ -77,29 +69,6 @@ def column_of(tokens: "list[bytes]", *, strict: bool = False) -> "Column | None"
     return Column(tokens, np.fromiter(values, float, len(values)))
 
 
-def exact_scale(
-    column: Column, factor: Factor, decimals: Decimals, exact: "Callable[[int, int], float]"
-) -> "tuple[Array, Array, int, list[int]]":
-    """Decimals times a factor: the results, the integers N and the power k of N·10^-k, and the rows done one by one."""
-    integers, power, missing = decimals.find(column.values)
-    singly = sorted({*column.long, *(np.flatnonzero(missing).tolist() if missing is not None else ())})
-    ten = 10**power
-    if singly:
-        integers[singly] = 0.0
-    result = scale(integers, factor.over_ten_to(power), lambda value: exact(int(value), ten), whole=True)
-    for row in singly:
-        result[row] = exactly(column.tokens[row], exact)
-    return result, integers, power, singly
-
-
-def exactly(token: bytes, exact: "Callable[[int, int], float]") -> float:
-    """One token by exact integers; NaN when a single call would refuse it."""
-    try:
-        return exact(*read_number(token.decode().strip()))
-    except UsageError:
-        return NAN
-
-
 class Slot:
     """Where a column's numbers go: the address of the input, its kind and its unit."""
 
@@ -110,9 +79,9 @@ class Slot:
         self.factor = Factor(unit.numerator, unit.denominator, unit.pi, unit.offset)
         self.decimals = Decimals()
 
-    def _exact(self, numerator: int, denominator: int) -> float:
+    def _exact(self, read: "Callable[[], tuple[int, int]]") -> float:
         try:
-            return to_si(numerator, denominator, self.unit)
+            return to_si(*read(), self.unit)
         except UsageError:
             return NAN
 
@@ -120,12 +89,18 @@ class Slot:
         """SI values, and a mask of those that a single call would refuse (None: none)."""
         odd = column.suspicious()
         if self.factor.is_one:
-            values = column.values + 0.0
-        else:
-            values, *_ = exact_scale(column, self.factor, self.decimals, self._exact)
-            lost = np.isnan(values)
-            if lost.any():
-                odd = lost if odd is None else odd | lost
+            return column.values + 0.0, self._outside(column.values, odd)
+        integers, power, missing = self.decimals.find(column.values)
+        singly = sorted({*column.long, *(np.flatnonzero(missing).tolist() if missing is not None else ())})
+        ten = 10**power
+        integers[singly] = 0.0
+        factor = self.factor.over_ten_to(power)
+        values = scale(integers, factor, lambda value: self._exact(lambda: (int(value), ten)), whole=True)
+        for row in singly:
+            values[row] = self._exact(lambda: read_number(column.tokens[row].decode().strip()))  # noqa: B023  at once
+        lost = np.isnan(values)
+        if lost.any():
+            odd = lost if odd is None else odd | lost
         return values, self._outside(values, odd)
 
     def _outside(self, values: "Array", odd: "Mask | None") -> "Mask | None":
@@ -143,7 +118,7 @@ def texts(values: "Array") -> "list[bytes]":
     """The shortest text of each number that reads back as it: what `repr` writes."""
     listed = values.tolist()
     tokens = _encode(listed)[1:-1].split(b",") if listed else []
-    for row in _odd_sized(values):
+    for (row,) in _odd_sized(values):
         tokens[row] = repr(listed[row]).encode()
     return tokens
 
@@ -155,27 +130,18 @@ def joined_texts(columns: "list[Array]") -> "list[bytes]":
     matrix = np.stack(columns, axis=1)
     listed = matrix.tolist()
     rows = _encode(listed)[2:-2].split(b"],[") if listed else []
-    for row in _odd_sized(matrix):
-        rows[row] = ",".join(map(repr, listed[row])).encode()
+    cells: dict[int, list[bytes]] = {}
+    for row, place in _odd_sized(matrix):
+        if row not in cells:
+            cells[row] = rows[row].split(b",")
+        cells[row][place] = repr(listed[row][place]).encode()
+    for row, tokens in cells.items():
+        rows[row] = b",".join(tokens)
     return rows
 
 
-def _odd_sized(values: "Array") -> "list[int]":
-    """The rows with a number that msgspec writes in another way than `repr`, which gives it an exponent."""
+def _odd_sized(values: "Array") -> "list[list[int]]":
+    """Where the numbers are that msgspec writes in another way than `repr`, which gives them an exponent."""
     size = np.abs(values)
     odd = (size < _PLAIN_LOW) | (size >= _PLAIN_HIGH)
-    return sorted(set(np.nonzero(odd & (size != 0.0))[0].tolist())) if odd.any() else []
-
-
-def weave(pieces: "list[bytes | list[bytes]]", count: int) -> bytes:
-    """Rows of pieces, joined: a piece is the same in every row, or a list with one item for each."""
-    merged: list[Any] = []
-    for piece in pieces:
-        if isinstance(piece, bytes) and merged and isinstance(merged[-1], bytes):
-            merged[-1] += piece
-        elif piece != b"":
-            merged.append(piece)
-    woven: list[bytes] = [b""] * (len(merged) * count)
-    for index, piece in enumerate(merged):
-        woven[index :: len(merged)] = [piece] * count if isinstance(piece, bytes) else piece
-    return b"".join(woven)
+    return np.argwhere(odd & (size != 0.0)).tolist() if odd.any() else []

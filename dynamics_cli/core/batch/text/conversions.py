@@ -1,20 +1,16 @@
-"""Exact conversions in bulk: the same rational factor for all rows of a pair of units, each row rounded once."""
+"""Exact conversions in bulk: the same ratio for all rows of a pair of units, each row rounded once by `int / int`."""
 
+import re
 from math import gcd
 
-import numpy as np
-
-from dynamics_cli.core.batch.rows.answered import Answered
 from dynamics_cli.core.batch.rows.case import Case
-from dynamics_cli.core.batch.text.columns import Column, Unsuited, exact_scale, texts
+from dynamics_cli.core.batch.text.weaving import Answered, Tokens, Unsuited
 from dynamics_cli.core.inputs.quantity_text import read_number
 from dynamics_cli.core.inputs.values import Constant, Several
-from dynamics_cli.core.output.row_layout import Part
-from dynamics_cli.core.units.conversion import convert, is_offset, nearest
+from dynamics_cli.core.units.conversion import PI, PI_DIGITS, convert, is_offset, nearest
 from dynamics_cli.core.units.lookup import parse_pair
 from dynamics_cli.core.units.unit import Unit, conformable
-from dynamics_cli.errors import DynamicsError, UsageError
-from dynamics_cli.numerics.exact.factors import WHOLE_LIMIT, Decimals, Factor
+from dynamics_cli.errors import UsageError
 from dynamics_cli.records import ExactQuantity
 
 TYPE_CHECKING = False
@@ -22,98 +18,139 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    from numpy.typing import NDArray
+    from dynamics_cli.core.batch.text.weaving import Result
 
-    Array = NDArray[Any]
-    Mask = NDArray[Any]
-    Result = tuple[Part, str, Any]
+    # Of a number N·10^-k: what N is multiplied by, and by k what is added and what divides.
+    Way = tuple[int, list[int], list[int]]
 
 NAN = float("nan")
+# Numbers with more decimals, or longer than this, are converted one by one.
+DECIMALS, LONGEST = 41, 100
+_is_short = re.compile(rb" *[+-]?(?:[0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40}) *").fullmatch
+# From so many numbers on the import of a faster writer pays.
+MANY = 25_000
 
 
 class Conversion:
-    """From one unit to another: y = x · factor + shift in exact ratios, times a power of π."""
+    """From one unit to another; where π is in the ratio by a lower and an upper bound of it."""
 
     def __init__(self, source: Unit, target: Unit) -> None:
         if not conformable(source, target):
             raise Unsuited("the units do not fit")
         self.source = source
         self.target = target
+        pi = source.pi - target.pi
         up, over = source.offset
         down, under = target.offset
-        numerator, denominator = source.numerator * target.denominator, source.denominator * target.numerator
-        shift = ((up * under - down * over) * target.denominator, over * under * target.numerator)
-        self.factor = Factor(numerator, denominator, source.pi - target.pi, shift)
-        # Temperatures are refused below absolute zero, which depends on their scale.
-        scale = Factor(source.numerator, source.denominator, 0, source.offset)
-        self.kelvin = scale if is_offset(source) or is_offset(target) else None
-        self.decimals = Decimals()
+        top = source.numerator * over * under * target.denominator
+        shift = source.denominator * (up * under - down * over) * target.denominator
+        bottom = source.denominator * over * under * target.numerator
+        self.ways: list[Way] = []
+        for bound in (PI, PI + 1) if pi else (1,):
+            larger, smaller = bound ** abs(pi), 10 ** (PI_DIGITS * abs(pi))
+            above, below = (larger, smaller) if pi > 0 else (smaller, larger)
+            common = gcd(top * above, shift, bottom * below)
+            added, divisor = shift // common, bottom * below // common
+            tens = [10**power for power in range(DECIMALS)]
+            self.ways.append((top * above // common, [added * ten for ten in tens], [divisor * ten for ten in tens]))
+        # Temperatures are refused below absolute zero: N times the first and the second together are below zero.
+        self.kelvin: Way | None = None
+        if is_offset(source) or is_offset(target):
+            self.kelvin = source.numerator * over, [up * source.denominator * ten for ten in tens], []
 
-    def _exact(self, numerator: int, denominator: int) -> float:
+    def run(self, tokens: "list[bytes]", *, flag: bool) -> "tuple[list[float], set[int], list[bool]]":
+        """Converted numbers, which of them a single call would refuse, and which are exact."""
         try:
-            return nearest(*convert(numerator, denominator, self.source, self.target))
-        except UsageError:
-            return NAN
+            values, exact = self._together(tokens, flag=flag)
+        except (OverflowError, ValueError, IndexError):
+            short = {row: token for row, token in enumerate(tokens) if _is_short(token)}
+            if 0 < len(short) < len(tokens):
+                made, _, marks = self.run(list(short.values()), flag=True)
+                pairs = dict(zip(short, zip(made, marks, strict=True), strict=True))
+            else:
+                pairs = {}
+            every = [pairs[row] if row in pairs else self._single(token) for row, token in enumerate(tokens)]
+            values, exact = [value for value, _ in every], [exact for _, exact in every]
+        total = sum(values)
+        return values, {row for row, value in enumerate(values) if value != value} if total != total else set(), exact
 
-    def _exact_kelvin(self, numerator: int, denominator: int) -> float:
-        up, over = self.source.offset
-        n = numerator * self.source.numerator * over + up * denominator * self.source.denominator
-        return float((n > 0) - (n < 0))
-
-    def run(self, column: Column, *, flag: bool) -> "tuple[Array, Mask | None, list[bool] | None]":
-        """Converted numbers, which of them a single call would refuse (None: none), and which are exact."""
-        odd = column.suspicious()
-        values, integers, power, singly = exact_scale(column, self.factor, self.decimals, self._exact)
-        lost = np.isnan(values)
-        if lost.any():
-            odd = lost if odd is None else odd | lost
+    def _together(self, tokens: "list[bytes]", *, flag: bool) -> "tuple[list[float], list[bool]]":
+        """Those of short decimals without exponents; other numbers are an error."""
+        if b" " in b"".join(tokens):
+            tokens = [token.strip() for token in tokens]
+        if len(max(tokens, key=len)) > LONGEST or b" " in b"".join(tokens):
+            raise ValueError
+        parts = [token.partition(b".") for token in tokens]
+        places = [len(after) for _, _, after in parts]
+        wholes = list(map(int, [before + after for before, _, after in parts]))
+        top, shifts, bottoms = self.ways[0]
+        tops = (
+            [n * top + shifts[k] for n, k in zip(wholes, places, strict=True)]
+            if shifts[0]
+            else [n * top for n in wholes]
+        )
+        values = [n / bottoms[k] for n, k in zip(tops, places, strict=True)]
+        for other, _, divisors in self.ways[1:]:
+            if values != [n * other / divisors[k] for n, k in zip(wholes, places, strict=True)]:
+                raise ValueError
+        if 0.0 in values:
+            values = [NAN if n and not value else value for n, value in zip(tops, values, strict=True)]
         if self.kelvin is not None:
-            below = exact_scale(column, self.kelvin, self.decimals, self._exact_kelvin)[0] < 0.0
-            if below.any():
-                odd = below if odd is None else odd | below
-        if odd is not None:
-            values[odd] = 0.0
-        return values, odd, self._exactness(column, values, integers, power, singly) if flag else None
+            factor, zeros, _ = self.kelvin
+            for row, (n, k) in enumerate(zip(wholes, places, strict=True)):
+                if n * factor + zeros[k] < 0:
+                    values[row] = NAN
+        if not flag:
+            return values, []
+        rational = len(self.ways) == 1
+        every = zip(tops, places, values, strict=True)
+        exact = [value == value and (rational or not n) and _is(value, n, bottoms[k]) for n, k, value in every]
+        return values, exact
 
-    def _exactness(
-        self, column: Column, values: "Array", integers: "Array", power: int, singly: "list[int]"
-    ) -> "list[bool]":
-        """Whether each number is the exact result: whether the remaining denominator divides N."""
-        factor = self.factor
-        ten = 10**power
-        if factor.shift[0]:
-            exact = [False] * len(values)
-            singly = list(range(len(values)))
-        elif factor.pi:
-            return (values == 0.0).tolist()  # type: ignore[no-any-return]
-        else:
-            denominator = factor.denominator * ten
-            odd = denominator // gcd(denominator, factor.numerator)
-            odd //= odd & -odd
-            divides = np.fmod(integers, float(odd)) == 0.0 if odd < WHOLE_LIMIT else integers == 0.0
-            exact = divides.tolist()
-            # A quotient of more than 53 bits is not a double, even if exact.
-            if float(np.abs(integers).max(initial=0.0)) * abs(factor.numerator) >= WHOLE_LIMIT:
-                singly = sorted({*singly, *np.flatnonzero(divides).tolist()})
-        for row in singly:
-            exact[row] = self._is_exact(column.tokens[row], float(values[row]))
-        return exact
-
-    def _is_exact(self, token: bytes, value: float) -> bool:
+    def _single(self, token: bytes) -> "tuple[float, bool]":
+        text = token.decode().strip()
         try:
-            n, d, pi = convert(*read_number(token.decode()), self.source, self.target)
-        except UsageError:
-            return False
-        return pi == 0 and value.as_integer_ratio() == (n, d)
+            near = float(text)
+            n, d = read_number(text)
+            if near - near != 0.0 or (n and not near):
+                return NAN, False
+            if self.kelvin is not None and n * self.kelvin[0] + d * self.kelvin[1][0] < 0:
+                return NAN, False
+            top, bottom, pi = convert(n, d, self.source, self.target)
+            value = nearest(top, bottom, pi)
+        except (UsageError, ValueError):
+            return NAN, False
+        return value, pi == 0 and _is(value, top, bottom)
+
+
+def _texts(numbers: "list[float]", *, many: bool) -> "list[bytes]":
+    """The shortest text of each number that reads back as it: what `repr` writes."""
+    if many:
+        from msgspec.json import encode
+
+        encoded = encode(numbers)
+        # it writes exponents in another way, or none
+        if b"e" not in encoded and b"0.0000" not in encoded:
+            return encoded[1:-1].split(b",")
+    return repr(numbers)[1:-1].encode().split(b", ")
+
+
+def _is(value: float, top: int, bottom: int) -> bool:
+    """Whether a double is this ratio."""
+    p, q = value.as_integer_ratio()
+    return p * bottom == top * q
 
 
 class ExactPlan:
     """Rows of an exact quantity in one unit, converted to one or several units."""
 
-    def __init__(self, case: Case, raw: "dict[str, Any]", addresses: "Sequence[str]") -> None:
+    def __init__(self, case: Case, raw: "dict[str, Any]", addresses: "Sequence[str]", *, flags: bool = True) -> None:
         self.case = case
         self.proved: set[tuple[Any, ...]] = set()
         self.failures = 0
+        # How many rows it has answered.
+        self.done = 0
+        self.flags = flags and any(part.how == "flag" for part in case.layout.parts)
         name, targets = case.measure
         self.addresses = list(addresses)
         parameters = case.raw(raw)
@@ -129,52 +166,35 @@ class ExactPlan:
             raise Unsuited("only plain units can be converted as a column", {name})
         self.conversions = [Conversion(*parse_pair(value.value.unit, target)) for target in self.targets]
 
-    def run(self, columns: "list[Column]") -> "list[Answered]":
+    @staticmethod
+    def written(results: "list[Result]", form: str) -> "list[Result]":
+        """The results, which are texts."""
+        return results
+
+    def run(self, columns: "Sequence[Tokens]") -> "list[Answered]":
         """The converted numbers of all rows that a single call would not refuse."""
-        flags = [part for part in self.case.layout.parts if part.how == "flag"]
-        runs = [conversion.run(columns[0], flag=bool(flags)) for conversion in self.conversions]
-        good: Mask | None = None
-        for _, odd, _ in runs:
-            if odd is not None:
-                good = ~odd if good is None else good & ~odd
-        rows = None if good is None else np.flatnonzero(good).tolist()
+        tokens = columns[0].tokens
+        runs = [conversion.run(tokens, flag=self.flags) for conversion in self.conversions]
+        refused = set[int]().union(*(run[1] for run in runs))
+        rows = [row for row in range(len(tokens)) if row not in refused] if refused else list(range(len(tokens)))
+        if not rows:
+            return []
+        values, exact = [run[0] for run in runs], [run[2] for run in runs]
+        if refused:
+            values = [[column[row] for row in rows] for column in values]
+            exact = [[column[row] for row in rows] for column in exact if column]
+        self.done += len(rows)
+        texts = [_texts(column, many=self.done > MANY) for column in values]
         results: list[Result] = []
         for part in self.case.layout.parts:
-            if part.how == "flag":
-                exact = [all(row) for row in zip(*(run[2] or () for run in runs), strict=True)]
-                kept = exact if rows is None else [exact[row] for row in rows]
-                results.append((part, "each", [b"true" if flag else b"false" for flag in kept]))
+            if part.how == "flag" and not self.flags:
+                results.append((part, "all", None))
+            elif part.how == "flag":
+                results.append((part, "each", [b"true" if all(row) else b"false" for row in zip(*exact, strict=True)]))
+            elif part.unit:
+                index = part.steps[-1] if isinstance(part.steps[-1], int) else 0
+                results.append((part, "measured", ([texts[index]], [self.targets[index]])))
             else:
-                results.append(self._measured(part, [run[0] if good is None else run[0][good] for run in runs]))
-        places = np.arange(len(columns[0].tokens)) if good is None else np.flatnonzero(good)
-        return [Answered(places, results, ())] if len(places) else []
-
-    def _measured(self, part: Part, values: "list[Array]") -> "Result":
-        if part.unit:
-            index = part.steps[-1] if isinstance(part.steps[-1], int) else 0
-            return part, "measured", ([texts(values[index])], [self.targets[index]])
-        if part.several != (len(self.targets) > 1):
-            return part, "all", None
-        return part, "measured", (list(map(texts, values)), self.targets)
-
-
-class Pairs:
-    """Lines of a number, its unit and the target unit: grouped by the text after the number."""
-
-    def __init__(self, case: Case) -> None:
-        self.case = case
-        self.plans: dict[bytes, ExactPlan | None] = {}
-
-    def plan(self, rest: bytes, token: bytes) -> "ExactPlan | None":
-        """The plan for lines that end like this one, or None when they are answered one by one."""
-        if rest not in self.plans:
-            if len(self.plans) >= 2048:
-                self.plans.clear()
-            try:
-                if b"'" in rest or b'"' in rest:
-                    raise Unsuited("quotes may join words")
-                raw = self.case.words((token + b" " + rest).decode().split())
-                self.plans[rest] = ExactPlan(self.case, raw, [self.case.measure[0]])
-            except (Unsuited, DynamicsError, UnicodeDecodeError):
-                self.plans[rest] = None
-        return self.plans[rest]
+                several = part.several == (len(self.targets) > 1)
+                results.append((part, "measured", (texts, self.targets)) if several else (part, "all", None))
+        return [Answered(rows, results, ())]

@@ -11,8 +11,9 @@ from dynamics_cli.core.batch.rows.group import (
     readable,
 )
 from dynamics_cli.core.batch.rows.inputs import JsonInput
-from dynamics_cli.core.batch.text.columns import Unsuited, column_of
+from dynamics_cli.core.batch.text.columns import column_of
 from dynamics_cli.core.batch.text.shapes import Shape, shape_of
+from dynamics_cli.core.batch.text.weaving import Unsuited
 from dynamics_cli.errors import DynamicsError
 
 TYPE_CHECKING = False
