@@ -104,7 +104,7 @@ WRONG = [
     ("cam|profile|--drawing|c.dxf", 2, "dynamics cam export"),
     ("gear|pair|--drawing|c.dxf", 2, "dynamics gear profile"),
     ("inertia|shape|flywheel|--mass|1 kg", 2, "--help lists all 49"),
-    ("inertia|shape|tube|--diameter|60 mm", 2, "--radius or --base-radius, half of it"),
+    ("inertia|shape|tube|--diameter|60 mm", 2, "--radius or --base-radius, half of it, as in 60/2 mm?"),
     ("balance|planes|--unbalance|300 g*mm", 2, "example: amount=12 g*mm, angle=30 deg, position=0.1 m"),
     ("force|equilibrium|--support|pin", 2, "example: type=pin, at=0, 0 m"),
     ("force|moment|--force|1, 0 N|--at|1 m", 2, "read 1 component, wanted 2 or 3"),
