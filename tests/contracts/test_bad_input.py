@@ -103,6 +103,7 @@ WRONG = [
     (f"{SKID}|--segment|distance 60 ft", 2, "wanted name=value"),
     ("cam|profile|--drawing|c.dxf", 2, "dynamics cam export"),
     ("gear|pair|--drawing|c.dxf", 2, "dynamics gear profile"),
+    ("inertia|section|i-beam", 2, "dynamics inertia section --template > i-beam.toml"),
     ("inertia|shape|flywheel|--mass|1 kg", 2, "--help lists all 49"),
     ("inertia|shape|tube|--diameter|60 mm", 2, "--radius or --base-radius, half of it, as in 60/2 mm?"),
     ("balance|planes|--unbalance|300 g*mm", 2, "example: amount=12 g*mm, angle=30 deg, position=0.1 m"),
