@@ -3,8 +3,8 @@
 All of them take SI units, the mass centre, and the tensor about it with products that are its own elements (−∫ x y dm).
 """
 
-from dynamics_cli.inertia.assembly.report import bare
 from dynamics_cli.inertia.bodies.mass_moments import tensor_of
+from dynamics_cli.numerics.number import over_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 def urdf(answer: "MassProperties") -> str:
     """A URDF robot of one link with its inertia: it loads as it is, and the link can be copied from it."""
-    body = bare(answer)
+    body = over_plain(answer)
     return (
         '<?xml version="1.0"?>\n'
         '<robot name="body">\n'
@@ -31,7 +31,7 @@ def urdf(answer: "MassProperties") -> str:
 
 def sdf(answer: "MassProperties") -> str:
     """An SDF model of one link with its inertia."""
-    body = bare(answer)
+    body = over_plain(answer)
     inner = "".join(
         f"          <{name}>{value!r}</{name}>\n" for name, value in zip(NAMES, _elements(_tensor(body)), strict=True)
     )
@@ -53,7 +53,7 @@ def sdf(answer: "MassProperties") -> str:
 
 def mjcf(answer: "MassProperties") -> str:
     """A MuJoCo model of one free body; its six numbers are xx yy zz xy xz yz."""
-    body = bare(answer)
+    body = over_plain(answer)
     xx, xy, xz, yy, yz, zz = _elements(_tensor(body))
     return (
         '<mujoco model="body">\n'
