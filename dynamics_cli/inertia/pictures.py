@@ -3,8 +3,8 @@
 from math import cos, pi, sin, sqrt
 
 from dynamics_cli.inertia.assembly.parts import Walk
-from dynamics_cli.inertia.assembly.report import bare
 from dynamics_cli.inertia.shapes.wires import wires
+from dynamics_cli.numerics.number import over_plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY
 from dynamics_cli.numerics.vectors import add, times
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
@@ -31,24 +31,24 @@ BODY, HOLE, ELLIPSOID, AXES = 0, 1, 2, 3
 
 def shape_picture(answer: "MassProperties", shape: "Any", **_: object) -> Picture:
     """A shape in its own axes."""
-    return _picture(bare(answer), [(wires(bare(shape)), False)], shape.tag[1])
+    return _picture(over_plain(answer), [(wires(over_plain(shape)), False)], shape.tag[1])
 
 
 def body_picture(answer: "MassProperties", scene: "Assembly", **_: object) -> Picture:
     """An assembly, its holes dashed."""
     walk = Walk()
-    walk.into(bare(scene.parts), "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
+    walk.into(over_plain(scene.parts), "", (0.0, 0.0, 0.0), IDENTITY, 1.0)
     groups = []
     for leaf in walk.leaves:
         shape_wires = wires(leaf.part.shape) if leaf.part.shape is not None else []
         placed = [[add(leaf.origin, times(leaf.rotation, point)) for point in wire] for wire in shape_wires]
         groups.append((placed, leaf.sign < 0.0))
-    return _picture(bare(answer), groups, scene.name or "assembly")
+    return _picture(over_plain(answer), groups, scene.name or "assembly")
 
 
 def drawn_picture(answer: "MassProperties", groups: "list[tuple[list[Wire], bool]]", title: str) -> Picture:
     """A body by given lines, in groups of material or of a hole."""
-    return _picture(bare(answer), groups, title)
+    return _picture(over_plain(answer), groups, title)
 
 
 def _picture(answer: "MassProperties", groups: "list[tuple[list[Wire], bool]]", title: str) -> Picture:

@@ -7,6 +7,7 @@ from dynamics_cli.records import over_parts
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from typing import Any
 
 
@@ -42,6 +43,18 @@ def decides(*values: object) -> bool:
 def is_carrier(x: object) -> bool:
     """Whether this carries more than a double: its error and slopes, or many digits."""
     return hasattr(x, "apply")
+
+
+def carriers(tree: "Any") -> "Iterator[Any]":
+    """Every number of a record or a tuple that carries more than a double, in order."""
+    if is_carrier(tree):
+        yield tree
+    elif isinstance(tree, tuple):
+        for part in tree:
+            yield from carriers(part)
+    elif hasattr(tree, "fields"):
+        for name in tree.fields:
+            yield from carriers(getattr(tree, name))
 
 
 def is_tracked(x: object) -> bool:

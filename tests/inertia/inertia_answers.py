@@ -1,4 +1,4 @@
-"""What the program answers to the reference cases of bodies and sections, bare and with its bounds."""
+"""What the program answers to the reference cases of bodies, bare and with its bounds."""
 
 from collections.abc import Callable, Iterable
 from math import inf
@@ -8,7 +8,6 @@ from dynamics_cli.accuracy.cases import Case, build, flat, leaves
 from dynamics_cli.accuracy.catalogue import groups
 from dynamics_cli.core.answering.tightening import tighten
 from dynamics_cli.inertia.assembly import assembly, compare
-from dynamics_cli.inertia.section import task
 from dynamics_cli.inertia.shapes.task import shape as of_shape
 from dynamics_cli.inertia.tensors.tensor import tensor as of_tensor
 from dynamics_cli.inertia.tensors.torque import torque
@@ -61,13 +60,3 @@ def both_stated(case: Case) -> dict[str, Any]:
     return results | {
         name: Tracked(results[name], bounds.get(name, inf), ()) for name in ("axes_angle",) if name in results
     }
-
-
-def section(case: Case) -> dict[str, Any]:
-    """A section's results, each with the bound that it states."""
-    answer = task.section(**arguments(case))
-    results: dict[str, Any] = flat(answer)
-    for stated in answer.numerics.bounds:
-        value = results[stated.result]
-        results[stated.result] = Tracked(value, stated.bound * abs(value), ())
-    return results

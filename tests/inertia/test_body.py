@@ -16,12 +16,12 @@ from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.inertia.assembly.assembly import Assembly, body
 from dynamics_cli.inertia.assembly.compare import Pair, compare
 from dynamics_cli.inertia.assembly.parts import Part, each_number
-from dynamics_cli.inertia.assembly.report import bare
 from dynamics_cli.inertia.bodies.amount import OfDensity, OfMass
 from dynamics_cli.inertia.bodies.properties import MassProperties
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.shapes import Block, Cylinder, Disk, HollowSphere, Rod, Sphere
 from dynamics_cli.inertia.shapes.task import shape
+from dynamics_cli.numerics.number import over_plain
 from dynamics_cli.numerics.orientation.rotations import AxisAngle, ByMatrix, ByQuaternion, Euler, departure, matrix_of
 from dynamics_cli.numerics.tracked import Tracked
 
@@ -48,7 +48,7 @@ def parts(seed: int, count: int) -> tuple[Part, ...]:
 
 
 def solved(*items: Part, **more: Any) -> MassProperties:
-    return bare(body(Assembly(parts=items), **more))
+    return over_plain(body(Assembly(parts=items), **more))
 
 
 def same(a: MassProperties, b: MassProperties, within: float = 1e-13) -> None:
@@ -288,10 +288,10 @@ def test_axes_that_the_data_do_not_determine_are_said_to_be_so() -> None:
 def test_comparing_a_body_with_itself_turned() -> None:
     block = Part(shape=Block(0.3, 0.5, 0.9), amount=OfMass(2.0))
     turned = Part(shape=Block(0.3, 0.5, 0.9), amount=OfMass(2.0), turn=AxisAngle((0.0, 0.0, 1.0), 0.3))
-    found = bare(compare(Pair(first=Assembly(parts=(block,)), second=Assembly(parts=(turned,)))))
+    found = over_plain(compare(Pair(first=Assembly(parts=(block,)), second=Assembly(parts=(turned,)))))
     assert found.axes_angle == pytest.approx(0.3, abs=1e-14)
     assert found.mass_ratio == 1.0
-    alike = bare(compare(Pair(first=Assembly(parts=(block,)), second=Assembly(parts=(block,)))))
+    alike = over_plain(compare(Pair(first=Assembly(parts=(block,)), second=Assembly(parts=(block,)))))
     assert alike.tensor_distance == 0.0
     assert alike.axes_angle == pytest.approx(0.0, abs=1e-15)
     ball = Assembly(parts=(Part(shape=Sphere(0.3), amount=OfMass(2.0)),))

@@ -335,3 +335,6 @@ def test_a_rod_has_an_end_and_shapes_further_names() -> None:
     sizes = ("--radius", "30 mm", "--thickness", "5 mm", "--length", "1 m", "--mass", "1 kg")
     tube, hollow = (answer("inertia", "shape", name, *sizes)["results"] for name in ("tube", "hollow-cylinder"))
     assert tube == hollow
+    assert [row["shape"] for row in answer("inertia", "shapes", "--kind", "pipe")["results"]["shapes"]] == [
+        "hollow-cylinder"
+    ]

@@ -13,7 +13,7 @@ from harness import answer, run
 from dynamics_cli.errors import InadmissibleError, MissingError
 from dynamics_cli.inertia.assembly.assembly import Assembly, body
 from dynamics_cli.inertia.assembly.parts import Part
-from dynamics_cli.inertia.assembly.writers import markdown, mjcf, sdf, urdf
+from dynamics_cli.inertia.assembly.writers import mjcf, sdf, urdf
 from dynamics_cli.inertia.bodies.amount import OfMass
 from dynamics_cli.inertia.bodies.mass_moments import second_of, tensor_of
 from dynamics_cli.inertia.bodies.properties import Axes, ProductSign
@@ -202,16 +202,7 @@ def test_files_for_simulators_hold_the_tensor_about_the_mass_centre(axes: str) -
     assert float(mujoco["mass"]) == 2.0
 
 
-def test_the_report_lists_the_parts() -> None:
-    scene = Assembly(parts=(Part(name="a|b", amount=OfMass(1.0)), Part(amount=OfMass(3.0), position=(1.0, 0.0, 0.0))))
-    text = markdown(body(scene))
-    assert "| a\\|b | 1.0 |" in text
-    assert "| part 2 | 3.0 | (1.0, 0.0, 0.0) |" in text
-    assert "every axis" not in text
-    assert "nan" not in text
-
-
-@pytest.mark.parametrize("ending", ["urdf", "sdf", "mjcf", "xml", "md"])
+@pytest.mark.parametrize("ending", ["urdf", "sdf", "mjcf", "xml"])
 def test_the_command_writes_them(tmp_path: Path, ending: str) -> None:
     file = tmp_path / f"part.{ending}"
     found = answer("inertia", "body", str(ROOT / "examples" / "payload.toml"), "--drawing", str(file))

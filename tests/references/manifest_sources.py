@@ -134,7 +134,7 @@ FILES: dict[str, Origin] = {
         "inertia", {},
         "shapes by quadrature of patches, assemblies from the origin by the parallel axis theorem, principal moments "
         "by QR",
-        "90 digits", "tests/inertia/exact_search.py", ".",
+        "90 digits", BOUNDS, ".",
     ),
     "orient": Origin(
         "orient",
@@ -151,12 +151,12 @@ FILES: dict[str, Origin] = {
     "inertia_sections": Origin(
         "inertia", {},
         "triangles from the first corner, each by its corners and centroid; moments by the roots of the matrix",
-        "90 digits", "tests/inertia/exact_search.py", "star",
+        "90 digits", INDEPENDENT, "star",
     ),
     "eigen": Origin(
         "inertia", {"eigen": "tensor"},
         "roots of the characteristic cubic, axes across the rows of A − λ·1",
-        "400 digits", "tests/inertia/exact_search.py", ".",
+        "400 digits", INDEPENDENT, ".",
     ),
     "impact_particles": Origin(
         "impact", {"momentum_and_energy": "momentum", "approach": "momentum"},

@@ -62,7 +62,13 @@ def over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal"
     from dynamics_cli.core.inputs.sources.files import parameters_of, read_object
     from dynamics_cli.core.inputs.sources.hashes import entry_of
 
-    loaded, data = read_object(file, terminal)
+    try:
+        loaded, data = read_object(file, terminal)
+    except UsageError as error:
+        if error.code == "unreadable" and not os.path.splitext(file)[1]:
+            # a word such as the name of a shape
+            error.hint = f"a file belongs here: dynamics {task.path} --template > {file}.toml writes one"
+        raise
     parameters = {key for field in task.specification.fields for key in keys_of(field)}
     units = loaded.pop("units", {}) if "units" not in parameters else {}
     if not isinstance(units, dict):

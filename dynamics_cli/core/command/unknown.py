@@ -5,7 +5,7 @@ from dynamics_cli.core.command.help import describe_options
 from dynamics_cli.core.command.task_help import group_keys, group_records
 from dynamics_cli.core.documents import singular
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
-from dynamics_cli.core.inputs.suggestions import MOST, suggestions
+from dynamics_cli.core.inputs.suggestions import MOST, halved, suggestions
 from dynamics_cli.errors import ManyErrors, UsageError
 
 TYPE_CHECKING = False
@@ -27,8 +27,7 @@ def near_option(task: Task, word: str) -> str:
         return "a report is made of a document: --output case.json, then: dynamics report case.json"
     if not near:
         return f"try: dynamics {task.path} --help"
-    half = ", half of it" if "diameter" in typed and all("radius" in name for name in near) else ""
-    return "did you mean " + " or ".join(f"--{name}" for name in near) + f"{half}?"
+    return "did you mean " + " or ".join(f"--{name}" for name in near) + f"{halved(typed, near)}?"
 
 
 def groups_with(task: Task, typed: str) -> "list[str]":

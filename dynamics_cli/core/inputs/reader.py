@@ -79,10 +79,14 @@ class Reader(Context):
         return bound
 
     def _unknown(self, key: str, known: "Iterable[str]", address: str) -> None:
-        from dynamics_cli.core.inputs.suggestions import suggestions
+        from dynamics_cli.core.inputs.suggestions import halved, suggestions
 
         near = suggestions(key, known)
-        hint = f"did you mean {' or '.join(near)}?" if near else f"known here: {', '.join(sorted(known)) or 'nothing'}"
+        hint = (
+            f"did you mean {' or '.join(near)}{halved(key, near)}?"
+            if near
+            else f"known here: {', '.join(sorted(known)) or 'nothing'}"
+        )
         self._fail(_join(address, key), f"there is no parameter {key!r}", code="unknown-parameter", hint=hint)
 
     def _field(self, field: Field, raw: "Raw", address: str) -> Bound | None:

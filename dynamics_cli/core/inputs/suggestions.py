@@ -162,3 +162,8 @@ def suggestions(typed: str, known: "Iterable[str]") -> "list[str]":
     ended = [name for name in plain if name.endswith(f"-{word}")]
     near = meant or begun or ended or nearest_words(word, plain)
     return [plain[name] for name in near[:MOST]]
+
+
+def halved(typed: str, near: "Iterable[str]") -> str:
+    """What to add to a suggestion of radii where a diameter was typed."""
+    return ", half of it, as in 60/2 mm" if "diameter" in typed and all("radius" in name for name in near) else ""

@@ -7,15 +7,13 @@ from dynamics_cli.inertia.bodies.compose import composed
 from dynamics_cli.inertia.bodies.properties import Axes, MassProperties, ProductSign, view_of
 from dynamics_cli.inertia.bodies.records import Shaft
 from dynamics_cli.numerics.elementary import only_in_doubles
-from dynamics_cli.numerics.number import is_carrier, plain
+from dynamics_cli.numerics.number import carriers, plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, Turn
 from dynamics_cli.quantities import Annotated, PartPosition, Text
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
-
     from dynamics_cli.inertia.bodies.compose import Composed
 
 # With more numbers than this the derivatives are left out, and with more parts than this the rounding bound: they
@@ -108,7 +106,7 @@ def _tracked() -> type:
 
 def compose_scene(scene: Assembly) -> "Composed":
     """Compose an assembly; tracked numbers carry their rounding, and their derivatives if these are few."""
-    number = _first_number(scene.parts)
+    number = next(carriers(scene.parts), None)
     if _has_mesh(scene.parts):
         # a mesh is integrated in doubles, also beside numbers of other types
         only_in_doubles(number)
@@ -130,21 +128,6 @@ def _carried(parts: "tuple[Part, ...]", width: int | None) -> "tuple[tuple[Part,
     if _count(parts) > BOUNDED_PARTS:
         return each_number(parts, plain, Tracked), None
     return each_number(parts, lambda x: Tracked(x.value, 0.0, ()), Tracked), 0
-
-
-def _first_number(tree: "Any") -> "Any":
-    """The first tracked or many-digit number of a tree; None if all are plain."""
-    if tree is None or type(tree) is float:
-        return None
-    if is_carrier(tree):
-        return tree
-    if isinstance(tree, tuple):
-        carried = map(_first_number, tree)
-    elif hasattr(tree, "fields"):
-        carried = map(_first_number, (getattr(tree, name) for name in tree.fields))
-    else:
-        return None
-    return next((number for number in carried if number is not None), None)
 
 
 def _has_mesh(parts: "tuple[Part, ...]") -> bool:

@@ -1,15 +1,13 @@
 """Plausibility of holes: inside their bodies, and with a density that a body has."""
 
 from dynamics_cli.inertia.shapes.wires import wires
-from dynamics_cli.numerics.number import is_tracked, plain
+from dynamics_cli.numerics.number import over_plain, plain
 from dynamics_cli.numerics.orientation.rotations import transposed
 from dynamics_cli.numerics.vectors import add, subtract, times
-from dynamics_cli.records import Advice, over_parts
+from dynamics_cli.records import Advice
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
-
     from dynamics_cli.inertia.assembly.parts import Leaf
     from dynamics_cli.inertia.bodies.mass_moments import Vector
 
@@ -55,9 +53,9 @@ class _Box:
     """The bounding box of a body along its own axes."""
 
     def __init__(self, leaf: "Leaf") -> None:
-        self.origin = _plain(leaf.origin)
-        self.back = transposed(_plain(leaf.rotation))
-        columns = list(zip(*(point for wire in wires(_plain(leaf.part.shape)) for point in wire), strict=True))
+        self.origin = over_plain(leaf.origin)
+        self.back = transposed(over_plain(leaf.rotation))
+        columns = list(zip(*(point for wire in wires(over_plain(leaf.part.shape)) for point in wire), strict=True))
         margin = DRAWN * max(max(column) - min(column) for column in columns)
         self.low = [min(column) - margin for column in columns]
         self.high = [max(column) + margin for column in columns]
@@ -70,11 +68,6 @@ class _Box:
 
 def _leaves(hole: "Leaf", boxes: "list[_Box]") -> bool:
     """Whether a point of a hole is outside the boxes of all bodies."""
-    origin, rotation = _plain(hole.origin), _plain(hole.rotation)
-    points = [point for wire in wires(_plain(hole.part.shape)) for point in wire]
+    origin, rotation = over_plain(hole.origin), over_plain(hole.rotation)
+    points = [point for wire in wires(over_plain(hole.part.shape)) for point in wire]
     return any(not any(box.holds(add(origin, times(rotation, point))) for box in boxes) for point in points)
-
-
-def _plain(tree: "Any") -> "Any":
-    """The same with plain numbers."""
-    return tree.value if is_tracked(tree) else over_parts(tree, _plain)

@@ -7,7 +7,7 @@ from dynamics_cli.inertia.bodies.mass_moments import Lump, about, tensor_of, tur
 from dynamics_cli.inertia.bodies.principal_tracked import SHOWN
 from dynamics_cli.inertia.bodies.properties import MassProperties, View, properties
 from dynamics_cli.inertia.bodies.records import Cancellation, PartShare
-from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.number import over_plain, plain
 from dynamics_cli.quantities import Inertia
 from dynamics_cli.records import Advice, ErrorBound, Numerics
 
@@ -64,15 +64,6 @@ def stated(name: str, value: "Any", bounds: "list[ErrorBound]") -> "Any":
     return value.value
 
 
-def bare(value: "Any") -> "Any":
-    """A result without its bounds."""
-    if isinstance(value, tuple):
-        return tuple(bare(item) for item in value)
-    if hasattr(value, "fields"):
-        return type(value)(**{name: bare(getattr(value, name)) for name in value.fields})
-    return plain(value)
-
-
 def measures_of(assembly: "Composed") -> "dict[str, Any]":
     """Volume, area or length of an assembly whose bodies are all solids, all laminae or all rods; else nothing."""
     kinds = {leaf.measures[0] if leaf.measures else 0 for leaf in assembly.leaves}
@@ -87,7 +78,7 @@ def measures_of(assembly: "Composed") -> "dict[str, Any]":
 def _shares(
     assembly: "Composed", view: View, answer: MassProperties
 ) -> "tuple[tuple[PartShare, ...], Cancellation | None]":
-    off: Callable[[Any], Any] = (lambda value: value) if assembly.bare else bare
+    off: Callable[[Any], Any] = (lambda value: value) if assembly.bare else over_plain
     rotation: Matrix = off(_rotation(view, assembly))
     point: Vector = off(answer.reference_point)
     rows = []
@@ -108,7 +99,7 @@ def _close_moments(assembly: "Composed", spread: "Deviation | None") -> tuple[Ad
     """A warning where principal moments differ by less than their uncertainty, so that their axes are undetermined."""
     if spread is None:
         return ()
-    moments, deviations = bare(assembly.spread.moments), spread.principal_moments
+    moments, deviations = over_plain(assembly.spread.moments), spread.principal_moments
     return tuple(
         Advice(
             "axes-uncertain",

@@ -1,11 +1,10 @@
-"""Mass properties as the files that simulators and reports read: URDF, SDF, MJCF and Markdown.
+"""Mass properties as the files that simulators read: URDF, SDF and MJCF.
 
 All of them take SI units, the mass centre, and the tensor about it with products that are its own elements (−∫ x y dm).
 """
 
-from dynamics_cli.inertia.assembly.report import bare
 from dynamics_cli.inertia.bodies.mass_moments import tensor_of
-from dynamics_cli.markup import markdown as escaped
+from dynamics_cli.numerics.number import over_plain
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,7 +14,7 @@ if TYPE_CHECKING:
 
 def urdf(answer: "MassProperties") -> str:
     """A URDF robot of one link with its inertia: it loads as it is, and the link can be copied from it."""
-    body = bare(answer)
+    body = over_plain(answer)
     return (
         '<?xml version="1.0"?>\n'
         '<robot name="body">\n'
@@ -32,7 +31,7 @@ def urdf(answer: "MassProperties") -> str:
 
 def sdf(answer: "MassProperties") -> str:
     """An SDF model of one link with its inertia."""
-    body = bare(answer)
+    body = over_plain(answer)
     inner = "".join(
         f"          <{name}>{value!r}</{name}>\n" for name, value in zip(NAMES, _elements(_tensor(body)), strict=True)
     )
@@ -54,7 +53,7 @@ def sdf(answer: "MassProperties") -> str:
 
 def mjcf(answer: "MassProperties") -> str:
     """A MuJoCo model of one free body; its six numbers are xx yy zz xy xz yz."""
-    body = bare(answer)
+    body = over_plain(answer)
     xx, xy, xz, yy, yz, zz = _elements(_tensor(body))
     return (
         '<mujoco model="body">\n'
@@ -67,50 +66,6 @@ def mjcf(answer: "MassProperties") -> str:
         "  </worldbody>\n"
         "</mujoco>\n"
     )
-
-
-def markdown(answer: "MassProperties") -> str:
-    """A mass property report."""
-    body = bare(answer)
-    lines = ["# Mass properties", "", "| property | value | unit |", "|---|---|---|"]
-    lines.append(f"| mass | {body.mass!r} | kg |")
-    for name, unit in (("volume", "m³"), ("area", "m²"), ("length", "m")):
-        if getattr(body, name) is not None:
-            lines.append(f"| {name} | {getattr(body, name)!r} | {unit} |")
-    lines.append(f"| mass centre | {_listed(body.centroid)} | m |")
-    lines.append(f"| moments and products about | {escaped(body.about)}, {_listed(body.reference_point)} | m |")
-    lines.append(f"| axes | {body.axes} | |")
-    lines.append(f"| product sign | {body.product_sign} | |")
-    lines += [f"| I{name} | {getattr(body.moments, name)!r} | kg·m² |" for name in ("xx", "yy", "zz")]
-    lines += [f"| I{name} | {getattr(body.products, name)!r} | kg·m² |" for name in ("xy", "yz", "zx")]
-    lines += [
-        "",
-        "## Principal axes about the mass centre",
-        "",
-        "| moment kg·m² | axis | radius of gyration m |",
-        "|---|---|---|",
-    ]
-    for name, axis, radius in zip(("first", "second", "third"), body.principal_axes, body.principal_radii, strict=True):
-        lines.append(f"| {getattr(body.principal_moments, name)!r} | {_listed(axis)} | {radius!r} |")
-    lines += ["", f"Undetermined: {escaped(body.degeneracy)}."]
-    lines += _parts(body)
-    return "\n".join(lines) + "\n"
-
-
-def _parts(body: "MassProperties") -> list[str]:
-    if not body.parts:
-        return []
-    rows = [
-        "",
-        "## Parts",
-        "",
-        "| part | mass kg | mass centre m | share of Ixx, Iyy, Izz kg·m² |",
-        "|---|---|---|---|",
-    ]
-    return rows + [
-        f"| {escaped(part.part)} | {part.mass!r} | {_listed(part.centroid)} | {_listed(part.moments)} |"
-        for part in body.parts
-    ]
 
 
 NAMES = ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")
@@ -135,7 +90,3 @@ def _six(tensor: "Matrix", between: str) -> str:
 
 def _words(values: "tuple[float, ...]") -> str:
     return " ".join(repr(value) for value in values)
-
-
-def _listed(values: "tuple[float, ...]") -> str:
-    return "(" + ", ".join(repr(value) for value in values) + ")"

@@ -58,7 +58,8 @@ def mass_of(amount: Amount, measure: float, dimension: int, name: str = "the sha
         of == dimension,
         "{body} has {extent}, but the density given is per {measure}",
         code="dimension",
-        hint=f"give mass, or {('mass', 'linear-density', 'areal-density', 'density or material')[dimension]}",
+        hint=f"give mass, or {('mass', 'linear-density', 'areal-density', 'density or material')[dimension]}"
+        + ("; one with a thickness is a cylinder, block or prism" if (dimension, of) == (2, 3) else ""),
         body=name,
         extent=("no extent", "a length and no area", "an area and no volume", "a volume")[dimension],
         measure=MEASURES[of],

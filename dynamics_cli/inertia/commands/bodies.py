@@ -5,7 +5,7 @@ from dynamics_cli.core.answering.task import Model, Task
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 WRITERS = {
     ending: "dynamics_cli.inertia.assembly.writers:" + name
-    for ending, name in (("urdf", "urdf"), ("sdf", "sdf"), ("mjcf", "mjcf"), ("xml", "mjcf"), ("md", "markdown"))
+    for ending, name in (("urdf", "urdf"), ("sdf", "sdf"), ("mjcf", "mjcf"), ("xml", "mjcf"))
 }
 NAMED = {"density": "a material by its name: --material steel (dynamics inertia materials lists them)"}
 RIGID = "the body is rigid and of one density"

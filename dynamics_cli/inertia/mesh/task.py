@@ -11,14 +11,13 @@ from dynamics_cli.inertia.mesh.report import advice_of, checks_of, surface_of
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.mesh.tracked_integrals import Lift
 from dynamics_cli.numerics.elementary import only_in_doubles
-from dynamics_cli.numerics.number import is_carrier, is_tracked
+from dynamics_cli.numerics.number import carriers, is_tracked
 from dynamics_cli.numerics.orientation.rotations import Turn
 from dynamics_cli.quantities import Annotated, InputFile, PartPosition, Size, Text
 from dynamics_cli.records import Advice, Check, ErrorBound, Numerics
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
     from typing import Any
 
 METHOD = "divergence theorem over triangles by edges and centroids, in blocks; Jacobi on the second moments"
@@ -98,7 +97,7 @@ def mesh(
     >>> mesh("part.stl", length_unit=LengthUnit("mm"), amount=OfMass(mass=2.0)).volume  # doctest: +SKIP
     0.000120
     """
-    numbers = list(_tracked((amount, thickness, about_point, turn, shaft)))
+    numbers = list(carriers((amount, thickness, about_point, turn, shaft)))
     only_in_doubles(*numbers)
     _require_thickness(amount, thickness)
     shell = thickness is not None or isinstance(amount, OfArealDensity)
@@ -146,18 +145,6 @@ def _mass_and_density(amount: Amount, measure: float, thickness: float | None, *
     return mass, mass_of(amount, 1.0 if thickness is None else thickness, dimension)
 
 
-def _tracked(value: "Any") -> "Iterator[Any]":
-    """Every tracked number within arguments."""
-    if is_carrier(value):
-        yield value
-    elif isinstance(value, tuple):
-        for part in value:
-            yield from _tracked(part)
-    elif hasattr(value, "fields"):
-        for name in value.fields:
-            yield from _tracked(getattr(value, name))
-
-
 def _plain(report: MassProperties) -> MassProperties:
     """The record with floats for tracked numbers, and their bounds stated beside it."""
     bounds: list[ErrorBound] = []
@@ -175,7 +162,7 @@ def _floats(value: "Any", address: str, bounds: list[ErrorBound]) -> "Any":
     if isinstance(value, tuple):
         inner: list[ErrorBound] = []
         out = tuple(_floats(part, address, inner) for part in value)
-        if inner and len(inner) == sum(1 for _ in _tracked(value)):
+        if inner and len(inner) == sum(1 for _ in carriers(value)):
             bounds.append(ErrorBound(address, max(bound.bound for bound in inner)))
         return out
     if hasattr(value, "fields") and not isinstance(value, Check | Advice | Numerics):

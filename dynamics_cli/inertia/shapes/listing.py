@@ -46,9 +46,13 @@ def shapes(
     >>> shapes(kind="rod").shapes[0].sizes
     'length'
     """
-    rows = tuple(_row(name, cls) for name, members in GROUPS for cls in members.__args__)
     kind_sought = kind.strip().lower().replace(" ", "-")
-    matching = tuple(row for row in rows if not kind_sought or kind_sought in (row.kind, row.kind + "s", row.shape))
+    matching = tuple(
+        _row(name, cls)
+        for name, members in GROUPS
+        for cls in members.__args__
+        if not kind_sought or kind_sought in (name, name + "s", cls.tag[1], *getattr(cls, "also", ()))
+    )
     require(
         matching,
         "no kind or shape is named {read}",
@@ -64,10 +68,11 @@ def _row(kind: str, cls: type) -> ShapeRow:
         f"[{name}]" if name in cls.defaults else name  # type: ignore[attr-defined]
         for name in cls.fields  # type: ignore[attr-defined]
     ]
+    further = getattr(cls, "also", ())
     return ShapeRow(
         shape=cls.tag[1],  # type: ignore[attr-defined]
         kind=kind,
         sizes=", ".join(names).replace("_", "-"),
-        frame=docstring(cls).partition("\n")[0].rstrip("."),
+        frame=docstring(cls).partition("\n")[0].rstrip(".") + (f"; also {', '.join(further)}" if further else ""),
         formula=cls.formula,  # type: ignore[attr-defined]
     )

@@ -2,7 +2,7 @@
 
 from math import cos, pi, sin
 
-from dynamics_cli.inertia.assembly.report import bare
+from dynamics_cli.numerics.number import over_plain
 from dynamics_cli.pictures import Axis, Band, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Inertia, ProductOfInertia, Ratio, Torque
 
@@ -15,7 +15,7 @@ STEPS = 96
 
 def mohr(result: "Any", **_: "Any") -> Picture:
     """Mohr's three circles: every direction's moment and product lies between them."""
-    answer = bare(result)
+    answer = over_plain(result)
     main = [float(moment) for moment in (answer.principal_moments.first, answer.principal_moments.second,
                                    answer.principal_moments.third)]  # fmt: skip
     items: list[Any] = []
@@ -35,7 +35,7 @@ def mohr(result: "Any", **_: "Any") -> Picture:
 
 def torque(result: "Any", **_: "Any") -> Picture:
     """The inertia torque by components, each split into angular acceleration and gyroscopic parts."""
-    answer = bare(result)
+    answer = over_plain(result)
     names, values = [], []
     for title, vector in (
         ("acceleration", answer.acceleration_part),
@@ -52,7 +52,7 @@ def torque(result: "Any", **_: "Any") -> Picture:
 
 def compared(result: "Any", *_: "Any", **__: "Any") -> Picture:
     """Each moment of the second body against the first's."""
-    answer = bare(result)
+    answer = over_plain(result)
     rows = [(row.moment, float(row.ratio) - 1.0) for row in answer.moments if row.ratio is not None]
     rows.insert(0, ("mass", float(answer.mass_ratio) - 1.0))
     ends = [value for _, value in rows]
