@@ -12,6 +12,7 @@ from dynamics_cli.core.output.answer_words import (
     parts_in_words,
     percent,
 )
+from dynamics_cli.core.units.display import pretty
 from dynamics_cli.records import record
 from dynamics_cli.report.recalculation import read_files
 
@@ -165,7 +166,7 @@ class Calculation:
             if origin is not None:
                 value = origin[0].value(origin[1])
                 return f"{value.whole} ({value.coverage}: {value.interval}), from section {origin[0].section}"
-        text = "; ".join(quantity(value, unit, 17) for _, value, unit in flatten(node))
+        text = "; ".join(quantity(value, pretty(unit), 17) for _, value, unit in flatten(node))
         return f"{text} (standard)" if address == "gravity" and node == STANDARD_GRAVITY else text
 
     def origin(self, node: "Document") -> "tuple[Calculation, str] | None":

@@ -142,7 +142,7 @@ def _side(block: Table, column: int) -> str:
 
 
 def _words(text: "Text") -> str:
-    return "".join(f"<strong>{_escape(piece)}</strong>" if bold else _escape(piece) for piece, bold in pieces(text))
+    return "".join(f"<strong>{_escape(piece)}</strong>" if bold else _symbols(piece) for piece, bold in pieces(text))
 
 
 def _symbols(text: str) -> str:

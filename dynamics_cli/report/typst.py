@@ -183,7 +183,7 @@ def _words(text: "Text") -> str:
     boxes = []
     for piece, bold in pieces(text):
         space = " " * (piece.endswith(" ") and bold)
-        boxes.append(f"#box(strong[{_escape(piece.rstrip())}]){space}" if bold else _escape(piece))
+        boxes.append(f"#box(strong[{_escape(piece.rstrip())}]){space}" if bold else _symbols(piece))
     return "".join(boxes)
 
 

@@ -29,6 +29,7 @@ import cam_search_forces as forces
 import cam_search_tables as tables
 from cam_search_compared import UNIT_ROUNDOFF, Compared, column_of
 from precise import many_bits
+from search_length import told
 
 from dynamics_cli.errors import DynamicsError
 
@@ -168,28 +169,13 @@ def search(task: str, count: int, seed: int) -> Findings:
 
 def main() -> None:
     """Search as long as asked, and tell what was found."""
-    from time import process_time
-
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 10_000
-    for task in QUESTIONS:
-        if len(sys.argv) > 2 and task != sys.argv[2]:
-            continue
-        before = process_time()
-        found = search(task, count, int(sys.argv[3]) if len(sys.argv) > 3 else 1)
-        print(
-            f"{task:12} {found.evaluations} evaluations in {found.answered} answers ({found.refused} refused), "
-            f"{found.compared} results compared, {len(found.broken)} broken, looseness {found.median:.1f} in the "
-            f"median, {process_time() - before:.1f} s",
-            flush=True,
-        )
+    for found in told(QUESTIONS, search):
         for words, (figure, name, case) in (
             ("nearest its bound", found.nearest), ("loosest", found.loosest), ("largest, in ulps", found.largest)
         ):  # fmt: skip
             print(f"    {words}: {figure:.3g}, {name}; {json.dumps(case, ensure_ascii=False)}")
         for name, value in list(found.medians().items())[:8]:
             print(f"    {name}: looseness {value:.1f} in the median")
-        for line in found.broken[:20]:
-            print("    ! " + line)
 
 
 if __name__ == "__main__":

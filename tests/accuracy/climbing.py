@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 from mpmath import mp
 from precise import Exact, exact_pi, gmpy2, many_bits
+from search_length import told
 
 from dynamics_cli.errors import DynamicsError
 
@@ -273,25 +274,10 @@ def arguments(tree: Any, groups: dict[str, type], name: str = "") -> Any:
 def main_of(questions: dict[str, Callable[[], Question]]) -> None:
     """Search as long as asked, and tell what was found."""
     import json
-    import sys
-    from time import process_time
 
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 10_000
-    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
-    for task, make in questions.items():
-        if len(sys.argv) > 2 and task != sys.argv[2]:
-            continue
-        before = process_time()
-        found: Findings = search(make(), count, seed)
-        print(
-            f"{task:16} {found.evaluations:7} answered, {found.refused} refused, {found.compared} results compared, "
-            f"{len(found.broken)} broken, looseness {found.median:.1f} in the median, {process_time() - before:.1f} s",
-            flush=True,
-        )
+    for found in told(questions, lambda task, count, seed: search(questions[task](), count, seed)):
         if len(found.kinds) > 1:
             print("    " + ", ".join(f"{count} {kind}" for kind, count in found.kinds.items()))
-        for line in found.broken[:3]:
-            print("    ! " + line)
         for title, store in (("nearest", found.nearest), ("loosest", found.loosest)):
             if store:
                 print(f"    {title}: " + ", ".join(f"{one.name} {one.measure:.3g}" for one in store.values()))

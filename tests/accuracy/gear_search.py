@@ -25,6 +25,7 @@ import gear_profile_exact as curves
 import generate_gear_meshes_references as references
 from gear_exact import Exact, NoSuchGear, Tooth
 from gear_table_exact import PRESSURE_ANGLES, all_candidates, candidate
+from search_length import told
 
 from dynamics_cli.accuracy.alternatives.gear.own import data_block, mesh
 from dynamics_cli.accuracy.cases import DATA, flat, load
@@ -372,21 +373,7 @@ def search(task: str, count: int, seed: int) -> Findings:
 
 def main() -> None:
     """Search as long as asked, and tell what was found."""
-    from time import process_time
-
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 10_000
-    for task in QUESTIONS:
-        if len(sys.argv) > 2 and task != sys.argv[2]:
-            continue
-        before = process_time()
-        found = search(task, count, 1)
-        print(
-            f"{task:16} {found.evaluations:7} answered, {found.refused} refused, {found.compared} results compared, "
-            f"{len(found.broken)} broken, looseness {found.median:.1f} in the median, {process_time() - before:.1f} s",
-            flush=True,
-        )
-        for line in found.broken[:5]:
-            print("    ! " + line[:600])
+    for found in told(QUESTIONS, search):
         for name, middle in sorted(found.medians().items(), key=lambda one: -one[1])[:6]:
             print(f"    {name}: {middle:.1f} in the median, at most {max(found.looseness[name]):.3g}")
         print(f"    worst: {found.worst[0][0]:.3f} of a bound, {found.worst[0][1]}")

@@ -27,6 +27,7 @@ import generate_convert_references as units
 import generate_coords_references as points
 import generate_inertia_sections_references as sections
 from mpmath import mp, mpf
+from search_length import told
 
 from dynamics_cli.accuracy.cases import flat
 from dynamics_cli.cam.laws.names import LawName
@@ -297,21 +298,8 @@ def search(task: str, count: int, seed: int) -> Findings:
 
 def main() -> None:
     """Search as long as asked, and tell what was found."""
-    from time import process_time
-
-    count = int(sys.argv[1]) if len(sys.argv) > 1 else 10_000
-    for task in QUESTIONS:
-        if len(sys.argv) > 2 and task != sys.argv[2]:
-            continue
-        before = process_time()
-        found = search(task, count, 1)
-        print(
-            f"{task:14} {found.evaluations:7} answered, {found.refused} refused, {found.compared} results compared, "
-            f"{len(found.broken)} broken, looseness {found.median:.1f} in the median, {process_time() - before:.1f} s",
-            flush=True,
-        )
-        for line in found.broken[:5]:
-            print("    ! " + line[:400])
+    for _ in told(QUESTIONS, search):
+        pass
 
 
 if __name__ == "__main__":

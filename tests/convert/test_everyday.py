@@ -107,3 +107,11 @@ def test_everyday_conversions(row: dict[str, str]) -> None:
         if "tan" in row["exact"]:
             exact *= {"deg": 180 / mp.pi, "mrad": 1000, "%": 100}[row["to"]]
         assert value == float(exact)
+
+
+def test_letters_exchanged_are_a_slip_and_not_a_prefix() -> None:
+    assert "near it: mph," in run("convert", "60", "mhp").err
+    assert "near it: psi," in run("convert", "30", "pis", "bar").err
+    assert run("convert", "5 mho", "-q").out == "5 S\n"
+    assert run("convert", "180 rads", "rad", "-q").out == "180 rad\n"
+    assert run("convert", "500 Nmm", "N*m", "-q").out == "0.5 N*m\n"

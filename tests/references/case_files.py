@@ -29,7 +29,7 @@ def write(name: str, about: str, cases: Iterable[Case]) -> None:
     for task, title, why, inputs, results in cases:
         reason = {"kind": "hard", "name": title, "why": why} if why else {"kind": "ordinary", "name": title}
         texts = {key: _text(value) for key, value in results.items()}
-        lines.append(json.dumps({"task": task, **reason, "inputs": inputs, "results": texts}, ensure_ascii=False))
+        lines.append({"task": task, **reason, "inputs": inputs, "results": texts})
     put(name, about, lines)
 
 
@@ -39,13 +39,23 @@ def write_given(name: str, about: str, cases: Iterable[Given]) -> None:
     for task, kind, title, why, inputs, results in cases:
         texts = {key: nstr(value, 40, min_fixed=-8, max_fixed=18) for key, value in results.items()}
         said = {"why": why} if why else {}
-        case = {"task": task, "kind": kind, "name": title, **said, "inputs": inputs, "results": texts}
-        lines.append(json.dumps(case, ensure_ascii=False))
+        lines.append({"task": task, "kind": kind, "name": title, **said, "inputs": inputs, "results": texts})
     put(name, about, lines)
 
 
-def put(name: str, about: str, lines: "Iterable[str]") -> None:
-    """Write cases that are JSON already."""
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / f"{name}.json"
-    text = ",\n".join(lines)
-    target.write_text(f'{{"about": {json.dumps(about, ensure_ascii=False)},\n"cases": [\n{text}\n]}}\n', "utf-8")
+def put(name: str, about: str, cases: "Iterable[dict[str, Any]]", margin: str = "") -> None:
+    """Write whole cases, one a line after `margin`, to the file of this name, or to the one on the command line."""
+    lines = ",\n".join(margin + json.dumps(case, ensure_ascii=False) for case in cases)
+    target(DATA / f"{name}.json").write_text(
+        f'{{"about": {json.dumps(about, ensure_ascii=False)},\n"cases": [\n{lines}\n]}}\n', "utf-8"
+    )
+
+
+def put_tree(file: Path, tree: Any) -> None:
+    """Write anything else, indented, to a file, or to the one named on the command line."""
+    target(file).write_text(json.dumps(tree, indent=1, ensure_ascii=False) + "\n", "utf-8")
+
+
+def target(file: Path) -> Path:
+    """The file to be written: this one, or the one named on the command line."""
+    return Path(sys.argv[1]) if len(sys.argv) > 1 else file

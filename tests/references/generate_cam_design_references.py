@@ -10,7 +10,6 @@ digits; the solutions do not depend on them.
 Run: python tests/references/generate_cam_design_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import sys
 from pathlib import Path
 
@@ -20,11 +19,11 @@ import numpy as np
 from cam_envelope import Carried, extreme
 from cam_geometry_cases import CYCLE, MM, RISES, STEEP, SWING, flat, rocker, roller
 from cam_programs import at, program_text
+from case_files import DATA, put_tree
 from digits import DOUBLES, MANY, solved
 from generate_cam_geometry_references import case, pairs, turned
 from taylor import Plane, circle, diff, expanded, sqrt
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 number, tan = MANY.number, MANY.library.tan
 MERGED = (("60", "3-4-5", "0.02"), ("10", None, "0.02"), ("60", "cycloidal", "0"), ("230", None, "0"))
 QUICK = (("60", "cycloidal", "25"), ("60", None, "25"), ("70", "3-4-5", "0"), ("170", None, "0"))
@@ -293,9 +292,7 @@ def main():
     sizes = [*offset_cases(), *rocker_cases(), *pair_cases()]
     cases = [case("check", *parts) for parts in corner_cases()] + [case("size", *parts) for parts in sizes]
     about = "Written by generate_cam_design_references.py: SI inputs as doubles, results to 40 digits of 90."
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_design.json"
-    text = json.dumps({"about": about, "cases": cases}, indent=1, ensure_ascii=False)
-    target.write_text(text + "\n", encoding="utf-8")
+    put_tree(DATA / "cam_design.json", {"about": about, "cases": cases})
 
 
 if __name__ == "__main__":

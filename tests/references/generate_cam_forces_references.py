@@ -9,7 +9,6 @@ ends of every branch of every law.
 Run: python tests/references/generate_cam_forces_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import sys
 from pathlib import Path
 
@@ -19,10 +18,10 @@ from cam_envelope import Carried, extreme
 from cam_forces_cases import CASES, STEEP, S
 from cam_geometry_cases import flat, roller
 from cam_programs import branches, program_text
+from case_files import DATA, put_tree
 from digits import DOUBLES, MANY, written
 from taylor import diff, expanded
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 WIDTH, YOUNG, POISSON = (MANY.number(text) for text in (0.012, 206e9, 0.3))
 PI = MANY.pi
 
@@ -162,9 +161,7 @@ def main():
             }
         )
     about = "Written by generate_cam_forces_references.py: SI inputs as doubles, results to 40 digits of 90."
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_forces.json"
-    text = json.dumps({"about": about, "cases": cases}, indent=1, ensure_ascii=False)
-    target.write_text(text + "\n", encoding="utf-8")
+    put_tree(DATA / "cam_forces.json", {"about": about, "cases": cases})
 
 
 if __name__ == "__main__":

@@ -8,7 +8,6 @@ constructions of the other generators by tests/accuracy/test_cam_search.py.
 Run: python tests/references/generate_cam_found_references.py
 """
 
-import json
 import sys
 from pathlib import Path
 
@@ -17,10 +16,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 import cam_search
 from cam_search_contact import Looking
+from case_files import DATA, put_tree
 from mpmath import mp, mpf, nstr
 from precise import many_bits
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 PRESSURE = ("largest_pressure_angle", "least_pressure_angle", "least_convex_radius")
 ENDS = tuple(f"{end}_{name}" for name in ("force", "torque", "contact_force") for end in ("least", "greatest"))
 CUSP = {
@@ -131,9 +130,7 @@ def main():
         })  # fmt: skip
         print(name, flush=True)
     about = "Written by generate_cam_found_references.py: SI inputs as doubles, results to 40 digits of 70."
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_found.json"
-    text = json.dumps({"about": about, "cases": cases}, indent=1, ensure_ascii=False)
-    target.write_text(text + "\n", encoding="utf-8")
+    put_tree(DATA / "cam_found.json", {"about": about, "cases": cases})
 
 
 if __name__ == "__main__":

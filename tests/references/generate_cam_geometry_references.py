@@ -7,7 +7,6 @@ digits. Curvatures come from differentiating the curve itself. Laws are written 
 Run: python tests/references/generate_cam_geometry_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import sys
 from pathlib import Path
 
@@ -16,10 +15,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from cam_envelope import Carried, extreme
 from cam_geometry_cases import CASES, FLATS, MM, SIZES
 from cam_programs import at, branches, program_text
+from case_files import DATA, put_tree
 from digits import DOUBLES, MANY, written
 from taylor import diff
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 COUNT = 16
 SWINGING = ("OscillatingRoller", "OscillatingFlat", "ConjugateOscillatingRoller")
 tan = MANY.library.tan
@@ -121,9 +120,7 @@ def main():
         }
         cases.append(case("profile", name, why, inputs, answers(segments, follower, turn, side, swing)))
     about = "Written by generate_cam_geometry_references.py: SI inputs as doubles, results to 40 digits of 90."
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_geometry.json"
-    text = json.dumps({"about": about, "cases": cases}, indent=1, ensure_ascii=False)
-    target.write_text(text + "\n", encoding="utf-8")
+    put_tree(DATA / "cam_geometry.json", {"about": about, "cases": cases})
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ their integrals carried from piece to piece, polynomials come from linear system
 folded about the middle.
 """
 
-import json
 import random
 import sys
 from collections.abc import Callable
@@ -16,12 +15,12 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+from case_files import put
 from found_cases import found, numbered
 from mpmath import cos, factorial, lu_solve, matrix, mp, mpf, pi, sin
 
 # values near the end of a rise are differences: a tenth power of 1e-15 must keep 40 digits
 mp.dps = 200
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 Value = tuple[Any, Any, Any, Any]
 Law = Callable[[Any], Value]
 
@@ -320,14 +319,7 @@ def searched() -> list[dict[str, Any]]:
 def main() -> None:
     generator = random.Random(16_13)
     cases = numbered(rises(generator) + free_polynomials(generator) + motions(generator) + searched())
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "cam_motion.json"
-    rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
-    target.write_text(
-        '{"about": "Written by generate_cam_motion_references.py: SI inputs, 40-digit results.",\n"cases": [\n'
-        + rows
-        + "\n]}\n",
-        encoding="utf-8",
-    )
+    put("cam_motion", "Written by generate_cam_motion_references.py: SI inputs, 40-digit results.", cases)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ The definitions are written here by hand (the inch is 25.4 mm, the pound 0.45359
 program's table. Run: python tests/references/generate_convert_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import random
 import sys
 from fractions import Fraction
@@ -12,10 +11,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+from case_files import put
 from found_cases import found
 from mpmath import mp, mpf
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 INCH, POUND, G = Fraction("0.0254"), Fraction("0.45359237"), Fraction("9.80665")
 FOOT, MILE = 12 * INCH, 63360 * INCH
 # Units of one kind: SI factor, power of π, zero in SI.
@@ -98,22 +97,21 @@ def main() -> None:
                 case = {"task": "convert", "kind": "hard" if why else "ordinary"}
                 case |= {"name": f"{value} {source} to {target}", **({"why": why} if why else {})}
                 inputs = {"value": value, "from": source, "to": target}
-                lines.append(json.dumps({**case, "inputs": inputs, "results": {"value": expected}}))
+                lines.append({**case, "inputs": inputs, "results": {"value": expected}})
     for value, source, target, why in KNOWN:
         kind = next(kind for kind, units in KINDS.items() if source in units)
         case = {"task": "convert", "kind": "hard", "name": f"{value} {source} to {target}", "why": why}
         inputs = {"value": value, "from": source, "to": target}
         results = {"value": converted(value, source, target, kind, 308)}
-        lines.append(json.dumps({**case, "inputs": inputs, "results": results}))
+        lines.append({**case, "inputs": inputs, "results": results})
     for worst in found("convert.json"):
         inputs = worst["inputs"]
         kind = next(kind for kind, units in KINDS.items() if inputs["from"] in units)
         results = {"value": converted(inputs["value"], inputs["from"], inputs["to"], kind)}
         own = {key: worst[key] for key in ("name", "why", "inputs")}
-        lines.append(json.dumps({"task": "convert", "kind": "hard", **own, "results": results}))
+        lines.append({"task": "convert", "kind": "hard", **own, "results": results})
     about = "Written by generate_convert_references.py: exact rationals (and π to 60 digits), results to 40 digits."
-    text = f'{{"about": {json.dumps(about)},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
-    (Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "convert.json").write_text(text, encoding="utf-8")
+    put("convert", about, lines)
 
 
 if __name__ == "__main__":

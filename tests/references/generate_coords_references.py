@@ -4,7 +4,6 @@ Angles come from arc cosines at 1,400 digits and from the argument of a complex 
 Run: python tests/references/generate_coords_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import math
 import random
 import sys
@@ -14,10 +13,10 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+from case_files import put
 from found_cases import found
 from mpmath import mp, mpf
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 DIGITS = 1400
 Point = tuple[float, float, float]
 
@@ -174,12 +173,10 @@ def generate() -> Iterator[dict[str, Any]]:
         yield {"task": worst["task"], "kind": "hard", **own, "results": texts}
 
 
-def main(target: Path) -> None:
+def main() -> None:
     about = "Written by generate_coords_references.py: coordinates as doubles, results to 40 digits."
-    lines = [json.dumps(case, ensure_ascii=False) for case in generate()]
-    text = f'{{"about": {json.dumps(about)},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
-    target.write_text(text, encoding="utf-8")
+    put("coords", about, generate())
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "coords.json")
+    main()

@@ -5,7 +5,6 @@ Matrices are doubles, taken as exact. Run: python tests/references/generate_eige
 every time.
 """
 
-import json
 import random
 import sys
 from pathlib import Path
@@ -13,9 +12,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import inertia_found
+from case_files import put
 from mpmath import mp, mpf
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 GRADES = ((1.0, 1e-3, 1e-6), (1.0, 1e-6, 1.0), (1e-4, 1.0, 1e4), (1.0, 1e-8, 1e-4), (1e-6, 1e-6, 1.0))
 
 
@@ -77,10 +76,9 @@ def main() -> None:
         results = {f"values[{i}]": mp.nstr(value, 40) for i, value in enumerate(found)}
         for i, value in enumerate(found):
             results |= {f"axes[{i}][{j}]": mp.nstr(x, 40) for j, x in enumerate(axis(rows, value))}
-        lines.append(json.dumps({**case, "inputs": inputs, "results": results}))
+        lines.append({**case, "inputs": inputs, "results": results})
     about = "Written by generate_eigen_references.py: eigenvalues and axes of matrices of doubles, to 40 digits."
-    text = f'{{"about": {json.dumps(about)},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
-    (Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "eigen.json").write_text(text, encoding="utf-8")
+    put("eigen", about, lines)
 
 
 if __name__ == "__main__":

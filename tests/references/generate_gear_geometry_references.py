@@ -5,7 +5,6 @@ program's: the involute is solved by Newton in 80 digits, paths of contact are i
 coordinates, cones are intersections of unit vectors, friction is a balance of forces, limits are roots.
 """
 
-import json
 import random
 import sys
 from pathlib import Path
@@ -13,10 +12,10 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+from case_files import put
 from found_cases import doubles, found
 from mpmath import acos, asin, atan, cos, cot, findroot, mp, mpf, pi, sin, sqrt, tan
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 Case = dict[str, Any]
 DEGREE = 0.017453292519943295
 
@@ -628,9 +627,7 @@ def main() -> None:
     mp.dps = 80
     cases = [*involute_cases(), *ordinary(), *hard(), *searched()]
     about = "Written by generate_gear_geometry_references.py: SI inputs as doubles, results to 40 digits of 80."
-    lines = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "gear_geometry.json"
-    target.write_text(f'{{"about": {json.dumps(about)},\n"cases": [\n{lines}\n]}}\n', encoding="utf-8")
+    put("gear_geometry", about, cases)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ run along one another (gear_mesh_exact.py). Unknown gears and data blocks: arcs 
 sizes as exact fractions (gear_table_exact.py). Profiles: circles of the rack, the junction by a bracket in its corner.
 """
 
-import json
 import random
 import sys
 from collections.abc import Iterator
@@ -17,12 +16,12 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import gear_exact as exact
+from case_files import put
 from found_cases import doubles, found
 from gear_exact import Tooth
 from gear_mesh_exact import Mesh, shares
 from gear_table_exact import all_candidates, candidate, data_block
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 TWENTY = 0.3490658503988659
 POINTS, SHOWN = 101, 3
 Case = tuple[str, str, dict[str, Any]]
@@ -520,13 +519,5 @@ def generate() -> dict[str, Any]:
     return {"about": about, "cases": cases}
 
 
-def main(target: Path) -> None:
-    """Write the file."""
-    data = generate()
-    lines = [json.dumps(case, ensure_ascii=False) for case in data["cases"]]
-    text = f'{{"about": {json.dumps(data["about"])},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
-    target.write_text(text, encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "gear_meshes.json")
+    put("gear_meshes", **generate())

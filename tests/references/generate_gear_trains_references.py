@@ -7,7 +7,6 @@ of the base circle unrolled. Chords: from coordinates. Roots: the envelope of th
 circle, junction by bisection of 170 steps.
 """
 
-import json
 import random
 import sys
 from collections.abc import Iterator
@@ -16,10 +15,10 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+from case_files import put
 from found_cases import doubles, found
 from mpmath import acos, atan, atan2, cos, floor, matrix, mp, mpf, pi, sin, sqrt, tan
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 TWENTY = 0.3490658503988659
 Case = tuple[str, str, str, dict[str, Any]]
 mp.dps = 60
@@ -400,12 +399,5 @@ def generate() -> dict[str, Any]:
     return {"about": about, "cases": cases}
 
 
-def main(target: Path) -> None:
-    data = generate()
-    lines = [json.dumps(case, ensure_ascii=False) for case in data["cases"]]
-    text = f'{{"about": {json.dumps(data["about"])},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
-    target.write_text(text, encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "gear_trains.json")
+    put("gear_trains", **generate())

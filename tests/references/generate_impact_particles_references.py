@@ -5,7 +5,6 @@ found in another way than by the program: linear equations of momentum and resti
 kinetic energies as differences, constraints by Lagrange multipliers, all in 300 digits.
 """
 
-import json
 import random
 import sys
 from collections.abc import Iterator
@@ -15,13 +14,13 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from mpmath import acos, atan2, cos, matrix, mp, mpf, pi, polyroots, sin, sqrt
+from references.case_files import put
 from references.impact_approaches import approach, approaches
 from references.impact_chains import chained
 from references.impact_found import FOUND
 from references.trees import draw, exact, written
 
 mp.dps = 300
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 G = 9.80665
 Case = tuple[str, str, dict[str, Any]]
 
@@ -1166,10 +1165,8 @@ def cases() -> Iterator[dict[str, Any]]:
 
 def main() -> None:
     """Write the file."""
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "impact_particles.json"
     about = "Written by generate_impact_particles_references.py: SI inputs as doubles, results to 40 digits from 300."
-    rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases())
-    target.write_text(f'{{"about": "{about}",\n"cases": [\n{rows}\n]}}\n', encoding="utf-8")
+    put("impact_particles", about, cases())
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ solve their linear equations, and energies are differences of kinetic energies, 
 bodies (impact_contacts) follow.
 """
 
-import json
 import math
 import random
 import sys
@@ -16,12 +15,12 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from mpmath import atan2, cos, mp, mpf, nint, pi, sin, sqrt
+from references.case_files import put
 from references.impact_contacts import cases as contacts
 from references.impact_events import brach, follow, kudlich_slibar
 from references.trees import draw, written
 
 mp.dps = 120
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 G = 9.80665
 LAWS = ("stronge", "newton", "poisson", "brach", "kudlich-slibar")
 Case = tuple[str, str, dict[str, Any]]
@@ -316,10 +315,8 @@ def all_cases() -> list[dict[str, Any]]:
 
 
 def main() -> None:
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "impact_rigid.json"
-    rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in [*all_cases(), *contacts()])
     about = "Written by generate_impact_rigid_references.py: SI inputs as doubles, results to 40 digits from 120."
-    target.write_text(f'{{"about": "{about}",\n"cases": [\n{rows}\n]}}\n', encoding="utf-8")
+    put("impact_rigid", about, [*all_cases(), *contacts()])
 
 
 if __name__ == "__main__":

@@ -5,7 +5,6 @@ path is that of impact_keller, by direction and speed of the slip; whole impacts
 impulses (impact_solids), and energies as differences of kinetic energies.
 """
 
-import json
 import math
 import random
 import sys
@@ -15,12 +14,12 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from mpmath import mp, mpf
+from references.case_files import put
 from references.impact_keller import reference
 from references.impact_solids import Solid, dot, frame, plus, size, turned_about, vector
 from references.impact_spatial_found import FOUND
 from references.trees import written
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 LAWS = ("stronge", "newton", "poisson")
 DIGITS = 40
 mp.dps = 70
@@ -360,11 +359,9 @@ def reported(impact: Any) -> dict[str, Any]:
 
 
 def main() -> None:
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "impact_spatial.json"
     cases = [answered(scene) for scene in scenes()] + [reported(impact) for impact in impacts()]
-    rows = ",\n".join(json.dumps(case, ensure_ascii=False) for case in cases)
     about = "Written by generate_impact_spatial_references.py: SI inputs as doubles, results to 40 digits from 63."
-    target.write_text(f'{{"about": "{about}",\n"cases": [\n{rows}\n]}}\n', encoding="utf-8")
+    put("impact_spatial", about, cases)
 
 
 if __name__ == "__main__":

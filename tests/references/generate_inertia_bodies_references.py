@@ -5,7 +5,6 @@ moments by mpmath's QR. Run: python tests/references/generate_inertia_bodies_ref
 every time.
 """
 
-import json
 import random
 import sys
 from collections.abc import Iterator
@@ -15,12 +14,12 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import inertia_found
+from case_files import put
 from found_cases import numbered
 from inertia_exact import answer, exact, rotation
 from inertia_scenes import arguments
 from mpmath import cos, mp, mpf, nstr, sin
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 ABOUT = "Written by generate_inertia_bodies_references.py: mass properties of bodies of doubles, to 40 digits."
 Case = tuple[str, str, str, str, dict[str, Any]]
 
@@ -344,7 +343,7 @@ def comparisons(generator: random.Random) -> Iterator[Case]:
         yield "compare", "hard", f"needle turned by {angle:g}", why, {"first": one, "second": two}
 
 
-def main(path: Path) -> None:
+def main() -> None:
     generator = random.Random(20260101)
     cases = []
     for task, kind, name, why, inputs in (
@@ -368,9 +367,8 @@ def main(path: Path) -> None:
             "results": found,
         }
         cases.append(entry if why else {key: part for key, part in entry.items() if key != "why"})
-    text = ",\n".join("  " + json.dumps(case, ensure_ascii=False) for case in numbered(cases))
-    path.write_text(f'{{"about": {json.dumps(ABOUT)},\n"cases": [\n{text}\n]}}\n', encoding="utf-8")
+    put("inertia_bodies", ABOUT, numbered(cases), "  ")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "inertia_bodies.json")
+    main()

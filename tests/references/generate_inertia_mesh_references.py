@@ -6,7 +6,6 @@ moments by mpmath's QR. Run: python tests/references/generate_inertia_mesh_refer
 time.
 """
 
-import json
 import sys
 from collections.abc import Iterator
 from fractions import Fraction
@@ -16,10 +15,10 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import inertia_found
+from case_files import put
 from inertia_solids import triangles
 from mpmath import eigsy, matrix, mp, mpf, nstr, sqrt
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 ABOUT = "Written by generate_inertia_mesh_references.py: solids and shells of triangles of doubles, to 40 digits."
 STILL = (1.0, 0.0, 0.0, 0.0)
 TURN = (0.75, -0.5, 0.25, 0.375)
@@ -197,7 +196,7 @@ def written(tree: Any) -> Any:
     return [written(part) for part in tree] if isinstance(tree, list | tuple) else tree
 
 
-def main(file: Path) -> None:
+def main() -> None:
     """Write every case."""
     mp.dps = 90
     out = []
@@ -206,9 +205,8 @@ def main(file: Path) -> None:
     for task, kind, name, why, inputs in every:
         case = {"task": task, "kind": kind, "name": name, **({"why": why} if why else {})}
         out.append({**case, "inputs": written(inputs), "results": integrals(inputs)})
-    text = ",\n".join("  " + json.dumps(case, ensure_ascii=False) for case in out)
-    file.write_text(f'{{"about": {json.dumps(ABOUT)},\n"cases": [\n{text}\n]}}\n', encoding="utf-8")
+    put("inertia_mesh", ABOUT, out, "  ")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "inertia_mesh.json")
+    main()

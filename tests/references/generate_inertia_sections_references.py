@@ -5,7 +5,6 @@ corners and centroid; circles by π of 90 digits; principal moments by the roots
 Run: python tests/references/generate_inertia_sections_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import random
 import sys
 from collections.abc import Iterator
@@ -17,9 +16,9 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import inertia_found
+from case_files import put
 from mpmath import atan2, cos, mp, mpf, nstr, pi, sin, sqrt
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 ABOUT = "Written by generate_inertia_sections_references.py: area properties of sections of doubles, to 40 digits."
 Point = tuple[Any, Any]
 ELL = [0.0, 0.0, 60.0, 0.0, 60.0, 8.0, 8.0, 8.0, 8.0, 40.0, 0.0, 40.0]
@@ -182,7 +181,7 @@ def written(tree: Any) -> Any:
     return [written(part) for part in tree]
 
 
-def main(file: Path) -> None:
+def main() -> None:
     """Write every case."""
     mp.dps = 90
     lines = []
@@ -191,10 +190,9 @@ def main(file: Path) -> None:
         # what 90 digits leave of an exact zero
         shown = {key: nstr(value, 40) if abs(value) > mpf(10) ** -60 else "0.0" for key, value in found.items()}
         case = {"task": "section", "kind": kind, "name": name, **({"why": why} if why else {})}
-        lines.append(json.dumps({**case, "inputs": written(inputs), "results": shown}))
-    text = ",\n".join("  " + line for line in lines)
-    file.write_text(f'{{"about": {json.dumps(ABOUT)},\n"cases": [\n{text}\n]}}\n', encoding="utf-8")
+        lines.append({**case, "inputs": written(inputs), "results": shown})
+    put("inertia_sections", ABOUT, lines, "  ")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "inertia_sections.json")
+    main()

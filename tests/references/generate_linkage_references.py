@@ -3,7 +3,6 @@
 Run: python tests/references/generate_linkage_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import random
 import sys
 from collections.abc import Iterator
@@ -13,33 +12,16 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import linkage_exact
+from case_files import put
 from mpmath import mp, mpf, pi
+from trees import exact, written
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 Case = tuple[str, str, dict[str, Any], dict[str, str]]
 # At these lengths are what was typed, not the doubles nearest to it: the difference decides.
 TYPED = "limit: nearly a change point, of the decimals as typed"
 CHANGE = "limit: both motions through a change point all but meet"
 DEGREE = 0.017453292519943295
 MOTION = {"speed": 10.0, "angular_acceleration": 5.0, "point": [0.06, 0.04], "load_torque": 12.0}
-
-
-def exact(tree: Any) -> Any:
-    """Doubles as exact numbers."""
-    if isinstance(tree, float):
-        return mpf(tree)
-    if isinstance(tree, dict):
-        return {name: exact(part) for name, part in tree.items()}
-    return [exact(part) for part in tree] if isinstance(tree, list) else tree
-
-
-def written(tree: Any) -> Any:
-    """Doubles as text that reads back to the same bits."""
-    if isinstance(tree, float):
-        return repr(tree)
-    if isinstance(tree, dict):
-        return {name: written(part) for name, part in tree.items()}
-    return [written(part) for part in tree] if isinstance(tree, list) else tree
 
 
 def links(a: float, b: float, c: float, d: float) -> dict[str, Any]:
@@ -202,11 +184,10 @@ def generate() -> list[dict[str, Any]]:
     return cases
 
 
-def main(target: Path) -> None:
+def main() -> None:
     about = "Written by generate_linkage_references.py: SI inputs as doubles, results to 40 digits from 60-digit work."
-    lines = [json.dumps(case, ensure_ascii=False) for case in generate()]
-    target.write_text(f'{{"about": {json.dumps(about)},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n", encoding="utf-8")
+    put("linkage", about, generate())
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "linkage.json")
+    main()

@@ -496,7 +496,7 @@ def modes() -> Any:
 
 def main() -> None:
     """Write the cases to the file, or to the one named on the command line."""
-    put("motion", ABOUT, (json.dumps(one, ensure_ascii=False) for one in (*equations(), *chains(), *modes())))
+    put("motion", ABOUT, (*equations(), *chains(), *modes()))
 
 
 if __name__ == "__main__":

@@ -5,17 +5,14 @@ and torsion by Gram determinants; straight motion by the quadratic formula; clos
 polynomial. Run: python tests/references/generate_path_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import random
-import sys
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from typing import Any
 
+from case_files import DATA, put_tree
 from mpmath import cos, cosh, exp, matrix, mp, mpf, nstr, pi, polyroots, quad, sin, sqrt, taylor
 
 mp.dps = 90
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 ABOUT = "Written by generate_path_references.py: SI inputs as doubles, results to 40 digits from 90-digit arithmetic."
 Case = tuple[str, str, str, str, dict[str, Any], dict[str, Any]]
 RANDOM = random.Random(31)
@@ -484,16 +481,14 @@ def every() -> Iterator[Case]:
         yield from part()
 
 
-def main(target: Path) -> None:
+def main() -> None:
     cases = []
     for task, kind, name, why, inputs, results in every():
         texts = {key: nstr(value, 40, min_fixed=-8, max_fixed=18) for key, value in results.items()}
         said = {"why": why} if why else {}
         cases.append({"task": task, "kind": kind, "name": name, **said, "inputs": inputs, "results": texts})
-    target.write_text(
-        json.dumps({"about": ABOUT, "cases": cases}, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
-    )
+    put_tree(DATA / "path.json", {"about": ABOUT, "cases": cases})
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "path.json")
+    main()

@@ -3,7 +3,6 @@
 Run: python tests/references/generate_skid_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import random
 import sys
 from collections.abc import Iterator
@@ -14,36 +13,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 import skid_hard_cases
 import skid_motion
+from case_files import put
 from found_cases import doubles, found, numbered
-from mpmath import mp, mpf
+from mpmath import mp
+from trees import draw, exact, written
 
 G = 9.80665
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 Case = tuple[str, dict[str, Any]]
-
-
-def exact(tree: Any) -> Any:
-    """Doubles as exact numbers."""
-    if isinstance(tree, float):
-        return mpf(tree)
-    if isinstance(tree, dict):
-        return {name: exact(part) for name, part in tree.items()}
-    return [exact(part) for part in tree] if isinstance(tree, list) else tree
-
-
-def written(tree: Any) -> Any:
-    """Doubles as text that reads back to the same bits."""
-    if isinstance(tree, float):
-        return repr(tree)
-    if isinstance(tree, dict):
-        return {name: written(part) for name, part in tree.items()}
-    return [written(part) for part in tree] if isinstance(tree, list) else tree
-
-
-def draw(generator: random.Random, low: float, high: float) -> float:
-    """A double as a person would write it, or any double."""
-    value = generator.uniform(low, high)
-    return round(value, 2) if generator.random() < 0.4 else value
 
 
 def road(generator: random.Random) -> dict[str, float]:
@@ -240,12 +216,5 @@ def generate() -> dict[str, Any]:
     return {"about": about, "cases": numbered(cases)}
 
 
-def main(target: Path) -> None:
-    data = generate()
-    lines = [json.dumps(case, ensure_ascii=False) for case in data["cases"]]
-    text = f'{{"about": {json.dumps(data["about"])},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
-    target.write_text(text, encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "skid.json")
+    put("skid", **generate())

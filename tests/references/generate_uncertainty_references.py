@@ -6,18 +6,17 @@ Everything is calculated twice, with other steps and more digits: the digits wri
 Run: python tests/references/generate_uncertainty_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import sys
 from pathlib import Path
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+from case_files import put
 from mpmath import mp, mpf
 from uncertainty_cases import CASES, Wanted
 from uncertainty_numbers import number, precision, real
 
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 PROBABILITIES = {"low": "0.025", "median": "0.5", "high": "0.975"}
 MOST_DIGITS = 40
 
@@ -56,15 +55,13 @@ def line(wanted: Wanted) -> str:
     inputs: dict[str, Any] = {"inputs": wanted.inputs}
     if wanted.correlation:
         inputs["correlation"] = wanted.correlation
-    return json.dumps({**case, **more, "inputs": inputs, "results": results}, ensure_ascii=False)
+    return {**case, **more, "inputs": inputs, "results": results}
 
 
 def main() -> None:
     """Write the file."""
     about = "Written by generate_uncertainty_references.py: quantiles, mean and deviation; the digits that are sure."
-    lines = [line(wanted) for wanted in CASES]
-    text = f'{{"about": {json.dumps(about)},\n"cases": [\n' + ",\n".join(lines) + "\n]}\n"
-    (Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "uncertainty.json").write_text(text, encoding="utf-8")
+    put("uncertainty", about, map(line, CASES))
 
 
 if __name__ == "__main__":

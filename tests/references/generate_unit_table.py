@@ -22,7 +22,7 @@ PINT_PI = Fraction("3.1415926535897932384626433832795028841971693993751")
 # and `+other` (also reads as the unit `other`, where that is what is wanted). A description with a semicolon
 # is that of a unit with several definitions: the one used, and the others' names. It is reported with every reading.
 UNITS = """
-rad | radian | rad:s radian:w radians:w | | radian
+rad | radian | rad:s radian:w radians:w rads | | radian
 deg | degree | deg degs degree degrees ° arcdeg | | degree of arc
 arcmin | arcminute | arcmin arcminute arcminutes ′ | | minute of arc
 arcsec | arcsecond | arcsec arcsecond arcseconds ″ | | second of arc
@@ -134,6 +134,7 @@ erg | erg | erg ergs | energy | erg
 ftlb | foot * force_pound | ftlb ftlbf ftlbs ft_lb ft_lbf foot_pound foot_pounds | | foot-pound, torque or energy
 inlb | inch * force_pound | inlb inlbf inlbs in_lb in_lbf inch_pound inch_pounds | | inch-pound, torque or energy
 Nm | newton * meter | Nm:s newton_meter newton_meters newton_metre newton_metres | torque | newton-metre
+Nmm | newton * millimeter | Nmm | torque | newton-millimetre
 lbft | foot * force_pound | lbft lbfft lb_ft lbf_ft pound_foot pound_feet | torque | pound-foot
 lbin | inch * force_pound | lbin lbfin lb_in lbf_in pound_inch pound_inches | torque | pound-inch
 W | watt | W:s watt:w watts:w | | watt
@@ -196,6 +197,7 @@ DIFFERENCES = {
     "mil": "in machine work a mil is 0.001 in; pint's is an angle",
     "mils": "as mil",
     "PS": "Pferdestärke on every data sheet; pint reads petasiemens",
+    "rads": "radians, as many write them; pint reads the absorbed dose",
     "Nm": "newton-metre, as everybody writes it; pint up to 0.25 reads the textile number-metre",
     "R": "degree Rankine; pint reads the molar gas constant",
     "chain": "66 international feet, as NIST Handbook 44 has it since 2023; pint up to 0.25 has survey feet",

@@ -5,19 +5,17 @@ stands for that decimal, any other for itself. Angles come from arc cosines in 4
 polygons from the law of cosines, feet from normal equations, triads from Gram and Schmidt, bases from Cramer's rule.
 """
 
-import json
 import random
 import sys
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import permutations
-from pathlib import Path
 from typing import Any
 
+from case_files import put
 from mpmath import acos, atan2, cos, mp, mpf, pi, sin, sqrt
 
 mp.dps = 400
-DATA = Path(__file__).resolve().parents[2] / "dynamics_cli" / "accuracy" / "data"
 LARGEST = Fraction(sys.float_info.max)
 Vector = list[Any]
 
@@ -365,14 +363,13 @@ def case(task: str, kind: str, name: str, why: str, inputs: dict[str, Any]) -> d
             "results": results}  # fmt: skip
 
 
-def main(target: Path) -> None:
+def main() -> None:
     cases = [case(task, "hard" if why else "ordinary", name, why, inputs) for task, name, why, inputs in hard()]
     for nth, (task, inputs) in enumerate(drawn(random.Random(5)), 1):
         cases.append(case(task, "ordinary", f"drawn, {nth}", "", inputs))
     about = "Written by generate_vec_references.py: doubles of at most 15 digits are decimals, results to 40 digits."
-    lines_ = ",\n".join(json.dumps(one, ensure_ascii=False) for one in cases)
-    target.write_text(f'{{"about": {json.dumps(about)},\n"cases": [\n{lines_}\n]}}\n', encoding="utf-8")
+    put("vec", about, cases)
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DATA / "vec.json")
+    main()

@@ -7,7 +7,6 @@ shafts as eigenvalues of assembled matrices in 120 digits, beams by roots of cos
 Run: python tests/references/generate_vibration_references.py [FILE]. The same bytes every time.
 """
 
-import json
 import random
 from collections.abc import Iterator
 from typing import Any
@@ -721,7 +720,7 @@ def main() -> None:
     for nth, (task, inputs) in enumerate(drawn(random.Random(13)), 1):
         cases.append(case(task, "ordinary", f"drawn, {nth}", "", inputs))
     about = "Written by generate_vibration_references.py: inputs are the doubles, results to 40 digits."
-    put("vibration", about, (json.dumps(one, ensure_ascii=False) for one in cases))
+    put("vibration", about, cases)
 
 
 if __name__ == "__main__":

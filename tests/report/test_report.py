@@ -275,3 +275,15 @@ def test_wrong_calls(tmp_path: Path) -> None:
     assert run("report", name, "--format", "pdf").status == 2
     assert run("report", name, "--digits", "0").status == 2
     assert run("report", name, "--output", str(tmp_path / "no" / "a.html")).status == 5
+
+
+def test_an_answer_in_words_is_a_finding_and_symbols_have_subscripts(tmp_path: Path) -> None:
+    gain, drive = (str(tmp_path / name) for name in ("gain.json", "drive.json"))
+    run("stability", "gain", "s(s+1)(s+2) + K", "--json", "--output", gain)
+    road = ("--rolling-resistance", "0.012", "--drag-area", "0.7 m^2")
+    run("energy", "drive", "--mass", "1500 kg", "--speed", "90 km/h", *road, "--json", "--output", drive)
+    text = run("report", gain, drive, "--format", "html").out
+    assert "Gain: stable for <strong>0 &lt; K &lt; 6</strong>" in text
+    assert "c<sub>dA</sub> is drag area" in text
+    assert "drag area 0.7 m²" in text
+    assert run("report", gain).out.startswith("# Gains for which a closed loop is stable, exactly\n")

@@ -5,7 +5,7 @@ import numpy as np
 from dynamics_cli.core.answering.models import arguments, result_numbers
 from dynamics_cli.core.answering.task import load
 from dynamics_cli.errors import DynamicsError, FaultError, InadmissibleError
-from dynamics_cli.numerics.lanes import Lanes, parts
+from dynamics_cli.numerics.lanes import FEWEST, Lanes, parts
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.progress import going
 from dynamics_cli.sampling import Drawing
@@ -94,6 +94,7 @@ class TaskModel:
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
         self.noise = _noise(nominal, self.spec, bound, STEADY if task.arrays else SOLVED)
         self.arrays = task.arrays
+        self.branches = task.branches or task.arrays
         self.drawing = Drawing()
 
     @property
@@ -123,7 +124,7 @@ class TaskModel:
                 kept = np.nonzero(~bad)[0] if kept is None else kept[~bad]
                 continue
             except (TypeError, ValueError):
-                # A formula that branches on a sample's truth value is called one case at a time.
+                # a formula that branches on a sample's truth value
                 self.arrays = False
                 return self._one_by_one(inputs, arrays, count, refused)
             return (results, None) if kept is None else self._spread(results, kept, count)
@@ -194,8 +195,11 @@ class TaskModel:
         results = {name: np.full(count, np.nan) for name in self.names}
         columns = {name: array.tolist() for name, array in arrays.items()}
         alone = ~bad
-        if self.task.branches:
-            alone[self._side_by_side(inputs, arrays, np.nonzero(alone)[0], results)] = False
+        open_ = np.nonzero(alone)[0]
+        if self.branches and len(open_) >= FEWEST:
+            alone[self._side_by_side(inputs, arrays, open_, results)] = False
+            # where most go their own way, the search for others on it costs more than it saves
+            self.branches = self.task.branches or bool(2 * np.count_nonzero(alone) < len(open_))
         rows = np.nonzero(alone)[0].tolist()
         cases = (
             arguments(self.task, self.bound, {**inputs, **{name: column[row] for name, column in columns.items()}})
@@ -223,12 +227,16 @@ class TaskModel:
                 return self.function(*args, **kwargs)
 
         done = [np.empty(0, dtype=int)]
-        with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
-            for part in parts(record_of, arrays, rows, _refused, _Branching):
-                for name, _, value in result_numbers(part.outcome, self.spec):
-                    if name in results:
-                        results[name][part.rows] = value
-                done.append(part.rows)
+        try:
+            with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
+                for part in parts(record_of, arrays, rows, _refused, _Branching):
+                    for name, _, value in result_numbers(part.outcome, self.spec):
+                        if name in results:
+                            results[name][part.rows] = value
+                    done.append(part.rows)
+        except (TypeError, ValueError, AttributeError, LookupError):
+            # physics that takes no arrays at all
+            return done[0]
         return np.concatenate(done)
 
 

@@ -245,7 +245,16 @@ def _from_pint(name: str) -> tuple[Unit, ...]:
     from dynamics_cli.core.units.fallback import lookup_in_pint
 
     unit = lookup_in_pint(name)
-    return () if unit is None else (unit,)
+    if unit is None or (unit.notes and _is_transposed(name)):
+        return ()
+    return (unit,)
+
+
+def _is_transposed(name: str) -> bool:
+    """Whether a name is a known one with letters exchanged: mhp is a slip for mph, not a millihorsepower."""
+    from dynamics_cli.core.units.near_names import names_like
+
+    return len(name) > 2 and any(sorted(near) == sorted(name) for near in names_like(name))
 
 
 def _unknown(name: str, text: str) -> UsageError:

@@ -42,7 +42,8 @@ def names_like(name: str, count: int = 5) -> list[str]:
             continue
         distance = _edits(lower, spelling.lower(), limit)
         if distance <= limit:
-            candidates_near.append((distance, prefixed, spelling[0] != name[0], len(spelling), spelling))
+            moved = sorted(spelling.lower()) != sorted(lower)
+            candidates_near.append((distance, moved, prefixed, spelling[0] != name[0], len(spelling), spelling))
     # A name that differs in case alone is surely meant.
     surely = [each for each in candidates_near if each[0] == 0]
     return [spelling for *_, spelling in sorted(surely or candidates_near)[:count]]

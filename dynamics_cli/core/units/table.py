@@ -8,7 +8,7 @@ length, mass, time, temperature, current, amount, luminosity and angle, SI value
 
 NAMES = (
     " "
-    "rad|rad|s radian|rad|w radians|rad|w deg|deg| degs|deg| degree|deg| degrees|deg| °|deg| arcdeg|deg| "
+    "rad|rad|s radian|rad|w radians|rad|w rads|rad| deg|deg| degs|deg| degree|deg| degrees|deg| °|deg| arcdeg|deg| "
     "arcmin|arcmin| arcminute|arcmin| arcminutes|arcmin| ′|arcmin| arcsec|arcsec| arcsecond|arcsec| "
     "arcseconds|arcsec| ″|arcsec| grad|grad| grads|grad| gon|grad| gons|grad| gradian|grad| gradians|grad| "
     "rev|rev| revs|rev| revolution|rev| revolutions|rev| turn|rev| turns|rev| rpm|rpm| RPM|rpm| rps|rps| dps|dps| "
@@ -54,7 +54,7 @@ NAMES = (
     "electron_volts|eV|w electronvolt|eV|w electronvolts|eV|w erg|erg| ergs|erg| ftlb|ftlb| ftlbf|ftlb| "
     "ftlbs|ftlb| ft_lb|ftlb| ft_lbf|ftlb| foot_pound|ftlb| foot_pounds|ftlb| inlb|inlb| inlbf|inlb| inlbs|inlb| "
     "in_lb|inlb| in_lbf|inlb| inch_pound|inlb| inch_pounds|inlb| Nm|Nm|s newton_meter|Nm| newton_meters|Nm| "
-    "newton_metre|Nm| newton_metres|Nm| lbft|lbft| lbfft|lbft| lb_ft|lbft| lbf_ft|lbft| pound_foot|lbft| "
+    "newton_metre|Nm| newton_metres|Nm| Nmm|Nmm| lbft|lbft| lbfft|lbft| lb_ft|lbft| lbf_ft|lbft| pound_foot|lbft| "
     "pound_feet|lbft| lbin|lbin| lbfin|lbin| lb_in|lbin| lbf_in|lbin| pound_inch|lbin| pound_inches|lbin| W|W|s "
     "watt|W|w watts|W|w hp|hp| HP|hp| bhp|hp| BHP|hp| horsepower|hp| horsepowers|hp| "
     "boiler_horsepower|boiler_horsepower| refrigeration_ton|refrigeration_ton| "
@@ -189,6 +189,7 @@ UNITS = (
     "=ftlb|3389544870828501|2500000000000000|0|2,1,-2|||foot-pound, torque or energy\n"
     "=inlb|1129848290276167|10000000000000000|0|2,1,-2|||inch-pound, torque or energy\n"
     "=Nm|1|1|0|2,1,-2||torque|newton-metre\n"
+    "=Nmm|1|1000|0|2,1,-2||torque|newton-millimetre\n"
     "=lbft|3389544870828501|2500000000000000|0|2,1,-2||torque|pound-foot\n"
     "=lbin|1129848290276167|10000000000000000|0|2,1,-2||torque|pound-inch\n"
     "=W|1|1|0|2,1,-3|||watt\n"
