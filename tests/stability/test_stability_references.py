@@ -327,6 +327,6 @@ def test_reference_cases_to_the_last_bits(question: Any) -> None:
     cases = [case for case in load(question.file) if case.task == question.cases]
     errors = errors_of(question.methods[0].call(), cases, catalogue.groups("stability"), tracked=False)
     assert (errors.refused, errors.cases, errors.broken) == (0, len(cases), 0)
-    # counts are exact, places of equilibria have no proved bound
-    assert (errors.bounded > 0) == (question.task not in ("interval", "equilibrium"))
+    # counts are exact
+    assert (errors.bounded > 0) == (question.task != "interval")
     assert max(errors.relative) <= (1e-9 if question.task == "equilibrium" else 3e-16), errors.worst

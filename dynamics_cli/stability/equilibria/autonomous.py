@@ -15,7 +15,7 @@ from dynamics_cli.quantities import (
     Text,
     Variable,
 )
-from dynamics_cli.records import record
+from dynamics_cli.records import ErrorBound, record
 from dynamics_cli.stability.equilibria.beyond_linear import (
     CENTRE,
     critical_root,
@@ -44,6 +44,8 @@ APART = 1e-5
 NEAR = 1e-10
 # A rate below this share of the sizes of its Jacobian, and a root below that of the largest, are taken for zero.
 ZERO, ON_AXIS = 1e-10, 1e-9
+# A place has a bound where that is below this share of its range.
+CLOSE = 1e-6
 # A root below this share of the slopes is rounding.
 NO_ROOT = 1e-20
 
@@ -159,6 +161,26 @@ def _solved(rows: "list[list[float]]", right: "list[float]") -> "list[float] | N
                 share = table[i][k] / table[k][k]
                 table[i] = [a - share * b for a, b in zip(table[i], table[k], strict=True)]
     return [table[k][size] / table[k][k] for k in range(size)]
+
+
+def place_bounds(
+    points: "Sequence[StatePlace]", states: "tuple[State, ...]", let: "tuple[Variable, ...]"
+) -> "list[ErrorBound]":
+    """How far simple equilibria may lie from where they are said to: twice the step that the rates there would take.
+
+    With |J⁻¹| times the sizes of the rates and of their rounding; one that is not simple has none.
+    """
+    rates, bounds = Rates(states, let), []
+    for nth, point in enumerate(points):
+        tracked = rates.tracked(point.at)
+        unit = [[float(i == j) for j in range(len(tracked))] for i in range(len(tracked))]
+        columns = [_solved([list(rate.slopes) for rate in tracked], column) for column in unit]
+        for k, state in enumerate(states):
+            width = 2.0 * sum(abs(column[k]) * (abs(rate.value) + rate.error) if column else math.inf
+                              for column, rate in zip(columns, tracked, strict=True))  # fmt: skip
+            if width <= CLOSE * (state.high - state.low):
+                bounds.append(ErrorBound(f"points[{nth}].at[{k}]", width, relative=False))
+    return bounds
 
 
 def _same(one: "Point", two: "Point", ranges: "Sequence[tuple[float, float]]") -> bool:
