@@ -89,7 +89,7 @@ class Linear:
             time -= step
             if abs(step) <= 1e-16 * time:
                 break
-        return self.at(time)
+        return _level(self.at(time), drop)
 
     def passing(self, distance: float) -> "State | None":
         """The state at a distance, where it comes there before it is far below."""
@@ -220,11 +220,17 @@ class Quadratic:
         """The state where it comes down to a level so far below the launch."""
         if drop == 0.0 and self.slope <= 0.0:
             return self.at(0.0)
-        return _followed(self._solved(2, drop))
+        return _level(_followed(self._solved(2, drop)), drop)
 
     def passing(self, distance: float) -> "State | None":
         """The state at a distance, where it comes there."""
         return self._solved(1, distance)
+
+
+def _level(state: "State", drop: float) -> "State":
+    """The state at a level so far below the launch, without what is left of finding it."""
+    time, x, _, across, up = state
+    return time, x, 0.0 - drop, across, up
 
 
 def _followed(state: "State | None") -> "State":

@@ -14,7 +14,7 @@ from itertools import pairwise, zip_longest
 from typing import Any
 
 from case_files import Case, write
-from mpmath import acos, arg, cos, exp, findroot, im, matrix, mp, mpc, mpf, nstr, pi, polyroots, polyval, re, sqrt
+from mpmath import acos, arg, cos, exp, findroot, im, matrix, mp, mpc, mpf, nstr, pi, polyroots, polyval, re, sin, sqrt
 from stability_cases import CIRCLES, DELAYS, GAINS, MATRICES, PIECES, POLYNOMIALS, Factor, Rows
 
 mp.dps = 110
@@ -295,6 +295,27 @@ def flows() -> Iterator[Case]:
     meeting = [([mpf(0), mpf(0)], [[-1, 1], [double("0.0000000000001"), -1]])]
     why = "slopes whose two roots all but meet"
     yield flow("all but defective", why, {"x": "y - x", "y": "0.0000000000001*x - y"}, meeting)
+    yield from transcendental()
+
+
+def transcendental() -> Iterator[Case]:
+    """Places by Newton's method, and Lorenz's, whose z is 1 here."""
+    third = mpf(8) / 3
+    c = sqrt(third)
+    lorenz = [([x, x, x * x / third], [[-10, 10, 0], [2 - x * x / third, -1, -x], [x, x, -third]]) for x in (-c, 0, c)]
+    yield flow("Lorenz", "", {"x": "10*(y - x)", "y": "x*(2 - z) - y", "z": "x*y - 8/3*z"}, lorenz)
+    light = double("0.05")
+    angle = findroot(lambda x: sin(x) - x / 3, 2.2)
+    held = [([x, mpf(0)], [[0, 1], [3 * cos(x) - 1, -light]]) for x in (-angle, mpf(0), angle)]
+    yield flow("pendulum on a spring", "", {"x": "y", "y": "3*sin(x) - x - 0.05*y"}, held)
+    level, share = double("0.3"), double("0.1")
+    places = []
+    for start in (-0.4, 0.9, 3.0):
+        x = findroot(lambda x: x**2 * exp(-x) - level, start)
+        slope = (2 * x - x * x) * exp(-x)
+        places.append(([x, level], [[slope, -1], [slope * share, 1 - share]]))
+    reactor = {"x": "x^2*exp(-x) - y", "y": "y - 0.3 - 0.2*(y - 0.3)^2 + 0.1*(x^2*exp(-x) - y)"}
+    yield flow("reactor", "", reactor, places)
 
 
 def hoops() -> Iterator[Case]:

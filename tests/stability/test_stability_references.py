@@ -1,9 +1,6 @@
 """Every task of stability against references by other methods."""
 
-import json
 import math
-from decimal import Decimal
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -25,19 +22,11 @@ from dynamics_cli.stability.interval import interval
 from dynamics_cli.stability.matrix import matrix
 from dynamics_cli.stability.routh import routh
 
-REFERENCES: dict[str, Any] = json.loads((Path(__file__).parent / "stability.json").read_text(encoding="utf-8"))
 EXACT = 4e-15
 
 
 def near(value: Any, text: str, tolerance: float = EXACT) -> None:
     assert value == pytest.approx(float(text), rel=tolerance, abs=0.0)
-
-
-@pytest.mark.parametrize("case", REFERENCES["counts"], ids=lambda case: str(case["polynomial"]))
-def test_counts(case: Any) -> None:
-    made = routh(case["polynomial"])
-    assert [made.left, made.right, made.axis] == case["counts"]
-    assert all(check.passed for check in made.checks)
 
 
 @pytest.mark.parametrize(
@@ -84,13 +73,13 @@ def test_array_keeps_the_scale_as_typed() -> None:
     assert [row.elements for row in made.array] == ["5/2  7", "1/3", "7"]
 
 
-def test_gains() -> None:
+def test_critical_gains_are_shown_with_twenty_digits() -> None:
+    """Digits of another program's, by Newton's method on p(iω) = 0 in many digits."""
     made = gain("s(s+4)(s+6)(s^2+1.4s+1) + K(s^2+2s+4)")
     assert made.critical is not None
-    for one, reference in zip(made.critical[1:], REFERENCES["gains"], strict=True):
-        near(one.gain, reference["gain"])
-        near(one.frequency, reference["frequency"])
-        assert abs(Decimal(reference["gain"]) - Decimal(one.digits)) <= Decimal("1e-17")
+    assert [one.digits for one in made.critical[1:]] == [
+        "15.610621364406734484", "67.512600498704510212", "163.5567781368887553"
+    ]  # fmt: skip
     assert [one.right for one in made.ranges] == [1, 0, 2, 0, 2]
 
 
@@ -113,14 +102,9 @@ def test_gain_in_higher_powers() -> None:
     assert [one.digits for one in made.critical] == ["-1.4142135623730950488", "1.4142135623730950488"]
 
 
-def test_delays() -> None:
+def test_a_loop_returns_to_stability_as_the_delay_grows() -> None:
     made = delay("s^2 + 0.4s + 1", delayed="0.5")
-    ends = [one.low for one in made.ranges[1:5]]
-    for at, reference in zip(ends, REFERENCES["delays"], strict=True):
-        near(at, reference["delay"])
     assert [one.right for one in made.ranges[:5]] == [0, 2, 0, 2, 0]
-    assert made.crossings is not None
-    near(made.crossings[0].frequency, REFERENCES["delays"][0]["frequency"])
 
 
 @pytest.mark.parametrize(("before", "right"), [("1.5707", 0), ("1.5709", 2)])
@@ -143,18 +127,17 @@ def _skew(g: str) -> Any:
     return (((0, 1), (-top, bottom)), ((top, bottom), (0, 1)))
 
 
-@pytest.mark.parametrize("case", REFERENCES["gyroscopic"], ids=lambda case: str(case["gyroscopic"]))
-def test_gyroscopic_stabilization(case: Any) -> None:
+@pytest.mark.parametrize(("gyroscopic", "held"), [("2.4", False), ("2.42", True), ("3", True)])
+def test_gyroscopic_stabilization(gyroscopic: str, held: bool) -> None:
+    """Stable from 1 + √2."""
     one, minus = (1, 1), (-1, 1)
     made = matrix(
         mass=((one, (0, 1)), ((0, 1), one)),
-        gyroscopic=_skew(case["gyroscopic"]),
+        gyroscopic=_skew(gyroscopic),
         stiffness=((minus, (0, 1)), ((0, 1), (-2, 1))),
     )
     assert made.without_gyroscopic == "unstable"
-    assert made.rightmost == pytest.approx(float(case["rightmost"]), rel=EXACT, abs=0.0)
-    assert bool(made.growth) == (float(case["rightmost"]) > 0.0)
-    assert bool(made.advice) == (not made.growth)
+    assert (made.rightmost > 0.0, bool(made.growth), bool(made.advice)) == (not held, not held, held)
 
 
 def test_repeated_frequencies_of_two_modes_are_no_resonance() -> None:
@@ -183,11 +166,10 @@ def test_bead_on_a_hoop() -> None:
     let = (Let("m", 0.2, "kg"), Let("g", 9.81, "m/s^2"), Let("r", 0.3, "m"), Let("w", 8.0, "rad/s"))
     made = equilibrium(potential=potential, let=let, inertia=0.2 * 0.09)
     assert [place.verdict for place in made.places] == ["stable", "unstable", "stable", "unstable"]
-    hoop = REFERENCES["hoop"]
-    assert made.places[2].angle is not None
-    near(abs(made.places[2].angle), hoop["angle"], 1e-13)
-    near(made.places[2].frequency, hoop["frequency"], 1e-13)
-    near(made.places[1].growth, hoop["growth"], 1e-13)
+    level = 9.81 / (0.3 * 64.0)
+    assert made.places[2].angle == pytest.approx(math.acos(level), rel=1e-13)
+    assert made.places[2].frequency == pytest.approx(8.0 * math.sqrt(1.0 - level**2) / (2.0 * math.pi), rel=1e-13)
+    assert made.places[1].growth == pytest.approx(8.0 * math.sqrt(1.0 - level), rel=1e-13)
 
 
 def test_derivatives_of_higher_order_decide() -> None:
@@ -202,19 +184,6 @@ def test_products_count_as_their_factors() -> None:
     first, second = whole(read("s^3 + 2s + 3"))[0][0], whole(read("s^4 + s + 1"))[0][0]
     together = count(whole(read("(s^3 + 2s + 3)(s^4 + s + 1)"))[0][0])
     assert together.right == count(first).right + count(second).right
-
-
-@pytest.mark.parametrize("case", REFERENCES["flows"], ids=lambda case: case["states"][-1])
-def test_equilibria_of_states(case: Any) -> None:
-    states = tuple(State(name, rate, -30.0, 30.0) for name, rate in zip("xyz", case["states"], strict=False))
-    made = equilibrium(states=states)
-    assert made.points is not None
-    at = [float(text) for text in case["at"]]
-    point = min(made.points, key=lambda point: math.dist(point.at, at))
-    assert point.at == pytest.approx(at, rel=1e-13, abs=1e-13)
-    assert [(root.real, root.imaginary) for root in point.roots] == [
-        (pytest.approx(float(x), rel=1e-12), pytest.approx(float(y), rel=1e-12)) for x, y in case["roots"]
-    ]
 
 
 VERDICTS = {
@@ -358,6 +327,6 @@ def test_reference_cases_to_the_last_bits(question: Any) -> None:
     cases = [case for case in load(question.file) if case.task == question.cases]
     errors = errors_of(question.methods[0].call(), cases, catalogue.groups("stability"), tracked=False)
     assert (errors.refused, errors.cases, errors.broken) == (0, len(cases), 0)
-    # counts are exact, places of equilibria have no proved bound
-    assert (errors.bounded > 0) == (question.task not in ("interval", "equilibrium"))
+    # counts are exact
+    assert (errors.bounded > 0) == (question.task != "interval")
     assert max(errors.relative) <= (1e-9 if question.task == "equilibrium" else 3e-16), errors.worst

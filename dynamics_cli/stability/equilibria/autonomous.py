@@ -17,7 +17,7 @@ from dynamics_cli.quantities import (
     Text,
     Variable,
 )
-from dynamics_cli.records import record
+from dynamics_cli.records import ErrorBound, record
 from dynamics_cli.stability.equilibria.beyond_linear import (
     CENTRE,
     critical_root,
@@ -46,6 +46,8 @@ APART = 1e-5
 NEAR = 1e-10
 # A rate below this share of the sizes of its Jacobian, and a root below that of the largest, are taken for zero.
 ZERO, ON_AXIS = 1e-10, 1e-9
+# A place has a bound where that is below this share of its range.
+CLOSE = 1e-6
 # A root below this share of the slopes is rounding.
 NO_ROOT = 1e-20
 

@@ -6,6 +6,7 @@ import math
 from dynamics_cli.errors import UsageError, require, require_given
 from dynamics_cli.numerics.expressions.jets import Jet
 from dynamics_cli.numerics.expressions.laws import law_of, parsed
+from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.quantities import (
     Angle,
     Annotated,
@@ -20,7 +21,7 @@ from dynamics_cli.quantities import (
     Text,
     Variable,
 )
-from dynamics_cli.records import Advice, Numerics, record
+from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 from dynamics_cli.sampling import cost, drawing
 from dynamics_cli.stability.equilibria.autonomous import StatePlace
 from dynamics_cli.stability.equilibria.multiple import distinct
@@ -28,7 +29,8 @@ from dynamics_cli.stability.equilibria.rates import State
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Iterator, Sequence
+    from typing import Any
 
     Potential = Callable[[float, int], list[float]]
     # A place and the Taylor coefficients there.
@@ -172,12 +174,14 @@ def equilibrium(
         frequency=_smallest(place.frequency for place in places),
         places=places,
         points=None,
-        numerics=Numerics("roots by halving on exact derivatives"),
+        numerics=Numerics(
+            "roots by halving on exact derivatives", () if drawing() else tuple(_bounds(value, places, bool(angular)))
+        ),
     )
 
 
 def _of_states(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> Equilibria:
-    from dynamics_cli.stability.equilibria.autonomous import state_places
+    from dynamics_cli.stability.equilibria.autonomous import place_bounds, state_places
 
     points = state_places(states, let)
     stable, undecided = ([p for p in points if p.verdict.startswith(word)] for word in ("stable", "undecided"))
@@ -190,7 +194,10 @@ def _of_states(states: "tuple[State, ...]", let: "tuple[Variable, ...]") -> Equi
         frequency=_smallest(point.frequency for point in stable),
         places=None,
         points=points,
-        numerics=Numerics("Newton's method from even starts, exact slopes; roots of the slopes enclosed"),
+        numerics=Numerics(
+            "Newton's method from even starts, exact slopes; roots of the slopes enclosed",
+            () if drawing() else tuple(place_bounds(points, states, let)),
+        ),
         advice=_advice(points),
     )
 
@@ -222,7 +229,7 @@ def _taylor(potential: EnergyFormula, let: "tuple[Variable, ...]", name: str) ->
             taylor = law(**{name: Jet.variable(at, order)})
         except (ArithmeticError, ValueError):
             return [math.nan] * (order + 1)
-        return [float(part) for part in taylor.parts]
+        return list(taylor.parts)
 
     return parts
 
@@ -288,6 +295,18 @@ def _halved(value: "Potential", order: int, low: float, high: float) -> float:
         low, high = (middle, high) if (at < 0.0) == below else (low, middle)
     one, two = (value(at, order)[order] for at in (low, high))
     return low + (high - low) * one / (one - two)
+
+
+def _bounds(value: "Potential", places: "Sequence[Place]", angular: bool) -> "Iterator[ErrorBound]":
+    """Of simple places: twice the slope there and its rounding, over the curvature."""
+    name = "angle" if angular else "position"
+    for nth, place in enumerate(places):
+        (at,) = Tracked.inputs([getattr(place, name)])
+        if place.curvature:
+            slope: Any = value(at, 1)[1]  # type: ignore[arg-type]
+            yield ErrorBound(
+                f"places[{nth}].{name}", 2.0 * (abs(slope.value) + slope.error) / abs(place.curvature), relative=False
+            )
 
 
 def _slopes(value: "Potential", at: float, order: int) -> "list[float]":

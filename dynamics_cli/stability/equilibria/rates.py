@@ -5,6 +5,7 @@ import math
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.expressions import check_names, parse
 from dynamics_cli.numerics.expressions.jets import Jet
+from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.quantities import Annotated, Ratio, Text, Variable
 from dynamics_cli.records import record
 
@@ -57,6 +58,11 @@ class Rates:
     def along(self, place: "Point", direction: "Point", order: int) -> "list[list[float]]":
         """Taylor coefficients of each rate in t, on the line place + t·direction."""
         return self.on([[at, step, *[0.0] * (order - 1)] for at, step in zip(place, direction, strict=True)])
+
+    def tracked(self, place: "Point") -> "list[Tracked]":
+        """The rates at a place with their rounding and their slopes."""
+        rates = self._evaluated(dict(zip(self.names, Tracked.inputs(place), strict=True)))
+        return [rate if isinstance(rate, Tracked) else Tracked(rate, 0.0, (0.0,) * len(place)) for rate in rates]
 
     def jacobian(self, place: "Point") -> "list[list[float]]":
         """The slopes by every state, a row for each rate, exact but for rounding."""
