@@ -150,6 +150,26 @@ def _cleared(place: "Point", ranges: "Sequence[tuple[float, float]]") -> "Point"
     return tuple(0.0 if abs(x) < ZERO * (high - low) else x for x, (low, high) in zip(place, ranges, strict=True))
 
 
+def place_bounds(
+    points: "Sequence[StatePlace]", states: "tuple[State, ...]", let: "tuple[Variable, ...]"
+) -> "list[ErrorBound]":
+    """How far simple equilibria may lie from where they are said to: twice the step that the rates there would take.
+
+    With |J⁻¹| times the sizes of the rates and of their rounding; one that is not simple has none.
+    """
+    rates, bounds = Rates(states, let), []
+    for nth, point in enumerate(points):
+        tracked = rates.tracked(point.at)
+        unit = [[float(i == j) for j in range(len(tracked))] for i in range(len(tracked))]
+        columns = [eliminated([list(rate.slopes) for rate in tracked], column) for column in unit]
+        for k, state in enumerate(states):
+            width = 2.0 * sum(abs(column[k]) * (abs(rate.value) + rate.error) if column else math.inf
+                              for column, rate in zip(columns, tracked, strict=True))  # fmt: skip
+            if width <= CLOSE * (state.high - state.low):
+                bounds.append(ErrorBound(f"points[{nth}].at[{k}]", width, relative=False))
+    return bounds
+
+
 def _judged(rates: Rates, place: "Point", ranges: "Sequence[tuple[float, float]]", multiplicity: int) -> StatePlace:
     """The equilibrium with the roots of its linear terms, which are exact of the Jacobian's doubles."""
     slopes = rates.jacobian(place)
