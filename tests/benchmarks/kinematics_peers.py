@@ -18,12 +18,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from linkage_four_bar import poses
 from mpmath import acos, mp, mpf, sqrt
 
 from dynamics_cli.errors import InadmissibleError
 from dynamics_cli.linkage.fourbar.closure import frame
 from dynamics_cli.linkage.fourbar.four_bar import four_bar
-from dynamics_cli.linkage.fourbar.table import poses
 from dynamics_cli.numerics.orientation.rotations import ByMatrix, euler
 from dynamics_cli.orient.turns.attitude import RotationVector
 from dynamics_cli.orient.turns.convert import convert, distance_of
