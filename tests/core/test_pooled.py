@@ -7,6 +7,7 @@ import pytest
 
 from dynamics_cli.core.inputs.uncertain.distributions import Normal, Uniform
 from dynamics_cli.core.uncertainty.propagation import propagate
+from dynamics_cli.core.uncertainty.tails import BEYOND_SAMPLES, narrowing, remedy
 from dynamics_cli.numerics.distributions import normal
 
 NAMES = ("a", "b", "c", "d")
@@ -53,6 +54,20 @@ def test_the_stated_error_holds(seed: int) -> None:
     assert made.spreads["farthest"].estimate < 0.02
     # what rises along straight lines needs no sample
     assert made.spreads["straight"].estimate < 1e-6
+
+
+def test_near_a_pole_the_input_that_decides_is_named() -> None:
+    def ratio(inputs: dict) -> tuple[dict, None]:
+        return {"ratio": 1.0 / (1.0 + 0.3 * inputs["wide"] + 0.01 * inputs["narrow"])}, None
+
+    made = propagate(ratio, {"narrow": Normal(0.0, 1.0), "wide": Normal(0.0, 1.0)})
+    spread = made.spreads["ratio"]
+    assert narrowing(made, spread) == "narrow wide, which decides most"
+    # more samples mend a small error, and only that
+    spread.estimate = 0.5 * BEYOND_SAMPLES
+    assert remedy(made, [spread]) == "raise --samples"
+    spread.estimate = 2.0 * BEYOND_SAMPLES
+    assert remedy(made, [spread]) == "narrow wide, which decides most"
 
 
 def test_jumps_stay_whole_numbers() -> None:

@@ -21,7 +21,7 @@ from dynamics_cli.core.uncertainty.limits_and_quantiles import (
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR
 from dynamics_cli.core.uncertainty.model import TaskModel
 from dynamics_cli.core.uncertainty.propagation import DEFAULT_ACCURACY, Propagation, Spread, propagate
-from dynamics_cli.core.uncertainty.tails import drop_moments
+from dynamics_cli.core.uncertainty.tails import drop_moments, narrowing, remedy
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.quadrature.lattice import DEFAULT_SEED
 
@@ -313,13 +313,13 @@ def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any
         are = "intervals of {} are themselves" if len(rough) > 1 else "interval of {} is itself"
         worst = max(s.estimate for s in rough)
         known = f"known only to {worst:.1g} standard deviations" if math.isfinite(worst) else "hardly known"
-        message, remedy = f"the {are.format(listed)} {known}", propagation.remedy
-        out.append({"code": "uncertainty-estimate", "severity": "caution", "message": message, "remedy": remedy})
+        message, helps = f"the {are.format(listed)} {known}", remedy(propagation, rough)
+        out.append({"code": "uncertainty-estimate", "severity": "caution", "message": message, "remedy": helps})
     if propagation.stopped:
         done, every = len(propagation.spreads), len(propagation.stopped)
         message = f"the time limit was reached: {done} of {every} results have a distribution"
-        remedy = "raise --time-limit, or give a smaller number of --samples"
-        out.append({"code": "time-limit", "severity": "serious", "message": message, "remedy": remedy})
+        helps = "raise --time-limit, or give a smaller number of --samples"
+        out.append({"code": "time-limit", "severity": "serious", "message": message, "remedy": helps})
     elif propagation.inputs and not vary:
         message = "only tables depend on the uncertain inputs; they hold the values at the means"
         out.append({"code": "nothing-varies", "severity": "caution", "message": message})
@@ -332,10 +332,12 @@ def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any
 def _no_deviations(propagation: Propagation) -> "list[dict[str, Any]]":
     """Results whose distribution has no standard deviation."""
     out: list[dict[str, Any]] = []
-    if long := [s.name.replace("_", " ").replace(".", " ") for s in propagation.spreads.values() if s.tails]:
-        message = f"{', '.join(long)}: no standard deviation, values have no bound within the inputs' distribution"
-        remedy = "use the median and the interval, or inputs with bounds, such as 0.3..0.4"
-        out.append({"code": "no-deviation", "severity": "caution", "message": message, "remedy": remedy})
+    if long := [s for s in propagation.spreads.values() if s.tails]:
+        names = ", ".join(s.name.replace("_", " ").replace(".", " ") for s in long)
+        message = f"{names}: no standard deviation, values have no bound within the inputs' distribution"
+        other = narrowing(propagation, long[0]) or "give inputs with bounds, such as 0.3..0.4"
+        helps = f"use the median and the interval, or {other}"
+        out.append({"code": "no-deviation", "severity": "caution", "message": message, "remedy": helps})
     if any(s.varies and not s.tails and not math.isfinite(s.std) for s in propagation.spreads.values()):
         out.append(
             {
