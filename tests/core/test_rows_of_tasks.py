@@ -56,9 +56,13 @@ def _failures(told: str) -> str:
 
 
 def test_numbers_are_written_as_repr_writes_them() -> None:
-    """Also those that msgspec writes without an exponent, 0.00005."""
-    numbers = np.array([0.5, 5e-5, 1e-4, 9e-6, 1e15, 1e16, -7e-5])
-    for some in (numbers, numbers[:2], numbers[2:]):
+    """Also those that msgspec writes without an exponent, 0.00005, or with one of one digit."""
+    numbers = np.array(
+        [0.5, 5e-5, 1e-4, 9e-6, 1e15, 1e16, -7e-5, 1e-9, 2.5e-8, 9.9e-10, 1.5e-17, 1e-100, 5e-324, 1e300]
+    )
+    random = np.random.default_rng(7)
+    spread = random.uniform(-10.0, 10.0, 4000) * 10.0 ** random.integers(-300, 300, 4000)
+    for some in (numbers, numbers[:2], numbers[2:], spread):
         assert texts(some) == [repr(number).encode() for number in some.tolist()]
         pairs = [f"{number!r},{2.0 * number!r}".encode() for number in some.tolist()]
         assert joined_texts([some, 2.0 * some]) == pairs

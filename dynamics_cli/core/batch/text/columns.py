@@ -27,8 +27,9 @@ if TYPE_CHECKING:
 NAN = float("nan")
 _decode = msgspec.json.Decoder(list[float]).decode
 _encode = msgspec.json.Encoder().encode
-# Between these, and for zero, msgspec writes a double as `repr` does.
-_PLAIN_LOW, _PLAIN_HIGH = 1e-4, 1e16
+# From the first to below the second, and from the third on, msgspec does not write a double as `repr` does: 0.00001 or
+# 1e-7 for 1e-05 or 1e-07, 1e16 for 1e+16.
+_ODD_LOW, _ODD_HIGH, _LARGE = 1e-9, 1e-4, 1e16
 
 
 class Column(Tokens):
@@ -141,7 +142,7 @@ def joined_texts(columns: "list[Array]") -> "list[bytes]":
 
 
 def _odd_sized(values: "Array") -> "list[list[int]]":
-    """Where the numbers are that msgspec writes in another way than `repr`, which gives them an exponent."""
+    """Where the numbers are that msgspec writes in another way than `repr`."""
     size = np.abs(values)
-    odd = (size < _PLAIN_LOW) | (size >= _PLAIN_HIGH)
-    return np.argwhere(odd & (size != 0.0)).tolist() if odd.any() else []
+    odd = ((size < _ODD_HIGH) & (size >= _ODD_LOW)) | (size >= _LARGE)
+    return np.argwhere(odd).tolist() if odd.any() else []
