@@ -91,7 +91,7 @@ def four_bar(
     alone = single(*lengths, crank_angle)
     kind = kind_of(lengths) if alone else None
     side = 1.0 if branch == OPEN else -1.0
-    swing = _swing(lengths, kind, side) if kind else {}
+    swing = _swing(lengths, kind, side) if kind else _sampled_swing(lengths, side) if drawing() else {}
     if crank_angle is None and drawing():
         return FourBar(**swing)
     if crank_angle is None:
@@ -125,7 +125,7 @@ def four_bar(
         crank_pin=pin,
         rocker_pin=(pin[0] + loop.bx, pin[1] + loop.by),
         **_moving(links, loop, pin, speeds, (speed, angular_acceleration), point),
-        **(swing if kind == "crank-rocker" else {"kind": kind}),
+        **(swing if kind in ("crank-rocker", None) else {"kind": kind}),
         side=_side(kind, side, plain(turn[1])) if alone and kind else None,
         checks=_checks(links, loop, pin, speeds) if alone and regular else (),
         advice=(*closeness(lengths, kind), *_poor(transmission, regular)) if alone and kind else (),
@@ -152,6 +152,20 @@ def _swing(lengths: "tuple[float, ...]", kind: str, side: float) -> "dict[str, A
         return {"kind": kind, "swing": swing}
     ends = (low, high) if side > 0.0 else (-high, -low)
     return {"kind": kind, "swing": swing, "rocker_least": ends[0], "rocker_greatest": ends[1]}
+
+
+def _sampled_swing(lengths: "tuple[float, ...]", side: float) -> "dict[str, Any]":
+    """The same of samples, where the rocker has two ends; elsewhere no number."""
+    a, b, c, d = lengths
+    links = frame(c, b, a, d)
+    gap, total, nothing = _size(links.slim), a + b + c + d, float("nan")
+    both = (links.outer < 0.0) & (links.inner < 0.0)
+    far = (a + b - links.apart) * (a + b + links.apart), links.outer * total
+    near = links.inner * (gap + links.apart), (c + d - gap) * (c + d + gap)
+    low, high = (PI - 2.0 * atan2(sqrt(_size(one)), sqrt(_size(other))) for one, other in (far, near))
+    low, high = where(both, low, nothing), where(both, high, nothing)
+    ends = (low, high) if side > 0.0 else (-high, -low)
+    return {"swing": high - low, "rocker_least": ends[0], "rocker_greatest": ends[1]}
 
 
 def _moving(

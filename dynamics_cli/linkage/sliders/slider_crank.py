@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 
 # Number of places of a turn in the search for the largest speed, and the step of the difference there.
 SAMPLES, STEP = 180, 1e-4
+# The same for samples of an uncertain mechanism.
+COARSE = 36
 
 
 class End(Choice):
@@ -240,11 +242,12 @@ def _fastest(a: float, b: float, e: float, end: End, speed: "float | None") -> "
     """The largest |dx/dθ| of a crank that turns fully, where the acceleration vanishes, and its angle."""
     lengths = plain(a), plain(b), plain(e)
     side = 1.0 if end == RIGHT else -1.0
+    count = COARSE if drawing() else SAMPLES
     fastest_angle = max(
-        (tau * k / SAMPLES for k in range(SAMPLES)),
+        (tau * k / count for k in range(count)),
         key=lambda t: round(abs(_slopes(*lengths, side, turned(t))[0]) / lengths[0], 9),
     )
-    ends = fastest_angle - tau / SAMPLES, fastest_angle + tau / SAMPLES
+    ends = fastest_angle - tau / count, fastest_angle + tau / count
     low = bisected(lambda t: _slopes(*lengths, side, turned(t))[1], *ends)
     ahead, behind = (_slopes(*lengths, side, turned(low + step))[1] for step in (STEP, -STEP))
     slope, bend = _slopes(a, b, e, side, turned(low + 0.0 * a))
