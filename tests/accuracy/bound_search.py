@@ -187,9 +187,9 @@ ITERATED = (
 
 
 def difference(value: float, exact: Any) -> Any:
-    """The error; a direction at the cut between −180 and 180 degrees is one direction."""
+    """The error; a direction at the cut, between −180 and 180 degrees or 0 and 360, is one direction."""
     error = abs(Exact(value) - exact)
-    if error > 6.28 and abs(abs(value) - pi) < 1e-6:
+    if error > 6.28 and min(abs(abs(value) - end) for end in (0.0, pi, 2.0 * pi)) < 1e-6:
         error = abs(error - 2 * exact_pi())
     return error
 

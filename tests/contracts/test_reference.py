@@ -61,5 +61,5 @@ def test_the_manual_page_is_one_that_man_reads_without_complaint(name: str, tmp_
 def test_wrong_words_are_refused_with_the_right_ones() -> None:
     outcome = run("reference", "skd")
     assert outcome.status == 2
-    assert "did you mean skid?" in outcome.err
+    assert "did you mean dynamics skid?" in outcome.err
     assert run("reference", "skid", "--format", "pdf").status == 2

@@ -248,7 +248,7 @@ def test_a_reference_to_no_result_names_those_there_are(tmp_path: Path) -> None:
 
 def test_schema_says_what_is_missing_and_suggests_near_tasks() -> None:
     assert "the task of gear is missing" in run("schema", "gear").err
-    assert "did you mean crossed?" in run("schema", "gear", "crosed").err
+    assert "did you mean dynamics gear crossed?" in run("schema", "gear", "crosed").err
 
 
 @pytest.mark.parametrize(("name", "near"), [("stel", "there is steel"), ("alminium", "there is aluminium")])

@@ -11,7 +11,7 @@ from tests.harness import run
     ("call", "hint"),
     [
         ("skid|speed|--dist|60 ft|--friction|0.7", "did you mean --distance?"),
-        ("crash|job.toml", "of that name: dynamics impact crash"),
+        ("crash|job.toml", "did you mean dynamics impact crash?"),
         ("skid|speed|--report|x.html", "dynamics report case.json"),
         ("skid|speed|--distance|60 ft|--friction|0.7|--plot|x.dxf", "--drawing x.dxf"),
         ("skid|timeline|--end-speed|3 m/s|--phase|braking 14 m", "kind=braking; it takes duration, distance,"),

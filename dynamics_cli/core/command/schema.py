@@ -116,7 +116,8 @@ def _leaf_schema(leaf: Leaf) -> "dict[str, Any]":
     if kind.form == "fraction":
         text_object = {"type": "object", "properties": {"value": {"type": "string"}}, "required": ["value"]}
         return {"anyOf": [{"type": "string"}, text_object], **examples}
-    value: dict[str, Any] = {"type": "number"}
+    # of compound units, 5 ft 6 in, the value is a list
+    value: dict[str, Any] = {"type": ["number", "array"] if kind.unit or kind.form == "exact" else "number"}
     if kind.form not in _NUMBER_FORMS and kind.form != "exact":
         value = {"type": ["array", "number"]} if kind.form == "free vector" else {"type": "array"}
     pair = {
