@@ -35,8 +35,9 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Values of all results together that are kept, and the most replicates; more where more points are asked for.
-MOST_VALUES, MOST_SHIFTS = 8_000_000, 20
+# Values of all results together that are kept, and the most replicates: of all results, and of those that lines leave;
+# more where more points are asked for.
+MOST_VALUES, MOST_SHIFTS, BESIDE_LINES = 8_000_000, 20, 18
 MOST_TIMES = 10.0
 FEWEST_POINTS = 64
 # Points of a replicate where only whole numbers are counted: a share of the cases is then known to about a thousandth.
@@ -126,9 +127,10 @@ def _size(space: Space, goal: Goal, rows: "list[int]") -> tuple[int, int]:
             most, fewest = min(most, space.affordable), 1
         return min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, fewest), MOST_POINTS), SHIFTS
     if space.whole.issuperset(rows):
-        return COUNTED, MOST_SHIFTS
+        return COUNTED, BESIDE_LINES
+    most = BESIDE_LINES if space.lines is not None and space.lines.rows else MOST_SHIFTS
     more = min(max(goal.points / DEFAULT_POINTS, 1.0), MOST_TIMES)
-    return MOST_POINTS, max(int(min(MOST_VALUES // (len(rows) * MOST_POINTS), MOST_SHIFTS) * more), SHIFTS)
+    return MOST_POINTS, max(int(min(MOST_VALUES // (len(rows) * MOST_POINTS), most) * more), SHIFTS)
 
 
 def _points(size: int, count: int, shifts: int, seed: int) -> "Array":
