@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 # Values of all results together that are kept, and the most replicates: of all results, and of those that lines leave;
 # more where more points are asked for.
-MOST_VALUES, MOST_SHIFTS, BESIDE_LINES = 8_000_000, 20, 18
+MOST_VALUES, MOST_SHIFTS, BESIDE_LINES = 8_000_000, 20, 12
 MOST_TIMES = 10.0
 FEWEST_POINTS = 64
 # Points of a replicate where only whole numbers are counted: a share of the cases is then known to about a thousandth.
