@@ -43,8 +43,8 @@ UNSETTLED, LONG_TAILED = 0.02, 1.5
 THINNED, ATOM = 16, 2e-3
 # Lines that a result's width is taken from; a distance is far that is so many widths.
 MANY, FAR = 64, 4.0
-# Steps to a quantile, the length of one, in deviations, that is the last, and the part of it that may be left.
-MOST_STEPS, LAST, LEFT = 8, 0.02, 0.05
+# Steps to a quantile, and the length of one, in deviations, that is the last.
+MOST_STEPS, LAST = 5, 0.02
 # The part of a probability beside which values are counted for a density, and how much that may differ from the lines'.
 NEAR, ALIKE = 0.4, 0.25
 
@@ -121,7 +121,7 @@ class SharedLines:
         if not mass.min() > 0.0:
             message = "almost no case within the inputs' uncertainty is admissible"
             raise InadmissibleError(message, code="inadmissible", hint="check the inputs")
-        shared = Shares(self, place, float(mass.mean() / self.swept.mass))
+        shared = Shares(self, place, float(mass.mean()))
         quantiles, errors = shared.quantiles(goal.p)
         cells = f"{self.cells} cells, shared by all results"
         outcome = Outcome(f"{self.shifts} shifted lattices of {self.count} lines of {cells}", quantiles, centre)
@@ -176,8 +176,6 @@ class Shares:
         low, high = np.searchsorted(self._ordered, v), np.searchsorted(self._ordered, v, side="right")
         atom = self._ranks[high - 1] - self._ranks[max(int(low) - 1, 0)] > ATOM * self._ranks[-1]
         move = error = 0.0
-        # a single line costs little
-        last = LAST if self._lines.count > 1 else LAST * LAST
         for _ in range(MOST_STEPS):
             shares, dense, missing = self._lines.below(self._place, v)
             sure = FACTOR * _error(shares) + missing
@@ -193,8 +191,8 @@ class Shares:
             dense = dense if exact else counted
             move = (wanted - float(shares.mean())) / dense
             v += min(max(move, -spread), spread)
-            error = sure / dense + (LEFT if exact else ALIKE) * abs(move)
-            if abs(move) <= last * spread * (1.0 if exact else LEFT):
+            error = sure / dense + (LAST if exact else ALIKE) * abs(move)
+            if abs(move) <= LAST * spread * (1.0 if exact else LAST / ALIKE):
                 return v, error
         return v, error + abs(move)
 
@@ -217,7 +215,6 @@ class Swept:
 
         self._values = at(slice(None), self._s)
         self._weights = density(self._s)
-        self.mass = float(self._weights.sum()) * step / count
         some = self._values[:, :MANY].reshape(len(rows), -1)
         self._widths = np.subtract(*np.nanpercentile(some, (70, 30), axis=1))
         kinked = np.sort(self._kinked(DIVIDED * count))
