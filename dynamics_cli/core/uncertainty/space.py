@@ -66,9 +66,8 @@ class Space:
         # One that answers many cases at once: thousands together cost little more than a hundred.
         self.together = self.slow and getattr(model, "together", None) is not None
         self._known: dict[bytes, Array] | None = {} if self.slow else None
-        # The sample and the lines that results share, once one of them needs them.
+        # The sample that results share, once one of them needs it.
         self.pool: Any = None
-        self.lines: Any = None
         # The results, by row, that are whole numbers at every point looked at.
         self.whole: set[int] = set()
         # The results that the sample is for (all of them, or the rest).

@@ -19,7 +19,6 @@ from dynamics_cli.core.uncertainty.methods.outcome import (
     width_of,
 )
 from dynamics_cli.core.uncertainty.methods.scanned_lines import Listed
-from dynamics_cli.core.uncertainty.methods.shared_lines import SharedLines
 from dynamics_cli.core.uncertainty.methods.surrogate import MOST_TERMS, standard, suits, terms
 from dynamics_cli.core.uncertainty.space import Space
 from dynamics_cli.errors import InadmissibleError
@@ -35,9 +34,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-# Values of all results together that are kept, and the most replicates: of all results, and of those that lines leave;
-# more where more points are asked for.
-MOST_VALUES, MOST_SHIFTS, BESIDE_LINES = 8_000_000, 20, 12
+# Values of all results together that are kept, and the most replicates; more where more points are asked for.
+MOST_VALUES, MOST_SHIFTS = 8_000_000, 64
 MOST_TIMES = 10.0
 FEWEST_POINTS = 64
 # Points of a replicate where only whole numbers are counted: a share of the cases is then known to about a thousandth.
@@ -63,8 +61,7 @@ class Pool:
 
     def __init__(self, space: Space, goal: Goal) -> None:
         self._slow = space.slow
-        elsewhere = set() if space.lines is None else space.lines.rows
-        self._rows = {row: place for place, row in enumerate(row for row in space.rest() if row not in elsewhere)}
+        self._rows = {row: place for place, row in enumerate(space.rest())}
         self.count, self.shifts = _size(space, goal, list(self._rows))
         self.factor = REPLICATE_FACTOR if self.shifts <= SHIFTS else MANY_FACTOR
         self.distance = FLOOR if space.slow else 1.0 / self.count
@@ -127,10 +124,9 @@ def _size(space: Space, goal: Goal, rows: "list[int]") -> tuple[int, int]:
             most, fewest = min(most, space.affordable), 1
         return min(max(1 << max(most // SHIFTS, 1).bit_length() - 1, fewest), MOST_POINTS), SHIFTS
     if space.whole.issuperset(rows):
-        return COUNTED, BESIDE_LINES
-    most = BESIDE_LINES if space.lines is not None and space.lines.rows else MOST_SHIFTS
+        return COUNTED, SHIFTS
     more = min(max(goal.points / DEFAULT_POINTS, 1.0), MOST_TIMES)
-    return MOST_POINTS, max(int(min(MOST_VALUES // (len(rows) * MOST_POINTS), most) * more), SHIFTS)
+    return MOST_POINTS, max(int(min(MOST_VALUES // (len(rows) * MOST_POINTS), MOST_SHIFTS) * more), SHIFTS)
 
 
 def _points(size: int, count: int, shifts: int, seed: int) -> "Array":
@@ -210,12 +206,7 @@ def _corrected(wide: "Array", fitted: "Array", sound: "Array") -> "Array":
 
 
 def pooled(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome:
-    """One result from lines or, where these suit it badly, from the sample that all share, each made when needed."""
-    if not space.slow:
-        if space.lines is None:
-            space.lines = SharedLines(space, goal)
-        if result in space.lines.rows:
-            return space.lines.outcome(result, goal)  # type: ignore[no-any-return]
+    """One result from the sample that all of them share, generated when first needed."""
     centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
     if space.pool is None:
         space.pool = Pool(space, goal)
