@@ -262,6 +262,6 @@ def _unknown(name: str, text: str) -> UsageError:
     from dynamics_cli.core.units.near_names import names_like
 
     near = names_like(name)
-    hint = f"near it: {', '.join(near)}" if near else "`dynamics units search WORD` finds units by name"
+    hint = f"did you mean {' or '.join(near[:3])}?" if near else "`dynamics units search WORD` finds units by name"
     within = "" if name == text.strip() else f" (in {show(text)})"
     return UsageError(f"unknown unit {show(name)}{within}", code="unknown-unit", hint=hint)
