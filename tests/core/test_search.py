@@ -37,6 +37,7 @@ def test_nothing_found_is_an_error() -> None:
     outcome = run("help", "zymurgy")
     assert (outcome.status, outcome.out) == (2, "")
     assert "no task is about 'zymurgy'" in outcome.err
+    assert "try: dynamics skid --help" in run("help", "skid", "zymurgy").err
 
 
 @pytest.mark.parametrize(

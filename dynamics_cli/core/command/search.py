@@ -67,7 +67,8 @@ def print_found(words: "Sequence[str]", families: "Iterable[str]", find: "Finder
     """List the tasks about some words, with their summaries."""
     found = tasks_about(words, families, find)
     if not found:
-        hint = "try: dynamics help, or dynamics examples"
+        start = f"dynamics {words[0]} --help" if words and words[0] in families else "dynamics help"
+        hint = f"try: {start}, or dynamics examples"
         raise UsageError(f"no task is about {' '.join(words)!r}", code="unknown-command", hint=hint)
     shown = found[:MOST]
     width, column = min(terminal.columns or 80, 80), max(len(task.path) for task in shown) + 2
