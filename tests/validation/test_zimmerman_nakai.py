@@ -12,9 +12,9 @@ import pytest
 
 from dynamics_cli.inertia.assembly.assembly import Assembly, body
 from dynamics_cli.inertia.assembly.parts import Part
-from dynamics_cli.inertia.assembly.report import bare
 from dynamics_cli.inertia.bodies.amount import OfMass
 from dynamics_cli.inertia.bodies.properties import MassProperties, ProductSign
+from dynamics_cli.numerics.number import over_plain
 
 PRINTED = 2.5e-3
 # mass; mass centre; xx, yy, zz; xy, xz, yz; and the standard uncertainties of all these in the same order
@@ -50,7 +50,7 @@ def part(rows: tuple[Row, Row]) -> Part:
 @pytest.fixture(scope="module")
 def combined() -> MassProperties:
     scene = Assembly(parts=(part(WIDGET), part(SECOND)))
-    return bare(body(scene, product_sign=ProductSign("positive")))  # type: ignore[no-any-return]
+    return over_plain(body(scene, product_sign=ProductSign("positive")))  # type: ignore[no-any-return]
 
 
 def test_the_combined_mass_properties(combined: MassProperties) -> None:
