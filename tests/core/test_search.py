@@ -30,7 +30,22 @@ def test_a_task_of_that_name_stands_before_those_that_mention_it() -> None:
 
 
 def test_many_tasks_are_cut_and_counted() -> None:
-    assert run("help", "mass").out.splitlines()[-1].endswith("more: add a word")
+    assert any(line.endswith("more: add a word") for line in run("help", "mass").out.splitlines())
+
+
+@pytest.mark.parametrize(
+    ("words", "option", "other"),
+    [("sweep", "--sweep", "--rows"), ("uncertainty", "--correlate", "--rows"), ("monte carlo", "--samples", "--all")],
+)
+def test_options_of_every_task_are_found_too(words: str, option: str, other: str) -> None:
+    text = run("help", *words.split()).out.partition("Options of every task:")[2]
+    assert f"\n  {option} " in text
+    assert other not in text.replace("\n", " ").split()
+    assert ("0.7 ± 0.05" in text) == (words == "uncertainty")
+
+
+def test_what_an_example_names_is_not_what_an_option_is_about() -> None:
+    assert "Options of every task" not in run("help", "friction").out
 
 
 def test_nothing_found_is_an_error() -> None:

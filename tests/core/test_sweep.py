@@ -161,6 +161,24 @@ def test_wrong_sweeps(axis: str, code: str | None) -> None:
     assert code is None or caught.value.code == code
 
 
+@pytest.mark.parametrize(
+    ("axis", "remedy"),
+    [
+        ("distance=20:100:20ft", 'in steps of 20ft: --sweep "distance=20:100 ft:5"'),
+        ("distance=20 ft:61:3 in", 'in steps of 3 in: --sweep "distance=20 ft:61 ft:165"'),
+        ("friction=0.3:0.9:0.1", 'in steps of 0.1: --sweep "friction=0.3:0.9:7"'),
+        ("friction=0.3:0.9:0.7", "for example"),
+        ("friction=0.3:0.9:-0.1", "for example"),
+        ("friction=0.3:0.9:0", "for example"),
+        ("distance=20 ft:60:5 kg", "for example"),
+    ],
+)
+def test_a_step_in_place_of_a_count_is_answered_by_the_count(axis: str, remedy: str) -> None:
+    with pytest.raises(UsageError) as caught:
+        sweep(PROBE, [axis])
+    assert str(caught.value.hint).startswith(remedy)
+
+
 def test_too_many_points() -> None:
     with pytest.raises(UsageError, match="too many"):
         sweep(PROBE, ["friction=0:1:2000", "distance=1 m:2 m:2000"])

@@ -66,12 +66,8 @@ def _axis(task: Task, name: str, text: str) -> Axis:
     if len(parts) != 3 or not all(parts):
         raise UsageError(f"read {text!r}, wanted START:STOP:COUNT", parameter="sweep", code="syntax", hint=EXAMPLE)
     if not (parts[2].isascii() and parts[2].isdigit()) or not 2 <= int(parts[2][:9]) <= MOST:
-        raise UsageError(
-            f"read {parts[2]!r}, wanted a count of points from 2 to {MOST}",
-            parameter="sweep",
-            code="count",
-            hint=EXAMPLE,
-        )
+        message = f"read {parts[2]!r}, wanted a count of points from 2 to {MOST:,}"
+        raise UsageError(message, parameter="sweep", code="count", hint=_by_step(name, *parts) or EXAMPLE)
     try:
         start, stop, unit = _ends(parts[0], parts[1])
         values = _points(start, stop, int(parts[2]))
@@ -82,6 +78,25 @@ def _axis(task: Task, name: str, text: str) -> Axis:
     for step in path:
         address += f"[{step}]" if isinstance(step, int) else f".{step}"
     return Axis(address.lstrip("."), path, unit, values)
+
+
+def _by_step(name: str, first: str, last: str, third: str) -> str:
+    """How a sweep is written whose third part is the step: with the points that it gives."""
+    try:
+        start, stop, unit = _ends(first, last)
+        up, down, own = _read(third)
+        unit = unit or own.text
+        if own.text and own.text != unit:
+            up, down, _ = convert(up, down, own, _read(first if _read(first)[2].text else last)[2])
+    except UsageError:
+        return ""
+    if up <= 0:
+        return ""
+    steps, rest = divmod((stop[0] * start[1] - start[0] * stop[1]) * down, start[1] * stop[1] * up)
+    if rest or not 0 < steps < MOST:
+        return ""
+    last = last if _read(last)[2].text else f"{last} {unit}".rstrip()
+    return f'in steps of {third}: --sweep "{name}={first}:{last}:{steps + 1}"'
 
 
 def _path(task: Task, name: str) -> "tuple[str | int, ...]":

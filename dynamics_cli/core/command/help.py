@@ -3,11 +3,26 @@
 from dynamics_cli.core.answering.explain import default_text
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.inputs.options import Option
+from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
 from dynamics_cli.core.inputs.specification import REQUIRED, Field, Leaf, Record, Tagged
+from dynamics_cli.core.output.wrapping import wrapped
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
+
+# The options of every task in groups: title and names.
+OPTION_GROUPS = (
+    ("Output", ("json", "format", "output", "all", "only", "table", "quiet", "explain", "timing", "plot", "drawing")),
+    ("Units and digits", ("units", "to", "digits")),
+    ("Limits", ("limit", "fail", "fail-above")),
+    ("Input", ("input", "template", "model")),
+    ("Batches", ("rows", "column", "sweep", "jobs")),
+)
+UNCERTAIN = 'An uncertain value: "0.7 ± 0.05" (or 0.7 +- 0.05) by its standard deviation, "0.6..0.8" when any value is '
+UNCERTAIN += 'as likely, "0.6..0.7..0.8" with the likeliest, "[0.71, 0.74, 0.70]" for readings.'
+SHORT_FORMS = "-h is --help, -o --output, -q --quiet, -j --json. Variables: DYNAMICS_UNITS, DYNAMICS_DIGITS, "
+SHORT_FORMS += "DYNAMICS_FORMAT, DYNAMICS_GRAVITY; a dynamics.toml sets the same (units, digits, format, gravity)."
 
 
 def placeholder(option: Option) -> str:
@@ -105,3 +120,25 @@ def undescribed(task: Task) -> "list[str]":
     """Options without a description: a test keeps this empty."""
     texts = describe_options(task)
     return [name for name, option in task.options.items() if option.leaf is not None and option.path not in texts]
+
+
+def common_options(width: int) -> str:
+    """The options that every task has, in groups."""
+    grouped = {name for _, names in OPTION_GROUPS for name in names}
+    rest = ("Uncertainty and others", tuple(name for name in UNIVERSAL_OPTIONS if name not in grouped))
+    lines = ["Options that every task has"]
+    for title, names in (*OPTION_GROUPS, rest):
+        lines += ["", f"{title}:", *option_lines(names, width)]
+    return "\n".join([*lines, "", *wrapped(UNCERTAIN, width, 0), "", *wrapped(SHORT_FORMS, width, 0)]) + "\n"
+
+
+def option_lines(names: "Iterable[str]", width: int) -> "list[str]":
+    """Options that every task has, with their values and what they do."""
+    lines = []
+    for name in names:
+        _, value, text = UNIVERSAL_OPTIONS[name]
+        first, *more_lines = wrapped(text, width - 24, 0)
+        head = f"--{name} {value}".rstrip()
+        lines += [f"  {head:<20}  {first}" if len(head) <= 20 else f"  {head}\n{'':24}{first}"]
+        lines += [f"{'':24}{line}" for line in more_lines]
+    return lines

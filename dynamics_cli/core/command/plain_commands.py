@@ -97,16 +97,6 @@ COMMANDS = (
         HERE + "print_help",
     ),
 )
-# The options of every task in groups: title and names.
-OPTION_GROUPS = (
-    ("Output", ("json", "format", "output", "all", "only", "table", "quiet", "explain", "timing", "plot", "drawing")),
-    ("Units and digits", ("units", "to", "digits")),
-    ("Limits", ("limit", "fail", "fail-above")),
-    ("Input", ("input", "template", "model")),
-    ("Batches", ("rows", "column", "sweep", "jobs")),
-)
-SHORT_FORMS = "-h is --help, -o --output, -q --quiet, -j --json. Variables: DYNAMICS_UNITS, DYNAMICS_DIGITS, "
-SHORT_FORMS += "DYNAMICS_FORMAT, DYNAMICS_GRAVITY; a dynamics.toml sets the same (units, digits, format, gravity)."
 
 
 def print_schema(
@@ -139,33 +129,15 @@ def print_reference(
 def print_help(
     words: "Sequence[str]", options: "Mapping[str, str]", families: "Lines", find: "Finder", terminal: "Terminal"
 ) -> None:
-    """The options that every task has, or the tasks about some words."""
+    """The options that every task has, or the tasks and options about some words."""
     if list(words) == ["options"]:
-        _print_options(terminal)
+        from dynamics_cli.core.command.help import common_options
+
+        terminal.write(common_options(min(terminal.columns or 80, 80)))
     else:
         from dynamics_cli.core.command.search import print_found
 
         print_found(words, families, find, terminal)
-
-
-def _print_options(terminal: "Terminal") -> None:
-    """The options that every task has, in groups."""
-    from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
-    from dynamics_cli.core.output.wrapping import wrapped
-
-    grouped = {name for _, names in OPTION_GROUPS for name in names}
-    rest = ("Uncertainty and others", tuple(name for name in UNIVERSAL_OPTIONS if name not in grouped))
-    width = min(terminal.columns or 80, 80)
-    lines = ["Options that every task has"]
-    for title, names in (*OPTION_GROUPS, rest):
-        lines += ["", f"{title}:"]
-        for name in names:
-            _, value, text = UNIVERSAL_OPTIONS[name]
-            first, *more_lines = wrapped(text, width - 24, 0)
-            head = f"--{name} {value}".rstrip()
-            lines += [f"  {head:<20}  {first}" if len(head) <= 20 else f"  {head}\n{'':24}{first}"]
-            lines += [f"{'':24}{line}" for line in more_lines]
-    terminal.write("\n".join([*lines, "", *wrapped(SHORT_FORMS, width, 0)]) + "\n")
 
 
 def task_of(words: "Sequence[str]", families: "Collection[str]", find: "Finder") -> Task:

@@ -1,8 +1,9 @@
 """Finds tasks by words: `dynamics help flywheel`, and what a command that there is not may mean."""
 
 from dynamics_cli.core.answering.task import Task
-from dynamics_cli.core.command.help import describe_options
+from dynamics_cli.core.command.help import UNCERTAIN, describe_options, option_lines
 from dynamics_cli.core.documents import singular
+from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
 from dynamics_cli.core.output.wrapping import wrapped
 from dynamics_cli.core.units.near_names import nearest_words
 from dynamics_cli.errors import UsageError
@@ -63,21 +64,38 @@ def _words(text: str) -> "list[str]":
     return "".join(c if c.isalnum() else " " for c in text.lower()).split()
 
 
+def _options_about(words: "Sequence[str]") -> "list[str]":
+    """The options of every task about all the words: those that are called so, else by what they do."""
+    terms = [term for word in words for term in _words(word) if term not in IDLE]
+    if not terms:
+        return []
+    called = [name for name in UNIVERSAL_OPTIONS if _about(terms, name)]
+    # what an example names is not what the option is about
+    return called or [
+        name for name, (_, _, text) in UNIVERSAL_OPTIONS.items() if _about(terms, text.partition(": --")[0])
+    ]
+
+
 def print_found(words: "Sequence[str]", families: "Iterable[str]", find: "Finder", terminal: "Terminal") -> None:
-    """List the tasks about some words, with their summaries."""
-    found = tasks_about(words, families, find)
-    if not found:
+    """List the tasks about some words, with their summaries, and the options of every task about them."""
+    found, options = tasks_about(words, families, find), _options_about(words)
+    if not found and not options:
         start = f"dynamics {words[0]} --help" if words and words[0] in families else "dynamics help"
         hint = f"try: {start}, or dynamics examples"
         raise UsageError(f"no task is about {' '.join(words)!r}", code="unknown-command", hint=hint)
     shown = found[:MOST]
-    width, column = min(terminal.columns or 80, 80), max(len(task.path) for task in shown) + 2
+    width, column = min(terminal.columns or 80, 80), max((len(task.path) for task in shown), default=0) + 2
     lines = []
     for task in shown:
         first, *others = wrapped(task.summary, width - column, 0)
         lines += [f"{task.path:<{column}}{first}", *(" " * column + line for line in others)]
     if len(found) > MOST:
         lines.append(f"and {len(found) - MOST} more: add a word")
+    if options:
+        lines += ["", "Options of every task:"] if lines else ["Options of every task:"]
+        lines += option_lines(options, width)
+    if _about(["uncertainty"], " ".join(words)):
+        lines += ["", *wrapped(UNCERTAIN, width, 0)]
     terminal.write("\n".join(lines) + "\n")
 
 

@@ -97,7 +97,7 @@ def _without_clock(text: str) -> str:
     digits_only = all(part.isascii() and part.isdigit() for part in parts[:-1])
     if not digits_only or not parts[-1].replace(".", "", 1).isdigit() or not parts[-1].isascii() or len(parts) > GROUP:
         message = f"{text[:60]!r} has a colon, which only times such as 2:30:00 have"
-        hint = "write 2..16 deg for an uncertain value, --sweep NAME=START:STOP:COUNT for a series"
+        hint = "a series is --sweep NAME=20:60 ft:5 (from, to, points), a range of an uncertain value 20..60 ft"
         raise UsageError(message, code="number", hint=hint)
     if len(parts) < GROUP:
         first, second = parts
