@@ -12,7 +12,7 @@ from dynamics_cli.errors import FaultError, UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
     from typing import Any
 
     from numpy.typing import NDArray
@@ -92,6 +92,11 @@ class Space:
         if told is None or COSTLY * told.each < BUDGET:
             return None
         return max(int(max(BUDGET - told.spent - told.once, 0.5 * BUDGET) / told.each), FEWEST)
+
+    def headline(self, rows: "Iterable[int]") -> bool:
+        """Whether some results are among those that a short answer shows; where none is named, all are."""
+        shown = getattr(self.model, "headline", ())
+        return not shown or any(self.results[row].partition("[")[0] in shown for row in rows)
 
     def rehearse(self, seed: int) -> None:
         """A fair sample before all others, for models that solve something over the spread of their samples once."""

@@ -36,6 +36,8 @@ if TYPE_CHECKING:
 
 # Values of all results together that are kept, and the most replicates; more where more points are asked for.
 MOST_VALUES, MOST_SHIFTS = 8_000_000, 64
+# Replicates where no result of the headline has its numbers from them, or all points lie on one line.
+FEW_SHIFTS = 20
 MOST_TIMES = 10.0
 FEWEST_POINTS = 64
 # Points of a replicate where only whole numbers are counted: a share of the cases is then known to about a thousandth.
@@ -126,7 +128,8 @@ def _size(space: Space, goal: Goal, rows: "list[int]") -> tuple[int, int]:
     if space.whole.issuperset(rows):
         return COUNTED, SHIFTS
     more = min(max(goal.points / DEFAULT_POINTS, 1.0), MOST_TIMES)
-    return MOST_POINTS, max(int(min(MOST_VALUES // (len(rows) * MOST_POINTS), MOST_SHIFTS) * more), SHIFTS)
+    most = MOST_SHIFTS if space.headline(rows) and space.size > 1 else FEW_SHIFTS
+    return MOST_POINTS, max(int(min(MOST_VALUES // (len(rows) * MOST_POINTS), most) * more), SHIFTS)
 
 
 def _points(size: int, count: int, shifts: int, seed: int) -> "Array":
