@@ -13,12 +13,10 @@ import numpy as np
 
 from dynamics_cli.core.uncertainty.methods.grids import grids
 from dynamics_cli.core.uncertainty.methods.lattices import lattices
-from dynamics_cli.core.uncertainty.methods.lines import Lines, side_by_side
 from dynamics_cli.core.uncertainty.methods.lines import alone as stepped
+from dynamics_cli.core.uncertainty.methods.lines import side_by_side
 from dynamics_cli.core.uncertainty.methods.mixtures import mixtures
 from dynamics_cli.core.uncertainty.methods.mixtures import suits as suits_mixtures
-from dynamics_cli.core.uncertainty.methods.nested import nested
-from dynamics_cli.core.uncertainty.methods.nested import suits as suits_nested
 from dynamics_cli.core.uncertainty.methods.outcome import FAIR, GOOD, Goal, Outcome, direction_of
 from dynamics_cli.core.uncertainty.methods.pooled import pooled
 from dynamics_cli.core.uncertainty.methods.scanned_lines import alone, scanned, scanned_grids
@@ -77,19 +75,6 @@ class Way:
         self.whole = whole
 
 
-def _nested(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
-    """Nested integrals where they settle; no outcome where they do not."""
-    solution = nested(space, result, goal)
-    if solution is None or not solution.estimate <= goal.accuracy:
-        return None
-    centre = Lines(space, result, direction, across, np.zeros((space.size - 1, 1)), np.ones(1))
-    outcome = Outcome("nested integrals, cut at the corners of the densities", solution.quantiles, centre)
-    outcome.scan = solution  # type: ignore[assignment]
-    outcome.mean, outcome.std = solution.mean, solution.std
-    outcome.estimate, outcome.admissible = solution.estimate, solution.admissible
-    return outcome
-
-
 def _grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> Outcome | None:
     """Grids along the gradient, where they have not been started beside those of other results."""
     if result in space.started:
@@ -105,12 +90,10 @@ def _levels(space: Space, result: int, direction: "Array", axes: "Array | None",
 
 
 # What a method costs, in evaluations of the model for one result. A model that is called case by case takes
-# nested integrals or grids, else the sample that results share.
+# grids, else the sample that results share.
 WAYS = (
     # 3e4 and more, once for all results: whole numbers; jumps leave nothing to be had from other points
     Way(pooled, lambda p: p.counted, whole=True),
-    # 1e3 to 1e5: two or three bounded or triangular inputs
-    Way(_nested, lambda p: p.asked == "auto" and suits_nested(p.space, p.goal)),
     # 1e2 to 1e5: results that rise along every line; exact to many digits where they are smooth
     # (bounded inputs and lists among smooth ones: value by value)
     GRIDS := Way(_grids, lambda p: p.asked != "lattice" and (not p.space.stepped or p.mixture)),

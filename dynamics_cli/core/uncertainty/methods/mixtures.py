@@ -9,15 +9,14 @@ import math
 
 import numpy as np
 
-from dynamics_cli.core.inputs.uncertain.distributions import Empirical
-from dynamics_cli.core.uncertainty.axes import Axis
-from dynamics_cli.core.uncertainty.axes import points as points_of
+from dynamics_cli.core.inputs.uncertain.distributions import Empirical, Tangent, Triangular, Truncated, Uniform
 from dynamics_cli.core.uncertainty.methods.grids import KINK, MOST_LEVEL, TENSOR_COUNTS, UNSETTLED, rule
 from dynamics_cli.core.uncertainty.methods.lines import ORDERS, Lines, carry, order_moments, solve
 from dynamics_cli.core.uncertainty.methods.outcome import FLOOR, Goal, Outcome, width_of
 from dynamics_cli.core.uncertainty.space import Space, complement
-from dynamics_cli.numerics.distributions.normal_arrays import quantile
+from dynamics_cli.numerics.distributions.normal_arrays import lower, quantile
 from dynamics_cli.numerics.quadrature import smolyak
+from dynamics_cli.numerics.quadrature.gauss import legendre
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from dynamics_cli.core.inputs.uncertain.distributions import Distribution
     from dynamics_cli.core.uncertainty.methods.lines import Roots, Steps
 
     Array = NDArray[Any]
@@ -43,12 +43,17 @@ def _listed(space: Space, axis: int) -> bool:
     return isinstance(space.distributions[axis], Empirical)
 
 
+def _bounded(distribution: "Distribution") -> bool:
+    # a tangent is that of an angle, whose scores are its own
+    return isinstance(getattr(distribution, "angle", distribution), Uniform | Triangular | Truncated)
+
+
 def _mixed(space: Space) -> "list[int]":
     """The axes that are not smooth in their score, and can be taken value by value."""
     return [
         axis
         for axis, distribution in enumerate(space.distributions)
-        if _listed(space, axis) or (not distribution.smooth and Axis(distribution).bounded)
+        if _listed(space, axis) or (not distribution.smooth and _bounded(distribution))
     ]
 
 
@@ -72,9 +77,41 @@ def _each(space: Space, axes: "list[int]", count: int) -> "Iterator[tuple[Array,
             size = distribution.values.size
             yield quantile((np.arange(size) + 0.5) / size), np.full(size, 1.0 / size)
             continue
-        own = Axis(distribution)
-        _, t, weight = points_of(own, np.empty((1, 0)), count)
-        yield quantile(own.below(t)), weight / weight.sum()
+        yield _between_bounds(distribution, count)
+
+
+def _between_bounds(distribution: "Distribution", count: int) -> "tuple[Array, Array]":
+    """Scores of Gauss points on the panels between a distribution's bounds and its corners, and their weights."""
+    d: Any = distribution.angle if isinstance(distribution, Tangent) else distribution
+    inner = [0.5 * (d.low + d.high)]
+    if isinstance(d, Triangular):
+        inner = [d.mode]
+    elif isinstance(d, Truncated):
+        steps = (1.5 * d.width, 3.5 * d.width)
+        inner = [d.centre, *(d.low + step for step in steps), *(d.high - step for step in steps)]
+    cuts = np.array([d.low, *sorted({float(cut) for cut in inner if d.low < cut < d.high}), d.high])
+    nodes, weights = (np.array(part) for part in zip(*legendre(count), strict=True))
+    t = (cuts[:-1, None] + np.diff(cuts)[:, None] * nodes).ravel()
+    below, density = _distribution_function(d, t)
+    share = np.outer(np.diff(cuts), weights).ravel() * density
+    return quantile(below), share / share.sum()
+
+
+def _distribution_function(d: "Any", t: "Array") -> "tuple[Array, Array]":
+    """The distribution function of a bounded input at its values, and a multiple of its density."""
+    if isinstance(d, Uniform):
+        return (t - d.low) / (d.high - d.low), np.ones_like(t)
+    if isinstance(d, Triangular):
+        width, low, high = d.high - d.low, t - d.low, d.high - t
+        up, down = max(d.mode - d.low, 1e-300), max(d.high - d.mode, 1e-300)
+        rising = t < d.mode
+        return (
+            np.where(rising, low * low / (width * up), 1.0 - high * high / (width * down)),
+            np.where(rising, low / up, high / down),
+        )
+    score = (t - d.centre) / d.width
+    first, last = lower((np.array([d.low, d.high]) - d.centre) / d.width)
+    return (lower(score) - first) / (last - first), np.exp(-0.5 * score * score)
 
 
 def _values(space: Space, axes: "list[int]", count: int) -> "tuple[Array, Array]":
