@@ -100,8 +100,8 @@ def columns(table: "Any") -> "list[tuple[str, str, list[Any]]]":
     names: dict[str, set[str]] = {}
     rows = []
     for row in table:
-        cells = {name: (value, unit) for name, value, unit in flatten({"": row}, "")}
-        cells = {name.lstrip("."): cell for name, cell in cells.items()}
+        fields = [(key, item) for key, item in row.items() if not (isinstance(item, list) and is_table(item))]
+        cells = {name: (value, unit) for key, item in fields for name, value, unit in flatten(item, key)}
         for name, (_, unit) in cells.items():
             names.setdefault(name, set()).add(unit)
         rows.append(cells)

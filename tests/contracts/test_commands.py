@@ -86,6 +86,12 @@ class TestExamples:
         if example == TASKS[path].examples[0]:
             assert printed(example, form).out.endswith("\n")
 
+    def test_everything_is_printed(self, path: str, example: str) -> None:
+        if example == TASKS[path].examples[0] and "--format" not in example:
+            outcome = run(*words(example), "--all")
+            assert outcome.status == 0, outcome.err
+            assert outcome.out.startswith(path)
+
     def test_the_document_keeps_its_schema(self, path: str, example: str) -> None:
         if "--format" in example:
             return

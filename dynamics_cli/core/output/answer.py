@@ -15,6 +15,7 @@ from dynamics_cli.core.documents import (
 from dynamics_cli.core.output.answer_tables import file_lines, table_lines
 from dynamics_cli.core.output.answer_words import (
     asked_of,
+    bears_on_results,
     body_names,
     designated,
     deviation,
@@ -30,6 +31,7 @@ from dynamics_cli.core.output.answer_words import (
     node_at,
     parts_in_words,
     short_source,
+    suits_us_units,
     uncertain_in_words,
     value_in_words,
     with_name,
@@ -248,6 +250,8 @@ class _Answer:
         inputs = self.document["inputs"]
         for name, value, unit in listed(given_inputs(inputs)):
             standard = " (standard)" if name == "gravity" and value == 9.80665 and unit == "m/s²" else ""
+            if standard and not bears_on_results(name, self.document):
+                continue
             value_text = designated(value_in_words(value, unit), self.letters.get(name))
             unbroken = value_text.replace(" ", JOINED) if len(value_text) < self.width // 3 else value_text
             if not name:
@@ -294,7 +298,8 @@ class _Answer:
         hidden_words = ([f"{len(hidden)} more results"] if len(hidden) > 1 else list(map(in_words, hidden))) + tables
         if "explanation" in self.document:
             return f"--all ({', '.join(hidden_words)})" if hidden_words else ""
-        more = f"--all ({', '.join(hidden_words)}), " if hidden_words else ""
+        more = "--units us, " if suits_us_units(self.document) else ""
+        more += f"--all ({', '.join(hidden_words)}), " if hidden_words else ""
         explained = "formula, sensitivity, error bounds" if self.task.tracked else "formula, assumptions"
         return f"{more}--explain ({explained})"
 

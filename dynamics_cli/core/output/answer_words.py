@@ -2,7 +2,7 @@
 
 from math import ceil, floor, log10
 
-from dynamics_cli.core.documents import decimals, is_quantity, number, quantity, singular
+from dynamics_cli.core.documents import decimals, flatten, given_inputs, is_quantity, number, quantity, singular
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,6 +30,9 @@ ADDRESS = frozenset("abcdefghijklmnopqrstuvwxyz0123456789_.[]")
 ADDRESS_MARKS = frozenset("_.[")
 # A number of so many digits was calculated, not typed.
 CALCULATED = 16
+# Units that tell which system a person thinks in.
+METRIC = frozenset(("m", "km", "mm", "cm", "kg", "g", "N", "kN", "J", "kJ", "W", "kW", "Pa", "kPa", "MPa"))
+US = frozenset(("ft", "in", "yd", "mi", "mph", "lb", "lbf", "lbs", "slug", "psi", "ftlb", "inlb", "oz", "hp"))
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 # Components smaller than this share of a vector's largest are rounding.
 ROUNDING = 1e-12
@@ -75,6 +78,24 @@ def in_words(address: str) -> str:
     """`first.exit_speed` as words; a result beside an input of its name, `results.speed`, as speed (result)."""
     beside = address.startswith("results.")
     return address.removeprefix("results.").replace("_", " ").replace(".", " ") + (" (result)" if beside else "")
+
+
+def bears_on_results(name: str, document: "dict[str, Any]") -> bool:
+    """Whether an input may change any result, as far as the document's condition numbers tell."""
+    conditions = document["numerics"].get("condition", {}).values()
+    return not conditions or any(entry.get(name, 1.0) for entry in conditions)
+
+
+def suits_us_units(document: "dict[str, Any]") -> bool:
+    """Whether the inputs were typed in US units alone, and results are shown in metric ones."""
+    typed = {part for name, _, unit in given_inputs(document["inputs"]) if name != "gravity" for part in _symbols(unit)}
+    shown = {part for _, _, unit in flatten(document["results"]) for part in _symbols(unit)}
+    return bool(typed & US) and not typed & METRIC and bool(shown & METRIC) and not shown & US
+
+
+def _symbols(unit: str) -> "list[str]":
+    """The symbols of a unit without signs and exponents: `lbf*ft/s^2` has lbf, ft and s."""
+    return "".join(character if character.isalpha() else " " for character in unit).split()
 
 
 def input_in_words(address: str, inputs: "dict[str, Any]", names: "dict[str, str]") -> str:
