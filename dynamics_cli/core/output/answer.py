@@ -298,10 +298,10 @@ class _Answer:
         hidden_words = ([f"{len(hidden)} more results"] if len(hidden) > 1 else list(map(in_words, hidden))) + tables
         if "explanation" in self.document:
             return f"--all ({', '.join(hidden_words)})" if hidden_words else ""
-        more = "--units us, " if suits_us_units(self.document) else ""
-        more += f"--all ({', '.join(hidden_words)}), " if hidden_words else ""
+        more = f"--all ({', '.join(hidden_words)}), " if hidden_words else ""
         explained = "formula, sensitivity, error bounds" if self.task.tracked else "formula, assumptions"
-        return f"{more}--explain ({explained})"
+        in_us = ", --units us" if suits_us_units(self.document) else ""
+        return f"{more}--explain ({explained}){in_us}"
 
     def explanation(self) -> "list[str]":
         """The formula with its numbers, assumptions and sensitivities, with `--explain`."""
