@@ -300,7 +300,7 @@ class _Answer:
             return f"--all ({', '.join(hidden_words)})" if hidden_words else ""
         more = f"--all ({', '.join(hidden_words)}), " if hidden_words else ""
         explained = "formula, sensitivity, error bounds" if self.task.tracked else "formula, assumptions"
-        in_us = ", --units us" if suits_us_units(self.document) else ""
+        in_us = f", --units{JOINED}us" if suits_us_units(self.document) else ""
         return f"{more}--explain ({explained}){in_us}"
 
     def explanation(self) -> "list[str]":
