@@ -1,5 +1,6 @@
 """The picture of an uncertain result: its distribution, and what drives it."""
 
+import itertools
 import math
 
 import numpy as np
@@ -95,11 +96,11 @@ def _fair(made: "Propagation") -> "Iterator[dict[str, float]]":
 
 def _density(spread: "Spread", axis: Axis, coverage: float, limits: "list[float]") -> Panel:
     values, chances = spread.cumulative
-    middles, heights = [], []
-    for i in range(len(values) - 1):
-        step = values[i + 1] - values[i]
-        middles.append(0.5 * (values[i] + values[i + 1]))
-        heights.append(max(0.0, chances[i + 1] - chances[i]) / step)
+    middles = [0.5 * (a + b) for a, b in itertools.pairwise(values)]
+    heights = np.maximum(0.0, np.diff(chances)).tolist()
+    if spread.cases and math.isfinite(spread.std):
+        # counted cases scatter: Silverman's width of a normal kernel
+        heights = _smooth(heights, 0.9 * spread.std * spread.cases**-0.2 / (values[1] - values[0]))
     # Relative to the highest, so that the vertical axis needs no unit.
     top = max(heights, default=1.0) or 1.0
     items: list[Any] = [
@@ -111,15 +112,24 @@ def _density(spread: "Spread", axis: Axis, coverage: float, limits: "list[float]
     return Panel(axis, Axis("relative density, probability"), tuple(items))
 
 
+def _smooth(heights: "list[float]", width: float) -> "list[float]":
+    """Heights at even steps with a normal kernel of `width` steps."""
+    reach = min(int(4.0 * width), len(heights) // 2)
+    if reach < 1:
+        return heights
+    kernel = np.exp(-0.5 * (np.arange(-reach, reach + 1) / width) ** 2)
+    smooth = np.convolve(heights, kernel, mode="same") / np.convolve(np.ones(len(heights)), kernel, mode="same")
+    return [float(height) for height in smooth]
+
+
 def _tornado(
     made: "Propagation", spread: "Spread", axis: Axis, inputs: "dict[str, Any]", names: "dict[str, str]"
 ) -> Panel:
     rows = []
     for name, (a, b), share in zip(made.inputs, spread.tornado, spread.total or spread.first, strict=True):
         if math.isfinite(a) and math.isfinite(b):
-            rows.append(
-                (abs(b - a), f"{input_in_words(name, inputs, names)} ({100.0 * share:.0f} %)", min(a, b), max(a, b))
-            )
+            percent = 100.0 * min(share, 1.0)  # estimates of shares may lie above 1
+            rows.append((abs(b - a), f"{input_in_words(name, inputs, names)} ({percent:.0f} %)", min(a, b), max(a, b)))
     rows.sort(key=lambda row: -row[0])
     rows = rows[:MOST_DRIVERS]
     bars = Bars(tuple(row[1] for row in rows), [row[2] for row in rows], [row[3] for row in rows])

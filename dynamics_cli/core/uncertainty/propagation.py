@@ -13,7 +13,7 @@ from dynamics_cli.core.uncertainty.interval_ends import add_corners
 from dynamics_cli.core.uncertainty.methods.choice import FEW_RESULTS, integrate, start
 from dynamics_cli.core.uncertainty.methods.classical import Plain, Sample, linear, second_order, unscented
 from dynamics_cli.core.uncertainty.methods.outcome import DEFAULT_POINTS, FAIR, Goal, Outcome, direction_of
-from dynamics_cli.core.uncertainty.methods.scanned_lines import exceedance
+from dynamics_cli.core.uncertainty.methods.scanned_lines import Listed, exceedance
 from dynamics_cli.core.uncertainty.methods.surrogate import StandIn, suits
 from dynamics_cli.core.uncertainty.space import Space
 from dynamics_cli.core.uncertainty.straight import Straight
@@ -46,8 +46,7 @@ class Spread:
     """One result's distribution in numbers."""
 
     def __init__(self, name: str, method: str, quantiles: "Sequence[float]", mean: float, std: float) -> None:
-        self.name = name
-        self.method = method
+        self.name, self.method = name, method
         self.interval = (float(quantiles[0]), float(quantiles[-1]))
         self.median = float(quantiles[len(quantiles) // 2])
         self.mean = float(mean)
@@ -60,6 +59,7 @@ class Spread:
         self.beyond: list[tuple[float, float]] = []
         self.levels: list[tuple[float, float]] = []
         self.cumulative: tuple[list[float], list[float]] = ([], [])
+        self.cases = 0  # how many were counted for the curve; 0 where it is an integral
         self.corners: tuple[float, float] | None = None
         self.tornado: list[tuple[float, float]] = []
 
@@ -265,9 +265,8 @@ def _sampled(name: str, row: int, sample: Sample, goal: Goal) -> Spread:
     spread.admissible = admissible
     spread.beyond = [(v, 1.0 - float(np.searchsorted(ordered, v, side="right")) / ordered.size) for v in goal.limits]
     if goal.curve:
-        values = across_range(spread.interval)
-        below = np.searchsorted(ordered, values, side="right") / ordered.size
-        spread.cumulative = (values.tolist(), below.tolist())
+        values, spread.cases = across_range(spread.interval), ordered.size
+        spread.cumulative = (values.tolist(), (np.searchsorted(ordered, values, side="right") / ordered.size).tolist())
     return spread
 
 
@@ -299,6 +298,7 @@ def _integrated(
     if goal.curve and not classical and spread.varies:
         values = across_range(spread.interval)
         spread.cumulative = (values.tolist(), (1.0 - exceedance(outcome, values, goal)).tolist())
+        spread.cases = outcome.scan.values.size if isinstance(outcome.scan, Listed) else 0
     if classical:
         spread = _beside(spread, _classical(space, row, goal, method, slopes), outcome, goal)
     return spread
