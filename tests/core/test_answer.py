@@ -171,3 +171,12 @@ def test_a_quoted_temperature_with_its_target() -> None:
 def test_errors_heed_the_short_options() -> None:
     assert run("skid", "speed", "-j").err.startswith('{"error"')
     assert "--output: a document cannot be written as .pdf" in run(*SPEED, "-o", "speed.pdf").err
+
+
+def test_lengths_below_a_tenth_of_a_metre_are_in_millimetres_on_the_screen_alone() -> None:
+    call = ("particle", "fall", "--latitude", "45 deg", "--height")
+    assert "deflection to the east  15.5239 mm\n" in run(*call, "100 m", "-q").out
+    assert run(*call, "1 km", "-q").out.endswith("0.49091 m\n")
+    assert answer(*call, "100 m")["results"]["deflection"]["unit"] == "m"
+    assert run(*call, "100 m", "--only", "deflection").out == "0.0155239 m\n"
+    assert run(*call, "100 m", "-q", "--to", "deflection=m").out.endswith("0.0155239 m\n")

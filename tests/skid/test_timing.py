@@ -318,7 +318,7 @@ def test_tables_fit_a_screen() -> None:
              "kind=braking, distance=14 m, friction=0.7", "--table", "phases")  # fmt: skip
     short, whole = run(*words).out, run(*words, "--all").out
     assert max(map(len, short.splitlines())) <= 80
-    assert short.endswith("and duration, distance, acceleration: --all\n")
+    assert short.endswith("more columns with --all: duration, distance, acceleration\n")
     assert "acceleration" in whole.splitlines()[0]
 
 

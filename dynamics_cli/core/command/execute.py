@@ -142,7 +142,8 @@ def answered_case(
             if ".toml" in task.shown_examples[0]:
                 error.example += ["a file to fill in:", f"  dynamics {task.path} --template > {task.name}.toml"]
         raise
-    display = Display(settings.units, settings.to, by_size=settings.format == "table")
+    # by size for people alone: a script that takes one number relies on its unit
+    display = Display(settings.units, settings.to, by_size=settings.format == "table" and not settings.only)
     start = _clock(settings)
     try:
         answered = answer(task, bound, settings.model, reader.uncertain, seen=_shows_bounds(settings, reader.uncertain))

@@ -46,8 +46,8 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
         padded = [f"{c:<{w}}" if t else f"{c:>{w}}" for c, w, t in zip(row, widths, words, strict=True)][:columns_shown]
         lines.append(("  " + "  ".join(padded)).rstrip())
     if omitted:
-        named = f"  and {', '.join(omitted)}: --all"
-        lines.append(named if len(named) <= width else f"  and {len(omitted)} more columns: --all")
+        named = f"  more columns with --all: {', '.join(omitted)}"
+        lines.append(named if len(named) <= width else f"  {len(omitted)} more columns with --all")
     return lines
 
 

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 UNIT_ROUNDOFF = 2.0**-53
 RADIAN = parse_unit("rad")
-# Below a tenth of a kilojoule a joule reads better.
-SMALL = 100.0
+# Below a tenth of a kilojoule a joule reads better, below a tenth of a metre a millimetre.
+SMALL, SMALL_LENGTH = 100.0, 0.1
 _PRETTY = (("^2", "²"), ("^3", "³"), ("^4", "⁴"), ("*", "·"))
 
 
@@ -97,7 +97,7 @@ class Shown:
 
 
 class Display:
-    """The unit in which each result is shown; `by_size` a small number without the kilo of its kind."""
+    """The unit in which each result is shown; `by_size` a small one without the kilo of its kind, or in mm."""
 
     def __init__(self, system: str, to: "Mapping[str, str]", *, by_size: bool = False) -> None:
         self.system = system
@@ -129,8 +129,11 @@ class Display:
                 self.used.add(name)
                 return shown
         text = kind.shown_in(self.system)
-        small = self.by_size and 0.0 < abs(size) < SMALL and text == f"k{kind.unit}"
-        return Shown(kind, kind.unit if small else text)
+        if self.by_size and 0.0 < abs(size) < SMALL and text == f"k{kind.unit}":
+            text = kind.unit
+        if self.by_size and 0.0 < abs(size) < SMALL_LENGTH and text == "m":
+            text = "mm"
+        return Shown(kind, text)
 
     def of_measured(self, address: str, measured: Measured) -> Measured:
         """A result with its own unit, in the caller's unit if one is requested."""
