@@ -130,8 +130,7 @@ def answered_case(
 ) -> "tuple[dict[str, Any], list[File], Picture | None]":
     """The result document of one case, the files it lists that are still to be written, and the requested picture."""
     reader = gathered.reader
-    reader.uncertain = {}
-    reader.pointers = task.pointers
+    reader.uncertain, reader.pointers = {}, task.pointers
     try:
         bound = reader.read(task.specification.fields, gathered.raw)
     except UsageError as error:
