@@ -468,3 +468,25 @@ def test_what_is_quoted_is_cut_and_escaped() -> None:
     assert len(refusal.value.message) < 350
     assert "\x07" not in refusal.value.message
     assert quantity_text.LONGEST_TEXT < 10**4
+
+
+@pytest.mark.parametrize(
+    ("text", "items"),
+    [
+        ("4 6 8in", ["4 in", "6 in", "8 in"]),
+        ("4 6 8 in", ["4 in", "6 in", "8 in"]),
+        ("0,0 20,1.5 40,4 ft", ["0 ft", "0 ft", "20 ft", "1.5 ft", "40 ft", "4 ft"]),
+        ("100 200 300 mm", ["100 mm", "200 mm", "300 mm"]),
+        # what may be thousands, a mixed number or a compound unit is one item
+        ("1 500, 2 000 mm", ["1 500", "2 000 mm"]),
+        ("10, 12 1/2 in", ["10 in", "12 1/2 in"]),
+        ("1/4, 1, 3/4 in", ["1/4 in", "1 in", "3/4 in"]),
+        ("5 ft 6 in, 6 ft", ["5 ft 6 in", "6 ft"]),
+        ("6, 5 ft 6 in", ["6", "5 ft 6 in"]),
+    ],
+)
+def test_numbers_of_a_list_may_stand_apart_by_spaces(text: str, items: list[str]) -> None:
+    from dynamics_cli.core.inputs.forms.lists import split_items
+    from dynamics_cli.core.inputs.specification import Leaf, Many
+
+    assert split_items(Many(Leaf(q.Length)), text) == items

@@ -38,6 +38,7 @@ HELIX = worded("the helix of {angle:6} cancels", angle=(0.357792496658836, Angle
     ("text", "values", "wanted"),
     [
         (worded("a mark of {x} is long", x=(18.288, Distance)), (FEET,), "a mark of 60 ft is long"),
+        (worded("it turned {x:2}", x=(3.3, Angle)), (DEGREES,), "it turned 190 deg"),
         (worded("it stops after {x}", x=(13.1, Distance)), (FEET, MPH), "it stops after 42.98 ft"),
         (worded("it stops after {x:6}", x=(13.1, Distance)), (FEET,), "it stops after 42.979 ft"),
         (worded("{x} of {y}", x=(0.0125, Distance), y=(0.015, Distance)), (MILLIMETRES,), "12.5 mm of 15 mm"),

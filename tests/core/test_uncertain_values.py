@@ -13,7 +13,7 @@ from harness import answer, run
 from dynamics_cli.core.inputs.uncertain.values import read_uncertain
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.distributions.beta import log_odds
-from dynamics_cli.quantities import Friction, Kind, Length, Mass, Slope, Temperature
+from dynamics_cli.quantities import Fraction, Friction, Kind, Length, Mass, Slope, Temperature
 
 SKID = ("skid", "speed", "--distance", "60 ± 2 ft", "--friction", "0.72 ± 0.04")
 FOOT = 0.3048
@@ -44,6 +44,7 @@ def spread(kind: Any, raw: Any) -> tuple[str, float, float]:
         (Length, "[60, 61] ft", ("readings", 60.5 * FOOT, math.inf)),
         (Friction, "empirical(0.7, 0.8)", ("empirical", 0.75, 0.05)),
         (Slope, "-3 ± 0.5 %", ("normal", -0.03, 0.005)),
+        (Fraction, "70 ± 5 %", ("normal", 0.7, 0.05)),
         (Slope, "-3 % ± 0.5 %", ("normal", -0.03, 0.005)),
         (Slope, "45 ± 1 deg", ("normal", 1.0, 2 * math.pi / 180)),
         (Temperature, "20 ± 2 degC", ("normal", 293.15, 2.0)),
@@ -63,6 +64,7 @@ def test_every_form_is_read(kind: Kind, raw: Any, wanted: tuple[str, float, floa
 @pytest.mark.parametrize(
     ("kind", "text", "fragment"),
     [
+        (Fraction, "0.7 ± 5 %", "a share of the value or a difference"),
         (Friction, "0.72 ± 5 %", "a share of the value or a difference"),
         (Friction, "0.7 ± -0.1", "negative"),
         (Friction, "-0.1..0.3", "at least 0"),

@@ -23,7 +23,7 @@ from tests.harness import run
 
 GRAVITY = 9.80665
 DEGREE = math.pi / 180.0
-RESULTS = ("One speed at its start v₀", "One speed into the impact v", "Two speed into the impact v")
+RESULTS = ("One start speed v₀", "One impact speed v", "Two impact speed v")
 # Largest angle condition that is answered at the nominal values.
 CONDITION = 12.0
 

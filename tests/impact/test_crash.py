@@ -374,3 +374,14 @@ def test_derivatives_and_samples_of_a_slide_with_spin() -> None:
 def test_a_slide_with_spin_refuses_what_contradicts_it(fields: dict[str, Any], words: str) -> None:
     with pytest.raises(InadmissibleError, match=words):
         crash(changed(spinning(), "first", **fields))
+
+
+def test_the_speed_limit_of_a_scene_is_a_limit_of_every_vehicle() -> None:
+    """Its speed at the start where that is known, otherwise into the impact; --limit replaces it."""
+    scene = "impact", "crash", str(SCENE), "--method", "linear"
+    limits = answer(*scene)["limits"]
+    assert [entry["result"] for entry in limits] == ["first.start.speed", "second.approach_speed"]
+    assert [entry["probability"] for entry in limits] == pytest.approx([0.85, 0.0], abs=0.02)
+    assert run(*scene, "-q", "--fail").status == 6
+    asked = answer(*scene, "--limit", "second.approach_speed=50 km/h")["limits"]
+    assert [entry["result"] for entry in asked] == ["second.approach_speed"]

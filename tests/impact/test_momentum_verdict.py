@@ -71,8 +71,8 @@ def test_a_degree_of_the_worst_heading_and_the_name_of_its_vehicle() -> None:
     found = [one.second.determined.per_degree for one in light]
     assert found == pytest.approx([7.2176981073341529842, 18.023168781156382768], rel=1e-13)
     named = run("impact", "momentum", *options((8000, 300), (15, 2, 14, 10), (0, 90)), "--second-name", "Scooter")
-    assert "Scooter verdict           undetermined" in named.out
-    assert "v₂ per degree of heading  7.2177 m/s" in named.out
+    assert "Scooter verdict          undetermined" in named.out
+    assert "v₂ error per degree      7.2177 m/s" in named.out
     assert "does not determine the speed of Scooter: one degree of the\n  approach heading of the first" in named.out
 
 

@@ -182,3 +182,19 @@ def test_large_samples_go_to_as_many_digits_as_their_spread_needs(spread: float,
     apart = math.dist(one.rest_position, single.rest_position)
     assert (drawing.missed > 0.0) is drowned
     assert apart < (2e-4 if drowned else 5e-6)
+
+
+def test_samples_leave_no_trace_in_later_answers() -> None:
+    """The same input gives the same answer to the last digit, whatever the process solved before."""
+    from dynamics_cli.impact.slide.separation import separation
+    from dynamics_cli.sampling import Drawing
+
+    body, rest = (1.2, 1.5, 1.5, 1.35, 0.1, 1.0, 0.05, 0.05, 0.05), (10.6, 0.72, -2.4)
+    with Drawing():
+        separation(body, 10.5, 0.7, -2.38)
+        among_samples = separation(body, *rest)
+    alone = separation(body, *rest)
+    with Drawing():
+        assert separation(body, *rest) == alone
+    assert among_samples != alone
+    assert among_samples == pytest.approx(alone, rel=1e-6)

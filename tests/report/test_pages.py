@@ -229,6 +229,6 @@ def test_a_scene_of_a_crash_is_told_in_its_own_names(tmp_path: Path) -> None:
         text = run("report", name).out
         assert "Ford's speed into the impact was **" in text
         assert "driven by road friction" in text
-        shown = re.findall(r"v per degree of heading +([\d.]+) km/h", answer)
-        assert shown == re.findall(r"v per degree of heading \| ([\d.]+) km/h", text)
+        shown = re.findall(r"v error per degree +([\d.]+) km/h", answer)
+        assert shown == re.findall(r"v error per degree \| ([\d.]+) km/h", text)
         assert all(len(digits) <= len("0.75") for digits in shown)

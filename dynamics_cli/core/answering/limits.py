@@ -3,6 +3,7 @@
 from dynamics_cli.core.answering.models import result_leaves
 from dynamics_cli.core.documents import number
 from dynamics_cli.core.inputs.quantity_text import read_scalar
+from dynamics_cli.core.inputs.values import Fields, Value
 from dynamics_cli.errors import DynamicsError, UsageError
 from dynamics_cli.numerics.number import plain
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from dynamics_cli.core.answering.task import Task
     from dynamics_cli.core.inputs.quantity_text import Reading
     from dynamics_cli.core.inputs.settings import Settings
-    from dynamics_cli.core.inputs.values import Fields
+    from dynamics_cli.core.inputs.values import Bound
     from dynamics_cli.core.units.display import Display
     from dynamics_cli.quantities import Kind
 
@@ -29,7 +30,7 @@ def add_limits(
 ) -> None:
     """Put each limit beside its result: within it or not, and by how much; undecided within the error bound."""
     document["limits"] = []
-    for key, kind, value, reading in read_limits(task, answered, settings):
+    for key, kind, value, reading in read_limits(task, bound, answered, settings):
         shown = display.of(key, kind)
         entry = limit_entry(key, value, reading, shown)
         if entry["by"]["value"] < _error(document["numerics"], key, abs(shown.width(value))):
@@ -47,14 +48,18 @@ def _error(numerics: "dict[str, Any]", key: str, size: float) -> float:
     return total
 
 
-def read_limits(task: "Task", answered: "Answer", settings: "Settings") -> "list[tuple[str, Kind, float, Reading]]":
+def read_limits(
+    task: "Task", bound: "Fields", answered: "Answer", settings: "Settings"
+) -> "list[tuple[str, Kind, float, Reading]]":
     """Each limit as read: the result's name and kind, its value, and the limit."""
+    if not (settings.limit or task.limited):
+        return []
     present = {name: (kind, value) for name, kind, value in result_leaves(answered.record, task.specification.result)}
     kinds = {name: kind for name, (kind, _) in present.items()}
     if not kinds:
         raise UsageError(f"{task.path} has no result that a limit can be applied to", parameter="limit")
     limits = []
-    for name, text in settings.limit:
+    for name, text in settings.limit or _among_inputs(task, bound, kinds):
         if name and name not in kinds:
             from dynamics_cli.core.units.near_names import instead_of
 
@@ -63,6 +68,19 @@ def read_limits(task: "Task", answered: "Answer", settings: "Settings") -> "list
             raise UsageError(why, parameter="limit", hint=instead_of(name, kinds), code="unknown-result")
         key, limit = _limited(text, {name: kinds[name]} if name else kinds)
         limits.append((key, kinds[key], plain(present[key][1]), limit))
+    return limits
+
+
+def _among_inputs(task: "Task", bound: "Fields", kinds: "dict[str, Kind]") -> "list[tuple[str, str]]":
+    """The limits that the inputs have: of each group of results for the first one that has a value."""
+    limits = []
+    for parameter, groups in task.limited.items():
+        given: Bound | None = bound
+        for key in parameter.split("."):
+            given = given.fields.get(key) if isinstance(given, Fields) else None
+        if type(given) is Value and not given.parts:
+            present = [next((name for name in group.split() if name in kinds), "") for group in groups]
+            limits += [(name, f"{given.shown} {given.unit}") for name in present if name]
     return limits
 
 

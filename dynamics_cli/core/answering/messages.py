@@ -49,7 +49,9 @@ def in_written_units(text: str, bound: Bound, results: "Iterable[Shown]" = ()) -
             unit = parse_unit(beside[kind.name], unit)
         else:
             unit = alike[0][2] if alike else parse_unit(kind.si, unit)
-        return f"{value / factor(unit) + 0.0:.{digits}g} {pretty(unit.text)}".rstrip()
+        # rounded, then written out: 190 deg, not 1.9e+02 deg
+        rounded = float(f"{value / factor(unit) + 0.0:.{digits}g}")
+        return f"{rounded:.9g} {pretty(unit.text)}".rstrip()
 
     return filled(text.template, text.values, write)
 

@@ -83,7 +83,9 @@ class Task:
         many as of any task). errors: results that measure the calculation itself; rounding decides them, so none is
         spread over inputs. unspread: further results of the nominal case alone, such as a sensitivity; of both, two
         digits are shown. chances: a yes or no with the result that is not below zero where it is yes, for its
-        probability: {"avoidable": "margin"}. verdict: the checks are the answer; the exit status shows a failed one.
+        probability: {"avoidable": "margin"}. limited: limits among the inputs, each with groups of results; of a group
+        the first with a value is compared, {"scene.speed_limit": ("start_speed impact_speed",)}.
+        verdict: the checks are the answer; the exit status shows a failed one.
     What it shows
         headline: the results of the short answer in the order of the trade, tables among them, each with a label where
         its address is not the trade's term, "centre_distance: centre distance a_w"; a result in braces stands in it,
@@ -134,6 +136,7 @@ class Task:
         errors: "tuple[str, ...]" = (),
         unspread: "tuple[str, ...]" = (),
         chances: "dict[str, str] | None" = None,
+        limited: "dict[str, tuple[str, ...]] | None" = None,
         findings: "tuple[str, ...]" = (),
         points: int = 0,
     ) -> None:
@@ -142,6 +145,7 @@ class Task:
         self.errors = errors
         self.unspread = (*errors, *unspread)
         self.chances = chances or {}
+        self.limited = limited or {}
         self.findings = tuple(_labelled(entry) for entry in findings)
         self.points = points
         self.also = also

@@ -162,7 +162,7 @@ def answered_case(
         start = _clock(settings)
         spread = add_uncertainty(document, task, bound, answered, reader, settings, display)
         took += _clock(settings) - start
-    elif settings.limit:
+    elif settings.limit or task.limited:
         from dynamics_cli.core.answering.limits import add_limits
 
         add_limits(document, task, bound, answered, settings, display)

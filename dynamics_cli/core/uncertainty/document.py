@@ -60,7 +60,7 @@ def add_uncertainty(
     For a requested picture or drawing, how the first result is spread, and what a task's own picture needs to know.
     """
     kinds = {name: kind for name, kind, _ in result_numbers(answered.record, task.specification.result)}
-    limits = read_limits(task, answered, settings) if settings.limit else []
+    limits = read_limits(task, bound, answered, settings)
     wanted = grouped((key, reading.si) for key, _, _, reading in limits)
     levels = read_levels(kinds, settings)
     asked = grouped(levels)

@@ -48,6 +48,12 @@ CRASH = Task(
     table="courses links agreements",
     plot="dynamics_cli.impact.crash.pictures:crash",
     writers=dict.fromkeys(("dxf", "svg", "pdf"), "dynamics_cli.impact.crash.pictures:plan"),
+    limited={
+        "scene.speed_limit": (
+            "first.start.speed first.approach_speed",
+            "second.start.speed second.approach_speed",
+        )
+    },
     unspread=("first.per_degree", "second.per_degree"),
     findings=(
         "first.start.speed: {first}'s speed at its start",
@@ -58,13 +64,13 @@ CRASH = Task(
         "second.delta_v.magnitude: {second}'s ΔV",
     ),
     headline=(
-        "first.start.speed: first speed at its start v₀",
-        "first.approach_speed: first speed into the impact v",
-        "first.per_degree: first v per degree of heading",
+        "first.start.speed: first start speed v₀",
+        "first.approach_speed: first impact speed v",
+        "first.per_degree: first v error per degree",
         "first.delta_v.magnitude: first ΔV",
-        "second.start.speed: second speed at its start v₀",
-        "second.approach_speed: second speed into the impact v",
-        "second.per_degree: second v per degree of heading",
+        "second.start.speed: second start speed v₀",
+        "second.approach_speed: second impact speed v",
+        "second.per_degree: second v error per degree",
         "second.delta_v.magnitude: second ΔV",
         "weakest: weakest link",
     ),

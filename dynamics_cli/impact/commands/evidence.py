@@ -48,6 +48,7 @@ INVERSE = Task(
         method="Gauss–Newton by QR of the scaled matrix",
     ),
     plot="dynamics_cli.impact.inverse.pictures:inverse",
+    digits=4,
     examples=(
         'dynamics impact inverse --first-mass "1500 kg" --first-exit-velocity "11.2, 0.2 m/s" '
         '--first-approach-heading "0 deg" --second-mass "1200 kg" --second-exit-velocity "4.9, 9.9 m/s" '

@@ -126,9 +126,9 @@ MOMENTUM = Task(
         "second.delta_v.pdof: second PDOF",
         "energy_lost: energy lost E",
         "first.determined.verdict: first verdict",
-        "first.determined.per_degree: v₁ per degree of heading",
+        "first.determined.per_degree: v₁ error per degree",
         "second.determined.verdict: second verdict",
-        "second.determined.per_degree: v₂ per degree of heading",
+        "second.determined.per_degree: v₂ error per degree",
     ),
 )
 

@@ -290,7 +290,7 @@ def contact_of(normal: float | None, axes: Axes, known: KnownContact) -> Contact
     return Contact((-x, -y), (restitution, known.restitution_sigma), (ratio, known.ratio_sigma))
 
 
-def with_turning(result: InverseResult, problem: Problem) -> InverseResult:
+def with_turning(result: InverseResult, problem: Problem, names: "tuple[str, str]") -> InverseResult:
     """The result with a caution for each straight slide in which the vehicle would have turned far."""
     notes: list[Advice] = []
     for index, (end, vehicle) in enumerate(zip(problem.ends, (result.first, result.second), strict=True)):
@@ -300,7 +300,7 @@ def with_turning(result: InverseResult, problem: Problem) -> InverseResult:
         if turned > FAR:
             text = worded(
                 "{name} turned about {angle:2} in its slide: a straight one with a mean drag is rough",
-                name=end.given.name or ("the first", "the second")[index], angle=(turned, Angle),
+                name=names[index], angle=(turned, Angle),
             )  # fmt: skip
             remedy = "give its nose at rest and its wheels (rest nose, slide friction, axles, track, braking)"
             notes.append(Advice("turned-far", text, remedy=remedy))

@@ -40,7 +40,6 @@ from dynamics_cli.quantities import STANDARD_GRAVITY, RoadSpeed
 from dynamics_cli.records import Advice, Check, Numerics
 
 Pair = tuple[float, float]
-NAMES = "the first", "the second"
 
 
 def ended(vehicle: Departing) -> bool:
@@ -54,11 +53,6 @@ def turns(vehicle: Departing) -> bool:
     if not ended(vehicle):
         needed += [vehicle.exit_spin, vehicle.approach_spin]  # type: ignore[list-item]
     return all(quantity is not None for quantity in needed)
-
-
-def _called(vehicle: Departing, index: int) -> str:
-    """Name of a vehicle in a sentence."""
-    return vehicle.name or NAMES[index]
 
 
 class Scene:
@@ -79,10 +73,11 @@ class Scene:
         headings: bool = True,
     ) -> None:
         self.vehicles = vehicles = first, second
+        self.names = first.name or "the first", second.name or "the second"
         self.contact, self.axes, self.zero = contact, axes, pdof_zero
         self.solids = [
-            _solid(vehicle, contact_point, axes, gravity, name + " vehicle")
-            for vehicle, name in zip(vehicles, NAMES, strict=True)
+            _solid(vehicle, contact_point, axes, gravity, name)
+            for vehicle, name in zip(vehicles, ("the first vehicle", "the second vehicle"), strict=True)
         ]
         self.momentum = not spins
         used = [spins and turns(vehicle) for vehicle in vehicles]
@@ -99,7 +94,7 @@ class Scene:
 
     def _side(self, index: int, turning: bool, headed: bool) -> Side:
         vehicle, body = self.vehicles[index], self.solids[index]
-        name = getattr(vehicle, "name", None) or NAMES[index].removeprefix("the ")
+        name = self.names[index].removeprefix("the ")
         for sigma, word in (
             (vehicle.velocity_sigma, "exit velocity"), (vehicle.spin_sigma, "exit spin"), (vehicle.rest_sigma, "rest")
         ):  # fmt: skip
@@ -107,7 +102,7 @@ class Scene:
                 sigma is None or sigma > 0.0,
                 "the standard deviation of the {word} of {name} is not above zero",
                 word=word,
-                name=NAMES[index],
+                name=self.names[index],
                 code="no-sigma",
                 hint="every measurement has one: give a small number",
             )
@@ -133,12 +128,11 @@ class Scene:
         advice = agreement(probability, residuals)
         contact = Contact(fit, self.sides, self.inward)
         approaches = [self._approach(index, fit, verdict) for index in (0, 1)]
-        verdicts = [(NAMES[i], a.verdict, a.approach_speed, a.speed_sigma) for i, a in enumerate(approaches)]
+        verdicts = [(self.names[i], a.verdict, a.approach_speed, a.speed_sigma) for i, a in enumerate(approaches)]
         p = float(fit.state[4]), float(fit.state[5])
         tolerance = 100.0 * SETTLED
         gradient = fit.gradient / (1.0 + fit.chi_squared**0.5)
-        vehicles = self.vehicles
-        doubt = least_certain(fit, (_called(vehicles[0], 0), _called(vehicles[1], 1))) if self.weighted else None
+        doubt = least_certain(fit, self.names) if self.weighted else None
         return InverseResult(
             first=approaches[0],
             second=approaches[1],
@@ -170,8 +164,8 @@ class Scene:
             along = float(fit.state[2 * index] * side.way[0] + fit.state[2 * index + 1] * side.way[1])
             require(
                 along >= 0.0,
-                "no approach gives these exits: {name} vehicle would have driven backwards at {speed:3}",
-                name=NAMES[index],
+                "no approach gives these exits: {name} would have driven backwards at {speed:3}",
+                name=self.names[index],
                 speed=(-along, RoadSpeed),
                 code="backwards",
                 hint="check its approach heading, and that headings are directions of travel",
@@ -236,7 +230,7 @@ class Scene:
 
     def _unused(self) -> "tuple[Advice, ...]":
         notes = []
-        for vehicle, side, name in zip(self.vehicles, self.sides, NAMES, strict=True):
+        for vehicle, side, name in zip(self.vehicles, self.sides, self.names, strict=True):
             if vehicle.exit_spin is not None and side.spins is None:
                 text = worded("the exit spin of {name} is not used", name=name)
                 remedy = "give its approach spin, inertia and lever, and standard deviations"

@@ -6,7 +6,7 @@ from dynamics_cli.impact.inverse.fit import solve
 from dynamics_cli.impact.inverse.judgement import judge_crossing, judge_levers
 from dynamics_cli.impact.inverse.records import UNKNOWN_CONTACT, Departing, InverseResult, KnownContact
 from dynamics_cli.impact.inverse.rest import Ended, Problem, contact_of, solve_rest, with_turning
-from dynamics_cli.impact.inverse.scene import NAMES, Scene, ended, turns
+from dynamics_cli.impact.inverse.scene import Scene, ended, turns
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Annotated, Gravity, PlanarPosition
 
 TYPE_CHECKING = False
@@ -102,11 +102,11 @@ def by_spins(
     [-5583.688, 236.17]
     """
     scene = Scene(first, second, **circumstances, headings=False)
-    missing = [name for name, side in zip(NAMES, scene.sides, strict=True) if side.spins is None]
+    missing = [name for name, side in zip(scene.names, scene.sides, strict=True) if side.spins is None]
     require(
         not missing,
         "without approach headings the spins decide, and {name} lacks one of inertia, lever, exit spin, approach spin",
-        name=" and ".join(missing) + " vehicle",
+        name=" and ".join(missing),
         code="not-enough",
         hint="give them, or both approach headings",
     )
@@ -238,7 +238,7 @@ def by_rest(
     problem = Problem(scene.sides, ends, contact_of(normal, axes, scene.contact))
     fit = solve_rest(problem)
     result = scene.answer(fit, None, None, f"Gauss–Newton by QR of the scaled matrix, {fit.steps} steps")
-    return with_turning(result, problem)
+    return with_turning(result, problem, scene.names)
 
 
 def rests_given(*, first: Departing, second: Departing, **_: object) -> str | None:

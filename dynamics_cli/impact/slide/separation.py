@@ -62,8 +62,17 @@ def separation(body: "Body", distance: float, beside: float, turn: float, whose:
     return _tracked(solved, (*body, *numbers), single)
 
 
-@lru_cache(maxsize=64)
 def _solved(body: "Body", distance: float, beside: float, turn: float) -> "Three":
+    # samples start from the motions of earlier ones: what they end at, to the last digit, is of no use elsewhere
+    return (_nearest if drawing() else _alone)(body, distance, beside, turn)
+
+
+@lru_cache(maxsize=64)
+def _alone(body: "Body", distance: float, beside: float, turn: float) -> "Three":
+    return _nearest(body, distance, beside, turn)
+
+
+def _nearest(body: "Body", distance: float, beside: float, turn: float) -> "Three":
     root = roots(car(body), Target((0.0, 0.0), -beside, (distance, 0.0), turn - beside))[0]
     return hypot(*root.velocity), atan2(root.velocity[1], root.velocity[0]), root.spin
 

@@ -52,8 +52,18 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
             size = node.item.kind.size  # type: ignore[union-attr]
             rows = [", ".join(items[i : i + size]) for i in range(0, len(items), size)]
             return _vectors_in_rows("; ".join(rows))
-        return share_unit(items) if form in ("scalar", "slope") else items
+        return share_unit(_spaced(items)) if form in ("scalar", "slope") else items
     return [value]
+
+
+def _spaced(items: "list[str]") -> "list[str]":
+    """Items with their numbers apart: `4 6 8 in`, or points as `0,0 20,1.5 40,4 ft`; `1 500` among others stays."""
+    apart = []
+    for item in items:
+        numbers = spaced_numbers(item)
+        thousands = len(items) > 1 and numbers and all(len(word.split()[0]) == len("500") for word in numbers[1:])
+        apart += [item] if thousands or not numbers else numbers
+    return apart
 
 
 def _vectors_in_rows(text: str) -> "list[str]":
@@ -66,8 +76,12 @@ def _vectors_in_rows(text: str) -> "list[str]":
 
 
 def spaced_numbers(text: str) -> "list[str]":
-    """Numbers with only spaces between them and at most one unit after the last, `0 1 0`, `3 4 0 kN`; else nothing."""
+    """Numbers with only spaces between them and at most one unit after the last, `0 1 0`, `3 4 0kN`; else nothing."""
     words = text.split()
+    last = words[-1] if words else ""
+    glued = number_end(last, 0) if last else 0
+    if glued and last[glued:][:1].isalpha():
+        words[-1:] = last[:glued], last[glued:]
     count = next((nth for nth, word in enumerate(words) if number_end(word, 0) < len(word)), len(words))
     if count < 2 or any(word[0] in f"{DIGITS},±+" for word in words[count:]):
         return []
@@ -90,7 +104,18 @@ def _unit_after(text: str) -> str:
         from dynamics_cli.core.inputs.uncertain.vectors import trailing_unit
 
         return trailing_unit(text)
-    return text[number_end(text, 0) :].strip()
+    unit = _after_number(text)
+    # `5 ft 6 in` has no unit that a number before it could share
+    return "" if any(word[0] in DIGITS for word in unit.split()) else unit
+
+
+def _after_number(text: str) -> str:
+    """What follows a number: `1/2` and `12 1/2` are numbers too."""
+    rest = text[number_end(text, 0) :]
+    over, slash, under = rest.partition("/")
+    end = number_end(under, 0) if slash else 0
+    fraction = end and (not over or (over[0].isspace() and over.strip().isdigit()))
+    return (under[end:] if fraction else rest).strip()
 
 
 def _has_unit(text: str) -> bool:
@@ -98,4 +123,4 @@ def _has_unit(text: str) -> bool:
         from dynamics_cli.core.inputs.uncertain.vectors import has_unit
 
         return has_unit(text)
-    return bool(text[number_end(text, 0) :].strip())
+    return bool(_after_number(text))

@@ -234,7 +234,10 @@ def _plus_minus(text: str, sign: str, scale: Scale) -> "list[Any]":
     centre, _, width = (part.strip() for part in text.partition(sign))
     unit = _unit_of(width)
     if unit == "%" and not _unit_of(centre) and not scale.kind.unit and scale.kind.form != "slope":
-        raise _ambiguous(width)
+        # of a share of at most one, 70 ± 5 % can only be 70 % ± 5 %
+        numerator, denominator, _ = read_amount(centre).parts[0]
+        if scale.kind.high is None or numerator <= scale.kind.high * denominator:
+            raise _ambiguous(width)
     # `1500 ± 50 kg`: the unit of both; `1500 kg ± 3 %` is relative.
     if not _unit_of(centre) and unit and not (unit == "%" and scale.kind.unit):
         centre = f"{centre} {unit}"
