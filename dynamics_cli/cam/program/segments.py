@@ -25,7 +25,7 @@ class Move(Choice):
     """Motion of the follower in a segment."""
 
     names = ("rise", "return", "dwell")
-    aliases = {"fall": "return", "rest": "dwell", "lift": "rise"}  # noqa: RUF012
+    aliases = {"fall": "return", "rest": "dwell", "hold": "dwell", "lift": "rise"}  # noqa: RUF012
 
 
 @record
