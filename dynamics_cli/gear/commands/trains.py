@@ -199,6 +199,7 @@ IDENTIFY = Task(
         'dynamics gear identify --teeth 24 --span-read "over=3, length=23.97 mm" --span-read "over=4, length=32.83 mm" '
         '--tip-diameter "80.4 mm"',
         'dynamics gear identify --teeth 32 --span-read "over=3, length=24.69 mm" --tip-diameter "4.25 in"',
+        'dynamics gear identify --teeth 20 --tip-diameter "2.75 in" --units us',
     ),
     table="candidates",
     arrays=False,
