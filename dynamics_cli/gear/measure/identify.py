@@ -310,6 +310,7 @@ def _checks(read: _Readings, best: Candidate) -> tuple[Check, ...]:
     """The spans of the best candidate against the readings."""
     from dynamics_cli.gear.measure.sizes import span_length
 
+    assert best.pressure_angle is not None
     gear = Toothing(
         read.teeth,
         False,
