@@ -309,16 +309,17 @@ def _parted(word: str) -> "list[str]":
 def _ratio(text: str) -> "Exact | None":
     """A decimal number or a ratio of two, exactly; None for other text."""
     top, slash, bottom = text.partition("/")
-    first = _plain_decimal(top)
+    first = decimal(top)
     if first is None or not slash:
         return first
-    second = _plain_decimal(bottom)
+    second = decimal(bottom)
     if second is None or not second[0]:
         return None
     return first[0] * second[1], first[1] * second[0]
 
 
-def _plain_decimal(text: str) -> "Exact | None":
+def decimal(text: str) -> "Exact | None":
+    """A plain decimal number, exactly; None for other text."""
     body = text[1:] if text[:1] in ("+", "-") else text
     mantissa, letter, exponent = body.lower().partition("e")
     integer, _, tail = mantissa.partition(".")
