@@ -250,6 +250,12 @@ WORKED = (
         "cam.toml",
     ),
     Example(
+        "lifts",
+        "A cam from a table of angles and lifts, one row every five degrees.",
+        "dynamics cam motion --lifts lifts.csv",
+        "lifts.csv",
+    ),
+    Example(
         "valve",
         "A valve cam: smallest size, check, forces at speed, DXF.",
         "cd valve && sh valve.sh",

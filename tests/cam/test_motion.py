@@ -40,6 +40,35 @@ def test_commas_between_clauses_and_no_word_before_the_angle() -> None:
     assert other.joints == of(LINE).joints
 
 
+@pytest.mark.parametrize(
+    "line",
+    [
+        "rise 20mm in 90 cycloidal; dwell 60; fall over 90; hold",
+        "0-90: rise 20 mm cycloidal; 90–150° dwell; 150..240 return; 240-360 dwell",
+        "Rise 20 mm 0-90 deg cycloidal; dwell 90-150; return 150-240 345; dwell 240-360",
+        "rise 20 mm from 0 to 90 deg with cycloidal motion; dwell until 150 deg; return to 0 in 90; dwell to 360",
+    ],
+)
+def test_angles_as_designers_write_them(line: str) -> None:
+    assert of(line).joints == of(LINE).joints
+    assert of(line).in_zone(0, 0.3) == of(LINE).in_zone(0, 0.3)
+    assert of(line).in_zone(2, 0.3) == of(LINE).in_zone(2, 0.3)
+
+
+def test_a_range_begins_where_the_one_before_ends() -> None:
+    assert of("30-90 rise 20 mm; 90-150 return; dwell").joints[0] == pytest.approx(radians(30.0), rel=1e-15)
+    with pytest.raises(UsageError, match="it begins at 160 deg, where the one before ends at 150 deg"):
+        of("0-90 rise 20 mm; 90-150 dwell; 160-240 return; dwell")
+    with pytest.raises(UsageError, match="not known where it begins"):
+        of("rise 20 mm; return until 240 deg; dwell")
+
+
+def test_in_before_an_angle_is_not_inches() -> None:
+    with pytest.raises(UsageError, match="the lift has no unit"):
+        of("rise 20 in 90 deg; return in 90 deg; dwell")
+    assert of("rise 1 in in 90 deg; return in 90 deg; dwell").in_zone(0, 1.0)[0] == pytest.approx(0.0254, rel=1e-15)
+
+
 @pytest.mark.parametrize("line", LINES)
 class TestAnyMotion:
     def test_it_closes_and_repeats_to_the_bit(self, line: str) -> None:
@@ -273,7 +302,7 @@ def test_programs_that_cannot_be(line: str, code: str) -> None:
 @pytest.mark.parametrize(
     "line",
     [
-        "climb 20 mm", "rise 20 kg in 90 deg", "rise 20 mm in 90", "rise 20 mm in 90 deg fancy",
+        "climb 20 mm", "rise 20 kg in 90 deg", "rise 20 in 90 deg", "rise 20 mm in 90 deg fancy",
         "rise 20 mm in ninety deg",
         "dwell 20 mm", "rise nan mm in 90 deg", "rise 1,5 mm in 90 deg", "rise 20 mm in 90 deg 345 7",
         "dwell 90 deg 345",

@@ -248,8 +248,25 @@ def test_inch_gears_are_known_by_their_diametral_pitch(pitch: int, alpha: float)
 
 
 @pytest.mark.parametrize(
+    ("teeth", "tip_diameter", "size", "fitting"),
+    [
+        (20, 44e-3, "module 2", 1),
+        (20, 2.75 * 25.4e-3, "8 DP", 1),
+        (33, 87.45e-3, "module 2.5", 1),  # turned 0.05 mm small
+        (20, 45.2e-3, "module 2", 0),  # shifted by 0.3
+    ],
+)
+def test_a_tip_diameter_alone_names_the_module(teeth: int, tip_diameter: float, size: str, fitting: int) -> None:
+    found = identify(teeth=teeth, tip_diameter=tip_diameter)
+    assert (found.candidates[0].size, found.fitting) == (size, fitting)
+    assert found.candidates[0].pressure_angle is None
+    assert found.advice[0].code == "tip-alone"
+
+
+@pytest.mark.parametrize(
     ("arguments", "code"),
     [
+        ({"teeth": 20, "tip_diameter": 10.0}, "no-candidate"),
         ({"teeth": 2, "spans": (SpanRead(3, 0.02),)}, "teeth"),
         ({"teeth": 24, "spans": ()}, "spans"),
         ({"teeth": 24, "spans": (SpanRead(3, 0.02),)}, "spans"),

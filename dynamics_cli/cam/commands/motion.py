@@ -78,6 +78,7 @@ MOTION = Task(
         f"dynamics cam motion {LINE}",
         'dynamics cam motion --program "rise 20 deg in 120 deg ms; dwell 60 deg; return in 180 deg" --count 7',
         "dynamics cam motion examples/cam.toml --shaft-speed '1000 rpm' --count 13",
+        "dynamics cam motion --lifts examples/lifts.csv",
         'dynamics cam motion --program "rise 1 in in 120 deg parabolic; dwell 60 deg; return in 120 deg linear; dwell" '
         "--singularity --units us",
     ),

@@ -2,8 +2,8 @@
 
 PROGRAM_NOTES = (
     "--program: clauses separated by semicolons: rise LIFT in ANGLE LAW; dwell ANGLE; return [to LIFT] in ANGLE LAW. "
-    "A lift in deg swings an arm; one clause may leave its angle out and takes the rest of the turn; the law is 3-4-5 "
-    "unless named (dynamics cam laws). The whole language: docs/scenes.md."
+    "A lift in deg swings an arm; angles may be ranges, 0-90 rise 20 mm; 90-150 dwell; one clause may leave its angle "
+    "out and takes the rest of the turn; the law is 3-4-5 unless named (dynamics cam laws). All: docs/scenes.md."
 )
 
 # The values that scene templates show.

@@ -33,6 +33,8 @@ class Flank(Choice):
 class KnifeEdge:
     """A translating follower that touches in a point."""
 
+    also = ("pointed",)
+
     base_radius: Annotated[Size, "Radius of the base circle, e.g. 25 mm [m]."]
     offset: Annotated[Coordinate, "How far to the right of the cam's axis the follower slides [m]."] = 0.0
 
@@ -52,6 +54,8 @@ class Roller:
 class FlatFace:
     """A translating follower with a flat face perpendicular to its motion."""
 
+    also = ("flat", "mushroom")
+
     base_radius: Annotated[Size, "Radius of the base circle, e.g. 25 mm [m]."]
 
 
@@ -59,6 +63,8 @@ class FlatFace:
 @record
 class OscillatingRoller:
     """A roller on an arm; the lift is the arm's angle, outwards positive."""
+
+    also = ("swinging-roller", "arm-roller")
 
     base_radius: Annotated[Size, "Radius of the base circle of the cam, without the roller, e.g. 25 mm [m]."]
     roller_radius: Annotated[Size, "Radius of the roller, e.g. 6 mm [m]."]
@@ -70,6 +76,8 @@ class OscillatingRoller:
 @record
 class OscillatingFlat:
     """A flat face on an arm; the lift is the arm's angle, outwards positive."""
+
+    also = ("swinging-flat", "oscillating-flat-face")
 
     base_radius: Annotated[Size, "Radius of the base circle, e.g. 25 mm [m]."]
     pivot_distance: Annotated[Size, "Distance of the pivot from the cam's axis, e.g. 100 mm [m]."]

@@ -33,10 +33,11 @@ class LawName(Choice):
     )
     aliases = {  # noqa: RUF012
         "constant-velocity": "linear", "straight-line": "linear", "gerade": "linear",
+        "uniform-velocity": "linear", "uniform-acceleration": "parabolic", "parabola": "parabolic",
         "quadratic-parabola": "parabolic", "constant-acceleration": "parabolic", "quadratische-parabel": "parabolic",
         "2-3": "cubic", "cubic-1": "cubic", "polynomial-2-3": "cubic", "poly3": "cubic",
         "simple-harmonic": "harmonic", "sinusoidal": "harmonic", "simple-sine": "harmonic", "shm": "harmonic",
-        "sine-line": "harmonic", "einfache-sinuslinie": "harmonic",
+        "sine": "harmonic", "sine-line": "harmonic", "einfache-sinuslinie": "harmonic",
         "cycloid": "cycloidal", "inclined-sine": "cycloidal", "inclined-sine-line": "cycloidal",
         "bestehorn": "cycloidal", "bestehorn-sinoid": "cycloidal", "geneigte-sinuslinie": "cycloidal",
         "modified-trapezoidal": "modified-trapezoid", "modified-acceleration-trapezoid": "modified-trapezoid",

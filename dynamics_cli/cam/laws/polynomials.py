@@ -130,7 +130,7 @@ def spline(
         code="points",
         hint="put the points in order, each once",
     )
-    slopes = _slopes(points, start_slope, end_slope)
+    slopes = slopes_through(points, start_slope, end_slope)
     first, last = points[0][1], points[-1][1]
     pieces = []
     for i in range(len(points) - 1):
@@ -162,7 +162,7 @@ def _cubic(width: float, f0: float, f1: float, v0: float, v1: float) -> "tuple[f
     return f0, v0, (3.0 * chord - 2.0 * v0 - v1) / width, (v0 + v1 - 2.0 * chord) / (width * width)
 
 
-def _slopes(points: "Sequence[tuple[float, float]]", first: float, last: float) -> "list[float]":
+def slopes_through(points: "Sequence[tuple[float, float]]", first: float, last: float) -> "list[float]":
     """Slopes at the points for a continuous second derivative (Thomas)."""
     count = len(points)
     widths = [points[i + 1][0] - points[i][0] for i in range(count - 1)]

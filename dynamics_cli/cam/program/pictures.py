@@ -85,8 +85,9 @@ def extreme_mark(
 
 
 def named_program(scene: Program, program: str) -> str:
-    """A program as written, or the number of segments in a file."""
-    return " ".join(program.split()) or f"{len(scene.segments)} segments"
+    """A program as written, the file of its lifts, or the number of its segments."""
+    from_file = f"lifts of {scene.lifts}" if scene.lifts else f"{len(scene.segments)} segments"
+    return " ".join(program.split()) or from_file
 
 
 def sampled(motion: Motion, steps: int = STEPS) -> "tuple[list[float], list[list[float]]]":

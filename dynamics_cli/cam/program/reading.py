@@ -43,18 +43,18 @@ def motion_of(scene: Program, program: str = "") -> Motion:
     >>> motion_of(Program(), "rise 20 mm in 90 deg; dwell 60 deg; return in 90 deg; dwell").joints[-1]
     6.283185307179586
     """
+    given = bool(scene.segments) + bool(program.strip()) + bool(scene.lifts)
+    require(given <= 1, "of segments, --program and --lifts one is wanted", code="program", hint="leave the others out")
     require(
-        not scene.segments or not program.strip(),
-        "both segments and --program are given",
-        code="program",
-        hint="leave one of them out",
-    )
-    require(
-        bool(scene.segments) or bool(program.strip()),
+        given == 1,
         "no program is given",
         code="program",
         hint='give a file or --program "rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg; dwell"',
     )
+    if scene.lifts:
+        from dynamics_cli.cam.program.lift_table import motion_of_table
+
+        return motion_of_table(scene.lifts)
     start = exact_degrees(scene.start)
     if scene.segments:
         steps = [Step(item, None if item.span is None else exact_degrees(item.span)) for item in scene.segments]

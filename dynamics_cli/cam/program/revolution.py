@@ -121,7 +121,7 @@ def motion(
         *tables,
         checks=tuple(checks),
         advice=(
-            *_advice(order, steps),
+            *_advice(order, steps, rows=any(span.law and span.law.steps for span in turn.segments)),
             *_missing(impulse, swing=swing, timed=shaft_speed is not None),
             *(
                 advice
@@ -253,27 +253,23 @@ def _missing(impulse: "Impulses", *, swing: bool, timed: bool) -> "tuple[Advice,
     return tuple(Advice("infinite-acceleration", message, "serious", result=result) for result, message in missing)
 
 
-def _advice(order: int, steps: "list[tuple[float, str, list[float]]]") -> "tuple[Advice, ...]":
+def _advice(order: int, steps: "list[tuple[float, str, list[float]]]", *, rows: bool) -> "tuple[Advice, ...]":
+    """The first jump of velocity or acceleration; splines through `rows` have small ones at the ends of dwells."""
     if order >= 2:
         return ()
     angle, words, _ = next(step for step in steps if step[2][order + 1])
-    quantity, then = (("velocity", "the acceleration is infinite"), ("acceleration", "the jerk is infinite"))[
-        max(order, 0)
-    ]
-    return (
-        Advice(
-            code=f"{quantity}-jumps",
-            message=worded(
-                "the {what} jumps at {angle:6} ({words}): {then} there",
-                what=quantity,
-                angle=(angle, Angle),
-                words=words,
-                then=then,
-            ),
-            severity="serious" if order < 1 else "caution",
-            remedy="take a law of higher continuity, or a polynomial, which meets the state of its neighbours",
-        ),
+    quantity, infinite = ("velocity", "acceleration") if order < 1 else ("acceleration", "jerk")
+    message = worded(
+        "the {what} jumps at {angle:6} ({words}): the {infinite} is infinite there",
+        what=quantity,
+        angle=(angle, Angle),
+        words=words,
+        infinite=infinite,
     )
+    remedy = "take a law of higher continuity, or a polynomial, which meets the state of its neighbours"
+    if rows:
+        remedy = "give rows closer together there, or a law"
+    return (Advice(f"{quantity}-jumps", message, "serious" if order < 1 else "note" if rows else "caution", remedy),)
 
 
 def _numerics(

@@ -9,6 +9,7 @@ from dynamics_cli.quantities import (
     Coordinate,
     Count,
     Fraction,
+    InputFile,
     Ratio,
 )
 from dynamics_cli.records import Choice, record
@@ -25,7 +26,7 @@ class Move(Choice):
     """Motion of the follower in a segment."""
 
     names = ("rise", "return", "dwell")
-    aliases = {"fall": "return", "rest": "dwell", "lift": "rise"}  # noqa: RUF012
+    aliases = {"fall": "return", "rest": "dwell", "hold": "dwell", "lift": "rise"}  # noqa: RUF012
 
 
 @record
@@ -83,6 +84,7 @@ class Program:
 
     segments: Annotated[tuple[Segment, ...], "The segments in order; together they make one turn."] = ()
     start: Annotated[Angle, "Cam angle at which the first begins [rad]."] = 0.0
+    lifts: Annotated[InputFile, "CSV with angle[deg],lift[mm], in place of segments, e.g. lifts.csv."] = ""
 
 
 @record

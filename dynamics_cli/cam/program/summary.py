@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from dynamics_cli.cam.program.parts import Span
 
 JUMP = 1e-10
+# Rounding of the lift that a spline's derivatives take over from its points, over the power of their distance.
+NOISE = 2.0**-47
 UNIT = 2.0**-53
 TURN = 6.283185307179586
 MOST_TURNED = 8.0
@@ -135,12 +137,13 @@ def jumps(motion: "Motion") -> "list[tuple[float, str, list[float]]]":
         before = zones[index - 1]
         at_end = motion.in_zone((index - 1) % len(zones), 1.0)
         right = motion.in_zone(index, 0.0)
+        width = min(before.end - before.start, zone.end - zone.start)
         steps = [
-            b - a if abs(b - a) > JUMP * max(abs(a), abs(b), 1e-4 * size) else 0.0
-            for a, b, size in zip(at_end, right, sizes, strict=True)
+            b - a if abs(b - a) > max(JUMP * max(abs(a), abs(b), 1e-4 * size), NOISE * sizes[0] / width**order) else 0.0
+            for order, (a, b, size) in enumerate(zip(at_end, right, sizes, strict=True))
         ]
         words = _name(motion, zone.segment)
-        if before.segment != zone.segment or len(motion.segments) == 1:
+        if before.segment != zone.segment or not index:
             words = f"{_name(motion, before.segment)} to {words}"
         else:
             words = f"within {words}"

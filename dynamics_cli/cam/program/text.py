@@ -1,8 +1,9 @@
 """A motion program in one line: `rise 20 mm in 90 deg cycloidal; dwell 60 deg; return in 90 deg 3-4-5; dwell`.
 
 program   = clause { ";" clause }
-clause    = "start" angle | move [ ["to"] amount [ angle ] ] [ ("in" | "over" | "for") angle ] [ law ]
+clause    = "start" angle | [ range ] move [ ["to"] amount ] [ [ "in" | "over" | "for" ] angle | range ] [ law ]
 move      = "rise" | "return" | "dwell"                     amount = length or angle
+range     = angle "-" angle | "until" angle                 an angle turned without a unit is in degrees
 law       = name { number | key "=" value }                 numbers: shares, degree or share at constant velocity
 """
 
@@ -10,6 +11,7 @@ from dynamics_cli.cam.laws.names import LawName
 from dynamics_cli.cam.program.parts import Exact, from_radians
 from dynamics_cli.cam.program.segments import Move, Segment, Step
 from dynamics_cli.errors import UsageError
+from dynamics_cli.numerics.exact.rational import nearest, total
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -44,32 +46,41 @@ def read_program(text: str) -> "tuple[list[Step], Exact | None]":
     text = text.replace("\n", ";").replace("−", "-")
     for word in (*Move.names, *Move.aliases):
         text = text.replace(f", {word}", f"; {word}")
+    at: Exact | None = None
     for clause in text.split(";"):
         if not clause.strip():
             continue
-        words = _Words(clause)
+        words = _Words(clause, at if steps or start else (0, 1))
         if words.peek() == "start":
             words.take()
             words.skip("at", "from")
-            start = words.angle()
+            start = at = words.angle()
             words.end()
-        else:
-            steps.append(_step(words))
+            continue
+        step = _step(words)
+        begin = words.begins or at or (None if steps else (0, 1))
+        if at and begin and nearest(at) != nearest(begin):
+            words.fail(f"it begins at {nearest(begin):g} deg, where the one before ends at {nearest(at):g} deg")
+        start = start or (None if steps else words.begins)
+        at = total((begin, step.span)) if begin and step.span else None
+        steps.append(step)
     return steps, start
 
 
 def _step(words: "_Words") -> Step:
+    span = words.range()
+    words.skip(":")
     word = words.take()
     try:
         move = Move(word)
     except ValueError:
         words.fail(f"read {word!r}, wanted rise, return or dwell")
     fields: dict[str, Any] = {"move": move}
-    span: Exact | None = None
     level: float | None = None
     if move == "dwell":
         words.skip("in", "for", "over", "of")
-        if words.peek():
+        span = span or words.range("to")
+        if words.peek() and span is None:
             span = words.angle()
         words.end()
         return Step(Segment(**fields), span)
@@ -85,7 +96,9 @@ def _step(words: "_Words") -> Step:
             fields.update({"swing": abs(amount)} if is_angle else {})
         else:
             fields["swing" if is_angle else "lift"] = amount
-    if words.skip("in", "over", "for") or (at_amount and words.at_number()):
+    written = words.skip("in", "over", "for", "during")
+    span = span or words.range()
+    if span is None and (written or (at_amount and words.at_number())):
         span = words.angle()
     _read_law(words, fields)
     return Step(Segment(**fields), span, level)
@@ -102,6 +115,8 @@ def _near_laws(word: str) -> str:
 
 
 def _read_law(words: "_Words", fields: "dict[str, Any]") -> None:
+    words.skip("with", "by", "law")
+    words.words = [word for word in words.words if word.lower() not in ("motion", "law")]
     if not words.peek():
         return
     word = words.take()
@@ -138,12 +153,17 @@ def _place_numbers(words: "_Words", fields: "dict[str, Any]", numbers: "list[flo
 
 
 class _Words:
-    """The words of one clause, and the refusal when they are not understood."""
+    """The words of one clause, and the refusal when they are not understood.
 
-    def __init__(self, clause: str) -> None:
+    `at`: the cam angle in degrees where the clause begins, as far as those before it say. `begins`: as it says itself.
+    """
+
+    def __init__(self, clause: str, at: "Exact | None") -> None:
         self.clause = clause.strip()
+        self.at = at
+        self.begins: Exact | None = None
         text = self.clause.replace(",", " ").replace("(", " ").replace(")", " ").replace(" = ", "=")
-        self.words = [part for word in text.split() for part in _parted(word)]
+        self.words = [part for word in text.replace(":", " : ").split() for part in _ends(word)]
 
     def fail(self, message: str) -> "NoReturn":
         """Refuse the clause."""
@@ -193,16 +213,36 @@ class _Words:
         top, bottom = self.number()
         wanted = "a unit of length or angle, such as mm or deg"
         unit = self.take(wanted)
+        if unit == "in" and self.at_number():
+            if top:
+                self.fail("the lift has no unit; write 20 mm in 90 deg, or of inches 1 in in 90 deg")
+            self.words.insert(0, unit)
+            return 0.0, False
         if unit in LENGTHS:
             a, b = LENGTHS[unit]
             return top * a / (bottom * b), False
         return _as_radians(self._angle(top, bottom, unit, wanted)), True
 
     def angle(self) -> "Exact":
-        """An angle in degrees, as an exact ratio."""
+        """An angle in degrees, as an exact ratio; a number without a unit is one of degrees."""
         top, bottom = self.number()
-        wanted = "a unit of angle, such as deg"
-        return self._angle(top, bottom, self.take(wanted), wanted)
+        if self.peek() in (*ANGLES, *LENGTHS, "rad", "radian", "radians"):
+            return self._angle(top, bottom, self.take(), "a unit of angle, such as deg")
+        return top, bottom
+
+    def range(self, *until: str) -> "Exact | None":
+        """The angle turned, where its ends are written: 0-90 deg, from 0 to 90 deg, until 90 deg."""
+        if self.skip("until", "till", *until):
+            begin = self.at
+            if begin is None:
+                self.fail("it is not known where it begins; write from 240 to 360 deg")
+        elif self.skip("from", "between"):
+            begin = self.begins = self.angle()
+            if not self.skip("to", "and"):
+                self.fail("wanted where it ends, as in from 0 to 90 deg")
+        else:
+            return None
+        return total((self.angle(), (-begin[0], begin[1])))
 
     def _angle(self, top: int, bottom: int, unit: str, wanted: str) -> "Exact":
         if unit in ("rad", "radian", "radians"):
@@ -245,6 +285,15 @@ def _as_radians(degrees: "Exact") -> float:
     return radians(degrees)[0]
 
 
+def _ends(word: str) -> "list[str]":
+    """`0-90` as from 0 to 90, but law names such as 2-3 and numbers such as 1e-3 whole; other words in their parts."""
+    first, dash, second = word.replace("–", "-").replace("..", "-").partition("-")
+    ends = _parted(first), _parted(second)
+    if dash and word not in LawName.aliases and _ratio(word) is None and all(_ratio(end[0]) for end in ends):
+        return ["from", *ends[0], "to", *ends[1]]
+    return _parted(word)
+
+
 def _parted(word: str) -> "list[str]":
     """`20mm` and `90°` as number and unit; law names such as 3-4-5 stay whole."""
     if _ratio(word) is not None:
@@ -260,16 +309,17 @@ def _parted(word: str) -> "list[str]":
 def _ratio(text: str) -> "Exact | None":
     """A decimal number or a ratio of two, exactly; None for other text."""
     top, slash, bottom = text.partition("/")
-    first = _plain_decimal(top)
+    first = decimal(top)
     if first is None or not slash:
         return first
-    second = _plain_decimal(bottom)
+    second = decimal(bottom)
     if second is None or not second[0]:
         return None
     return first[0] * second[1], first[1] * second[0]
 
 
-def _plain_decimal(text: str) -> "Exact | None":
+def decimal(text: str) -> "Exact | None":
+    """A plain decimal number, exactly; None for other text."""
     body = text[1:] if text[:1] in ("+", "-") else text
     mantissa, letter, exponent = body.lower().partition("e")
     integer, _, tail = mantissa.partition(".")

@@ -200,8 +200,8 @@ def is_uncertain(text: str) -> bool:
 
 
 def read_fraction(text: str) -> tuple[int, int]:
-    """Read an exact ratio of two decimal numbers (`365.2422/27.3217`) or one number, in lowest terms."""
-    up, divided, down = text.partition("/")
+    """Read an exact ratio of two decimal numbers (`365.2422/27.3217`, `10:1`) or one number, in lowest terms."""
+    up, divided, down = text.replace(":", "/").partition("/")
     numerator, over = read_number(up.strip())
     if not divided:
         return lowest(numerator, over)

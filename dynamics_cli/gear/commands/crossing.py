@@ -33,6 +33,9 @@ BEVEL = Task(
         "first.tip_diameter: tip diameter of the pinion d_ae1",
         "second.tip_diameter: tip diameter of the wheel d_ae2",
         "contact_ratio: contact ratio ε_α",
+        "first.tangential_force: tangential force F_t",
+        "first.axial_force: axial force on the pinion",
+        "first.radial_force: radial force on the pinion",
     ),
 )
 

@@ -137,12 +137,15 @@ PAIR = Task(
         "ratio: gear ratio u",
         "first_profile_shift: profile shift x₁",
         "second_profile_shift: profile shift x₂",
+        "first_tip_diameter: tip diameter d_a1",
+        "second_tip_diameter: tip diameter d_a2",
         "transverse_contact_ratio: transverse contact ratio ε_α",
         "total_contact_ratio: total contact ratio ε_γ",
         "circumferential_backlash: circumferential backlash j_wt",
         "efficiency: efficiency η",
         "forces.tangential: tangential force F_t",
-        "points: path of contact",
+        "forces.radial: radial force F_r",
+        "forces.axial: axial force F_a",
     ),
 )
 
@@ -172,7 +175,7 @@ RACK_TASK = Task(
         "travel: travel in one turn",
         "transverse_contact_ratio: transverse contact ratio ε_α",
         "rack_speed: speed of the rack",
-        "forces.tangential: tangential force F_t",
+        "tangential_force: tangential force F_t",
         "radial_force: radial force F_r",
     ),
 )

@@ -31,6 +31,7 @@ TRAIN = Task(
     scene={"stages": "20:60, 18:54", "speed": "1500 rpm", "torque": "12 N*m"},
     headline=(
         "ratio: ratio i",
+        "ratio_value: ratio i, decimal",
         "input_power: input power",
         "basic_ratio: basic ratio i_0",
         "circulating_power: circulating power",
@@ -91,6 +92,12 @@ MEASURE = Task(
     ),
     arrays=False,
     headline=(
+        "from_span.profile_shift: profile shift x, from the span",
+        "from_span.thickness_deviation: tooth thickness, off nominal by",
+        "from_pins.profile_shift: profile shift x, from the pins",
+        "from_pins.thickness_deviation: tooth thickness, off nominal by",
+        "from_chord.profile_shift: profile shift x, from the chord",
+        "from_chord.thickness_deviation: tooth thickness, off nominal by",
         "normal_thickness: normal tooth thickness s_n",
         "span.over: teeth to span k",
         "span.span: span W_k",
@@ -102,7 +109,6 @@ MEASURE = Task(
         "pins.size_lower: over pins, thinnest teeth",
         "chordal.thickness: chordal thickness",
         "chordal.height: chordal height",
-        "profile_shift: profile shift x",
     ),
 )
 
@@ -193,6 +199,7 @@ IDENTIFY = Task(
         'dynamics gear identify --teeth 24 --span-read "over=3, length=23.97 mm" --span-read "over=4, length=32.83 mm" '
         '--tip-diameter "80.4 mm"',
         'dynamics gear identify --teeth 32 --span-read "over=3, length=24.69 mm" --tip-diameter "4.25 in"',
+        'dynamics gear identify --teeth 20 --tip-diameter "2.75 in" --units us',
     ),
     table="candidates",
     arrays=False,

@@ -27,6 +27,8 @@ DIAMETRAL_PITCHES = (
 COMMON_SHIFT = 1.0
 # Teeth are cut thinner for backlash by up to so much of a profile shift: the tip diameter does not follow.
 THINNED = 0.06
+# A tip diameter is so many modules, twice, from that of a gear without profile shift where the gear is one.
+UNSHIFTED = 0.03
 # How many of the gears that fit a warning names.
 NAMED = 4
 
@@ -45,8 +47,8 @@ class Candidate:
 
     size: Annotated[Text, "Its module or diametral pitch, as in an order."]
     module: Annotated[Module, "Normal module [m]."]
-    pressure_angle: Annotated[Angle, "Normal pressure angle [rad]."]
-    profile_shift: Annotated[Ratio, "Profile shift factor, from the spans."]
+    pressure_angle: Annotated[Angle | None, "Normal pressure angle, which takes a span [rad]."]
+    profile_shift: Annotated[Ratio, "Profile shift factor, from the spans; without any, from the tip diameter."]
     addendum_factor: Annotated[Ratio | None, "Addendum factor that the tip diameter implies."]
     base_pitch_error: Annotated[Coordinate | None, "Normal base pitch, measured less nominal [m]."]
     disagreement: Annotated[
@@ -68,7 +70,7 @@ class Identified:
 def identify(
     *,
     teeth: Annotated[Count, "Number of teeth, counted, e.g. 24."],
-    spans: Annotated[tuple[SpanRead, ...], "Spans over different numbers of teeth; two give the base pitch."],
+    spans: Annotated[tuple[SpanRead, ...], "Spans over different numbers of teeth; two give the base pitch."] = (),
     tip_diameter: Annotated[Size | None, "Tip diameter, e.g. 80 mm [m]."] = None,
     helix_angle: Annotated[Angle, "Helix angle, measured at the pitch cylinder [rad]."] = 0.0,
     reading: Annotated[Size, "Accuracy of a reading [m]."] = 2e-5,
@@ -79,6 +81,7 @@ def identify(
     Equation
     --------
     p_bn = (W_k − W_j)/(k − j) = π m_n cos α_n; then x from W_k, and h_a* = (d_a − d)/(2 m_n) − x.
+    From the tip diameter alone: x = (d_a − d)/(2 m_n) − 1.
 
     Returns
     -------
@@ -109,7 +112,15 @@ def identify(
     require(teeth >= 3, "a gear needs at least 3 teeth, not {teeth}", teeth=teeth, code="teeth")
     require(count > 0, "the number of candidates to show is zero", code="count")
     require(reading > 0.0, "the accuracy of a reading must be above zero", code="reading", hint='--reading "0.02 mm"')
-    require(bool(spans), "no span is given", code="spans", hint='--span-read "over=4, length=32.83 mm"')
+    if not spans:
+        require(
+            tip_diameter is not None,
+            "neither a span nor the tip diameter is given",
+            code="spans",
+            hint='--span-read "over=4, length=32.83 mm", or --tip-diameter "80.4 mm"',
+        )
+        assert tip_diameter is not None
+        return _from_tip(teeth, tip_diameter, helix_angle, reading, count)
     require(len({item.over for item in spans}) == len(spans), "two spans over the same number of teeth", code="spans")
     for item in spans:
         require(
@@ -143,6 +154,33 @@ def identify(
         checks=_checks(readings, candidates[0]),
         advice=_advice(names[:fitting], tip_diameter),
     )
+
+
+def _from_tip(teeth: int, tip_diameter: float, helix_angle: float, reading: float, count: int) -> Identified:
+    """The gears of full depth that have this tip diameter, those of the least shift first."""
+    candidates = []
+    for size, top, bottom in _sizes():
+        module = like(float(top), tip_diameter) / float(bottom)
+        shift = 0.5 * (tip_diameter / module - teeth / cos(helix_angle)) - 1.0
+        disagreement = absolute(shift) / (0.5 * reading / module + UNSHIFTED)
+        if absolute(plain(shift)) <= COMMON_SHIFT:
+            candidates.append(Candidate(size, module, None, shift, like(1.0, shift), None, disagreement))
+    require(
+        bool(candidates),
+        "no standard gear of {teeth} teeth has a tip diameter of {tip_diameter:6}",
+        teeth=teeth,
+        tip_diameter=(plain(tip_diameter), Size),
+        code="no-candidate",
+        hint="count the teeth again; its teeth are perhaps helical: --helix-angle",
+    )
+    candidates.sort(key=lambda candidate: plain(candidate.disagreement))
+    fitting = sum(plain(candidate.disagreement) <= 1.0 for candidate in candidates)
+    text = "the pressure angle and a profile shift take a span beside the tip diameter"
+    if not fitting:
+        text = "no standard gear without profile shift has this tip diameter: the nearest are shown"
+    remedy = 'measure a span: --span-read "over=4, length=32.83 mm"'
+    advice = (Advice("tip-alone", text, "note" if fitting else "caution", remedy),)
+    return Identified(tuple(candidates[:count]), None, fitting, advice=advice)
 
 
 def _base_pitch(spans: tuple[SpanRead, ...], reading: float) -> tuple[float | None, float]:
@@ -272,6 +310,7 @@ def _checks(read: _Readings, best: Candidate) -> tuple[Check, ...]:
     """The spans of the best candidate against the readings."""
     from dynamics_cli.gear.measure.sizes import span_length
 
+    assert best.pressure_angle is not None
     gear = Toothing(
         read.teeth,
         False,

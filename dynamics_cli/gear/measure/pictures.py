@@ -95,11 +95,15 @@ def _pins(pins: "Any", teeth: int) -> "list[Any]":
 
 def candidates(result: "Any", *, teeth: int = 0, **_: "Any") -> Picture:
     """How well each candidate agrees with the readings."""
-    names = tuple(f"{row.size}, {degrees(float(row.pressure_angle)):.4g}°" for row in result.candidates)
+    by_tip = result.candidates[0].pressure_angle is None
+    names = tuple(
+        row.size if by_tip else f"{row.size}, {degrees(float(row.pressure_angle)):.4g}°" for row in result.candidates
+    )
     worst = [float(row.disagreement) for row in result.candidates]
     bars = Bars(names, [0.0] * len(worst), worst)
     title = f"Which gear of {teeth} teeth it may be" if teeth else "Candidate gears"
     axis = Axis("largest deviation from a reading; below 1 the gear fits")
-    return Picture(
-        (Panel(axis, Axis(""), (bars,)),), title, subtitle="Size of the teeth and pressure angle, best first"
+    subtitle = (
+        "Size of the teeth, by the tip diameter" if by_tip else "Size of the teeth and pressure angle, best first"
     )
+    return Picture((Panel(axis, Axis(""), (bars,)),), title, subtitle=subtitle)

@@ -172,12 +172,12 @@ def _cuts(margin: float) -> bool:
 
 def _advice(margin: float, ratio: float) -> tuple[Advice, ...]:
     advice = []
-    if plain(margin) < 0.0:
+    if _cuts(margin):
         message = worded(
             "the rack's tip reaches {margin} modules beyond the gear's involute", margin=(-plain(margin), Ratio)
         )
         remedy = "raise the profile shift, or the number of teeth"
-        advice.append(Advice("interference", message, "serious" if _cuts(margin) else "note", remedy))
+        advice.append(Advice("interference", message, "serious", remedy))
     if plain(ratio) < 1.0:
         text = worded("the transverse contact ratio is {ratio:6}, below 1", ratio=(plain(ratio), Ratio))
         advice.append(Advice("contact-ratio", text, "serious"))
