@@ -109,7 +109,8 @@ def convert(
             )
     if not all(target.strip() for target in targets):
         raise UsageError("targets: the unit to convert to is empty", parameter="targets", hint="for example ft/s")
-    parts = [_one(value, target, weight=weight, gravity=gravity) for target in targets or (_in_si(value.unit),)]
+    wanted = tuple(map(_several_units, targets)) or (_in_si(value.unit),)
+    parts = [_one(value, target, weight=weight, gravity=gravity) for target in wanted]
     several = len(parts) > 1
     name = "values" if several else "value"
     return Conversion(
@@ -126,6 +127,13 @@ def convert(
         ),
         advice=_readings(parts),
     )
+
+
+def _several_units(target: str) -> str:
+    """The units of `ft+in`, `ft, in`, `feet and inches`, `dms` or `hms` as `ft;in` is written."""
+    for mark in ("+", ",", "&", " and "):
+        target = target.replace(mark, ";")
+    return {"dms": "deg;arcmin;arcsec", "hms": "h;min;s"}.get(target, target)
 
 
 def _bound(name: str, parts: "list[_Part]") -> ErrorBound:

@@ -22,6 +22,7 @@ from dynamics_cli.inertia.assembly.assembly import Assembly, body, compose_scene
 from dynamics_cli.inertia.assembly.parts import Part, each_number
 from dynamics_cli.inertia.bodies.amount import OfDensity, OfMass
 from dynamics_cli.inertia.shapes import Block, HollowSphere
+from dynamics_cli.inertia.shapes.sizes import Radius, Thickness
 from dynamics_cli.inertia.shapes.task import shape
 from dynamics_cli.numerics.orientation.rotations import AxisAngle
 from dynamics_cli.numerics.tracked import Tracked
@@ -138,7 +139,7 @@ def walls() -> None:
         want = mpf(8) / 15 * mp.pi * rho * (outer**5 - inner**5)
         r = 1.0 - t
         naive = 8.0 / 15.0 * np.pi * 7850.0 * (1.0 - r**5)
-        ours = shape(HollowSphere(1.0, t), amount=OfDensity(7850.0)).moments.zz
+        ours = shape(HollowSphere(Radius(1.0), Thickness(t)), amount=OfDensity(7850.0)).moments.zz
         print(f"{t:10.0e}{float(abs(naive - want) / want):12.1e}{float(abs(ours - want) / want):12.1e}")
 
 

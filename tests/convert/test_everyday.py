@@ -115,3 +115,46 @@ def test_letters_exchanged_are_a_slip_and_not_a_prefix() -> None:
     assert run("convert", "5 mho", "-q").out == "5 S\n"
     assert run("convert", "180 rads", "rad", "-q").out == "180 rad\n"
     assert run("convert", "500 Nmm", "N*m", "-q").out == "0.5 N*m\n"
+
+
+WORKSHOP = [
+    ("29×10^6 psi to Mpsi", 29),
+    ("29 x 10^6 psi to Mpsi", 29),
+    ("10^-3 m to mm", 1),
+    ("3·10^8 m/s to km/s", 300000),
+    ("11 st 4 lb to lb", 158),
+    ("29 Msi to ksi", 29000),
+    ("2 tsf to psf", 4000),
+    ("3 klf to plf", 3000),
+    ("1 bar gauge to kPa", 201.325),
+    ("1 bar abs to kPa", 100),
+    ("1 MPag to kPa", 1101.325),
+    ("18 delta F to deltaC", 10),
+    ("4 USgal to qt", 16),
+    ("1728 CID to cuft", 1),
+    ("2 inWC to inH2O", 2),
+]
+
+
+@pytest.mark.parametrize(("typed", "expected"), WORKSHOP)
+def test_what_workshops_write(typed: str, expected: float) -> None:
+    unquoted = run("convert", *typed.split(), "-q")
+    quoted = run("convert", typed, "-q")
+    assert quoted.status == 0, quoted.err
+    assert float(quoted.out.split()[0]) == expected
+    assert unquoted.out == quoted.out
+
+
+def test_units_of_several_words_need_no_quotes() -> None:
+    for words, expected in (
+        ("30 miles per gallon mpg", "30 mpg"), ("1 long ton lb", "2240 lb"), ("9 square feet sqyd", "1 sqyd"),
+        ("1 furlong per fortnight furlong/fortnight", "1 furlong/fortnight"), ("100 bar gauge barg", "100 barg"),
+    ):  # fmt: skip
+        assert run("convert", *words.split(), "-q").out.strip() == expected
+
+
+def test_several_units_in_other_spellings_and_a_force_in_kg() -> None:
+    for target, expected in (("ft+in", "5 ft 9 in"), ("ft, in", "5 ft 9 in"), ("feet and inches", "5 feet 9 inches")):
+        assert run("convert", "5.75 ft", target, "-q").out.strip() == expected
+    assert run("convert", "30.5 deg", "dms", "-q").out.strip() == "30 deg 30 arcmin 0 arcsec"
+    assert "as a force write kgf*cm" in run("convert", "20 kg*cm", "N*m").err

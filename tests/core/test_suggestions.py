@@ -34,7 +34,7 @@ from tests.harness import run
         ("gear|ratio|--tolerance|3 mm", "did you mean --distance-tolerance?"),
         ("cam|size|--max-pressure-angle|30 deg", "did you mean --rise-limit or --return-limit?"),
         ("impact|central|--m1|3 kg", "did you mean --first-mass?"),
-        ("inertia|shape|hollow-cylinder|--inner-radius|3 mm", "did you mean --thickness or --ring-radius?"),
+        ("inertia|shape|hollow-cylinder|--bore|3 mm", "did you mean --inner-diameter or --thickness?"),
         ("impact|momentum|--first-exit-angle|3 deg", "did you mean --first-exit-heading?"),
         ("cam|profile|--base-circle|3 mm", "did you mean --base-radius?"),
         ("skid|speed|--speed-limit|50 km/h", "did you mean --limit?"),

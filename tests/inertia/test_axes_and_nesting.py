@@ -16,6 +16,7 @@ from dynamics_cli.inertia.assembly.parts import Part
 from dynamics_cli.inertia.bodies.amount import OfMass
 from dynamics_cli.inertia.bodies.properties import MassProperties
 from dynamics_cli.inertia.shapes import Block, Sphere
+from dynamics_cli.inertia.shapes.sizes import Radius
 from dynamics_cli.inertia.tensors.tensor import Whole, tensor
 from dynamics_cli.numerics.eigen3.jacobi import eigen
 from dynamics_cli.numerics.eigen3.residual import tilt_bounds
@@ -34,7 +35,7 @@ def tracked(tree: Any) -> Any:
 
 def nested(*inner: Part) -> MassProperties:
     whole = Part(parts=inner, turn=ByQuaternion(QUATERNION), position=(3.0, -2.0, 1.0))
-    beside = Part(shape=Sphere(radius=5e-4), amount=OfMass(1e-12), position=(3.0, -2.0, 1.0))
+    beside = Part(shape=Sphere(size=Radius(5e-4)), amount=OfMass(1e-12), position=(3.0, -2.0, 1.0))
     return body(Assembly(parts=tracked((whole, beside))))
 
 
@@ -148,14 +149,14 @@ class TestNesting:
     def test_an_assembly_of_holes_alone_and_one_that_weighs_nothing(self) -> None:
         body_ = Part(shape=Block(1.0, 1.0, 1.0), amount=OfMass(8.0))
         holes = tuple(
-            Part(shape=Sphere(radius=0.05), amount=OfMass(0.5), position=(x, 0.0, 0.0), subtract=True)
+            Part(shape=Sphere(size=Radius(0.05)), amount=OfMass(0.5), position=(x, 0.0, 0.0), subtract=True)
             for x in (-0.25, 0.25)
         )
         flat = body(Assembly(parts=(body_, *holes)))
         grouped = body(Assembly(parts=(body_, Part(parts=holes))))
         assert grouped.mass == flat.mass == 7.0
         assert grouped.tensor == pytest.approx(np.array(flat.tensor), rel=1e-15, abs=1e-16)
-        one, other = holes[0], Part(shape=Sphere(radius=0.05), amount=OfMass(0.5), position=(0.25, 0.0, 0.0))
+        one, other = holes[0], Part(shape=Sphere(size=Radius(0.05)), amount=OfMass(0.5), position=(0.25, 0.0, 0.0))
         cancelled = body(Assembly(parts=(body_, Part(parts=(one, other), position=(0.0, 0.125, 0.0)))))
         assert cancelled.mass == 8.0
         # two masses of 1/2 of opposite sign half apart: a first moment of 1/4, and no second one along x

@@ -12,13 +12,15 @@ from dynamics_cli.inertia.pictures import body_picture, drawn_picture, shape_pic
 from dynamics_cli.inertia.shapes import Block, Cylinder, Ellipsoid, Shape
 from dynamics_cli.inertia.shapes.polygon import Vertex
 from dynamics_cli.inertia.shapes.shells import Ends
+from dynamics_cli.inertia.shapes.sizes import Radii, Radius, RingRadius, Thickness
 from dynamics_cli.inertia.shapes.task import shape
 from dynamics_cli.inertia.shapes.wires import wires
 from dynamics_cli.numerics.orientation.rotations import AxisAngle
 from dynamics_cli.pictures import Curve, Mark
 
 SIZES: dict[str, Any] = {
-    "thickness": 0.05, "sides": 7, "ends": Ends("one"), "base": 0.9, "ring_radius": 3.0, "closed": True,
+    "thickness": 0.05, "sides": 7, "ends": Ends("one"), "base": 0.9, "closed": True,
+    "size": Radius(0.6), "taper": Radii(0.6, 0.6), "ring": RingRadius(3.0), "wall": Thickness(0.05),
     "vertices": (Vertex(0.0, 0.0), Vertex(1.0, 0.1), Vertex(0.4, 0.9)),
     "first": (0.0, 0.0, 0.0), "second": (1.0, 0.0, 0.1), "third": (0.0, 1.0, 0.2), "fourth": (0.3, 0.3, 1.0),
 }  # fmt: skip
@@ -62,7 +64,11 @@ def test_holes_are_dashed_and_parts_are_where_they_are() -> None:
         turn=AxisAngle((0.0, 0.0, 1.0), math.pi / 2),
     )
     bore = Part(
-        name="bore", shape=Cylinder(0.03, 0.02), amount=OfDensity(2700.0), position=(0.05, 0.1, 0.0), subtract=True
+        name="bore",
+        shape=Cylinder(Radius(0.03), 0.02),
+        amount=OfDensity(2700.0),
+        position=(0.05, 0.1, 0.0),
+        subtract=True,
     )
     scene = Assembly(parts=(plate, bore), name="a plate")
     picture = body_picture(body(scene), scene)

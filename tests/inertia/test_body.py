@@ -20,6 +20,7 @@ from dynamics_cli.inertia.bodies.amount import OfDensity, OfMass
 from dynamics_cli.inertia.bodies.properties import MassProperties
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.shapes import Block, Cylinder, Disk, HollowSphere, Rod, Sphere
+from dynamics_cli.inertia.shapes.sizes import Radius, Thickness
 from dynamics_cli.inertia.shapes.task import shape
 from dynamics_cli.numerics.number import over_plain
 from dynamics_cli.numerics.orientation.rotations import AxisAngle, ByMatrix, ByQuaternion, Euler, departure, matrix_of
@@ -35,7 +36,7 @@ def parts(seed: int, count: int) -> tuple[Part, ...]:
     def place() -> tuple[float, float, float]:
         return draw.uniform(-1, 1), draw.uniform(-1, 1), draw.uniform(-1, 1)
 
-    kinds = (Block(0.1, 0.2, 0.3), Cylinder(0.1, 0.5), Sphere(0.2), Rod(0.7), Disk(0.3), None)
+    kinds = (Block(0.1, 0.2, 0.3), Cylinder(Radius(0.1), 0.5), Sphere(Radius(0.2)), Rod(0.7), Disk(Radius(0.3)), None)
     return tuple(
         Part(
             shape=draw.choice(kinds),
@@ -85,7 +86,7 @@ def test_an_offset_costs_no_digit_of_the_moments(seed: int, far: float) -> None:
 
 def test_a_hole_filled_again_is_the_body() -> None:
     plate = Part(shape=Block(0.4, 0.3, 0.02), amount=STEEL)
-    bore = {"shape": Cylinder(0.03, 0.02), "amount": STEEL, "position": (0.1, 0.05, 0.0)}
+    bore = {"shape": Cylinder(Radius(0.03), 0.02), "amount": STEEL, "position": (0.1, 0.05, 0.0)}
     holed = solved(plate, Part(**bore, subtract=True))
     assert holed.cancellation is not None
     assert holed.cancellation.mass > 1.0
@@ -94,19 +95,22 @@ def test_a_hole_filled_again_is_the_body() -> None:
 
 
 def test_a_ball_less_a_ball_is_a_hollow_ball_and_says_what_cancels() -> None:
-    outer, inner = Part(shape=Sphere(1.0), amount=STEEL), Part(shape=Sphere(0.9), amount=STEEL, subtract=True)
+    outer, inner = (
+        Part(shape=Sphere(Radius(1.0)), amount=STEEL),
+        Part(shape=Sphere(Radius(0.9)), amount=STEEL, subtract=True),
+    )
     one = solved(outer, inner)
-    other = shape(HollowSphere(1.0, 1.0 - 0.9), amount=STEEL)
+    other = shape(HollowSphere(Radius(1.0), Thickness(1.0 - 0.9)), amount=STEEL)
     assert one.moments.zz == pytest.approx(other.moments.zz, rel=1e-14)
-    thin = Part(shape=Sphere(1.0 - 1e-9), amount=STEEL, subtract=True)
+    thin = Part(shape=Sphere(Radius(1.0 - 1e-9)), amount=STEEL, subtract=True)
     codes = [advice.code for advice in body(Assembly(parts=(outer, thin))).advice]
     assert codes == ["cancellation"]
 
 
 def test_subtracting_within_a_subtracted_assembly_adds() -> None:
     block = Part(shape=Block(1.0, 1.0, 1.0), amount=STEEL)
-    island = Part(shape=Sphere(0.1), amount=STEEL, subtract=True)
-    hole = Part(shape=Sphere(0.3), amount=STEEL, subtract=True, parts=(island,))
+    island = Part(shape=Sphere(Radius(0.1)), amount=STEEL, subtract=True)
+    hole = Part(shape=Sphere(Radius(0.3)), amount=STEEL, subtract=True, parts=(island,))
     want = 7850.0 * (1.0 - 4.0 / 3.0 * math.pi * (0.3**3 - 0.1**3))
     assert solved(block, hole).mass == pytest.approx(want, rel=1e-14)
 
@@ -270,7 +274,7 @@ def _nudged(tensor: Any, i: int, j: int, h: float) -> Any:
 
 
 def test_a_shape_of_uncertain_mass_carries_its_own_inertia() -> None:
-    found = solved(Part(shape=Sphere(0.5), amount=OfMass(2.0), mass_std=0.02)).standard_uncertainty
+    found = solved(Part(shape=Sphere(Radius(0.5)), amount=OfMass(2.0), mass_std=0.02)).standard_uncertainty
     assert found is not None
     assert found.moments[0] == pytest.approx(0.4 * 0.25 * 0.02, rel=1e-14)
 
@@ -294,7 +298,7 @@ def test_comparing_a_body_with_itself_turned() -> None:
     alike = over_plain(compare(Pair(first=Assembly(parts=(block,)), second=Assembly(parts=(block,)))))
     assert alike.tensor_distance == 0.0
     assert alike.axes_angle == pytest.approx(0.0, abs=1e-15)
-    ball = Assembly(parts=(Part(shape=Sphere(0.3), amount=OfMass(2.0)),))
+    ball = Assembly(parts=(Part(shape=Sphere(Radius(0.3)), amount=OfMass(2.0)),))
     undetermined = compare(Pair(first=ball, second=ball))
     assert undetermined.axes_angle is None
     assert undetermined.advice[0].result == "axes_angle"

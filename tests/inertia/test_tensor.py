@@ -18,6 +18,7 @@ from dynamics_cli.inertia.bodies.amount import OfMass
 from dynamics_cli.inertia.bodies.mass_moments import second_of, tensor_of
 from dynamics_cli.inertia.bodies.properties import Axes, ProductSign
 from dynamics_cli.inertia.shapes import QuarterDisk, Wedge
+from dynamics_cli.inertia.shapes.sizes import Radius
 from dynamics_cli.inertia.shapes.task import shape
 from dynamics_cli.inertia.tensors.tensor import Parts, Whole, tensor
 from dynamics_cli.inertia.tensors.torque import torque
@@ -211,7 +212,7 @@ def test_the_command_writes_them(tmp_path: Path, ending: str) -> None:
 
 
 def test_a_lamina_keeps_its_plane_in_every_file() -> None:
-    robot = ET.fromstring(urdf(shape(QuarterDisk(0.3), amount=OfMass(1.0))))
+    robot = ET.fromstring(urdf(shape(QuarterDisk(Radius(0.3)), amount=OfMass(1.0))))
     inertia = {k: float(v) for k, v in robot.find("link/inertial/inertia").attrib.items()}  # type: ignore[union-attr]
     assert inertia["izz"] == inertia["ixx"] + inertia["iyy"]
 

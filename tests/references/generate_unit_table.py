@@ -64,19 +64,19 @@ sqin | inch ** 2 | sqin sq_in | | square inch
 sqyd | yard ** 2 | sqyd sq_yd | | square yard
 sqmi | mile ** 2 | sqmi sq_mi | | square mile
 cuft | foot ** 3 | cuft cu_ft | | cubic foot
-cuin | inch ** 3 | cuin cu_in | | cubic inch
+cuin | inch ** 3 | cuin cu_in cid CID | | cubic inch
 cuyd | yard ** 3 | cuyd cu_yd | | cubic yard
 L | liter | L:s l:s ℓ:s liter:w liters:w litre:w litres:w | | litre
 cc | centimeter ** 3 | cc | | cubic centimetre
 gal | gallon | gal gals gallon gallons | | US gallon; the imperial one is imp_gal
-US_gal | gallon | US_gal US_gallon US_gallons | | US gallon, 231 in³
+US_gal | gallon | US_gal USgal US_gallon US_gallons gal_US | | US gallon, 231 in³
 qt | quart | qt qts quart quarts | | US quart; the imperial one is imperial_quart, the dry one dry_quart
 pt | pint | pt pts pint pints | | US pint; the imperial one is imperial_pint, the dry one dry_pint
 cup | cup | cup cups | | US cup; the imperial one is imperial_cup, a metric cup 250 mL
 floz | fluid_ounce | floz fl_oz fluid_ounce fluid_ounces | | US fluid ounce; the imperial one is imperial_fluid_ounce
 tbsp | tablespoon | tbsp tablespoon tablespoons | | US tablespoon; a metric one is 15 mL
 tsp | teaspoon | tsp teaspoon teaspoons | | US teaspoon; a metric one is 5 mL
-imp_gal | imperial_gallon | imp_gal imperial_gallon imperial_gallons UK_gal UK_gallon UK_gallons | | imperial gallon
+imp_gal | imperial_gallon | imp_gal imperial_gallon imperial_gallons gal_imp gal_UK UK_gal UK_gallon UK_gallons | | imperial gallon
 imp_pt | imperial_pint | imp_pt imperial_pint imperial_pints UK_pint UK_pints | | imperial pint
 imp_floz | imperial_fluid_ounce | imp_floz imp_fl_oz imperial_fluid_ounce imperial_fluid_ounces UK_floz UK_fl_oz | | imperial fluid ounce
 mpg | mile / gallon | mpg MPG mpg_US US_mpg | | mile per US gallon; the imperial one is imp_mpg
@@ -107,7 +107,7 @@ lbm | pound | lbm lb+lbf lbs+lbf pound+lbf pounds+lbf pound_mass | | pound-mass
 ozm | ounce | ozm oz+ozf ounce+ozf ounces+ozf | | avoirdupois ounce, a mass
 slug | slug | slug slugs | | slug, 1 lbf·s²/ft
 slinch | slinch | slinch slinches blob blobs | | slinch, 1 lbf·s²/in
-stone | stone | stone stones | | stone, 14 lb
+stone | stone | stone stones st | | stone, 14 lb
 gr | grain | gr grain grains | | grain
 ct | carat | ct carat carats | | metric carat
 cwt | hundredweight | cwt hundredweight | | US hundredweight, 100 lb; the British one of 112 lb is long_hundredweight
@@ -140,33 +140,38 @@ lbin | inch * force_pound | lbin lbfin lb_in lbf_in pound_inch pound_inches | to
 W | watt | W:s watt:w watts:w | | watt
 hp | horsepower | hp HP bhp BHP horsepower horsepowers | | horsepower, 550 ft·lbf/s; others: PS, electrical_horsepower
 boiler_horsepower | boiler_horsepower | boiler_horsepower | | 33475 BTU/h, 9810.555 W; otherwise write 9809.5 W
-refrigeration_ton | 200 * Btu / minute | refrigeration_ton ton_of_refrigeration tons_of_refrigeration | | 12000 BTU/h; or write 12000 Btu_it/h
-PS | metric_horsepower | PS CV metric_hp metric_horsepower | | metric horsepower, 75 kgf·m/s
+refrigeration_ton | 200 * Btu / minute | refrigeration_ton TR ton_of_refrigeration tons_of_refrigeration | | 12000 BTU/h; or write 12000 Btu_it/h
+PS | metric_horsepower | PS CV metric_hp hp_metric metric_horsepower | | metric horsepower, 75 kgf·m/s
 Pa | pascal | Pa:s pascal:w pascals:w | | pascal
-bar | bar | bar:s bars | | bar
+bar | bar | bar:s bars bara bar_abs bar_absolute | | bar
 psi | psi | psi:s | | pound-force per square inch
-psia | psi | psia | | pound-force per square inch, absolute
-psig | psi above 101325 | psig | | psi above 1 atm (101325 Pa); a difference is in psi
-barg | bar above 101325 | barg | | bar above 1 atm (101325 Pa); a difference is in bar
+psia | psi | psia psi_abs psi_absolute | | pound-force per square inch, absolute
+psig | psi above 101325 | psig psi_gauge psi_gage | | psi above 1 atm (101325 Pa); a difference is in psi
+barg | bar above 101325 | barg bar_gauge bar_g | | bar above 1 atm (101325 Pa); a difference is in bar
 kPag | kilopascal above 101325 | kPag | | kPa above 1 atm (101325 Pa); a difference is in kPa
+MPag | megapascal above 101325 | MPag | | MPa above 1 atm (101325 Pa); a difference is in MPa
 ksi | ksi | ksi | | kip per square inch
 psf | force_pound / foot ** 2 | psf | | pound-force per square foot
 ksf | kip / foot ** 2 | ksf | | kip per square foot
+tsf | force_ton / foot ** 2 | tsf | | short ton-force per square foot
+Msi | 1000 * ksi | Msi | | million pounds-force per square inch
+plf | force_pound / foot | plf | | pound-force per foot
+klf | kip / foot | klf | | kip per foot
 atm | atm | atm atms atmosphere atmospheres | | standard atmosphere
 at | technical_atmosphere | at technical_atmosphere | | technical atmosphere, 1 kgf/cm²
 torr | torr | torr Torr | | torr, 1/760 atm
 mHg | mHg | mHg:s | | metre of mercury
 inHg | inHg | inHg | | inch of mercury, conventional (0 °C); at 60 °F it is inch_Hg_60F
 mH2O | mH2O | mH2O:s | | metre of water
-inH2O | inH2O | inH2O | | inch of water, conventional (4 °C); at 60 °F it is inch_H2O_60F
+inH2O | inH2O | inH2O inWC in_wc inWG in_wg | | inch of water, conventional (4 °C); at 60 °F it is inch_H2O_60F
 ftH2O | ftH2O | ftH2O | | foot of water
 Hz | hertz | Hz:s hertz:w | | hertz, 1/s
 K | kelvin | K:s kelvin:w kelvins:w | | kelvin
 degC | degC | degC °C ℃ celsius Celsius degreeC deg_C degrees_C degree_celsius degrees_celsius | | degree Celsius
 degF | degF | degF °F ℉ fahrenheit Fahrenheit degreeF deg_F degrees_F degree_fahrenheit degrees_fahrenheit | | degree Fahrenheit
 degR | degR | degR °R rankine Rankine degreeR R | | degree Rankine
-delta_degC | delta_degC | delta_degC Δ°C | | Celsius degree of difference
-delta_degF | delta_degF | delta_degF Δ°F | | Fahrenheit degree of difference
+delta_degC | delta_degC | delta_degC Δ°C deltaC delta_C | | Celsius degree of difference
+delta_degF | delta_degF | delta_degF Δ°F deltaF delta_F | | Fahrenheit degree of difference
 A | ampere | A:s ampere:w amperes:w amp:w amps:w | | ampere
 Ah | ampere_hour | Ah:s ampere_hour ampere_hours | | ampere-hour
 C | coulomb | C:s+degC coulomb:w coulombs:w | | coulomb
@@ -213,6 +218,7 @@ DIFFERENCES = {
     "acre": "as chain",
     "acres": "as chain",
     "pct": "percent; pint reads picocarat",
+    "TR": "ton of refrigeration, as makers of chillers write it; pint reads a million million molar gas constants",
     "kmph": "kilometre per hour; pint reads thousand miles per hour",
     "ftlb": "foot-pound; pint reads femto-troy-pound",
     "ftlbs": "as ftlb",

@@ -4,6 +4,15 @@ from typing import Any
 
 TURNS = {"rotation_axis": "AxisAngle", "euler_angles": "Euler", "quaternion": "ByQuaternion"}
 AMOUNTS = {"mass": "OfMass", "density": "OfDensity"}
+# Sizes that may be given in several ways: the field of the shape, and the record of the way used here.
+ALTERNATIVES = {
+    "radius": ("size", "Radius"),
+    "ring_radius": ("ring", "RingRadius"),
+    "base_radius": ("taper", "Radii"),
+    "top_radius": ("taper", "Radii"),
+    "thickness": ("wall", "Thickness"),
+}
+WALLED = ("annulus", "hollow-sphere", "hollow-hemisphere", "hollow-cylinder")
 OWN = ("parts", "position", "centroid", "tensor", "subtract", "rotation_angle", "euler_order", *TURNS, *AMOUNTS)
 
 
@@ -26,7 +35,16 @@ def class_of(shape: str) -> str:
 def shaped(inputs: dict[str, Any]) -> dict[str, Any]:
     """A shape and how much of it there is."""
     sizes = {name: written(value) for name, value in inputs.items() if name not in (*OWN, "shape")}
-    return {"shape": {"record": class_of(inputs["shape"]), **sizes}}
+    shape: dict[str, Any] = {"record": class_of(inputs["shape"])}
+    for name, value in sizes.items():
+        field, record = ALTERNATIVES.get(name, ("", ""))
+        if field == "wall" and inputs["shape"] not in WALLED:
+            field = ""
+        if field:
+            shape.setdefault(field, {"record": record})[name] = value
+        else:
+            shape[name] = value
+    return {"shape": shape}
 
 
 def amount(inputs: dict[str, Any]) -> dict[str, Any]:

@@ -191,7 +191,28 @@ def _with_unit(rest: "list[str]") -> str:
     word = rest.pop(0)
     if rest and _is_bare(word) and _is_bare(rest[0]) and "/" in rest[0]:
         word += " " + rest.pop(0)
-    return f"{word} {rest.pop(0)}" if rest and _is_bare(word) and not _has_number(rest[0]) else word
+    if not rest or not _is_bare(word) or _has_number(rest[0]):
+        return word
+    count = _unit_words(rest)
+    unit = " ".join(rest[:count])
+    del rest[:count]
+    return f"{word} {unit}"
+
+
+def _unit_words(rest: "list[str]") -> int:
+    """How many words spell the unit that comes first: long ton, bar gauge, miles per gallon; else one."""
+    from dynamics_cli.core.units.table import NAMES
+
+    count = 2 if rest[0] in ("square", "sq", "cubic", "cu") and len(rest) > 1 else 1
+    for number in (3, 2):
+        words = rest[:number]
+        unknown = len(words) == number and any(f" {word}|" not in NAMES for word in words)
+        if unknown and f" {'_'.join(words)}|" in NAMES:
+            count = number
+            break
+    while rest[count : count + 1] == ["per"] and len(rest) > count + 1:
+        count += 2
+    return count
 
 
 def _takes_unit(node: object) -> bool:
@@ -206,4 +227,4 @@ def _has_number(word: str) -> bool:
 
 def _is_bare(word: str) -> bool:
     """Whether a word is a number and nothing more."""
-    return bool(word) and not word.strip("+-−./ 0123456789eE")
+    return bool(word) and not word.strip("+-−./ 0123456789eE,^×*")

@@ -120,7 +120,10 @@ def _parameters(
             choices_of[text] = ", ".join(option.leaf.choice.names)
         value = "" if option.flag else placeholder(option)
         rows[option.required].setdefault((text, value), []).append(f"--{name}")
-    choices = [f"either {', or '.join(item)}" for item in _choices(task.specification.fields, ())]
+    choices = [
+        f"either {', or '.join(item)}"
+        for item in _choices((*(chosen.fields if chosen else ()), *task.specification.fields), ())
+    ]
     plain = [] if chosen else list(_words(task, scene=False))
     required = [line for head, text in plain if not head.startswith("[") for line in _row(head, text, width)]
     for node in [] if chosen else _tagged(task):

@@ -166,7 +166,7 @@ class _Scene:
         active = active and (not self.values or not key or f"{path}{key}" in self.values)
         text = _without_example(field.text)
         if isinstance(node, OneOf):
-            self.comment(f"{text}:")
+            self.comment(f"{text or 'One of these'}:")
         many = isinstance(node, Tagged) and len(named) > MOST_ALTERNATIVES
         for name in [chosen] if many else [chosen, *(name for name in named if name != chosen)]:
             live = active and name == chosen

@@ -27,6 +27,8 @@ EXACT_INTEGERS = 2**53
 # A number right after one of these belongs to the unit; elsewhere, after a space, it begins a new part.
 JOINING = "/^*·⋅∙×(-−+"
 ARC_SIGNS = "°′″"
+# What may follow the number in 29×10^6 psi and 10^6 N; empty text ends the quantity.
+POWER_SIGNS = tuple("^x×*·")
 NO_UNIT = "it has no unit"
 # Signs of a text in one of the forms of `typed_forms`.
 FORM_MARKS = "'\"’‘”“:,+"
@@ -135,6 +137,10 @@ def _amount(body: str, text: str) -> Amount:
 
             numerator, denominator, end = with_fraction(body, position, end, numerator)
             plain = denominator == 1
+        elif body[end:].lstrip()[:1] in POWER_SIGNS:
+            from dynamics_cli.core.inputs.typed_forms import with_power
+
+            numerator, denominator, end = with_power(body, token, end, numerator, denominator)
         position = _unit_end(body, end)
         parts.append((-abs(numerator) if negative else numerator, denominator, " ".join(body[end:position].split())))
     if not parts:

@@ -52,6 +52,25 @@ def with_fraction(text: str, at: int, end: int, integer: int) -> tuple[int, int,
     return integer * down + sign * up, down, stop
 
 
+def with_power(text: str, token: str, end: int, numerator: int, denominator: int) -> tuple[int, int, int]:
+    """A number times a power of ten (29×10^6, 2.1 x 10^-3) or 10^6, exactly, and where it ends."""
+    rest = text[end:].lstrip()
+    if rest[0] == "^":
+        mantissa, power = (1, 1), rest if token == "10" else ""
+    else:
+        ten = rest[1:].lstrip()
+        mantissa, power = (numerator, denominator), ten[2:] if ten.startswith("10") else ""
+    power = power.replace("**", "^", 1)
+    digits = power[1:].lstrip("+-−") if power[:1] == "^" else ""
+    stop = _digits_end(digits, 0)
+    sign = power[1:].removesuffix(digits)
+    if not 0 < stop <= GROUP or len(sign) > 1:
+        return numerator, denominator, end
+    scale: int = 10 ** int(digits[:stop])
+    over, under = (1, scale) if sign in ("-", "−") else (scale, 1)
+    return mantissa[0] * over, mantissa[1] * under, len(text) - len(digits) + stop
+
+
 def _fraction_end(text: str, at: int) -> int:
     """Where a fraction of whole numbers that begins here ends: `1/2` before a space, a letter or the end; else `at`."""
     middle = _digits_end(text, at)

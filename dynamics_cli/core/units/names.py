@@ -3,7 +3,7 @@
 Nothing here is needed to answer a correct call.
 """
 
-from dynamics_cli.core.units.lookup import candidates, table_unit
+from dynamics_cli.core.units.lookup import FORCE, candidates, table_unit
 from dynamics_cli.core.units.table import NAMES, SYMBOL_PREFIXES, UNITS, WORD_PREFIXES
 from dynamics_cli.core.units.unit import NONE, Unit, conformable
 from dynamics_cli.errors import UsageError
@@ -168,6 +168,14 @@ def _special_hint(a: Unit, b: Unit) -> str:
     if a.text.strip() in ("C", "F") and b.dimension == (0, 0, 0, 1, 0, 0, 0, 0):
         return f"{a.text.strip()} alone is electrical; a temperature is written deg{a.text.strip()}"
     gap = tuple(x - y for x, y in zip(a.dimension, b.dimension, strict=True))
+    for mass, other, sign in ((a, b, -1), (b, a, 1)):
+        if (
+            "kg" in mass.text
+            and other.dimension[1] == 1
+            and gap == (sign, 0, -2 * sign, 0, 0, 0, 0, 0)
+            and other.dimension != FORCE
+        ):
+            return f"kg is a mass here: as a force write {mass.text.strip().replace('kg', 'kgf', 1)}"
     angle = (0, 0, 0, 0, 0, 0, 0, 1)
     if gap in (angle, tuple(-x for x in angle)):
         special = b if b.dimension[7] else a

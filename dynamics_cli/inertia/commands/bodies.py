@@ -40,7 +40,8 @@ SHAPE = Task(
     names={"material": "dynamics_cli.inertia.bodies.materials:TABLE"},
     pointers=NAMED,
     examples=(
-        'dynamics inertia shape cylinder --radius "40 mm" --length "120 mm" --material steel',
+        'dynamics inertia shape cylinder --diameter "80 mm" --length "120 mm" --material steel',
+        'dynamics inertia shape regular-prism --sides 6 --across-flats "17 mm" --height "0.5 m" --material steel',
         'dynamics inertia shape hollow-sphere --radius "0.5 m" --thickness "1 mm" --material aluminium --about origin',
         'dynamics inertia shape rod --length "3 ft" --mass "4 lb" --about-point "-1.5, 0, 0 ft" --units us',
         'dynamics inertia shape quarter-disk --radius "4 in" --areal-density "2 lb/ft^2" --axes principal',

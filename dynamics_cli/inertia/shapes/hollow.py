@@ -4,7 +4,19 @@ The measure is the volume.
 """
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.shapes.sizes import cubes, inner_radius, inner_side, require_ring
+from dynamics_cli.inertia.shapes.sizes import (
+    ConicalBody,
+    Ring,
+    RingBody,
+    Round,
+    RoundBody,
+    Taper,
+    Wall,
+    cubes,
+    inner_radius,
+    inner_side,
+    require_ring,
+)
 from dynamics_cli.inertia.shapes.unit import CENTRE, FOUR_THIRDS, PI, TWO_THIRDS, Unit
 from dynamics_cli.quantities import Annotated, Size
 from dynamics_cli.records import record, tagged
@@ -12,29 +24,30 @@ from dynamics_cli.records import record, tagged
 
 @tagged("shape")
 @record
-class HollowSphere:
+class HollowSphere(RoundBody):
     """A ball with a concentric cavity, about the origin."""
 
-    radius: Annotated[Size, "Outer radius [m]."]
-    thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
+    size: Round
+    wall: Wall
 
     dimension = 3
     formula = "r = R − t: Ixx = Iyy = Izz = (2/5)·m·(R⁵ − r⁵)/(R³ − r³), factored"
 
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
-        size, fourth = cubes(self.radius, inner_radius(self.radius, self.thickness))
+        inner, thickness = self.wall.inside(self.radius)
+        size, fourth = cubes(self.radius, inner)
         ixx = fourth / size / 5.0
-        return Unit(FOUR_THIRDS * PI * self.thickness * size, CENTRE, ixx, ixx, ixx)
+        return Unit(FOUR_THIRDS * PI * thickness * size, CENTRE, ixx, ixx, ixx)
 
 
 @tagged("shape")
 @record
-class HollowHemisphere:
+class HollowHemisphere(RoundBody):
     """Half a ball with a concentric cavity, its rim on the x-y plane about the origin, open below."""
 
-    radius: Annotated[Size, "Outer radius [m]."]
-    thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
+    size: Round
+    wall: Wall
 
     dimension = 3
     formula = "r = R − t: z̄ = (3/8)·(R⁴ − r⁴)/(R³ − r³), Izz = (2/5)·m·(R⁵ − r⁵)/(R³ − r³), factored"
@@ -42,7 +55,7 @@ class HollowHemisphere:
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         a = self.radius
-        b = inner_radius(a, self.thickness)
+        b, thickness = self.wall.inside(a)
         size, fourth = cubes(a, b)
         ixx = fourth / size / 5.0
         # ∫z² less the square of the mean, as a polynomial in the inner over the outer radius without a negative term
@@ -50,7 +63,7 @@ class HollowHemisphere:
         ends = 19.0 + s * (38.0 + s * (57.0 + s * (12.0 + s * (57.0 + s * (38.0 + s * 19.0)))))
         ratio_sum = 1.0 + s * (1.0 + s)
         return Unit(
-            TWO_THIRDS * PI * self.thickness * size,
+            TWO_THIRDS * PI * thickness * size,
             (0.0, 0.0, 0.375 * (a + b) * (a * a + b * b) / size),
             ixx,
             ixx,
@@ -60,11 +73,11 @@ class HollowHemisphere:
 
 @tagged("shape")
 @record
-class HollowCylinder:
+class HollowCylinder(RoundBody):
     """A tube along z, its middle at the origin."""
 
-    radius: Annotated[Size, "Outer radius [m]."]
-    thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
+    size: Round
+    wall: Wall
     length: Annotated[Size, "Length along z [m]."]
 
     also = ("tube", "pipe", "washer", "bush")
@@ -73,10 +86,10 @@ class HollowCylinder:
 
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
-        inner = inner_radius(self.radius, self.thickness)
+        inner, thickness = self.wall.inside(self.radius)
         ixx = 0.25 * (self.radius * self.radius + inner * inner)
         return Unit(
-            PI * self.thickness * (self.radius + inner) * self.length,
+            PI * thickness * (self.radius + inner) * self.length,
             CENTRE,
             ixx,
             ixx,
@@ -86,10 +99,10 @@ class HollowCylinder:
 
 @tagged("shape")
 @record
-class ClosedCylinder:
+class ClosedCylinder(RoundBody):
     """A can along z, its walls and both its ends of one thickness, its middle at the origin."""
 
-    radius: Annotated[Size, "Outer radius [m]."]
+    size: Round
     thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
     length: Annotated[Size, "Outer length along z [m]."]
 
@@ -110,11 +123,10 @@ class ClosedCylinder:
 
 @tagged("shape")
 @record
-class HollowFrustum:
+class HollowFrustum(ConicalBody):
     """A conical tube, its base on the x-y plane about the origin, its wall of one thickness across the axis."""
 
-    base_radius: Annotated[Size, "Outer radius at z = 0 [m]."]
-    top_radius: Annotated[Size, "Outer radius at z = height [m]."]
+    taper: Taper
     thickness: Annotated[Size, "Wall thickness, measured across the axis, e.g. 3 mm."]
     height: Annotated[Size, "Height along z [m]."]
 
@@ -201,11 +213,11 @@ class RectangularTube:
 
 @tagged("shape")
 @record
-class HollowTorus:
+class HollowTorus(RingBody):
     """A ring of tubular section about z, its middle at the origin."""
 
-    ring_radius: Annotated[Size, "Radius of the circle through the middles of the sections [m]."]
-    radius: Annotated[Size, "Outer radius of the section [m]."]
+    ring: Ring
+    size: Round
     thickness: Annotated[Size, "Wall thickness, e.g. 3 mm."]
 
     dimension = 3

@@ -3,8 +3,13 @@
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes import HOLLOW, PLATES, RODS, SHELLS, SOLIDS
 from dynamics_cli.quantities import Annotated, Text
-from dynamics_cli.records import docstring, record
+from dynamics_cli.records import Advice, docstring, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+DIAMETERS = "a diameter may stand for any radius, inner_radius or inner_diameter for the thickness of a round wall"
 GROUPS = (("rod", RODS), ("lamina", PLATES), ("shell", SHELLS), ("solid", SOLIDS), ("hollow", HOLLOW))
 
 
@@ -24,6 +29,7 @@ class ShapeTable:
     """The shapes."""
 
     shapes: Annotated[tuple[ShapeRow, ...], "One row each."]
+    advice: tuple[Advice, ...] = ()
 
 
 def shapes(
@@ -60,12 +66,19 @@ def shapes(
         hint="rod, lamina, shell, solid or hollow",
         read=repr(kind),
     )
-    return ShapeTable(matching)
+    round_ones = any("radius" in row.sizes for row in matching)
+    return ShapeTable(matching, (Advice("diameters", DIAMETERS, "note"),) if round_ones else ())
+
+
+def _written(name: str, annotation: "Any") -> str:
+    """How a size may be given: the names of its first alternative, or its own."""
+    alternatives = getattr(getattr(annotation, "inner", annotation), "__args__", ())
+    return ", ".join(getattr(alternatives[0], "fields", (name,))) if alternatives else name
 
 
 def _row(kind: str, cls: type) -> ShapeRow:
     names = [
-        f"[{name}]" if name in cls.defaults else name  # type: ignore[attr-defined]
+        f"[{name}]" if name in cls.defaults else _written(name, cls.__annotations__[name])  # type: ignore[attr-defined]
         for name in cls.fields  # type: ignore[attr-defined]
     ]
     further = getattr(cls, "also", ())

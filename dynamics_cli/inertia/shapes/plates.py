@@ -2,7 +2,7 @@
 
 from dynamics_cli.inertia.shapes.polygon import Vertex, polygon_unit
 from dynamics_cli.inertia.shapes.rods import half_angle
-from dynamics_cli.inertia.shapes.sizes import inner_radius
+from dynamics_cli.inertia.shapes.sizes import Round, RoundBody, Wall
 from dynamics_cli.inertia.shapes.unit import CENTRE, FOUR_THIRDS_OVER_PI, HALF_DISK, PI, QUARTER_DISK, Unit
 from dynamics_cli.numerics.arcs import one_less_sinc
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Size
@@ -73,10 +73,10 @@ class Polygon:
 
 @tagged("shape")
 @record
-class Disk:
+class Disk(RoundBody):
     """A circular lamina about the origin."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
 
     also = ("disc", "circle")
     dimension = 2
@@ -90,10 +90,10 @@ class Disk:
 
 @tagged("shape")
 @record
-class HalfDisk:
+class HalfDisk(RoundBody):
     """Half a circular lamina, its straight edge on y through the origin, on the side of positive x."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
 
     dimension = 2
     formula = "x̄ = 4R/(3π), Ixx = m·R²/4, Iyy = m·R²·(1/4 − 16/(9π²))"
@@ -107,10 +107,10 @@ class HalfDisk:
 
 @tagged("shape")
 @record
-class QuarterDisk:
+class QuarterDisk(RoundBody):
     """A quarter of a circular lamina between x and y, its corner at the origin."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
 
     dimension = 2
     formula = "x̄ = ȳ = 4R/(3π), Ixx = Iyy = m·R²·(1/4 − 16/(9π²)), ∫xy dm = m·R²·(1/(2π) − 16/(9π²))"
@@ -125,10 +125,10 @@ class QuarterDisk:
 
 @tagged("shape")
 @record
-class Sector:
+class Sector(RoundBody):
     """A sector of a circular lamina, its tip at the origin, symmetric about x."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
     angle: Annotated[Angle, "Whole angle at the tip, up to a full turn [rad]."]
 
     dimension = 2
@@ -168,17 +168,17 @@ class Ellipse:
 
 @tagged("shape")
 @record
-class Annulus:
+class Annulus(RoundBody):
     """A circular lamina with a concentric hole, about the origin."""
 
-    radius: Annotated[Size, "Outer radius [m]."]
-    thickness: Annotated[Size, "Width of the ring, outer less inner radius, e.g. 3 mm."]
+    size: Round
+    wall: Wall
 
     dimension = 2
     formula = "r = R − t: Izz = m·(R² + r²)/2, Ixx = Iyy = Izz/2, A = π·t·(R + r)"
 
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
-        inner = inner_radius(self.radius, self.thickness)
+        inner, thickness = self.wall.inside(self.radius)
         ixx = 0.25 * (self.radius * self.radius + inner * inner)
-        return Unit(PI * self.thickness * (self.radius + inner), CENTRE, ixx, ixx, 0.0)
+        return Unit(PI * thickness * (self.radius + inner), CENTRE, ixx, ixx, 0.0)

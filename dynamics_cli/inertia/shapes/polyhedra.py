@@ -2,6 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.inertia.shapes.polygon import Vertex, polygon_unit
+from dynamics_cli.inertia.shapes.sizes import Diameter, Radius
 from dynamics_cli.inertia.shapes.unit import CENTRE, PI, Unit
 from dynamics_cli.numerics.elementary import cos, sin
 from dynamics_cli.numerics.vectors import add, subtract
@@ -64,23 +65,46 @@ class Prism:
         return polygon_unit(self.vertices, self.height, solid=True)
 
 
+@record
+class AcrossFlats:
+    """A regular polygon of an even number of sides by the distance of opposite ones."""
+
+    across_flats: Annotated[Size, "Distance of opposite sides, in place of the radius, e.g. 17 mm."]
+
+
 @tagged("shape")
 @record
 class RegularPrism:
     """A straight prism along z on a regular polygon with a corner on x, its middle at the origin."""
 
     sides: Annotated[Count, "Number of sides, at least 3, e.g. 6."]
-    radius: Annotated[Size, "Radius of the circle through the corners [m]."]
+    size: Annotated[Radius | Diameter | AcrossFlats, "The circle through the corners, or the width across flats."]
     height: Annotated[Size, "Height along z [m]."]
 
     dimension = 3
     formula = "Izz = m·R²·(2 + cos(2π/n))/6, Ixx = Iyy = Izz/2 + m·h²/12"
 
+    @property
+    def radius(self) -> float:
+        """The radius of the circle through the corners."""
+        if not isinstance(self.size, AcrossFlats):
+            return self.size.radius
+        require(
+            self.sides % 2 == 0,
+            "a polygon of {sides} sides has no opposite flats",
+            code="polygon",
+            hint="give its radius or diameter, through the corners",
+            sides=self.sides,
+        )
+        across = self.size.across_flats
+        return 0.5 * across / cos(PI.beside(across) / self.sides)
+
     def unit(self) -> Unit:
         """Measure, mass centre and second moments for a mass of 1 kg."""
         require(self.sides >= 3, "a polygon needs at least 3 sides; read {sides}", code="polygon", sides=self.sides)
-        step = 2.0 * PI.beside(self.radius) / self.sides
-        square = self.radius * self.radius
+        radius = self.radius
+        step = 2.0 * PI.beside(radius) / self.sides
+        square = radius * radius
         ixx = square * (2.0 + cos(step)) / 12.0
         return Unit(
             0.5 * self.sides * square * sin(step) * self.height, CENTRE, ixx, ixx, self.height * self.height / 12.0

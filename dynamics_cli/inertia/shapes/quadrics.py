@@ -1,5 +1,6 @@
 """Solids bounded by ellipsoids, elliptic cylinders and paraboloids. The measure is the volume."""
 
+from dynamics_cli.inertia.shapes.sizes import Round, RoundBody
 from dynamics_cli.inertia.shapes.unit import CENTRE, FOUR_THIRDS, PI, TWO_THIRDS, Unit
 from dynamics_cli.quantities import Annotated, Size
 from dynamics_cli.records import record, tagged
@@ -25,10 +26,10 @@ class EllipticCylinder:
 
 @tagged("shape")
 @record
-class Paraboloid:
+class Paraboloid(RoundBody):
     """A solid paraboloid of revolution, its tip at the origin, its flat face at z = height."""
 
-    radius: Annotated[Size, "Radius of the flat face [m]."]
+    size: Round
     height: Annotated[Size, "Height along z [m]."]
 
     dimension = 3

@@ -1,6 +1,7 @@
 """Thin rods: the straight rod and the arcs of a circle. The measure is the length."""
 
 from dynamics_cli.errors import require
+from dynamics_cli.inertia.shapes.sizes import Round, RoundBody
 from dynamics_cli.inertia.shapes.unit import CENTRE, HALF_RING, PI, QUARTER_RING, TWO_OVER_PI, Unit
 from dynamics_cli.numerics.arcs import cosine_variance, one_less_sinc
 from dynamics_cli.quantities import Angle, Annotated, Size
@@ -24,10 +25,10 @@ class Rod:
 
 @tagged("shape")
 @record
-class RingRod:
+class RingRod(RoundBody):
     """A thin rod bent to a full circle in the x-y plane about the origin."""
 
-    radius: Annotated[Size, "Radius, of the outside where there is a wall [m]."]
+    size: Round
 
     dimension = 1
     formula = "Izz = m·R², Ixx = Iyy = m·R²/2"
@@ -40,10 +41,10 @@ class RingRod:
 
 @tagged("shape")
 @record
-class ArcRod:
+class ArcRod(RoundBody):
     """A thin rod bent to an arc in the x-y plane, its circle's centre at the origin, symmetric about x."""
 
-    radius: Annotated[Size, "Radius of the circle [m]."]
+    size: Round
     angle: Annotated[Angle, "Whole angle of an arc or a sector, up to a full turn [rad]."]
 
     dimension = 1
@@ -64,10 +65,10 @@ class ArcRod:
 
 @tagged("shape")
 @record
-class SemicircleRod:
+class SemicircleRod(RoundBody):
     """A thin rod bent to a half circle in the x-y plane, centred at the origin, on the side of positive x."""
 
-    radius: Annotated[Size, "Radius of the circle [m]."]
+    size: Round
 
     dimension = 1
     formula = "x̄ = 2R/π, Ixx = m·R²/2, Iyy = m·R²·(1/2 − 4/π²)"
@@ -80,10 +81,10 @@ class SemicircleRod:
 
 @tagged("shape")
 @record
-class QuarterCircleRod:
+class QuarterCircleRod(RoundBody):
     """A thin rod bent to a quarter circle in the x-y plane from x to y, its circle's centre at the origin."""
 
-    radius: Annotated[Size, "Radius of the circle [m]."]
+    size: Round
 
     dimension = 1
     formula = "x̄ = ȳ = 2R/π, Ixx = Iyy = m·R²·(1/2 − 4/π²), ∫xy dm = m·R²·(1/π − 4/π²)"

@@ -1,7 +1,7 @@
 """Shells of zero thickness. The measure is the area."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.shapes.sizes import require_ring
+from dynamics_cli.inertia.shapes.sizes import ConicalBody, Ring, RingBody, Round, RoundBody, Taper, require_ring
 from dynamics_cli.inertia.shapes.unit import CENTRE, HALF_RING, PI, TWO_OVER_PI, Unit
 from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.quantities import Annotated, Size
@@ -17,10 +17,10 @@ class Ends(Choice):
 
 @tagged("shape")
 @record
-class CylindricalShell:
+class CylindricalShell(RoundBody):
     """A thin circular cylinder along z, its middle at the origin."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
     length: Annotated[Size, "Length along z [m]."]
     ends: Annotated[Ends, "Which ends are closed by a disk of the same sheet: open, one (at −length/2), both."] = Ends(
         "open"
@@ -46,10 +46,10 @@ class CylindricalShell:
 
 @tagged("shape")
 @record
-class HalfCylindricalShell:
+class HalfCylindricalShell(RoundBody):
     """Half a thin circular cylinder along z, open, on the side of positive x, its mid-plane at z = 0."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
     length: Annotated[Size, "Length along z [m]."]
 
     dimension = 2
@@ -69,10 +69,10 @@ class HalfCylindricalShell:
 
 @tagged("shape")
 @record
-class ConicalShell:
+class ConicalShell(RoundBody):
     """A thin circular cone, its rim on the x-y plane about the origin, its apex at z = height."""
 
-    radius: Annotated[Size, "Radius of the rim [m]."]
+    size: Round
     height: Annotated[Size, "Height along z [m]."]
     closed: Annotated[bool, "Close the rim with a disk of the same sheet."] = False
 
@@ -93,11 +93,10 @@ class ConicalShell:
 
 @tagged("shape")
 @record
-class FrustumShell:
+class FrustumShell(ConicalBody):
     """A thin frustum of a circular cone, open, its base on the x-y plane about the origin."""
 
-    base_radius: Annotated[Size, "Radius at z = 0 [m]."]
-    top_radius: Annotated[Size, "Radius at z = height [m]."]
+    taper: Taper
     height: Annotated[Size, "Height along z [m]."]
 
     dimension = 2
@@ -120,10 +119,10 @@ class FrustumShell:
 
 @tagged("shape")
 @record
-class SphericalShell:
+class SphericalShell(RoundBody):
     """A thin sphere about the origin."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
 
     dimension = 2
     formula = "Ixx = Iyy = Izz = (2/3)·m·R²"
@@ -136,10 +135,10 @@ class SphericalShell:
 
 @tagged("shape")
 @record
-class HemisphericalShell:
+class HemisphericalShell(RoundBody):
     """A thin hemisphere, its rim on the x-y plane about the origin, on the side of positive z."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
     closed: Annotated[bool, "Close the rim with a disk of the same sheet."] = False
 
     dimension = 2
@@ -185,11 +184,11 @@ class BoxShell:
 
 @tagged("shape")
 @record
-class TorusShell:
+class TorusShell(RingBody):
     """A thin ring of circular section about z, its middle at the origin."""
 
-    ring_radius: Annotated[Size, "Radius of the circle through the middles of the sections [m]."]
-    radius: Annotated[Size, "Radius of the section [m]."]
+    ring: Ring
+    size: Round
 
     dimension = 2
     formula = "Izz = m·(R² + 3r²/2), Ixx = Iyy = m·(R²/2 + 5r²/4)"

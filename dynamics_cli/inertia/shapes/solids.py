@@ -1,7 +1,7 @@
 """Solids of revolution and their parts. The measure is the volume."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.inertia.shapes.sizes import require_ring
+from dynamics_cli.inertia.shapes.sizes import ConicalBody, Ring, RingBody, Round, RoundBody, Taper, require_ring
 from dynamics_cli.inertia.shapes.unit import (
     CENTRE,
     FIFTH,
@@ -19,10 +19,10 @@ from dynamics_cli.records import record, tagged
 
 @tagged("shape")
 @record
-class Sphere:
+class Sphere(RoundBody):
     """A solid sphere about the origin."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
 
     also = ("ball",)
     dimension = 3
@@ -37,10 +37,10 @@ class Sphere:
 
 @tagged("shape")
 @record
-class Hemisphere:
+class Hemisphere(RoundBody):
     """A solid hemisphere, its flat face on the x-y plane about the origin, on the side of positive z."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
 
     dimension = 3
     formula = "z̄ = 3R/8, Ixx = Iyy = (83/320)·m·R², Izz = (2/5)·m·R²"
@@ -56,10 +56,10 @@ class Hemisphere:
 
 @tagged("shape")
 @record
-class Cylinder:
+class Cylinder(RoundBody):
     """A solid circular cylinder along z, its middle at the origin."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
     length: Annotated[Size, "Length along z [m]."]
 
     dimension = 3
@@ -73,10 +73,10 @@ class Cylinder:
 
 @tagged("shape")
 @record
-class HalfCylinder:
+class HalfCylinder(RoundBody):
     """Half a solid cylinder along z, its flat face on the y-z plane, at positive x, its mid-plane at z = 0."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
     length: Annotated[Size, "Length along z [m]."]
 
     dimension = 3
@@ -96,10 +96,10 @@ class HalfCylinder:
 
 @tagged("shape")
 @record
-class QuarterCylinder:
+class QuarterCylinder(RoundBody):
     """A quarter of a solid cylinder along z between the x-z and y-z planes, its edge on z, its mid-plane at z = 0."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
     length: Annotated[Size, "Length along z [m]."]
 
     dimension = 3
@@ -122,10 +122,10 @@ class QuarterCylinder:
 
 @tagged("shape")
 @record
-class Cone:
+class Cone(RoundBody):
     """A solid circular cone, its base on the x-y plane about the origin, its apex at z = height."""
 
-    radius: Annotated[Size, "Radius of the base [m]."]
+    size: Round
     height: Annotated[Size, "Height along z [m]."]
 
     dimension = 3
@@ -146,11 +146,10 @@ class Cone:
 
 @tagged("shape")
 @record
-class Frustum:
+class Frustum(ConicalBody):
     """A solid frustum of a circular cone, its base on the x-y plane about the origin."""
 
-    base_radius: Annotated[Size, "Radius at z = 0 [m]."]
-    top_radius: Annotated[Size, "Radius at z = height [m]."]
+    taper: Taper
     height: Annotated[Size, "Height along z [m]."]
 
     dimension = 3
@@ -177,10 +176,10 @@ class Frustum:
 
 @tagged("shape")
 @record
-class Capsule:
+class Capsule(RoundBody):
     """A solid cylinder along z with a half ball on either end, its middle at the origin."""
 
-    radius: Annotated[Size, "Radius [m]."]
+    size: Round
     length: Annotated[Size, "Length of the cylinder between the half balls, along z [m]."]
 
     dimension = 3
@@ -201,11 +200,11 @@ class Capsule:
 
 @tagged("shape")
 @record
-class Torus:
+class Torus(RingBody):
     """A solid ring of circular section about z, its middle at the origin."""
 
-    ring_radius: Annotated[Size, "Radius of the circle through the middles of the sections [m]."]
-    radius: Annotated[Size, "Radius of the section [m]."]
+    ring: Ring
+    size: Round
 
     dimension = 3
     formula = "Izz = m·(R² + 3r²/4), Ixx = Iyy = m·(R²/2 + 5r²/8)"

@@ -46,7 +46,7 @@ def _round(shape: "Any") -> "list[Wire]":
     if "pher" in name:
         full = not name.lower().replace("hollow", "").startswith("hemi")
         return _ball(base, base, base, whole=full)
-    wall = getattr(shape, "thickness", 0.0)
+    wall = shape.wall.inside(base)[1] if hasattr(shape, "wall") else getattr(shape, "thickness", 0.0)
     lines = [ring(base, low, None, first, last)]
     if 0.0 < wall < base:
         lines.append(ring(base - wall, low))
@@ -152,7 +152,7 @@ def _special(shape: "Any") -> "list[Wire]":
     if isinstance(shape, Disk):
         return [ring(shape.radius, 0.0)]
     if isinstance(shape, Annulus):
-        return [ring(shape.radius, 0.0), ring(shape.radius - shape.thickness, 0.0)]
+        return [ring(shape.radius, 0.0), ring(shape.wall.inside(shape.radius)[0], 0.0)]
     if isinstance(shape, EllipticCylinder):
         a, b, h = shape.x_radius, shape.y_radius, 0.5 * shape.length
         sides = [(a, 0.0), (0.0, b), (-a, 0.0), (0.0, -b)]
