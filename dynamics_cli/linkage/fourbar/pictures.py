@@ -185,22 +185,29 @@ def class_picture(result: "Any", *, crank: float, coupler: float, rocker: float,
     return Picture((plan(items),), _title(lengths, str(result.kind)))
 
 
-def synthesis_picture(result: "Any", **_: "Any") -> Picture:
+def synthesis_picture(result: "Any", *, task: "Any", **_: "Any") -> Picture:
     """The linkage at every pair or pose that it reaches, or over its motion."""
     lengths = (result.crank, result.coupler, result.rocker, result.ground)
-    d = complex(result.ground)
-    items: list[Any] = []
     if not result.met:
-        items = linkage_items(lengths, 1.0, None, None)
-    for index, target in enumerate(result.met or ()):
-        a, b = result.crank * exp(1j * target.crank_angle), d + result.rocker * exp(1j * target.rocker_angle)
-        items += [
-            complex_curve((0j, a, b, d), f"pair {index + 1}, {target.branch}", "thick", index),
-            pin(b, ""),
-        ]
-    if result.met:
-        items += [complex_curve(circle(*each), "", "thin", 6) for each in ((0j, result.crank), (d, result.rocker))]
-        items += _pivots(d)
+        return Picture((plan(linkage_items(lengths, 1.0, None, None)),), _title(lengths, str(result.kind)))
+    poses = getattr(task, "poses", ())
+    o2, o4 = 0j, complex(result.ground)
+    if poses:
+        o2, o4 = complex(*result.crank_pivot), complex(*result.rocker_pivot)
+    along = (o4 - o2) / abs(o4 - o2)
+    items: list[Any] = [
+        complex_curve(circle(*each), "", "thin", 6) for each in ((o2, result.crank), (o4, result.rocker))
+    ]
+    for index, target in enumerate(result.met):
+        a = o2 + along * result.crank * exp(1j * target.crank_angle)
+        b = o4 + along * result.rocker * exp(1j * target.rocker_angle)
+        label = f"{'pose' if poses else 'pair'} {index + 1}, {target.branch}"
+        items.append(complex_curve((o2, a, b, o4), label, "thick", index))
+        if poses:
+            origin = complex(poses[index].x, poses[index].y)
+            items += [complex_curve((a, origin, b), "", "solid", index), pin(origin, str(index + 1))]
+        items += [pin(a, "A" if index == 0 else ""), pin(b, "B" if index == 0 else "")]
+    items += [pin(o2, "O₂", LEFT), pin(o4, "O₄", BELOW)]
     return Picture((plan(items),), _title(lengths, str(result.kind)))
 
 
