@@ -9,7 +9,7 @@ from dynamics_cli.linkage.drawing import BELOW, LEFT, ZERO, circle, pin, plan
 from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, frame
 from dynamics_cli.linkage.fourbar.grashof import kind_of
 from dynamics_cli.pictures import Axis, Band, Curve, Panel, Picture, complex_curve
-from dynamics_cli.quantities import Angle, Size
+from dynamics_cli.quantities import Angle, AngularAcceleration, Size, TurnRate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def _pivots(rocker_pivot: complex) -> "list[Any]":
 
 def four_bar_picture(
     result: "Any", *, crank: float, coupler: float, rocker: float, ground: float, crank_angle: "float | None" = None,
-    branch: Branch = OPEN, point: "tuple[float, float] | None" = None, **_: "Any",
+    branch: Branch = OPEN, point: "tuple[float, float] | None" = None, speed: "float | None" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The linkage in several poses, and speed, acceleration and transmission angle over the crank angle."""
     lengths = (crank, coupler, rocker, ground)
@@ -91,7 +91,7 @@ def four_bar_picture(
     if result.crank_pin is not None:
         now = complex(*result.crank_pin), complex(*result.rocker_pin)
     items = linkage_items(lengths, _circuit_side(lengths, side, crank_angle), place, now)
-    return Picture((plan(items), *_curves(lengths, side, crank_angle)), _title(lengths, kind_of(lengths)))
+    return Picture((plan(items), *_curves(lengths, side, crank_angle, speed)), _title(lengths, kind_of(lengths)))
 
 
 def _circuit_side(lengths: "tuple[float, ...]", side: float, crank_angle: "float | None") -> float:
@@ -102,7 +102,10 @@ def _circuit_side(lengths: "tuple[float, ...]", side: float, crank_angle: "float
     return side
 
 
-def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | None") -> "tuple[Panel, ...]":
+def _curves(
+    lengths: "tuple[float, ...]", side: float, crank_angle: "float | None", speed: "float | None"
+) -> "tuple[Panel, ...]":
+    """Speeds, accelerations and transmission angle; over those of the crank where it has no speed."""
     from dynamics_cli.linkage.fourbar.table import posed, reachable, spread
 
     links = frame(*lengths)
@@ -114,18 +117,31 @@ def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | Non
     angles = spread(low + (high - low) * inset[0], low + (high - low) * inset[1], SAMPLES - 1)
     poses = [posed(links, angle, side) for angle in angles]
     tracks = zip(*(there or (nan,) * 4 for _, there in poses), strict=True)
-    clipped = [[part if abs(part) <= STEEP else nan for part in track] for track in tracks]
+    rate = 1.0 if speed is None else speed
+    scales = (rate, rate, rate * rate, rate * rate)
+    clipped = [
+        [part * scale if abs(part) <= STEEP else nan for part in track]
+        for track, scale in zip(tracks, scales, strict=True)
+    ]
     angle_axis = Axis("crank angle θ₂", Angle, ends=(low, high), step=pi / 6.0 if high - low > 2.0 else pi / 18.0)
     marks = () if crank_angle is None or not low <= crank_angle <= high else (Band(crank_angle, crank_angle),)
     mu = [2.0 * atan2(abs(loop.second), abs(loop.first)) if loop else nan for loop, _ in poses]
-    ratios = (
-        ("speed ratio", ("ω₄/ω₂", "ω₃/ω₂"), clipped[:2], "speeds of rocker and coupler over that of the crank"),
-        ("α/ω₂²", ("α₄/ω₂²", "α₃/ω₂²"), clipped[2:], "accelerations, crank at uniform speed"),
-    )
+    words = "speeds of rocker and coupler", "accelerations, crank at uniform speed"
+    if speed is None:
+        over = "speeds of rocker and coupler over that of the crank"
+        ratios = (
+            (Axis("speed ratio"), ("ω₄/ω₂", "ω₃/ω₂"), clipped[:2], over),
+            (Axis("α/ω₂²"), ("α₄/ω₂²", "α₃/ω₂²"), clipped[2:], words[1]),
+        )
+    else:
+        ratios = (
+            (Axis("ω", TurnRate), ("ω₄", "ω₃"), clipped[:2], words[0]),
+            (Axis("α", AngularAcceleration), ("α₄", "α₃"), clipped[2:], words[1]),
+        )
     return (
         *(
             Panel(
-                angle_axis, Axis(axis),
+                angle_axis, axis,
                 (Curve(angles, rocker, names[0], role=2), Curve(angles, coupler, names[1], "dashed", 1), ZERO, *marks),
                 title,
             )
