@@ -69,13 +69,15 @@ BETWEEN = Task(
     Model(
         "quaternions",
         "dynamics_cli.orient.turns.between:between",
-        formula="q = q₁⁻¹·q₂ = (cos ½{rotation_angle|θ}, n·sin ½{rotation_angle|θ})",
+        formula="q = q₁⁻¹·q₂ = (cos ½{rotation_angle|θ}, n·sin ½{rotation_angle|θ}); ω = {rotation_angle|θ}·n/{time|t}",
         assumptions=(SENSE, "the shorter way round"),
     ),
     headline=(
         "rotation_angle: angle between them θ",
         "rotation_axis: axis, fixed components",
         "body_axis: axis, body components",
+        "angular_velocity: mean angular velocity ω",
+        "body_angular_velocity: ω, body components",
         "part_about: part about the axis given",
         "rest: tilt of that axis",
         "quaternion: quaternion w, x, y, z",
@@ -88,6 +90,7 @@ BETWEEN = Task(
         'dynamics orient between --first-euler-angles "0, 0, 0 deg" --first-euler-order zyx '
         '--second-euler-angles "30, 20, -40 deg" --second-euler-order zyx --about "0, 0, 1"',
         'dynamics orient between --first-quaternion "1, 0, 0, 0" --second-quaternion "0.5, 0.5, 0.5, 0.5" --count 3',
+        'dynamics orient between --first-yaw "10 deg" --second-yaw "12 deg" --second-roll "1 deg" --time "10 ms"',
     ),
 )
 
