@@ -107,3 +107,19 @@ def test_a_call_that_gives_nothing_is_shown_one_that_works() -> None:
     assert run("skid", "speed").err.endswith(example)
     assert "an example" not in run("skid", "speed", "--friction", "0.7").err
     assert "an example" not in run("skid", "speed", "--json").err
+
+
+@pytest.mark.parametrize(
+    ("task", "typed", "meant"),
+    [
+        ("linkage four-bar", "--theta2", "--crank-angle"),
+        ("linkage four-bar", "--d", "--ground"),
+        ("linkage slider-crank", "--stroke", "--crank, half of it, as in 60/2 mm"),
+        ("path rectilinear", "--u", "--start-speed"),
+        ("path polar", "--r-dot", "--radial-speed"),
+        ("orient convert", "--rpy", "--yaw or --pitch or --roll"),
+        ("orient rates", "--yaw-rate", "--angle-rates"),
+    ],
+)
+def test_symbols_of_textbooks_lead_to_the_option(task: str, typed: str, meant: str) -> None:
+    assert f"did you mean {meant}?" in run(*task.split(), typed, "1").err

@@ -1,7 +1,7 @@
 """Synthesis checked by analysis, and the small tasks: chains, bodies, sliders, refusals of each."""
 
 from cmath import rect
-from math import cos, degrees, pi, radians
+from math import acos, cos, degrees, pi, radians
 
 import pytest
 from harness import answer, run
@@ -12,7 +12,16 @@ from dynamics_cli.linkage.bodies.chain import Angles, ChainLink, chain
 from dynamics_cli.linkage.fourbar.closure import Branch
 from dynamics_cli.linkage.fourbar.four_bar import four_bar
 from dynamics_cli.linkage.fourbar.grashof import classify
-from dynamics_cli.linkage.fourbar.synthesis import AnglePairs, Pair, Pose, Poses, QuickSwing, Synthesis, synthesize
+from dynamics_cli.linkage.fourbar.synthesis import (
+    AnglePairs,
+    Pair,
+    Pose,
+    Poses,
+    PosesOnPivots,
+    QuickSwing,
+    Synthesis,
+    synthesize,
+)
 from dynamics_cli.linkage.sliders.pictures import moving_slider
 from dynamics_cli.linkage.sliders.quick_return import quick_return
 from dynamics_cli.linkage.sliders.slider_crank import slider_crank
@@ -197,3 +206,28 @@ def test_pairs_of_many_turns_are_met() -> None:
     made = synthesize(task=AnglePairs(many, 0.1))
     assert all(check.passed for check in made.checks)
     assert made.crank == pytest.approx(synthesize(task=AnglePairs(plain, 0.1)).crank, rel=1e-5)
+
+
+def test_pivots_on_the_ground_and_pins_on_the_body_give_one_linkage() -> None:
+    poses = (Pose(0.0, 0.0, 0.0), Pose(0.05, 0.03, radians(20)), Pose(0.08, 0.07, radians(60)))
+    by_pins = synthesize(task=Poses(poses, (0.0, 0.0), (0.04, 0.0)))
+    assert by_pins.crank_pivot
+    assert by_pins.rocker_pivot
+    by_pivots = synthesize(task=PosesOnPivots(poses, by_pins.crank_pivot, by_pins.rocker_pivot))
+    assert by_pivots.first_pin == pytest.approx((0.0, 0.0), abs=1e-12)
+    assert by_pivots.second_pin == pytest.approx((0.04, 0.0), abs=1e-12)
+    assert by_pivots.crank == pytest.approx(by_pins.crank)
+
+
+def test_the_smallest_transmission_angle_is_that_between_the_pairs() -> None:
+    pairs = tuple(Pair(radians(a), radians(b)) for a, b in ((30, 60), (60, 80), (90, 110)))
+    linkage = synthesize(task=AnglePairs(pairs, 0.1))
+    a, b, c, d = linkage.crank, linkage.coupler, linkage.rocker, linkage.ground
+    angles = []
+    for step in range(601):
+        square = a * a + d * d - 2.0 * a * d * cos(radians(30 + 0.1 * step))
+        angle = acos((b * b + c * c - square) / (2.0 * b * c))
+        angles.append(min(angle, pi - angle))
+    assert linkage.least_transmission_angle == pytest.approx(min(angles), rel=1e-9)
+    assert linkage.kind.startswith("triple rocker")
+    assert not linkage.advice

@@ -21,6 +21,10 @@ REFUSED = [
     (CONVERT + '--rotation-matrix "[[1, 0, 0], [0, 1, 0]]"', 3, "read 2 rows of a rotation matrix, wanted 3"),
     (CONVERT + '--rotation-matrix "[[1, 0], [0, 1], [0, 0]]"', 2, "read 2 components, wanted 3"),
     (CONVERT + '--quaternion "0, 0, 0, 0"', 3, "the quaternion has no length"),
+    (CONVERT + "--qw 1 --qx 0", 2, "--qy is missing"),
+    ("orient average --reading 'yaw=1 deg'", 3, "one orientation has no mean"),
+    ("orient average --reading 'quaternion=(1, 0, 0, 0)' --reading 'quaternion=(0, 1, 0, 0)'", 3, "have no mean"),
+    ("orient compose --simple-turn 'axis=x, angle=1 deg' --general-turn 'yaw=1 deg'", 3, "order of simple and general"),
     (CONVERT + '--quaternion "1, 0, 0"', 2, "read 3 components, wanted 4"),
     (CONVERT + '--rotation-axis "0, 0, 0" --rotation-angle "30 deg"', 3, "the rotation axis has no length"),
     (CONVERT + '--rotation-axis "0, 0, 1" --rotation-angle 30', 2, "has no unit"),
@@ -206,3 +210,14 @@ def test_a_rounded_matrix_says_how_far_it_is_from_a_rotation() -> None:
 def test_nine_numbers_are_three_rows() -> None:
     turned = answer("orient", "convert", "--rotation-matrix", "1, 0, 0, 0, 0, -1, 0, 1, 0")["results"]
     assert turned["rotation_angle"]["value"] == 90
+
+
+def test_columns_of_a_log_are_quaternions_in_any_order(tmp_path: Path) -> None:
+    log = tmp_path / "log.csv"
+    log.write_text("time,qx,qy,qz,qw\n0,0,0,0,1\n1,0,0,0.3826834323650898,0.9238795325112867\n2,0,0,0,0\n")
+    rows = list(csv.DictReader(io.StringIO(run("orient", "convert", "--rows", str(log), "--only", "euler_angles").out)))
+    assert [float(row["euler_angles[0][deg]"]) for row in rows[:2]] == pytest.approx([0.0, 45.0])
+    assert "no length" in rows[2]["error"]
+    mean = answer("orient", "average", "--log", str(log))["results"]
+    assert mean["count"]["value"] == 2
+    assert mean["euler_angles"]["value"][0] == pytest.approx(22.5)

@@ -140,10 +140,12 @@ SYNTHESIZE = Task(
         "ground: ground d",
         "crank_pivot: pivot O₂",
         "rocker_pivot: pivot O₄",
+        "first_pin: pin A on the body",
+        "second_pin: pin B on the body",
         "kind: class",
         "defects: defects",
         "least_transmission_angle: smallest transmission angle μ",
-        "met: met at | crank_angle=θ₂, rocker_angle=θ₄, branch",
+        "met: met at | crank_angle=θ₂, rocker_angle=θ₄, transmission_angle=μ, branch",
     ),
     scene={
         "ground": "100 mm",
@@ -159,6 +161,8 @@ SYNTHESIZE = Task(
         '--pair "crank_angle=60 deg, rocker_angle=75 deg" --pair "crank_angle=90 deg, rocker_angle=95 deg" '
         '--ground "100 mm"',
         'dynamics linkage synthesize --swing "60 deg" --time-ratio 1.2 --rocker "80 mm"',
+        'dynamics linkage synthesize --pose "x=0 mm, y=0 mm, angle=0 deg" --pose "x=50 mm, y=30 mm, angle=20 deg" '
+        '--pose "x=80 mm, y=70 mm, angle=60 deg" --crank-pivot "-40, 60 mm" --rocker-pivot "40, 60 mm"',
     ),
     arrays=False,
     tracked=False,
@@ -186,7 +190,7 @@ SLIDER_CRANK = Task(
         "crank_torque: crank torque T",
         "stroke: stroke s",
         "top_speed: largest speed in a turn",
-        "top_at: reached at θ",
+        "top_at: largest speed at θ",
         "time_ratio: time ratio",
         "outer_at: outer dead centre at θ",
         "inner_at: inner dead centre at θ",

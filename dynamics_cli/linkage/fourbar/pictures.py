@@ -9,7 +9,7 @@ from dynamics_cli.linkage.drawing import BELOW, LEFT, ZERO, circle, pin, plan
 from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, frame
 from dynamics_cli.linkage.fourbar.grashof import kind_of
 from dynamics_cli.pictures import Axis, Band, Curve, Panel, Picture, complex_curve
-from dynamics_cli.quantities import Angle, Size
+from dynamics_cli.quantities import Angle, AngularAcceleration, Size, TurnRate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def _pivots(rocker_pivot: complex) -> "list[Any]":
 
 def four_bar_picture(
     result: "Any", *, crank: float, coupler: float, rocker: float, ground: float, crank_angle: "float | None" = None,
-    branch: Branch = OPEN, point: "tuple[float, float] | None" = None, **_: "Any",
+    branch: Branch = OPEN, point: "tuple[float, float] | None" = None, speed: "float | None" = None, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The linkage in several poses, and speed, acceleration and transmission angle over the crank angle."""
     lengths = (crank, coupler, rocker, ground)
@@ -91,7 +91,7 @@ def four_bar_picture(
     if result.crank_pin is not None:
         now = complex(*result.crank_pin), complex(*result.rocker_pin)
     items = linkage_items(lengths, _circuit_side(lengths, side, crank_angle), place, now)
-    return Picture((plan(items), *_curves(lengths, side, crank_angle)), _title(lengths, kind_of(lengths)))
+    return Picture((plan(items), *_curves(lengths, side, crank_angle, speed)), _title(lengths, kind_of(lengths)))
 
 
 def _circuit_side(lengths: "tuple[float, ...]", side: float, crank_angle: "float | None") -> float:
@@ -102,7 +102,10 @@ def _circuit_side(lengths: "tuple[float, ...]", side: float, crank_angle: "float
     return side
 
 
-def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | None") -> "tuple[Panel, ...]":
+def _curves(
+    lengths: "tuple[float, ...]", side: float, crank_angle: "float | None", speed: "float | None"
+) -> "tuple[Panel, ...]":
+    """Speeds, accelerations and transmission angle; over those of the crank where it has no speed."""
     from dynamics_cli.linkage.fourbar.table import posed, reachable, spread
 
     links = frame(*lengths)
@@ -114,18 +117,31 @@ def _curves(lengths: "tuple[float, ...]", side: float, crank_angle: "float | Non
     angles = spread(low + (high - low) * inset[0], low + (high - low) * inset[1], SAMPLES - 1)
     poses = [posed(links, angle, side) for angle in angles]
     tracks = zip(*(there or (nan,) * 4 for _, there in poses), strict=True)
-    clipped = [[part if abs(part) <= STEEP else nan for part in track] for track in tracks]
+    rate = 1.0 if speed is None else speed
+    scales = (rate, rate, rate * rate, rate * rate)
+    clipped = [
+        [part * scale if abs(part) <= STEEP else nan for part in track]
+        for track, scale in zip(tracks, scales, strict=True)
+    ]
     angle_axis = Axis("crank angle θ₂", Angle, ends=(low, high), step=pi / 6.0 if high - low > 2.0 else pi / 18.0)
     marks = () if crank_angle is None or not low <= crank_angle <= high else (Band(crank_angle, crank_angle),)
     mu = [2.0 * atan2(abs(loop.second), abs(loop.first)) if loop else nan for loop, _ in poses]
-    ratios = (
-        ("speed ratio", ("ω₄/ω₂", "ω₃/ω₂"), clipped[:2], "speeds of rocker and coupler over that of the crank"),
-        ("α/ω₂²", ("α₄/ω₂²", "α₃/ω₂²"), clipped[2:], "accelerations, crank at uniform speed"),
-    )
+    words = "speeds of rocker and coupler", "accelerations, crank at uniform speed"
+    if speed is None:
+        over = "speeds of rocker and coupler over that of the crank"
+        ratios = (
+            (Axis("speed ratio"), ("ω₄/ω₂", "ω₃/ω₂"), clipped[:2], over),
+            (Axis("α/ω₂²"), ("α₄/ω₂²", "α₃/ω₂²"), clipped[2:], words[1]),
+        )
+    else:
+        ratios = (
+            (Axis("ω", TurnRate), ("ω₄", "ω₃"), clipped[:2], words[0]),
+            (Axis("α", AngularAcceleration), ("α₄", "α₃"), clipped[2:], words[1]),
+        )
     return (
         *(
             Panel(
-                angle_axis, Axis(axis),
+                angle_axis, axis,
                 (Curve(angles, rocker, names[0], role=2), Curve(angles, coupler, names[1], "dashed", 1), ZERO, *marks),
                 title,
             )
@@ -185,22 +201,29 @@ def class_picture(result: "Any", *, crank: float, coupler: float, rocker: float,
     return Picture((plan(items),), _title(lengths, str(result.kind)))
 
 
-def synthesis_picture(result: "Any", **_: "Any") -> Picture:
+def synthesis_picture(result: "Any", *, task: "Any", **_: "Any") -> Picture:
     """The linkage at every pair or pose that it reaches, or over its motion."""
     lengths = (result.crank, result.coupler, result.rocker, result.ground)
-    d = complex(result.ground)
-    items: list[Any] = []
     if not result.met:
-        items = linkage_items(lengths, 1.0, None, None)
-    for index, target in enumerate(result.met or ()):
-        a, b = result.crank * exp(1j * target.crank_angle), d + result.rocker * exp(1j * target.rocker_angle)
-        items += [
-            complex_curve((0j, a, b, d), f"pair {index + 1}, {target.branch}", "thick", index),
-            pin(b, ""),
-        ]
-    if result.met:
-        items += [complex_curve(circle(*each), "", "thin", 6) for each in ((0j, result.crank), (d, result.rocker))]
-        items += _pivots(d)
+        return Picture((plan(linkage_items(lengths, 1.0, None, None)),), _title(lengths, str(result.kind)))
+    poses = getattr(task, "poses", ())
+    o2, o4 = 0j, complex(result.ground)
+    if poses:
+        o2, o4 = complex(*result.crank_pivot), complex(*result.rocker_pivot)
+    along = (o4 - o2) / abs(o4 - o2)
+    items: list[Any] = [
+        complex_curve(circle(*each), "", "thin", 6) for each in ((o2, result.crank), (o4, result.rocker))
+    ]
+    for index, target in enumerate(result.met):
+        a = o2 + along * result.crank * exp(1j * target.crank_angle)
+        b = o4 + along * result.rocker * exp(1j * target.rocker_angle)
+        label = f"{'pose' if poses else 'pair'} {index + 1}, {target.branch}"
+        items.append(complex_curve((o2, a, b, o4), label, "thick", index))
+        if poses:
+            origin = complex(poses[index].x, poses[index].y)
+            items += [complex_curve((a, origin, b), "", "solid", index), pin(origin, str(index + 1))]
+        items += [pin(a, "A" if index == 0 else ""), pin(b, "B" if index == 0 else "")]
+    items += [pin(o2, "O₂", LEFT), pin(o4, "O₄", BELOW)]
     return Picture((plan(items),), _title(lengths, str(result.kind)))
 
 

@@ -1,21 +1,21 @@
 """Synthesis of four-bars: three angle pairs, three poses of a body, or swing and time ratio."""
 
-from itertools import pairwise
+from itertools import accumulate, pairwise
+from math import ceil, floor
 
 from dynamics_cli.errors import require
-from dynamics_cli.linkage.fourbar.closure import frame
-from dynamics_cli.linkage.fourbar.grashof import POOR, kind_of, poor, transmission
-from dynamics_cli.numerics.elementary import absolute, acos, atan2, cos, hypot, sin, sqrt
-from dynamics_cli.numerics.roots import highest
+from dynamics_cli.linkage.fourbar.grashof import POOR, kind_of, poor
+from dynamics_cli.linkage.fourbar.swinging import crank_rocker, smallest
+from dynamics_cli.numerics.elementary import absolute, atan2, cos, hypot, sin, sqrt
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, PartPoint, Positive, Size, Text
 from dynamics_cli.records import Advice, Check, record
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 PI = 3.141592653589793
-# Places tried along the circle of pivots.
-PLACES = 720
 CLOSES = 1e-9
-# Maximum length of a crank-rocker's links, in rockers: in line, longer ones are always slightly better.
-LONGEST = 3.0
 
 
 @record
@@ -53,6 +53,15 @@ class Poses:
 
 
 @record
+class PosesOnPivots:
+    """Three poses of a body that is the coupler, and the pivots on the ground."""
+
+    poses: Annotated[tuple[Pose, ...], "The three poses, in order."]
+    crank_pivot: Annotated[PartPoint, "Pivot O₂ where the crank is to turn, e.g. 0, 0 mm."]
+    rocker_pivot: Annotated[PartPoint, "Pivot O₄ where the rocker is to turn, e.g. 120, 0 mm."]
+
+
+@record
 class QuickSwing:
     """A crank-rocker by the motion of its rocker."""
 
@@ -67,6 +76,7 @@ class Met:
 
     crank_angle: Annotated[Angle, "Crank angle from the line of the pivots [rad]."]
     rocker_angle: Annotated[Angle, "Rocker angle from it [rad]."]
+    transmission_angle: Annotated[Angle, "Transmission angle there [rad]."]
     branch: Annotated[Text, "The branch on which it is reached."]
 
 
@@ -80,9 +90,14 @@ class Synthesis:
     ground: Annotated[Size, "Length d [m]."]
     kind: Annotated[Text, "Class by Grashof's rule."]
     defects: Annotated[Text, "Its defects for this task."]
-    least_transmission_angle: Annotated[Angle, "Smallest transmission angle over the whole motion [rad]."]
+    least_transmission_angle: Annotated[
+        Angle,
+        "Smallest transmission angle from the first pair or pose to the last; for a swing, of a whole turn [rad].",
+    ]
     crank_pivot: Annotated[PartPoint | None, "Pivot O₂, where poses were given [m]."] = None
     rocker_pivot: Annotated[PartPoint | None, "Pivot O₄ [m]."] = None
+    first_pin: Annotated[PartPoint | None, "Pin A in the body's own axes [m]."] = None
+    second_pin: Annotated[PartPoint | None, "Pin B there [m]."] = None
     met: Annotated[tuple[Met, ...] | None, "The pairs or poses as it reaches them."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -90,14 +105,17 @@ class Synthesis:
 
 def synthesize(
     *,
-    task: Annotated[AnglePairs | Poses | QuickSwing, "Three angle pairs, three poses, or swing and time ratio."],
+    task: Annotated[
+        AnglePairs | Poses | PosesOnPivots | QuickSwing, "Three angle pairs, three poses, or swing and time ratio."
+    ],
 ) -> Synthesis:
     """Four-bar for three pairs of angles, three poses of its coupler, or a swing with a time ratio; with its defects.
 
     Equation
     --------
     Freudenstein: R₁ cos θ₄ − R₂ cos θ₂ + R₃ = cos(θ₂ − θ₄), R₁ = d/a, R₂ = d/c, R₃ = (a² − b² + c² + d²)/2ac; poses:
-    each pivot is the centre of the circle through the three places of its pin; swing: O₂ sees the rocker's ends under
+    each pivot is the centre of the circle through the three places of its pin, or each pin that of the three places of
+    its pivot as seen from the body; swing: O₂ sees the rocker's ends under
     π(Q − 1)/(Q + 1), a and b half the difference and the sum of its distances, best smallest |sin μ|.
 
     Raises
@@ -120,7 +138,12 @@ def synthesize(
     name, given = ("pair", task.pairs) if isinstance(task, AnglePairs) else ("pose", task.poses)
     require(len(given) == 3, f"{{count}} {name}s given; three are needed", count=len(given), code="count",
             hint=f"give --{name} three times")  # fmt: skip
-    return _by_angles(task) if isinstance(task, AnglePairs) else _by_poses(task)
+    if isinstance(task, AnglePairs):
+        return _by_angles(task)
+    if isinstance(task, Poses):
+        return Synthesis(**_by_poses(task))
+    pinned = _pinned(task)
+    return Synthesis(**_by_poses(pinned) | {"first_pin": pinned.first_pin, "second_pin": pinned.second_pin})
 
 
 def _within_a_turn(angle: float) -> float:
@@ -160,26 +183,43 @@ def _by_angles(task: AnglePairs) -> Synthesis:
     return _judged((absolute(crank), sqrt(square), absolute(rocker), ground), met, words)
 
 
-def _centre(places: "list[complex]") -> complex:
+def _centre(places: "list[complex]", words: str, hint: str) -> complex:
     """Centre of the circle through three places."""
     first_chord, second_chord = places[1] - places[0], places[2] - places[0]
     across = 2.0 * (first_chord.conjugate() * second_chord).imag
     require(
         abs(across) > 1e-9 * abs(first_chord) * abs(second_chord),
-        "three positions of a pin lie on a line: its pivot would be at infinity",
+        words,
         code="no-pivot",
-        hint="move the pin on the body, or use a slide",
+        hint=hint,
     )
     return places[0] - 1j * (second_chord * abs(first_chord) ** 2 - first_chord * abs(second_chord) ** 2) / across
 
 
-def _by_poses(task: Poses) -> Synthesis:
-    turns = [complex(cos(pose.angle), sin(pose.angle)) for pose in task.poses]
+def frames(poses: "tuple[Pose, ...]") -> "list[tuple[complex, complex]]":
+    """Origin and direction of the body's axes in each pose."""
+    return [(complex(pose.x, pose.y), complex(cos(pose.angle), sin(pose.angle))) for pose in poses]
+
+
+def _pinned(task: PosesOnPivots) -> Poses:
+    """The same poses with the pins on the body that the pivots call for."""
+    words, hint = "a pivot seen from the body moves along a line: its pin would be at infinity", "move that pivot"
+    pins = []
+    for pivot in (task.crank_pivot, task.rocker_pivot):
+        seen = [(complex(*pivot) - origin) / turn for origin, turn in frames(task.poses)]
+        pin = _centre(seen, words, hint)
+        pins.append((pin.real, pin.imag))
+    return Poses(task.poses, *pins)
+
+
+def _by_poses(task: Poses) -> "dict[str, Any]":
+    """The fields of the linkage through three poses."""
     ends = [
-        [complex(pose.x, pose.y) + turn * complex(*pin) for pose, turn in zip(task.poses, turns, strict=True)]
+        [origin + turn * complex(*pin) for origin, turn in frames(task.poses)]
         for pin in (task.first_pin, task.second_pin)
     ]
-    pivots = [_centre(places) for places in ends]
+    words = "three positions of a pin lie on a line: its pivot would be at infinity"
+    pivots = [_centre(places, words, "move the pin on the body, or use a slide") for places in ends]
     base = pivots[1] - pivots[0]
     require(abs(base) > 0.0, "both pivots fall on one point", code="no-pivot", hint="move a pin on the body")
     direction = base / abs(base)
@@ -191,7 +231,7 @@ def _by_poses(task: Poses) -> Synthesis:
     result = _judged(lengths, met, "")
     places = [(pivot.real, pivot.imag) for pivot in pivots]
     fields = {name: getattr(result, name) for name in Synthesis.fields}  # type: ignore[attr-defined]
-    return Synthesis(**fields | {"crank_pivot": places[0], "rocker_pivot": places[1]})
+    return fields | {"crank_pivot": places[0], "rocker_pivot": places[1]}
 
 
 def _judged(lengths: "tuple[float, float, float, float]", met: "list[tuple[float, float]]", words: str) -> Synthesis:
@@ -202,7 +242,7 @@ def _judged(lengths: "tuple[float, float, float, float]", met: "list[tuple[float
         ax, ay, bx, by = a * cos(theta), a * sin(theta), d + c * cos(angle), c * sin(angle)
         sides.append((bx - ax) * (-ay) - (by - ay) * (d - ax) < 0.0)
         worst = max(worst, absolute(hypot(bx - ax, by - ay) - b) / (a + b + c + d))
-        rows.append(Met(theta, angle, "open" if sides[-1] else "crossed"))
+        rows.append(Met(theta, angle, _transmission(lengths, theta)[0], "open" if sides[-1] else "crossed"))
     kind = kind_of(lengths)
     faults = [words.strip("; ")] if words else []
     if len(set(sides)) > 1:
@@ -213,7 +253,9 @@ def _judged(lengths: "tuple[float, float, float, float]", met: "list[tuple[float
     crank_sides = {sin(theta) >= 0.0 for theta, _ in met}
     if kind in ("double rocker", "rocker-crank") and len(crank_sides) > 1:
         faults.append("circuit: it must be taken apart between the pairs")
-    least = _least(lengths)
+    least, passable = _between(lengths, met[0][0], turns)
+    if not passable:
+        faults.append("limit: coupler and rocker do not reach each other at crank angles between the pairs")
     return Synthesis(
         a, b, c, d, kind, "; ".join(faults) or "none", least, met=tuple(rows),
         checks=(Check("every pair is reached", worst <= CLOSES, worst, CLOSES),),
@@ -221,9 +263,22 @@ def _judged(lengths: "tuple[float, float, float, float]", met: "list[tuple[float
     )  # fmt: skip
 
 
-def _least(lengths: "tuple[float, float, float, float]") -> float:
-    least, greatest = transmission(frame(*lengths))
-    return min(least, PI - greatest)
+def _transmission(lengths: "tuple[float, float, float, float]", angle: float) -> "tuple[float, bool]":
+    """Transmission angle at a crank angle, and whether the linkage can take that pose at all."""
+    a, b, c, d = lengths
+    square = (a - d) * (a - d) + 4.0 * a * d * sin(0.5 * angle) ** 2
+    first, second = (b + c) * (b + c) - square, square - (b - c) * (b - c)
+    angle = 2.0 * atan2(sqrt(max(second, 0.0)), sqrt(max(first, 0.0)))
+    return angle, min(first, second) >= -CLOSES * (b + c) * (b + c)
+
+
+def _between(lengths: "tuple[float, float, float, float]", start: float, turns: "list[float]") -> "tuple[float, bool]":
+    """The smallest transmission angle along the crank angles from pair to pair, and whether all can be reached."""
+    angles = [*accumulate(turns, initial=start)]
+    # between two pairs the angle is extreme where the crank lies along the ground link
+    angles += [PI * k for k in range(ceil(min(angles) / PI), floor(max(angles) / PI) + 1)]
+    poses = [_transmission(lengths, angle) for angle in angles]
+    return min(min(angle, PI - angle) for angle, _ in poses), all(reached for _, reached in poses)
 
 
 def _poor(least: float) -> "tuple[Advice, ...]":
@@ -232,59 +287,8 @@ def _poor(least: float) -> "tuple[Advice, ...]":
 
 
 def _by_swing(task: QuickSwing) -> Synthesis:
-    require(0.0 < task.swing < PI, "a swing of {swing} is not between 0 and 180 deg", swing=(task.swing, Angle),
-            code="swing", hint="for example 60 deg")  # fmt: skip
-    require(
-        task.time_ratio >= 1.0, "a time ratio is the slow stroke's time over the quick one's: at least 1", code="ratio",
-        hint="give its reciprocal",
-    )  # fmt: skip
-    lag = PI * (task.time_ratio - 1.0) / (task.time_ratio + 1.0)
-    count = range(1, PLACES)
-    best = max(count, key=lambda k: _quality(task, lag, k / PLACES))
-    position = highest(
-        lambda place: _quality(task, lag, place), (best - 1) / PLACES, (best + 1) / PLACES, 1e-12 * best / PLACES
-    )
-    require(
-        _quality(task, lag, position) > 0.0,
-        "no crank-rocker swings through {swing} with a time ratio of {ratio}",
-        swing=(task.swing, Angle),
-        ratio=(task.time_ratio, Positive),
-        code="no-linkage",
-        hint="take a smaller swing or time ratio",
-    )
-    lengths = _lengths(task, lag, position)
-    least = _least(lengths)
+    lengths = crank_rocker(task.swing, task.time_ratio, task.rocker)
+    least = smallest(lengths)
     return Synthesis(
         *lengths, kind=kind_of(lengths), defects="none", least_transmission_angle=least, advice=_poor(least)
     )
-
-
-def _lengths(task: QuickSwing, lag: float, share: float) -> "tuple[float, float, float, float]":
-    """Links with O₂ at a place of the circle from which the rocker's ends are seen under the lag."""
-    c, half = task.rocker, 0.5 * task.swing
-    ends = c * complex(sin(half), cos(half)), c * complex(-sin(half), cos(half))
-    chord = abs(ends[0] - ends[1])
-    if lag < 1e-12:
-        # in line with the ends, beyond one of them
-        crank_pivot = ends[1] - chord * share / (1.0 - share)
-    else:
-        radius = 0.5 * chord / sin(lag)
-        middle = complex(0.0, ends[0].imag - 0.5 * chord * cos(lag) / sin(lag))
-        # the arc below the chord, seen from its centre
-        angle = -0.5 * PI - (PI - lag) * (1.0 - 2.0 * share)
-        crank_pivot = middle + radius * complex(cos(angle), sin(angle))
-    far, near = abs(ends[0] - crank_pivot), abs(ends[1] - crank_pivot)
-    return 0.5 * absolute(far - near), 0.5 * (far + near), c, abs(crank_pivot)
-
-
-def _quality(task: QuickSwing, lag: float, share: float) -> float:
-    """The smallest |sin μ| of a crank-rocker with this swing; nothing else counts."""
-    lengths = _lengths(task, lag, share)
-    a, b, c, d = lengths
-    if not 1e-9 * c < min(lengths) <= max(lengths) <= LONGEST * c or kind_of(lengths) != "crank-rocker":
-        return 0.0
-    far = (c * c + d * d - (a + b) * (a + b)) / (2.0 * c * d)
-    near = (c * c + d * d - (b - a) * (b - a)) / (2.0 * c * d)
-    if abs(far) >= 1.0 or abs(near) >= 1.0 or absolute(acos(far) - acos(near) - task.swing) > 1e-6:
-        return 0.0
-    return _least(lengths)

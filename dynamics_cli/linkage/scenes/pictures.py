@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     Pins = dict[str, complex]
 
 FRAMES = 90
+# Points of a curve over the driver's range, however few rows the table has.
+SMOOTH = 180
 GHOSTS = 5
 ARROW = 0.25
 # How far a pushed pin goes in a picture, in sizes of the linkage.
@@ -25,15 +27,15 @@ CLOSE = 0.12
 ASIDE = ((5.0, 5.0), (5.0, -12.0), (-36.0, 5.0), (-36.0, -12.0), (5.0, 17.0))
 
 
-def motion(scene: Scene, start: "Pins", count: int) -> "list[Pins]":
-    """Poses over a turn of the first driver, or over its range in both directions and back."""
+def motion(scene: Scene, start: "Pins", count: int, span: "float | None" = None) -> "list[Pins]":
+    """Poses over a turn of the first driver, or over its range in both directions and back; with a span, over that."""
     from dynamics_cli.linkage.scenes.continuation import Continuation
     from dynamics_cli.numerics.linkages.system import System
 
     system = System(scene)
     first = scene.drivers[0]
     q = system.vector({pin: place / system.scale for pin, place in start.items()})
-    range_ = PUSH * system.scale if first.point else 2.0 * pi
+    range_ = span or (PUSH * system.scale if first.point else 2.0 * pi)
 
     def run(sense: int) -> "list[Pins]":
         walk, poses = Continuation(system, q), [start]
@@ -42,8 +44,9 @@ def motion(scene: Scene, start: "Pins", count: int) -> "list[Pins]":
         return poses
 
     forward = run(1)
-    if len(forward) == count:
-        return forward if not first.point else [*forward, *forward[-2:0:-1]]
+    whole = not first.point and range_ % (2.0 * pi) == 0.0
+    if len(forward) == count or span:
+        return forward if whole and len(forward) == count else [*forward, *forward[-2:0:-1]]
     outward = [*run(-1)[:0:-1], *forward]
     return outward + outward[-2:0:-1] if len(outward) > 2 else outward
 
@@ -62,12 +65,19 @@ def _posed(result: "Any", scene: Scene) -> "Any":
     return result if result.pins is not None else solve(scene)
 
 
-def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
+def scene_picture(
+    result: "Any",
+    scene: Scene,
+    follow: str = "",
+    turn: "float | None" = None,
+    travel: "float | None" = None,
+    **_: "Any",
+) -> Picture:
     """The linkage, ghosts of it over the driver's range, the paths of its pins, and their velocities."""
-    curves = _curves(result)
+    curves = _curves(scene, follow, turn, travel) if result.motion else ()
     result = _posed(result, scene)
     places = {pin.name: complex(*pin.position) for pin in result.pins}
-    poses = motion(scene, places, FRAMES)
+    poses = motion(scene, places, FRAMES, turn or travel)
     moving = [link.name for link in scene.links if link.name != GROUND]
     items: list[Any] = []
     for pose in poses[:: max(1, len(poses) // GHOSTS)]:
@@ -90,23 +100,26 @@ def scene_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     return Picture((plan(items), *curves), f"linkage of {len(scene.links)} links, {words}")
 
 
-def _curves(result: "Any") -> "tuple[Panel, ...]":
-    """The followed link's angle and speed, or pin's coordinates, over the driver's angle."""
-    if not result.motion:
-        return ()
-    pushed = result.motion[0].driver_angle is None
-    positions = [row.driver_position if pushed else row.driver_angle for row in result.motion]
+def _curves(scene: Scene, name: str, turn: "float | None", travel: "float | None") -> "tuple[Panel, ...]":
+    """The followed link's angle and speed, or pin's coordinates, over the driver's range."""
+    from dynamics_cli.linkage.scenes.solve import solve
+
+    rows = solve(scene, follow=name, steps=SMOOTH, turn=turn, travel=travel).motion or ()
+    pushed = rows[0].driver_angle is None
+    positions: Any = [row.driver_position if pushed else row.driver_angle for row in rows]
+    ends = min(positions), max(positions)
     axis = (
-        Axis("driver position", Coordinate, ends=(min(positions), max(positions)))
+        Axis("driver position", Coordinate, ends=ends)
         if pushed
-        else Axis("driver angle", Angle, ends=(min(positions), max(positions)), step=pi / 6.0)
+        else Axis("driver angle", Angle, ends=ends, step=pi / 6.0)
     )
-    if result.motion[0].angle is None:
-        x, y = ([row.position[i] for row in result.motion] for i in (0, 1))
+    if rows[0].angle is None:
+        x, y = ([row.position[i] for row in rows if row.position] for i in (0, 1))
         curves = (Curve(positions, x, "x", role=0), Curve(positions, y, "y", "dashed", 1))
-        return (Panel(axis, Axis("position", Coordinate), curves, "the pin that was followed"),)
-    angles, speeds = [row.angle for row in result.motion], [row.speed for row in result.motion]
-    panels = [Panel(axis, Axis("angle", Angle), (Curve(positions, angles, role=0),), "the link that was followed")]
+        return (Panel(axis, Axis("position", Coordinate), curves, f"pin {name}"),)
+    angles: Any = [row.angle for row in rows]
+    speeds: Any = [row.speed for row in rows]
+    panels = [Panel(axis, Axis("angle", Angle), (Curve(positions, angles, role=0),), f"link {name}")]
     if None not in speeds and any(speeds):
         panels.append(Panel(axis, Axis("angular velocity ω", TurnRate), (Curve(positions, speeds, role=1),)))
     return tuple(panels)
@@ -141,11 +154,13 @@ def centres_picture(result: "Any", scene: Scene, **_: "Any") -> Picture:
     return Picture((plan(items),), title)
 
 
-def moving_scene(result: "Any", scene: Scene, **_: "Any") -> str:
+def moving_scene(
+    result: "Any", scene: Scene, turn: "float | None" = None, travel: "float | None" = None, **_: "Any"
+) -> str:
     """The linkage over its driver's range as an animated SVG."""
     result = _posed(result, scene)
     places = {pin.name: complex(*pin.position) for pin in result.pins}
-    poses = motion(scene, places, FRAMES)
+    poses = motion(scene, places, FRAMES, turn or travel)
     moving = [link.name for link in scene.links if link.name != GROUND]
     fixed = [pin.name for link in scene.links if link.name == GROUND for pin in link.points]
     free = [pin for pin in places if pin not in fixed]

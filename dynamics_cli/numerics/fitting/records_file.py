@@ -125,3 +125,26 @@ def read_matrix(file: str) -> "list[list[float]]":
         code="shape",
     )
     return rows
+
+
+def read_named(file: str, wanted: "tuple[tuple[str, ...], ...]") -> "tuple[list[int], list[list[float]]]":
+    """Lines and numbers of some columns, each known by several names, whatever others there are; gaps are left out."""
+    rows = _cells(file)
+    heads = [cell.strip().lower() for cell in rows[0]]
+    places = [next((heads.index(name) for name in names if name in heads), -1) for names in wanted]
+    require(
+        -1 not in places,
+        "the header {header} lacks the columns {names}",
+        header=repr(",".join(rows[0])[:60]),
+        names=", ".join(names[0] for names in wanted),
+        code="header",
+    )
+    require(len(rows) - 1 <= MOST, "the file has {count} rows; up to 200,000 are read", code="length",
+            count=str(len(rows) - 1))  # fmt: skip
+    lines, table = [], []
+    for line, row in enumerate(rows[1:], 2):
+        cells = [row[place].strip() if place < len(row) else "" for place in places]
+        if any(cells):
+            lines.append(line)
+            table.append([_number(cell, line) for cell in cells])
+    return lines, table

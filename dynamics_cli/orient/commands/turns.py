@@ -60,6 +60,8 @@ COMPOSE = Task(
         '--simple-turn "axis=z, angle=70 deg"',
         'dynamics orient compose --simple-turn "axis=z, angle=30 deg, name=cradle" '
         '--simple-turn "axis=y, angle=20 deg, name=tool" --base machine',
+        'dynamics orient compose --general-turn "yaw=30 deg, pitch=10 deg, name=robot" '
+        '--general-turn "quaternion=(0.924, 0, 0.383, 0), name=tool"',
     ),
 )
 
@@ -69,13 +71,15 @@ BETWEEN = Task(
     Model(
         "quaternions",
         "dynamics_cli.orient.turns.between:between",
-        formula="q = q₁⁻¹·q₂ = (cos ½{rotation_angle|θ}, n·sin ½{rotation_angle|θ})",
+        formula="q = q₁⁻¹·q₂ = (cos ½{rotation_angle|θ}, n·sin ½{rotation_angle|θ}); ω = {rotation_angle|θ}·n/{time|t}",
         assumptions=(SENSE, "the shorter way round"),
     ),
     headline=(
         "rotation_angle: angle between them θ",
         "rotation_axis: axis, fixed components",
         "body_axis: axis, body components",
+        "angular_velocity: mean angular velocity ω",
+        "body_angular_velocity: ω, body components",
         "part_about: part about the axis given",
         "rest: tilt of that axis",
         "quaternion: quaternion w, x, y, z",
@@ -88,6 +92,7 @@ BETWEEN = Task(
         'dynamics orient between --first-euler-angles "0, 0, 0 deg" --first-euler-order zyx '
         '--second-euler-angles "30, 20, -40 deg" --second-euler-order zyx --about "0, 0, 1"',
         'dynamics orient between --first-quaternion "1, 0, 0, 0" --second-quaternion "0.5, 0.5, 0.5, 0.5" --count 3',
+        'dynamics orient between --first-yaw "10 deg" --second-yaw "12 deg" --second-roll "1 deg" --time "10 ms"',
     ),
 )
 
@@ -154,4 +159,41 @@ ALIGN = Task(
     ),
 )
 
-TASKS: "tuple[Task, ...]" = (CONVERT, COMPOSE, BETWEEN, SCREW, ALIGN)
+AVERAGE = Task(
+    "average",
+    "Mean of several orientations or of a log, and the scatter about it.",
+    Model(
+        "least squares",
+        "dynamics_cli.orient.turns.average:average",
+        source="Markley, Cheng, Crassidis & Oshman, J. Guid. Control Dyn. 30, 2007",
+        formula="Σ wᵢ·|R − Rᵢ|² = least",
+        assumptions=(SENSE,),
+        method="Jacobi rotations",
+    ),
+    headline=(
+        "euler_angles: {angle_names}",
+        "quaternion: quaternion w, x, y, z",
+        "rotation_angle: angle of the turn θ",
+        "scatter: scatter (rms)",
+        "largest_deviation: largest deviation",
+        "farthest: that of",
+        "count: orientations",
+        "deviations",
+    ),
+    arrays=False,
+    tracked=False,
+    table="deviations",
+    names={"sequence": NAMES},
+    scene={
+        "readings[0].yaw": "10 deg",
+        "readings[1].yaw": "12 deg",
+        "readings[1].pitch": "1 deg",
+    },
+    examples=(
+        'dynamics orient average --reading "yaw=10 deg, pitch=2 deg" --reading "yaw=11 deg, pitch=1.5 deg" '
+        '--reading "yaw=10.2 deg, roll=1 deg"',
+        "dynamics orient average --log examples/imu/log.csv --sequence rpy",
+    ),
+)
+
+TASKS: "tuple[Task, ...]" = (CONVERT, COMPOSE, BETWEEN, SCREW, ALIGN, AVERAGE)

@@ -125,9 +125,11 @@ def screw(answer: "Any", **_: "Any") -> Picture:
     return Picture((scene(items, title),), "displacement as a screw")
 
 
-def configuration(answer: "Any", *, turns: "Any", about: str = "body", base: str = "A", **_: "Any") -> Picture:
+def configuration(answer: "Any", *, turns: "Any" = (), about: str = "body", base: str = "A", **_: "Any") -> Picture:
     """Frames as columns of dots; a level line for the axis of a turn, a slanted one where only plus signs stand."""
-    del answer
+    if turns == ():
+        # a general turn has no such graph
+        return converted(answer)
     chain: list[SimpleTurn] = list(turns) if isinstance(turns, tuple) else [turns]
     names = [base, *(turn.name or letter(nth) for nth, turn in enumerate(chain, 1))]
     subtitle = "level: the axis of the turn; slanted: the pair with plus signs only; the third pair takes the minus"

@@ -1,7 +1,5 @@
 """The rotation that takes given directions to measured ones: least squares, or one direction exactly."""
 
-import math
-
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import atan2, only_in_doubles
 from dynamics_cli.numerics.number import plain
@@ -10,6 +8,7 @@ from dynamics_cli.numerics.orientation.rotations import Matrix, from_quaternion,
 from dynamics_cli.numerics.orientation.sequences import angles_in_words, angles_of_quaternion, sequence_of
 from dynamics_cli.numerics.vectors import Vector, cross, dot, length, scale, subtract
 from dynamics_cli.numerics.vectors import times as rotated
+from dynamics_cli.orient.turns.eigenvector import largest
 from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Direction, Positive, Quaternion, Ratio, Text
 from dynamics_cli.quantities import RotationMatrix as RotationMatrixKind
 from dynamics_cli.records import Advice, Choice, ErrorBound, Numerics, record
@@ -19,10 +18,6 @@ UNIT_ROUNDOFF = 2.0**-53
 AMBIGUOUS = 1e-9
 # Below this, errors of the directions are magnified enough to say so.
 WEAK = 0.05
-
-# Sweeps of Jacobi's rotations, at most, and the pairs of a sweep.
-SWEEPS = 30
-PAIRS = tuple((p, q) for p in range(4) for q in range(p + 1, 4))
 
 
 class Method(Choice):
@@ -115,7 +110,7 @@ def align(
     after = [unit(pair.after) for pair in several]
     weights = [pair.weight / total for pair in several]
     k = _davenport(before, after, weights)
-    _, q, gap, residual = _largest(k)
+    _, q, gap, residual = largest(k)
     _require_spread(before, gap)
     if fit == "triad":
         q = of_rotation(product(_triad(after), transposed(_triad(before))))
@@ -160,44 +155,6 @@ def _davenport(before: "list[Vector]", after: "list[Vector]", shares: "list[floa
     z = (b[2][1] - b[1][2], b[0][2] - b[2][0], b[1][0] - b[0][1])
     lower = [[z[i], *(b[i][j] + b[j][i] - (trace if i == j else 0.0) for j in range(3))] for i in range(3)]
     return [[trace, *z], *lower]
-
-
-def _largest(matrix: "list[list[float]]") -> "tuple[float, tuple[float, float, float, float], float, float]":
-    """Eigenvalue, unit eigenvector, distance to the next eigenvalue, and the residual |K·q − λ·q|."""
-    a = [list(row) for row in matrix]
-    vectors = [[1.0 if i == j else 0.0 for j in range(4)] for i in range(4)]
-    for _ in range(SWEEPS):
-        if not any(abs(a[p][q]) > 1e-300 + 1e-18 * (abs(a[p][p]) + abs(a[q][q])) for p, q in PAIRS):
-            break
-        for p, q in PAIRS:
-            _rotate(a, vectors, p, q)
-    values = [a[i][i] for i in range(4)]
-    order = sorted(range(4), key=lambda i: -values[i])
-    column = [row[order[0]] for row in vectors]
-    size = math.hypot(*column)
-    vector = (column[0] / size, column[1] / size, column[2] / size, column[3] / size)
-    value = values[order[0]]
-    off = [sum(row[j] * vector[j] for j in range(4)) - value * vector[i] for i, row in enumerate(matrix)]
-    return value, vector, value - values[order[1]], math.hypot(*off)
-
-
-def _rotate(a: "list[list[float]]", vectors: "list[list[float]]", p: int, q: int) -> None:
-    """Turn rows and columns p and q until the element between them is zero."""
-    if a[p][q] == 0.0:
-        return
-    ratio = (a[q][q] - a[p][p]) / (2.0 * a[p][q])
-    t = (1.0 if ratio >= 0.0 else -1.0) / (abs(ratio) + math.hypot(1.0, ratio))
-    c = 1.0 / math.hypot(1.0, t)
-    s = t * c
-    for row in a:
-        row[p], row[q] = c * row[p] - s * row[q], s * row[p] + c * row[q]
-    a[p], a[q] = (
-        [c * x - s * y for x, y in zip(a[p], a[q], strict=True)],
-        [s * x + c * y for x, y in zip(a[p], a[q], strict=True)],
-    )
-    a[p][q] = a[q][p] = 0.0
-    for row in vectors:
-        row[p], row[q] = c * row[p] - s * row[q], s * row[p] + c * row[q]
 
 
 def _require_spread(before: "list[Vector]", gap: float) -> None:

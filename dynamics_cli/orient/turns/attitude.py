@@ -31,7 +31,7 @@ from dynamics_cli.numerics.orientation.sequences import (
     quaternion_of_angles,
     sequence_of,
 )
-from dynamics_cli.quantities import Angle, Annotated, Direction, Vector
+from dynamics_cli.quantities import Angle, Annotated, Direction, Ratio, Vector
 from dynamics_cli.quantities import RotationVector as RotationVectorKind
 from dynamics_cli.records import record
 
@@ -67,7 +67,27 @@ class YawPitchRoll:
     roll: Annotated[Angle, "Then about its x axis, e.g. -10 deg."] = 0.0
 
 
-Attitude = ByQuaternion | Euler | YawPitchRoll | AxisAngle | RotationVector | ByMatrix | Rodrigues | TwoDirections
+@record
+class ByComponents:
+    """A quaternion by its components' names, as the columns of logs have them, in any order."""
+
+    qw: Annotated[Ratio, "Scalar part of a quaternion of any length, e.g. 0.924."]
+    qx: Annotated[Ratio, "Its x component, e.g. 0."]
+    qy: Annotated[Ratio, "Its y component, e.g. 0."]
+    qz: Annotated[Ratio, "Its z component, e.g. 0.383."]
+
+
+Attitude = (
+    ByQuaternion
+    | ByComponents
+    | Euler
+    | YawPitchRoll
+    | AxisAngle
+    | RotationVector
+    | ByMatrix
+    | Rodrigues
+    | TwoDirections
+)
 
 
 @record
@@ -108,7 +128,7 @@ def orientation(turn: Attitude) -> Orientation:
     elif isinstance(turn, TwoDirections):
         q = between_directions(turn.from_direction, turn.to_direction)
     else:
-        q = normalized(turn.quaternion)
+        q = normalized(turn.quaternion if isinstance(turn, ByQuaternion) else (turn.qw, turn.qx, turn.qy, turn.qz))
     return Orientation(quaternion=upright(q), matrix=from_quaternion(q), by_matrix=False)
 
 

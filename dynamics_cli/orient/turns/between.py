@@ -4,6 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.orientation.quaternions import (
     axis_and_angle,
+    axis_angle_and_vector,
     conjugate,
     multiply,
     of_axis_angle,
@@ -12,10 +13,22 @@ from dynamics_cli.numerics.orientation.quaternions import (
 )
 from dynamics_cli.numerics.orientation.rotations import from_quaternion, product
 from dynamics_cli.numerics.orientation.sequences import angles_of_quaternion, sequence_of
+from dynamics_cli.numerics.vectors import Vector
 from dynamics_cli.numerics.vectors import times as rotated
 from dynamics_cli.orient.turns.attitude import Attitude, orientation, part_about
 from dynamics_cli.orient.turns.convert import TOLERANCE, distance_of
-from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Count, Direction, Fraction, Quaternion, Text
+from dynamics_cli.quantities import (
+    Angle,
+    AngleTriple,
+    AngularVelocity,
+    Annotated,
+    Count,
+    Direction,
+    Fraction,
+    Quaternion,
+    Text,
+    Time,
+)
 from dynamics_cli.quantities import RotationMatrix as RotationMatrixKind
 from dynamics_cli.records import Advice, Check, record
 
@@ -47,6 +60,12 @@ class Between:
     body_axis: Annotated[Direction, "Its axis by components in either body, which are the same [-]."]
     quaternion: Annotated[Quaternion, "The turn in axes of the first orientation: q₁⁻¹·q₂ [-]."]
     rotation_matrix: Annotated[RotationMatrixKind, "R₁ᵀ·R₂ [-]."]
+    angular_velocity: Annotated[
+        AngularVelocity | None, "Mean angular velocity over the time given, in fixed components [rad/s]."
+    ] = None
+    body_angular_velocity: Annotated[
+        AngularVelocity | None, "The same in components of either body, as gyroscopes read it [rad/s]."
+    ] = None
     part_about: Annotated[Angle | None, "The part of it about the axis given [rad]."] = None
     rest: Annotated[Angle | None, "What the rest tilts that axis by [rad]."] = None
     steps: Annotated[tuple[Step, ...] | None, "Orientations in between, if requested."] = None
@@ -59,6 +78,7 @@ def between(
     first: Annotated[Oriented, "The orientation before."],
     second: Annotated[Oriented, "The orientation after."],
     about: Annotated[Direction | None, "An axis of the first body: the part about it, e.g. 0, 0, 1."] = None,
+    time: Annotated[Time | None, "Time from the first to the second: the mean angular velocity, e.g. 10 ms."] = None,
     count: Annotated[Count, "Number of orientations in between, e.g. 5."] = 0,
     sequence: Annotated[Text, "Angles to report in between: zyx, zxz, XYZ …, or rpy, e.g. zyx."] = "zyx",
 ) -> Between:
@@ -66,7 +86,8 @@ def between(
 
     Equation
     --------
-    q = q₁⁻¹·q₂ with the sign of the shorter way; part about n: 2·atan2(v·n, w); on the way q₁·(cos ½sθ, n sin ½sθ).
+    q = q₁⁻¹·q₂ with the sign of the shorter way; part about n: 2·atan2(v·n, w); mean ω = θ·n/t; on the
+    way q₁·(cos ½sθ, n sin ½sθ).
 
     Raises
     ------
@@ -89,7 +110,8 @@ def between(
     require(count <= MOST_STEPS, "{count} orientations in between are more than {most}", count=count, most=MOST_STEPS)
     start, end = orientation(first.turn), orientation(second.turn)
     q = upright(multiply(conjugate(start.quaternion), end.quaternion))
-    axis, angle = axis_and_angle(q)
+    axis, angle, vector = axis_angle_and_vector(q)
+    spin = None if time is None else _mean_velocity(vector, time)
     part = rest = None
     if about is not None:
         n = unit(about)
@@ -108,12 +130,21 @@ def between(
         body_axis=axis,
         quaternion=q,
         rotation_matrix=from_quaternion(q),
+        angular_velocity=spin and rotated(start.matrix, spin),
+        body_angular_velocity=spin,
         part_about=part,
         rest=rest,
         steps=tuple(steps) if alone and count else None,
         checks=_checks(start.matrix, q, end.matrix) if alone else (),
         advice=_advice(q) if alone else (),
     )
+
+
+def _mean_velocity(vector: Vector, time: float) -> Vector:
+    """The constant angular velocity that turns by a rotation vector in a time."""
+    require(time > 0.0, "the time from the first to the second orientation is {time}, not above zero",
+            time=(time, Time), code="time", hint="exchange the two orientations")  # fmt: skip
+    return vector[0] / time, vector[1] / time, vector[2] / time
 
 
 def _checks(start: "tuple[tuple[float, ...], ...]", q: Quaternion, end: object) -> tuple[Check, ...]:

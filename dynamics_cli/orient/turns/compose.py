@@ -1,10 +1,12 @@
-"""A chain of turns about coordinate axes: the total turn, and direction cosines between all frames."""
+"""A chain of turns: the total turn, and direction cosines between all frames."""
 
+from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.orientation.quaternions import Quaternion, axis_and_angle, multiply, upright
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, Matrix, about_axis, product, transposed
 from dynamics_cli.numerics.orientation.rotations import from_quaternion as matrix_of
 from dynamics_cli.numerics.turns import turned
+from dynamics_cli.orient.turns.attitude import Attitude, orientation
 from dynamics_cli.orient.turns.convert import TOLERANCE, distance_of
 from dynamics_cli.quantities import Angle, Annotated, Direction, Ratio, RotationMatrix, Text
 from dynamics_cli.quantities import Quaternion as QuaternionKind
@@ -34,6 +36,14 @@ class SimpleTurn:
     axis: Annotated[AxisName, "Axis of the turn: x, y, z or 1, 2, 3."]
     angle: Annotated[Angle, "Angle of the turn, e.g. 30 deg."]
     name: Annotated[Text | None, "Name of the frame after the turn, e.g. cradle."] = None
+
+
+@record
+class GeneralTurn:
+    """A turn in any notation, which makes a new frame."""
+
+    turn: Annotated[Attitude, "The rotation, in one of the notations."]
+    name: Annotated[Text | None, "Name of the frame after the turn, e.g. tool."] = None
 
 
 @record
@@ -68,15 +78,21 @@ def letter(nth: int) -> str:
 
 def compose(
     *,
-    turns: Annotated[SimpleTurn | tuple[SimpleTurn, ...], "The turns in order."],
+    turns: Annotated[SimpleTurn | tuple[SimpleTurn, ...], "The turns about coordinate axes, in order."] = (),
+    general_turns: Annotated[tuple[GeneralTurn, ...], "Or turns in any notation, in order."] = (),
     about: Annotated[About, "Whose axes: body (each turn about the axes as they have become) or fixed."] = BODY,
     base: Annotated[Text, "Name of the first frame, e.g. A."] = "A",
 ) -> Composed:
-    """Total of a chain of turns about coordinate axes, and direction cosines between every pair of frames.
+    """Total of a chain of turns, and direction cosines between every pair of frames.
 
     Equation
     --------
     R = R₁·R₂·…·Rₙ about the body's axes, Rₙ·…·R₂·R₁ about the fixed ones.
+
+    Raises
+    ------
+    InadmissibleError
+        When there is no turn, turns of both kinds are given, or a turn cannot be read.
 
     References
     ----------
@@ -89,21 +105,26 @@ def compose(
     >>> [round(part, 12) for part in compose(turns=chain).quaternion]
     [0.5, 0.5, 0.5, 0.5]
     """
-    chain = turns if isinstance(turns, tuple) else (turns,)
+    simple = turns if isinstance(turns, tuple) else (turns,)
+    require(
+        bool(simple) != bool(general_turns),
+        "the order of simple and general turns is not known" if simple else "there is no turn",
+        code="turns",
+        hint='give --general-turn "rotation_axis=(1, 0, 0), rotation_angle=30 deg" for the simple ones'
+        if simple
+        else 'for example --simple-turn "axis=z, angle=30 deg"',
+    )
+    chain = [(turn.name, *_simple(turn)) for turn in simple] or [(turn.name, *_general(turn)) for turn in general_turns]
     frames: list[Matrix] = [IDENTITY]
     steps: list[Matrix] = []
     composed: Quaternion = (1.0, 0.0, 0.0, 0.0)
-    for turn in chain:
-        axis = "xyz".index(turn.axis)
-        step = about_axis(axis, turn.angle)
+    for _, step, quaternion in chain:
         steps.append(step)
         frames.append(product(frames[-1], step) if about == "body" else product(step, frames[-1]))
-        cosine, sine = turned(0.5 * turn.angle)
-        axis_turn = (cosine, *(sine if k == axis else 0.0 for k in range(3)))
-        composed = multiply(composed, axis_turn) if about == "body" else multiply(axis_turn, composed)  # type: ignore[arg-type]
+        composed = multiply(composed, quaternion) if about == "body" else multiply(quaternion, composed)
     composed = upright(composed)
     rotation_axis, angle = axis_and_angle(composed)
-    names = [base, *(turn.name or letter(nth) for nth, turn in enumerate(chain, 1))]
+    names = [base, *(name or letter(nth) for nth, (name, _, _) in enumerate(chain, 1))]
     alone = single(*composed)
     return Composed(
         rotation_angle=angle,
@@ -114,6 +135,18 @@ def compose(
         frames=" → ".join(names),
         checks=_checks(frames[-1], composed) if alone else (),
     )
+
+
+def _simple(turn: SimpleTurn) -> tuple[Matrix, Quaternion]:
+    axis = "xyz".index(turn.axis)
+    cosine, sine = turned(0.5 * turn.angle)
+    x, y, z = (sine if k == axis else 0.0 for k in range(3))
+    return about_axis(axis, turn.angle), (cosine, x, y, z)
+
+
+def _general(turn: GeneralTurn) -> tuple[Matrix, Quaternion]:
+    read = orientation(turn.turn)
+    return read.matrix, read.quaternion
 
 
 def _table(frames: "list[Matrix]", steps: "list[Matrix]", names: "list[str]") -> tuple[Cosines, ...]:
