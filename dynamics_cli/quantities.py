@@ -215,6 +215,7 @@ if TYPE_CHECKING:
     Stiffness = float
     TorsionStiffness = float
     LineForce = float
+    DistributedForce = float
     CrushStiffness = float
     SpeedSlope = float
     SpeedFade = float
@@ -476,6 +477,9 @@ else:
     )
     LineForce = Kind(
         "force per width", "N/m", si="N/cm", us="lbf/in", low=0.0, example="350 lbf/in", about="force per width crushed"
+    )
+    DistributedForce = Kind(
+        "force per length", "N/m", si="N/m", us="lbf/ft", example="300 N/m", about="force per length of a beam"
     )
     CrushStiffness = Kind(
         "crush stiffness",

@@ -96,9 +96,14 @@ EQUILIBRIUM = Task(
     examples=(
         'dynamics force equilibrium --load "force=0, -1000 N, at=2, 0 m" --load "force=300, 0 N, at=4, 1 m" '
         '--support "type=pin, at=0, 0 m" --support "type=roller, at=5, 0 m, direction=1 @ 120 deg"',
-        'dynamics force equilibrium --force "0, -500 lbf" --at "8, 0 ft" --support "type=fixed, at=0, 0 ft" --units us',
+        'dynamics force equilibrium --load "500 lbf down at 8 ft" --distributed "60 lbf/ft down from 0 ft to 8 ft" '
+        '--support "fixed at 0 ft" --units us',
     ),
     table="reactions",
+    scene={
+        "loads[0].force": "500 N down", "loads[0].at": "2, 0 m", "supports[0].type": "pin", "supports[0].at": "0, 0 m",
+        "supports[1].type": "roller", "supports[1].at": "5, 0 m",
+    },
     arrays=False,
     tracked=False,
     plot=f"{PICTURES}:equilibrium",

@@ -4,7 +4,7 @@ from dynamics_cli.errors import require, worded
 from dynamics_cli.force import ratios
 from dynamics_cli.force.balance import Balance, described
 from dynamics_cli.force.supports import ALONG_ONE_LINE, ExactSupport, Support, lie_in_a_plane
-from dynamics_cli.force.system import Couple, Load, System
+from dynamics_cli.force.system import Couple, Distributed, Load, System
 from dynamics_cli.numerics.elementary import atan2
 from dynamics_cli.numerics.exact.rational import nearest
 from dynamics_cli.quantities import Angle, Annotated, Force, ForceVector, Length, Position, Ratio, Text, TorqueVector
@@ -52,6 +52,7 @@ def equilibrium(
     *,
     loads: Annotated[Load | tuple[Load, ...] | None, "Forces at points; one may be given by its plain fields."] = None,
     couples: Annotated[Couple | tuple[Couple, ...] | None, "Couples, in the plane one number, in space three."] = None,
+    distributed_loads: Annotated[tuple[Distributed, ...] | None, "Loads spread along lines."] = None,
     supports: Annotated[tuple[Support, ...], "What holds the body."],
 ) -> Equilibrium:
     """Reactions of the supports of a rigid body under forces and couples.
@@ -86,7 +87,7 @@ def equilibrium(
     >>> [reaction.force[1] for reaction in answer.reactions]
     [600.0, 400.0]
     """
-    system = System(loads, couples, needed=False)
+    system = System(loads, couples, distributed_loads, needed=False)
     require(len(supports) > 0, "no support is given", code="missing", hint=f"for example {EXAMPLE}")
     planar = system.planar and lie_in_a_plane(supports)
     exact = [ExactSupport(support, index, planar=planar) for index, support in enumerate(supports)]

@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require
 from dynamics_cli.force import ratios
 from dynamics_cli.force.supports import Support, left_out
-from dynamics_cli.force.system import Couple, Load, System
+from dynamics_cli.force.system import Couple, Distributed, Load, System
 from dynamics_cli.numerics.exact.rational import nearest
 from dynamics_cli.quantities import Annotated, ForceVector, Length, LoadPoint, Position, Text, Torque, TorqueVector
 from dynamics_cli.records import Advice, Check, Choice, Numerics, record
@@ -43,6 +43,7 @@ def equivalent(
     *,
     loads: Annotated[Load | tuple[Load, ...] | None, "Forces at points; one may be given by its plain fields."] = None,
     couples: Annotated[Couple | tuple[Couple, ...] | None, "Couples, in the plane one number, in space three."] = None,
+    distributed_loads: Annotated[tuple[Distributed, ...] | None, "Loads spread along lines."] = None,
     about: Annotated[LoadPoint, "The new point, e.g. 1, 0 m."] = ORIGIN,
     supports: Annotated[tuple[Support, ...] | None, "Left out here: a scene of force equilibrium has them."] = None,
     form: Annotated[Form, "force-couple, wrench or two-forces."] = Form("force-couple"),  # noqa: B008
@@ -76,7 +77,7 @@ def equivalent(
     >>> equivalent(loads=Load((0.0, -500.0, 0.0), (2.0, 0.0, 0.0))).couple
     (0.0, 0.0, -1000.0)
     """
-    system = System(loads, couples)
+    system = System(loads, couples, distributed_loads)
     point = ratios.of_vector(about)
     forces, couple = _moved(system, point, form)
     pitch = wrench_moment = None

@@ -5,9 +5,9 @@ import math
 from dynamics_cli.errors import worded
 from dynamics_cli.force import ratios
 from dynamics_cli.force.diagram import body, symbols
-from dynamics_cli.force.system import Load, System
+from dynamics_cli.force.system import Load, System, vector
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
-from dynamics_cli.quantities import Force, Length, Torque
+from dynamics_cli.quantities import DistributedForce, Force, Length, Torque
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,16 +18,22 @@ if TYPE_CHECKING:
     Drawn = tuple[tuple[float, ...], tuple[float, ...], str, int]
 
 GIVEN, ANSWER, LEVER = 0, 1, 2
+# Arrows of a distributed load end where they act.
+ROW = 3
 VIEWS = (((0, 1), "from above"), ((0, 2), "from the front"), ((1, 2), "from the side"))
 # The longest arrow beside the extent of the points.
 LONGEST = 0.45
 # A support's symbol beside it.
 SYMBOL = 0.05
+# Arrows of a distributed load, less one.
+ARROWS = 8
 
 
-def resultant(answer: "Any", *, loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
+def resultant(
+    answer: "Any", *, loads: "Any" = None, couples: "Any" = None, distributed_loads: "Any" = None, **_: "Any"
+) -> Picture:  # fmt: skip
     """The forces where they act and the resultant on its axis."""
-    drawn, planar = _given(loads, couples)
+    drawn, planar = _given(loads, couples, distributed_loads)
     if answer.axis_point is not None:
         name = worded("R = {size}", size=(answer.magnitude, Force))
         drawn.append((answer.axis_point, answer.force, name, ANSWER))
@@ -42,9 +48,12 @@ def resultant(answer: "Any", *, loads: "Any" = None, couples: "Any" = None, **_:
     )
 
 
-def equilibrium(answer: "Any", *, supports: "Any", loads: "Any" = None, couples: "Any" = None, **_: "Any") -> Picture:
+def equilibrium(
+    answer: "Any", *, supports: "Any", loads: "Any" = None, couples: "Any" = None, distributed_loads: "Any" = None,
+    **_: "Any",
+) -> Picture:  # fmt: skip
     """The body with its supports, the loads, and the reactions."""
-    drawn, planar = _given(loads, couples)
+    drawn, planar = _given(loads, couples, distributed_loads)
     words = _couples(couples, planar=planar)
     for reaction in answer.reactions:
         planar = planar and not reaction.force[2] and not reaction.at[2]
@@ -82,13 +91,33 @@ def _couples(couples: "Any", *, planar: bool) -> "list[str]":
     return words
 
 
-def _given(loads: "Any", couples: "Any") -> "tuple[list[Drawn], bool]":
+def _given(loads: "Any", couples: "Any", distributed: "Any" = None) -> "tuple[list[Drawn], bool]":
     system = System(loads, couples, needed=False)
     drawn: list[Drawn] = []
     for point, force in zip(system.points, system.forces, strict=True):
         name = worded("{size}", size=(ratios.size(force), Force))
         drawn.append((ratios.rounded(point), ratios.rounded(force), name, GIVEN))
-    return drawn, system.planar
+    return drawn + _rows(distributed), System(loads, couples, distributed, needed=False).planar
+
+
+def _rows(distributed: "Any") -> "list[Drawn]":
+    """Distributed loads as rows of arrows, a quarter as long as a force of their whole size would be."""
+    drawn: list[Drawn] = []
+    for line in distributed or ():
+        force = ratios.rounded(vector(line.force, DistributedForce, "", ""))
+        last = ratios.rounded(vector(line.end_force or line.force, DistributedForce, "", ""))
+        start, end = (ratios.rounded(ratios.of_vector(place)) for place in (line.from_, line.to))
+        size = 0.25 * math.dist(start, end)
+        largest = max((force, last), key=lambda one: math.hypot(*one))
+        name = worded("{size}", size=(math.hypot(*largest), DistributedForce))
+        for k in range(ARROWS + 1):
+            share = k / ARROWS
+            at, way = (
+                tuple(a + share * (b - a) for a, b in zip(*ends, strict=True)) for ends in ((start, end), (force, last))
+            )
+            labelled = k == ARROWS // 2 if force == last else (way == largest)
+            drawn.append((at, tuple(size * part for part in way), name if labelled else "", ROW))
+    return drawn
 
 
 def _picture(
@@ -122,7 +151,8 @@ def _view(
     """One view: arrows where they act, with room around them."""
     i, j = view
     ends = [(p[i], p[j]) for p in points]
-    ends += [(tail[i] + scale * way[i], tail[j] + scale * way[j]) for tail, way, *_ in drawn]
+    signs = [-scale if role == ROW else scale for *_, role in drawn]
+    ends += [(tail[i] + k * way[i], tail[j] + k * way[j]) for (tail, way, *_), k in zip(drawn, signs, strict=True)]
     room = 0.2 * extent
     left, right = min(x for x, _ in ends) - room, max(x for x, _ in ends) + room
     low, high = min(y for _, y in ends) - room, max(y for _, y in ends) + room
@@ -133,15 +163,21 @@ def _view(
         start, foot, name = lever
         items.append(Curve([start[i], foot[i]], [start[j], foot[j]], "", "dashed", LEVER))
         items.append(Mark(start[i], start[j], name, (6.0, -12.0), role=LEVER))
+    rows = any(role == ROW for *_, role in drawn)
     for tail, way, name, role in drawn:
         dx, dy = scale * way[i], scale * way[j]
+        if role == ROW:
+            items.append(Arrow(tail[i] - dx, tail[j] - dy, dx, dy, "", GIVEN))
+            if name:
+                items.append(Label(tail[i] - dx, tail[j] - dy + 0.03 * extent, name, GIVEN))
+            continue
         seen = math.hypot(dx, dy) > 0.02 * extent
         answer = role == ANSWER
         # beside the line of action, on the side that falls away from it
         aside = (6.0, 6.0 if dx * dy <= 0.0 else -14.0)
-        items.append(Mark(tail[i], tail[j], name if answer or not seen else "", aside, role=role))
+        items.append(Mark(tail[i], tail[j], name if (answer and not rows) or not seen else "", aside, role=role))
         if seen:
-            items.append(Arrow(tail[i], tail[j], dx, dy, "" if answer else name, role))
+            items.append(Arrow(tail[i], tail[j], dx, dy, "" if answer and not rows else name, role))
     return Panel(Axis("xyz"[i], Length), Axis("xyz"[j], Length), tuple(items), title, equal=True)
 
 

@@ -3,7 +3,7 @@
 from dynamics_cli.errors import worded
 from dynamics_cli.force import ratios
 from dynamics_cli.force.supports import Support, left_out
-from dynamics_cli.force.system import Couple, Load, System
+from dynamics_cli.force.system import Couple, Distributed, Load, System
 from dynamics_cli.numerics.elementary import atan2
 from dynamics_cli.numerics.exact.rational import nearest
 from dynamics_cli.quantities import (
@@ -62,6 +62,7 @@ def resultant(
     *,
     loads: Annotated[Load | tuple[Load, ...] | None, "Forces at points; one may be given by its plain fields."] = None,
     couples: Annotated[Couple | tuple[Couple, ...] | None, "Couples, in the plane one number, in space three."] = None,
+    distributed_loads: Annotated[tuple[Distributed, ...] | None, "Loads spread along lines."] = None,
     about: Annotated[LoadPoint, "The point of reference, e.g. 0, 0 m."] = ORIGIN,
     supports: Annotated[tuple[Support, ...] | None, "Left out here: a scene of force equilibrium has them."] = None,
 ) -> Resultant:
@@ -96,7 +97,7 @@ def resultant(
     >>> answer.system, answer.pitch, answer.axis_point
     ('wrench', -0.5, (0.0, 0.0, 0.5))
     """
-    system = System(loads, couples)
+    system = System(loads, couples, distributed_loads)
     reference = ratios.of_vector(about)
     force, moment = system.force, system.moment_about(reference)
     exists = not ratios.is_zero(force)

@@ -24,7 +24,12 @@ class Holding(Choice):
     """Types of support."""
 
     names = ("pin", "roller", "fixed", "link", "cable", "smooth", "guide", "ball", "hinge")
-    aliases = {"hinged": "pin", "built-in": "fixed", "clamped": "fixed", "rope": "cable", "slider": "guide"}  # noqa: RUF012
+    aliases = {  # noqa: RUF012
+        "pinned": "pin", "hinged": "pin", "built-in": "fixed", "clamped": "fixed", "clamp": "fixed", "weld": "fixed",
+        "encastre": "fixed", "rope": "cable", "rocker": "roller", "slider": "guide", "collar": "guide",
+        "strut": "link", "rod": "link", "wall": "smooth", "frictionless": "smooth", "ball-and-socket": "ball",
+        "socket": "ball",
+    }  # fmt: skip
 
 
 @record
@@ -71,7 +76,8 @@ class ExactSupport:
     __slots__ = ("at", "direction", "name", "type", "unknowns")
 
     def __init__(self, given: Support, index: int, *, planar: bool) -> None:
-        self.type = str(given.type)
+        # in the plane a hinge is a pin
+        self.type = "pin" if planar and given.type == "hinge" else str(given.type)
         self.name = str(given.name) if given.name else chr(65 + index) if index < 26 else str(index + 1)
         self.at = ratios.of_vector(given.at)
         self.direction = self._direction(given, planar=planar)
@@ -124,6 +130,14 @@ class ExactSupport:
 def lie_in_a_plane(supports: "Sequence[Support]") -> bool:
     """Whether all supports lie in a plane parallel to x–y."""
     heights = {ratios.of_vector(support.at)[2] for support in supports}
-    directions = [given.value if isinstance(given, Quantity) else given for given in (s.direction for s in supports)]
-    upright = any(v is not None and len(v) == 3 and v[2] != 0.0 for v in directions if not isinstance(v, float))
-    return len(heights) <= 1 and not upright and not any(support.type in ("ball", "hinge") for support in supports)
+    return len(heights) <= 1 and not any(_spatial(support) for support in supports)
+
+
+def _spatial(support: Support) -> bool:
+    """A ball, a hinge about an axis in the plane, or a direction out of the plane."""
+    given = support.direction
+    way = given.value if isinstance(given, Quantity) else given
+    x, y, z = (*way, 0.0)[:3] if isinstance(way, tuple | list) else (0.0, 0.0, 0.0)
+    if support.type == "hinge":
+        return bool(x or y)
+    return support.type == "ball" or z != 0.0

@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.force import ratios
-from dynamics_cli.quantities import Annotated, Force, FreeVector, LoadPoint, Ratio, Torque
+from dynamics_cli.quantities import Annotated, DistributedForce, Force, FreeVector, LoadPoint, Ratio, Torque
 from dynamics_cli.records import Advice, Quantity, record
 
 TYPE_CHECKING = False
@@ -30,6 +30,16 @@ class Couple:
 
     adds = True
     moment: Annotated[FreeVector, "Its moment, e.g. 5 N*m."]
+
+
+@record
+class Distributed:
+    """A load spread along a line, constant or changing evenly from one end to the other."""
+
+    force: Annotated[FreeVector, "Force per length where it begins, e.g. 300 N/m down."]
+    from_: Annotated[LoadPoint, "Where it begins, e.g. 0 m."]
+    to: Annotated[LoadPoint, "Where it ends, e.g. 4 m."]
+    end_force: Annotated[FreeVector | None, "Force per length where it ends; constant if left out."] = None
 
 
 def vector(given: "Any", kind: "Any", what: str, example: str) -> "Ratios":
@@ -68,10 +78,10 @@ class System:
 
     __slots__ = ("couples", "force", "forces", "moment", "points", "total_size")
 
-    def __init__(self, loads: "Any", couples: "Any", *, needed: bool = True) -> None:
-        load_records, couple_records = _several(loads), _several(couples)
+    def __init__(self, loads: "Any", couples: "Any", distributed: "Any" = None, *, needed: bool = True) -> None:
+        load_records, couple_records, spread = _several(loads), _several(couples), _several(distributed)
         require(
-            bool(load_records or couple_records) or not needed,
+            bool(load_records or couple_records or spread) or not needed,
             "neither a force nor a couple is given",
             code="missing",
             hint=f"such as {EXAMPLE}",
@@ -81,6 +91,10 @@ class System:
             for n, load in enumerate(load_records, 1)
         ]
         self.points = [ratios.of_vector(load.at) for load in load_records]
+        for n, line in enumerate(spread, 1):
+            for force, point in _resultants(line, n):
+                self.forces.append(force)
+                self.points.append(point)
         self.couples = [
             vector(couple.moment, Torque, f"couple {n}", "'5 N*m', or '2, -3, 0.5 N*m' in space")
             for n, couple in enumerate(couple_records, 1)
@@ -115,6 +129,28 @@ class System:
         return (
             Advice("cancellation", message, remedy="typed digits count as exact: check that they are known so well"),
         )
+
+
+def _resultants(line: Distributed, number: int) -> "list[tuple[Ratios, Ratios]]":
+    """The resultants of an even load and of what it grows by, each with its point; lengths to 15 digits."""
+    name = f"distributed load {number}"
+    start, end = (
+        None if given is None else vector(given, DistributedForce, f"the force of {name}", "'300 N/m down'")
+        for given in (line.force, line.end_force)
+    )
+    assert start is not None
+    begins, ends = ratios.of_vector(line.from_), ratios.of_vector(line.to)
+    way = ratios.minus(ends, begins)
+    require(not ratios.is_zero(way), "{name} has no length", name=name, code="no-length", hint="give from and to")
+    axes = [part for part in way if part[0]]
+    length = (abs(axes[0][0]), axes[0][1]) if len(axes) == 1 else ratios.of_number(ratios.size(way))
+    half = ratios.over(length, (2, 1))
+    parts = [(ratios.times(length, start), (1, 2))]
+    if end is not None:
+        parts.append((ratios.times(half, ratios.minus(end, start)), (2, 3)))
+    return [
+        (force, ratios.plus(begins, ratios.times(share, way))) for force, share in parts if not ratios.is_zero(force)
+    ]
 
 
 def _several(given: "Any") -> "tuple[Any, ...]":

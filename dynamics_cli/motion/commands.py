@@ -114,6 +114,7 @@ SCENE = Task(
     arrays=False,
     tracked=False,
     errors=("ends", "horizon", "tenfold", "difference", "energy_error", "start_moved", "drift", "time"),
+    unused=("place",),
 )  # fmt: skip
 
 EQUILIBRIUM = Task(
@@ -137,6 +138,7 @@ EQUILIBRIUM = Task(
     examples=(f"dynamics motion equilibrium {TAILGATE}", f"dynamics motion equilibrium {TAILGATE} --place 2"),
     table="places",
     plot=f"{SCENES}.pictures:equilibrium_picture",
+    unused=("duration", "at", "follow", "steps"),
     arrays=False,
     tracked=False,
 )  # fmt: skip

@@ -33,7 +33,7 @@ def peaks(history: "Array") -> "Array":
     low, middle, high = (between[rows, top + k] for k in (-1, 0, 1))
     with np.errstate(all="ignore"):
         arc = middle + (high - low) ** 2 / (8.0 * (2.0 * middle - low - high))
-    found: Array = np.fmax(
-        np.where(np.isfinite(arc), arc, -np.inf), np.maximum(between.max(axis=1), history.max(axis=1))
-    )
-    return found
+    # beside the first or last value there may be no top: a parabola through a straight line has its own far away
+    there = np.isfinite(arc) & (middle >= low) & (middle >= high)
+    highest: Array = np.maximum(between.max(axis=1), history.max(axis=1))
+    return np.where(there, np.fmax(arc, highest), highest)

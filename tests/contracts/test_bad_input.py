@@ -109,7 +109,7 @@ WRONG = [
     ("inertia|shape|tube|--outer-diameter|60 mm", 2, "did you mean --diameter?"),
     ("balance|planes|--unbalance|300 g*mm", 2, "example: amount=12 g*mm, angle=30 deg, position=0.1 m"),
     ("force|equilibrium|--support|pin", 2, "example: type=pin, at=0, 0 m"),
-    ("force|moment|--force|1, 0 N|--at|1 m", 2, "read 1 component, wanted 2 or 3"),
+    ("force|moment|--force|1, 0 N|--at|1, 2, 3, 4 m", 2, "read 4 components, wanted 2 or 3"),
     (f"{SKID}|--segment|distance=1 ft, distance=5 ft", 2, "is given twice"),
     (f"{SKID}|--segment|distance=60 ft, friction=0.7, color=red", 2, "there is no parameter 'color'"),
     (f"{OK}|--segment|distance=60 ft, friction=0.7", 2, "cannot be given together"),

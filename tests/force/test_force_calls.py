@@ -52,6 +52,9 @@ REFUSED = {
     "rollers in parallel": (f"equilibrium {SIDE} {PARALLEL}", "mechanism"),
     "two pins": (f"equilibrium {DOWN} {PIN} {PIN.replace('at=0', 'at=5')}", "indeterminate"),
     "pin in space": ('equilibrium --force "0, 0, 1 N" --at "1, 0, 0 m" --support "type=pin, at=0, 0 m"', "space"),
+    "load without length": (
+        f'equilibrium --distributed "5 N/m down, from=1 m, to=1 m" {PIN} {ROLLER}', "no-length"),
+    "force for a force per length": (f'equilibrium --distributed "5 N down from 0 m to 1 m" {PIN} {ROLLER}', "kind"),
     "link without direction": (f'equilibrium {DOWN} --support "type=link, at=0, 0 m"', "no-direction"),
 }  # fmt: skip
 
@@ -209,3 +212,40 @@ def test_a_table_of_the_means_of_uncertain_loads_says_so() -> None:
     document = answer("force", *shlex.split(words))
     assert "interval" in document["results"]["load"]
     assert not document["warnings"]
+
+
+def test_loads_and_supports_in_short() -> None:
+    short = 'force equilibrium --load "500 N down at 2 m" --support "pinned at 0" --support "rocker at 5 m, name=R"'
+    long = (
+        'force equilibrium --load "force=0, -500 N, at=2, 0 m" --support "type=pin, at=0, 0 m" '
+        '--support "type=roller, at=5, 0 m, name=R"'
+    )
+    first, second = (answer(*shlex.split(call))["results"] for call in (short, long))
+    assert first == second
+
+
+def test_a_hinge_in_the_plane_is_a_pin() -> None:
+    hinge, pin = (
+        answer(*shlex.split(f'force equilibrium {DOWN} --support "{kind} at 0, 0 m" --support "roller at 5 m"'))
+        for kind in ("hinge", "pin")
+    )
+    assert hinge["results"] == pin["results"]
+
+
+def test_distributed_loads_have_the_moments_of_their_integrals() -> None:
+    # from 200 N/m to 500 N/m over an inclined line of 5 m, against Simpson's rule, exact for polynomials of degree 3
+    start, end, low, high = (1.0, 2.0), (4.0, 6.0), (0.0, -200.0), (300.0, -500.0)
+    force, moment = [0.0, 0.0], 0.0
+    for share, weight in ((0.0, 1.0), (0.5, 4.0), (1.0, 1.0)):
+        x, y = (a + share * (b - a) for a, b in zip(start, end, strict=True))
+        fx, fy = (5.0 / 6.0 * weight * (a + share * (b - a)) for a, b in zip(low, high, strict=True))
+        force = [force[0] + fx, force[1] + fy]
+        moment += x * fy - y * fx
+    call = 'force resultant --distributed "0, -200 N/m, from=1, 2 m, to=4, 6 m, end_force=300, -500 N/m"'
+    results = answer(*shlex.split(call))["results"]
+    assert results["force"]["value"] == pytest.approx([*force, 0.0], rel=1e-12)
+    assert results["moment"]["value"] == pytest.approx([0.0, 0.0, moment], rel=1e-12)
+    # a growing load of 3 kN/m over 6 m: its whole at two thirds of the length
+    call = 'force equilibrium --distributed "0 kN/m down, end_force=3 kN/m down, from=0 m, to=6 m" '
+    reactions = answer(*shlex.split(call + '--support "pin at 0 m" --support "roller at 6 m"'))["results"]["reactions"]
+    assert [one["force"]["value"][1] for one in reactions] == [3000, 6000]

@@ -546,3 +546,10 @@ def test_errors_of_the_calculation_are_not_spread_over_inputs() -> None:
     results = json.loads(ran.out)["results"]
     assert "interval" in results["largest_force"]
     assert "interval" not in results["energy_error"]
+
+
+def test_the_scene_of_a_motion_is_also_one_of_equilibrium(tmp_path: Path) -> None:
+    file = tmp_path / "arm.toml"
+    file.write_text(run("motion", "scene", "--template").out, encoding="utf-8")
+    assert 'duration = "2 s"' in file.read_text(encoding="utf-8")
+    assert run("motion", "equilibrium", str(file), "--json").document["results"]["count"]["value"] >= 1

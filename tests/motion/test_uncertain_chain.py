@@ -58,3 +58,9 @@ def test_the_peak_between_samples(phase: float) -> None:
     x = np.linspace(0.0, 6.0, 60)
     history = np.array([2.0 + np.cos(x - phase), 3.0 - 0.5 * x, np.full(60, 7.0), x * x])
     assert peaks(history) == pytest.approx([3.0, 3.0, 7.0, 36.0], rel=1e-8)
+
+
+def test_a_history_that_falls_from_its_first_value_peaks_there() -> None:
+    x = np.linspace(0.0, 0.1, 60)
+    slightly = 50.0 - x + 1e-9 * np.sin(40.0 * x)
+    assert peaks(np.array([slightly, slightly[::-1]])) == pytest.approx([50.0, 50.0], rel=1e-9)

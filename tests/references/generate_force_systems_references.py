@@ -1,4 +1,4 @@
-"""Writes force_systems.json: resultants, moments, reactions, springs, weights and friction to 40 digits.
+"""Writes force_systems.json: resultants, reactions, springs, weights, friction, wedges and screws to 40 digits.
 
 Moments are added about a far point and brought back, axes and reactions come from linear equations, springs from their
 ends' distance, limits of pushes from moments about the block's edges. Where the program takes numbers as typed,
@@ -266,8 +266,46 @@ def wedges() -> Iterator[Case]:
         yield "wedge", f"wedge {nth}", why, inputs, results
 
 
+def screws() -> Iterator[Case]:
+    """The thread unrolled: a block on an incline, pushed along the ground, up or down, with friction at its limit."""
+    hard = [
+        (
+            "0.2617993877991494",
+            "0.03",
+            "0.002",
+            "0.020498",
+            "on the limit of holding: the lowering torque all but vanishes",
+        ),
+        ("0.0", "0.01", "0.03", "1.0", "close to where it jams: the torque grows without limit"),
+    ]
+    drawings = [(drawn(0, 0.6), drawn(0.01, 0.06, 4), drawn(0.001, 0.009, 4), drawn(0.02, 0.3), "") for _ in range(5)]
+    for nth, (flank, mean, pitch, friction, why) in enumerate([*hard, *drawings]):
+        load, collar, rubbing = drawn(100, 9000), drawn(0.02, 0.09), drawn(0.02, 0.3)
+        inputs = {
+            "load": load, "form": {"record": "Flank", "flank_angle": flank},
+            "size": {"record": "Mean", "mean_diameter": mean}, "pitch": pitch, "friction": friction,
+            "collar_diameter": collar, "collar_friction": rubbing,
+        }  # fmt: skip
+        weight, turn, across, lead, mu, ring, worn = map(exact, (load, flank, mean, pitch, friction, collar, rubbing))
+        slope = atan(lead / (mp.pi * across))
+        grip = mu / cos(turn)
+        # across the incline N, along the ground H: N·(cos − s·μ′·sin) carries the load, H = N·(sin + s·μ′·cos)
+        pushes = []
+        for way in (1, -1):
+            normal = weight / (cos(slope) - way * grip * sin(slope))
+            pushes.append(normal * (sin(slope) + way * grip * cos(slope)))
+        extra = weight * worn * ring / 2
+        results = {
+            "raising_torque": pushes[0] * across / 2 + extra, "lowering_torque": -pushes[1] * across / 2 + extra,
+            "thread_torque": pushes[0] * across / 2, "collar_torque": extra, "lead_angle": slope,
+            "efficiency": weight * lead / (2 * mp.pi * (pushes[0] * across / 2 + extra)),
+            "locking_friction": tan(slope) * cos(turn), "lead": lead,
+        }  # fmt: skip
+        yield "screw", f"screw {nth}", why, inputs, results
+
+
 def every() -> Iterator[Case]:
-    for part in (systems, moments, supports, springs, weights, frictions, wedges):
+    for part in (systems, moments, supports, springs, weights, frictions, wedges, screws):
         yield from part()
 
 

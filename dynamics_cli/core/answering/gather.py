@@ -83,7 +83,7 @@ def over_file(task: Task, raw: "dict[str, Any]", file: str, terminal: "Terminal"
             reader.points = loaded.pop("points")
     if file != "-":
         reader.files.append(entry_of(file, data))
-    below = parameters_of(loaded, parameters, task.path)
+    below = parameters_of({k: v for k, v in loaded.items() if k not in task.unused}, parameters, task.path)
     results = "covariance" not in parameters and loaded.get("command") != task.path
     covariance = loaded.get("covariance") if results else None
     if covariance is not None:

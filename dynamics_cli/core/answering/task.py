@@ -105,6 +105,7 @@ class Task:
         also: further names that a call may use; help and listings show the first. names: where to find the values that
         an option may take, for completion, {"material": "module:names"}. pointers: where to find values of parameters
         that are missing or typed as a word; under `drawing`, the task that writes what its own --drawing does not.
+        unused: parameters of a file that other tasks of the same scene take, and this one does not.
         notes: the language of an option, after the examples in the help. scene: the values that a template shows, by
         address, where its required fields alone do not make a case with an answer, {"bodies[1].mass": "2 kg"}.
     """
@@ -139,8 +140,10 @@ class Task:
         limited: "dict[str, tuple[str, ...]] | None" = None,
         findings: "tuple[str, ...]" = (),
         points: int = 0,
+        unused: "tuple[str, ...]" = (),
     ) -> None:
         self.name = name
+        self.unused = unused
         self.pointers = pointers or {}
         self.errors = errors
         self.unspread = (*errors, *unspread)

@@ -2,8 +2,8 @@
 
 A vector is written by components (`3, 4 N`, `1, 2, 3 m`), or by its magnitude with the angle from x in the plane
 (`20 N @ 30 deg`), with its three direction angles (`20 N @ 60, 45, 60 deg`), with any vector along its direction
-(`20 N along 1, 2, 2`, `20 N @ (1, 2, 2)`) or with two points on it (`20 N from 0, 0, 0 to 1, 2, 2 m`). A number alone
-is a magnitude.
+(`20 N along 1, 2, 2`, `20 N @ (1, 2, 2)`), with two points on it (`20 N from 0, 0, 0 to 1, 2, 2 m`) or with a word
+(`20 N down`, `up`, `left`, `right`). A number alone is a magnitude.
 """
 
 from dynamics_cli.core.inputs import leaves
@@ -22,6 +22,7 @@ from dynamics_cli.quantities import (
     AngularAcceleration,
     AngularImpulse,
     AngularSpeed,
+    DistributedForce,
     Force,
     Impulse,
     Kind,
@@ -42,11 +43,13 @@ if TYPE_CHECKING:
 # In this order a unit with two readings takes the first one: lb is a force, g an acceleration.
 KNOWN: "tuple[Any, ...]" = (
     Force, Length, Speed, Acceleration, Torque, Impulse, AngularImpulse, AngularSpeed, AngularAcceleration,
+    DistributedForce,
 )  # fmt: skip
 NUMBER = Kind("number", "", form="vector")
 MOST_ROWS = 6
 # Deviation of measured direction angles' squared cosines from 1: refused above the first, unremarked below the second.
 MOST_OFF, WORTH_SAYING = 1e-2, 1e-9
+WORDS = {"up": (0.0, 1.0), "down": (0.0, -1.0), "left": (-1.0, 0.0), "right": (1.0, 0.0)}
 HINT = "for example '3, 4 N', '1, 2, 3 m', '20 N @ 30 deg', '20 N along 1, 2, 2' or '20 N from 0, 0 m to 3, 4 m'"
 
 
@@ -134,6 +137,9 @@ def _read(raw: "Any", address: str, context: "Context") -> VectorValue:
             if len(split_list(direction)) == 1:
                 return _planar(size, direction, address, context)
             return _directed(size, _from_angles(direction, address, context), address, context)
+        size, _, word = raw.strip().rpartition(" ")
+        if size and word.lower() in WORDS:
+            return _directed(size, WORDS[word.lower()], address, context)
         if " along " in raw:
             size, _, direction = (part.strip() for part in raw.partition(" along "))
             return _directed(size, _certain(direction, address, context).si, address, context)

@@ -268,15 +268,19 @@ def _unbracketed(text: str) -> str:
 def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
     """A vector by its components."""
     items = [_resolved(item, f"{address}[{i}]", context) for i, item in enumerate(components_of(kind, raw))]
-    if kind.flat and len(items) == 2:
+    if kind.flat and (len(items) == 2 or (kind.exact and len(items) == 1)):
         from dynamics_cli.core.inputs.forms.lists import share_unit
 
-        items = [*items, share_unit(["0", items[1]])[0] if isinstance(items[1], str) else 0]
+        # one coordinate is a place along x, as on a beam
+        zero = share_unit(["0", items[-1]])[0] if isinstance(items[-1], str) else 0
+        items += [zero] * (kind.size - len(items))
     if len(items) != kind.size:
         count = f"{len(items)} component{'s' if len(items) > 1 else ''}"
         wanted = f"2 or {kind.size}" if kind.flat else kind.size
         raise UsageError(f"read {count}, wanted {wanted}", hint=f"for example {kind.example!r}")
     default_unit = _default_unit(kind, raw, context)
+    if not default_unit and all(isinstance(item, str) and not item.strip("+-0.") for item in items):
+        default_unit = kind.unit
     parts = [read_number_of(kind, item, f"{address}[{i}]", context, default_unit) for i, item in enumerate(items)]
     units, si = {part.unit for part in parts}, tuple(part.si for part in parts)
     displayed, unit = ([part.shown for part in parts], units.pop()) if len(units) == 1 else (list(si), kind.unit)

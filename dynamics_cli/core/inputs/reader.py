@@ -168,8 +168,13 @@ class Reader(Context):
         return self._one_of(wrapper, node, value, address, alone=True)
 
     def _pairs(self, text: str, address: str, node: "Node") -> "dict[str, Any] | None":
-        from dynamics_cli.core.inputs.forms.splitting import PAIRS, split_pairs
+        from dynamics_cli.core.inputs.forms.splitting import PAIRS, split_pairs, with_names
+        from dynamics_cli.core.inputs.quantity_text import number_end
 
+        if isinstance(node, Record) and text:
+            first = node.fields[0]
+            if isinstance(first.node, Leaf) and (number_end(text, 0) or _chosen(first.node, text)):
+                text = with_names(text, first.key, node.names)
         try:
             return {key.replace("-", "_"): value for key, value in split_pairs(text).items()}
         except DynamicsError as error:
@@ -293,6 +298,12 @@ class Reader(Context):
             return bound_items[0]
         row = node.item.cls if node.columns and isinstance(node.item, Record) else None
         return Several(bound_items, row)
+
+
+def _chosen(node: Leaf, text: str) -> bool:
+    """Whether a text begins with one of the words that may be chosen here."""
+    word = text.replace(",", " ").split(" ")[0].lower()
+    return node.choice is not None and (word in node.choice.names or word in node.choice.aliases)
 
 
 def _join(address: str, key: str) -> str:

@@ -5,7 +5,7 @@ import math
 from dynamics_cli.errors import require
 from dynamics_cli.motion.bodies.forces import PointLoad, SpringForce, TorqueLoad, TorsionForce
 from dynamics_cli.motion.bodies.joints import NONE, Along, Joint, Pin, Turn
-from dynamics_cli.motion.bodies.laws import LOADED, linear, loading, prescribed
+from dynamics_cli.motion.bodies.laws import LOADED, Loading, linear, prescribed
 from dynamics_cli.motion.bodies.records import Link, Scene
 from dynamics_cli.numerics.fitting.records_file import read_columns
 from dynamics_cli.numerics.linkages.records import GROUND
@@ -175,7 +175,11 @@ class Built:
             )  # fmt: skip
 
     def _load(self, load: "Load") -> None:
-        given = {name: loading(getattr(load, name), ON_A_LINK if name == "torque" else ON_A_POINT) for name in LOADED}
+        formulas = {name: getattr(load, name) for name in LOADED}
+        given: dict[str, Any] = {
+            name: formula and Loading(formula, ON_A_LINK if name == "torque" else ON_A_POINT)
+            for name, formula in formulas.items()
+        }
         if load.table:
             times, columns = read_columns(load.table, LOADED)
             self.knots += tuple(times)

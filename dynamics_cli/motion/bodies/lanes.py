@@ -168,7 +168,10 @@ def _stacked(parts: "Sequence[Any]") -> "Any":
 
 
 def _each(laws: "Sequence[Any]") -> "Any":
-    """Forces given by formulas, each lane by its own."""
+    """Forces given by formulas or tables: one formula for all lanes, or each lane by its own."""
+    formula = getattr(laws[0], "formula", None)
+    if formula is not None and all(getattr(law, "formula", None) == formula for law in laws):
+        return laws[0]
 
     def at(given: "dict[str, Any]") -> "Any":
         columns = {name: values.tolist() for name, values in given.items()}

@@ -10,6 +10,7 @@ from dynamics_cli.numerics.fitting.records_file import read_columns
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from typing import Any
 
     from dynamics_cli.motion.bodies.records import Driver
     from dynamics_cli.records import Formula
@@ -105,14 +106,17 @@ def linear(times: "list[float]", values: "list[float]") -> "Callable[[float], tu
     return at
 
 
-def loading(formula: "Formula | None", names: "tuple[str, ...]") -> "Callable[[dict[str, float]], float] | None":
-    """A force or torque as a function of named numbers in SI."""
-    if formula is None:
-        return None
-    law = law_of(formula, (), names)
-    used = parsed(formula, names).names
-    needed = [name for name in names if name in used]
-    if not needed:
-        value = float(law())
-        return lambda given: value
-    return lambda given: float(law(**{name: given[name] for name in needed}))
+class Loading:
+    """A force or torque by a formula, as a function of named numbers in SI or of arrays of them."""
+
+    def __init__(self, formula: "Formula", names: "tuple[str, ...]") -> None:
+        self.formula, self._law = formula, law_of(formula, (), names)
+        used = parsed(formula, names).names
+        self._needed = [name for name in names if name in used]
+        self._constant = None if self._needed else float(self._law())
+
+    def __call__(self, given: "dict[str, Any]") -> "Any":
+        """Its value."""
+        if self._constant is not None:
+            return self._constant
+        return self._law(**{name: given[name] for name in self._needed})

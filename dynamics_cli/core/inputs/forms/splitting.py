@@ -3,8 +3,13 @@
 from dynamics_cli.core.inputs.quantity_text import number_end, shown
 from dynamics_cli.errors import UsageError
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
 OPENING, CLOSING = "([{", ")]}"
 PAIRS = "example: distance=60 ft, friction=0.7"
+PLACES = ("at", "from", "to")
 
 
 def split_list(text: str) -> list[str]:
@@ -33,6 +38,19 @@ def split_list(text: str) -> list[str]:
     if not all(items):
         raise UsageError(f"{shown(text)} has an empty item", code="syntax", hint="separate items by single commas")
     return items
+
+
+def with_names(text: str, first: str, names: "Collection[str]") -> str:
+    """`pin at 0, 0 m, name=A` as `type=pin, at=0, 0 m, name=A`: the first value, and places by their words.
+
+    >>> with_names("200 N down at 2, 0 m", "force", ("force", "at"))
+    'force=200 N down, at=2, 0 m'
+    """
+    for word in PLACES:
+        if word in names and f"{word}=" not in text.replace(" ", ""):
+            text = text.replace(f" {word} ", f", {word}=", 1)
+    lead, equals, _ = text.partition("=")
+    return f"{first}={text}" if equals and "," in lead else text
 
 
 def split_pairs(text: str) -> dict[str, str]:

@@ -95,10 +95,10 @@ class Pool:
         scatter = _numbers(values, goal, own, heavy=heavy).std(axis=1, ddof=1) / np.sqrt(self.shifts)
         if self._wide is not None and whole:
             fitted, wide = self._wide.fitted[row], self._wide.values[row]
-            apart = _numbers(values, goal) - _numbers(fitted, goal)
+            apart = _numbers(values, goal, heavy=heavy) - _numbers(fitted, goal, heavy=heavy)
             left = np.hypot(
                 apart.std(axis=1, ddof=1) / np.sqrt(self.shifts),
-                _numbers(wide, goal).std(axis=1, ddof=1) / np.sqrt(len(wide)),
+                _numbers(wide, goal, heavy=heavy).std(axis=1, ddof=1) / np.sqrt(len(wide)),
             )
             if (left <= np.maximum(scatter, ALIKE * scatter[: goal.p.size].max())).all():
                 scatter, sound = left, _corrected(wide.ravel(), fitted.ravel(), sound)
