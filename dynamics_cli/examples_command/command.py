@@ -47,7 +47,7 @@ def carry_out(
         _copy(example, terminal)
     else:
         files = wrapped(", ".join(example.files), 72, 0)
-        lines = [example.line, "", f"files  {files[0]}", *(f"       {line}" for line in files[1:])]
+        lines = [*wrapped(example.line, 80, 0), "", f"files  {files[0]}", *(f"       {line}" for line in files[1:])]
         terminal.write("\n".join([*lines, f"copy   dynamics examples {example.name} --copy", _run(example), ""]))
 
 
@@ -122,12 +122,12 @@ def folder() -> Path:
 
 def _copy(example: Example, terminal: "Terminal") -> None:
     """Write the files of an example, all or none."""
-    there = [name for name in example.files if os.path.lexists(name)]
-    if there:
-        hint = "move it away, or copy the example in another folder"
-        raise OutputError(f"{', '.join(there)} exists: nothing is written", code="exists", hint=hint)
     try:
         contents = [(name, (folder() / name).read_bytes(), "copy") for name in example.files]
+        there = [name for name, data, _ in contents if os.path.lexists(name) and Path(name).read_bytes() != data]
+        if there:
+            hint = "move it away, or copy the example in another folder"
+            raise OutputError(f"{', '.join(there)} exists: nothing is written", code="exists", hint=hint)
         for name in example.files:
             os.makedirs(os.path.dirname(name) or ".", exist_ok=True)
     except OSError as error:

@@ -47,7 +47,7 @@ def _numbers(calculations: "Sequence[Calculation]") -> "list[Block]":
         blocks += _complete(case)
         for name, node in case.results.items():
             if is_table(node):
-                blocks.append(table(node, f"Section {case.section}, {name.replace('_', ' ')}", 12))
+                blocks.append(table(node, f"Section {case.section}, {name.replace('_', ' ')}"))
         lines = [check_line(check) for check in case.document["checks"]]
         lines += _propagation(case.document["numerics"].get("uncertainty", {}))
         method = case.document["numerics"].get("method", "")

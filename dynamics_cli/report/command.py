@@ -7,6 +7,7 @@ from dynamics_cli.core.inputs.settings import named_file
 from dynamics_cli.core.inputs.sources.files import READABLE_SCHEMAS, decode, read_bytes
 from dynamics_cli.core.inputs.sources.hashes import entry_of
 from dynamics_cli.core.output.files import Files
+from dynamics_cli.core.output.plot.axes import words as written
 from dynamics_cli.core.output.plot.pages import draw
 from dynamics_cli.errors import UsageError
 from dynamics_cli.pictures import Picture
@@ -167,7 +168,7 @@ def _drawn(cases: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, l
                 images[case.section] = [_image(case, picture, part, 0.36 if width else 0.85)]
         spread = intervals(cases, FRONT)
         if spread is not None:
-            image = Image(draw(spread, "svg", "si"), "Results with intervals and limits", description(spread))
+            image = Image(draw(spread, "svg", "si"), "Results with intervals and limits", description(spread, "si"))
             images.setdefault(0, []).append(image)
     except UsageError as error:
         terminal.tell(f"dynamics: the report has no pictures: {error.message}\n  {error.hint}\n")
@@ -176,15 +177,20 @@ def _drawn(cases: "Sequence[Calculation]", terminal: "Terminal") -> "dict[int, l
 
 
 def _image(case: Calculation, picture: Picture, part: Picture, width: float) -> Image:
-    text = f"Section {case.section}, {case.name}: {picture.title or case.source.document['command']}"
-    return Image(draw(part, "svg", system_of(case.source.document)), text, description(part), width)
+    system = system_of(case.source.document)
+    title = written(picture.title, system).replace("\n", "; ") or case.source.document["command"]
+    text = f"Section {case.section}, {case.name}: {title}"
+    return Image(draw(part, "svg", system), text, description(part, system), width)
 
 
 def _form(options: "Mapping[str, str]") -> str:
-    form = options.get("format", "")
+    form, ending = options.get("format", ""), os.path.splitext(options.get("output", ""))[1].lower()
     if form and form not in FORMS:
         raise UsageError(f"read {form!r}, wanted one of {', '.join(FORMS)}", parameter="format", code="unknown-choice")
-    return form or _ENDINGS.get(os.path.splitext(options.get("output", ""))[1].lower(), FORMS[0])
+    if ending and not form and ending not in _ENDINGS:
+        hint = "endings are .md .html .pdf; --format writes one of these under any name"
+        raise UsageError(f"a report cannot be written as {ending}", parameter="output", code="format", hint=hint)
+    return form or _ENDINGS.get(ending, FORMS[0])
 
 
 def _digits(text: str) -> int:

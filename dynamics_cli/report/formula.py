@@ -43,7 +43,7 @@ _LOW = re.compile(f"_([A-Za-z0-9Ͱ-Ͽ]+)|([{''.join(_LOWERED)}]+)")
 _HIGH = re.compile(f"([{''.join(_RAISED)}]+)")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|[½¼¾]")
 # Longer runs of letters are words, and these; several in a row stand together.
-_WORD = "(?:[A-Za-z]{3,}|at|by|if|in|is|of|on|or|to)(?![A-Za-z_Ͱ-Ͽ̄̇̈′″‴*])"
+_WORD = "(?:[A-Za-z]{3,}(?:'s)?|at|by|if|in|is|of|on|or|to)(?![A-Za-z_Ͱ-Ͽ̄̇̈′″‴*])"
 _WORDS = re.compile(f"{_WORD}(?: {_WORD})*:?")
 
 

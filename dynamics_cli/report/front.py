@@ -1,5 +1,6 @@
 """The first page: title block, picture, findings in sentences, their drivers, and the verdict of the checks."""
 
+from dynamics_cli.core.output.plot.axes import words
 from dynamics_cli.pictures import Axis, Panel, Picture, Ranges
 from dynamics_cli.report.blocks import Beside, Heading, Image, Items, Paragraph, Title
 from dynamics_cli.report.calculation import Calculation, node_at
@@ -106,13 +107,13 @@ def own_picture(case: Calculation) -> "Picture | None":
     return Picture(panels, picture.title, picture.columns, width=picture.width, scene=picture.scene)
 
 
-def description(picture: Picture) -> str:
+def description(picture: Picture, system: str) -> str:
     """Description of a picture for readers who cannot see it."""
-    parts = [picture.title] if picture.title else []
+    parts = [words(picture.title, system)] if picture.title else []
     for panel in picture.panels:
         axes = [axis.title for axis in (panel.y, panel.x) if axis.title]
-        subject = panel.title or " over ".join(axes)
-        labels = [getattr(item, "label", "") for item in panel.items]
+        subject = words(panel.title, system) or " over ".join(axes)
+        labels = [words(getattr(item, "label", ""), system) for item in panel.items]
         labels += [name for item in panel.items for name in getattr(item, "names", ())]
         named = ", ".join(dict.fromkeys(label.replace("\n", " ") for label in labels if label))
         parts.append(f"{subject}: {named}" if named and subject else subject or named)

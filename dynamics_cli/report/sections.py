@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 # A longer table is shown by its first and last rows.
 MOST_ROWS = 40
+# Small letters across a page; those of a column beside its digits: sign, point, leading zero and gap.
+PAGE, BESIDE_DIGITS = 155, 5
 # A longer formula has its numbers on a second line.
 LONGEST_FORMULA = 90
 # More inputs than these are a table.
@@ -143,8 +145,9 @@ def _table(node: "Any", caption: str, digits: int, *, small: bool = False) -> Ta
     return Table(heads, rows, caption, right, small)
 
 
-def table(node: "Any", caption: str, digits: int) -> Table:
-    """A table of a document for an appendix."""
+def table(node: "Any", caption: str) -> Table:
+    """A table of a document for an appendix, with as many digits as its columns leave room for."""
+    digits = max(4, min(12, PAGE // len(columns(node)) - BESIDE_DIGITS))
     return _table(node, caption, digits, small=True)
 
 

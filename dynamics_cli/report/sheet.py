@@ -59,7 +59,7 @@ def _parts(parts: "Sequence[Picture | Listing]", system: str) -> "list[Block]":
             untitled = Picture(part.panels, "", part.columns, width=part.width)
             text = words(part.title, system)
             svg = draw(untitled, "svg", system)
-            caption = f"{text}. {description(untitled)}"
+            caption = f"{text}. {description(untitled, system)}"
             blocks.append(Image(svg, text[:1].upper() + text[1:], caption, min(1.0, _inches(svg) / part.width)))
     return blocks
 

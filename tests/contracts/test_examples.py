@@ -52,6 +52,12 @@ def test_each_is_copied_and_runs(name: str, tmp_path: Path, monkeypatch: pytest.
         assert run(*shlex.split(example.run)[1:]).status == 0
 
 
+def test_examples_that_share_a_file_stand_in_one_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert run("examples", "flywheel", "--copy").status == 0
+    assert run("examples", "rotor", "--copy").status == 0
+
+
 def test_a_file_that_exists_is_left_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "crash").mkdir()

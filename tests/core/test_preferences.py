@@ -37,3 +37,28 @@ def test_an_unknown_setting_is_named(folder: Path) -> None:
     assert outcome.status == 2
     assert "'unit'" in outcome.err
     assert "units, digits, format, gravity" in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("variable", "value"),
+    [("UNITS", "imperial"), ("FORMAT", "yaml"), ("DIGITS", "x"), ("GRAVITY", "32.2")],
+)
+def test_a_bad_variable_is_named(folder: Path, variable: str, value: str) -> None:
+    outcome = run(*CALL, env={f"DYNAMICS_{variable}": value})
+    assert outcome.status == 2
+    assert outcome.err.startswith(f"dynamics: DYNAMICS_{variable}: ")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("units = us", "that line is: units = us; text stands in quotes"),
+        ('units = "usa"', "wanted one of si, us, base"),
+    ],
+)
+def test_a_bad_value_in_the_file_is_named_with_the_file(folder: Path, text: str, said: str) -> None:
+    (folder / "dynamics.toml").write_text(text)
+    outcome = run(*CALL)
+    assert outcome.status == 2
+    assert "dynamics.toml" in outcome.err
+    assert said in outcome.err

@@ -14,6 +14,7 @@ from harness import run
         ("Campbell diagram", "vibration whirl"),
         ("center of mass", "inertia shape"),
         ("edr", "skid record"),
+        ("gyroscope", "spin gyro"),
     ],
 )
 def test_tasks_are_found_by_words_of_their_names_and_texts(words: str, first: str) -> None:
@@ -53,6 +54,7 @@ def test_nothing_found_is_an_error() -> None:
     assert (outcome.status, outcome.out) == (2, "")
     assert "no task is about 'zymurgy'" in outcome.err
     assert "try: dynamics skid --help" in run("help", "skid", "zymurgy").err
+    assert "did you mean dynamics help stopping distance?" in run("help", "stoping", "distance").err
 
 
 @pytest.mark.parametrize(

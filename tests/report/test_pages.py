@@ -218,6 +218,20 @@ def test_a_formula_reads_roots_fractions_scripts_and_units() -> None:
     assert "<mtext>\u00a0m/s</mtext>" in element
 
 
+def test_a_cam_in_a_report_has_units_of_the_trade_and_tables_that_fit(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    name, file = str(tmp_path / "a.json"), tmp_path / "a.md"
+    program = "rise 10 mm in 90 deg ms; dwell 90 deg; return in 90 deg; dwell"
+    cam = ("--program", program, "--follower", "roller", "--base-radius", "25 mm", "--roller-radius", "6 mm")
+    assert run("cam", "profile", *cam, "--json", "--output", name).status == 0
+    assert run("report", name, "--full", "--output", str(file)).status == 0
+    text = file.read_text()
+    assert "base circle radius 25 mm; rise 10 mm in 90 deg" in text
+    table = text.partition("points; 360 rows")[2]
+    assert max(map(len, re.findall(r"\d[\d.]*", table.partition("\n\n")[2].partition("\n\n")[0]))) <= 10
+    assert '"angle from the follower\'s direction"' in formula.typst("angle from the follower's direction")
+
+
 def test_a_scene_of_a_crash_is_told_in_its_own_names(tmp_path: Path) -> None:
     for scene in ("crash_scene/crash.toml", "slide/turned.toml"):
         name = str(tmp_path / "scene.json")

@@ -274,6 +274,7 @@ def test_wrong_calls(tmp_path: Path) -> None:
     name = written(tmp_path, "a.json", *SPEED)
     assert run("report", name, "--format", "pdf").status == 2
     assert run("report", name, "--digits", "0").status == 2
+    assert run("report", name, "--output", "report.docx").status == 2
     assert run("report", name, "--output", str(tmp_path / "no" / "a.html")).status == 5
 
 

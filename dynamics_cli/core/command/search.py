@@ -24,13 +24,15 @@ SAME = {"edr": "recorder", "center": "centre", "cg": "centroid", "cog": "centroi
 MOST, MOST_MEANT = 12, 3
 # From this length on the beginning of a word stands for it: "balanc" for balance and balancing.
 STEM = 5
+# A task's name of so many letters stands for longer words: "gyro" for gyroscope.
+NAME = 4
 
 
 def tasks_about(words: "Sequence[str]", families: "Iterable[str]", find: "Finder") -> "list[Task]":
     """The tasks about all the words: those that are called so, then by their summaries, else by all their texts."""
     terms = [SAME.get(term, term) for word in words for term in _words(word) if term not in IDLE]
     tasks = [task for name in families for task in find(name).tasks.values()] if terms else []
-    called = [task for task in tasks if _about(terms, _called(task))]
+    called = [task for task in tasks if _about(terms, _called(task), NAME)]
     found = called + [task for task in tasks if task not in called and _about(terms, _summarized(task))]
     return found or [task for task in tasks if _about(terms, _described(task))]
 
@@ -48,13 +50,13 @@ def _described(task: Task) -> str:
     return f"{_summarized(task)} {' '.join(task.options)} {' '.join(describe_options(task).values())}"
 
 
-def _about(terms: "Sequence[str]", text: str) -> bool:
+def _about(terms: "Sequence[str]", text: str, name: int = 0) -> bool:
     words = _words(text)
-    return all(any(_same(term, word) for word in words) for term in terms)
+    return all(any(_same(term, word, name) for word in words) for term in terms)
 
 
-def _same(term: str, word: str) -> bool:
-    if term == word or singular(term) == singular(word):
+def _same(term: str, word: str, name: int) -> bool:
+    if term == word or singular(term) == singular(word) or (name and len(word) >= name and term.startswith(word)):
         return True
     stem = min(len(term), len(word))
     return stem >= STEM and (word.startswith(term) or (term.startswith(word) and len(term) - stem <= 3))
@@ -81,7 +83,8 @@ def print_found(words: "Sequence[str]", families: "Iterable[str]", find: "Finder
     found, options = tasks_about(words, families, find), _options_about(words)
     if not found and not options:
         start = f"dynamics {words[0]} --help" if words and words[0] in families else "dynamics help"
-        hint = f"try: {start}, or dynamics examples"
+        near = _spelled(words, families, find)
+        hint = f"did you mean dynamics help {near}?" if near else f"try: {start}, or dynamics examples"
         raise UsageError(f"no task is about {' '.join(words)!r}", code="unknown-command", hint=hint)
     shown = found[:MOST]
     width, column = min(terminal.columns or 80, 80), max((len(task.path) for task in shown), default=0) + 2
@@ -97,6 +100,14 @@ def print_found(words: "Sequence[str]", families: "Iterable[str]", find: "Finder
     if _about(["uncertainty"], " ".join(words)):
         lines += ["", *wrapped(UNCERTAIN, width, 0)]
     terminal.write("\n".join(lines) + "\n")
+
+
+def _spelled(words: "Sequence[str]", families: "Iterable[str]", find: "Finder") -> str:
+    """The words with the spelling that the texts of tasks have, where tasks are about these."""
+    texts = (_summarized(task) for name in families for task in find(name).tasks.values())
+    known = sorted({word for text in texts for word in _words(text) if len(word) > 3})
+    near = [next(iter(nearest_words(word, known, 1)), word) for word in words]
+    return " ".join(near) if near != list(words) and tasks_about(near, families, find) else ""
 
 
 def unknown_command(

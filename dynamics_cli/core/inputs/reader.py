@@ -47,7 +47,7 @@ class Reader(Context):
         self.axes = str(raw.get("axes") or "")
         bound = self._object(fields, raw, "")
         for error in self.errors:
-            error.named = self.spell(error.parameter or "")
+            error.named = self._variable(fields, raw, error.parameter) or self.spell(error.parameter or "")
             if error.code == "number" and (pointer := self.pointers.get((error.parameter or "").rpartition(".")[2])):
                 error.hint = f"{error.hint}; {pointer}"
         if len(self.errors) == 1:
@@ -57,6 +57,12 @@ class Reader(Context):
         inputs = Fields(None, bound)
         inputs.spell = self.spell
         return inputs
+
+    def _variable(self, fields: "tuple[Field, ...]", raw: "Raw", key: str | None) -> str:
+        """The variable of the environment that gave a parameter."""
+        leaf = next((field.node for field in fields if field.key == key and key not in raw), None)
+        variable = leaf.kind.variable if isinstance(leaf, Leaf) else ""
+        return variable if variable in self.environ else ""
 
     def _fail(self, address: str, message: str, *, code: str = "usage", hint: str | None = None) -> None:
         self.errors.append(UsageError(message, code=code, parameter=address, hint=hint))

@@ -91,7 +91,7 @@ class Settings:
         self.format = self._format(given, environ)
         self.units = self._text(given, "units") or environ.get("DYNAMICS_UNITS") or "si"
         if self.units not in SYSTEMS:
-            raise _unknown("units", self.units, SYSTEMS)
+            raise _unknown("units", self.units, SYSTEMS, given)
         self.to = _pairs("to", given)
         self.digits = self._digits(given, environ)
         self.all = bool(given.get("all"))
@@ -166,9 +166,7 @@ class Settings:
             return "json"
         name = self._text(options, "format")
         ending = _ending_format(self.output)
-        if name and name not in FORMATS:
-            raise _unknown("format", name, FORMATS)
-        if name and ending and name != ending:
+        if name in FORMATS and ending and name != ending:
             raise UsageError(
                 f"--format {name} and the ending of {self.output!r} contradict each other",
                 parameter="format",
@@ -177,7 +175,7 @@ class Settings:
             )
         name = name or ending or environ.get("DYNAMICS_FORMAT") or "table"
         if name not in FORMATS:
-            raise _unknown("format", name, FORMATS)
+            raise _unknown("format", name, FORMATS, options)
         return name
 
     def _jobs(self, options: "Mapping[str, str | bool | list[str]]") -> int:
@@ -194,7 +192,9 @@ class Settings:
         if not text:
             return 0
         if not (text.isascii() and text.isdigit()) or len(text) > 2 or not 1 <= int(text) <= 17:
-            raise UsageError(f"read {text!r}, wanted 1 to 17 significant digits", parameter="digits")
+            error = UsageError(f"read {text!r}, wanted 1 to 17 significant digits", parameter="digits")
+            error.named = "" if "digits" in options else "DYNAMICS_DIGITS"
+            raise error
         return int(text)
 
     def _whole(self, options: "Mapping[str, str | bool | list[str]]", name: str, most: int) -> "int | None":
@@ -216,6 +216,9 @@ class Settings:
         limits = []
         for item in options.get("limit", ()):  # type: ignore[union-attr]
             name, equals, value = item.partition("=")
+            if any(sign in name for sign in "<>≤≥"):
+                hint = 'for example --limit "speed=50 km/h"; the answer says whether it is exceeded'
+                raise UsageError(f"read {item!r}, wanted [NAME=]VALUE", parameter="limit", hint=hint)
             limits.append((name.strip().replace("-", "_"), value) if equals else ("", item))
         return limits
 
@@ -245,8 +248,12 @@ def _ending_format(output: str) -> str:
     return format_
 
 
-def _unknown(name: str, read: str, known: "tuple[str, ...]") -> UsageError:
-    return UsageError(f"read {read!r}, wanted one of {', '.join(known)}", parameter=name, code="unknown-choice")
+def _unknown(
+    name: str, read: str, known: "tuple[str, ...]", options: "Mapping[str, str | bool | list[str]]"
+) -> UsageError:
+    error = UsageError(f"read {read!r}, wanted one of {', '.join(known)}", parameter=name, code="unknown-choice")
+    error.named = "" if name in options else f"DYNAMICS_{name.upper()}"
+    return error
 
 
 def _pairs(option: str, options: "Mapping[str, str | bool | list[str]]") -> "dict[str, str]":
@@ -255,7 +262,8 @@ def _pairs(option: str, options: "Mapping[str, str | bool | list[str]]") -> "dic
         name, equals, value = item.partition("=")
         key = name.strip().replace("-", "_")
         if not equals or not key or not value.strip():
-            raise UsageError(f"read {item!r}, wanted NAME=VALUE", parameter=option, hint=UNIVERSAL_OPTIONS[option][2])
+            _, form, hint = UNIVERSAL_OPTIONS[option]
+            raise UsageError(f"read {item!r}, wanted {form}", parameter=option, hint=hint)
         if key in pairs:
             raise UsageError(f"{key} is given twice", parameter=option)
         pairs[key] = value.strip()

@@ -41,8 +41,11 @@ def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = (),
     lines = []
     for item in error.all():
         name = item.named or _as_typed(item.parameter or "", typed)
-        named = not name or item.message.startswith((name, f"--{name}", item.parameter or "")) or name in item.message
-        named = named or (isinstance(item, MissingError) and bool(item.hint))
+        said = (name,) if name.startswith("--") else (repr(name), f"{name}=")
+        named = not name or item.message.startswith((name, f"--{name}", item.parameter or ""))
+        named = (
+            named or any(part in item.message for part in said) or (isinstance(item, MissingError) and bool(item.hint))
+        )
         message = "dynamics: " + _printable(item.message if named else f"{name}: {item.message}")
         hint = _printable(item.hint or "")
         lines += wrapped(message, columns, 4) if columns else [message]

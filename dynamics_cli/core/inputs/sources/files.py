@@ -28,10 +28,15 @@ def read_bytes(name: str, terminal: "Terminal") -> bytes:
         raise UsageError(f"cannot read {name!r}: {reason}", code="unreadable") from None
 
 
+def named(name: str) -> str:
+    """A source in a message: standard input, the row of `--rows`, or the file in quotes."""
+    return {"-": "standard input", "the row": name}.get(name) or repr(name)
+
+
 def _limited(file: "BinaryIO", name: str) -> bytes:
     data = file.read(MOST_BYTES + 1)
     if len(data) > MOST_BYTES:
-        message = f"{name!r} holds more than {MOST_BYTES >> 20} MB: too much for parameters"
+        message = f"{named(name)} holds more than {MOST_BYTES >> 20} MB: too much for parameters"
         raise UsageError(message, code="too-long", hint="a stream of cases goes to --rows")
     return data
 
@@ -42,7 +47,7 @@ def decode(data: bytes, name: str) -> str:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise UsageError(
-            f"{name!r} is not UTF-8 text: byte {error.start} is 0x{data[error.start]:02x}",
+            f"{named(name)} is not UTF-8 text: byte {error.start} is 0x{data[error.start]:02x}",
             code="encoding",
             hint="save it as UTF-8",
         ) from None
@@ -56,7 +61,7 @@ def read_object(name: str, terminal: "Terminal") -> "tuple[dict[str, Any], bytes
     raw = parse_toml(text, name) if is_toml and text.strip() else parse_json(text, name)
     if not isinstance(raw, dict):
         raise UsageError(
-            f"{name!r} holds {type(raw).__name__}, wanted one object",
+            f"{named(name)} holds {type(raw).__name__}, wanted one object",
             code="json",
             hint="a list of cases goes to --rows",
         )
@@ -74,9 +79,9 @@ def parse_json(text: str, name: str) -> "Any":
     except json.JSONDecodeError as error:
         where = f"line {error.lineno}, column {error.colno}"
         hint = "it is empty" if not text.strip() else None
-        raise UsageError(f"{name!r} is not JSON: {error.msg} at {where}", code="json", hint=hint) from None
+        raise UsageError(f"{named(name)} is not JSON: {error.msg} at {where}", code="json", hint=hint) from None
     except RecursionError:
-        raise UsageError(f"{name!r} is nested too deeply", code="json") from None
+        raise UsageError(f"{named(name)} is nested too deeply", code="json") from None
 
 
 def parse_toml(text: str, name: str) -> "dict[str, Any]":
@@ -86,12 +91,14 @@ def parse_toml(text: str, name: str) -> "dict[str, Any]":
     try:
         return _plain(tomllib.loads(text, parse_float=_finite_token))  # type: ignore[no-any-return]
     except tomllib.TOMLDecodeError as error:
-        raise UsageError(f"{name!r} is not TOML: {error}", code="toml", hint=_toml_hint(text, str(error))) from None
+        raise UsageError(
+            f"{named(name)} is not TOML: {error}", code="toml", hint=_toml_hint(text, str(error))
+        ) from None
     except RecursionError:
-        raise UsageError(f"{name!r} is nested too deeply", code="toml") from None
+        raise UsageError(f"{named(name)} is nested too deeply", code="toml") from None
     except ValueError:
         # Python reads and writes whole numbers of some thousands of digits at most.
-        message = f"{name!r} is not TOML that can be read: a whole number has thousands of digits"
+        message = f"{named(name)} is not TOML that can be read: a whole number has thousands of digits"
         raise UsageError(message, code="toml", hint="write it as 1e99") from None
 
 

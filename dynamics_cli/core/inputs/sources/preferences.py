@@ -22,13 +22,11 @@ def with_preferences(environ: "Mapping[str, str]") -> "Mapping[str, str]":
 
 
 def _read(path: str) -> "dict[str, str]":
-    import tomllib
+    from dynamics_cli.core.inputs.settings import FORMATS, SYSTEMS
+    from dynamics_cli.core.inputs.sources.files import decode, parse_toml, read_bytes
+    from dynamics_cli.core.terminal import Terminal
 
-    try:
-        with open(path, "rb") as file:
-            preferences = tomllib.load(file)
-    except (OSError, ValueError) as error:
-        raise UsageError(f"cannot read {path}: {error}", code="preferences") from None
+    preferences = parse_toml(decode(read_bytes(path, Terminal()), path), path)
     unknown = sorted(preferences.keys() - VARIABLES.keys())
     if unknown:
         raise UsageError(
@@ -36,4 +34,8 @@ def _read(path: str) -> "dict[str, str]":
             code="preferences",
             hint=f"settings are {', '.join(VARIABLES)}",
         )
+    for name, known in (("units", SYSTEMS), ("format", FORMATS)):
+        if (value := preferences.get(name, known[0])) not in known:
+            message = f"{path}: {name} is {value!r}, wanted one of {', '.join(known)}"
+            raise UsageError(message, code="preferences")
     return {VARIABLES[name]: str(value) for name, value in preferences.items()}

@@ -63,8 +63,10 @@ def one_legend(figure: "Any") -> None:
         if axes.get_legend():
             axes.get_legend().remove()
     if named:
-        place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "borderaxespad": 0.2}
-        figure.axes[0].legend(named.values(), named.keys(), ncols=2, **place)
+        first = figure.axes[0]
+        above = part("transforms").ScaledTranslation(0.0, 0.22 if first.get_title() else 0.0, figure.dpi_scale_trans)
+        place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "bbox_transform": first.transAxes + above}
+        first.legend(named.values(), named.keys(), ncols=2, borderaxespad=0.2, **place)
 
 
 def _free_beneath(panel: "Panel") -> bool:

@@ -215,7 +215,8 @@ def _panel(axes: "Any", panel: "Panel", system: str, columns: int) -> None:
     axes.set_xlabel(written(x.label, system))
     axes.set_ylabel(written(y.label, system))
     if panel.title:
-        axes.set_title(fill(sentence(words(panel.title, system)), LONGEST_TITLE // columns))
+        room = min(1.0, axes.figure.get_figwidth() / WIDTHS[min(columns, len(WIDTHS)) - 1])
+        axes.set_title(fill(sentence(words(panel.title, system)), int(room * LONGEST_TITLE / columns)))
     if x.logarithmic:
         axes.set_xscale("log")
     if y.logarithmic:
