@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import DynamicsError, require
 from dynamics_cli.inertia.mesh.block_sums import PART, Room
 from dynamics_cli.inertia.mesh.faults.closure import edge_sum
 from dynamics_cli.inertia.mesh.frame import Frame
@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 LARGEST = 1e55
 # Bits of the reference point's coordinates, as many as single precision has.
 _REFERENCE_BITS = 24
+# Spans whose numbers a pipe holds.
+_MOST_SPANS = 1 << 13
 
 
 def first_pass(source: "Source", *, shell: bool, prove: bool) -> "tuple[Sums, Moments]":
@@ -98,7 +100,7 @@ def _in_order(source: "Source", prepare: "Callable[[], Work]") -> "Iterable[Any]
     """Sums of the blocks of a source, in their order; `prepare` gives each process its working arrays."""
     spans = source.spans()
     processes = min(_cores(), len(spans))
-    if processes > 1 and _may_fork():
+    if processes > 1 and len(spans) <= _MOST_SPANS and _may_fork():
         parts = _side_by_side(spans, processes, prepare)
         if parts is not None:
             return parts
@@ -147,6 +149,9 @@ def _side_by_side(spans: "Sequence[Source]", processes: int, prepare: "Callable[
             children.pop()
             if status:
                 return None
+    except DynamicsError:
+        # another process may have met an earlier fault, which one process alone meets first
+        return None
     finally:
         os.close(taken)
         for child in children:
