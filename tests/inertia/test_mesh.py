@@ -1,6 +1,7 @@
 """Meshes: files of every fault, surfaces open, flipped and inside out, shells, views, and what must not change."""
 
 import math
+import os
 import struct
 from itertools import pairwise
 from pathlib import Path
@@ -18,7 +19,7 @@ from dynamics_cli.inertia.bodies.records import Shaft
 from dynamics_cli.inertia.mesh import measurement as reading
 from dynamics_cli.inertia.mesh import passes
 from dynamics_cli.inertia.mesh import stl as forms
-from dynamics_cli.inertia.mesh.faults.closure import vertex_hashes
+from dynamics_cli.inertia.mesh.faults.closure import edge_sum, vertex_hashes
 from dynamics_cli.inertia.mesh.opening import open_mesh
 from dynamics_cli.inertia.mesh.passes import first_pass, second_pass
 from dynamics_cli.inertia.mesh.pictures import DRAWN, mesh_picture, outlines
@@ -274,11 +275,32 @@ class TestSurfaces:
     def test_numbers_of_vertices_do_not_repeat(self, single: bool, step: float) -> None:
         side = np.arange(-27.0, 27.0) * step
         x, y, z = (part.ravel() for part in np.meshgrid(side, side, side))
-        points = np.concatenate([np.stack([x, y, z])] * 3).astype(np.float32 if single else float).astype(float) + 0.0
-        count = points.shape[1]
-        h = np.empty((3, count), np.uint64)
-        vertex_hashes(points, np.empty((9, count), np.uint64), h, h.copy(), single=single)
-        assert len(np.unique(h[0])) == count
+        points = np.stack([x, y, z]).astype(np.float32 if single else float).astype(float) + 0.0
+        h, spare = np.empty((2, 1, points.shape[1]), np.uint64)
+        vertex_hashes(points, h, spare)
+        assert len(np.unique(h[0])) == points.shape[1]
+        # nor do their last bits, which decide whether a product of their differences vanishes
+        for bits in (8, 12, 16):
+            counts = np.bincount((h[0] % np.uint64(1 << bits)).astype(np.intp), minlength=1 << bits)
+            expected = h.size / (1 << bits)
+            assert ((counts - expected) ** 2).sum() / expected == pytest.approx(1 << bits, rel=8.0 / 2 ** (bits / 2))
+
+    @pytest.mark.parametrize("step", [1.0, 0.001])
+    @pytest.mark.parametrize("axis", [0, 1, 2])
+    def test_a_corner_in_the_middle_of_an_edge_opens_it(self, axis: int, step: float) -> None:
+        """Also where all three lie along an axis and the numbers are whole."""
+        low, middle, high = (np.roll((k * step, 3.0 * step, 5.0 * step), axis) for k in (0.0, 1.0, 2.0))
+        one, other = np.roll((1.0, 9.0, 5.0), axis), np.roll((1.0, 3.0, -9.0), axis)
+        made = [(low, high, one), (high, low, other), (low, one, other), (one, high, other)]
+        whole = np.array(made).reshape(-1, 9).T + 0.0
+        cut = np.array([*made[1:], (low, middle, one), (middle, high, one)]).reshape(-1, 9).T + 0.0
+
+        def sums(corners: np.ndarray) -> int:
+            rows = np.ascontiguousarray(corners)
+            return edge_sum(rows, *np.empty((2, 3, rows.shape[1]), np.uint64))
+
+        assert sums(whole) == 0
+        assert sums(cut) != 0
 
     def test_minus_zero_is_zero(self, tmp_path: Path) -> None:
         made = [tuple(tuple(-0.0 if x == 0.0 and k % 2 else x for x in p) for p in t) for k, t in enumerate(BOX)]
@@ -410,8 +432,7 @@ class TestBlocks:
         assert moments.measure == pytest.approx(count / 24.0, rel=1e-14)
         read = np.concatenate([np.array(block, dtype=float).T for block in source.blocks()])
         assert (read.reshape(-1, 3, 3) == corners).all()
-        assert sums.boundary is not None
-        assert sums.boundary.empty
+        assert sums.closed
 
     def test_cores_share_the_work_and_change_no_bit(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         name = write_array(tmp_path / "torus.stl", torus(330, 70))
@@ -423,8 +444,7 @@ class TestBlocks:
             source = open_mesh(name)
             sums, moments = first_pass(source, shell=False, prove=True)
             again = second_pass(source, sums, moments, np.eye(3))
-            assert sums.boundary is not None
-            assert sums.boundary.empty
+            assert sums.closed
             assert sums.count == 330 * 70 * 2
             answers.append(
                 [moments.measure, *moments.second.ravel(), *again.second.ravel(), *sums.low, *sums.high]
@@ -446,8 +466,28 @@ class TestBlocks:
         corners[40_000, 0, 0] = math.inf
         monkeypatch.setattr(forms, "SPAN", BLOCK)
         monkeypatch.setattr(passes, "_cores", lambda: 4)
+        assert passes._may_fork()
         with pytest.raises(InadmissibleError, match="coordinate z of corner 2 of triangle 30001 is nan"):
             first_pass(open_mesh(write_array(tmp_path / "torus.stl", corners)), shell=False, prove=True)
+
+    def test_a_process_that_dies_costs_time_and_nothing_else(
+        self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        name = write_array(tmp_path / "torus.stl", torus(330, 70))
+        monkeypatch.setattr(forms, "SPAN", BLOCK)
+        monkeypatch.setattr(passes, "_cores", lambda: 3)
+        parent, added = os.getpid(), passes._added
+
+        def deadly(*given: Any) -> Any:
+            for part in added(*given):
+                if os.getpid() != parent:
+                    os._exit(9)
+                yield part
+
+        one = first_pass(open_mesh(name), shell=False, prove=True)[1]
+        monkeypatch.setattr(passes, "_added", deadly)
+        other = first_pass(open_mesh(name), shell=False, prove=True)[1]
+        assert (other.measure, other.second.tolist()) == (one.measure, one.second.tolist())
 
     def test_the_second_pass_is_for_thin_and_for_small(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(reading, "SMALL", 10)
@@ -519,8 +559,7 @@ class TestBlocks:
         corners = torus(12, 8).reshape(-1, 3)
         source = Corners("x", "OBJ", corners, np.arange(len(corners)).reshape(-1, 3))
         sums, moments = first_pass(source, shell=False, prove=True)
-        assert sums.boundary is not None
-        assert sums.boundary.empty
+        assert sums.closed
         assert moments.measure > 0.0
 
     @pytest.mark.parametrize("few", [reading.FEW, 0])

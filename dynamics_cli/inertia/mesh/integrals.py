@@ -1,9 +1,9 @@
 """Volume or area, first and second moments of triangles: edges and centroids instead of corners.
 
 A corner a (from the reference point) and the edges e = b − a, f = c − a of a triangle give n = e × f and d = a·n, six
-times the volume of the tetrahedron on it. With p = a + (e + f)/3 and q = e − f/2 the integrals are sums of squares,
+times the volume of the tetrahedron on it. With h = e + f, g = e − f and p = a + h/3 the integrals are sums of squares,
 
-    ∫ r rᵀ dV = Σ d·(p pᵀ + q qᵀ/18 + f fᵀ/24)/10,    ∫ r rᵀ dA = Σ |n|·(p pᵀ + q qᵀ/18 + f fᵀ/24)/2
+    ∫ r rᵀ dV = Σ d·(p pᵀ + g gᵀ/24 + h hᵀ/72)/10,    ∫ r rᵀ dA = Σ |n|·(p pᵀ + g gᵀ/24 + h hᵀ/72)/2
 
 with the shares of a tetrahedron and a triangle. Edges do not depend on the reference point, so thin bodies keep
 their digits.
@@ -27,9 +27,6 @@ from dynamics_cli.inertia.mesh.frame import Frame, departure
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
-
-    from dynamics_cli.inertia.mesh.block_sums import BlockSum
-    from dynamics_cli.inertia.mesh.faults.closure import Boundary
 
     Array = np.ndarray[Any, np.dtype[Any]]
 
@@ -129,10 +126,12 @@ class Moments:
 class Sums:
     """The sums of one pass over the triangles."""
 
-    def __init__(self, *, shell: bool, boundary: "Boundary | None" = None, grain: float = 0.0) -> None:
+    def __init__(self, *, shell: bool, proved: bool = False, grain: float = 0.0) -> None:
         self.shell = shell
         self.grain = grain
-        self.boundary = boundary
+        self.proved = proved
+        # the sum over directed edges, modulo 2⁶⁴
+        self.edges = 0
         self.count = 0
         self._low = np.full(9, np.inf)
         self._high = np.full(9, -np.inf)
@@ -149,6 +148,8 @@ class Sums:
     squares = property(lambda self: 0.25 * self._sum[SQUARES])
     total = property(lambda self: float(self._sum[TOTAL]))
     area = property(lambda self: 0.5 * float(self._sum[AREA]))
+    # whether every directed edge is proved to have an opposite one
+    closed = property(lambda self: self.proved and self.edges == 0)
 
     def products(self) -> "Array":
         """Σ |eᵢ fⱼ| + |eⱼ fᵢ|, whose rounding is the error of n = e × f: the normal of a sliver is a small difference.
@@ -165,22 +166,19 @@ class Sums:
         turned = [more * (f[k - 1] + f[k - 2]) + other * (e[k - 1] + e[k - 2]) + 2.0 * more * other for k in range(3)]
         return exact + np.array(turned)  # type: ignore[no-any-return]
 
-    def add(self, block: "BlockSum") -> None:
+    def add(self, part: "Any") -> None:
         """Add the sums of a block with their rounding errors (compensated)."""
-        before, part = self._sum, block.terms
-        after = before + part
+        before, terms = self._sum, part["terms"]
+        after = before + terms
         virtual = after - before
-        self._lost += (before - (after - virtual)) + (part - virtual)
+        self._lost += (before - (after - virtual)) + (terms - virtual)
         self._sum = after
-        self.count += block.count
-        if block.low is not None and block.high is not None:
-            np.minimum(self._low, block.low, out=self._low)
-            np.maximum(self._high, block.high, out=self._high)
-        if block.extent is not None and block.spread is not None:
-            np.maximum(self.extent, block.extent, out=self.extent)
-            np.maximum(self.spread, block.spread, out=self.spread)
-        if self.boundary is not None:
-            self.boundary.add(block.boundary)
+        self.count += int(part["count"])
+        np.minimum(self._low, part["low"], out=self._low)
+        np.maximum(self._high, part["high"], out=self._high)
+        np.maximum(self.extent, part["extent"], out=self.extent)
+        np.maximum(self.spread, part["spread"], out=self.spread)
+        self.edges = (self.edges + int(part["edges"])) % (1 << 64)
 
     def finish(self) -> None:
         """Add the compensation of the sums."""

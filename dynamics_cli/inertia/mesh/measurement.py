@@ -68,7 +68,7 @@ class Measured:
     @property
     def closed(self) -> bool:
         """Whether every edge is met by one the other way."""
-        return self.sums.boundary is not None and self.sums.boundary.empty
+        return bool(self.sums.closed)
 
 
 # Cache of the last files: trials of an uncertain density do not read them again.

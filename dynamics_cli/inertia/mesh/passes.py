@@ -1,36 +1,39 @@
-"""The two passes over a surface, its blocks on every core where there are many; the same to the bit on one core.
+"""The two passes over a surface, its blocks by one process a core where there are many.
 
-The sums of a block depend only on its triangles, and blocks are added in the order of the file.
+The sums of a block depend only on its triangles, and blocks are added in the order of the file: results are the same to
+the bit on one core.
 """
 
 import os
+import sys
 
 import numpy as np
 
-from dynamics_cli.errors import require
-from dynamics_cli.inertia.mesh.block_sums import BlockSum, Room
-from dynamics_cli.inertia.mesh.faults.closure import Boundary, edge_sum
+from dynamics_cli.errors import DynamicsError, require
+from dynamics_cli.inertia.mesh.block_sums import PART, Room
+from dynamics_cli.inertia.mesh.faults.closure import edge_sum
 from dynamics_cli.inertia.mesh.frame import Frame
 from dynamics_cli.inertia.mesh.integrals import Moments, Sums
+from dynamics_cli.inertia.mesh.stl import BLOCK
 from dynamics_cli.quantities import Ratio
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterable, Iterator, Sequence
     from typing import Any
 
     from dynamics_cli.inertia.mesh.stl import Source
 
     Array = np.ndarray[Any, np.dtype[Any]]
     # adds up the block that lies in a room; the number of triangles before it is for refusals
-    Work = Callable[[Room, BlockSum, int], None]
+    Work = Callable[[Room, Any, int], None]
 
 # Coordinates whose fifth powers would leave the range of a double.
 LARGEST = 1e55
 # Bits of the reference point's coordinates, as many as single precision has.
 _REFERENCE_BITS = 24
-# Threads wait for one another between the short calls of a block; more than these would mostly wait.
-_MOST_THREADS = 8
+# Spans whose numbers a pipe holds.
+_MOST_SPANS = 1 << 13
 
 
 def first_pass(source: "Source", *, shell: bool, prove: bool) -> "tuple[Sums, Moments]":
@@ -45,16 +48,16 @@ def first_pass(source: "Source", *, shell: bool, prove: bool) -> "tuple[Sums, Mo
         break
 
     def prepare() -> "Work":
-        def block(space: Room, part: BlockSum, before: int) -> None:
-            part.low, part.high = _box(space.weighted, before)
+        def block(space: Room, part: "Any", before: int) -> None:
+            part["low"], part["high"] = _box(space.corners, before)
             if prove:
-                part.boundary = edge_sum(space.weighted, space.words, space.hashes, space.mixed, single=source.single)
+                part["edges"] = edge_sum(space.corners, space.hashes, space.mixed)
             space.seen(reference)
             space.add(part, shell=shell, turned=False)
 
         return block
 
-    sums = Sums(shell=shell, boundary=Boundary() if prove else None)
+    sums = Sums(shell=shell, proved=prove)
     for part in _in_order(source, prepare):
         sums.add(part)
     require(sums.count > 0, "there are no triangles", code="empty")
@@ -75,12 +78,12 @@ def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array")
     def prepare() -> "Work":
         frame = Frame(rows, reference, size, source.room)
 
-        def block(space: Room, part: BlockSum, _: int) -> None:
+        def block(space: Room, part: "Any", _: int) -> None:
             a, e, f = space.a, space.e, space.f
-            for vector, turned in zip((a, e, f), frame.seen(space.weighted).transpose(1, 0, 2), strict=True):
+            for vector, turned in zip((a, e, f), frame.seen(space.corners).transpose(1, 0, 2), strict=True):
                 vector[:] = turned
             reach = [np.abs(corner).max(axis=1) for corner in (a, a + e, a + f)]
-            part.extent = np.maximum(np.maximum(reach[0], reach[1]), reach[2])
+            part["extent"] = np.maximum(np.maximum(reach[0], reach[1]), reach[2])
             space.add(part, shell=moments.shell, turned=True)
 
         return block
@@ -93,39 +96,89 @@ def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array")
     return Moments(sums, reference, frame, np.maximum(before.high - reference, reference - before.low))
 
 
-def _in_order(source: "Source", prepare: "Callable[[], Work]") -> "Iterator[BlockSum]":
-    """Sums of the blocks of a source, in their order; `prepare` gives each thread its working arrays."""
+def _in_order(source: "Source", prepare: "Callable[[], Work]") -> "Iterable[Any]":
+    """Sums of the blocks of a source, in their order; `prepare` gives each process its working arrays."""
     spans = source.spans()
-    threads = min(_cores(), len(spans), _MOST_THREADS)
-    if threads < 2:
-        yield from _added(source, prepare(), Room(source.room))
-        return
-    from concurrent.futures import ThreadPoolExecutor
-    from threading import local
-
-    thread_data = local()
-
-    def added(span: "Source") -> "list[BlockSum]":
-        if not hasattr(thread_data, "work"):
-            thread_data.work, thread_data.room = prepare(), Room(source.room)
-        return list(_added(span, thread_data.work, thread_data.room))
-
-    with ThreadPoolExecutor(threads) as pool:
-        for parts in pool.map(added, spans):
-            yield from parts
+    processes = min(_cores(), len(spans))
+    if processes > 1 and len(spans) <= _MOST_SPANS and _may_fork():
+        parts = _side_by_side(spans, processes, prepare)
+        if parts is not None:
+            return parts
+    return _added(source, prepare(), Room(source.room))
 
 
-def _added(source: "Source", work: "Work", room: Room) -> "Iterator[BlockSum]":
+def _side_by_side(spans: "Sequence[Source]", processes: int, prepare: "Callable[[], Work]") -> "Array | None":
+    """Sums of the blocks of all spans by several processes, None where one of them failed.
+
+    Not by threads: between the short calls of a block they wait for one another half of the time.
+    """
+    import mmap
+    import signal
+
+    blocks = [-(-(span.count or 0) // BLOCK) for span in spans]
+    ends = np.cumsum(blocks).tolist()
+    parts = np.frombuffer(mmap.mmap(-1, ends[-1] * PART.itemsize), PART)
+    # whoever is free takes the next span from a pipe
+    taken, handed = os.pipe()
+    os.write(handed, np.arange(len(spans), dtype=np.uint32).tobytes())
+    os.close(handed)
+
+    def work_off() -> None:
+        work, room = prepare(), Room(BLOCK)
+        while number := os.read(taken, 4):
+            index = int.from_bytes(number, sys.byteorder)
+            for place, part in enumerate(_added(spans[index], work, room), ends[index] - blocks[index]):
+                parts[place] = part
+
+    children: list[int] = []
+    try:
+        for _ in range(1, processes):
+            child = os.fork()
+            if not child:
+                try:
+                    signal.signal(signal.SIGINT, signal.SIG_DFL)
+                    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+                    work_off()
+                    os._exit(0)
+                finally:
+                    os._exit(1)
+            children.append(child)
+        work_off()
+        while children:
+            _, status = os.waitpid(children[-1], 0)
+            children.pop()
+            if status:
+                return None
+    except DynamicsError:
+        # another process may have met an earlier fault, which one process alone meets first
+        return None
+    finally:
+        os.close(taken)
+        for child in children:
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+    return parts
+
+
+def _added(source: "Source", work: "Work", room: Room) -> "Iterator[Any]":
     """Sums of each block of a source."""
     before = source.first
-    for corners in source.blocks(room.weighted):
+    for corners in source.blocks(room.corners):
         size = corners.shape[1]
-        space, part = room if size == room.size else Room(size), BlockSum(size)
-        if corners is not space.weighted:
-            space.weighted[:] = corners
+        space = room if size == room.size else Room(size)
+        part = np.zeros(1, PART)[0]
+        part["count"], part["low"], part["high"] = size, np.inf, -np.inf
+        if corners is not space.corners:
+            space.corners[:] = corners
         work(space, part, before)
         yield part
         before += size
+
+
+def _may_fork() -> bool:
+    """Whether a copy of this process would be a whole one: without other threads, and not where systems forbid it."""
+    threading = sys.modules.get("threading")
+    return hasattr(os, "fork") and sys.platform != "darwin" and (not threading or threading.active_count() == 1)
 
 
 def _cores() -> int:

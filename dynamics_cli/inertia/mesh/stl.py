@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 # Triangles a block; smaller ones pay for calls, larger ones leave the cache.
 BLOCK = 8192
-# Triangles that one thread goes through at a time.
+# Triangles that one process goes through at a time.
 SPAN = 16 * BLOCK
 HEADER, RECORD = 84, 50
 _TEXT = 1 << 20

@@ -79,10 +79,8 @@ def _corners(source: "Source") -> "tuple[Array, Array]":
 
 def _joined(corners: "Array") -> "tuple[Array, Array]":
     """Triangles by the numbers of their corners, corners of the same coordinates being one."""
-    count = len(corners)
-    columns = np.ascontiguousarray(np.tile(corners.T, (3, 1)))
-    words, h, spare = np.empty((9, count), np.uint64), np.empty((3, count), np.uint64), np.empty((3, count), np.uint64)
-    vertex_hashes(columns, words, h, spare, single=False)
+    h, spare = np.empty((2, 1, len(corners)), np.uint64)
+    vertex_hashes(np.ascontiguousarray(corners.T), h, spare)
     _, first, number = np.unique(h[0], return_index=True, return_inverse=True)
     return number.reshape(-1, 3), corners[first]
 
