@@ -352,9 +352,7 @@ def test_fractions(text: str, ratio: tuple[int, int]) -> None:
     assert read_fraction(text) == ratio
 
 
-@pytest.mark.parametrize(
-    "text", ["", "/", "1/", "/2", "1/0", "1/0.0", "1/2/3", "a/b", "1/2 m", "nan/1", "1/2,5"]
-)
+@pytest.mark.parametrize("text", ["", "/", "1/", "/2", "1/0", "1/0.0", "1/2/3", "a/b", "1/2 m", "nan/1", "1/2,5"])
 def test_refused_fractions(text: str) -> None:
     with pytest.raises(UsageError):
         read_fraction(text)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def shape(
-    shape: Annotated[Shape, "The shape; `dynamics inertia shapes` lists all with their sizes, a radius or diameter among them"],
+    shape: Annotated[Shape, "The shape; `dynamics inertia shapes` lists all with their sizes, each radius or diameter"],
     /,
     *,
     amount: Annotated[
