@@ -114,8 +114,8 @@ STOP = Task(
         "dynamics_cli.skid.stop:stop",
         source=BOOK,
         formula=(
-            "{stopping_distance|s} = {reaction_distance|v·tr} + {build_up_distance|s_b} + {braking_distance|s_a}",
-            "{stopping_distance|s} = {reaction_distance|v·tr} + {braking_distance|s_a}",
+            "{stopping_distance|s} = {reaction_distance|s_r} + {build_up_distance|s_b} + {braking_distance|s_a}",
+            "{stopping_distance|s} = {reaction_distance|s_r} + {braking_distance|s_a}",
         ),
         assumptions=("constant speed during the reaction", "deceleration rises linearly during the build-up", POINT),
     ),
