@@ -1,9 +1,9 @@
 """The tuned absorber: Den Hartog's tuning, the one of least peak, and the peaks that really result."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.elementary import hypot, over_array, sqrt
+from dynamics_cli.numerics.elementary import hypot, sqrt
 from dynamics_cli.numerics.number import is_array, plain
-from dynamics_cli.numerics.roots import halved
+from dynamics_cli.numerics.roots import sign_change
 from dynamics_cli.quantities import (
     Annotated,
     DampingRatio,
@@ -30,6 +30,10 @@ class Tuning(Choice):
 
 
 DEN_HARTOG = Tuning("den-hartog")
+# Looks for the valley between the peaks: a factor (high/low)^(1/256) apart, over one and a half times that range.
+HALVED_STEPS, LOOKS = 8, 384
+# Values that stay in the processor's cache.
+BLOCK = 4096
 
 
 @record
@@ -106,43 +110,65 @@ def _slope(mu: "Any", f: "Any", zeta: "Any", u: "Any") -> "Any":
     return above_rate * below - above * below_rate
 
 
-def _peak(mu: float, f: float, zeta: float, upper: float) -> float:
-    """r² of a peak, by bisection of the slope between the valley and beyond the peak; zero where there is none."""
+def _peak(mu: "Any", f: "Any", zeta: "Any", upper: float) -> "Any":
+    """r² of a peak: where the slope falls through zero, before the valley or beyond it; zero where there is none."""
     middle, product = 0.5 * (1.0 + f * f * (1.0 + mu)), f * f
-    root: float = sqrt(middle * middle - product)
+    root = sqrt(middle * middle - product)
     low, high = product / (middle + root), middle + root
-    valley = _valley(mu, f, zeta, low, high)
-    if valley == 0.0:
-        return 0.0
+    before, after = _beside_valley(mu, f, zeta, low, high)
+    valley = sign_change(lambda u: 0.0 - _slope(mu, f, zeta, u), before, after)
     a, b = (valley, 4.0 * high) if upper else (0.1 * low, valley)
-    return halved(lambda u: _slope(mu, f, zeta, u) > 0.0, a, b)[0]
+    return sign_change(lambda u: _slope(mu, f, zeta, u), a, b) * (valley > 0.0)
 
 
-def _valley(mu: float, f: float, zeta: float, low: float, high: float) -> float:
-    """The r² between the peaks from which the curve rises to both sides; zero where there is none."""
-    looks = [low * (high / low) ** (i / 400.0) for i in range(-100, 501)]
-    signs = [_slope(mu, f, zeta, u) > 0.0 for u in looks]
-    turns = [nth for nth in range(600) if not signs[nth] and signs[nth + 1]]
-    if not turns:
-        return 0.0
-    return halved(lambda u: not _slope(mu, f, zeta, u) > 0.0, looks[turns[0]], looks[turns[0] + 1])[1]
+def _in_blocks(mu: "Any", f: "Any", zeta: "Any", upper: float) -> "Any":
+    import numpy as np
+
+    peaks = np.empty(mu.shape)
+    for begin in range(0, mu.size, BLOCK):
+        block = slice(begin, begin + BLOCK)
+        peaks.flat[block] = _peak(*(np.asarray(each).flat[block] for each in (mu, f, zeta)), upper)
+    return peaks
 
 
-def _bend(mu: float, f: float, zeta: float, u: float) -> float:
+def _beside_valley(mu: "Any", f: "Any", zeta: "Any", low: "Any", high: "Any") -> "tuple[Any, Any]":
+    """Places before and after the valley between the peaks, from which the curve rises; zeros where there is none."""
+    step, u = high / low, low / sqrt(sqrt(high / low))
+    for _ in range(HALVED_STEPS):
+        step = sqrt(step)
+    before = after = 0.0 * u
+    rising = _slope(mu, f, zeta, u) > 0.0
+    for _ in range(LOOKS):
+        u, last = u * step, u
+        now = _slope(mu, f, zeta, u) > 0.0
+        if is_array(u):
+            here = now & ~rising & (after == 0.0)
+            before, after = before + here * last, after + here * u
+            if (after > 0.0).all():
+                break
+        elif now and not rising:
+            return last, u
+        rising = now
+    return before, after
+
+
+def _bend(mu: "Any", f: "Any", zeta: "Any", u: "Any") -> "Any":
     """The slope's own slope."""
     step = 1e-5 * u
-    return (_slope(mu, f, zeta, u + step) - _slope(mu, f, zeta, u - step)) / (2.0 * step) if u else 1.0
+    none = u == 0.0
+    return (_slope(mu, f, zeta, u + step) - _slope(mu, f, zeta, u - step) + none) / (2.0 * step + none)
 
 
 def _place(mu: "Any", f: "Any", zeta: "Any", upper: float) -> "Any":
     """R of a peak: found in doubles, then one step of Newton in the arithmetic of the inputs."""
     if is_array(mu) or is_array(f) or is_array(zeta):
-        u: Any = over_array(_peak, mu, f, zeta, upper)
-        bend: Any = over_array(_bend, mu, f, zeta, u)
+        spread = 0.0 * (mu + f + zeta)
+        mu, f, zeta = mu + spread, f + spread, zeta + spread
+        u = _in_blocks(mu, f, zeta, upper)
     else:
         u = _peak(plain(mu), plain(f), plain(zeta), upper)
-        bend = _bend(plain(mu), plain(f), plain(zeta), u)
-        u = u + 0.0 * mu
+    bend = _bend(plain(mu), plain(f), plain(zeta), u)
+    u = u + 0.0 * mu
     require(
         u > 0.0, "with so much damping the two peaks are one: the absorber hardly moves against the machine",
         code="one-peak", hint="give less damping, or --tuning minimax",

@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from dynamics_cli.errors import require
+from dynamics_cli.quantities import Ratio
 from dynamics_cli.vibration.shocks.pulses import Oscillators, Piece, slopes
 
 TYPE_CHECKING = False
@@ -13,6 +15,7 @@ if TYPE_CHECKING:
 # Looks at each cycle of the oscillator or of the load.
 LOOKS = 16
 NEWTON = 6
+MOST_CYCLES = 1e5
 # Samples of a record that are handled at once.
 BLOCK = 2048
 # Steps of a record that differ by less, relatively, differ by the rounding of its times.
@@ -39,9 +42,7 @@ def over_piece(
     of: Oscillators, start: "tuple[Any, Any]", piece: Piece, length: float, mix: "Any", into: Extremes
 ) -> None:
     """Extremes over a piece: sign changes of the derivative at close looks, each refined by Newton's method."""
-    fastest = max(float(np.max(of.omega)), piece.p)
-    looks = max(int(LOOKS * fastest * length / (2.0 * math.pi)) + 1, LOOKS)
-    times = np.linspace(0.0, length, looks + 1)
+    times = _looks(of, piece, length)
     column = Oscillators(of.omega[:, None], of.zeta)
     z0, v0 = start[0][:, None], start[1][:, None]
     alpha, beta = np.broadcast_to(mix[0], of.omega.shape), np.broadcast_to(mix[1], of.omega.shape)
@@ -56,6 +57,24 @@ def over_piece(
     t = low + (high - low) * dy[row, cell] / (dy[row, cell] - dy[row, cell + 1])
     at = _settled(of.some(row), (start[0][row], start[1][row]), piece, t, (low, high), (alpha[row], beta[row]))
     into.take(row, at[1], piece.start + at[0])
+
+
+def _looks(of: Oscillators, piece: Piece, length: float) -> "Any":
+    """Times at which a piece is looked at: even ones; close together at first where heavy damping creeps."""
+    fastest = float(np.max(of.omega))
+    cycles = max(fastest if of.zeta <= 1.0 else 0.0, piece.p) * length / (2.0 * math.pi)
+    require(
+        cycles <= MOST_CYCLES,
+        "the load lasts {count} periods of the oscillator",
+        count=(float(cycles), Ratio),
+        code="slow-load",
+        hint="so slow a load acts like one at rest: the displacement is force over stiffness",
+    )
+    even = np.linspace(0.0, length, max(int(LOOKS * cycles) + 1, LOOKS) + 1)
+    if of.zeta <= 1.0:
+        return even
+    early = np.geomspace(min(1.0 / (of.zeta * fastest * LOOKS), 0.5 * length), length, LOOKS * LOOKS)
+    return np.union1d(even, early[:-1])
 
 
 def _settled(

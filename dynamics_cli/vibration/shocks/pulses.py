@@ -70,6 +70,11 @@ class Oscillators:
         self.zeta = zeta
         self.sigma = zeta * self.omega
         self.damped = self.omega * np.sqrt((1.0 - zeta) * (1.0 + zeta) + 0j)
+        # exponents of e^(λt); with heavy damping the slow one would be a difference of almost equal numbers
+        self.exponent = -self.sigma + 1j * self.damped
+        self.other = np.where(
+            self.damped.imag > 0.0, -self.omega * self.omega / -self.exponent, -self.sigma - 1j * self.damped
+        )
 
     def some(self, which: "Any") -> "Oscillators":
         """Those of an index or a mask."""
@@ -77,7 +82,7 @@ class Oscillators:
 
     def kernel(self, t: "Any") -> "tuple[Any, Any]":
         """e^{−σt}·sin(ω_d·t)/ω_d, and e^{−σt}·cos(ω_d·t), for damping of any size."""
-        one, other = np.exp((-self.sigma + 1j * self.damped) * t), np.exp((-self.sigma - 1j * self.damped) * t)
+        one, other = np.exp(self.exponent * t), np.exp(self.other * t)
         z = 1j * self.damped * t
         near = abs(z) < 1.0
         series = t * np.exp(-self.sigma * t) * _sinhc(np.where(near, z, 0.0))
@@ -125,8 +130,12 @@ class Oscillators:
 
     def _wave(self, c: complex, p: float, t: "Any", s: "Any") -> "tuple[Any, Any]":
         """From rest under Re(c·e^{ipt}): divided differences of the exponential, at resonance as well."""
-        one, other = -self.sigma + 1j * self.damped, -self.sigma - 1j * self.damped
-        first = t * np.exp(0.5 * (1j * p + one) * t) * _sinhc(0.5 * (1j * p - one) * t)
+        one, other = self.exponent, self.other
+        z = 0.5 * (1j * p - one) * t
+        near = abs(z) < 1.0
+        series = t * np.exp(0.5 * (1j * p + one) * t) * _sinhc(np.where(near, z, 0.0))
+        with np.errstate(all="ignore"):
+            first = np.where(near, series, (np.exp(1j * p * t) - np.exp(one * t)) / (1j * p - one))
         place = (first - s) / (1j * p - other)
         return (c * place).real, (c * (other * place + first)).real
 
