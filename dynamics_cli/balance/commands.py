@@ -202,7 +202,7 @@ ENGINE = Task(
         "speed": "6000 rpm",
     },
     examples=(
-        'dynamics balance engine --preset inline-3 --reciprocating-mass "0.42 kg" --crank-radius "41 mm" '
+        'dynamics balance engine --preset inline-3 --reciprocating-mass "0.42 kg" --stroke "82 mm" '
         '--rod-length "138 mm" --spacing "82 mm" --speed "6000 rpm"',
         'dynamics balance engine --cylinder "crank=0 deg, bank=-30 deg" --cylinder "crank=0 deg, bank=30 deg" '
         '--reciprocating-mass "0.5 kg" --crank-radius "43 mm" --rod-length "172 mm" --speed "3000 rpm"',

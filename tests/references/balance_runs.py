@@ -12,8 +12,9 @@ RANDOM = random.Random(2026)
 POINTS = 256
 
 
-def exact(text: str) -> Any:
-    return mpf(float(text))
+def exact(text: Any) -> Any:
+    """The double that a text stands for; of a crank its radius."""
+    return mpf(float(text["crank_radius"] if isinstance(text, dict) else text))
 
 
 def turn_of(phasor: Any) -> Any:
@@ -66,7 +67,7 @@ def turnings() -> Iterator[Case]:
                    ("12.566370614359172", "2500000.0")]  # fmt: skip
         inputs: dict[str, Any] = {
             "diagram_points": [{"record": "Diagram", "angle": at, "pressure": size} for at, size in diagram],
-            "bore": drawn(0.07, 0.1), "reciprocating_mass": drawn(0.3, 0.9), "crank_radius": drawn(0.03, 0.05),
+            "bore": drawn(0.07, 0.1), "reciprocating_mass": drawn(0.3, 0.9), "throw": {"record": "CrankRadius", "crank_radius": drawn(0.03, 0.05)},
             "rod_length": drawn(0.12, 0.2), "speed": drawn(100, 600), "preset": {"word": preset},
         }  # fmt: skip
         bore, mass, r, rod, speed = (exact(text) for text in list(inputs.values())[1:6])

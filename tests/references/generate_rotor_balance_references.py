@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
-from balance_runs import four_runs, turn_of, turnings
+from balance_runs import exact, four_runs, turn_of, turnings
 from case_files import Case, write
 from mpmath import cos, expj, lu_solve, matrix, mp, mpf, pi, sin, sqrt
 
@@ -23,10 +23,6 @@ ABOUT = (
 )
 RANDOM = random.Random(1940)
 POINTS = 256
-
-
-def exact(text: str) -> Any:
-    return mpf(float(text))
 
 
 def drawn(low: float, high: float, digits: int = 3) -> str:
@@ -194,7 +190,7 @@ def engines() -> Iterator[Case]:
     for nth, cylinders in enumerate(drawings):
         fields = ("crank", "bank", "position")
         inputs: dict[str, Any] = {
-            "reciprocating_mass": drawn(0.1, 2), "crank_radius": drawn(0.02, 0.1), "rod_length": drawn(0.2, 0.4),
+            "reciprocating_mass": drawn(0.1, 2), "throw": {"record": "CrankRadius", "crank_radius": drawn(0.02, 0.1)}, "rod_length": drawn(0.2, 0.4),
             "speed": drawn(50, 700), "highest_order": 4,
             "cylinders": [{"record": "Cylinder", **dict(zip(fields, row, strict=True))} for row in cylinders],
         }  # fmt: skip
@@ -228,7 +224,7 @@ def lanchesters() -> Iterator[Case]:
     ]
     for nth, (radius, rod, why) in enumerate([*hard, *((drawn(0.02, 0.1), drawn(0.2, 0.4), "") for _ in range(3))]):
         inputs: dict[str, Any] = {
-            "reciprocating_mass": drawn(0.1, 2), "crank_radius": radius, "rod_length": rod, "speed": drawn(50, 700),
+            "reciprocating_mass": drawn(0.1, 2), "throw": {"record": "CrankRadius", "crank_radius": radius}, "rod_length": rod, "speed": drawn(50, 700),
             "weight_radius": drawn(0.01, 0.03), "cylinders": 4, "order": 2 + 2 * (nth % 2),
         }  # fmt: skip
         mass, r, length, speed, arm = (exact(text) for text in list(inputs.values())[:5])

@@ -63,8 +63,8 @@ def values(
     surface_sought = surface.lower().strip() if surface is not None else None
     require(
         surface_sought is None or any(surface_sought in name for name in SURFACES),
-        "no range is of the surface {surface}", surface=repr(surface), code="unknown-surface",
-        hint=f"there is {', '.join(SURFACES)}; a word of a row needs no option: dynamics skid values {surface}",
+        "no range is of the surface {surface}", surface=repr(surface), word=surface, code="unknown-surface",
+        hint=f"there is {', '.join(SURFACES)}; a word of a row needs no option: dynamics skid values {{word}}",
     )  # fmt: skip
     query = " ".join(words).lower().replace("-", " ").split()
     rows = [row for row in ROWS if _fits(row, query, surface_sought)]
