@@ -67,7 +67,8 @@ def turnings() -> Iterator[Case]:
                    ("12.566370614359172", "2500000.0")]  # fmt: skip
         inputs: dict[str, Any] = {
             "diagram_points": [{"record": "Diagram", "angle": at, "pressure": size} for at, size in diagram],
-            "bore": drawn(0.07, 0.1), "reciprocating_mass": drawn(0.3, 0.9), "throw": {"record": "CrankRadius", "crank_radius": drawn(0.03, 0.05)},
+            "bore": drawn(0.07, 0.1), "reciprocating_mass": drawn(0.3, 0.9),
+            "throw": {"record": "CrankRadius", "crank_radius": drawn(0.03, 0.05)},
             "rod_length": drawn(0.12, 0.2), "speed": drawn(100, 600), "preset": {"word": preset},
         }  # fmt: skip
         bore, mass, r, rod, speed = (exact(text) for text in list(inputs.values())[1:6])

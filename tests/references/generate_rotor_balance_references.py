@@ -190,7 +190,8 @@ def engines() -> Iterator[Case]:
     for nth, cylinders in enumerate(drawings):
         fields = ("crank", "bank", "position")
         inputs: dict[str, Any] = {
-            "reciprocating_mass": drawn(0.1, 2), "throw": {"record": "CrankRadius", "crank_radius": drawn(0.02, 0.1)}, "rod_length": drawn(0.2, 0.4),
+            "reciprocating_mass": drawn(0.1, 2),
+            "throw": {"record": "CrankRadius", "crank_radius": drawn(0.02, 0.1)}, "rod_length": drawn(0.2, 0.4),
             "speed": drawn(50, 700), "highest_order": 4,
             "cylinders": [{"record": "Cylinder", **dict(zip(fields, row, strict=True))} for row in cylinders],
         }  # fmt: skip
@@ -224,7 +225,8 @@ def lanchesters() -> Iterator[Case]:
     ]
     for nth, (radius, rod, why) in enumerate([*hard, *((drawn(0.02, 0.1), drawn(0.2, 0.4), "") for _ in range(3))]):
         inputs: dict[str, Any] = {
-            "reciprocating_mass": drawn(0.1, 2), "throw": {"record": "CrankRadius", "crank_radius": radius}, "rod_length": rod, "speed": drawn(50, 700),
+            "reciprocating_mass": drawn(0.1, 2),
+            "throw": {"record": "CrankRadius", "crank_radius": radius}, "rod_length": rod, "speed": drawn(50, 700),
             "weight_radius": drawn(0.01, 0.03), "cylinders": 4, "order": 2 + 2 * (nth % 2),
         }  # fmt: skip
         mass, r, length, speed, arm = (exact(text) for text in list(inputs.values())[:5])

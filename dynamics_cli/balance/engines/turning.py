@@ -150,8 +150,8 @@ def turning(
     Examples
     --------
     >>> flat = tuple(Diagram(turn * math.pi, 1e5) for turn in range(5))
-    >>> made = turning(diagram_points=flat, bore=0.086, reciprocating_mass=0.5, throw=CrankRadius(0.043), rod_length=0.15,
-    ...                speed=300.0, preset=Preset("inline-4"))
+    >>> made = turning(diagram_points=flat, bore=0.086, reciprocating_mass=0.5, throw=CrankRadius(0.043),
+    ...                rod_length=0.15, speed=300.0, preset=Preset("inline-4"))
     >>> abs(made.mean_torque) < 1e-9, made.firing_order
     (True, '1-3-4-2')
     """

@@ -127,7 +127,8 @@ def _in_blocks(mu: "Any", f: "Any", zeta: "Any", upper: float) -> "Any":
     peaks = np.empty(mu.shape)
     for begin in range(0, mu.size, BLOCK):
         block = slice(begin, begin + BLOCK)
-        peaks.flat[block] = _peak(*(np.asarray(each).flat[block] for each in (mu, f, zeta)), upper)
+        some: list[Any] = [np.asarray(each).flat[block] for each in (mu, f, zeta)]
+        peaks.flat[block] = _peak(some[0], some[1], some[2], upper)
     return peaks
 
 
