@@ -240,7 +240,6 @@ THROW = Task(
         "speed: projection speed",
         "least_speed: lower bound of speed",
         "greatest_speed: upper bound of speed",
-        "greatest_angle: upper bound holds to",
         "flight_distance",
         "slide_distance",
         "vehicle_speed: speed of the vehicle",
