@@ -12,7 +12,7 @@ MEASURED = {"friction": "ranges: dynamics skid values friction --surface asphalt
 
 SPEED = Task(
     "speed",
-    "Speed at the start of a skid over one or several surfaces.",
+    "Speed at the start of skid marks over one or several surfaces.",
     Model(
         "work–energy",
         "dynamics_cli.skid.braking:speed",
