@@ -316,7 +316,7 @@ def _quoted(text: str) -> str:
 
 
 def _named_choice(text: str, node: "Node") -> str:
-    """`braking, distance=14 m` as `kind=braking, distance=14 m`: a word that can only be the choice that comes first."""
+    """`braking, distance=14 m` as `kind=braking, distance=14 m`: a word that can only be the first choice."""
     names: Iterable[str] = ()
     if isinstance(node, Tagged):
         key, names = node.key, node.members

@@ -15,6 +15,8 @@ TIMES = {"": 1.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0}
 MOST = 200_000
 # Units of a load.
 FORCES = {"N": 1.0, "kN": 1e3, "lbf": 4.4482216152605}
+# Numbers that are written as words.
+WORDS = {"on": 1.0, "off": 0.0, "yes": 1.0, "no": 0.0}
 LENGTHS = {"mm": 1e-3, "m": 1.0, "um": 1e-6, "cm": 1e-2, "in": 0.0254, "ft": 0.3048}
 ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "g": STANDARD_GRAVITY, "mm/s^2": 1e-3, "ft/s^2": 0.3048}
 
@@ -32,7 +34,7 @@ def _number(text: str, line: int) -> float:
     try:
         value = float(text)
     except ValueError:
-        value = math.nan
+        value = WORDS.get(text.lower(), math.nan)
     require(math.isfinite(value), "line {line}: {text} is not a number", code="number", line=line, text=repr(text[:30]))
     return value
 
