@@ -1,9 +1,7 @@
 """The speeds that a recorder kept: listed, or in a CSV file with their times."""
 
-from itertools import pairwise
-
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.fitting.records_file import read_columns
+from dynamics_cli.numerics.fitting.records_file import interval_of, read_columns
 from dynamics_cli.quantities import Annotated, InputFile, RoadSpeed, Time
 from dynamics_cli.records import record
 
@@ -12,8 +10,6 @@ COLUMNS = {
     "speed": {"km/h": 1.0 / 3.6, "mph": 0.44704, "m/s": 1.0, "ft/s": 0.3048},
     "brake": {"": 1.0},
 }
-# Times in a file are rounded: intervals may differ by this share.
-UNEVEN = 0.02
 
 
 @record
@@ -49,13 +45,7 @@ class Samples:
         times, columns = read_columns(recorded.file, COLUMNS)
         require("speed" in columns, "the file has no column of speeds", code="header", hint="name it speed[km/h]")
         self.speeds = tuple(columns["speed"])
-        self.interval = (times[-1] - times[0]) / (len(times) - 1)
-        steps = [after - before for before, after in pairwise(times)]
-        require(
-            max(steps) - min(steps) <= UNEVEN * self.interval,
-            "the samples are not equally spaced: {least} to {greatest} apart", code="spacing",
-            least=(min(steps), Time), greatest=(max(steps), Time), hint="leave out the rows that differ",
-        )  # fmt: skip
+        self.interval = interval_of(times)
         require(times[-1] <= 0.0, "the last sample is {late} after the event", late=(times[-1], Time), code="times",
                 hint="times before the event are negative, the event is at 0")  # fmt: skip
         self.ended = -times[-1]
