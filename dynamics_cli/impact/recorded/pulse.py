@@ -168,12 +168,7 @@ def pulse(
     noses = [0.0]
     for before, after in pairwise(yaw_rate or (0.0,) * count):
         noses.append(noses[-1] + 0.5 * interval * (before + after))
-    # the reading of the sensor at time zero is from before the impact
-    x, y = longitudinal[0], across[0]
-    for index in range(top):
-        middle = 0.5 * (noses[index] + noses[index + 1])
-        dx, dy = longitudinal[index + 1] - longitudinal[index], across[index + 1] - across[index]
-        x, y = x + cos(middle) * dx - sin(middle) * dy, y + sin(middle) * dx + cos(middle) * dy
+    x, y = _at_the_start(longitudinal, across, noses, top)
     changes = [hypot(longitudinal[i + 1] - longitudinal[i], across[i + 1] - across[i]) for i in range(count - 1)]
     moving = [i for i, change in enumerate(changes) if change >= resolution * (1.0 - SLACK)] or [0]
     back = max(count - 1 - max(round(LAST / interval), 1), 0)
@@ -202,6 +197,19 @@ def pulse(
         numerics=Numerics("sums over the samples"),
         advice=_advice(final, resolution, bool(yaw_rate), top, count),
     )  # fmt: skip
+
+
+def _at_the_start(
+    along: "tuple[float, ...]", across: "tuple[float, ...]", noses: "list[float]", top: int
+) -> "tuple[float, float]":
+    """ΔV up to a sample in the axes of the start."""
+    # the reading of the sensor at time zero is from before the impact
+    x, y = along[0], across[0]
+    for index in range(top):
+        middle = 0.5 * (noses[index] + noses[index + 1])
+        dx, dy = along[index + 1] - along[index], across[index + 1] - across[index]
+        x, y = x + cos(middle) * dx - sin(middle) * dy, y + sin(middle) * dx + cos(middle) * dy
+    return x, y
 
 
 def _advice(final: float, resolution: float, turns: bool, top: int, count: int) -> "tuple[Advice, ...]":
