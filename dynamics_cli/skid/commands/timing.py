@@ -72,7 +72,7 @@ MEET = Task(
         "stopping_speed: to stop short",
         "late_speed: to arrive when the way is clear",
         "sufficient_deceleration",
-        "earlier: reaction needed earlier by",
+        "earlier: reaction too late by",
         "moments: both, counted back from the impact | time_left, first_distance=first, first_speed=speed, "
         "first_phase, second_distance=second",
     ),
