@@ -6,13 +6,14 @@ from dynamics_cli.impact.conventions import AXES, direction_of
 from dynamics_cli.impact.planar.bodies import Solid, solid
 from dynamics_cli.impact.planar.impact import meeting_of
 from dynamics_cli.impact.planar.path import travel
-from dynamics_cli.impact.scene_pictures import LENGTH, collision, names_of, north_of, on_page, upward, velocities
+from dynamics_cli.impact.scene_pictures import collision, names_of, north_of, on_page, upward, velocities
 from dynamics_cli.impact.spatial.bodies import frame_about, mobility, unit
 from dynamics_cli.impact.spatial.hodograph import STRIDE, series, value
 from dynamics_cli.impact.spatial.hodograph import reach as reach_of
 from dynamics_cli.impact.spatial.impact import approach
 from dynamics_cli.impact.spatial.impact import solid as solid_in_space
 from dynamics_cli.impact.spatial.straight_slip import Slip, X, Y, rates_along, settled
+from dynamics_cli.impact.vehicle_outlines import LENGTH
 from dynamics_cli.pictures import Arrow, Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Friction, Impulse, Length, RoadSpeed, Speed
 

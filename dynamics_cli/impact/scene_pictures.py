@@ -5,6 +5,7 @@ import math
 from dynamics_cli.errors import Wording, worded
 from dynamics_cli.impact.conventions import AXES, Axes, direction_of
 from dynamics_cli.impact.scene_labels import Words, bounds, ends, placed
+from dynamics_cli.impact.vehicle_outlines import LENGTH, WIDTH, outline
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Plan, Ruler
 from dynamics_cli.quantities import Length, RoadSpeed
 
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
 
     Pair = tuple[float, float]
 
-# A neutral outline, where nothing is known of a vehicle's size.
-LENGTH, WIDTH = 4.5, 1.8
 # Length of the fastest arrow of a scene, in lengths of a neutral outline.
 LONGEST_ARROW = 1.5
 # A scene wider than this stands alone on its line.
@@ -64,36 +63,6 @@ def upward(axes: Axes) -> str:
 def north_of(axes: Axes) -> "Pair | None":
     """Where north is on the page, if the axes have one."""
     return (0.0, 1.0) if axes == "compass" else None
-
-
-def outline(at: "Pair", way: "Pair", role: int, *, length: float = LENGTH, width: float = WIDTH) -> "list[Any]":
-    """A vehicle with its centre at a point and its nose in a direction: body, windscreen, nose and wheels."""
-    x, y = way
-    half, side = 0.5 * length, 0.5 * width
-    corner = 0.25 * width
-
-    def place(points: "Sequence[Pair]") -> "tuple[list[float], list[float]]":
-        return [at[0] + a * x - b * y for a, b in points], [at[1] + a * y + b * x for a, b in points]
-
-    body = [
-        (half - corner, side), (half - 0.3 * corner, side - 0.3 * corner), (half, side - corner),
-        (half, corner - side), (half - 0.3 * corner, 0.3 * corner - side), (half - corner, -side),
-        (-half, -side), (-half, side), (half - corner, side),
-    ]  # fmt: skip
-    screen = [(0.15 * length, 0.4 * width), (0.05 * length, 0.35 * width), (0.05 * length, -0.35 * width),
-              (0.15 * length, -0.4 * width), (0.15 * length, 0.4 * width)]  # fmt: skip
-    nose = [(0.44 * length, 0.0), (0.3 * length, 0.14 * length), (0.3 * length, -0.14 * length), (0.44 * length, 0.0)]
-    nose = [(a, b * width / (0.4 * length)) for a, b in nose]
-    items: list[Any] = [
-        Curve(*place(body), "", "filled", role),
-        Curve(*place(screen), "", "filled", role),
-        Curve(*place(nose), "", "filled", role),
-    ]
-    for along in (0.31 * length, -0.31 * length):
-        for across in (side, -side):
-            ends = [(along - 0.07 * length, across), (along + 0.07 * length, across)]
-            items.append(Curve(*place(ends), "", "thick", role))
-    return items
 
 
 def apart(

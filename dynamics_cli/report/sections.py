@@ -1,6 +1,7 @@
 """One calculation as a section: inputs, formula with numbers, results, their drivers, assumptions, warnings."""
 
 from dynamics_cli.core.documents import columns, is_table, number
+from dynamics_cli.core.output.answer_words import body_names, message_in_words
 from dynamics_cli.core.output.render import to_pretty_json
 from dynamics_cli.report.blocks import Code, Formula, Heading, Items, Paragraph, Table
 from dynamics_cli.report.calculation import SWEEP, leaves, limit_words, words
@@ -154,9 +155,12 @@ def table(node: "Any", caption: str) -> Table:
 def warnings_of(document: "Document") -> "list[Items]":
     """Warnings with their remedies, worst first."""
     lines = []
+    inputs = document["inputs"]
+    names = body_names(inputs)
     for item in sorted(document["warnings"], key=lambda item: item["severity"] == "note"):
         remedy = f" Remedy: {item['remedy']}." if item.get("remedy") else ""
-        lines.append(("", f"{item['severity'].capitalize()}: ", f"{item['message'].rstrip('.')}.{remedy}"))
+        message = message_in_words(item["message"], inputs, names).rstrip(".")
+        lines.append(("", f"{item['severity'].capitalize()}: ", f"{message}.{remedy}"))
     return [Items(lines)] if lines else []
 
 

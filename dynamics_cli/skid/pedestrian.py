@@ -108,7 +108,7 @@ def pedestrian(
     shortest = throw_distance * sqrt(gravity / (hypot(throw_distance, launch_height) + launch_height))
     least = where(lands, shortest, _least_sliding(friction, reach, throw_distance, launch_height, gravity, shortest))
     greatest_angle = _greatest_angle(friction, relative, reach / throw_distance, throw_distance, launch_height)
-    advice = friction_advice(friction) + _stop_advice(friction, relative, greatest_angle, lands)
+    advice = friction_advice(friction) + _stop_advice(friction, lands)
     if launch_angle is None:
         return Throw(
             least_speed=least, greatest_speed=greatest, greatest_angle=greatest_angle,
@@ -192,26 +192,14 @@ def _slides_there(friction: float, share: float) -> bool:
     return sqrt(maximum(share, 0.0)) * hypot(1.0, friction) >= 2.0 * friction
 
 
-def _stop_advice(friction: float, share: float, greatest_angle: float, lands: bool) -> tuple[Advice, ...]:
-    if not single(friction, share):
+def _stop_advice(friction: float, lands: bool) -> tuple[Advice, ...]:
+    if not single(friction, lands) or not plain(lands):
         return ()
-    if lands:
-        text = (
-            "the throw distance is at most friction × launch height: landing stops the body at once, "
-            "whatever the launch angle, and the speeds are those of the flight alone"
-        )
-        return (Advice(code="stops-where-it-lands", message=text, severity="note"),)
-    if plain(share) >= 0.0 and _slides_there(friction, share):
-        return ()
-    from_angle = plain(atan2(sqrt(maximum(share, 0.0)), sqrt(multiply_add(friction, friction, 1.0 - share))))
-    message = worded(
-        "launched at the greatest speed above {angle} the body stops where it lands: that speed holds up to "
-        "{greatest}, not 2 atan μ = {sliding}",
-        angle=(from_angle, Angle),
-        greatest=(greatest_angle, Angle),
-        sliding=(2.0 * plain(atan(friction)), Angle),
+    text = (
+        "the throw distance is at most friction × launch height: landing stops the body at once, "
+        "whatever the launch angle, and the speeds are those of the flight alone"
     )
-    return (Advice(code="may-stop-at-landing", message=message, severity="note"),)
+    return (Advice(code="stops-where-it-lands", message=text, severity="note"),)
 
 
 def _angle_advice(launch_angle: float, greatest_angle: float) -> tuple[Advice, ...]:

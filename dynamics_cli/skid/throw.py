@@ -9,10 +9,7 @@ from dynamics_cli.quantities import (
     Angle,
     Annotated,
     Distance,
-    Fraction,
     Friction,
-    Gravity,
-    Mass,
     RoadSpeed,
     Slope,
     Time,
@@ -109,21 +106,19 @@ def vehicle_speed(speed: "float | None", share: "float | None") -> "float | None
 
 def on_grade(
     *,
-    throw_distance: Annotated[Distance, "Horizontal distance from launch to rest [m]."],
-    friction: Annotated[Friction, "Coefficient of friction between the body and the ground [-]."],
-    launch_angle: Annotated[Angle | None, "Angle of the launch above the horizontal, e.g. 10 deg [rad]."] = None,
-    launch_height: Annotated[Distance, "Height of the centre of mass at launch above its height at rest [m]."] = 0.0,
-    grade: Annotated[Slope | None, "Rise over run along the throw, uphill positive; level unless given [-]."] = None,
-    efficiency: Annotated[
-        Fraction | None, "Projection efficiency: the body's projection speed over the vehicle's, e.g. 0.8 [-]."
-    ] = None,
-    body_mass: Annotated[Mass | None, "Mass of the body thrown, e.g. 75 kg [kg]."] = None,
-    vehicle_mass: Annotated[
-        Mass | None, "Mass of the vehicle, given together with that of the body, e.g. 1300 kg [kg]."
-    ] = None,
-    gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
+    throw_distance: float,
+    friction: float,
+    launch_angle: float | None = None,
+    launch_height: float = 0.0,
+    grade: float | None = None,
+    efficiency: float | None = None,
+    body_mass: float | None = None,
+    vehicle_mass: float | None = None,
+    gravity: float = STANDARD_GRAVITY,
 ) -> Throw:
     """Projection speed of a pedestrian or rider thrown along a grade: the least, and that of a known launch angle.
+
+    The parameters are those of `pedestrian`.
 
     Equation
     --------

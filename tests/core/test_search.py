@@ -75,3 +75,18 @@ def test_an_unknown_command_is_answered_by_what_it_may_mean(call: str, said: str
     outcome = run(*call.split())
     assert outcome.status == 2
     assert said in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("words", "task"),
+    [
+        ("CDR", "skid record"),
+        ("headway", "skid follow"),
+        ("motorcycle", "skid throw"),
+        ("reconstruction", "impact crash"),
+        ("Searle", "skid throw"),
+        ("speed from skid marks", "skid speed"),
+    ],
+)
+def test_words_of_a_crash_find_its_tasks(words: str, task: str) -> None:
+    assert run("help", *words.split()).out.startswith(f"{task} ")

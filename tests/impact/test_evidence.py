@@ -25,7 +25,7 @@ from dynamics_cli.impact.inverse.records import (
 )
 from dynamics_cli.impact.inverse.task import by_momentum, by_rest, by_spins, least_squares
 from dynamics_cli.impact.planar.bodies import ByInertia, Lever
-from dynamics_cli.impact.recorded.pulse import pulse
+from dynamics_cli.impact.recorded import pulse as pulses
 from dynamics_cli.impact.recorded.records import Partner, Recorder, RecordResult
 from dynamics_cli.impact.recorded.task import by_headings, by_restitution, head_on
 from dynamics_cli.numerics.number import plain
@@ -458,6 +458,12 @@ def test_the_references_are_those_of_their_generator() -> None:
     assert json.loads(generator.text())["cases"] == REFERENCE
 
 
+def pulse(**given: Any) -> pulses.Pulse:
+    """A pulse by its samples and the other inputs."""
+    table = {name: given.pop(name) for name in ("longitudinal", "lateral", "yaw_rate", "interval") if name in given}
+    return pulses.pulse(recorded=pulses.PulseTable(**table), **given)
+
+
 class TestPulse:
     @staticmethod
     def haversine(count: int) -> dict[str, Any]:
@@ -510,6 +516,15 @@ class TestPulse:
     def test_refusals(self, tables: dict[str, Any], words: str) -> None:
         with pytest.raises(InadmissibleError, match=words):
             pulse(**tables)
+
+    def test_a_file_says_what_a_list_does(self, tmp_path: Path) -> None:
+        file = tmp_path / "pulse.csv"
+        file.write_text("time[ms],longitudinal[mph],yaw_rate[deg/s]\n0,0,0\n10,-4,3\n20,-9,8\n30,-12,12\n40,-12,13\n")
+        named = answer("impact", "pulse", "--file", str(file))["results"]
+        columns = "--longitudinal", "0, -4, -9, -12, -12 mph", "--yaw-rate", "0, 3, 8, 12, 13 deg/s"
+        listed = answer("impact", "pulse", *columns)["results"]
+        for name in ("delta_v", "delta_v_lateral", "time", "greatest_acceleration", "direction_shift"):
+            assert named[name]["value"] == pytest.approx(listed[name]["value"], rel=1e-12)
 
 
 def test_a_degree_of_the_worst_heading() -> None:

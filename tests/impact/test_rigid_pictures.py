@@ -12,6 +12,7 @@ from dynamics_cli.impact.planar.envelope import envelope
 from dynamics_cli.impact.planar.impact import planar
 from dynamics_cli.impact.planar.laws import LAWS, Law
 from dynamics_cli.impact.spatial.impact import BodyInSpace, LeverInSpace, TargetInSpace, spatial
+from dynamics_cli.impact.vehicle_outlines import outline
 from dynamics_cli.pictures import Arrow, Curve, Mark, Picture
 from dynamics_cli.quantities import Impulse
 
@@ -83,3 +84,13 @@ def test_envelopes_draw_a_curve_for_each_restitution() -> None:
     picture = rigid_pictures.envelope(made)
     assert [len(panel.items) for panel in picture.panels] == [4, 4]
     assert len(rigid_pictures.envelope(envelope(**WALL, restitution_points=5, friction_points=5)).panels) == 1
+
+
+def test_a_narrow_vehicle_is_a_two_wheeler() -> None:
+    car, motorcycle = (outline((0.0, 0.0), (1.0, 0.0), 0, length=2.2, width=width) for width in (1.8, 0.8))
+    assert [sum(item.style == "thick" for item in items) for items in (car, motorcycle)] == [4, 2]
+    for items, width in ((car, 1.8), (motorcycle, 0.8)):
+        across = [y for item in items for y in item.y]
+        along = [x for item in items for x in item.x]
+        assert (max(across), min(across)) == pytest.approx((0.5 * width, -0.5 * width))
+        assert (max(along), min(along)) == pytest.approx((1.1, -1.1))

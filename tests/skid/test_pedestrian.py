@@ -60,20 +60,17 @@ def test_the_greatest_speed_holds_exactly_up_to_the_greatest_angle(
     assert angle <= 2.0 * math.atan(friction) * (1.0 + 1e-15)
     told = [one.code for one in bounds.advice]
     assert ("high-friction" in told) == (friction > 1.5)
-    assert "may-stop-at-landing" in told or angle == 2.0 * math.atan(friction)
 
 
 @pytest.mark.parametrize("friction", [0.3, 0.57, 0.58, 0.66, 0.9, 1.4])
 def test_greatest_angle_from_the_ground(friction: float) -> None:
     bounds = pedestrian(throw_distance=25.0, friction=friction)
+    assert bounds.advice == ()
     if friction < math.tan(math.pi / 6):
-        assert (bounds.greatest_angle, bounds.advice) == (2.0 * math.atan(friction), ())
+        assert bounds.greatest_angle == 2.0 * math.atan(friction)
     else:
         limit = 0.5 * (math.pi - math.asin(0.5 / friction))
         assert bounds.greatest_angle == pytest.approx(limit, rel=1e-15)
-        (told,) = bounds.advice
-        assert (told.code, told.severity) == ("may-stop-at-landing", "note")
-        assert f"above {0.5 * math.pi - math.atan(friction):.4g} rad" in told.message
 
 
 def test_a_flight_that_landing_stops_can_need_more_than_a_slide() -> None:

@@ -3,6 +3,7 @@
 import math
 from fractions import Fraction
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 from harness import answer, run
@@ -10,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dynamics_cli.errors import InadmissibleError
+from dynamics_cli.skid.timing.recorded import ListedSpeeds
 from dynamics_cli.skid.timing.recorder import record_of
 
 TABLE = (78, 78, 78, 78, 77, 76, 74, 66, 54, 41, 29)
@@ -18,13 +20,13 @@ SPEEDS = tuple(speed / 3.6 for speed in TABLE)
 
 def test_the_distance_is_the_sum_of_trapezoids() -> None:
     exact = sum(Fraction(a + b) / 2 * Fraction(1, 2) for a, b in pairwise(TABLE)) / Fraction(36, 10)
-    found = record_of(speeds=SPEEDS)
+    found = record_of(recorded=ListedSpeeds(SPEEDS))
     assert found.distance == pytest.approx(float(exact), rel=1e-15)
     assert found.intervals[6].distance_left == pytest.approx(29.513888888888888889, rel=1e-15)
 
 
 def test_common_and_rounding_errors_are_kept_apart() -> None:
-    found = record_of(speeds=SPEEDS)
+    found = record_of(recorded=ListedSpeeds(SPEEDS))
     weights = [Fraction(1, 4), *[Fraction(1, 2)] * 9, Fraction(1, 4)]
     rounding = math.sqrt(float(sum(w * w for w in weights) / 12)) / 3.6
     assert found.rounding_deviation == pytest.approx(rounding, rel=1e-14)
@@ -33,7 +35,7 @@ def test_common_and_rounding_errors_are_kept_apart() -> None:
 
 
 def test_limits_between_the_samples() -> None:
-    found = record_of(speeds=SPEEDS, greatest_acceleration=0.9 * 9.80665)
+    found = record_of(recorded=ListedSpeeds(SPEEDS), greatest_acceleration=0.9 * 9.80665)
     assert found.greatest_distance == pytest.approx(found.distance + 4.3644264012359221025496, rel=1e-14)
     assert found.least_distance == pytest.approx(found.distance - 4.3644264012359221025496, rel=1e-14)
 
@@ -41,7 +43,7 @@ def test_limits_between_the_samples() -> None:
 @given(st.lists(st.floats(0.0, 30.0), min_size=2, max_size=4), st.floats(0.2, 2.0), st.floats(1.0, 1.6))
 def test_limits_are_those_of_hardest_braking_and_driving(speeds: list[float], interval: float, more: float) -> None:
     most = more * max(abs(b - a) for a, b in pairwise(speeds)) / interval + 1.0
-    found = record_of(speeds=tuple(speeds), interval=interval, greatest_acceleration=most)
+    found = record_of(recorded=ListedSpeeds(tuple(speeds), interval), greatest_acceleration=most)
     least = greatest = 0.0
     for before, after in pairwise(speeds):
         # speeds at a fine grid of times: the least are cut off by both ends and by rest, the greatest by both ends
@@ -54,31 +56,33 @@ def test_limits_are_those_of_hardest_braking_and_driving(speeds: list[float], in
 
 
 def test_the_speed_at_the_event_and_the_slip_of_its_wheels() -> None:
-    found = record_of(speeds=SPEEDS)
+    found = record_of(recorded=ListedSpeeds(SPEEDS))
     assert found.least_event_speed == pytest.approx(4.7222222222222222222, rel=1e-14)
     assert found.greatest_event_speed == pytest.approx(8.0555555555555555556, rel=1e-14)
-    slipping = record_of(speeds=SPEEDS, greatest_age=0.0, least_slip=0.08, greatest_slip=0.18)
+    slipping = record_of(recorded=ListedSpeeds(SPEEDS), greatest_age=0.0, least_slip=0.08, greatest_slip=0.18)
     assert slipping.least_event_speed == pytest.approx(8.7560386473429951691, rel=1e-14)
     assert slipping.greatest_event_speed == pytest.approx(9.8238482384823848238, rel=1e-14)
 
 
 def test_braking_began_within_an_interval_and_the_age() -> None:
-    found = record_of(speeds=SPEEDS, brake_on=8)
+    found = record_of(recorded=ListedSpeeds(SPEEDS), brake_on=8)
     assert (found.brake_latest, found.brake_earliest, found.speed_before_braking) == (1.5, 2.5, SPEEDS[6])
-    assert record_of(speeds=SPEEDS, brake_on=1).brake_earliest is None
+    assert record_of(recorded=ListedSpeeds(SPEEDS), brake_on=1).brake_earliest is None
 
 
 def test_what_the_wheels_did_is_said() -> None:
-    assert [one.code for one in record_of(speeds=SPEEDS).advice] == ["wheel-slip"]
-    assert record_of(speeds=SPEEDS, greatest_slip=0.1).advice == ()
-    assert [one.code for one in record_of(speeds=(20.0, 5.0)).advice] == ["wheel-locked"]
-    assert [one.code for one in record_of(speeds=(60.0, 60.0)).advice] == ["end-of-range"]
+    assert [one.code for one in record_of(recorded=ListedSpeeds(SPEEDS)).advice] == ["wheel-slip"]
+    assert record_of(recorded=ListedSpeeds(SPEEDS), greatest_slip=0.1).advice == ()
+    assert [one.code for one in record_of(recorded=ListedSpeeds((20.0, 5.0))).advice] == ["wheel-locked"]
+    assert [one.code for one in record_of(recorded=ListedSpeeds((60.0, 60.0))).advice] == ["end-of-range"]
 
 
-@pytest.mark.parametrize("more", [{"speeds": (20.0,)}, {"brake_on": 12}, {"least_age": 2.0}, {"least_slip": 0.3}])
+@pytest.mark.parametrize(
+    "more", [{"recorded": ListedSpeeds((20.0,))}, {"brake_on": 12}, {"least_age": 2.0}, {"least_slip": 0.3}]
+)
 def test_what_no_record_can_be(more: dict) -> None:
     with pytest.raises(InadmissibleError):
-        record_of(**{"speeds": SPEEDS, **more})
+        record_of(**{"recorded": ListedSpeeds(SPEEDS), **more})
 
 
 def test_a_jump_names_what_it_needs() -> None:
@@ -90,3 +94,22 @@ def test_a_jump_names_what_it_needs() -> None:
 def test_each_speed_may_be_uncertain() -> None:
     found = answer("skid", "record", "--speeds", "78 ± 1, 77 ± 1, 60 ± 1 km/h", "--interval", "0.5 s")["results"]
     assert found["distance"]["std"] == pytest.approx(0.5 / 3.6 * math.sqrt(1.5), rel=1e-3)
+
+
+def test_a_file_says_what_a_list_does_and_when_the_brake_was_on(tmp_path: Path) -> None:
+    file = tmp_path / "edr.csv"
+    rows = [f"{-5.0 + 0.5 * n},{speed},{'on' if n >= 7 else 'off'}" for n, speed in enumerate(TABLE)]
+    file.write_text("\n".join(["time[s],speed[km/h],brake", *rows]))
+    listed = answer("skid", "record", "--speeds", f"{','.join(map(str, TABLE))} km/h", "--brake-on", "8")["results"]
+    results = answer("skid", "record", "--file", str(file))["results"]
+    for name in ("distance", "least_event_speed", "brake_earliest", "speed_before_braking"):
+        assert results[name]["value"] == pytest.approx(listed[name]["value"], rel=1e-12)
+    # a table that ends at -0.5 s has a last sample that is half a second older
+    file.write_text("\n".join(["time[s],speed[km/h],brake", *rows[:-1]]))
+    early = answer("skid", "record", "--file", str(file))
+    assert early["results"]["brake_latest"]["value"] == pytest.approx(1.5)
+    assert [entry["code"] for entry in early["warnings"]] == ["stops-early", "wheel-slip"]
+    file.write_text("time[s],speed[km/h]\n-1,50\n-0.6,48\n0,40\n")
+    uneven = run("skid", "record", "--file", str(file))
+    assert uneven.status == 3
+    assert "not equally spaced: 0.4 s to 0.6 s apart" in uneven.err

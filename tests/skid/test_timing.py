@@ -332,3 +332,12 @@ def test_cases_without_a_contact_are_not_called_inadmissible() -> None:
     said = [warning["message"] for warning in document["warnings"] if warning["code"] == "partly-inadmissible"]
     assert len(said) == 1
     assert "of the inputs' distribution has no contact time" in said[0]
+
+
+def test_the_kind_of_a_phase_may_lead_it() -> None:
+    braking = "distance=14 m, friction=0.7"
+    named = answer("skid", "timeline", "--end-speed", "8 m/s", "--phase", f"kind=braking, {braking}")
+    led = answer("skid", "timeline", "--end-speed", "8 m/s", "--phase", f"braking, {braking}")
+    assert led == named
+    misspelt = run("skid", "timeline", "--end-speed", "8 m/s", "--phase", f"brakng, {braking}")
+    assert misspelt.err.startswith("dynamics: --phase: read 'brakng', wanted NAME=VALUE")

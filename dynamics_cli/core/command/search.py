@@ -20,7 +20,12 @@ if TYPE_CHECKING:
 # Words of a question that say nothing of its subject.
 IDLE = {"a", "an", "and", "at", "by", "for", "from", "how", "in", "is", "of", "on", "or", "the", "to", "what", "with"}
 # Words of the trades, and the ones that the texts here use.
-SAME = {"edr": "recorder", "center": "centre", "cg": "centroid", "cog": "centroid", "moi": "inertia", "tire": "tyre"}
+SAME = {
+    "edr": "recorder", "cdr": "recorder", "blackbox": "recorder", "center": "centre", "cg": "centroid",
+    "cog": "centroid", "moi": "inertia", "tire": "tyre", "prt": "reaction", "headway": "gap", "motorcycle": "rider",
+    "bicycle": "rider", "cyclist": "rider", "accident": "crash", "reconstruction": "crash", "collision": "impact",
+    "airbag": "recorder", "brake": "braking", "brakes": "braking", "knockback": "throw",
+}  # fmt: skip
 MOST, MOST_MEANT = 12, 3
 # From this length on the beginning of a word stands for it: "balanc" for balance and balancing.
 STEM = 5
@@ -47,7 +52,8 @@ def _summarized(task: Task) -> str:
 
 
 def _described(task: Task) -> str:
-    return f"{_summarized(task)} {' '.join(task.options)} {' '.join(describe_options(task).values())}"
+    named = " ".join(f"{model.name} {model.source}" for model in task.models)
+    return f"{_summarized(task)} {named} {' '.join(task.options)} {' '.join(describe_options(task).values())}"
 
 
 def _about(terms: "Sequence[str]", text: str, name: int = 0) -> bool:

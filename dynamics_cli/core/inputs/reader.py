@@ -182,7 +182,7 @@ class Reader(Context):
             if isinstance(first.node, Leaf) and (number_end(text, 0) or _chosen(first.node, text)):
                 text = with_names(text, first.key, node.names)
         try:
-            return {key.replace("-", "_"): value for key, value in split_pairs(text).items()}
+            return {key.replace("-", "_"): value for key, value in split_pairs(_named_choice(text, node)).items()}
         except DynamicsError as error:
             error.parameter = error.parameter or address
             error.hint = f"example: {written(node)}" if error.hint == PAIRS and written(node) else error.hint
@@ -330,3 +330,13 @@ def _with_example(hint: str | None, field: Field) -> str | None:
 
 def _quoted(text: str) -> str:
     return f'"{text}"' if " " in text or ";" in text else text
+
+
+def _named_choice(text: str, node: "Node") -> str:
+    """`braking, distance=14 m` as `kind=braking, distance=14 m`: a word that can only be the first choice."""
+    names: Iterable[str] = ()
+    if isinstance(node, Tagged):
+        key, names = node.key, node.members
+    elif isinstance(node, Record) and isinstance(node.fields[0].node, Leaf) and node.fields[0].node.choice is not None:
+        key, names = node.fields[0].key, node.fields[0].node.choice.names
+    return f"{key}={text}" if text.partition(",")[0].strip() in names else text

@@ -302,7 +302,7 @@ def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any
         name, share = least.name.replace("_", " ").replace(".", " "), 1.0 - least.admissible
         what = "is inadmissible; results are" if refused else f"has no {name}; its interval is"
         message = f"{chance(share)} of the inputs' distribution {what} for the rest"
-        severity = "serious" if refused and share >= 0.05 else "caution"
+        severity = "serious" if refused and share >= 0.05 else "caution" if share >= 1e-3 else "note"
         out.append({"code": "partly-inadmissible", "severity": severity, "message": message})
     rough = [s for s in propagation.spreads.values() if s.varies and not s.estimate <= FAIR and not s.tails]
     if rough:

@@ -94,7 +94,7 @@ def chance(p: float) -> str:
     if p in (0.0, 1.0):
         return f"{_PERCENT * p:.0f} %"
     if p < 1e-4:
-        return f"{p:.1e}"
+        return "< 0.01 %"
     if p > 1.0 - 1e-4:
-        return f"1 − {1.0 - p:.1e}"
+        return "> 99.99 %"
     return f"{_PERCENT * p:.3g} %"

@@ -6,8 +6,9 @@ from dynamics_cli.impact.conventions import direction_of
 from dynamics_cli.impact.crash.scene import LENGTH, WIDTH, named
 from dynamics_cli.impact.crash.spinning import swept
 from dynamics_cli.impact.scene_labels import Words
-from dynamics_cli.impact.scene_pictures import about, apart, lane, outline
+from dynamics_cli.impact.scene_pictures import about, apart, lane
 from dynamics_cli.impact.uncertain_shapes import at_place, at_tip, fan
+from dynamics_cli.impact.vehicle_outlines import NARROW, outline
 from dynamics_cli.pictures import Arrow, Curve
 
 TYPE_CHECKING = False
@@ -138,14 +139,14 @@ class Drawn:
         return centre[0] + distance * way[0], centre[1] + distance * way[1]
 
     def _marks(self, role: int) -> "list[Any]":
-        """Two wheel tracks of the braking before; marks of the wheels and the path of the mass centre after."""
+        """The wheel tracks of the braking before; marks of the wheels and the path of the mass centre after."""
         course, way = self.courses[role], self.ways[role]
         items: list[Any] = []
         if course.start is not None and course.start.braking_distance:
             aside = TRACK * self.given[role].width
             begin = self._shifted(role, way, -course.start.braking_distance)
             end = self.centres[role]
-            for side in (aside, -aside):
+            for side in (aside, -aside) if self.given[role].width >= NARROW else (0.0,):
                 x = [point[0] - side * way[1] for point in (begin, end)]
                 y = [point[1] + side * way[0] for point in (begin, end)]
                 items.append(Curve(x, y, "", "track", BLACK))

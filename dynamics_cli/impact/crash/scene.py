@@ -119,7 +119,7 @@ class CrashVehicle:
     recorded_delta_v: Annotated[RoadSpeed | None, "ΔV by another source: compared, not used [m/s]."] = None
     nose: Annotated[Heading | None, "Heading of its nose, for PDOF; its approach heading when left out [rad]."] = None
     length: Annotated[Distance, "Length of its outline in the picture [m]."] = LENGTH
-    width: Annotated[Distance, "Width of its outline in the picture [m]."] = WIDTH
+    width: Annotated[Distance, "Width of its outline in the picture; below 1.1 m a two-wheeler [m]."] = WIDTH
     name: BodyName = None
 
 

@@ -3,9 +3,10 @@
 import math
 
 from dynamics_cli.impact.conventions import mass_of
-from dynamics_cli.impact.scene_pictures import LENGTH, axes_of, collision, names_of, north_of, on_page, seen, velocities
+from dynamics_cli.impact.scene_pictures import axes_of, collision, names_of, north_of, on_page, seen, velocities
 from dynamics_cli.impact.uncertain_shapes import at_tip, fan
 from dynamics_cli.impact.vector_pictures import polygon
+from dynamics_cli.impact.vehicle_outlines import LENGTH
 from dynamics_cli.impact.verdict_pictures import worst_headings
 from dynamics_cli.pictures import Axis, Band, Bars, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Count, Energy, Inertia, Length, Size, Speed, Time

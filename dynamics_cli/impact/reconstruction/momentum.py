@@ -91,7 +91,10 @@ def momentum(
     >>> round(result.first.approach_speed, 6), round(result.second.approach_speed, 6)
     (11.618973, 12.10263)
     """
-    return _solved(first, second, damage, branch, axes, pdof_zero, gravity, judged=True)
+    return momentum_of_samples(
+        first=first, second=second, damage=damage, branch=branch, axes=axes, pdof_zero=pdof_zero, gravity=gravity,
+        judged=True,
+    )  # fmt: skip
 
 
 def momentum_of_samples(
@@ -103,15 +106,9 @@ def momentum_of_samples(
     axes: Axes = AXES,
     pdof_zero: PdofZero = PDOF_ZERO,
     gravity: float = STANDARD_GRAVITY,
+    judged: bool = False,
 ) -> MomentumResult:
-    """As `momentum`, without verdicts: a crash has none in its samples, and they take half of the time."""
-    return _solved(first, second, damage, branch, axes, pdof_zero, gravity, judged=False)
-
-
-def _solved(
-    first: Vehicle, second: Vehicle, damage: object, branch: Branch | None, axes: Axes, zero: PdofZero, gravity: float,
-    *, judged: bool,
-) -> MomentumResult:  # fmt: skip
+    """As `momentum`, without verdicts unless asked for: a crash has none in its samples; they take half of the time."""
     require(
         damage is None,
         "energies of deformation are for vehicles on one line; these do not need them",
@@ -124,7 +121,7 @@ def _solved(
     unknown = Unknowns(terms)
     solution = solve(terms, branch)
     verdicts = unknown.verdicts() if judged else []
-    answer = _answer(terms, (first, second), axes, zero, solution.closure)
+    answer = _answer(terms, (first, second), axes, pdof_zero, solution.closure)
     answer = with_verdicts(answer, terms, verdicts, solution.condition)
     answer = certified(answer, terms, check=solution.closure is None)
     if not judged:

@@ -4,6 +4,7 @@ from itertools import pairwise
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import atan2, cos, hypot, sin
+from dynamics_cli.numerics.fitting.records_file import interval_of, read_columns
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -14,6 +15,7 @@ from dynamics_cli.quantities import (
     Fraction,
     Friction,
     Gravity,
+    InputFile,
     RoadSpeed,
     RoadVelocity,
     Time,
@@ -24,8 +26,49 @@ TEN_MS = 0.01
 # 49 CFR 563.8, table III: resolution of ΔV.
 KM_H = 0.2777777777777778
 LAST = 0.02
+# Columns of a file and their units.
+SPEEDS = {"km/h": KM_H, "mph": 0.44704, "m/s": 1.0, "ft/s": 0.3048}
+COLUMNS = {
+    "longitudinal": SPEEDS, "lateral": SPEEDS, "yaw_rate": {"deg/s": 0.017453292519943295, "rad/s": 1.0},
+}  # fmt: skip
 # A fraction of an interval that rounding may lose.
 SLACK = 1e-9
+
+
+@record
+class PulseTable:
+    """A pulse sample by sample."""
+
+    longitudinal: Annotated[
+        tuple[RoadVelocity, ...],
+        "ΔV along the nose from time zero on, ahead positive, e.g. 0, -2, -7, -15, -21, -22 km/h [m/s].",
+    ]
+    lateral: Annotated[
+        tuple[RoadVelocity, ...], "ΔV across it at the same times, to the left positive, e.g. 0, 0, 1, 2, 3, 3 km/h."
+    ] = ()
+    yaw_rate: Annotated[
+        tuple[AngularSpeed, ...], "Yaw rate at the same times, to the left positive, e.g. 0, 2, 9, 20, 27, 28 deg/s."
+    ] = ()
+    interval: Annotated[Time, "Time between samples, e.g. 10 ms [s]."] = TEN_MS
+
+
+@record
+class PulseFile:
+    """A pulse in a file."""
+
+    file: Annotated[
+        InputFile,
+        "CSV with time[ms],longitudinal[km/h] and, if recorded, lateral[km/h] and yaw_rate[deg/s], e.g. pulse.csv.",
+    ]
+
+    def table(self) -> PulseTable:
+        """The same pulse sample by sample."""
+        times, columns = read_columns(self.file, COLUMNS)
+        require(
+            "longitudinal" in columns, "the file has no ΔV along the nose", code="header",
+            hint="name it longitudinal[km/h]",
+        )  # fmt: skip
+        return PulseTable(**{name: tuple(column) for name, column in columns.items()}, interval=interval_of(times))
 
 
 @record
@@ -68,17 +111,7 @@ class Pulse:
 
 def pulse(
     *,
-    longitudinal: Annotated[
-        tuple[RoadVelocity, ...],
-        "ΔV along the nose from time zero on, ahead positive, e.g. 0, -2, -7, -15, -21, -22 km/h [m/s].",
-    ],
-    lateral: Annotated[
-        tuple[RoadVelocity, ...], "ΔV across it at the same times, to the left positive, e.g. 0, 0, 1, 2, 3, 3 km/h."
-    ] = (),
-    yaw_rate: Annotated[
-        tuple[AngularSpeed, ...], "Yaw rate at the same times, to the left positive, e.g. 0, 2, 9, 20, 27, 28 deg/s."
-    ] = (),
-    interval: Annotated[Time, "Time between samples, e.g. 10 ms [s]."] = TEN_MS,
+    recorded: Annotated[PulseTable | PulseFile, "The recorded pulse, listed or in a file."],
     tolerance: Annotated[Fraction, "Limits of the recorded ΔV; 49 CFR 563.8 allows 10 %."] = 0.1,
     resolution: Annotated[RoadSpeed, "Resolution of the record [m/s]."] = KM_H,
     friction: Annotated[
@@ -113,16 +146,18 @@ def pulse(
 
     Examples
     --------
-    >>> result = pulse(longitudinal=(0.0, -0.5, -2.0, -4.5, -6.0, -6.2, -6.2, -6.2))
+    >>> result = pulse(recorded=PulseTable((0.0, -0.5, -2.0, -4.5, -6.0, -6.2, -6.2, -6.2)))
     >>> round(result.delta_v, 6), round(result.time, 6), round(result.greatest_acceleration, 6)
     (6.2, 0.05, 250.0)
     """
+    table = recorded.table() if isinstance(recorded, PulseFile) else recorded
+    longitudinal, lateral, yaw_rate, interval = table.longitudinal, table.lateral, table.yaw_rate, table.interval
     count = len(longitudinal)
     require(count >= 2, "a pulse of {count} samples has no interval", count=count, code="too-few")
-    for name, table in (("lateral", lateral), ("yaw rate", yaw_rate)):
+    for name, column in (("lateral", lateral), ("yaw rate", yaw_rate)):
         require(
-            not table or len(table) == count,
-            "{name} has {has} samples, longitudinal {count}", name=name, has=len(table), count=count, code="lengths",
+            not column or len(column) == count,
+            "{name} has {has} samples, longitudinal {count}", name=name, has=len(column), count=count, code="lengths",
         )  # fmt: skip
     require(interval > 0.0, "samples must be some time apart", code="no-time")
     require(tolerance < 1.0, "a tolerance of 100 % or more: the record contains no information", code="tolerance")
@@ -133,12 +168,7 @@ def pulse(
     noses = [0.0]
     for before, after in pairwise(yaw_rate or (0.0,) * count):
         noses.append(noses[-1] + 0.5 * interval * (before + after))
-    # the reading of the sensor at time zero is from before the impact
-    x, y = longitudinal[0], across[0]
-    for index in range(top):
-        middle = 0.5 * (noses[index] + noses[index + 1])
-        dx, dy = longitudinal[index + 1] - longitudinal[index], across[index + 1] - across[index]
-        x, y = x + cos(middle) * dx - sin(middle) * dy, y + sin(middle) * dx + cos(middle) * dy
+    x, y = _at_the_start(longitudinal, across, noses, top)
     changes = [hypot(longitudinal[i + 1] - longitudinal[i], across[i + 1] - across[i]) for i in range(count - 1)]
     moving = [i for i, change in enumerate(changes) if change >= resolution * (1.0 - SLACK)] or [0]
     back = max(count - 1 - max(round(LAST / interval), 1), 0)
@@ -167,6 +197,19 @@ def pulse(
         numerics=Numerics("sums over the samples"),
         advice=_advice(final, resolution, bool(yaw_rate), top, count),
     )  # fmt: skip
+
+
+def _at_the_start(
+    along: "tuple[float, ...]", across: "tuple[float, ...]", noses: "list[float]", top: int
+) -> "tuple[float, float]":
+    """ΔV up to a sample in the axes of the start."""
+    # the reading of the sensor at time zero is from before the impact
+    x, y = along[0], across[0]
+    for index in range(top):
+        middle = 0.5 * (noses[index] + noses[index + 1])
+        dx, dy = along[index + 1] - along[index], across[index + 1] - across[index]
+        x, y = x + cos(middle) * dx - sin(middle) * dy, y + sin(middle) * dx + cos(middle) * dy
+    return x, y
 
 
 def _advice(final: float, resolution: float, turns: bool, top: int, count: int) -> "tuple[Advice, ...]":

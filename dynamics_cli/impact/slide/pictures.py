@@ -6,12 +6,13 @@ As a picture, and as a drawing in the coordinates of the scene.
 from dynamics_cli.errors import worded
 from dynamics_cli.impact.conventions import AXES, Axes
 from dynamics_cli.impact.scene_labels import Words
-from dynamics_cli.impact.scene_pictures import about, finished, outline, to_scale
+from dynamics_cli.impact.scene_pictures import about, finished, to_scale
 from dynamics_cli.impact.slide.marks import lines
 from dynamics_cli.impact.slide.motion import Run, run
 from dynamics_cli.impact.slide.records import AtRest, Ground
 from dynamics_cli.impact.slide.task import car_of, shares_of, start_of
 from dynamics_cli.impact.slide.wheels import Car
+from dynamics_cli.impact.vehicle_outlines import outline
 from dynamics_cli.numerics.elementary import hypot
 from dynamics_cli.pictures import Arrow, Curve, Mark, Picture, Plan
 from dynamics_cli.quantities import STANDARD_GRAVITY, Friction

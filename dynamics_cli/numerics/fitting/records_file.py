@@ -13,8 +13,12 @@ if TYPE_CHECKING:
 # Units allowed in brackets after the name of the time.
 TIMES = {"": 1.0, "s": 1.0, "ms": 1e-3, "us": 1e-6, "min": 60.0}
 MOST = 200_000
+# Times in a file are rounded: intervals may differ by this share.
+UNEVEN = 0.02
 # Units of a load.
 FORCES = {"N": 1.0, "kN": 1e3, "lbf": 4.4482216152605}
+# Numbers that are written as words.
+WORDS = {"on": 1.0, "off": 0.0, "yes": 1.0, "no": 0.0}
 LENGTHS = {"mm": 1e-3, "m": 1.0, "um": 1e-6, "cm": 1e-2, "in": 0.0254, "ft": 0.3048}
 ACCELERATIONS = {"m/s^2": 1.0, "m/s²": 1.0, "g": STANDARD_GRAVITY, "mm/s^2": 1e-3, "ft/s^2": 0.3048}
 
@@ -32,7 +36,7 @@ def _number(text: str, line: int) -> float:
     try:
         value = float(text)
     except ValueError:
-        value = math.nan
+        value = WORDS.get(text.lower(), math.nan)
     require(math.isfinite(value), "line {line}: {text} is not a number", code="number", line=line, text=repr(text[:30]))
     return value
 
@@ -104,6 +108,17 @@ def read_columns(file: str, known: "dict[str, dict[str, float]]") -> "tuple[list
     times = [row[0] * TIMES[unit] for row in table]
     _require_rising(times)
     return times, {name: [row[k] * known[name][u] for row in table] for k, (name, u) in enumerate(rest, 1)}
+
+
+def interval_of(times: "list[float]") -> float:
+    """The interval between samples; refuses times that are not equally spaced, beyond their rounding."""
+    steps = [after - before for before, after in pairwise(times)]
+    require(
+        max(steps) - min(steps) <= UNEVEN * sum(steps) / len(steps),
+        "the samples are not equally spaced: {least} to {greatest} apart", code="spacing",
+        least=(min(steps), Time), greatest=(max(steps), Time), hint="leave out the rows that differ",
+    )  # fmt: skip
+    return (times[-1] - times[0]) / len(steps)
 
 
 def read_load(file: str, units: "dict[str, float] | None" = None) -> "tuple[Any, Any, bool]":

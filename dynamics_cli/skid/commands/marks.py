@@ -12,7 +12,7 @@ MEASURED = {"friction": "ranges: dynamics skid values friction --surface asphalt
 
 SPEED = Task(
     "speed",
-    "Speed at the start of a skid over one or several surfaces.",
+    "Speed at the start of skid marks over one or several surfaces.",
     Model(
         "work–energy",
         "dynamics_cli.skid.braking:speed",
@@ -240,7 +240,6 @@ THROW = Task(
         "speed: projection speed",
         "least_speed: lower bound of speed",
         "greatest_speed: upper bound of speed",
-        "greatest_angle: upper bound holds to",
         "flight_distance",
         "slide_distance",
         "vehicle_speed: speed of the vehicle",

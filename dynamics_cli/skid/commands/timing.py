@@ -41,8 +41,8 @@ TIMELINE = Task(
     ),
     scene=_stopping("", "50 km/h"),
     examples=(
-        'dynamics skid timeline --end-speed "8 m/s" --phase "kind=reaction, duration=1.2 s" '
-        '--phase "kind=build-up, duration=0.2 s" --phase "kind=braking, distance=14 m, friction=0.7"',
+        'dynamics skid timeline --end-speed "8 m/s" --phase "reaction, duration=1.2 s" '
+        '--phase "build-up, duration=0.2 s" --phase "braking, distance=14 m, friction=0.7"',
         'dynamics skid timeline --start-speed 0km/h --kind accelerating --acceleration "2 m/s^2" --distance "11 m"',
     ),
     table="moments",
@@ -72,7 +72,7 @@ MEET = Task(
         "stopping_speed: to stop short",
         "late_speed: to arrive when the way is clear",
         "sufficient_deceleration",
-        "earlier: reaction needed earlier by",
+        "earlier: reaction too late by",
         "moments: both, counted back from the impact | time_left, first_distance=first, first_speed=speed, "
         "first_phase, second_distance=second",
     ),
@@ -84,8 +84,8 @@ MEET = Task(
     chances={"avoidable": "speed_margin"},
     scene={**_stopping("first.", "50 km/h"), **_steady("second.", "1.4 m/s")},
     examples=(
-        'dynamics skid meet --first-end-speed "8 m/s" --first-phase "kind=reaction, duration=1.2 s" '
-        '--first-phase "kind=build-up, duration=0.2 s" --first-phase "kind=braking, distance=14 m, friction=0.7" '
+        'dynamics skid meet --first-end-speed "8 m/s" --first-phase "reaction, duration=1.2 s" '
+        '--first-phase "build-up, duration=0.2 s" --first-phase "braking, distance=14 m, friction=0.7" '
         '--second-kind constant --second-distance "4.6 m" --second-end-speed "1.4 m/s" --clear-distance "1.9 m"',
     ),
     table="moments",
@@ -127,8 +127,8 @@ FOLLOW = Task(
     examples=(
         'dynamics skid follow --gap "25 m" --leader-start-speed "20 m/s" --leader-kind braking --leader-speed 0m/s '
         '--leader-acceleration "7 m/s^2" --follower-start-speed "20.5 m/s" '
-        '--follower-phase "kind=reaction, duration=1.1 s" '
-        '--follower-phase "kind=braking, speed=0 m/s, acceleration=6.5 m/s^2"',
+        '--follower-phase "reaction, duration=1.1 s" '
+        '--follower-phase "braking, speed=0 m/s, acceleration=6.5 m/s^2"',
     ),
     table="moments",
     arrays=False,

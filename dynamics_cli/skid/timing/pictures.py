@@ -10,6 +10,7 @@ from dynamics_cli.quantities import STANDARD_GRAVITY, Acceleration, Length, Road
 from dynamics_cli.skid.timing.bands import bands_of, before_impact, held, in_lane, party_in
 from dynamics_cli.skid.timing.courses import Course
 from dynamics_cli.skid.timing.meet import Party, course_to_impact, driving, motion_of
+from dynamics_cli.skid.timing.recorded import ListedSpeeds, Samples, SpeedFile
 from dynamics_cli.skid.timing.timeline import EndSpeed, StartSpeed, summed
 
 TYPE_CHECKING = False
@@ -256,14 +257,16 @@ def _block(corner: "tuple[float, float]", heading: float, length: float) -> "tup
 def record(
     result: "Any",
     *,
-    interval: float = 0.5,
+    recorded: ListedSpeeds | SpeedFile,
     greatest_age: "float | None" = None,
     tolerance: float = 1.0 / 3.6,
     resolution: float = 1.0 / 3.6,
     **_: "Any",
 ) -> Picture:
     """Recorded speeds with their tolerance, what the last deceleration leads to at the event, and the decelerations."""
-    oldest = interval if greatest_age is None else greatest_age
+    samples = Samples(recorded)
+    interval = samples.interval
+    oldest = samples.ended + (interval if greatest_age is None else greatest_age)
     rows = result.intervals
     times = [row.time_left + oldest for row in rows]
     speeds = [row.speed for row in rows]

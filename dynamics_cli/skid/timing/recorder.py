@@ -19,6 +19,7 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, record
+from dynamics_cli.skid.timing.recorded import ListedSpeeds, Samples, SpeedFile
 
 KILOMETRE_PER_HOUR = 1.0 / 3.6
 # 49 CFR 563.8: recorded speeds end here.
@@ -78,10 +79,7 @@ class SkidRecord:
 
 def record_of(
     *,
-    speeds: Annotated[
-        tuple[RoadSpeed, ...], "Recorded speeds in order of time, equally spaced, e.g. 78, 77, 66, 41, 29 km/h [m/s]."
-    ],
-    interval: Annotated[Time, "Time between samples, e.g. 0.5 s [s]."] = 0.5,
+    recorded: Annotated[ListedSpeeds | SpeedFile, "The recorded speeds, listed or in a file."],
     least_age: Annotated[Time, "Least age of the last sample at the event [s]."] = 0.0,
     greatest_age: Annotated[Time | None, "Greatest age of the last sample; one interval unless given [s]."] = None,
     brake_on: Annotated[
@@ -126,12 +124,16 @@ def record_of(
 
     Examples
     --------
-    >>> result = record_of(speeds=(20.0, 18.0, 12.0, 6.0))
+    >>> result = record_of(recorded=ListedSpeeds((20.0, 18.0, 12.0, 6.0)))
     >>> round(result.distance, 6), round(result.least_event_speed, 6)
     (21.5, 0.0)
     """
+    samples = Samples(recorded)
+    speeds, interval = samples.speeds, samples.interval
     count = len(speeds)
-    oldest = interval if greatest_age is None else greatest_age
+    least_age = least_age + samples.ended
+    oldest = samples.ended + (interval if greatest_age is None else greatest_age)
+    brake_on = samples.brake_on if brake_on is None else brake_on
     _require_record(count, interval, (least_age, oldest), (least_slip, greatest_slip))
     changes = [(after - before) / interval for before, after in pairwise(speeds)]
     rows, distance = _rows(speeds, changes, interval, gravity)
