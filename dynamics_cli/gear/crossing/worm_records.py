@@ -1,7 +1,54 @@
-"""Results of a worm pair."""
+"""Inputs and results of a worm pair."""
 
-from dynamics_cli.quantities import Angle, Annotated, Coordinate, Force, Module, Ratio, ShaftSpeed, Size, Speed, Torque
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    Coordinate,
+    Force,
+    Module,
+    Positive,
+    Ratio,
+    ShaftSpeed,
+    Size,
+    Speed,
+    Torque,
+)
 from dynamics_cli.records import Advice, Check, record
+
+
+@record
+class AxialModule:
+    """Size of the teeth as the axial module of the worm, the transverse one of the wheel."""
+
+    module: Annotated[Module, "Axial module m_x [m]."]
+
+
+@record
+class WormNormalModule:
+    """Size of the teeth as the normal module."""
+
+    normal_module: Annotated[Module, "Normal module m_n [m]."]
+
+
+@record
+class WormDiameter:
+    """The worm by its reference diameter."""
+
+    worm_diameter: Annotated[Size, "Reference diameter of the worm d₁, e.g. 44 mm [m]."]
+
+
+@record
+class DiameterFactor:
+    """The worm by its diameter factor."""
+
+    diameter_factor: Annotated[Positive, "Diameter factor q = d₁/m_x, e.g. 10."]
+
+
+@record
+class LeadAngle:
+    """The worm by its lead angle."""
+
+    lead_angle: Annotated[Angle, "Lead angle γ at the reference cylinder, e.g. 8 deg [rad]."]
 
 
 @record
