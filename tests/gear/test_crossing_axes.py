@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.errors import DynamicsError, InadmissibleError
+from dynamics_cli.errors import DynamicsError, InadmissibleError, MissingError
 from dynamics_cli.gear.crossing.bevel import bevel
 from dynamics_cli.gear.crossing.bevel_records import Flank, Kind
 from dynamics_cli.gear.crossing.crossed import Screw, crossed
