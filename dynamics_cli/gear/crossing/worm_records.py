@@ -5,6 +5,7 @@ from dynamics_cli.quantities import (
     Annotated,
     Coordinate,
     Force,
+    Fraction,
     Module,
     Positive,
     Ratio,
@@ -78,8 +79,10 @@ class WormData:
     throat_radius: Annotated[Coordinate, "Radius of the throat r_k, about the worm's axis [m]."]
     face_width: Annotated[Size, "Face width of the wheel that is usual, 2m_x√(q + 1) [m]."]
     friction_angle: Annotated[Angle, "Angle of friction ρ' = atan(μ/cos α_n) [rad]."]
-    efficiency: Annotated[Ratio, "Efficiency when the worm drives."]
-    backward_efficiency: Annotated[Ratio, "Efficiency when the wheel drives; at or below zero the worm locks itself."]
+    efficiency: Annotated[Fraction, "Efficiency when the worm drives."]
+    backward_efficiency: Annotated[
+        Fraction, "Efficiency when the wheel drives; at or below zero the worm locks itself."
+    ]
     locking_margin: Annotated[Angle, "Angle of friction less lead angle; positive is self-locking [rad]."]
     self_locking: Annotated[bool, "Whether the wheel cannot drive the worm."]
     sliding_speed: Annotated[Speed | None, "Sliding velocity at the reference cylinder v_g [m/s]."]
