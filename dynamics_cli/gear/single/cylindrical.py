@@ -5,7 +5,7 @@ from math import pi
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear import options
 from dynamics_cli.gear.pitch import Pitch, SpurPitch, module_advice, module_of
-from dynamics_cli.gear.single.gear import Gear, Hand, signed_gear
+from dynamics_cli.gear.single.gear import Gear, Hand, require_circles, signed_gear
 from dynamics_cli.gear.single.limits import LEAST_TIP, least_shift, least_teeth, pointed_shift
 from dynamics_cli.gear.single.rack import FULL_DEPTH, basic_rack
 from dynamics_cli.gear.single.records import GearData
@@ -30,6 +30,7 @@ def spur(
     dedendum_factor: options.DedendumFactor = None,
     root_radius_factor: options.RackCorner = None,
     tip_shortening: options.TipShortening = 0.0,
+    tip_diameter: options.TipDiameter = None,
     internal: options.Internal = False,
     shift_sign: options.ShiftSign = options.ISO,
     avoid_undercut: options.AvoidUndercut = False,
@@ -86,6 +87,7 @@ def helical(
     dedendum_factor: options.DedendumFactor = None,
     root_radius_factor: options.RackCorner = None,
     tip_shortening: options.TipShortening = 0.0,
+    tip_diameter: options.TipDiameter = None,
     internal: options.Internal = False,
     shift_sign: options.ShiftSign = options.ISO,
     avoid_undercut: options.AvoidUndercut = False,
@@ -143,7 +145,17 @@ def _described(hand: "Hand | None", helix_angle: float, pitch: Pitch, **given: "
         shift=given["profile_shift"],
         tip_change=-given["tip_shortening"] / module,
     )
-    return describe(_without_undercut(gear) if given["avoid_undercut"] else gear, pitch, hand)
+    gear = _without_undercut(gear) if given["avoid_undercut"] else gear
+    if given["tip_diameter"] is not None:
+        require(
+            plain(given["tip_shortening"]) == 0.0,
+            "tip diameter and tip shortening are both given",
+            code="tip-diameter",
+            hint="give one of them: each follows from the other",
+        )
+        gear = gear.tipped(given["tip_diameter"])
+        require_circles(gear)
+    return describe(gear, pitch, hand)
 
 
 def normal_pressure_angle(normal: float | None, transverse: float | None, helix_angle: float) -> float:
