@@ -82,16 +82,21 @@ def test_the_panels_reach_the_extremes_of_the_document() -> None:
     assert len(shape.items[0].x) == 721
     assert max(pressure.items[0].y) == pytest.approx(made.largest_pressure_angle, rel=1e-4)
     assert sum(isinstance(item, Mark) for item in pressure.items) == 2
-    flat = drawn(CYCLE, followers.FlatFace(0.05)).panels[1]
-    assert sum(isinstance(item, Mark) for item in flat.items) == 1
 
 
+@pytest.mark.parametrize("rotation", ["ccw", "cw"])
 @pytest.mark.parametrize("follower", [followers.FlatFace(0.05), followers.OscillatingFlat(0.03, 0.1)])
-def test_rounding_of_no_pressure_angle_is_not_enlarged(follower) -> None:
-    pressure = drawn(SWING if hasattr(follower, "pivot_distance") else CYCLE, follower).panels[1]
-    assert max(map(abs, pressure.items[0].y)) < 1e-12
-    assert pressure.y.ends == pytest.approx((-math.radians(10.0), math.radians(10.0)))
-    assert drawn(CYCLE, followers.Roller(0.025, 0.006)).panels[1].y.ends is None
+def test_a_face_without_a_pressure_angle_shows_where_it_is_touched(follower, rotation) -> None:
+    program = SWING if hasattr(follower, "pivot_distance") else CYCLE
+    sense = followers.Rotation(rotation)
+    cam = profile(NOTHING, program=program, follower=follower, rotation=sense)
+    panel = drawn(program, follower, rotation=sense).panels[1]
+    assert min(panel.items[0].y) == pytest.approx(cam.face_low, rel=1e-4)
+    assert max(panel.items[0].y) == pytest.approx(cam.face_high, rel=1e-4)
+    marks = [item for item in panel.items if isinstance(item, Mark)]
+    assert [mark.y for mark in marks] == [cam.face_high, cam.face_low]
+    values = np.interp([mark.x for mark in marks], panel.items[0].x, panel.items[0].y)
+    assert values == pytest.approx([cam.face_high, cam.face_low], rel=1e-4)
 
 
 def points_of(path: str) -> np.ndarray:

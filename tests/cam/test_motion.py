@@ -365,3 +365,14 @@ def test_a_rise_has_no_acceleration_where_it_passes_zero() -> None:
     found = rise(law=LawName("cycloidal"), lift=0.02, span=pi / 2, count=19)
     assert found.points[9].acceleration == 0.0
     assert found.points[9].velocity > 0.0
+
+
+def test_a_table_at_chosen_cam_angles() -> None:
+    angles = [radians(angle) for angle in (90.0, 30.0, 360.0, 45.5)]
+    table = motion(Program(), program=LINE, at=tuple(angles)).table
+    assert list(table.arrays["angle"]) == sorted(angles)
+    turn = of(LINE)
+    for angle, lift, velocity in zip(*(table.arrays[name] for name in ("angle", "lift", "velocity")), strict=True):
+        assert (lift, velocity) == pytest.approx(turn.at(float(angle), 1), abs=1e-18)
+    with pytest.raises(InadmissibleError, match="outside the turn"):
+        motion(Program(), program=LINE, at=(7.0,))

@@ -13,10 +13,6 @@ LONG_FILES = {
     "core/batch/stream.py",
 }
 LONG_FUNCTIONS = {
-    "cam/forces/check.py:check",
-    "cam/geometry/profile.py:profile",
-    "gear/pair/pair.py:_result",
-    "gear/single/cylindrical.py:describe",
     "impact/planar/path.py:travel",
     "numerics/chebyshev/proxies.py:extremes",
 }

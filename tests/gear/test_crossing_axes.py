@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynamics_cli.errors import DynamicsError, InadmissibleError
+from dynamics_cli.errors import DynamicsError, InadmissibleError, MissingError
 from dynamics_cli.gear.crossing.bevel import bevel
 from dynamics_cli.gear.crossing.bevel_records import Flank, Kind
 from dynamics_cli.gear.crossing.crossed import Screw, crossed
@@ -228,3 +228,16 @@ def test_friction_carries_the_load() -> None:
         with pytest.raises(DynamicsError) as caught:
             wheels(**({"first_diameter": 0.1, "second_diameter": 0.3} | more))  # type: ignore[arg-type]
         assert caught.value.code == code
+
+
+def test_a_worm_that_fills_a_centre_distance() -> None:
+    found = worm(threads=2, teeth=39, size=AxialModule(4e-3), centre_distance=0.1)
+    assert found.worm_diameter == pytest.approx(44e-3, rel=1e-14)
+    assert (found.profile_shift, found.centre_distance) == (0.0, pytest.approx(0.1, rel=1e-15))
+    shifted = worm(threads=2, teeth=39, size=AxialModule(4e-3), centre_distance=0.1, profile_shift=0.5)
+    assert shifted.worm_diameter == pytest.approx(40e-3, rel=1e-14)
+    assert shifted.centre_distance == pytest.approx(0.1, rel=1e-15)
+    with pytest.raises(InadmissibleError, match="does not fit"):
+        worm(threads=2, teeth=50, size=AxialModule(4e-3), centre_distance=0.1)
+    with pytest.raises(MissingError, match="diameter is not given"):
+        worm(threads=2, teeth=39, size=WormNormalModule(4e-3), centre_distance=0.1)

@@ -1,5 +1,7 @@
 """Where a pair ends: thinned teeth, interference as the exact profiles show it, meshes that do not close."""
 
+import math
+
 import pytest
 from harness import run
 from hypothesis import given, settings
@@ -208,3 +210,15 @@ def test_a_backlash_that_cannot_be(more: dict, code: str) -> None:
     with pytest.raises(InadmissibleError) as refused:
         pair(first=first, second=Mate(40, 0.0), pitch=ONE, **({"backlash": 1e-4} | more))
     assert refused.value.code == code
+
+
+@pytest.mark.parametrize(("teeth", "mate"), [(12, 43), (9, 43), (14, 60)])
+def test_the_remedy_of_an_undercut_pinion_is_the_shift_that_frees_the_mesh(teeth: int, mate: int) -> None:
+    cut = pair(first=Mate(teeth), second=Mate(mate), pitch=NormalModule(2e-3))
+    remedies = {advice.remedy for advice in cut.advice if advice.code == "interference"}
+    assert len(remedies) == 1
+    words = next(iter(remedies)).split()
+    shift = float(next(word for word in words if word[0] == "0"))
+    assert 0.0 <= shift - (1.0 - teeth * math.sin(math.radians(20.0)) ** 2 / 2.0) <= 2e-3
+    kept = pair(first=Mate(teeth, shift), second=Mate(mate), pitch=NormalModule(2e-3))
+    assert not [advice for advice in kept.advice if advice.code == "interference"]

@@ -235,3 +235,15 @@ def test_the_back_of_a_rack_lies_below_its_teeth() -> None:
     assert rack(teeth=20, pitch=THREE, datum_height=0.0038).mounting_distance is not None
     with pytest.raises(InadmissibleError, match="datum line"):
         rack(teeth=20, pitch=THREE, datum_height=0.0037)
+
+
+@pytest.mark.parametrize("internal", [False, True])
+def test_a_tip_diameter_in_place_of_the_rack_s(internal: bool) -> None:
+    sizes = {"teeth": 40, "pitch": NormalModule(2e-3), "profile_shift": 0.2, "internal": internal}
+    shortened = spur(**sizes, tip_shortening=1e-4)
+    given_tip = spur(**sizes, tip_diameter=shortened.tip_diameter)
+    assert given_tip.tip_diameter == pytest.approx(shortened.tip_diameter, rel=1e-15)
+    assert given_tip.tip_thickness == pytest.approx(shortened.tip_thickness, rel=1e-12)
+    assert given_tip.addendum == pytest.approx(shortened.addendum, rel=1e-12)
+    with pytest.raises(InadmissibleError, match="both given"):
+        spur(**sizes, tip_shortening=1e-4, tip_diameter=82e-3)

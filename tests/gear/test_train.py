@@ -302,3 +302,8 @@ def test_only_planets_that_have_room_are_offered() -> None:
     assert answer.assembly is not None
     assert answer.assembly.most_planets == 5
     assert uneven.remedy.startswith("2, 3, 4 planets fit")
+
+
+@pytest.mark.parametrize("stages", ["20:60, 18:54", "20/60, 18/54", "20x60; 18 × 54", "20 : 60 18 : 54"])
+def test_stages_as_people_write_them(stages: str) -> None:
+    assert train(arrangement=Stages(stages)).ratio == "9"

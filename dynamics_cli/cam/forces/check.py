@@ -146,9 +146,8 @@ def check(
     (True, False)
     """
     from dynamics_cli.cam.forces.jump import asked_jump
-    from dynamics_cli.cam.geometry.analysis import analyse, pressure_bounds, runs_forward
+    from dynamics_cli.cam.geometry.analysis import analyse, extreme_bounds, extreme_results, runs_forward
     from dynamics_cli.cam.geometry.contact import Geometry
-    from dynamics_cli.cam.geometry.profile import concave, convex, radius_bounds
     from dynamics_cli.cam.geometry.undercut import lift_lost
     from dynamics_cli.cam.program.pieces import joint_jumps
 
@@ -163,57 +162,31 @@ def check(
         hint="leave --face-width out",
     )
     analysis = analyse(geometry, motion)
-    (high, high_at), (low, low_at) = analysis.pressure.largest(), analysis.pressure.smallest()
-    convex_radius, convex_at = convex(geometry, analysis)
-    concave_radius, concave_at = concave(geometry, analysis)
+    extremes = extreme_results(geometry, analysis)
     forward = runs_forward(geometry, analysis)
     loss = lift_lost(geometry, motion, forward=forward)
-    lost = None if loss is None or isinf(loss.lift) else loss.lift
-    face = None if analysis.along is None else analysis.along.largest()[0] - analysis.along.smallest()[0]
     velocity_jumps, acceleration_jumps = joint_jumps(motion)
     slide, arm = (mass, spring_rate, preload), (inertia, torsion_rate, preload_torque)
     jump = asked_jump(motion, slide, arm, asked=shaft_speed is not None)
-    radii = [radius for radius in (convex_radius, concave_radius) if radius is not None]
-    values = Decisive(high, low, min(radii, default=None), face, velocity_jumps, None if jump is None else jump[0])
-    needed_speed = None if shaft_speed is None else safety * abs(shaft_speed)
-    limits = Limits(rise_limit, return_limit, least_radius, face_width, needed_speed)
+    values = _decisive(extremes, analysis.face_width, velocity_jumps, jump and jump[0])
+    limits = Limits(rise_limit, return_limit, least_radius, face_width, shaft_speed and safety * abs(shaft_speed))
     kept = {"undercut": loss is None, **_kept(values, limits)}
     exceeded = [name for name, within in kept.items() if not within]
     return CamCheck(
         fits=not exceeded,
-        binding=", ".join(exceeded) if exceeded else "nothing",
-        undercut=loss is not None,
-        undercut_stretches=0 if loss is None else len(loss.stretches),
-        pieces_cut_off=None if loss is None else loss.pieces,
-        lift_lost=None if geometry.oscillating else lost,
-        swing_lost=lost if geometry.oscillating else None,
-        lost_at=None if loss is None or lost is None else loss.at,
-        least_convex_radius=convex_radius,
-        least_convex_radius_at=convex_at,
-        least_concave_radius=concave_radius,
-        least_concave_radius_at=concave_at,
-        curvature_kept=kept["least radius of curvature"],
-        largest_pressure_angle=high,
-        largest_pressure_angle_at=high_at,
-        least_pressure_angle=low,
-        least_pressure_angle_at=low_at,
-        pressure_angle_kept=kept["rise limit"] and kept["return limit"],
-        face_width=face,
-        face_kept=None if face_width is None else kept["face width"],
+        binding=", ".join(exceeded) or "nothing",
+        **_undercut(geometry, loss),
+        **extremes,
+        **_verdicts(kept, limits),
+        face_width=analysis.face_width,
         velocity_jumps=velocity_jumps,
         acceleration_jumps=acceleration_jumps,
-        jump_speed=None if jump is None else jump[0],
-        jump_at=None if jump is None else jump[1],
-        jump_kept=None if jump is None or shaft_speed is None else kept["jump speed"],
+        jump_speed=jump and jump[0],
+        jump_at=jump and jump[1],
         advice=(*_on_undercut(geometry, loss, forward=forward), *_on_limits(exceeded, values, limits), *_on_jump(jump)),
         numerics=Numerics(
             "extremes from Chebyshev interpolants of every piece",
-            (
-                *pressure_bounds(analysis),
-                *radius_bounds(geometry, analysis),
-                *_lost_bound(geometry, loss),
-                *_jump_bound(jump),
-            ),
+            (*extreme_bounds(geometry, analysis), *_lost_bound(geometry, loss), *_jump_bound(jump)),
         ),
     )
 
@@ -241,6 +214,14 @@ class Limits:
     speed: ShaftSpeed | None
 
 
+def _decisive(
+    extremes: "dict[str, Any]", face: float | None, velocity_jumps: int, jump_speed: float | None
+) -> Decisive:
+    high, low = extremes["largest_pressure_angle"], extremes["least_pressure_angle"]
+    radii = [extremes[name] for name in ("least_convex_radius", "least_concave_radius") if extremes[name] is not None]
+    return Decisive(high, low, min(radii, default=None), face, velocity_jumps, jump_speed)
+
+
 def _kept(values: Decisive, limits: Limits) -> "dict[str, bool]":
     """Which limits are kept, within rounding."""
     return {
@@ -250,6 +231,29 @@ def _kept(values: Decisive, limits: Limits) -> "dict[str, bool]":
         "face width": limits.face is None or values.face is None or values.face <= limits.face,
         "velocity jump": values.velocity_jumps == 0,
         "jump speed": limits.speed is None or values.jump_speed is None or values.jump_speed >= limits.speed,
+    }
+
+
+def _verdicts(kept: "dict[str, bool]", limits: Limits) -> "dict[str, Any]":
+    """The results about limits; None where no limit is given."""
+    return {
+        "curvature_kept": kept["least radius of curvature"],
+        "pressure_angle_kept": kept["rise limit"] and kept["return limit"],
+        "face_kept": None if limits.face is None else kept["face width"],
+        "jump_kept": None if limits.speed is None else kept["jump speed"],
+    }
+
+
+def _undercut(geometry: "Geometry", loss: "Any") -> "dict[str, Any]":
+    """The results about undercut: what is cut off, and the lift or swing lost to it where a surface remains."""
+    lost = None if loss is None or isinf(loss.lift) else loss.lift
+    return {
+        "undercut": loss is not None,
+        "undercut_stretches": 0 if loss is None else len(loss.stretches),
+        "pieces_cut_off": loss and loss.pieces,
+        "lift_lost": None if geometry.oscillating else lost,
+        "swing_lost": lost if geometry.oscillating else None,
+        "lost_at": None if lost is None else loss.at,
     }
 
 

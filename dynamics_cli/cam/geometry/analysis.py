@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 
+UNIT = 2.0**-53
 # an angle that passes half a turn jumps by a whole one, and no interpolant follows it
 ACROSS = 1e-3
 
@@ -30,6 +31,11 @@ class Analysis:
         Ends | None,
         "Where a flat face is touched: to the right of the slide, or away from the pivot; None for other followers.",
     ]
+
+    @property
+    def face_width(self) -> float | None:
+        """How much of a flat face is touched."""
+        return None if self.along is None else self.along.greatest - self.along.least
 
 
 def analyse(geometry: Geometry, motion: "Any") -> Analysis:
@@ -97,7 +103,7 @@ def start_slip(geometry: Geometry) -> float:
         return 0.0
     offsets = getattr(f, "arm_angle", 0.0) + getattr(f, "roller_distance", 0.0)
     rounded = (8.0 if geometry.oscillating else 3.0) * abs(geometry.start + offsets)
-    return 2.0**-53 * (rounded + (abs(geometry.start) if offsets else 0.0)) * (1.0 + 2.0**-40)
+    return UNIT * (rounded + (abs(geometry.start) if offsets else 0.0)) * (1.0 + 2.0**-40)
 
 
 def pressure_bounds(analysis: Analysis) -> tuple[ErrorBound, ...]:
@@ -111,3 +117,52 @@ def pressure_bounds(analysis: Analysis) -> tuple[ErrorBound, ...]:
         )
         if value and error < inf
     )
+
+
+def convex(geometry: Geometry, analysis: Analysis) -> tuple[float | None, float | None]:
+    """Minimum radius of curvature of the cam where the pitch curve is convex, and where."""
+    if geometry.flat:
+        return analysis.curvature.smallest()
+    value, place = analysis.curvature.largest()
+    return (1.0 / value - geometry.side * geometry.roller, place) if value > 0.0 else (None, None)
+
+
+def concave(geometry: Geometry, analysis: Analysis) -> tuple[float | None, float | None]:
+    """Minimum radius of curvature of the cam where the pitch curve is concave, and where."""
+    if geometry.flat:
+        return None, None
+    value, place = analysis.curvature.smallest()
+    return (geometry.side * geometry.roller - 1.0 / value, place) if value < -1e-12 else (None, None)
+
+
+def radius_bounds(geometry: Geometry, analysis: Analysis) -> tuple[ErrorBound, ...]:
+    """Proved bounds of the minimum radii of curvature: the error of 1/κ from that of κ, and two roundings."""
+    bend = analysis.curvature
+    bounds = []
+    for name, radius, value, error in (
+        ("least_convex_radius", convex(geometry, analysis)[0], bend.greatest, bend.greatest_error),
+        ("least_concave_radius", concave(geometry, analysis)[0], bend.least, bend.least_error),
+    ):
+        if radius is None:
+            continue
+        off = bend.least_error
+        if not geometry.flat:
+            margin = abs(value) - error
+            off = error / (abs(value) * margin) + 2.0 * UNIT / abs(value) if margin > 0.0 else inf
+        if off < inf:
+            bounds.append(ErrorBound(name, (off + UNIT * abs(radius)) * (1.0 + 2.0**-40), relative=False))
+    return tuple(bounds)
+
+
+def extreme_results(geometry: Geometry, analysis: Analysis) -> "dict[str, Any]":
+    """The extremes and their cam angles by the names of results."""
+    names = "largest_pressure_angle", "least_pressure_angle", "least_convex_radius", "least_concave_radius"
+    pressure = analysis.pressure
+    ends = pressure.largest(), pressure.smallest(), convex(geometry, analysis), concave(geometry, analysis)
+    values = {name: value for name, (value, _) in zip(names, ends, strict=True)}
+    return values | {f"{name}_at": place for name, (_, place) in zip(names, ends, strict=True)}
+
+
+def extreme_bounds(geometry: Geometry, analysis: Analysis) -> tuple[ErrorBound, ...]:
+    """Proved bounds of the extremes."""
+    return *pressure_bounds(analysis), *radius_bounds(geometry, analysis)

@@ -115,27 +115,56 @@ def _picture(
     )
     angle_axis = Axis("cam angle θ", Angle, ends=(0.0, TURN), step=pi / 6.0)
     angle = [*arrays["cam_angle"], TURN]
-    # a flat face square to its way has none but rounding, which is nothing to enlarge
-    none = max(map(abs, arrays["pressure_angle"])) < ROUNDING
-    lines = [Band(limit, limit, vertical=False) for limit in limits]
-    low = cam.least_pressure_angle
-    pressure = Panel(
-        angle_axis,
-        Axis("pressure angle α", Angle, ends=(-pi / 18.0, pi / 18.0) if none and not limits else None),
+    # a flat face square to its way has no pressure angle but rounding
+    if max(map(abs, arrays["pressure_angle"])) < ROUNDING and face is not None:
+        middle = _along_face(_places(arrays, drawing.pivot), geometry, angle_axis, angle, face)
+    else:
+        middle = _pressure(cam, arrays, angle_axis, angle, limits)
+    return Picture((shape, middle, _curvature(cam, arrays, angle_axis, angle, least_radius)), title)
+
+
+def _places(arrays: "dict[str, list[float]]", pivot: "complex | None") -> "list[float]":
+    """Where a flat face is touched: to the right of its slide, or of one through its pivot away from that."""
+    if pivot is None:
+        return arrays["contact_x"]
+    return [abs(contact - pivot) for contact in map(complex, arrays["contact_x"], arrays["contact_y"])]
+
+
+def _along_face(
+    places: "list[float]", geometry: Geometry, way: Axis, angle: "list[float]", face: "tuple[float, float]"
+) -> Panel:
+    """Where a flat face is touched."""
+    side = "away from the pivot" if geometry.oscillating else "to the right of the slide"
+    low, high = (angle[places.index(pick(places))] for pick in (min, max))
+    return Panel(
+        way,
+        Axis("contact on the face", Coordinate),
+        (
+            Curve(angle, _closed(places), role=0),
+            *extreme_mark(high, face[1], Coordinate, ABOVE),
+            *extreme_mark(low, face[0], Coordinate, BELOW),
+        ),
+        f"contact {side}; the pressure angle is zero",
+    )
+
+
+def _pressure(
+    cam: CamProfile, arrays: "dict[str, list[float]]", way: Axis, angle: "list[float]", limits: "tuple[float, ...]"
+) -> Panel:
+    """The pressure angle with its limits."""
+    high, low = cam.largest_pressure_angle, cam.least_pressure_angle
+    return Panel(
+        way,
+        Axis("pressure angle α", Angle),
         (
             Curve(angle, _closed(arrays["pressure_angle"]), role=0),
-            *extreme_mark(cam.largest_pressure_angle_at, cam.largest_pressure_angle, Angle, ABOVE),
+            *extreme_mark(cam.largest_pressure_angle_at, high, Angle, ABOVE),
             # no second mark on top of the first where the pressure angle is constant
-            *(
-                ()
-                if low == cam.largest_pressure_angle
-                else extreme_mark(cam.least_pressure_angle_at, low, Angle, BELOW)
-            ),
-            *(lines or [Band(0.0, 0.0, vertical=False)]),
+            *(() if low == high else extreme_mark(cam.least_pressure_angle_at, low, Angle, BELOW)),
+            *([Band(limit, limit, vertical=False) for limit in limits] or [Band(0.0, 0.0, vertical=False)]),
         ),
         "pressure angle; its limits dash-dotted" if limits else "",
     )
-    return Picture((shape, pressure, _curvature(cam, arrays, angle_axis, angle, least_radius)), title)
 
 
 def _items(

@@ -1,12 +1,12 @@
 """The profile of a radial cam: pitch curve, cam curve, cutter path, pressure angle, curvature, and the plate."""
 
-from math import inf, pi
+from math import pi
 
 from dynamics_cli.cam.geometry.followers import Flank, Follower, Rotation, require_lift
 from dynamics_cli.cam.program.reading import Program, motion_of
 from dynamics_cli.errors import require, worded
 from dynamics_cli.quantities import Angle, Annotated, Area, Coordinate, Count, Density, Inertia, Mass, Size, Text
-from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics, record
+from dynamics_cli.records import Advice, Check, Columns, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,7 +21,8 @@ INNER = Flank("inner")
 # Beyond this the curve counts as straight: a document cannot hold infinity.
 STRAIGHT = 1e12
 MANY = 10_000_000
-UNIT = 2.0**-53
+# Results about the plate, by the names that it has them too.
+PLATE = ("area", "perimeter", "centroid_x", "centroid_y", "mass", "inertia", "inertia_about_centroid")
 
 
 @record
@@ -155,7 +156,7 @@ def profile(
     """
     import numpy as np
 
-    from dynamics_cli.cam.geometry.analysis import analyse, pressure_bounds, runs_forward
+    from dynamics_cli.cam.geometry.analysis import analyse, extreme_bounds, extreme_results, runs_forward
     from dynamics_cli.cam.geometry.contact import Geometry
     from dynamics_cli.cam.geometry.plate import weighed
     from dynamics_cli.cam.geometry.undercut import lift_lost
@@ -182,32 +183,23 @@ def profile(
     s, s1, s2 = sample(motion, theta, 2)
     touch = geometry.touch(s, s1, s2)
     columns = table(geometry, touch, theta, start_angle, cutter_radius or 0.0)
-    face = None if analysis.along is None else (analysis.along.smallest()[0], analysis.along.largest()[0])
+    along = analysis.along
     return CamProfile(
-        *analysis.pressure.largest(),
-        *analysis.pressure.smallest(),
-        *convex(geometry, analysis),
-        *concave(geometry, analysis),
-        face_low=None if face is None else face[0],
-        face_high=None if face is None else face[1],
-        face_width=None if face is None else face[1] - face[0],
+        **extreme_results(geometry, analysis),
+        face_low=None if along is None else along.least,
+        face_high=None if along is None else along.greatest,
+        face_width=analysis.face_width,
         start_height=None if geometry.oscillating else geometry.start,
         arm_start_angle=geometry.start if geometry.oscillating else None,
         smallest_radius=float(columns.arrays["radius"].min()),
         largest_radius=float(columns.arrays["radius"].max()),
-        area=body.area,
-        perimeter=body.perimeter,
-        centroid_x=body.centroid_x,
-        centroid_y=body.centroid_y,
-        mass=body.mass,
-        inertia=body.inertia,
-        inertia_about_centroid=body.inertia_about_centroid,
+        **{name: getattr(body, name) for name in PLATE},
         points=columns,
         checks=_checks(touch),
         advice=(*_advice(geometry, analysis, loss, joint_jumps(motion)[0]), *body.advice),
         numerics=Numerics(
             "exact envelope; extremes from Chebyshev interpolants; Gauss quadrature on pieces halved until it settles",
-            (*body.bounds, *pressure_bounds(analysis), *radius_bounds(geometry, analysis)),
+            (*body.bounds, *extreme_bounds(geometry, analysis)),
         ),
     )
 
@@ -245,41 +237,6 @@ def table(geometry: "Geometry", touch: "Touch", theta: "Any", start_angle: float
     )
 
 
-def convex(geometry: "Geometry", analysis: "Analysis") -> "tuple[float | None, float | None]":
-    """Minimum radius of curvature of the cam where the pitch curve is convex, and where."""
-    if geometry.flat:
-        return analysis.curvature.smallest()
-    value, place = analysis.curvature.largest()
-    return (1.0 / value - geometry.side * geometry.roller, place) if value > 0.0 else (None, None)
-
-
-def concave(geometry: "Geometry", analysis: "Analysis") -> "tuple[float | None, float | None]":
-    """Minimum radius of curvature of the cam where the pitch curve is concave, and where."""
-    if geometry.flat:
-        return None, None
-    value, place = analysis.curvature.smallest()
-    return (geometry.side * geometry.roller - 1.0 / value, place) if value < -1e-12 else (None, None)
-
-
-def radius_bounds(geometry: "Geometry", analysis: "Analysis") -> tuple[ErrorBound, ...]:
-    """Proved bounds of the minimum radii of curvature: the error of 1/κ from that of κ, and two roundings."""
-    bend = analysis.curvature
-    bounds = []
-    for name, radius, value, error in (
-        ("least_convex_radius", convex(geometry, analysis)[0], bend.greatest, bend.greatest_error),
-        ("least_concave_radius", concave(geometry, analysis)[0], bend.least, bend.least_error),
-    ):
-        if radius is None:
-            continue
-        off = bend.least_error
-        if not geometry.flat:
-            margin = abs(value) - error
-            off = error / (abs(value) * margin) + 2.0 * UNIT / abs(value) if margin > 0.0 else inf
-        if off < inf:
-            bounds.append(ErrorBound(name, (off + UNIT * abs(radius)) * (1.0 + 2.0**-40), relative=False))
-    return tuple(bounds)
-
-
 def _checks(touch: "Touch") -> tuple[Check, ...]:
     """Check that normals are of unit length, within rounding."""
     import numpy as np
@@ -301,6 +258,8 @@ def _advice(geometry: "Geometry", analysis: "Analysis", loss: "Loss | None", jum
             )
         )
     if loss is not None:
+        from dynamics_cli.cam.geometry.analysis import convex
+
         least, _ = convex(geometry, analysis)
         message = "the cam is undercut: its curve cuts itself"
         if least is not None and geometry.side > 0.0 and least <= 0.0:

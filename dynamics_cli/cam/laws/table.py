@@ -124,7 +124,10 @@ def laws(
 
 
 def _infinite_rows(rows: "tuple[Peaks, ...]") -> "tuple[Advice, ...]":
-    """Why a peak is missing: where it is, the derivative below it jumps."""
+    """Why a peak is missing: where it is, the derivative below it jumps. Of a list of laws that is said once."""
+    if len(rows) > 1:
+        message = "a peak that is missing is infinite: the derivative before it jumps"
+        return (Advice("infinite-peaks", message, "note", result="laws"),)
     return tuple(
         Advice(
             "infinite-" + DERIVATIVES[order],

@@ -162,3 +162,21 @@ def joint_jumps(motion: "Motion") -> tuple[int, int]:
         for index, state in enumerate(after):
             counts[order - 1] += abs(state[order] - before[index - 1][order]) > 1e-9 * peak
     return counts[0], counts[1]
+
+
+def column_errors(motion: "Motion", table: "Any") -> "list[float]":
+    """Error bounds of lift and derivatives of a table, the largest of all rows."""
+    arrays = table.arrays
+    angles = arrays["angle"]
+    worst = [0.0] * 4
+    values = [arrays[name] for name in arrays if name != "angle"]
+    for part, rows in motion.by_parts(angles):
+        t = np.abs(part.local(angles[rows].copy())) if part.law_piece is not None else np.zeros(rows.shape)
+        steep = [np.abs(value) for value in part.give(t, 4)]
+        # a place that follows from a cam angle is five roundings off
+        for order, number in enumerate(part.bounded(Disc(t, 5.0 * U * t), 3)):
+            # less than its change over the rounding of the angle is shown as zero
+            still = 4.0 * U * np.abs(angles[rows]) * steep[order + 1]
+            errors = number.radius + np.where(values[order][rows] == 0.0, still, 0.0)
+            worst[order] = max(worst[order], float(errors.max()))
+    return worst

@@ -48,6 +48,7 @@ def motion(
     *,
     program: Annotated[Text, "Segments in one line, in place of a file."] = "",
     count: Annotated[Count, "Points of the table, including both ends of the turn."] = 37,
+    at: Annotated[tuple[Angle, ...], "Cam angles of the table, in place of its count, e.g. 30, 45 deg [rad]."] = (),
     shaft_speed: Annotated[ShaftSpeed | None, "Speed of the cam shaft, for values in time [rad/s]."] = None,
     singularity: Annotated[
         bool, "Also write the motion in the book's singularity functions, and show that they agree."
@@ -103,7 +104,7 @@ def motion(
         worst = form.disagreement()
         checks.append(Check("singularity functions agree with the motion", worst <= 1e-10, worst, 1e-10))
     swing = turn.swing
-    tables = _table(turn, count)
+    tables = _table(turn, _angles(turn, at) if at else angles_of_turn(turn, count)[0])
     return Revolution(
         f"C{order}",
         None if swing else LiftRange(*_fields(ends[0])),
@@ -182,15 +183,32 @@ def _radians(degrees: float) -> float:
     return radians(degrees.as_integer_ratio())[0]
 
 
-def _table(turn: Motion, count: int) -> "tuple[Any, Any]":
-    angles, _ = angles_of_turn(turn, count)
+def _angles(turn: Motion, at: "tuple[float, ...]") -> "Any":
+    """The cam angles asked for, in order; each within the turn."""
+    import numpy as np
+
+    first, last = turn.joints[0], turn.joints[-1]
+    for angle in at:
+        require(
+            first <= angle <= last,
+            "the cam angle {angle:6} is outside the turn from {first:6} to {last:6}",
+            angle=(angle, Angle),
+            first=(first, Angle),
+            last=(last, Angle),
+            code="at",
+        )
+    return np.array(sorted(at))
+
+
+def _table(turn: Motion, angles: "Any") -> "tuple[Any, Any]":
     values = [column.copy() for column in turn.at(angles, 4)]
-    last = turn.at(float(angles[-1]), 4, side=-1)
-    for column, value in zip(values, last, strict=True):
-        column[-1] = value
+    if angles[-1] == turn.joints[-1]:
+        last = turn.at(float(angles[-1]), 4, side=-1)
+        for column, value in zip(values, last, strict=True):
+            column[-1] = value
     # an angle is a double: a value below its change over the angle's rounding is zero
     for column, slope in pairwise(values):
-        column[abs(column) <= ROUNDING * abs(angles * slope)] = 0.0
+        column[abs(column) <= 2.0 * ROUNDING * abs(angles * slope)] = 0.0
     names = ("swing" if turn.swing else "lift", *NAMES[1:])
     # minus zero is zero
     columns = {name: column + 0.0 for name, column in zip(names, values[:4], strict=True)}
@@ -277,6 +295,8 @@ def _numerics(
     impulse: "Impulses",
 ) -> Numerics:  # fmt: skip
     """Bounds of the extremes, of the mean, and of every column of the table."""
+    from dynamics_cli.cam.program.pieces import column_errors
+
     if turn.swing:
         names = ["swing.{}", *(f"swing.{{}}_{name}" for name in NAMES[1:])]
     else:
@@ -296,7 +316,7 @@ def _numerics(
     address = "swing_table" if turn.swing else "table"
     bounds += [
         ErrorBound(f"{address}.{name}", error, relative=False)
-        for name, error in zip(first, _column_errors(turn, table), strict=True)
+        for name, error in zip(first, column_errors(turn, table), strict=True)
     ]
     if omega is not None:
         bounds += _in_time_bounds(turn.swing, ends, rms, abs(omega), finite=finite)
@@ -321,25 +341,3 @@ def _in_time_bounds(
         return in_time_bounds
     error = (rms[1] + 3.0 * UNIT * rms[0]) * rate * rate
     return [*in_time_bounds, ErrorBound(f"{address}.rms_acceleration", error, relative=False)]
-
-
-def _column_errors(turn: Motion, table: "Any") -> "list[float]":
-    """Error bounds of lift and derivatives of a table, the largest of all rows."""
-    import numpy as np
-
-    from dynamics_cli.numerics.discs import Disc
-
-    arrays = table.arrays
-    angles = arrays["angle"]
-    worst = [0.0] * 4
-    values = [arrays[name] for name in arrays if name != "angle"]
-    for part, rows in turn.by_parts(angles):
-        t = np.abs(part.local(angles[rows].copy())) if part.law_piece is not None else np.zeros(rows.shape)
-        steep = [np.abs(value) for value in part.give(t, 4)]
-        # a place that follows from a cam angle is five roundings off
-        for order, number in enumerate(part.bounded(Disc(t, 5.0 * UNIT * t), 3)):
-            # less than its change over the rounding of the angle is shown as zero
-            still = 2.0 * ROUNDING * np.abs(angles[rows]) * steep[order + 1]
-            errors = number.radius + np.where(values[order][rows] == 0.0, still, 0.0)
-            worst[order] = max(worst[order], float(errors.max()))
-    return worst

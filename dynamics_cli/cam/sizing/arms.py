@@ -5,9 +5,8 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 import numpy as np
 
 from dynamics_cli.cam.geometry import followers
-from dynamics_cli.cam.geometry.analysis import analyse
+from dynamics_cli.cam.geometry.analysis import analyse, concave, convex
 from dynamics_cli.cam.geometry.contact import Geometry
-from dynamics_cli.cam.geometry.profile import concave, convex
 from dynamics_cli.cam.sizing.records import CamSize
 from dynamics_cli.cam.sizing.roundness import sure_about
 from dynamics_cli.cam.sizing.slides import CURVATURE, ROLLER, UNIT, extremes_of, kept, signs, stated, undercut

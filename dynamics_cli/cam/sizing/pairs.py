@@ -3,9 +3,8 @@
 from math import hypot, pi, sqrt
 
 from dynamics_cli.cam.geometry import followers
-from dynamics_cli.cam.geometry.analysis import analyse
+from dynamics_cli.cam.geometry.analysis import analyse, convex
 from dynamics_cli.cam.geometry.contact import Geometry
-from dynamics_cli.cam.geometry.profile import convex
 from dynamics_cli.cam.sizing.arms import distance, moved, reach, require_reach, require_round, round_start
 from dynamics_cli.cam.sizing.records import CamSize, SecondCam
 from dynamics_cli.cam.sizing.roundness import Falling, Round

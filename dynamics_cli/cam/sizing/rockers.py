@@ -5,9 +5,8 @@ from math import asin, cos, pi, sin, tan
 import numpy as np
 
 from dynamics_cli.cam.geometry import followers
-from dynamics_cli.cam.geometry.analysis import analyse
+from dynamics_cli.cam.geometry.analysis import analyse, convex
 from dynamics_cli.cam.geometry.contact import Geometry
-from dynamics_cli.cam.geometry.profile import convex
 from dynamics_cli.cam.sizing.records import CamSize
 from dynamics_cli.cam.sizing.slides import CURVATURE, UNIT, extremes_of, kept, no_limit, signs, stated
 from dynamics_cli.errors import require

@@ -5,9 +5,8 @@ from math import hypot, inf, sqrt, tan
 import numpy as np
 
 from dynamics_cli.cam.geometry import followers
-from dynamics_cli.cam.geometry.analysis import analyse
+from dynamics_cli.cam.geometry.analysis import analyse, concave, convex
 from dynamics_cli.cam.geometry.contact import Geometry
-from dynamics_cli.cam.geometry.profile import concave, convex
 from dynamics_cli.cam.program.pieces import Cover
 from dynamics_cli.cam.sizing.records import CamSize
 from dynamics_cli.cam.sizing.roundness import Round, best_offset

@@ -87,6 +87,7 @@ WORM = Task(
         'dynamics gear worm --threads 2 --teeth 30 --module "3 mm" --worm-diameter "44 mm"',
         'dynamics gear worm --threads 1 --teeth 40 --module "4 mm" --diameter-factor 10 --friction 0.12 '
         '--speed "1450 rpm" --power "2 kW"',
+        'dynamics gear worm --threads 2 --teeth 39 --module "4 mm" --centre-distance "100 mm"',
         'dynamics gear worm --threads 4 --teeth 40 --normal-module "4 mm" --lead-angle "20 deg"',
     ),
     arrays=False,
@@ -94,7 +95,9 @@ WORM = Task(
         "ratio: ratio i",
         "lead_angle: lead angle γ",
         "centre_distance: centre distance a",
+        "worm_diameter: reference diameter of the worm d_1",
         "wheel_diameter: reference diameter of the wheel d_2",
+        "profile_shift: profile shift of the wheel x_2",
         "efficiency: efficiency η, worm driving",
         "backward_efficiency: efficiency η', wheel driving",
         "self_locking: self-locking",

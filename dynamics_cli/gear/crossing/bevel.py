@@ -5,11 +5,12 @@ from math import pi
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear.crossing.bevel_records import BevelData, BevelGear, Flank, Kind
 from dynamics_cli.gear.crossing.virtual_teeth import tooth_advice
+from dynamics_cli.gear.load import torque_of
 from dynamics_cli.gear.pitch import require_module
 from dynamics_cli.gear.single.rack import FULL_DEPTH, require_pressure_angle
 from dynamics_cli.numerics.elementary import absolute, atan, atan2, cos, pi_beside, sin, sqrt, tan
 from dynamics_cli.numerics.number import like, plain
-from dynamics_cli.quantities import Angle, Annotated, Module, Ratio, Size, Teeth, Torque
+from dynamics_cli.quantities import Angle, Annotated, Module, Power, Ratio, ShaftSpeed, Size, Teeth, Torque
 from dynamics_cli.records import Advice, Check
 
 RIGHT_ANGLE = 0.5 * pi
@@ -58,6 +59,8 @@ def bevel(
         Flank, "Driving flank of the pinion, concave or convex; it decides the thrust of spiral teeth."
     ] = Flank("concave"),  # noqa: B008
     torque: Annotated[Torque | None, "Torque on the pinion, for the forces, e.g. 12 N*m [N*m]."] = None,
+    power: Annotated[Power | None, "Power, in place of the torque; needs the speed, e.g. 5 kW [W]."] = None,
+    speed: Annotated[ShaftSpeed | None, "Speed of the pinion [rad/s]."] = None,
 ) -> BevelData:
     """Dimensions of a bevel pair at any shaft angle, straight, spiral or zerol, and its tooth forces.
 
@@ -116,7 +119,8 @@ def bevel(
     thetas = [atan(depth[1] / cone) for depth in depths]
     tips = (thetas[1], thetas[0]) if kind != "standard" else tuple(atan(depth[0] / cone) for depth in depths)
     mean_radius = 0.5 * first_teeth * mean_module
-    tangential = None if torque is None else absolute(torque) / mean_radius
+    load = torque_of(torque, power, speed)
+    tangential = None if load is None else absolute(load) / mean_radius
     gears = []
     for index, (teeth, angle, depth) in enumerate(zip((first_teeth, second_teeth), angles, depths, strict=True)):
         lean = spiral if (flank == "concave") == (index == 0) else -spiral

@@ -10,7 +10,7 @@ from dynamics_cli.gear.single.rack import FULL_DEPTH, basic_rack
 from dynamics_cli.numerics.elementary import absolute, atan, cos, sin, tan
 from dynamics_cli.numerics.involute import inverse_involute, involute
 from dynamics_cli.numerics.number import like, plain
-from dynamics_cli.quantities import Angle, Annotated, Friction, Module, Ratio, ShaftSpeed, Size, Speed, Teeth
+from dynamics_cli.quantities import Angle, Annotated, Fraction, Friction, Module, Ratio, ShaftSpeed, Size, Speed, Teeth
 from dynamics_cli.records import Advice, record
 
 # Working pressure angles that differ by less than a millionth of a degree agree.
@@ -50,8 +50,8 @@ class CrossedData:
     second_tip_diameter: Annotated[Size, "Tip diameter d_a2 that keeps the tip clearance [m]."]
     first_root_diameter: Annotated[Size, "Root diameter d_f1 [m]."]
     second_root_diameter: Annotated[Size, "Root diameter d_f2 [m]."]
-    efficiency: Annotated[Ratio, "Efficiency at the pitch point when the first drives."]
-    backward_efficiency: Annotated[Ratio, "Efficiency when the second drives; at or below zero it cannot."]
+    efficiency: Annotated[Fraction, "Efficiency at the pitch point when the first drives."]
+    backward_efficiency: Annotated[Fraction, "Efficiency when the second drives; at or below zero it cannot."]
     sliding_speed: Annotated[Speed | None, "Sliding velocity along the teeth at the pitch point [m/s]."]
     second_speed: Annotated[ShaftSpeed | None, "Speed of the second gear [rad/s]."]
     advice: tuple[Advice, ...] = ()

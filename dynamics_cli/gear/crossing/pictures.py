@@ -7,7 +7,7 @@ from dynamics_cli.gear.section import BLACK, body, circle, form_of, sizes
 from dynamics_cli.gear.single.gear import Gear
 from dynamics_cli.gear.single.rack import basic_rack
 from dynamics_cli.pictures import Axis, Band, Curve, Dimension, Label, Mark, Panel, Picture
-from dynamics_cli.quantities import Angle, Coordinate, Force, Module, Ratio, Size, Speed, Torque
+from dynamics_cli.quantities import Angle, Coordinate, Force, Fraction, Module, Ratio, Size, Speed, Torque
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -144,7 +144,7 @@ def worm(result: "Any", *, teeth: int, threads: int = 0, **_: "Any") -> Picture:
         ("wheel diameter", "d_2", result.wheel_diameter, Size),
         ("throat diameter", "d_a2", result.throat_diameter, Size),
         ("face width", "b", result.face_width, Size),
-        ("efficiency, worm driving", "η", result.efficiency, Ratio),
+        ("efficiency, worm driving", "η", result.efficiency, Fraction),
         ("self-locking", "", "yes" if result.self_locking else "no", None),
         ("sliding speed", "v_g", result.sliding_speed, Speed),
         ("torque of the wheel", "T_2", result.wheel_torque, Torque),
@@ -208,4 +208,4 @@ def _efficiency(result: "Any") -> Panel:
     ]
     if rub > 0.0:
         items.append(Band(0.0, rub, "self-locking"))
-    return Panel(Axis("lead angle", Angle), Axis("efficiency", Ratio), tuple(items))
+    return Panel(Axis("lead angle", Angle), Axis("efficiency", Fraction), tuple(items))

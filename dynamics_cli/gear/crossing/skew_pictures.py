@@ -6,7 +6,7 @@ from dynamics_cli.errors import worded
 from dynamics_cli.gear.crossing.pictures import X, Y, line, turned_point
 from dynamics_cli.gear.section import BLACK, circle, sizes
 from dynamics_cli.pictures import Arrow, Axis, Dimension, Label, Mark, Panel, Picture
-from dynamics_cli.quantities import Angle, Module, Ratio, Size, Speed
+from dynamics_cli.quantities import Angle, Fraction, Module, Ratio, Size, Speed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ def crossed(result: "Any", *, first: "Any", second: "Any", module: float, **_: "
         ("working helix angle", "β_w1", lean1, Angle),
         ("", "β_w2", lean2, Angle),
         ("pressure angle", "α_wn", result.working_pressure_angle, Angle),
-        ("efficiency", "η", result.efficiency, Ratio),
+        ("efficiency", "η", result.efficiency, Fraction),
         ("sliding speed", "v_g", result.sliding_speed, Speed),
     )
     title = worded(

@@ -2,9 +2,16 @@
 
 from math import pi
 
-from dynamics_cli.errors import require, worded
+from dynamics_cli.errors import require, require_given, worded
 from dynamics_cli.gear.crossing.virtual_teeth import tooth_advice
-from dynamics_cli.gear.crossing.worm_records import WormData
+from dynamics_cli.gear.crossing.worm_records import (
+    AxialModule,
+    DiameterFactor,
+    LeadAngle,
+    WormData,
+    WormDiameter,
+    WormNormalModule,
+)
 from dynamics_cli.gear.load import torque_of
 from dynamics_cli.gear.pitch import require_module
 from dynamics_cli.gear.single.rack import FULL_DEPTH, require_pressure_angle
@@ -14,8 +21,6 @@ from dynamics_cli.quantities import (
     Angle,
     Annotated,
     Friction,
-    Module,
-    Positive,
     Power,
     Ratio,
     ShaftSpeed,
@@ -23,7 +28,7 @@ from dynamics_cli.quantities import (
     Teeth,
     Torque,
 )
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, Check
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -36,56 +41,24 @@ LOADED = (
 )  # fmt: skip
 
 
-@record
-class AxialModule:
-    """Size of the teeth as the axial module of the worm, the transverse one of the wheel."""
-
-    module: Annotated[Module, "Axial module m_x [m]."]
-
-
-@record
-class WormNormalModule:
-    """Size of the teeth as the normal module."""
-
-    normal_module: Annotated[Module, "Normal module m_n [m]."]
-
-
-@record
-class WormDiameter:
-    """The worm by its reference diameter."""
-
-    worm_diameter: Annotated[Size, "Reference diameter of the worm d₁, e.g. 44 mm [m]."]
-
-
-@record
-class DiameterFactor:
-    """The worm by its diameter factor."""
-
-    diameter_factor: Annotated[Positive, "Diameter factor q = d₁/m_x, e.g. 10."]
-
-
-@record
-class LeadAngle:
-    """The worm by its lead angle."""
-
-    lead_angle: Annotated[Angle, "Lead angle γ at the reference cylinder, e.g. 8 deg [rad]."]
-
-
 def worm(
     *,
     threads: Annotated[Teeth, "Number of threads of the worm z₁, e.g. 2."],
     teeth: Annotated[Teeth, "Number of teeth of the wheel z₂."],
     size: Annotated[AxialModule | WormNormalModule, "Size of the teeth, axial or normal."],
     worm: Annotated[
-        WormDiameter | DiameterFactor | LeadAngle, "The worm's reference diameter, diameter factor or lead angle."
-    ],
+        WormDiameter | DiameterFactor | LeadAngle | None,
+        "The worm's reference diameter, diameter factor or lead angle; without any, as the centre distance asks.",
+    ] = None,
     pressure_angle: Annotated[Angle, "Normal pressure angle α_n [rad]."] = FULL_DEPTH,
     profile_shift: Annotated[
         Ratio | None,
         "Profile shift factor x₂ of the wheel, in axial modules; 0 unless given, or found from the centre "
         "distance, e.g. 0.3.",
     ] = None,
-    centre_distance: Annotated[Size | None, "Centre distance, in place of the profile shift, e.g. 68 mm [m]."] = None,
+    centre_distance: Annotated[
+        Size | None, "Centre distance, in place of the profile shift, or of the worm's diameter, e.g. 68 mm [m]."
+    ] = None,
     addendum_factor: Annotated[Ratio, "Addendum factor."] = 1.0,
     dedendum_factor: Annotated[Ratio, "Dedendum factor."] = 1.25,
     friction: Annotated[Friction, "Coefficient of friction μ of the flanks."] = 0.05,
@@ -130,6 +103,8 @@ def worm(
     7.76517
     """
     require_pressure_angle(pressure_angle)
+    if worm is None:
+        worm, centre_distance = _of_distance(size, teeth, profile_shift or 0.0, centre_distance), None
     module, gamma, slope, diameter = _worm(size, worm, threads)
     require_module(module)
     pressure_angle, friction = like(pressure_angle, module), like(friction, module)
@@ -170,6 +145,33 @@ def worm(
             ("raise its profile shift, or give it more teeth", "lower its profile shift"),
         ),
     )
+
+
+def _of_distance(
+    size: AxialModule | WormNormalModule, teeth: int, shift: float, distance: float | None
+) -> WormDiameter:
+    """The worm that fills a centre distance."""
+    require_given(
+        distance is not None and isinstance(size, AxialModule),
+        "the worm's diameter is not given",
+        ("worm_diameter",),
+        ("diameter_factor",),
+        ("lead_angle",),
+        ("module", "centre_distance"),
+        code="worm",
+    )
+    assert distance is not None
+    assert isinstance(size, AxialModule)
+    diameter = 2.0 * (distance - shift * size.module) - teeth * size.module
+    require(
+        diameter > 0.0,
+        "a wheel of {teeth} teeth does not fit into a centre distance of {distance:6}",
+        teeth=teeth,
+        distance=(distance, Size),
+        code="centre-distance",
+        hint="a smaller module, or fewer teeth",
+    )
+    return WormDiameter(diameter)
 
 
 def _require_root(name: str, root: float, hint: str) -> None:

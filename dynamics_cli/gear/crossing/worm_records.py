@@ -1,7 +1,55 @@
-"""Results of a worm pair."""
+"""Inputs and results of a worm pair."""
 
-from dynamics_cli.quantities import Angle, Annotated, Coordinate, Force, Module, Ratio, ShaftSpeed, Size, Speed, Torque
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    Coordinate,
+    Force,
+    Fraction,
+    Module,
+    Positive,
+    Ratio,
+    ShaftSpeed,
+    Size,
+    Speed,
+    Torque,
+)
 from dynamics_cli.records import Advice, Check, record
+
+
+@record
+class AxialModule:
+    """Size of the teeth as the axial module of the worm, the transverse one of the wheel."""
+
+    module: Annotated[Module, "Axial module m_x [m]."]
+
+
+@record
+class WormNormalModule:
+    """Size of the teeth as the normal module."""
+
+    normal_module: Annotated[Module, "Normal module m_n [m]."]
+
+
+@record
+class WormDiameter:
+    """The worm by its reference diameter."""
+
+    worm_diameter: Annotated[Size, "Reference diameter of the worm d₁, e.g. 44 mm [m]."]
+
+
+@record
+class DiameterFactor:
+    """The worm by its diameter factor."""
+
+    diameter_factor: Annotated[Positive, "Diameter factor q = d₁/m_x, e.g. 10."]
+
+
+@record
+class LeadAngle:
+    """The worm by its lead angle."""
+
+    lead_angle: Annotated[Angle, "Lead angle γ at the reference cylinder, e.g. 8 deg [rad]."]
 
 
 @record
@@ -31,8 +79,10 @@ class WormData:
     throat_radius: Annotated[Coordinate, "Radius of the throat r_k, about the worm's axis [m]."]
     face_width: Annotated[Size, "Face width of the wheel that is usual, 2m_x√(q + 1) [m]."]
     friction_angle: Annotated[Angle, "Angle of friction ρ' = atan(μ/cos α_n) [rad]."]
-    efficiency: Annotated[Ratio, "Efficiency when the worm drives."]
-    backward_efficiency: Annotated[Ratio, "Efficiency when the wheel drives; at or below zero the worm locks itself."]
+    efficiency: Annotated[Fraction, "Efficiency when the worm drives."]
+    backward_efficiency: Annotated[
+        Fraction, "Efficiency when the wheel drives; at or below zero the worm locks itself."
+    ]
     locking_margin: Annotated[Angle, "Angle of friction less lead angle; positive is self-locking [rad]."]
     self_locking: Annotated[bool, "Whether the wheel cannot drive the worm."]
     sliding_speed: Annotated[Speed | None, "Sliding velocity at the reference cylinder v_g [m/s]."]

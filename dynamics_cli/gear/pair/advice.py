@@ -1,9 +1,12 @@
 """Advice on a pair of gears: interference, contact ratio, overlap, and the remedies."""
 
+from math import ceil
+
 from dynamics_cli.errors import worded
 from dynamics_cli.gear.pair.engagement import Engagement
 from dynamics_cli.gear.pair.interference import PROFILES, Verdict
 from dynamics_cli.gear.pair.shift_split import pointed_diameter
+from dynamics_cli.gear.single.limits import least_shift
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import Angle, Ratio, Size
 from dynamics_cli.records import Advice
@@ -23,7 +26,7 @@ def pair_advice(
     mesh: Engagement, transverse: float, backlash: float, interference: tuple[Verdict, ...], thinned: tuple[float, ...]
 ) -> tuple[Advice, ...]:
     """Advice on what is wrong with a pair, or close to it."""
-    advice = [*_interference(interference), *_contact_ratio(mesh, transverse)]
+    advice = [*_interference(mesh, interference), *_contact_ratio(mesh, transverse)]
     if plain(backlash) < 0.0 and plain(backlash) < -1e-12 * plain(mesh.first.module):
         advice.append(
             Advice(
@@ -40,7 +43,7 @@ def pair_advice(
     return (*advice, *_pointed(mesh, thinned))
 
 
-def _interference(verdicts: tuple[Verdict, ...]) -> "list[Advice]":
+def _interference(mesh: Engagement, verdicts: tuple[Verdict, ...]) -> "list[Advice]":
     """One piece of advice for each verdict that is not free."""
     # Where the cut profiles were examined, they decide whether a tip that passes the other's involute overlaps.
     examined = [verdict.free for verdict in verdicts if verdict.kind.startswith(PROFILES)]
@@ -60,8 +63,19 @@ def _interference(verdicts: tuple[Verdict, ...]) -> "list[Advice]":
         remedy = "change the profile shifts, shorten the tips, or choose other tooth numbers"
         if name == "trimming":
             remedy = "assemble the pinion along its axis"
+        elif name in ("involute", "root"):
+            remedy = _without_undercut(mesh, order[1]) or remedy
         advice.append(Advice("interference", message, "caution" if name in mild else "serious", remedy))
     return advice
+
+
+def _without_undercut(mesh: Engagement, root: str) -> str | None:
+    """The shift at which the rack no longer undercuts the gear: no external mate reaches as deep as a rack."""
+    gear, mate = (mesh.first, mesh.second) if root == "first" else (mesh.second, mesh.first)
+    if gear.internal or mate.internal or plain(gear.shift) >= plain(least_shift(gear)):
+        return None
+    shift = ceil(1e3 * plain(least_shift(gear))) / 1e3
+    return worded("give the {root} gear a profile shift of {shift} or more", root=root, shift=(shift, Ratio))
 
 
 def _contact_ratio(mesh: Engagement, transverse: float) -> "list[Advice]":

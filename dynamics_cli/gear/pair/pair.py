@@ -29,6 +29,10 @@ from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import Annotated, Friction, Power, Ratio, ShaftSpeed, Size, Torque
 from dynamics_cli.records import Check
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
 EQUAL, CLEARANCE = Split("equal"), Tips("clearance")
 
 
@@ -131,8 +135,24 @@ def pair(
     input_torque = torque_of(torque, power, speed)
     interference = verdicts(mesh, contact_path, actual_backlash, cut, root_radius_factor)
     forces = None if input_torque is None else tooth_forces(mesh, input_torque, _first_hand(hand, helix_angle))
-    return _result(mesh, contact_path, tip_change, interference, forces, input_torque, speed, friction, face_width,
-                   (first, second), (first_bearings, second_bearings), pitch, actual_backlash)  # fmt: skip
+    working = mesh.working_diameter(mesh.first), mesh.working_diameter(mesh.second)
+    contact = _contact(mesh, contact_path, face_width)
+    thinned = first.thinning, second.thinning
+    return PairData(
+        **_circles(mesh, working),
+        tip_change=tip_change,
+        **contact,
+        **_clearances(mesh, interference, actual_backlash, thinned),
+        **_losses(mesh, contact_path, friction),
+        **_running(mesh, working[0], input_torque, speed),
+        forces=forces,
+        bearings=_bearing_loads(forces, working, (first_bearings, second_bearings)),
+        points=tuple(_points(mesh, contact_path, working[0], speed)),
+        verdicts=interference,
+        checks=_checks(mesh),
+        advice=pair_advice(mesh, contact["transverse_contact_ratio"], actual_backlash, interference, thinned)
+        + module_advice(pitch, module),
+    )
 
 
 def _first_hand(hand: Hand, helix_angle: float) -> str:
@@ -140,27 +160,63 @@ def _first_hand(hand: Hand, helix_angle: float) -> str:
     return str(hand) if plain(helix_angle) >= 0.0 else ("left" if hand == "right" else "right")
 
 
-def _result(
-    mesh: Engagement,
-    contact_path: Path,
-    tip_change: float | None,
-    interference: tuple[Verdict, ...],
-    forces: ToothForces | None,
-    torque: float | None,
-    speed: float | None,
-    friction: float,
-    face_width: float | None,
-    mates: tuple[Mate, Mate],
-    bearings: tuple[Bearings | None, Bearings | None],
-    pitch: object,
-    backlash: float,
-) -> PairData:
-    first_gear, second_gear = mesh.first, mesh.second
-    module = first_gear.module
+def _circles(mesh: Engagement, working: tuple[float, float]) -> "dict[str, Any]":
+    """Distance, shifts and diameters by the names of results; lengths of an internal gear without their sign."""
+    first, second = mesh.first, mesh.second
+    reference = reference_distance(first, second)
+    return {
+        "centre_distance": absolute(mesh.centre_distance),
+        "working_pressure_angle": mesh.angle,
+        "involute": mesh.tight,
+        "ratio": abs(second.teeth) / first.teeth,
+        "first_profile_shift": first.shift,
+        "second_profile_shift": second.shift,
+        "reference_distance": absolute(reference),
+        "distance_modification": absolute(mesh.centre_distance / first.module) - absolute(reference / first.module),
+        "first_working_diameter": working[0],
+        "second_working_diameter": absolute(working[1]),
+        "first_base_diameter": first.base_diameter,
+        "second_base_diameter": absolute(second.base_diameter),
+        "first_tip_diameter": first.tip_diameter,
+        "second_tip_diameter": absolute(second.tip_diameter),
+        "first_root_diameter": first.root_diameter,
+        "second_root_diameter": absolute(second.root_diameter),
+    }
+
+
+def _contact(mesh: Engagement, contact_path: Path, face_width: float | None) -> "dict[str, Any]":
+    """Contact ratios and lengths of the path of contact."""
     transverse = contact_ratio(mesh, contact_path.start, contact_path.end)
     nominal = contact_ratio(mesh, contact_path.nominal_start, contact_path.nominal_end)
-    overlap = None if face_width is None else overlap_ratio(first_gear, face_width)
-    working = mesh.working_diameter(first_gear), mesh.working_diameter(second_gear)
+    overlap = None if face_width is None else overlap_ratio(mesh.first, face_width)
+    return {
+        "transverse_contact_ratio": transverse,
+        "nominal_contact_ratio": nominal if plain(nominal) != plain(transverse) else None,
+        "overlap_ratio": overlap,
+        "total_contact_ratio": None if overlap is None else transverse + overlap,
+        "path_length": contact_path.end - contact_path.start,
+        "approach_length": mesh.pitch_curvature - contact_path.start,
+        "recess_length": contact_path.end - mesh.pitch_curvature,
+    }
+
+
+def _clearances(
+    mesh: Engagement, interference: tuple[Verdict, ...], backlash: float, thinned: tuple[float, float]
+) -> "dict[str, Any]":
+    """Backlash with the shifts that cut it, and the clearance at the tips."""
+    tips = interference[-4:] if mesh.second.internal else interference[-2:]
+    return {
+        "first_generating_shift": generating_shift(mesh.first, thinned[0]),
+        "second_generating_shift": generating_shift(mesh.second, thinned[1]),
+        "circumferential_backlash": backlash,
+        "normal_backlash": backlash * cos(mesh.angle) * cos(mesh.first.base_helix_angle),
+        "first_tip_clearance": tips[0].margin,
+        "second_tip_clearance": tips[1].margin,
+    }
+
+
+def _losses(mesh: Engagement, contact_path: Path, friction: float) -> "dict[str, Any]":
+    """The loss factor, and the efficiency by it."""
     losses = loss_factor(mesh, contact_path)
     require(
         friction * losses < 1.0,
@@ -170,57 +226,22 @@ def _result(
         code="friction",
         hint="lubricated gears have about 0.03 to 0.1",
     )
-    common = gcd(first_gear.teeth, second_gear.teeth)
+    return {"loss_factor": losses, "efficiency": 1.0 - friction * losses}
+
+
+def _running(mesh: Engagement, working: float, torque: float | None, speed: float | None) -> "dict[str, Any]":
+    """Speeds, frequencies and torques, as far as the speed and the torque of the first gear are given."""
+    first, second = mesh.first.teeth, abs(mesh.second.teeth)
+    common = gcd(first, second)
     turns = None if speed is None else absolute(speed) / (2.0 * pi_beside(speed))
-    pitch_curvature = mesh.pitch_curvature
-    thinned = tuple(mate.thinning for mate in mates)
-    return PairData(
-        centre_distance=absolute(mesh.centre_distance),
-        working_pressure_angle=mesh.angle,
-        involute=mesh.tight,
-        ratio=abs(second_gear.teeth) / first_gear.teeth,
-        first_profile_shift=first_gear.shift,
-        second_profile_shift=second_gear.shift,
-        reference_distance=absolute(reference_distance(first_gear, second_gear)),
-        distance_modification=absolute(mesh.centre_distance / module)
-        - absolute(reference_distance(first_gear, second_gear) / module),
-        tip_change=tip_change,
-        first_working_diameter=working[0],
-        second_working_diameter=absolute(working[1]),
-        first_base_diameter=first_gear.base_diameter,
-        second_base_diameter=absolute(second_gear.base_diameter),
-        first_tip_diameter=first_gear.tip_diameter,
-        second_tip_diameter=absolute(second_gear.tip_diameter),
-        first_root_diameter=first_gear.root_diameter,
-        second_root_diameter=absolute(second_gear.root_diameter),
-        transverse_contact_ratio=transverse,
-        nominal_contact_ratio=nominal if plain(nominal) != plain(transverse) else None,
-        overlap_ratio=overlap,
-        total_contact_ratio=None if overlap is None else transverse + overlap,
-        path_length=contact_path.end - contact_path.start,
-        approach_length=pitch_curvature - contact_path.start,
-        recess_length=contact_path.end - pitch_curvature,
-        first_generating_shift=generating_shift(first_gear, thinned[0]),
-        second_generating_shift=generating_shift(second_gear, thinned[1]),
-        circumferential_backlash=backlash,
-        normal_backlash=backlash * cos(mesh.angle) * cos(first_gear.base_helix_angle),
-        first_tip_clearance=interference[-2 if not second_gear.internal else -4].margin,
-        second_tip_clearance=interference[-1 if not second_gear.internal else -3].margin,
-        loss_factor=losses,
-        efficiency=1.0 - friction * losses,
-        common_factor=common,
-        pitch_line_speed=None if speed is None else 0.5 * absolute(speed) * working[0],
-        mesh_frequency=None if turns is None else turns * first_gear.teeth,
-        hunting_frequency=None if turns is None else turns * common / abs(second_gear.teeth),
-        torque=torque,
-        second_torque=None if torque is None else torque * abs(second_gear.teeth) / first_gear.teeth,
-        forces=forces,
-        bearings=_bearing_loads(forces, working, bearings),
-        points=tuple(_points(mesh, contact_path, working[0], speed)),
-        verdicts=interference,
-        checks=_checks(mesh),
-        advice=pair_advice(mesh, transverse, backlash, interference, thinned) + module_advice(pitch, module),
-    )
+    return {
+        "common_factor": common,
+        "pitch_line_speed": None if speed is None else 0.5 * absolute(speed) * working,
+        "mesh_frequency": None if turns is None else turns * first,
+        "hunting_frequency": None if turns is None else turns * common / second,
+        "torque": torque,
+        "second_torque": None if torque is None else torque * second / first,
+    }
 
 
 def _points(mesh: Engagement, contact_path: Path, working: float, speed: float | None) -> "list[ContactPoint]":

@@ -2,13 +2,26 @@
 
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear import options
+from dynamics_cli.gear.load import torque_of
 from dynamics_cli.gear.pitch import Pitch, module_advice, module_of
 from dynamics_cli.gear.single.cylindrical import normal_pressure_angle
 from dynamics_cli.gear.single.gear import Gear, signed_gear
 from dynamics_cli.gear.single.rack import BasicRack, basic_rack
 from dynamics_cli.numerics.elementary import absolute, pi_beside, sin, tan
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.quantities import Angle, Annotated, Coordinate, Force, Ratio, ShaftSpeed, Size, Speed, Teeth, Torque
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    Coordinate,
+    Force,
+    Power,
+    Ratio,
+    ShaftSpeed,
+    Size,
+    Speed,
+    Teeth,
+    Torque,
+)
 from dynamics_cli.records import Advice, record
 
 
@@ -84,6 +97,7 @@ def rack(
     face_width: Annotated[Size | None, "Face width, for the overlap ratio, e.g. 20 mm [m]."] = None,
     speed: Annotated[ShaftSpeed | None, "Speed of the gear [rad/s]."] = None,
     torque: Annotated[Torque | None, "Torque on the gear, e.g. 12 N*m [N*m]."] = None,
+    power: Annotated[Power | None, "Power, in place of the torque; needs the speed, e.g. 5 kW [W]."] = None,
 ) -> RackData:
     """Dimensions of a rack and of its mesh with a gear: distance, contact ratio, travel, forces.
 
@@ -137,7 +151,8 @@ def rack(
             code="datum-height",
             hint="raise --datum-height",
         )
-    tangential = None if torque is None else torque / radius
+    load = torque_of(torque, power, speed)
+    tangential = None if load is None else load / radius
     return RackData(
         pitch=transverse,
         normal_pitch=pi_beside(module) * module,

@@ -179,9 +179,7 @@ def _tipped(
     for gear, mate in ((first, mate1), (second, mate2)):
         tipped = gear.shifted(gear.shift, 0.0 if change is None else change)
         if mate.tip_diameter is not None:
-            bare_tip = gear.shifted(gear.shift).tip_diameter
-            tip = -mate.tip_diameter if gear.internal else mate.tip_diameter
-            tipped = gear.shifted(gear.shift, 0.5 * (tip - bare_tip) / gear.module)
+            tipped = gear.tipped(mate.tip_diameter)
         if check:
             require_circles(tipped)
             thickness = tipped.tip_thickness

@@ -5,7 +5,7 @@ from math import pi
 from dynamics_cli.errors import require, worded
 from dynamics_cli.gear import options
 from dynamics_cli.gear.pitch import Pitch, SpurPitch, module_advice, module_of
-from dynamics_cli.gear.single.gear import Gear, Hand, signed_gear
+from dynamics_cli.gear.single.gear import Gear, Hand, require_circles, signed_gear
 from dynamics_cli.gear.single.limits import LEAST_TIP, least_shift, least_teeth, pointed_shift
 from dynamics_cli.gear.single.rack import FULL_DEPTH, basic_rack
 from dynamics_cli.gear.single.records import GearData
@@ -30,6 +30,7 @@ def spur(
     dedendum_factor: options.DedendumFactor = None,
     root_radius_factor: options.RackCorner = None,
     tip_shortening: options.TipShortening = 0.0,
+    tip_diameter: options.TipDiameter = None,
     internal: options.Internal = False,
     shift_sign: options.ShiftSign = options.ISO,
     avoid_undercut: options.AvoidUndercut = False,
@@ -86,6 +87,7 @@ def helical(
     dedendum_factor: options.DedendumFactor = None,
     root_radius_factor: options.RackCorner = None,
     tip_shortening: options.TipShortening = 0.0,
+    tip_diameter: options.TipDiameter = None,
     internal: options.Internal = False,
     shift_sign: options.ShiftSign = options.ISO,
     avoid_undercut: options.AvoidUndercut = False,
@@ -143,7 +145,17 @@ def _described(hand: "Hand | None", helix_angle: float, pitch: Pitch, **given: "
         shift=given["profile_shift"],
         tip_change=-given["tip_shortening"] / module,
     )
-    return describe(_without_undercut(gear) if given["avoid_undercut"] else gear, pitch, hand)
+    gear = _without_undercut(gear) if given["avoid_undercut"] else gear
+    if given["tip_diameter"] is not None:
+        require(
+            plain(given["tip_shortening"]) == 0.0,
+            "tip diameter and tip shortening are both given",
+            code="tip-diameter",
+            hint="give one of them: each follows from the other",
+        )
+        gear = gear.tipped(given["tip_diameter"])
+        require_circles(gear)
+    return describe(gear, pitch, hand)
 
 
 def normal_pressure_angle(normal: float | None, transverse: float | None, helix_angle: float) -> float:
@@ -185,11 +197,48 @@ def _without_undercut(gear: Gear) -> Gear:
 
 
 def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
-    """All dimensions of a single gear."""
-    helical_gear = hand is not None
-    tip = gear.tip_diameter
-    roll = gear.tip_roll
-    tip_thickness = gear.tip_thickness
+    """All dimensions of a single gear; a spur gear has no `hand`."""
+    junction = None if gear.internal else gear.junction
+    form = None if junction is None else 2.0 * gear.module * junction.form_radius
+    tip_thickness, tip_roll = gear.tip_thickness, gear.tip_roll
+    _require_flanks(gear.tip_diameter, tip_thickness, form)
+    least = None if gear.internal else least_shift(gear)
+    most = None if gear.internal else pointed_shift(gear)
+    module, rack = gear.module, gear.rack
+    normal_pitch = pi_beside(module) * module
+    normal_thickness = module * (0.5 * pi_beside(module) + 2.0 * gear.shift * tan(rack.pressure_angle))
+    return GearData(
+        reference_diameter=absolute(gear.reference_diameter),
+        base_diameter=absolute(gear.base_diameter),
+        tip_diameter=absolute(gear.tip_diameter),
+        root_diameter=absolute(gear.root_diameter),
+        root_form_diameter=form,
+        v_diameter=absolute(gear.reference_diameter + 2.0 * gear.shift * module),
+        normal_module=module,
+        normal_pitch=normal_pitch,
+        base_pitch=gear.base_pitch,
+        tip_pressure_angle=atan(tip_roll),
+        profile_shift=gear.shift,
+        addendum=module * (rack.addendum + gear.shift + gear.tip_change),
+        dedendum=module * (rack.dedendum - gear.shift),
+        tooth_depth=module * (rack.addendum + rack.dedendum + gear.tip_change),
+        root_radius=module * rack.tip_radius,
+        normal_thickness=normal_thickness,
+        transverse_space=(normal_pitch - normal_thickness) / cos(gear.helix_angle),
+        tip_thickness=tip_thickness,
+        base_thickness=None if gear.internal else gear.base_diameter * gear.base_half_angle,
+        least_shift=least,
+        least_teeth=None if least is None else least_teeth(over_plain(gear)),
+        pointed_shift=most,
+        undercut=None if junction is None else junction.undercut,
+        **_along_the_helix(gear, hand, normal_pitch, normal_thickness),
+        checks=_checks(gear, tip_roll, tip_thickness),
+        advice=_advice(gear, pitch, least, most, tip_thickness, form),
+    )
+
+
+def _require_flanks(tip: float, tip_thickness: float, form: float | None) -> None:
+    """Refuse teeth that are pointed below their tips, or whose root (`form`, its diameter) leaves no involute."""
     require(
         tip_thickness >= 0.0,
         "the teeth are pointed below their tips: at {tip:6} diameter they would be {tip_thickness:6} thick",
@@ -198,18 +247,6 @@ def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
         code="pointed",
         hint="lower the profile shift, or shorten the tips",
     )
-    module, beta = gear.module, gear.helix_angle
-    cosine = cos(beta)
-    transverse = gear.transverse_angle
-    base_helix = gear.base_helix_angle
-    normal_thickness = module * (0.5 * pi_beside(module) + 2.0 * gear.shift * tan(gear.rack.pressure_angle))
-    normal_pitch = pi_beside(module) * module
-    junction = None if gear.internal else gear.junction
-    cos_base = cos(base_helix)
-    least = None if gear.internal else least_shift(gear)
-    most = None if gear.internal else pointed_shift(gear)
-    tilted = helical_gear and plain(beta) > 0.0
-    form = None if junction is None else 2.0 * module * junction.form_radius
     if form is not None:
         require(
             form < tip,
@@ -219,45 +256,31 @@ def describe(gear: Gear, pitch: object, hand: Hand | None) -> GearData:
             code="no-flank",
             hint="raise the profile shift",
         )
-    return GearData(
-        reference_diameter=absolute(gear.reference_diameter),
-        base_diameter=absolute(gear.base_diameter),
-        tip_diameter=absolute(tip),
-        root_diameter=absolute(gear.root_diameter),
-        root_form_diameter=form,
-        v_diameter=absolute(gear.reference_diameter + 2.0 * gear.shift * module),
-        normal_module=module,
-        transverse_module=gear.transverse_module if helical_gear else None,
-        normal_pitch=normal_pitch,
-        transverse_pitch=normal_pitch / cosine if helical_gear else None,
-        axial_pitch=normal_pitch / sin(beta) if tilted else None,
-        base_pitch=gear.base_pitch,
-        normal_base_pitch=normal_pitch * cos(gear.rack.pressure_angle) if helical_gear else None,
-        transverse_pressure_angle=transverse if helical_gear else None,
-        tip_pressure_angle=atan(roll),
-        base_helix_angle=base_helix if helical_gear else None,
-        tip_helix_angle=atan(tan(beta) * tip / gear.reference_diameter) if helical_gear else None,
-        lead=pi_beside(module) * absolute(gear.reference_diameter) / tan(beta) if tilted else None,
-        profile_shift=gear.shift,
-        addendum=module * (gear.rack.addendum + gear.shift + gear.tip_change),
-        dedendum=module * (gear.rack.dedendum - gear.shift),
-        tooth_depth=module * (gear.rack.addendum + gear.rack.dedendum + gear.tip_change),
-        root_radius=module * gear.rack.tip_radius,
-        normal_thickness=normal_thickness,
-        transverse_thickness=normal_thickness / cosine if helical_gear else None,
-        transverse_space=(normal_pitch - normal_thickness) / cosine,
-        tip_thickness=tip_thickness,
-        base_thickness=gear.base_diameter * gear.base_half_angle if not gear.internal else None,
-        virtual_teeth=abs(gear.teeth) / (cos_base * cos_base * cosine) if helical_gear else None,
-        equivalent_teeth=abs(gear.teeth) / (cosine * cosine * cosine) if helical_gear else None,
-        least_shift=least,
-        least_teeth=None if least is None else least_teeth(over_plain(gear)),
-        pointed_shift=most,
-        undercut=None if junction is None else junction.undercut,
-        hand=hand if tilted else None,
-        checks=_checks(gear, roll, tip_thickness),
-        advice=_advice(gear, pitch, least, most, tip_thickness, form),
-    )
+
+
+def _along_the_helix(gear: Gear, hand: Hand | None, normal_pitch: float, normal_thickness: float) -> "dict[str, Any]":
+    """What only a helical gear has, by the names of results."""
+    beta, cosine = gear.helix_angle, cos(gear.helix_angle)
+    cos_base = cos(gear.base_helix_angle)
+    values = {
+        "transverse_module": gear.transverse_module,
+        "transverse_pitch": normal_pitch / cosine,
+        "normal_base_pitch": normal_pitch * cos(gear.rack.pressure_angle),
+        "transverse_pressure_angle": gear.transverse_angle,
+        "base_helix_angle": gear.base_helix_angle,
+        "tip_helix_angle": atan(tan(beta) * gear.tip_diameter / gear.reference_diameter),
+        "transverse_thickness": normal_thickness / cosine,
+        "virtual_teeth": abs(gear.teeth) / (cos_base * cos_base * cosine),
+        "equivalent_teeth": abs(gear.teeth) / (cosine * cosine * cosine),
+    }
+    helical_values = values if hand is not None else dict.fromkeys(values)
+    tilted = hand is not None and plain(beta) > 0.0
+    return {
+        **helical_values,
+        "axial_pitch": normal_pitch / sin(beta) if tilted else None,
+        "lead": pi_beside(gear.module) * absolute(gear.reference_diameter) / tan(beta) if tilted else None,
+        "hand": hand if tilted else None,
+    }
 
 
 def _checks(gear: Gear, roll: float, tip_thickness: float) -> tuple[Check, ...]:

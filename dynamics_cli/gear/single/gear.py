@@ -126,6 +126,11 @@ class Gear:
         """The gear with another shift and another change of its tips."""
         return Gear(self.teeth, self.module, self.rack, self.helix_angle, shift, tip_change)
 
+    def tipped(self, tip_diameter: float) -> "Gear":
+        """The gear with its tips turned to a diameter."""
+        tip = -tip_diameter if self.internal else tip_diameter
+        return self.shifted(self.shift, 0.5 * (tip - self.shifted(self.shift).tip_diameter) / self.module)
+
     def roll(self, diameter: float) -> float:
         """Roll angle tan α_y at a diameter, √((d_y/d_b)² − 1), without cancellation near the base circle."""
         base = self.base_diameter

@@ -42,7 +42,7 @@ class Stages:
         """The meshes in order."""
         meshes: list[Mesh] = []
         shaft = 1
-        text = self.stages.replace("×", ":").replace("x", ":").replace(";", " ").replace(",", " ")
+        text = self.stages.translate({**dict.fromkeys(map(ord, "×x/"), ":"), **dict.fromkeys(map(ord, ";,"), " ")})
         for stage in ":".join(part.strip() for part in text.split(":")).split() or [""]:
             teeth = [_whole(word, stage) for word in stage.split(":")]
             require(

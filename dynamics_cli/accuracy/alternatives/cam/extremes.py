@@ -39,8 +39,7 @@ def _given(case: "Case") -> "tuple[Geometry, Any]":
 
 def by_proxies(geometry: "Geometry", motion: "Any") -> "Stated":
     """The program's own: Chebyshev proxies of every piece of every law, each with a bound."""
-    from dynamics_cli.cam.geometry.analysis import analyse, pressure_bounds
-    from dynamics_cli.cam.geometry.profile import convex, radius_bounds
+    from dynamics_cli.cam.geometry.analysis import analyse, convex, pressure_bounds, radius_bounds
 
     analysis = analyse(geometry, motion)
     bounds = {bound.result: bound.bound for bound in pressure_bounds(analysis)}
