@@ -171,3 +171,10 @@ def test_a_quoted_temperature_with_its_target() -> None:
 def test_errors_heed_the_short_options() -> None:
     assert run("skid", "speed", "-j").err.startswith('{"error"')
     assert "--output: a document cannot be written as .pdf" in run(*SPEED, "-o", "speed.pdf").err
+
+
+def test_the_headline_alone_is_a_table_where_the_answer_is_one() -> None:
+    polygon = run("vec", "polygon", "--sum", "6, 2 kN", "--magnitudes", "5, 4 kN", "-q").out
+    assert "70.6506" in polygon
+    assert "by    " not in polygon
+    assert "torus" in run("inertia", "shapes", "--kind", "torus", "-q").out
