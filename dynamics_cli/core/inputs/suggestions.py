@@ -61,6 +61,8 @@ SYNONYMS = {
     "held": "fixed",
     "input": "driver",
     "output": "driven",
+    **dict.fromkeys(("ixx", "iyy", "izz"), "moments tensor"),
+    **dict.fromkeys(("ixy", "ixz", "iyz", "iyx", "izx", "izy"), "products tensor"),
     "z": "teeth first-teeth",
     "z1": "first-teeth",
     "z2": "second-teeth",
