@@ -7,6 +7,8 @@ from dynamics_cli.inertia.mesh.stl import Corners, open_stl
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from dynamics_cli.inertia.mesh.stl import Source
 
 OTHERS = ("obj", "ply", "3mf", "glb", "gltf", "off")
@@ -63,7 +65,7 @@ def _by_trimesh(name: str, ending: str) -> "Source":
             hint="pip install 'dynamics-cli[mesh]', or export the part as STL",
         ) from None
     try:
-        mesh = trimesh.load(name, force="mesh", process=False)
+        mesh: Any = trimesh.load(name, force="mesh", process=False)
         vertices, faces = mesh.vertices, mesh.faces
     except Exception as error:  # its readers raise the exceptions of their parsers
         raise InadmissibleError(

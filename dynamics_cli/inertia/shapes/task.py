@@ -14,7 +14,9 @@ if TYPE_CHECKING:
 
 
 def shape(
-    shape: Annotated[Shape, "The shape; `dynamics inertia shapes` lists all with their sizes, a radius or diameter among them"],
+    shape: Annotated[
+        Shape, "The shape; `dynamics inertia shapes` lists all with their sizes, a radius or diameter among them"
+    ],
     /,
     *,
     amount: Annotated[
