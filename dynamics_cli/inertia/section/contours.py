@@ -3,6 +3,7 @@
 from math import lcm
 
 from dynamics_cli.errors import require
+from dynamics_cli.inertia.section.profiles import Bar, outlines
 from dynamics_cli.quantities import Annotated, SectionCoordinate, SectionSize
 from dynamics_cli.records import record
 
@@ -47,46 +48,61 @@ class Piece:
 
 
 class Contour:
-    """A polygon or a circle in whole multiples of a unit; `sign` is −1 for a hole.
+    """A polygon, a circle or the fillet of a corner in whole multiples of a unit; `sign` is −1 for a hole.
 
-    A circle has its centre as its only corner and a diameter.
+    A circle has its centre as its only corner and a diameter; a fillet the corner that it fills, a radius, and the
+    way from the corner into the open (±1, ±1).
     """
 
-    __slots__ = ("corners", "diameter", "name", "sign")
+    __slots__ = ("corners", "diameter", "name", "radius", "sign", "way")
 
-    def __init__(self, name: str, sign: int, corners: "list[Point]", diameter: int = 0) -> None:
+    def __init__(
+        self, name: str, sign: int, corners: "list[Point]", size: int = 0, way: "tuple[int, int] | None" = None
+    ) -> None:
         self.name = name
         self.sign = sign
         self.corners = corners
-        self.diameter = diameter
+        self.way = way
+        self.diameter = 0 if way else size
+        self.radius = size if way else 0
 
     def sides(self) -> "Iterator[tuple[Point, Point]]":
         """The sides of a polygon."""
-        if not self.diameter:
+        if not (self.diameter or self.way):
             yield from zip(self.corners, [*self.corners[1:], self.corners[0]], strict=True)
 
 
 def contours(
-    polygon: "tuple[float, ...]", pieces: "tuple[Piece, ...]", holes: "tuple[Hole, ...]"
+    polygon: "tuple[float, ...]",
+    pieces: "tuple[Piece, ...]",
+    holes: "tuple[Hole, ...]",
+    bars: "Bar | tuple[Bar, ...]" = (),
 ) -> "tuple[list[Contour], int]":
     """Every contour in a common unit, and the number of these units in a metre."""
     shapes: list[tuple[str, int, list[tuple[Ratio, ...]], Ratio]] = []
+    ways: dict[int, tuple[int, int]] = {}
     if polygon:
         require(len(polygon) % 2 == 0, "the polygon has an odd number of coordinates", code="polygon")
         shapes.append(("the polygon", 1, [(part.as_integer_ratio(),) for part in polygon], NOTHING))
     shapes += [_shape(f"piece {index}", 1, item) for index, item in enumerate(pieces, 1)]
     shapes += [_shape(f"hole {index}", -1, item) for index, item in enumerate(holes, 1)]
+    for index, item in enumerate(bars if isinstance(bars, tuple) else (bars,), 1):
+        for sign, points, size, way in outlines(item):
+            if way:
+                ways[len(shapes)] = way
+            parts: list[tuple[Ratio, ...]] = [(number.as_integer_ratio(),) for point in points for number in point]
+            shapes.append((f"bar {index}", sign, parts, size.as_integer_ratio()))
     require(
         any(sign > 0 for _, sign, _, _ in shapes),
         "there is no material",
         code="missing",
-        hint="give a polygon or a piece",
+        hint="give a profile, a polygon or a piece",
     )
     unit = lcm(
         *(part[1] for _, _, numbers, diameter in shapes for number in (*numbers, (_half(diameter),)) for part in number)
     )
     out = []
-    for name, sign, numbers, diameter in shapes:
+    for place, (name, sign, numbers, diameter) in enumerate(shapes):
         multiples = [sum(up * (unit // down) for up, down in number) for number in numbers]
         corners = list(zip(multiples[0::2], multiples[1::2], strict=True))
         round_ = diameter != NOTHING
@@ -106,7 +122,7 @@ def contours(
             count=len(corners),
             most=MOST_CORNERS,
         )
-        out.append(Contour(name, sign, corners, diameter[0] * (unit // diameter[1])))
+        out.append(Contour(name, sign, corners, diameter[0] * (unit // diameter[1]), ways.get(place)))
     return out, unit
 
 

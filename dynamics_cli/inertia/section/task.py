@@ -6,6 +6,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.principal_tracked import SHOWN
 from dynamics_cli.inertia.section.contours import Hole, Piece, contours
 from dynamics_cli.inertia.section.integrals import Integrals, direction, principal, root
+from dynamics_cli.inertia.section.profiles import Bar
 from dynamics_cli.inertia.section.results import Gyration, Moduli, PlaneMoments, PrincipalPlane, SectionProperties
 from dynamics_cli.inertia.section.simple import require_sound
 from dynamics_cli.quantities import Annotated, Area, SectionCoordinate
@@ -30,6 +31,9 @@ class Drawn:
     polygon: Annotated[
         tuple[SectionCoordinate, ...], "Corners x1, y1, x2, y2, … of the outline in order, e.g. 0, 0, 60, 0, 60, 40 mm."
     ] = ()
+    bars: Annotated[
+        Bar | tuple[Bar, ...], "Profiles by their sizes: i-beam, channel, tee, angle, box, tube, flat, round."
+    ] = ()
     pieces: Annotated[tuple[Piece, ...], "Material, as further polygons, circles and rectangles."] = ()
     holes: Annotated[tuple[Hole, ...], "Holes, as polygons, circles and rectangles within the material."] = ()
 
@@ -42,11 +46,15 @@ def section_of(drawn: Annotated[Drawn, "The section, from a file or by options."
     SectionProperties
         As `section` gives them, which says how.
     """
-    return section(polygon=drawn.polygon, pieces=drawn.pieces, holes=drawn.holes)
+    return section(polygon=drawn.polygon, pieces=drawn.pieces, holes=drawn.holes, bars=drawn.bars)
 
 
 def section(
-    *, polygon: tuple[SectionCoordinate, ...] = (), pieces: tuple[Piece, ...] = (), holes: tuple[Hole, ...] = ()
+    *,
+    polygon: tuple[SectionCoordinate, ...] = (),
+    pieces: tuple[Piece, ...] = (),
+    holes: tuple[Hole, ...] = (),
+    bars: Bar | tuple[Bar, ...] = (),
 ) -> SectionProperties:
     """Area, centroid, second moments, principal axes, radii of gyration and section moduli of a plane section.
 
@@ -75,11 +83,12 @@ def section(
     >>> section(pieces=(Piece(width=3.0, height=4.0),)).centroidal.ix
     16.0
     """
-    shapes, unit = contours(polygon, pieces, holes)
-    for contour in shapes:
+    shapes, unit = contours(polygon, pieces, holes, bars)
+    drawn = [contour for contour in shapes if not contour.way]
+    for contour in drawn:
         area = Integrals([contour], unit).area
         require(area != 0, "{contour} has no area", code="polygon", hint="check its corners", contour=contour.name)
-    require_sound(shapes)
+    require_sound(drawn)
     sums = Integrals(shapes, unit)
     require(sums.area > 0, "the holes leave no material", code="no-area")
     up, down = sums.moment(sums.area, 2)
@@ -108,7 +117,7 @@ class _Report:
         angle = 0.0 if equal else _angle(ix, iy, ixy)
         area = sums.moment(sums.area, 2)
         origin_moments = [sums.moment(part, 4) for part in (sums.yy, sums.xx, sums.xy, sums.yy + sums.xx)]
-        corners = sum(len(contour.corners) for contour in self.found if not contour.diameter)
+        corners = sum(len(contour.corners) for contour in self.found if not (contour.diameter or contour.way))
         return SectionProperties(
             area=area[0] / area[1],
             perimeter=self._perimeter(),
@@ -141,6 +150,8 @@ class _Report:
             for a, b in contour.sides()
         ]
         lengths += [pi * (contour.diameter / self.unit) for contour in self.found]
+        # a fillet's arc in place of the two sides of its corner
+        lengths += [(0.5 * pi - 2.0) * (contour.radius / self.unit) for contour in self.found]
         return fsum(lengths)
 
     def _moduli(
