@@ -57,6 +57,11 @@ class Bar:
     y: Annotated[SectionCoordinate, "Where the middle of width and height is [m]."] = 0.0
 
 
+def exact(number: float) -> Fraction:
+    """A double or a number as typed, as a ratio."""
+    return Fraction(*number.as_integer_ratio())
+
+
 def outlines(item: Bar) -> "list[Outline]":
     """The contours of a profile, and the fillets of its inner corners.
 
@@ -73,8 +78,8 @@ def outlines(item: Bar) -> "list[Outline]":
             profile=f"an {form}" if form[0] in "ai" else f"a {form}",
             size=name,
         )
-    h, w, web, flange, t, d = (Fraction(*(getattr(item, name) or 0.0).as_integer_ratio()) for name in ALL_SIZES)
-    dx, dy, fillet = (Fraction(*number.as_integer_ratio()) for number in (item.x, item.y, item.fillet))
+    h, w, web, flange, t, d = (exact(getattr(item, name) or 0.0) for name in ALL_SIZES)
+    dx, dy, fillet = exact(item.x), exact(item.y), exact(item.fillet)
     web, flange = (t, t) if form == "angle" else (web, flange)
     if form in ("tube", "round"):
         require(2 * t < d, "the wall fills the tube", code="size")
