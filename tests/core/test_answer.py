@@ -178,3 +178,10 @@ def test_the_headline_alone_is_a_table_where_the_answer_is_one() -> None:
     assert "70.6506" in polygon
     assert "by    " not in polygon
     assert "torus" in run("inertia", "shapes", "--kind", "torus", "-q").out
+
+
+def test_only_takes_a_group_of_results() -> None:
+    call = ("inertia", "shape", "disk", "--diameter", "2 m", "--mass", "4 kg")
+    assert run(*call, "--only", "moments,mass").out == "1 kg·m²\n1 kg·m²\n2 kg·m²\n4 kg\n"
+    assert "moments.zz" in run(*call, "--only", "moments", "--sweep", "diameter=1:2 m:2").out
+    assert "did you mean" in run(*call, "--only", "momentz").err
