@@ -35,6 +35,10 @@ class System(Choice):
     """A system of coordinates."""
 
     names = ("cartesian", "cylindrical", "spherical")
+    aliases = {  # noqa: RUF012
+        **dict.fromkeys(("xyz", "cart", "rectangular"), "cartesian"),
+        **{"cyl": "cylindrical", "polar": "cylindrical", "sph": "spherical"},
+    }
 
 
 @record
@@ -54,14 +58,14 @@ class Coordinates:
 
 
 def coords(
-    first: Annotated[ExactQuantity, "x, r or ρ: a length or a pure number."],
+    first: Annotated[ExactQuantity, "x, r or ρ: a length or a pure number, e.g. 3 m."],
     second: Annotated[
         ExactQuantity,
-        "y (a length or a pure number), θ of cylindrical or φ of spherical coordinates (angles, with their unit).",
+        "y (a length or a pure number), θ of cylindrical or φ of spherical coordinates, e.g. 30 deg.",
     ],
     third: Annotated[
-        ExactQuantity, "z (a length or a pure number) or θ of spherical coordinates (an angle, with its unit)."
-    ],
+        ExactQuantity | None, "z (a length or a pure number, 0 unless given) or θ of spherical coordinates, e.g. 2 m."
+    ] = None,
     /,
     *,
     from_: Annotated[System, "The system the point is given in."],
@@ -91,7 +95,7 @@ def coords(
     """
     if from_ == into:
         raise UsageError(f"from and into are both {from_}", parameter="into")
-    components = tuple(zip(NAMES[from_], (first, second, third), strict=True))
+    components = _components(from_, first, second, third)
     lengths = _units(components)
     numbers = [_read(name, component, lengths) for name, component in components]
     # rows that are answered together have no bounds
@@ -112,6 +116,24 @@ def coords(
         ),
         advice=converted.advice,
     )
+
+
+def _components(
+    system: str, first: ExactQuantity, second: ExactQuantity, third: ExactQuantity | None
+) -> tuple[tuple[str, ExactQuantity], ...]:
+    """The components by name; a height not given is zero, and a unit after the last length holds for those before."""
+    if third is None:
+        if system == "spherical":
+            raise UsageError("theta is missing", parameter="third", code="missing", hint="for example 30 deg")
+        third = ExactQuantity(0, 1, first.unit)
+    named = tuple(zip(NAMES[system], (first, second, third), strict=True))
+    if system == "spherical" or not third.unit or any(part.unit for name, part in named[:2] if name not in ANGLES):
+        return named
+    return tuple((name, part if part.unit else _in_unit(part, third.unit)) for name, part in named)
+
+
+def _in_unit(number: ExactQuantity, unit: str) -> ExactQuantity:
+    return ExactQuantity(number.numerator, number.denominator, unit)
 
 
 def _units(components: tuple[tuple[str, ExactQuantity], ...]) -> Unit:

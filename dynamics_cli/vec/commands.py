@@ -98,10 +98,10 @@ RESOLVE = Task(
         assumptions=(PLANAR, TYPED),
     ),
     headline=(
+        "components: along the directions | component, coefficient, part",
         "component: component along", "across: component across", "out_of_plane: component along the normal",
         "in_plane: component in the plane", "angle", "part_along", "part_across", "part_out_of_plane",
         "part_in_plane", "condition: condition of the basis",
-        "components: along the directions | component, coefficient, part",
     ),
     examples=(
         'dynamics vec resolve "100 N @ 70 deg" --along "1 @ 20 deg"',
@@ -123,7 +123,7 @@ POLYGON = Task(
     ),
     headline=(
         "solutions: solutions | first_magnitude=first, first_angle=at, second_magnitude=second, second_angle=at",
-        "missing: both together",
+        "missing: sum of the two unknowns",
     ),
     examples=(
         'dynamics vec polygon --sum "6, 2 kN" --magnitudes "5, 4 kN"',

@@ -115,10 +115,10 @@ def _directions(points: "tuple[Any, ...]", x: "Any", y: "Any", z: "Any") -> "dic
             code="points",
             hint="give origin, a point on the x-axis and a point in the x-y plane, without --x, --y, --z",
         )
-        those = kinds.vectors(points, ("the origin", "the second point", "the third point"))
-        kinds.require_same_kind(those, "points of different kinds")
-        for name, direction in zip("xy", those[1:], strict=True):
-            direction.parts = difference(direction.parts, those[0].parts)
+        placed = kinds.vectors(points, ("the origin", "the second point", "the third point"))
+        kinds.require_same_kind(placed, "points of different kinds")
+        for name, direction in zip("xy", placed[1:], strict=True):
+            direction.parts = difference(direction.parts, placed[0].parts)
             directions[name] = direction
     require(
         len(directions) > 1,
@@ -145,11 +145,11 @@ def _departure(directions: "dict[str, kinds.Vector]", order: "list[str]") -> flo
 def _handedness(directions: "dict[str, kinds.Vector]") -> "tuple[str | None, tuple[Advice, ...]]":
     if len(directions) < 3:
         return None, ()
-    those = (directions["x"], directions["y"], directions["z"])
-    value = plain(triple(*(scaled(direction.parts) for direction in those)))
-    for direction in those:
+    triad = (directions["x"], directions["y"], directions["z"])
+    value = plain(triple(*(scaled(direction.parts) for direction in triad)))
+    for direction in triad:
         direction.parts = scaled(direction.parts)
-    require_spanning(those, value)
+    require_spanning(triad, value)
     if value > 0.0:
         return "right-handed", ()
     message = worded("the three directions are left-handed: the z-axis of the triad is opposite to the given one")

@@ -70,11 +70,11 @@ def vectors(raw: "Sequence[Any]", names: "Sequence[str]" = ()) -> "list[Vector]"
     return [Vector(item, names[index] if names else f"vector {index + 1}") for index, item in enumerate(raw)]
 
 
-def require_same_kind(those: "Sequence[Vector]", context: str) -> None:
+def require_same_kind(several: "Sequence[Vector]", context: str) -> None:
     """Refuse a sum of unlike kinds."""
-    for index, other in enumerate(those[1:], 2):
+    for index, other in enumerate(several[1:], 2):
         words = f"{context}: vector 1 is a {{first}}, vector {index} a {{other}}"
-        require_one_kind(those[0].kind, other.kind, words, "give vectors of one kind, with their units")
+        require_one_kind(several[0].kind, other.kind, words, "give vectors of one kind, with their units")
 
 
 def require_one_kind(first: "Any", other: "Any", message: str, hint: str) -> None:
@@ -115,9 +115,9 @@ def direction(parts: "Sequence[float]", *, planar: bool = False) -> Quantity:
     return vector(parts, NUMBER, planar=planar)
 
 
-def magnitude(those: Vector) -> Quantity:
+def magnitude(of: Vector) -> Quantity:
     """A vector's magnitude."""
-    return number(norm(those.parts), those.kind)
+    return number(norm(of.parts), of.kind)
 
 
 def times(a: "Any", b: "Any", *, cross: bool = False) -> Kind:

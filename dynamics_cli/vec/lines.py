@@ -21,12 +21,13 @@ FEET = 1e-9
 
 @record
 class Item:
-    """A point; with a direction or a second point a line, with a normal a plane."""
+    """A point; with a direction or a second point a line, with a normal or two more points a plane."""
 
     point: Annotated[FreeVector, "The point, or a point on the line or plane, e.g. 1, 2, 3 m."]
     direction: Annotated[FreeVector | None, "The direction of a line, e.g. 1, 1, 1."] = None
-    to: Annotated[FreeVector | None, "A second point of a line, e.g. 4, 0, 1 m."] = None
+    to: Annotated[FreeVector | None, "A second point of a line or a plane, e.g. 4, 0, 1 m."] = None
     normal: Annotated[FreeVector | None, "The normal of a plane, e.g. 0, 0, 1."] = None
+    third: Annotated[FreeVector | None, "A third point of a plane, beside `to`, e.g. 0, 5, 1 m."] = None
 
 
 @record
@@ -64,12 +65,30 @@ class _Read:
         self.kind = point.kind
         self.shape = "point"
         self.way: Vector = (0.0, 0.0, 0.0)
+        require(
+            item.third is None or forms == ["to"],
+            "the {name} has a third point and no second one",
+            name=name,
+            code="shape",
+            hint="a plane is given by its point, `to` and `third`",
+        )
         if forms:
-            self.shape = "plane" if forms[0] == "normal" else "line"
+            self.shape = "plane" if forms[0] == "normal" or item.third is not None else "line"
             vector = kinds.Vector(getattr(item, forms[0]), f"the {forms[0]} of the {name}")
             if forms[0] == "to":
                 kinds.require_same_kind((point, vector), f"the two points of the {name} are of different kinds")
                 vector.parts = difference(vector.parts, point.parts)
+            if item.third is not None:
+                third = kinds.Vector(item.third, f"the third point of the {name}")
+                kinds.require_same_kind((point, third), f"the points of the {name} are of different kinds")
+                vector.parts = cross(vector.parts, difference(third.parts, point.parts))
+                require(
+                    not vector.is_zero,
+                    "the three points of the {name} lie on one line",
+                    name=name,
+                    code="zero-vector",
+                    hint="a plane needs three points that do not",
+                )
             role = "direction" if self.shape == "line" else "normal"
             kinds.require_direction(vector, f"the {role} of the {name}")
             self.way = vector.parts

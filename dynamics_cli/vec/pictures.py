@@ -3,6 +3,7 @@
 import math
 
 from dynamics_cli.errors import worded
+from dynamics_cli.numerics.vectors import cross
 from dynamics_cli.pictures import Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.pictures.vectors import (
     SUM,
@@ -178,21 +179,22 @@ def lines(result: "Any", *, first: "Any", second: "Any", **_: "Any") -> Picture:
     reach = max(math.dist(point, middle) for point in known) or 1.0
     items: list[Any] = []
     for role, (name, item, point) in enumerate(zip(("first", "second"), (first, second), starts, strict=True)):
-        way = item.direction or item.normal or item.to
-        if way is None:
+        flat = item.normal is not None or item.third is not None
+        if not (flat or item.direction is not None or item.to is not None):
             items.append(Mark(*seen(point), name, role=role))
             continue
-        u = unit(times(-1.0, point, numbers(way)) if way is item.to else numbers(way))
+        beyond = [times(-1.0, point, numbers(other)) for other in (item.to, item.third) if other is not None]
+        u = unit(cross(*beyond) if len(beyond) > 1 else beyond[0] if beyond else numbers(item.direction or item.normal))
         foot = feet[role] or meeting
         far = max(1.3 * reach, math.dist(foot, point) + 0.3 * reach if foot else 0.0)
         end = times(-far, u, point)
-        if item.normal is not None:
+        if flat:
             items.append(square(point, u, max(1.2 * reach, 1.2 * math.dist(point, meeting) if meeting else 0.0), role))
         else:
             items.append(curve((end, times(far, u, point)), "solid", role))
         items += [
             Mark(*seen(point), "", role=role),
-            Mark(*seen(point if item.normal else end), name, (4.0, -5.0), dot=False, role=role),
+            Mark(*seen(point if flat else end), name, (4.0, -5.0), dot=False, role=role),
         ]
     if result.first_foot is not None and result.distance.value > 0.0:
         name = worded("{size}", size=(result.distance.value, kinds.scalar(result.distance.kind)))

@@ -101,15 +101,15 @@ def polygon(
 
 
 def _missing(known: "tuple[Any, ...]", sum_: "Any") -> "tuple[Any, Pair]":
-    those = [*kinds.vectors(known), *([kinds.Vector(sum_, "the sum")] if sum_ is not None else [])]
-    for vector in those:
+    sides = [*kinds.vectors(known), *([kinds.Vector(sum_, "the sum")] if sum_ is not None else [])]
+    for vector in sides:
         require(
             vector.planar, "a polygon needs planar vectors", code="planar", hint="give two components, or 5 N @ 30 deg"
         )
-    kinds.require_same_kind(those, "vectors of different kinds cannot be added")
-    terms = [(-1.0, vector) for vector in those[: len(known)]] + [(1.0, vector) for vector in those[len(known) :]]
+    kinds.require_same_kind(sides, "vectors of different kinds cannot be added")
+    terms = [(-1.0, vector) for vector in sides[: len(known)]] + [(1.0, vector) for vector in sides[len(known) :]]
     x, y = (sum_of_products((0.0,), *((sign, vector.parts[axis]) for sign, vector in terms)) for axis in range(2))
-    return (those[0].kind if those else None), (x, y)
+    return (sides[0].kind if sides else None), (x, y)
 
 
 def _two_directions(total: "Pair", a: float, b: float, kind: "Any") -> "list[tuple[Pair, Pair]]":

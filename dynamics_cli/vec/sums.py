@@ -93,18 +93,18 @@ def resultant(
         code="no-direction",
         hint='of two give the angle, --between "60 deg"; or write them as 20 N @ 30 deg',
     )
-    those = kinds.vectors(vectors)
-    kinds.require_same_kind(those, "vectors of unlike kinds have no sum")
-    planar = all(vector.planar for vector in those)
-    kind = those[0].kind
-    x, y, z = (sum_of_products(*((vector.parts[axis],) for vector in those)) for axis in range(3))
+    addends = kinds.vectors(vectors)
+    kinds.require_same_kind(addends, "vectors of unlike kinds have no sum")
+    planar = all(vector.planar for vector in addends)
+    kind = addends[0].kind
+    x, y, z = (sum_of_products(*((vector.parts[axis],) for vector in addends)) for axis in range(3))
     added = tuple(
         Added(
             vector=kinds.vector(vector.parts, vector.kind, planar=planar),
             magnitude=kinds.magnitude(vector),
             angle=_angle(vector.parts) if planar and not vector.is_zero else None,
         )
-        for vector in those
+        for vector in addends
     )
     size = norm((x, y, z))
     return _summed((x, y, z), size, kind, added, planar=planar)

@@ -40,3 +40,11 @@ def test_rows_have_the_units_that_are_asked_for() -> None:
 
 def test_a_unit_named_by_the_caller_is_kept() -> None:
     assert answer("convert", "60 mph", "ft/s", "--units", "base")["results"]["value"] == {"value": 88.0, "unit": "ft/s"}
+
+
+def test_a_plane_point_a_shared_unit_and_short_names() -> None:
+    assert run("coords", "3", "4", "--from", "xyz", "--into", "polar", "--only", "r").out == "5\n"
+    assert run("coords", "3", "4", "12 m", "--from", "cart", "--into", "sph", "--only", "rho").out == "13 m\n"
+    outcome = run("coords", "3", "30 deg", "--from", "spherical", "--into", "cartesian")
+    assert outcome.status == 2
+    assert "theta is missing" in outcome.err

@@ -180,3 +180,17 @@ def test_lengths_below_a_tenth_of_a_metre_are_in_millimetres_on_the_screen_alone
     assert answer(*call, "100 m")["results"]["deflection"]["unit"] == "m"
     assert run(*call, "100 m", "--only", "deflection").out == "0.0155239 m\n"
     assert run(*call, "100 m", "-q", "--to", "deflection=m").out.endswith("0.0155239 m\n")
+
+
+def test_the_headline_alone_is_a_table_where_the_answer_is_one() -> None:
+    polygon = run("vec", "polygon", "--sum", "6, 2 kN", "--magnitudes", "5, 4 kN", "-q").out
+    assert "70.6506" in polygon
+    assert "by    " not in polygon
+    assert "torus" in run("inertia", "shapes", "--kind", "torus", "-q").out
+
+
+def test_only_takes_a_group_of_results() -> None:
+    call = ("inertia", "shape", "disk", "--diameter", "2 m", "--mass", "4 kg")
+    assert run(*call, "--only", "moments,mass").out == "1 kg·m²\n1 kg·m²\n2 kg·m²\n4 kg\n"
+    assert "moments.zz" in run(*call, "--only", "moments", "--sweep", "diameter=1:2 m:2").out
+    assert "did you mean" in run(*call, "--only", "momentz").err

@@ -42,7 +42,7 @@ from tests.harness import run
         ("impact|inverse|cars.toml", "a file of them: dynamics impact inverse --input cars.toml"),
         ("skid|speed|60 ft|0.7", 'for example: dynamics skid speed --distance "60 ft" --friction 0.7'),
         ("skid|speed|--segment|distance=20 ft, mu=0.3", "did you mean friction?"),
-        ("inertia|section|--width|5 mm", 'did you mean --piece "width=…" or --hole "width=…"?'),
+        ("inertia|section|--polygons|0, 0, 5, 0, 5, 5 mm", "did you mean --polygon?"),
     ],
 )
 def test_unknown_names(call: str, hint: str) -> None:

@@ -12,7 +12,7 @@ from mpmath import matrix, mp, mpf
 from references.inertia_solids import ball, write_stl
 
 from dynamics_cli.inertia.assembly.assembly import Assembly, body
-from dynamics_cli.inertia.assembly.parts import Part
+from dynamics_cli.inertia.assembly.parts import Part, ZAxis
 from dynamics_cli.inertia.bodies.amount import OfMass
 from dynamics_cli.inertia.bodies.properties import MassProperties
 from dynamics_cli.inertia.shapes import Block, Sphere
@@ -214,3 +214,23 @@ def test_a_matrix_of_an_earlier_document_turns_a_body(tmp_path: Path) -> None:
     refused = run(*call, "--rotation-matrix", f"@{tmp_path}/first.json:nothing")
     assert refused.status == 2
     assert "no result 'nothing'" in refused.err
+
+
+@pytest.mark.parametrize(
+    "direction", [(0.0, 0.0, 1.0), (0.0, 0.0, -2.0), (1.0, 0.0, 0.0), (0.3, -2.0, -0.7), (1e-9, 0.0, -1.0)]
+)
+def test_a_part_turned_by_its_z_axis(direction: tuple[float, float, float]) -> None:
+    turn = np.array(ZAxis(direction).matrix)
+    assert turn @ turn.T == pytest.approx(np.eye(3), abs=1e-15)
+    assert np.linalg.det(turn) == pytest.approx(1.0, rel=1e-15)
+    assert turn[:, 2] == pytest.approx(np.array(direction) / np.linalg.norm(direction), rel=1e-15, abs=1e-16)
+
+
+def test_a_welded_frame_by_directions() -> None:
+    tube = {"shape": "tube", "diameter": "30 mm", "thickness": "2 mm", "length": "1 m", "mass": "3 kg"}
+    parts = [tube | {"z_axis": "1, 0, 0", "position": "0.5, 0, 0 m"}, tube | {"z_axis": "0, -1, 0"}]
+    made = answer("inertia", "body", "--input", "-", stdin=json.dumps({"parts": parts}))["results"]
+    along, across = 3.0 * (0.015**2 + 0.013**2) / 2.0, 3.0 * ((0.015**2 + 0.013**2) / 4.0 + 1.0 / 12.0)
+    apart = 2 * 3.0 * 0.25**2
+    moments = [made["moments"][axis]["value"] for axis in ("xx", "yy", "zz")]
+    assert moments == pytest.approx([along + across, along + across + apart, 2 * across + apart], rel=1e-14)

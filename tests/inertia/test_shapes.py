@@ -390,3 +390,22 @@ def test_sizes_as_drawings_give_them() -> None:
     assert "--diameter and --radius cannot be given together" in outcome.err
     outcome = run("inertia", "shape", "tube", "--diameter", "30 mm", *sizes[2:], "--mass", "1 kg")
     assert "the inner diameter of 40 mm exceeds the outer one of 30 mm" in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("call", "hint"),
+    [
+        ("disk|--thickness|2 mm", "a disk with a thickness is a cylinder"),
+        ("rod|--diameter|2 mm", "a rod with a diameter is a cylinder"),
+        ("cyl|--diameter|2 mm", "did you mean cylindrical-shell or cylinder?"),
+    ],
+)
+def test_a_size_that_makes_it_another_shape(call: str, hint: str) -> None:
+    outcome = run("inertia", "shape", *call.split("|"), "--mass", "1 kg")
+    assert outcome.status == 2
+    assert hint in outcome.err
+
+
+def test_the_mass_centre_by_other_names() -> None:
+    call = ("inertia", "shape", "shaft", "--diameter", "40 mm", "--length", "1 m", "--mass", "2 kg", "--about")
+    assert run(*call, "centre of mass", "-q").out == run(*call, "centroid", "-q").out

@@ -300,3 +300,18 @@ def test_rows_may_be_separated_by_semicolons() -> None:
     rows = answer("inertia", "tensor", "--tensor", "10, -2, 1; -2, 12, 3; 1, 3, 14 kg*m^2")
     assert rows["results"] == nested["results"]
     assert "rows of 2 and 3 and 3" in run("inertia", "tensor", "--tensor", "10, -2; -2, 12, 3; 1, 3, 14 kg*m^2").err
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        "10, -2, 1; -2, 12, 3; 1, 3, 14 kg*m^2",
+        "10 -2 1; -2 12 3; 1 3 14 kg*m^2",
+        "(10, -2, 1), (-2, 12, 3), (1, 3, 14) kg*m^2",
+    ],
+)
+def test_a_tensor_may_be_written_in_rows(written: str) -> None:
+    first = run("inertia", "tensor", "--tensor", written, "--only", "principal_moments.first")
+    assert first.out == "7.70286 kg·m²\n"
+    moments = run("inertia", "tensor", "--moments", "10 12 14 kg*m^2", "--only", "principal_moments.third")
+    assert moments.out == "14 kg·m²\n"

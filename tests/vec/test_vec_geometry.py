@@ -264,3 +264,18 @@ def test_directions_of_many_turns_still_close_the_polygon() -> None:
     near = answer("vec", "polygon", "0, -500 N", "--directions", "30, 135 deg")["results"]["solutions"]
     assert made[0]["first_magnitude"]["value"] == pytest.approx(near[0]["first_magnitude"]["value"], rel=1e-6)
     assert run("vec", "polygon", "0, -500 N", "--directions", "3e10..3.9e10, 135 deg").status == 0
+
+
+def test_a_plane_through_three_points() -> None:
+    plane = Item((1.0, 0.0, 0.0), to=(0.0, 2.0, 0.0), third=(0.0, 0.0, 3.0))
+    normal = Item((1.0, 0.0, 0.0), normal=(6.0, 3.0, 2.0))
+    point = Item((1.0, 1.0, 5.0))
+    by_points, by_normal = (lines(first=point, second=item) for item in (plane, normal))
+    assert by_points.distance.value == by_normal.distance.value == 13.0 / 7.0
+    assert by_points.second_foot.value == by_normal.second_foot.value
+    for wrong, message in (
+        (Item((0.0, 0.0, 0.0), third=(1.0, 0.0, 0.0)), "a third point and no second one"),
+        (Item((0.0, 0.0, 0.0), to=(0.1, 0.2, 0.3), third=(0.3, 0.6, 0.9)), "lie on one line"),
+    ):
+        with pytest.raises(InadmissibleError, match=message):
+            lines(first=point, second=wrong)

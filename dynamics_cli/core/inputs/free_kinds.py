@@ -1,9 +1,9 @@
 """Vectors whose kind follows from the unit they are written in, and matrices of exact numbers.
 
-A vector is written by components (`3, 4 N`, `1, 2, 3 m`), or by its magnitude with the angle from x in the plane
-(`20 N @ 30 deg`), with its three direction angles (`20 N @ 60, 45, 60 deg`), with any vector along its direction
-(`20 N along 1, 2, 2`, `20 N @ (1, 2, 2)`), with two points on it (`20 N from 0, 0, 0 to 1, 2, 2 m`) or with a word
-(`20 N down`, `up`, `left`, `right`). A number alone is a magnitude.
+A vector is written by components (`3, 4 N`, `1, 2, 3 m`, `3i + 4j N`), or by its magnitude with the angle from x
+in the plane (`20 N @ 30 deg`), with its three direction angles (`20 N @ 60, 45, 60 deg`), with any vector along its
+direction (`20 N along 1, 2, 2`, `20 N @ (1, 2, 2)`), with two points on it (`20 N from 0, 0, 0 to 1, 2, 2 m`) or with
+a word (`20 N down`, `up`, `left`, `right`). A number alone is a magnitude.
 """
 
 from dynamics_cli.core.inputs import leaves
@@ -128,6 +128,7 @@ def _read(raw: "Any", address: str, context: "Context") -> VectorValue:
             return _directed(size, _certain(cosines, address, context).si, address, context)
         return _planar(size, direction, address, context)
     if isinstance(raw, str):
+        raw = _by_unit_vectors(raw.replace("∠", "@").replace(" at ", " @ "))
         if "@" in raw:
             size, _, direction = (part.strip() for part in raw.partition("@"))
             if direction[:1] + direction[-1:] == "()":
@@ -150,11 +151,39 @@ def _read(raw: "Any", address: str, context: "Context") -> VectorValue:
     return _components(raw, address, context)
 
 
+def _by_unit_vectors(text: str) -> str:
+    """`3i + 4j - k N`, as textbooks write components, as `3, 4, -1 N`; any other text as it is."""
+    rest = text.replace("(", " ").replace(")", " ").replace("−", "-").strip()
+    components: dict[str, str] = {}
+    while rest:
+        sign = rest[0] if rest[0] in "+-" else ""
+        term = rest.removeprefix(sign).lstrip()
+        end = number_end(term, 0) if term else 0
+        letter, after = term[end:].lstrip(" *")[:1], term[end:].lstrip(" *")[1:]
+        if letter not in ("i", "j", "k") or letter in components or after[:1].isalnum() or (components and not sign):
+            break
+        components[letter] = sign + (term[:end] or "1")
+        rest = after.strip()
+    if not components or rest[:1] in ("+", "-"):
+        return text
+    letters = "ijk" if "k" in components else "ij"
+    return f"{', '.join(components.get(letter, '0') for letter in letters)} {rest}".strip()
+
+
 def _components(raw: "Any", address: str, context: "Context") -> VectorValue:
     items = _items(raw)
     if not 1 <= len(items) <= 3:
         raise UsageError(f"read {len(items)} components, wanted 2 or 3", code="components", hint=HINT)
+    if len(items) == 2 and all(isinstance(item, str) for item in items) and _is_angle(items[1]) > _is_angle(items[0]):
+        size, angle = (item.strip() for item in items)
+        message = f"read the components {size} and {angle}, wanted both in one unit"
+        raise UsageError(message, code="kind", hint=f"a magnitude and its angle are written {size} @ {angle}")
     return leaves.read_vector(kind_of_unit(_unit_of(items[-1]), len(items)), _with_items(raw, items), address, context)
+
+
+def _is_angle(item: str) -> bool:
+    unit = _unit_of(item)
+    return bool(unit) and conformable(parse_unit(unit), parse_unit("rad"))
 
 
 def _items(raw: "Any") -> "list[Any]":

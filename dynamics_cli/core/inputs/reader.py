@@ -254,7 +254,8 @@ class Reader(Context):
         if member is None:
             from dynamics_cli.core.units.near_names import nearest_words
 
-            near = nearest_words(str(tag), node.members)
+            begun = [name for name in node.members if name.startswith(str(tag).strip().lower())]
+            near = list(dict.fromkeys([*nearest_words(str(tag), node.members), *begun]))[:3]
             hint = f"one of {', '.join(node.members)}"
             if len(node.members) > MANY_CHOICES:
                 hint = f"--help lists all {len(node.members)}"
@@ -263,7 +264,11 @@ class Reader(Context):
             self._fail(place, f"there is no {node.key} {str(tag)!r}", code="unknown-choice", hint=hint)
             return None
         values = {key: value for key, value in raw.items() if key != node.key and (alone or key in names)}
+        before = len(self.errors)
         fields = self._object(member.fields, values, address)
+        for error in self.errors[before:]:
+            instead = getattr(member.cls, "instead", {}).get(str(error.parameter).rpartition(".")[2])
+            error.hint = instead or error.hint
         return Fields(member.cls, fields, spread=not alone, tag=member.cls.tag)  # type: ignore[attr-defined]
 
     def _many(self, field: Field, node: Many, raw: "Raw", address: str) -> Bound | None:

@@ -251,7 +251,10 @@ def _ending_format(output: str) -> str:
 def _unknown(
     name: str, read: str, known: "tuple[str, ...]", options: "Mapping[str, str | bool | list[str]]"
 ) -> UsageError:
-    error = UsageError(f"read {read!r}, wanted one of {', '.join(known)}", parameter=name, code="unknown-choice")
+    message, hint = f"read {read!r}, wanted one of {', '.join(known)}", None
+    if name == "units":
+        hint = f"the unit of one result: --to NAME={read}; of the numbers in a file of a mesh: --length-unit {read}"
+    error = UsageError(message, parameter=name, code="unknown-choice", hint=hint)
     error.named = "" if name in options else f"DYNAMICS_{name.upper()}"
     return error
 

@@ -64,6 +64,8 @@ SYNONYMS = {
     "held": "fixed",
     "input": "driver crank",
     "output": "driven rocker",
+    **dict.fromkeys(("ixx", "iyy", "izz"), "moments tensor"),
+    **dict.fromkeys(("ixy", "ixz", "iyz", "iyx", "izx", "izy"), "products tensor"),
     "z": "teeth first-teeth",
     "z1": "first-teeth",
     "z2": "second-teeth",

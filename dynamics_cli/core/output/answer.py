@@ -75,7 +75,10 @@ def to_answer(
     answer = _Answer(document, task, digits, width, asked=asked)
     head = answer.headline()
     if quiet:
-        return _text(head)
+        # a table that stands first in the headline is the answer
+        leading = task.headline[0][0] if task.headline else ""
+        table = answer.tables(LINES - len(head)) if not head or leading in answer.table_names else []
+        return _text([*head, *table])
     # How a bare number was read is shown right beneath it.
     unlabelled = not any(answer.labels.values())
     rest = answer.beneath(len(head))

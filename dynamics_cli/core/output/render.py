@@ -21,7 +21,7 @@ from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Collection, Iterable
     from typing import Any
 
     Document = dict[str, Any]
@@ -237,6 +237,7 @@ def only(
     if "sweep" in document["inputs"]:
         return _of_sweep(document, names, digits, form, width)
     flat = {name: (value, unit) for name, value, unit in flatten(results)}
+    names = [each for name in names for each in ([name] if is_table(results.get(name)) else _members(name, flat))]
     unknown = [name for name in names if name not in flat and not is_table(results.get(name))]
     if unknown:
         raise _unknown_result(unknown[0], flat)
@@ -259,6 +260,7 @@ def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str, 
     columns_of = document["results"]["sweep"]
     swept = [entry["parameter"] for entry in document["inputs"]["sweep"]]
     names_known = [name for name in columns_of if name not in (*swept, "error")]
+    names = [each for name in names for each in _members(name, names_known)]
     for name in names:
         if name not in names_known:
             raise _unknown_result(name, names_known)
@@ -266,6 +268,11 @@ def _of_sweep(document: "Document", names: "list[str]", digits: int, form: str, 
     spread = tuple(f"{name}." for name in names)
     columns_shown = {name: node for name, node in columns_of.items() if name in names_shown or name.startswith(spread)}
     return whole_table({**document, "results": {"sweep": columns_shown}}, "sweep", digits, form, width)
+
+
+def _members(name: str, known: "Collection[str]") -> "list[str]":
+    """The results that a name stands for: `moments` for moments.xx, moments.yy, moments.zz; else itself."""
+    return (name not in known and [each for each in known if each.startswith((f"{name}.", f"{name}["))]) or [name]
 
 
 def _unknown_result(name: str, known: "Iterable[str]") -> UsageError:

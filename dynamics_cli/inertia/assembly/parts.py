@@ -6,10 +6,11 @@ from dynamics_cli.inertia.bodies.mass_moments import NOTHING, Lump, second_of
 from dynamics_cli.inertia.mesh.surface import LengthUnit
 from dynamics_cli.inertia.shapes import Shape
 from dynamics_cli.inertia.tensors.tensor import require_tensor
+from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, Turn, matrix_of, product
 from dynamics_cli.numerics.vectors import add, times
-from dynamics_cli.quantities import Annotated, InertiaTensor, InputFile, Mass, PartPosition, Text
+from dynamics_cli.quantities import Annotated, Direction, InertiaTensor, InputFile, Mass, PartPosition, Text
 from dynamics_cli.records import over_parts, record
 
 TYPE_CHECKING = False
@@ -21,6 +22,28 @@ if TYPE_CHECKING:
 
 # A measured tensor has few digits; one farther off than this is wrong.
 MEASURED_TOLERANCE = 1e-3
+
+
+@record
+class ZAxis:
+    """A part turned the shortest way from the z-axis, along which cylinders and tubes lie."""
+
+    z_axis: Annotated[Direction, "Where the part's own z-axis points, of any length, e.g. 1, 0, 1."]
+
+    @property
+    def matrix(self) -> "Matrix":
+        """The rotation that takes (0, 0, 1) to a unit vector (a, b, c) = ±(a, b, |c|)."""
+        x, y, z = self.z_axis
+        length = sqrt(x * x + y * y + z * z)
+        require(length > 0.0, "the z-axis has no length", code="rotation", hint="for example 1, 0, 1")
+        sign = 1.0 if plain(z) >= 0.0 else -1.0
+        a, b, c = (sign * component / length for component in (x, y, z))
+        over = 1.0 / (1.0 + c)
+        return (
+            (1.0 - a * a * over, -sign * a * b * over, sign * a),
+            (-a * b * over, sign * (1.0 - b * b * over), sign * b),
+            (-a, -sign * b, sign * c),
+        )
 
 
 @record
@@ -55,7 +78,7 @@ class Part:
         0.0,
         0.0,
     )
-    turn: Annotated[Turn | None, "How the part's own axes are turned in that frame."] = None
+    turn: Annotated[Turn | ZAxis | None, "How the part's own axes are turned in that frame."] = None
     subtract: Annotated[
         bool, "Subtract the part, as a hole; unless given, its density is that of the body before it."
     ] = False
@@ -108,7 +131,7 @@ class Walk:
             place = add(origin, part.position if rotation is IDENTITY else times(rotation, part.position))
             turn = rotation
             if part.turn is not None:
-                own_turn = matrix_of(part.turn)
+                own_turn = part.turn.matrix if isinstance(part.turn, ZAxis) else matrix_of(part.turn)
                 turn = own_turn if rotation is IDENTITY else product(rotation, own_turn)
             self._name(part, label, place)
             part_sign = -sign if part.subtract else sign

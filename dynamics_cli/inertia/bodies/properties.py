@@ -37,6 +37,13 @@ if TYPE_CHECKING:
     from dynamics_cli.inertia.bodies.mass_moments import Matrix
 
 
+# Other words for the centroid.
+CENTROID = (
+    "centre", "center", "cg", "com", "cog", "mass centre", "mass center", "centre of mass", "center of mass",
+    "centre of gravity", "center of gravity", "middle",
+)  # fmt: skip
+
+
 class Axes(Choice):
     """The axes that results are given in."""
 
@@ -160,6 +167,7 @@ def _reference(
             read=repr(about),
         )
         return "the given point", about_point
+    about = "centroid" if about not in points and about.lower() in CENTROID else about
     if about in points and about not in ("centroid", "origin"):
         return called.format(about), points[about]
     require(

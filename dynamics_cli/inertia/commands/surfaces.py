@@ -58,14 +58,20 @@ SECTION = Task(
         "principal.i1: principal second moment I₁",
         "principal.i2: principal second moment I₂",
         "principal.angle: angle of axis 1 from x",
+        "moduli.first_least: section modulus S₁",
+        "moduli.second_least: section modulus S₂",
     ),
     arrays=False,
     tracked=False,
     plot="dynamics_cli.inertia.section.pictures:section_picture",
     examples=(
+        'dynamics inertia section --profile i-beam --height "200 mm" --width "100 mm" --web "5.6 mm" '
+        '--flange "8.5 mm" --fillet "12 mm"',
         'dynamics inertia section --polygon "0, 0, 60, 0, 60, 8, 8, 8, 8, 40, 0, 40 mm"',
         "dynamics inertia section examples/channel.toml",
         'dynamics inertia section --piece "diameter=60 mm" --hole "diameter=50 mm"',
+        'dynamics inertia section --bar "profile=channel, height=200 mm, width=75 mm, web=8.5 mm, flange=11.5 mm" '
+        '--bar "profile=flat, width=90 mm, height=10 mm, y=105 mm"',
         'dynamics inertia section --piece "width=50 mm, height=30 mm" '
         """--hole 'polygon="-10, -5, 10, -5, 0, 10 mm"' --digits 8""",
         'dynamics inertia section --polygon "0, 0, 4, 0, 4, 0.5, 0.5, 0.5, 0.5, 6, 0, 6 in" '

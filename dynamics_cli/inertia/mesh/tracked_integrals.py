@@ -27,7 +27,7 @@ class Lift:
     """A mesh's integrals in SI, each with its bound and no slopes."""
 
     def __init__(self, mesh: "Measured", unit: "LengthUnit", width: int) -> None:
-        self.found = mesh
+        self.mesh = mesh
         self.moments = mesh.moments
         self.slopes = (0.0,) * width
         self.ratio = unit.ratio
@@ -94,7 +94,7 @@ class Lift:
             "the second moments are below the range of a double: the part is {size:3} of its unit of length in size",
             code="range",
             hint="check the unit of the file; give its numbers in a smaller unit",
-            size=(float((self.found.sums.high - self.found.sums.low).max()), Ratio),
+            size=(float((self.mesh.sums.high - self.mesh.sums.low).max()), Ratio),
         )
         power = 4 if moments.shell else 5
         seconds = []

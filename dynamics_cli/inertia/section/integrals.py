@@ -26,7 +26,7 @@ class Integrals:
         self.unit = unit
         self.area = self.x = self.y = self.xx = self.yy = self.xy = 0
         for contour in contours:
-            parts = _circle(contour) if contour.diameter else _polygon(contour)
+            parts = _circle(contour) if contour.diameter else _fillet(contour) if contour.way else _polygon(contour)
             sign = contour.sign if parts[0] >= 0 else -contour.sign
             self.area += sign * parts[0]
             self.x += sign * parts[1]
@@ -71,6 +71,18 @@ def _circle(contour: "Contour") -> "tuple[int, ...]":
     pi = PI * (_D // PI_SCALE)
     area, central = pi // 4 * d * d, pi // 64 * d**4
     return area, area * x, area * y, central + area * x * x, central + area * y * y, area * x * y
+
+
+def _fillet(contour: "Contour") -> "tuple[int, ...]":
+    """A square beside a corner less the quarter of a disk about its far corner (cx, cy)."""
+    assert contour.way
+    (i, j), r, pi = contour.way, contour.radius, PI * (_D // PI_SCALE)
+    cx, cy = contour.corners[0][0] + i * r, contour.corners[0][1] + j * r
+    area, second = (4 * _D - pi) // 4 * r * r, (16 * _D - 3 * pi) // 48 * r**4
+    first_x, first_y = -i * (_D // 6) * r**3, -j * (_D // 6) * r**3
+    x, y = cx * area + first_x, cy * area + first_y
+    xx, yy = cx * (x + first_x) + second, cy * (y + first_y) + second
+    return area, x, y, xx, yy, cx * y + cy * first_x + i * j * (_D // 8) * r**4
 
 
 def root(numerator: int, denominator: int) -> "tuple[int, int]":

@@ -8,7 +8,7 @@ from dynamics_cli.quantities import Coordinate, SecondMoment
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from dynamics_cli.inertia.section.contours import Hole, Piece
+    from dynamics_cli.inertia.section.contours import Contour
     from dynamics_cli.inertia.section.results import SectionProperties
     from dynamics_cli.inertia.section.task import Drawn
 
@@ -22,24 +22,27 @@ MATERIAL, CUT, AXES = 0, 1, 2
 
 def section_picture(answer: "SectionProperties", contours: "Drawn") -> Picture:
     """The section and its principal axes; Mohr's circle."""
-    shape = _shape(answer, contours.polygon, contours.pieces, contours.holes)
+    shape = _shape(answer, contours)
     return Picture((shape, _mohr(answer)), columns=2)
 
 
-def _shape(
-    answer: "SectionProperties",
-    polygon: "tuple[float, ...]",
-    pieces: "tuple[Piece, ...]",
-    holes: "tuple[Hole, ...]",
-) -> Panel:
-    shapes, unit = contours(polygon, pieces, holes)
+def _shape(answer: "SectionProperties", drawn: "Drawn") -> Panel:
+    shapes, unit = contours(drawn.polygon, drawn.pieces, drawn.holes, drawn.bars)
     items: list[Curve | Mark | Arrow] = []
+    fillets = {contour.corners[0]: contour for contour in shapes if contour.way}
     for contour in shapes:
+        if contour.way:
+            continue
         points = [(x / unit, y / unit) for x, y in contour.corners]
         if contour.diameter:
             (x0, y0), r = points[0], 0.5 * (contour.diameter / unit)
             points = [(x0 + r * cos(t), y0 + r * sin(t)) for t in _turns()]
         else:
+            points = [
+                point
+                for corner in zip([contour.corners[-1], *contour.corners], contour.corners, strict=False)
+                for point in _rounded(*corner, fillets, unit)
+            ]
             points.append(points[0])
         style, role = ("solid", MATERIAL) if contour.sign > 0 else ("dashed", CUT)
         items.append(Curve([x for x, _ in points], [y for _, y in points], "", style, role))  # type: ignore[arg-type]
@@ -50,6 +53,20 @@ def _shape(
         items.append(Arrow(answer.x, answer.y, 1.5 * length * cos(angle), 1.5 * length * sin(angle), name, AXES))
     items.append(Mark(answer.x, answer.y, "C", (-6.0, -10.0)))
     return Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), "section and principal axes", equal=True)
+
+
+def _rounded(
+    before: "tuple[int, int]", corner: "tuple[int, int]", fillets: "dict[tuple[int, int], Contour]", unit: int
+) -> "list[tuple[float, float]]":
+    """A corner, or the points of its fillet in the order of the sides."""
+    x0, y0 = corner[0] / unit, corner[1] / unit
+    fillet = fillets.get(corner)
+    if fillet is None or fillet.way is None:
+        return [(x0, y0)]
+    (i, j), r = fillet.way, fillet.radius / unit
+    turns = [t for t in _turns() if t <= 0.5 * pi]
+    arc = [(x0 + i * r * (1.0 - cos(t)), y0 + j * r * (1.0 - sin(t))) for t in turns]
+    return arc[::-1] if before[1] == corner[1] else arc
 
 
 def _mohr(answer: "SectionProperties") -> Panel:

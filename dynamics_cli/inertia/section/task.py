@@ -6,6 +6,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.inertia.bodies.principal_tracked import SHOWN
 from dynamics_cli.inertia.section.contours import Hole, Piece, contours
 from dynamics_cli.inertia.section.integrals import Integrals, direction, principal, root
+from dynamics_cli.inertia.section.profiles import Bar
 from dynamics_cli.inertia.section.results import Gyration, Moduli, PlaneMoments, PrincipalPlane, SectionProperties
 from dynamics_cli.inertia.section.simple import require_sound
 from dynamics_cli.quantities import Annotated, Area, SectionCoordinate
@@ -30,6 +31,9 @@ class Drawn:
     polygon: Annotated[
         tuple[SectionCoordinate, ...], "Corners x1, y1, x2, y2, … of the outline in order, e.g. 0, 0, 60, 0, 60, 40 mm."
     ] = ()
+    bars: Annotated[
+        Bar | tuple[Bar, ...], "Profiles by their sizes: i-beam, channel, tee, angle, box, tube, flat, round."
+    ] = ()
     pieces: Annotated[tuple[Piece, ...], "Material, as further polygons, circles and rectangles."] = ()
     holes: Annotated[tuple[Hole, ...], "Holes, as polygons, circles and rectangles within the material."] = ()
 
@@ -42,11 +46,15 @@ def section_of(drawn: Annotated[Drawn, "The section, from a file or by options."
     SectionProperties
         As `section` gives them, which says how.
     """
-    return section(polygon=drawn.polygon, pieces=drawn.pieces, holes=drawn.holes)
+    return section(polygon=drawn.polygon, pieces=drawn.pieces, holes=drawn.holes, bars=drawn.bars)
 
 
 def section(
-    *, polygon: tuple[SectionCoordinate, ...] = (), pieces: tuple[Piece, ...] = (), holes: tuple[Hole, ...] = ()
+    *,
+    polygon: tuple[SectionCoordinate, ...] = (),
+    pieces: tuple[Piece, ...] = (),
+    holes: tuple[Hole, ...] = (),
+    bars: Bar | tuple[Bar, ...] = (),
 ) -> SectionProperties:
     """Area, centroid, second moments, principal axes, radii of gyration and section moduli of a plane section.
 
@@ -75,28 +83,29 @@ def section(
     >>> section(pieces=(Piece(width=3.0, height=4.0),)).centroidal.ix
     16.0
     """
-    shapes, unit = contours(polygon, pieces, holes)
-    for contour in shapes:
+    shapes, unit = contours(polygon, pieces, holes, bars)
+    drawn = [contour for contour in shapes if not contour.way]
+    for contour in drawn:
         area = Integrals([contour], unit).area
         require(area != 0, "{contour} has no area", code="polygon", hint="check its corners", contour=contour.name)
-    require_sound(shapes)
+    require_sound(drawn)
     sums = Integrals(shapes, unit)
     require(sums.area > 0, "the holes leave no material", code="no-area")
     up, down = sums.moment(sums.area, 2)
     require(up / down > SMALLEST, "an area of {area} is out of range", code="range", area=(up / down, Area))
-    return _Report(shapes, sums).made()
+    return _Report(shapes, sums).record()
 
 
 class _Report:
     """Numbers of a section, each rounded from its exact ratio."""
 
     def __init__(self, shapes: "list[Contour]", sums: Integrals) -> None:
-        self.found = shapes
+        self.contours = shapes
         self.sums = sums
         self.unit = sums.unit
         self.centroid = (sums.x, sums.area * self.unit), (sums.y, sums.area * self.unit)
 
-    def made(self) -> SectionProperties:
+    def record(self) -> SectionProperties:
         """The record."""
         sums = self.sums
         ix, iy, ixy = sums.central()
@@ -108,7 +117,7 @@ class _Report:
         angle = 0.0 if equal else _angle(ix, iy, ixy)
         area = sums.moment(sums.area, 2)
         origin_moments = [sums.moment(part, 4) for part in (sums.yy, sums.xx, sums.xy, sums.yy + sums.xx)]
-        corners = sum(len(contour.corners) for contour in self.found if not contour.diameter)
+        corners = sum(len(contour.corners) for contour in self.contours if not (contour.diameter or contour.way))
         return SectionProperties(
             area=area[0] / area[1],
             perimeter=self._perimeter(),
@@ -129,7 +138,7 @@ class _Report:
             ),
             moduli=self._moduli((ix, scale), (iy, scale), first, second, (1, 0) if equal else direction(ix, iy, ixy)),
             corners=corners,
-            advice=_advice(self.found),
+            advice=_advice(self.contours),
             numerics=Numerics(METHOD, tuple(_bounds())),
         )
 
@@ -137,10 +146,12 @@ class _Report:
         """Length of all contours."""
         lengths = [
             hypot((b[0] - a[0]) / self.unit, (b[1] - a[1]) / self.unit)
-            for contour in self.found
+            for contour in self.contours
             for a, b in contour.sides()
         ]
-        lengths += [pi * (contour.diameter / self.unit) for contour in self.found]
+        lengths += [pi * (contour.diameter / self.unit) for contour in self.contours]
+        # a fillet's arc in place of the two sides of its corner
+        lengths += [(0.5 * pi - 2.0) * (contour.radius / self.unit) for contour in self.contours]
         return fsum(lengths)
 
     def _moduli(
@@ -166,7 +177,9 @@ class _Report:
     def _reach(self, axis: int, sign: int) -> "tuple[int, int]":
         """How far the section reaches along an axis from its centroid, as a ratio."""
         up, down = self.centroid[axis]
-        twice = max(2 * sign * corner[axis] + contour.diameter for contour in self.found for corner in contour.corners)
+        twice = max(
+            2 * sign * corner[axis] + contour.diameter for contour in self.contours for corner in contour.corners
+        )
         return twice * (down // self.unit) - 2 * sign * up, 2 * down
 
     def _farthest(self, nx: int, ny: int) -> "tuple[int, int]":
@@ -176,7 +189,7 @@ class _Report:
         most = max(
             2 * abs(nx * (corner[0] * sums.area - sums.x) + ny * (corner[1] * sums.area - sums.y)) * down
             + contour.diameter * sums.area * up
-            for contour in self.found
+            for contour in self.contours
             for corner in contour.corners
         )
         return most, 2 * sums.area * up * self.unit

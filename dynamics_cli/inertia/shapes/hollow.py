@@ -80,7 +80,7 @@ class HollowCylinder(RoundBody):
     wall: Wall
     length: Annotated[Size, "Length along z [m]."]
 
-    also = ("tube", "pipe", "washer", "bush")
+    also = ("tube", "pipe", "washer", "bush", "hollow-shaft")
     dimension = 3
     formula = "r = R − t: Izz = m·(R² + r²)/2, Ixx = Iyy = m·(3·(R² + r²) + L²)/12"
 

@@ -21,6 +21,7 @@ class Triangle:
         "Position of the apex along the base: 0 for a right angle at the origin, half the base for equal sides [m].",
     ] = 0.0
 
+    instead = {"thickness": "a triangle with a thickness is a prism, or a wedge where it has a right angle"}  # noqa: RUF012
     dimension = 2
     formula = "centroid ((a + b)/3, h/3): Ixx = m·h²/18, Iyy = m·(b² − a·b + a²)/18, ∫xy dm = m·h·(2a − b)/36"
 
@@ -46,6 +47,7 @@ class Rectangle:
     width: Annotated[Size, "Side along x [m]."]
     height: Annotated[Size, "Side along y [m]."]
 
+    instead = {"thickness": "a rectangle with a thickness is a block: width, depth, height"}  # noqa: RUF012
     dimension = 2
     formula = "Ixx = m·h²/12, Iyy = m·w²/12, Izz = Ixx + Iyy"
 
@@ -63,6 +65,7 @@ class Polygon:
 
     vertices: Annotated[tuple[Vertex, ...], "The corners, three at least, in either sense."]
 
+    instead = {"thickness": "a polygon with a thickness is a prism: give it as height"}  # noqa: RUF012
     dimension = 2
     formula = "sums over the sides: A = Σ xᵢ×xᵢ₊₁/2, and so on, from the centroid"
 
@@ -79,6 +82,7 @@ class Disk(RoundBody):
     size: Round
 
     also = ("disc", "circle")
+    instead = {"thickness": "a disk with a thickness is a cylinder: give it as --length"}  # noqa: RUF012
     dimension = 2
     formula = "Ixx = Iyy = m·R²/4, Izz = m·R²/2"
 
@@ -157,6 +161,7 @@ class Ellipse:
     x_radius: Annotated[Size, "Semi-axis along x [m]."]
     y_radius: Annotated[Size, "Semi-axis along y [m]."]
 
+    instead = {"thickness": "an ellipse with a thickness is an elliptic-cylinder: give it as length"}  # noqa: RUF012
     dimension = 2
     formula = "Ixx = m·b²/4, Iyy = m·a²/4, Izz = Ixx + Iyy"
 

@@ -15,6 +15,7 @@ class Rod:
 
     length: Annotated[Size, "Length: of a rod along x, of cylinders and tubes along z [m]."]
 
+    instead = dict.fromkeys(("diameter", "radius"), "a rod with a diameter is a cylinder, along z")
     dimension = 1
     formula = "Iyy = Izz = m·L²/12, Ixx = 0"
 

@@ -62,6 +62,7 @@ class Cylinder(RoundBody):
     size: Round
     length: Annotated[Size, "Length along z [m]."]
 
+    also = ("shaft", "round-bar", "solid-cylinder")
     dimension = 3
     formula = "Izz = m·R²/2, Ixx = Iyy = m·(3R² + L²)/12"
 

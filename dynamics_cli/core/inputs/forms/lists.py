@@ -46,7 +46,7 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
         if ";" in text and form == "vector":
             return _vectors_in_rows(text)
         text = text[1:-1] if form == "vector" and text[:2] + text[-2:] == "[[]]" else text.replace(";", ",")
-        items = split_list(text)
+        items = (spaced_numbers(text) if form in ("scalar", "slope") else []) or split_list(text)
         if form == "vector" and not any(mark in text for mark in "()[]@"):
             # nine numbers in a row are three rows of three
             size = node.item.kind.size  # type: ignore[union-attr]

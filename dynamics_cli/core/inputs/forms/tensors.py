@@ -1,6 +1,7 @@
 """Symmetric tensors from text or JSON: the full matrix, or moments and products."""
 
 from dynamics_cli.core.inputs.context import Token
+from dynamics_cli.core.inputs.forms.lists import spaced_numbers
 from dynamics_cli.core.inputs.forms.splitting import split_list
 from dynamics_cli.core.inputs.quantity_text import read_scalar
 from dynamics_cli.errors import UsageError
@@ -77,17 +78,27 @@ def _items(raw: "Any", kind: Kind) -> "tuple[list[str], str]":
         return [cell if isinstance(cell, str) else repr(cell) for cell in flat], ""
     if not isinstance(raw, str) or isinstance(raw, Token):
         raise UsageError(f"read {raw!r}, wanted {kind.about}", hint=f"for example {kind.example!r}")
-    body, bracket, unit = raw.strip().rpartition("]")
+    text = raw.strip()
+    if text.startswith("("):
+        text = text.replace("(", "[").replace(")", "]")
+    body, bracket, unit = text.rpartition("]")
     if not bracket:
-        if ";" in raw:
-            _require_square([row.count(",") + 1 for row in raw.split(";")])
-        items = split_list(raw.replace(";", ","))
+        rows = [_in_row(row) for row in text.split(";")]
+        if len(rows) > 1:
+            _require_square([len(row) for row in rows])
+        items = [item for row in rows for item in row]
         number, _, unit = items[-1].strip().partition(" ")
         return [*(item.strip() for item in items[:-1]), number], unit.strip()
     if body.count("[") > 1:
-        rows = [row.strip(" ,\t\n") for row in body.replace("[", "]").split("]")]
-        _require_square([row.count(",") + 1 for row in rows if row])
+        written = [row.strip(" ,\t\n") for row in body.replace("[", "]").split("]")]
+        _require_square([row.count(",") + 1 for row in written if row])
     return [cell.strip() for cell in body.replace("[", " ").replace("]", " ").split(",")], unit.strip()
+
+
+def _in_row(row: str) -> "list[str]":
+    """The elements of a row with commas or only spaces between them; the last one keeps its unit."""
+    spaced = spaced_numbers(row)
+    return [*(item.partition(" ")[0] for item in spaced[:-1]), spaced[-1]] if spaced else split_list(row)
 
 
 def _bare(item: str) -> bool:
