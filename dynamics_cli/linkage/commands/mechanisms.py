@@ -162,7 +162,7 @@ SYNTHESIZE = Task(
         '--ground "100 mm"',
         'dynamics linkage synthesize --swing "60 deg" --time-ratio 1.2 --rocker "80 mm"',
         'dynamics linkage synthesize --pose "x=0 mm, y=0 mm, angle=0 deg" --pose "x=50 mm, y=30 mm, angle=20 deg" '
-        '--pose "x=80 mm, y=70 mm, angle=60 deg" --crank-pivot "-40, 130 mm" --rocker-pivot "20, 90 mm"',
+        '--pose "x=80 mm, y=70 mm, angle=60 deg" --crank-pivot "-40, 60 mm" --rocker-pivot "40, 60 mm"',
     ),
     arrays=False,
     tracked=False,
