@@ -541,3 +541,13 @@ def test_laws_of_distance_and_angle_agree_with_coordinates_and_with_polar() -> N
         assert getattr(by_laws, name) == pytest.approx(getattr(parts, name), rel=1e-12), name
     with pytest.raises(InadmissibleError, match="one of the angle"):
         curve(radius_law=radius, at=0.7)
+
+
+def test_a_vector_in_the_plane_may_be_a_magnitude_and_a_direction() -> None:
+    words = ("path", "relative", "--second-position", "100, 0 m", "--second-velocity")
+    by_angle = answer(*words, "15 m/s @ 60 deg")
+    by_parts = answer(*words, f"{15 * math.cos(math.pi / 3)}, {15 * math.sin(math.pi / 3)} m/s")
+    for name in ("closest_distance", "closest_time", "closest_speed"):
+        assert by_angle["results"][name]["value"] == pytest.approx(by_parts["results"][name]["value"], rel=1e-12)
+    uncertain = answer(*words, "15 m/s @ 60±2 deg")["results"]["closing_speed"]
+    assert uncertain["std"] == pytest.approx(15 * math.sin(math.pi / 3) * math.radians(2), rel=0.01)
