@@ -183,6 +183,9 @@ SLIDER_CRANK = Task(
         assumptions=(SLIDING, "no friction where torques are given"),
     ),
     headline=(
+        "crank_angle: crank angle θ",
+        "crank_speed: crank speed ω",
+        "crank_acceleration: crank acceleration α",
         "position: slider position x",
         "travel: from outer dead centre",
         "velocity: slider velocity v",
@@ -204,6 +207,8 @@ SLIDER_CRANK = Task(
         'dynamics linkage slider-crank --crank "50 mm" --rod "150 mm" --offset "20 mm" --crank-angle "60 deg" '
         '--speed "100 rad/s"',
         'dynamics linkage slider-crank --crank "50 mm" --rod "175 mm" --steps 12',
+        'dynamics linkage slider-crank --crank "50 mm" --rod "150 mm" --slider-position "170 mm" '
+        '--slider-velocity "0.5 m/s" --load-force "2 kN"',
     ),
     table="table",
     plot="dynamics_cli.linkage.sliders.pictures:slider_picture",
