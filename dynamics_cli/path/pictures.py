@@ -117,13 +117,15 @@ def in_space(result: "Any", **_: "Any") -> Picture:
     return Picture((panel,), "velocity and acceleration along and across the path")
 
 
-def curve(result: "Any", *, x: "Any" = None, y: "Any" = None, z: "Any" = None, shape: "Any" = None, let: "Any" = (),
-          angle_law: "Any" = None, length_law: "Any" = None, **_: "Any") -> Picture:  # fmt: skip
+def curve(
+    result: "Any", *, x: "Any" = None, y: "Any" = None, z: "Any" = None, shape: "Any" = None, let: "Any" = (),
+    radius_law: "Any" = None, angle_law: "Any" = None, length_law: "Any" = None, **_: "Any",
+) -> Picture:  # fmt: skip
     """The path with velocity, acceleration and circle of curvature; speed and acceleration over time."""
-    from dynamics_cli.path.curves.moving_point import MovingPoint
+    from dynamics_cli.path.curves.task import moving_point
 
-    law = angle_law if angle_law is not None else length_law
-    motion = MovingPoint({"x": x, "y": y, "z": z}, shape, law, let).plainly()
+    laws = {"radius law": radius_law, "angle law": angle_law, "length law": length_law}
+    motion = moving_point({"x": x, "y": y, "z": z}, laws, shape, let).plainly()
     rows = result.points
     if not rows:
         return in_space(result)

@@ -196,3 +196,25 @@ def test_an_uncertain_curve_is_not_drawn_for_every_sample() -> None:
     wide = [curve((a, 0.12, 0.08, 0.1), tolerance=1e-3).length for a in (0.0401, 0.0399)]  # type: ignore[attr-defined]
     assert made["length"]["std"] == pytest.approx(0.5e3 * (wide[0] - wide[1]), rel=1e-2)
     assert 0.0 < made["deviation"]["value"] <= 0.01
+
+
+def test_the_straight_part_of_hoekens_linkage_is_as_wide_as_it_says() -> None:
+    links = {"crank": 0.01, "coupler": 0.025, "rocker": 0.025, "ground": 0.02}
+    result = coupler(**links, point=(0.05, 0.0), straight_within=5e-5, points=4).straight
+    assert result
+    part = result[0]
+    # the pose by the law of cosines
+    turn = np.linspace(part.crank_angle, part.last_crank_angle, 5001)
+    a = 0.01 * np.exp(1j * turn)
+    gap = 0.02 - a
+    along = (abs(gap) ** 2 + 0.025**2 - 0.025**2) / (2.0 * abs(gap))
+    p = a + 2.0 * gap / abs(gap) * (along + 1j * np.sqrt(0.025**2 - along**2))
+    assert 0.5 * np.ptp(p.imag) == pytest.approx(part.deviation, rel=1e-3)
+    assert abs(p[-1] - p[0]) == pytest.approx(part.length, rel=1e-9)
+    assert abs(p[0] - complex(*part.start)) <= 1.001 * part.deviation
+    assert part.deviation <= 5e-5
+    # half a degree more at either end is not within it
+    wider = coupler(**links, point=(0.05, 0.0), straight_within=1.1 * part.deviation, points=4).straight
+    assert wider
+    assert wider[0].length > part.length
+    assert coupler(**links, point=(0.05, 0.0), straight_within=1e-12, points=4).straight is None

@@ -22,6 +22,7 @@ from dynamics_cli.linkage.fourbar.synthesis import (
     Synthesis,
     synthesize,
 )
+from dynamics_cli.linkage.sliders.driven import Pin
 from dynamics_cli.linkage.sliders.pictures import moving_slider
 from dynamics_cli.linkage.sliders.quick_return import quick_return
 from dynamics_cli.linkage.sliders.slider_crank import slider_crank
@@ -231,3 +232,43 @@ def test_the_smallest_transmission_angle_is_that_between_the_pairs() -> None:
     assert linkage.least_transmission_angle == pytest.approx(min(angles), rel=1e-9)
     assert linkage.kind.startswith("triple rocker")
     assert not linkage.advice
+
+
+@pytest.mark.parametrize(("angle", "pin"), [(60.0, "left"), (200.0, "right"), (300.0, "below"), (100.0, "above")])
+def test_a_slider_drives_the_crank_as_the_crank_drives_the_slider(angle: float, pin: str) -> None:
+    links = {"crank": 0.05, "rod": 0.15, "offset": 0.02}
+    there = slider_crank(**links, crank_angle=radians(angle), speed=-30.0, angular_acceleration=7.0)
+    assert there.position is not None
+    back = slider_crank(
+        **links, slider_position=there.position, slider_velocity=there.velocity,
+        slider_acceleration=there.acceleration or 0.0, pin=Pin(pin),
+    )  # fmt: skip
+    assert back.crank_angle is not None
+    assert degrees(back.crank_angle) % 360.0 == pytest.approx(angle, rel=1e-12)
+    assert back.crank_speed == pytest.approx(-30.0, rel=1e-12)
+    assert back.crank_acceleration == pytest.approx(7.0, rel=1e-9)
+    assert back.rod_speed == pytest.approx(there.rod_speed, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("--slider-position 210mm", "10 mm too far from the crank's pivot"),
+        ("--slider-position 90mm", "10 mm too near to the crank's pivot"),
+        ("--slider-position 200mm --slider-velocity 1m/s", "a dead centre"),
+        ("--slider-position 150mm --crank-angle 3deg", "both given"),
+        ("--slider-velocity 1m/s", "belongs to one pose"),
+    ],
+)
+def test_what_a_slider_cannot_drive_is_refused(words: str, message: str) -> None:
+    refused = run("linkage", "slider-crank", "--crank", "50 mm", "--rod", "150 mm", *words.split())
+    assert (refused.status, message in refused.err) == (3, True), refused.err
+
+
+def test_an_uncertain_crank_has_a_fastest_pose() -> None:
+    links = ("--crank", "50 ± 0.5 mm", "--rod", "150 mm", "--offset", "5 mm", "--crank-angle", "60 deg")
+    results = answer("linkage", "slider-crank", *links, "--speed", "3000 rpm")["results"]
+    # 4000 samples of the crank, each over 2880 angles
+    assert results["top_at"]["mean"] == pytest.approx(288.32, abs=0.02)
+    assert results["top_at"]["std"] == pytest.approx(0.13, rel=0.05)
+    assert results["top_speed"]["mean"] == pytest.approx(16.76, abs=0.02)

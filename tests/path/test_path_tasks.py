@@ -521,3 +521,33 @@ def test_parts_of_spherical_velocity_and_the_ellipse_by_other_formulas() -> None
     wanted = (9 * sine**2 + 4 * cosine**2) ** mpf("1.5") / 6
     assert curve(shape=Ellipse(3.0, 2.0), at=0.5).radius_of_curvature == pytest.approx(float(wanted), rel=1e-15)
     assert float(wanted) == pytest.approx(1.9474395548949149862, rel=1e-15)
+
+
+def test_laws_of_distance_and_angle_agree_with_coordinates_and_with_polar() -> None:
+    radius, angle = Formula("0.2 + 0.1*t^2", 1.0, "m"), Formula("3*t - t^2", 1.0, "rad")
+    by_laws = curve(radius_law=radius, angle_law=angle, z=Formula("0.1*t", 1.0, "m"), at=0.7)
+    x, y = (Formula(f"(0.2 + 0.1*t^2)*{turn}(3*t - t^2)", 1.0, "m") for turn in ("cos", "sin"))
+    by_places = curve(x=x, y=y, z=Formula("0.1*t", 1.0, "m"), at=0.7)
+    for name in ("position", "velocity", "acceleration", "curvature", "torsion", "arc_length"):
+        assert getattr(by_laws, name) == pytest.approx(getattr(by_places, name), rel=1e-12), name
+    parts = polar(radius=0.249, radial_speed=0.14, angular_velocity=1.6, radial_speed_rate=0.2, angular_acceleration=-2)
+    for name in (
+        "radial_velocity",
+        "transverse_velocity",
+        "radial_acceleration",
+        "transverse_acceleration",
+        "coriolis",
+    ):
+        assert getattr(by_laws, name) == pytest.approx(getattr(parts, name), rel=1e-12), name
+    with pytest.raises(InadmissibleError, match="one of the angle"):
+        curve(radius_law=radius, at=0.7)
+
+
+def test_a_vector_in_the_plane_may_be_a_magnitude_and_a_direction() -> None:
+    words = ("path", "relative", "--second-position", "100, 0 m", "--second-velocity")
+    by_angle = answer(*words, "15 m/s @ 60 deg")
+    by_parts = answer(*words, f"{15 * math.cos(math.pi / 3)}, {15 * math.sin(math.pi / 3)} m/s")
+    for name in ("closest_distance", "closest_time", "closest_speed"):
+        assert by_angle["results"][name]["value"] == pytest.approx(by_parts["results"][name]["value"], rel=1e-12)
+    uncertain = answer(*words, "15 m/s @ 60±2 deg")["results"]["closing_speed"]
+    assert uncertain["std"] == pytest.approx(15 * math.sin(math.pi / 3) * math.radians(2), rel=0.01)

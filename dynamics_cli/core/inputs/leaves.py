@@ -266,7 +266,9 @@ def _unbracketed(text: str) -> str:
 
 
 def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
-    """A vector by its components."""
+    """A vector by its components; one in the x–y plane also by magnitude and direction."""
+    if kind.flat and _is_polar(raw):
+        return read_planar(kind, raw, address, context)
     items = [_resolved(item, f"{address}[{i}]", context) for i, item in enumerate(components_of(kind, raw))]
     if kind.flat and (len(items) == 2 or (kind.exact and len(items) == 1)):
         from dynamics_cli.core.inputs.forms.lists import share_unit
@@ -294,14 +296,22 @@ def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> Vec
     return UncertainVector(address, kind, si, displayed, unit, parts)
 
 
+def _is_polar(raw: "Any") -> bool:
+    """Whether a vector is written as a magnitude and a direction; `@` before or between components is a reference."""
+    if isinstance(raw, str):
+        size, at, _ = raw.partition("@")
+        return bool(at and size.strip()) and "," not in size
+    return isinstance(raw, dict) and "magnitude" in raw and "direction" in raw
+
+
 def read_planar(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:
     """A planar vector by its components or by magnitude and direction."""
-    if isinstance(raw, dict) and "magnitude" in raw and "direction" in raw:
-        size, direction = raw["magnitude"], raw["direction"]
-    elif isinstance(raw, str) and "@" in raw:
-        size, _, direction = (part.strip() for part in raw.partition("@"))
-    else:
+    if not _is_polar(raw):
         return read_vector(kind, raw, address, context)
+    if isinstance(raw, dict):
+        size, direction = raw["magnitude"], raw["direction"]
+    else:
+        size, _, direction = (part.strip() for part in raw.partition("@"))
     from dynamics_cli.quantities import Angle
 
     magnitude = read_number_of(kind, size, f"{address}.magnitude", context, "")

@@ -102,20 +102,21 @@ class VectorValue(Bound):
 
 
 class PolarVector(VectorValue):
-    """A planar vector by magnitude and direction, which may have distributions."""
+    """A vector in the x–y plane by magnitude and direction, which may have distributions."""
 
     def __init__(self, address: str, kind: "Kind", magnitude: Value, direction: Value) -> None:
         self.parts = magnitude, direction
+        self.kind = kind
         si = PolarVector.assemble(self)
         super().__init__(address, kind, si, list(si), kind.unit)
 
     def assemble(self, values: "Values" = NOTHING) -> "Any":
-        """Both components."""
+        """Both components, and a third that is zero where the kind has three."""
         from dynamics_cli.numerics.turns import turned
 
         size, angle = (part.assemble(values) for part in self.parts)
         cosine, sine = turned(angle)
-        return size * cosine, size * sine
+        return size * cosine, size * sine, *[0.0 * size] * (self.kind.size - 2)
 
     def leaves(self) -> "Iterator[tuple[str, Kind, float]]":
         """The magnitude and the direction."""

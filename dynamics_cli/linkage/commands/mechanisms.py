@@ -107,6 +107,7 @@ COUPLER = Task(
         "kind: class",
         "deviation: proved deviation",
         "pieces: pieces of the drawing",
+        "straight: straight part | crank_angle=from θ₂, last_crank_angle=to θ₂, length, deviation, direction",
         "cusps: cusp | crank_angle=θ₂, x, y",
         "crossings: crossing | crank_angle=θ₂, second_crank_angle=and θ₂, x, y",
         "cognates: cognate | name, crank, coupler, rocker, ground",
@@ -115,6 +116,8 @@ COUPLER = Task(
         f'dynamics linkage coupler {ARM} --point "60, 40 mm"',
         'dynamics linkage coupler --crank "1 in" --coupler "2.5 in" --rocker "2.5 in" --ground "2 in" '
         '--point "5, 0 in" --units us',
+        'dynamics linkage coupler --crank "10 mm" --coupler "25 mm" --rocker "25 mm" --ground "20 mm" '
+        '--point "50, 0 mm" --straight-within "0.05 mm"',
     ),
     table="points",
     arrays=False,
@@ -180,6 +183,9 @@ SLIDER_CRANK = Task(
         assumptions=(SLIDING, "no friction where torques are given"),
     ),
     headline=(
+        "crank_angle: crank angle θ",
+        "crank_speed: crank speed ω",
+        "crank_acceleration: crank acceleration α",
         "position: slider position x",
         "travel: from outer dead centre",
         "velocity: slider velocity v",
@@ -201,6 +207,8 @@ SLIDER_CRANK = Task(
         'dynamics linkage slider-crank --crank "50 mm" --rod "150 mm" --offset "20 mm" --crank-angle "60 deg" '
         '--speed "100 rad/s"',
         'dynamics linkage slider-crank --crank "50 mm" --rod "175 mm" --steps 12',
+        'dynamics linkage slider-crank --crank "50 mm" --rod "150 mm" --slider-position "170 mm" '
+        '--slider-velocity "0.5 m/s" --load-force "2 kN"',
     ),
     table="table",
     plot="dynamics_cli.linkage.sliders.pictures:slider_picture",

@@ -4,11 +4,15 @@ from dynamics_cli.errors import require
 from dynamics_cli.linkage.fourbar.closure import OPEN, Branch, frame
 from dynamics_cli.linkage.fourbar.grashof import closeness, kind_of
 from dynamics_cli.linkage.fourbar.lengths import require_links
-from dynamics_cli.linkage.fourbar.records import CurvePoint, Special
+from dynamics_cli.linkage.fourbar.records import CurvePoint, Special, Straight
 from dynamics_cli.outlines import Drawing
 from dynamics_cli.quantities import Annotated, Area, Coordinate, Count, PartPoint, Size, Text
 from dynamics_cli.records import Advice, Check, Choice, Columns, ErrorBound, Numerics, record
 from dynamics_cli.sampling import drawing
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.linkage.fourbar.circuit import Circuit
 
 
 class Form(Choice):
@@ -52,6 +56,7 @@ class CouplerCurve:
     points: Annotated[Columns[CurvePoint], "The curve, its first point not repeated."]
     cusps: Annotated[tuple[Special, ...] | None, "Where the point stops and turns back."] = None
     crossings: Annotated[tuple[Special, ...] | None, "Points that the curve passes twice."] = None
+    straight: Annotated[tuple[Straight, ...] | None, "The longest straight part, where it is asked for."] = None
     deviation: Annotated[Size | None, "Largest distance between drawing and exact curve, as proved [m]."] = None
     pieces: Annotated[Count | None, "Arcs, cubics or lines of the drawing."] = None
     shape: Annotated[Drawing | None, "The curve."] = None
@@ -70,6 +75,9 @@ def coupler(
     branch: Annotated[
         Branch, "Which of two circuits: the branch of a crank that turns fully, else open for the crank above O₂–O₄."
     ] = OPEN,
+    straight_within: Annotated[
+        Size | None, "Find the longest part that departs from a straight line by no more than this, e.g. 0.1 mm."
+    ] = None,
     points: Annotated[Count, "Points of the table."] = 72,
     form: Annotated[Form, "Pieces of a drawing: arcs (with bulges), cubics (splines) or lines."] = ARCS,
     tolerance: Annotated[Size, "Largest deviation of a drawing allowed [m]."] = 1e-5,
@@ -138,6 +146,7 @@ def coupler(
         cognates=cognates(lengths, place),
         cusps=cusps(circuit, place, sharp) or None,
         crossings=None if sampled else crossings(circuit, place) or None,
+        straight=None if sampled or straight_within is None else _straight(circuit, place, straight_within),
         deviation=off,
         pieces=sum(len(getattr(piece, "points", (0, 0))) - 1 for piece in outline.pieces) if outline else 0,
         shape=Drawing((outline,), "coupler curve") if outline else None,
@@ -149,6 +158,13 @@ def coupler(
             (ErrorBound("length", error, relative=False),),
         ),
     )
+
+
+def _straight(circuit: "Circuit", point: complex, within: float) -> "tuple[Straight, ...] | None":
+    from dynamics_cli.linkage.fourbar.straight import straightest
+
+    part = straightest(circuit, point, within)
+    return None if part is None else (part,)
 
 
 def cognates(lengths: "tuple[float, ...]", point: complex) -> "tuple[Cognate, ...]":

@@ -165,6 +165,9 @@ def coupler_picture(
     items = linkage_items(lengths, side, place, None)
     for name, group in (("cusp", result.cusps), ("crossing", result.crossings)):
         items += [pin(complex(pose.x, pose.y), name) for pose in group or ()]
+    for part in result.straight or ():
+        ends = (complex(*part.start), complex(*part.end))
+        items.append(complex_curve(ends, "straight part", "thick", 3))
     every = _frames(lengths, side, place, SAMPLES - 1)
     a, b, tip = every[SHOWN]
     scale = place / coupler

@@ -9,6 +9,7 @@ from dynamics_cli.quantities import (
     PartPoint,
     PartVelocity,
     Ratio,
+    Size,
     Text,
     Torque,
     TurnRate,
@@ -81,3 +82,16 @@ class Special:
     second_crank_angle: Annotated[Angle | None, "Crank angle of the second passage; none of a cusp [rad]."]
     x: Annotated[Coordinate, "The point [m]."]
     y: Annotated[Coordinate, "The point, upwards [m]."]
+
+
+@record
+class Straight:
+    """A part of a coupler curve that is straight within a deviation."""
+
+    length: Annotated[Size, "Distance of its ends [m]."]
+    crank_angle: Annotated[Angle, "Crank angle at its start [rad]."]
+    last_crank_angle: Annotated[Angle, "Crank angle at its end [rad]."]
+    deviation: Annotated[Size, "Largest distance from the line [m]."]
+    direction: Annotated[Angle, "Direction of the line, from x [rad]."]
+    start: Annotated[PartPoint, "The start of the line [m]."]
+    end: Annotated[PartPoint, "Its end [m]."]

@@ -6,7 +6,8 @@ from dynamics_cli.animation import animated
 from dynamics_cli.errors import worded
 from dynamics_cli.linkage.drawing import LEFT, TURN, ZERO, block, circle, here, over_turn, pin, plan, turned
 from dynamics_cli.linkage.sliders.quick_return import quick_return
-from dynamics_cli.linkage.sliders.slider_crank import RIGHT, End, slider_crank
+from dynamics_cli.linkage.sliders.slider_crank import slider_crank
+from dynamics_cli.linkage.sliders.stroke import RIGHT, End
 from dynamics_cli.pictures import Axis, Curve, Panel, Picture, complex_curve
 from dynamics_cli.quantities import Acceleration, CamVelocity, Coordinate, Size, Speed
 
@@ -33,6 +34,8 @@ def slider_picture(
     end: End = RIGHT, speed: "float | None" = None, angular_acceleration: float = 0.0, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The mechanism in several poses; position, velocity and acceleration over the crank angle."""
+    if result.crank_angle is not None:
+        crank_angle, speed = result.crank_angle, result.crank_speed if speed is None else speed
     turning = {"speed": speed, "angular_acceleration": angular_acceleration}
     rows = slider_crank(crank=crank, rod=rod, offset=offset, end=end, steps=STEPS, **turning).table or ()  # type: ignore[arg-type]
     names, axes = ("slope", "bend"), (Axis("velocity v/ω", CamVelocity), Axis("acceleration a/ω²", Coordinate))

@@ -5,9 +5,10 @@ from math import tau
 from dynamics_cli.errors import require, worded
 from dynamics_cli.linkage.fourbar.table import spread
 from dynamics_cli.linkage.sliders.double_slider import require_long
-from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt, where
+from dynamics_cli.linkage.sliders.driven import LEFT, Pin, crank_of, rates_of
+from dynamics_cli.linkage.sliders.stroke import RIGHT, End, fastest, slopes_at, stroke_of
+from dynamics_cli.numerics.elementary import absolute, atan2, sqrt, where
 from dynamics_cli.numerics.number import plain, single
-from dynamics_cli.numerics.roots import bisected
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
     Acceleration,
@@ -24,27 +25,12 @@ from dynamics_cli.quantities import (
     Torque,
     TurnRate,
 )
-from dynamics_cli.records import Advice, Choice, record
+from dynamics_cli.records import Advice, record
 from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
-
-# Number of places of a turn in the search for the largest speed, and the step of the difference there.
-SAMPLES, STEP = 180, 1e-4
-# The same for samples of an uncertain mechanism.
-COARSE = 36
-
-
-class End(Choice):
-    """Side of the crank pin on which the slider is."""
-
-    names = ("right", "left")
-    aliases = {"+": "right", "-": "left", "−": "left"}  # noqa: RUF012
-
-
-RIGHT = End("right")
 
 
 @record
@@ -64,6 +50,9 @@ class SliderStep:
 class SliderCrank:
     """A slider-crank in one pose, its stroke, or its table."""
 
+    crank_angle: Annotated[Angle | None, "Crank angle θ, where the slider's position was given [rad]."] = None
+    crank_speed: Annotated[TurnRate | None, "Angular velocity ω of the crank that the slider drives [rad/s]."] = None
+    crank_acceleration: Annotated[AngularAcceleration | None, "Its angular acceleration α [rad/s^2]."] = None
     position: Annotated[Coordinate | None, "Slider position x from the crank's pivot along the slide [m]."] = None
     travel: Annotated[Coordinate | None, "Distance from the outer dead centre [m]."] = None
     velocity: Annotated[Speed | None, "Velocity of the slider [m/s]."] = None
@@ -94,6 +83,10 @@ def slider_crank(
     end: Annotated[End, "Side of the crank pin on which the slider is."] = RIGHT,
     speed: Annotated[TurnRate | None, "Angular velocity ω of the crank, e.g. 3000 rpm."] = None,
     angular_acceleration: Annotated[AngularAcceleration, "Angular acceleration α of the crank [rad/s^2]."] = 0.0,
+    slider_position: Annotated[Coordinate | None, "Or the slider's position x, which gives the crank angle."] = None,
+    slider_velocity: Annotated[Speed | None, "Velocity of a slider that drives the crank, e.g. 0.5 m/s."] = None,
+    slider_acceleration: Annotated[Acceleration, "Its acceleration, e.g. 2 m/s^2."] = 0.0,
+    pin: Annotated[Pin, "Side of the line from pivot to slider where the crank pin then is."] = LEFT,
     load_force: Annotated[Force | None, "Force that the slider delivers along x, e.g. 500 N."] = None,
     steps: Annotated[Count, "Steps of the table over a full turn."] = 24,
 ) -> SliderCrank:
@@ -121,10 +114,11 @@ def slider_crank(
     """
     for name, length in (("crank", crank), ("rod", rod)):
         require_long(name, length)
-    stroke = _stroke(crank, rod, offset)
-    if stroke and single(crank, rod, offset):
-        stroke |= _fastest(crank, rod, offset, end, speed)
-    if crank_angle is None:
+    _require_one_driver(crank_angle, slider_position, speed, slider_velocity)
+    stroke = stroke_of(crank, rod, offset)
+    if stroke and (drawing() or single(crank, rod, offset)):
+        stroke |= fastest(crank, rod, offset, end, speed)
+    if crank_angle is None and slider_position is None:
         if drawing():
             return SliderCrank(**stroke)
         require(
@@ -135,9 +129,34 @@ def slider_crank(
         )
         rows = _table((crank, rod, offset), end, steps, speed, angular_acceleration)
         return SliderCrank(**stroke, table=rows, advice=_partial(crank, rod, offset))
+    side = 1.0 if end == RIGHT else -1.0
+    driven: dict[str, Any] = {}
+    if slider_position is not None:
+        crank_angle, side = crank_of((crank, rod, offset), slider_position, pin)
+        driven = {"crank_angle": crank_angle}
+    assert crank_angle is not None
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
-    rise, along = crank * turn[1], crank * turn[0]
+    along, rise = crank * turn[0], crank * turn[1]
     height = offset - rise
+    across = _across(rod, height, crank_angle, speed is not None or load_force is not None)
+    if slider_velocity is not None:
+        slopes = slopes_at(crank, rod, offset, side, turn)
+        speed, angular_acceleration = rates_of(slopes, slider_velocity, slider_acceleration)
+        driven |= {"crank_speed": speed, "crank_acceleration": angular_acceleration}
+    reach = side * across
+    position = along + reach
+    return SliderCrank(
+        **stroke,
+        **driven,
+        position=position,
+        travel=_travel((crank, rod, offset), (across, height), half[1], side, position),
+        rod_angle=atan2(height, across),
+        **_moving((along, rise), (reach, height), across, speed, angular_acceleration, load_force),
+    )
+
+
+def _across(rod: float, height: float, crank_angle: float, moves: bool) -> float:
+    """How far the rod reaches along the slide; refused where it does not reach it, or cannot be moved."""
     require(
         absolute(height) <= rod,
         "at a crank angle of {angle:6} the rod of {rod} does not reach the slide: it is {gap} too short",
@@ -148,22 +167,37 @@ def slider_crank(
         hint="lengthen the rod by {gap}, or bring the slide nearer to the crank's pivot",
     )
     across = sqrt((rod - height) * (rod + height))
-    side = 1.0 if end == RIGHT else -1.0
-    reach = side * across
-    if speed is not None or load_force is not None:
+    if moves:
         require(
             across > 0.0,
             "the rod is perpendicular to the slide: the crank cannot move the slider through this pose",
             code="toggle",
             hint="give a crank angle beside it",
         )
-    position = along + reach
-    return SliderCrank(
-        **stroke,
-        position=position,
-        travel=_travel((crank, rod, offset), (across, height), half[1], side, position),
-        rod_angle=atan2(height, across),
-        **_moving((along, rise), (reach, height), across, speed, angular_acceleration, load_force),
+    return across
+
+
+def _require_one_driver(
+    crank_angle: "float | None", slider_position: "float | None", speed: "float | None", slider_velocity: "float | None"
+) -> None:
+    """Refuse a pose or a speed that is given twice."""
+    require(
+        crank_angle is None or slider_position is None,
+        "crank angle and slider position are both given",
+        code="exclusive",
+        hint="either follows from the other",
+    )
+    require(
+        slider_velocity is None or speed is None,
+        "speeds of crank and slider are both given",
+        code="exclusive",
+        hint="either follows from the other",
+    )
+    require(
+        slider_velocity is None or crank_angle is not None or slider_position is not None,
+        "a velocity of the slider belongs to one pose",
+        code="no-angle",
+        hint="--slider-position '170 mm' or --crank-angle '60 deg'",
     )
 
 
@@ -209,53 +243,6 @@ def _moving(
     }
 
 
-def _stroke(a: float, b: float, e: float) -> "dict[str, Any]":
-    """Stroke, dead centres and time ratio of a crank that turns fully; of arrays where every one does."""
-    size = absolute(e)
-    full = b > a + size
-    if not (bool(full.all()) if getattr(full, "ndim", 0) else bool(full)):  # type: ignore[attr-defined]
-        return {}
-    pi = pi_beside(a, b, e)
-    far = sqrt((b + a - size) * (b + a + size))
-    near = sqrt((b - a - size) * (b - a + size))
-    stroke = 4.0 * a * b / (far + near)
-    lead = atan2(size * stroke, far * near + e * e)
-    return {
-        "stroke": stroke,
-        "time_ratio": (pi + lead) / (pi - lead),
-        "outer_at": atan2(e, far),
-        "inner_at": pi + atan2(e, near),
-        "largest_rod_angle": asin((a + size) / b),
-    }
-
-
-def _slopes(a: float, b: float, e: float, side: float, turn: "tuple[float, float]") -> "tuple[float, float]":
-    """dx/dθ and d²x/dθ²."""
-    height = e - a * turn[1]
-    reach = side * sqrt((b - height) * (b + height))
-    lean = -(a * turn[0] / reach)
-    bend = (a * turn[1] + lean * lean * height) / reach
-    return -(a * turn[1]) - lean * height, -(a * turn[0]) - lean * lean * reach - bend * height
-
-
-def _fastest(a: float, b: float, e: float, end: End, speed: "float | None") -> "dict[str, Any]":
-    """The largest |dx/dθ| of a crank that turns fully, where the acceleration vanishes, and its angle."""
-    lengths = plain(a), plain(b), plain(e)
-    side = 1.0 if end == RIGHT else -1.0
-    count = COARSE if drawing() else SAMPLES
-    fastest_angle = max(
-        (tau * k / count for k in range(count)),
-        key=lambda t: round(abs(_slopes(*lengths, side, turned(t))[0]) / lengths[0], 9),
-    )
-    ends = fastest_angle - tau / count, fastest_angle + tau / count
-    low = bisected(lambda t: _slopes(*lengths, side, turned(t))[1], *ends)
-    ahead, behind = (_slopes(*lengths, side, turned(low + step))[1] for step in (STEP, -STEP))
-    slope, bend = _slopes(a, b, e, side, turned(low + 0.0 * a))
-    # one step of Newton carries bounds and derivatives by the lengths into the angle
-    fields = {"top_slope": absolute(slope), "top_at": low - bend / ((ahead - behind) / (2.0 * STEP))}
-    return fields if speed is None else fields | {"top_speed": absolute(slope) * absolute(speed)}
-
-
 def _table(
     lengths: "tuple[float, float, float]", end: End, steps: int, speed: float | None, gain: float
 ) -> "tuple[SliderStep, ...]":
@@ -268,7 +255,7 @@ def _table(
         if abs(height) >= b:
             continue
         reach = side * sqrt((b - height) * (b + height))
-        slope, bend = _slopes(a, b, e, side, turn)
+        slope, bend = slopes_at(a, b, e, side, turn)
         moving: tuple[float | None, ...] = (None, None, slope, bend)
         if speed is not None:
             rate = plain(speed)

@@ -61,6 +61,13 @@ CURVE = Task(
         "velocity",
         "acceleration",
         "speed",
+        "radius: distance r",
+        "angle: angle θ",
+        "radial_velocity: radial v_r",
+        "transverse_velocity: transverse v_θ",
+        "radial_acceleration: radial a_r",
+        "transverse_acceleration: transverse a_θ",
+        "coriolis: Coriolis 2·ṙ·θ̇",
         "tangential: tangential a_t",
         "normal: normal a_n",
         "radius_of_curvature: radius of curvature ρ",
@@ -74,6 +81,7 @@ CURVE = Task(
         'dynamics path curve --curve cycloid --radius "0.3 m" --angle-law "20*t rad" --end "0.35 s"',
         'dynamics path curve --x "a*cos(w*t) m" --y "b*sin(w*t) m" --let "a=3 m, b=2 m, w=90 deg/s" --end "4 s" '
         '--at "0.5 s"',
+        'dynamics path curve --radius-law "0.2 + 0.1*t^2 m" --angle-law "3*t rad" --at "1 s"',
     ),
     plot="dynamics_cli.path.pictures:curve",
     notes="Formulas have numbers, t, pi, + - * / ^, brackets, sin cos tan asin acos atan sinh cosh tanh exp log sqrt "

@@ -3,6 +3,7 @@
 import math
 
 from dynamics_cli.errors import DynamicsError, require
+from dynamics_cli.numerics import elementary
 from dynamics_cli.numerics.expressions.jets import Jet
 from dynamics_cli.numerics.expressions.laws import law_of
 from dynamics_cli.numerics.number import is_carrier, is_many, is_tracked, like, over_plain, plain
@@ -50,8 +51,9 @@ class MovingPoint:
             bool(self.formulas) != (shape is not None),
             "the motion is either formulas x, y, z or a named curve",
             code="motion",
-            hint="--x '3*cos(t) m' --y '3*sin(t) m', or --curve helix",
+            hint="--x '3*cos(t) m' --y '3*sin(t) m', --radius-law '2 m' --angle-law '3*t rad', or --curve helix",
         )
+        self.turns = "radius law" in self.formulas
         self.shape = shape
         self.let = let
         self.parameter = parameter
@@ -70,11 +72,24 @@ class MovingPoint:
 
     def _paths(self, clock: Jet) -> "list[Jet]":
         """The coordinates as jets over the time."""
-        if self.shape is None:
+        if self.turns:
+            radius, angle = self._turning(clock)
+            height = self.laws["z"](t=clock) if "z" in self.laws else 0.0
+            parts: Any = (radius * elementary.cos(angle), radius * elementary.sin(angle), height)
+        elif self.shape is None:
             parts = [self.laws[name](t=clock) if name in self.laws else 0.0 for name in "xyz"]
         else:
             parts = self.shape.place(clock if self.law is None else _jet(self.law(t=clock), clock))
         return [_jet(part, clock) for part in parts]
+
+    def _turning(self, clock: Jet) -> "tuple[Any, Any]":
+        """Distance from the pole and angle as jets."""
+        return _jet(self.laws["radius law"](t=clock), clock), _jet(self.laws["angle law"](t=clock), clock)
+
+    def turning(self, time: "Any") -> "tuple[tuple[Any, Any], ...]":
+        """Distance from the pole and angle, with their first and second derivatives."""
+        radius, angle = self._turning(Jet.variable(time, 2))
+        return tuple((radius.derivative(k), angle.derivative(k)) for k in range(3))
 
     def plainly(self) -> "MovingPoint":
         """The same with doubles in place of tracked numbers."""
@@ -98,7 +113,7 @@ class MovingPoint:
         shape = self.shape
         if shape is not None:
             shape = type(shape)(**{name: converted(getattr(shape, name)) for name in shape.fields})
-        return MovingPoint({name: self.formulas.get(name) for name in "xyz"}, shape, self.parameter, let)
+        return MovingPoint({**self.formulas}, shape, self.parameter, let)
 
     def sharp(self, time: "Any") -> State:
         """The state at a time, evaluated in 60 digits where terms of the formulas cancel."""

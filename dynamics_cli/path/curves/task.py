@@ -12,6 +12,7 @@ from dynamics_cli.path.curves.named import Shape
 from dynamics_cli.quantities import (
     Acceleration,
     AccelerationVector,
+    Angle,
     AngleFormula,
     Annotated,
     Count,
@@ -73,6 +74,13 @@ class CurveMotion:
     arc_length: Annotated[Distance | None, "Length of the path from the start to the end [m]."]
     events: Annotated[tuple[Event, ...] | None, "Extremes of speed and curvature, cusps and inflections."]
     points: Annotated[tuple[Point, ...], "The motion at equally spaced times."]
+    radius: Annotated[Length | None, "Distance r from the z-axis, where it has a law [m]."] = None
+    angle: Annotated[Angle | None, "Angle θ beside it [rad]."] = None
+    radial_velocity: Annotated[Speed | None, "v_r = ṙ [m/s]."] = None
+    transverse_velocity: Annotated[Speed | None, "v_θ = rθ̇ [m/s]."] = None
+    radial_acceleration: Annotated[Acceleration | None, "a_r = r̈ − rθ̇² [m/s^2]."] = None
+    transverse_acceleration: Annotated[Acceleration | None, "a_θ = rθ̈ + 2ṙθ̇ [m/s^2]."] = None
+    coriolis: Annotated[Acceleration | None, "The term 2ṙθ̇ of it [m/s^2]."] = None
     numerics: Numerics | None = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
@@ -84,7 +92,10 @@ def curve(
     y: Annotated[LengthFormula | None, "y as a function of t, e.g. 5*t - 4.9*t^2 m."] = None,
     z: Annotated[LengthFormula | None, "z as a function of t, e.g. exp(-t) m."] = None,
     shape: Annotated[Shape | None, "A curve by its name, in place of formulas."] = None,
-    angle_law: Annotated[AngleFormula | None, "Angle along a named curve as a function of t, e.g. 90*t deg."] = None,
+    radius_law: Annotated[LengthFormula | None, "Or the distance r from the z-axis over t, e.g. 2 + 0.1*t m."] = None,
+    angle_law: Annotated[
+        AngleFormula | None, "Angle beside that distance or along a named curve, as a function of t, e.g. 90*t deg."
+    ] = None,
     length_law: Annotated[LengthFormula | None, "Length or x along a named curve over t, e.g. 3*t m."] = None,
     let: Annotated[tuple[Variable, ...], "Variables of the formulas, e.g. a=3 m, w=2 rad/s."] = (),
     start: Annotated[Time, "Start of the range of times, e.g. 0 s."] = 0.0,
@@ -116,7 +127,8 @@ def curve(
     >>> round(result.speed, 9)
     2.730154835
     """
-    motion = MovingPoint({"x": x, "y": y, "z": z}, shape, _parameter(shape, angle_law, length_law), let)
+    laws = {"radius law": radius_law, "angle law": angle_law, "length law": length_law}
+    motion = moving_point({"x": x, "y": y, "z": z}, laws, shape, let)
     first, last, now = _range(start, end, at, steps)
     complete = not (drawing() or is_many(now))
     if complete:
@@ -143,6 +155,7 @@ def curve(
         velocity=state.velocity,
         acceleration=state.acceleration,
         **along_and_across(bend),
+        **(_turning(motion, now) if motion.turns else {}),
         acceleration_size=bend.magnitude,
         curvature=bend.curvature,
         torsion=None if motion.flat else bend.torsion,
@@ -153,6 +166,36 @@ def curve(
         numerics=_numerics(lengths),
         advice=(*advice_of(bend, *names), *_loose(lengths)),
     )
+
+
+def moving_point(
+    places: "dict[str, Formula | None]", laws: "dict[str, Formula | None]", shape: "Any", let: "tuple[Variable, ...]"
+) -> MovingPoint:
+    """The motion by formulas of its coordinates, of its distance and angle with its height, or along a named curve."""
+    if laws["radius law"] is None:
+        return MovingPoint(places, shape, _parameter(shape, laws["angle law"], laws["length law"]), let)
+    require(
+        laws["angle law"] is not None and shape is None and not any((places["x"], places["y"], laws["length law"])),
+        "a law of the radius goes with one of the angle, in place of x, y and a named curve",
+        code="motion",
+        hint="--radius-law '2 + 0.1*t m' --angle-law '3*t rad'",
+    )
+    return MovingPoint({**laws, "z": places["z"]}, None, None, let)
+
+
+def _turning(motion: MovingPoint, now: "Any") -> "dict[str, Any]":
+    """Parts of velocity and acceleration along and across the line from the z-axis."""
+    (r, angle), (growth, rate), (bend, gain) = motion.turning(now)
+    coriolis = 2.0 * growth * rate
+    return {
+        "radius": r,
+        "angle": angle,
+        "radial_velocity": growth,
+        "transverse_velocity": r * rate,
+        "radial_acceleration": bend - r * (rate * rate),
+        "transverse_acceleration": r * gain + coriolis,
+        "coriolis": coriolis,
+    }
 
 
 def _parameter(shape: "Any", angle: Formula | None, along: Formula | None) -> Formula | None:

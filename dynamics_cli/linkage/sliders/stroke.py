@@ -1,0 +1,89 @@
+"""Over a whole turn of a slider-crank: stroke, dead centres, time ratio, and where the slider is fastest."""
+
+from math import tau
+
+from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt
+from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.roots import bisected
+from dynamics_cli.numerics.turns import turned
+from dynamics_cli.records import Choice
+from dynamics_cli.sampling import drawing
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+# Number of places of a turn in the search for the largest speed, and the step of the difference there.
+SAMPLES, STEP = 180, 1e-4
+# The same for samples of an uncertain mechanism.
+COARSE = 36
+# Newton's steps from the mean of samples.
+NEWTON = 4
+
+
+class End(Choice):
+    """Side of the crank pin on which the slider is."""
+
+    names = ("right", "left")
+    aliases = {"+": "right", "-": "left", "−": "left"}  # noqa: RUF012
+
+
+RIGHT = End("right")
+
+
+def stroke_of(a: float, b: float, e: float) -> "dict[str, Any]":
+    """Stroke, dead centres and time ratio of a crank that turns fully; of arrays where every one does."""
+    size = absolute(e)
+    full = b > a + size
+    if not (bool(full.all()) if getattr(full, "ndim", 0) else bool(full)):  # type: ignore[attr-defined]
+        return {}
+    pi = pi_beside(a, b, e)
+    far = sqrt((b + a - size) * (b + a + size))
+    near = sqrt((b - a - size) * (b - a + size))
+    stroke = 4.0 * a * b / (far + near)
+    lead = atan2(size * stroke, far * near + e * e)
+    return {
+        "stroke": stroke,
+        "time_ratio": (pi + lead) / (pi - lead),
+        "outer_at": atan2(e, far),
+        "inner_at": pi + atan2(e, near),
+        "largest_rod_angle": asin((a + size) / b),
+    }
+
+
+def slopes_at(a: float, b: float, e: float, side: float, turn: "tuple[float, float]") -> "tuple[float, float]":
+    """dx/dθ and d²x/dθ²."""
+    height = e - a * turn[1]
+    reach = side * sqrt((b - height) * (b + height))
+    lean = -(a * turn[0] / reach)
+    bend = (a * turn[1] + lean * lean * height) / reach
+    return -(a * turn[1]) - lean * height, -(a * turn[0]) - lean * lean * reach - bend * height
+
+
+def fastest(a: float, b: float, e: float, end: End, speed: "float | None") -> "dict[str, Any]":
+    """The largest |dx/dθ| of a crank that turns fully, where the acceleration vanishes, and its angle.
+
+    Of samples that of their mean lengths is found, and Newton's steps lead from it to each one's own.
+    """
+    lengths = _mean(a), _mean(b), _mean(e)
+    side = 1.0 if end == RIGHT else -1.0
+    count = COARSE if drawing() else SAMPLES
+    fastest_angle = max(
+        (tau * k / count for k in range(count)),
+        key=lambda t: round(abs(slopes_at(*lengths, side, turned(t))[0]) / lengths[0], 9),
+    )
+    ends = fastest_angle - tau / count, fastest_angle + tau / count
+    low = bisected(lambda t: slopes_at(*lengths, side, turned(t))[1], *ends)
+    ahead, behind = (slopes_at(*lengths, side, turned(low + step))[1] for step in (STEP, -STEP))
+    curve, angle = (ahead - behind) / (2.0 * STEP), low + 0.0 * (a + b + e)
+    for _ in range(1 if single(angle) else NEWTON):
+        # one step of Newton carries bounds and derivatives by the lengths into the angle
+        slope, bend = slopes_at(a, b, e, side, turned(angle))
+        angle = angle - bend / curve
+    fields = {"top_slope": absolute(slope), "top_at": angle}
+    return fields if speed is None else fields | {"top_speed": absolute(slope) * absolute(speed)}
+
+
+def _mean(length: float) -> float:
+    """A length in doubles; of samples their mean."""
+    return float(length.mean()) if getattr(length, "ndim", 0) else plain(length)  # type: ignore[attr-defined]
