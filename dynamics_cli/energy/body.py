@@ -51,7 +51,7 @@ class Motion:
 
 def body(
     *,
-    bodies: Annotated[tuple[Body, ...], "The bodies."],
+    bodies: Annotated[Body | tuple[Body, ...], "The bodies; one may be given by its plain fields."],
     about: Annotated[Position, "Point of the angular momentum, at rest, e.g. 0, 0 m."] = ORIGIN,
 ) -> Motion:
     """Kinetic energy, momentum and angular momentum of one or more bodies that turn about axes parallel to z.
@@ -80,6 +80,7 @@ def body(
     >>> result.energy, result.angular_momentum
     (29.0, (0.0, 0.0, -4.0))
     """
+    bodies = bodies if isinstance(bodies, tuple) else (bodies,)
     require(len(bodies) > 0, "no body is given", code="none", hint='give --body "mass=2 kg, velocity=3, 0 m/s"')
     mass = summed([solid.mass for solid in bodies])
     require(mass > 0.0, "the bodies have no mass", code="mass", hint="give a mass above zero")

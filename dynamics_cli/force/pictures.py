@@ -133,14 +133,14 @@ def _picture(
     if shapes:
         panels[0] = Panel(panels[0].x, panels[0].y, (*shapes, *panels[0].items), equal=True)
     if words:
-        first = panels[0]
+        first = panels[-1]
         low = min(min(item.y) for item in first.items if isinstance(item, Curve) and item.style == "fill")
         left = min(min(item.x) for item in first.items if isinstance(item, Curve) and item.style == "fill")
         labels = [
             Label(left + 0.03 * extent, low + (0.05 + 0.06 * line) * extent, text, 6, left=True)
             for line, text in enumerate(reversed(words))
         ]
-        panels[0] = Panel(first.x, first.y, (*first.items, *labels), first.title, equal=True)
+        panels[-1] = Panel(first.x, first.y, (*first.items, *labels), first.title, equal=True)
     return Picture(tuple(panels), title, columns=1 if planar else 2)
 
 

@@ -139,7 +139,7 @@ def chain(
 
     runs = Runs(rods, start, duration)
     slowness, shapes = rods.oscillations()
-    kept, tenfold, horizon = runs.energy_error(), runs.growth.tenfold(), runs.horizon()
+    kept, tenfold, horizon = max(runs.energy_errors()), runs.growth.tenfold(), runs.horizon()
     end = None if runs.reached else _end(rods, runs.states[-1])
     checks = [Check("energy is kept", kept < KEPT, kept, KEPT), *_small(runs, slowness, shapes)]
     numerics = Numerics("DOP853, two tolerances", bounds=(ErrorBound("motion", runs.difference, relative=False),))

@@ -1,4 +1,6 @@
-"""A chain as a stroboscope sees it, and its angles over time."""
+"""A chain as a stroboscope sees it, its angles and the errors of the calculation over time."""
+
+from itertools import accumulate
 
 from dynamics_cli.motion.rods import chain_of, many
 from dynamics_cli.motion.runs import Runs
@@ -13,12 +15,14 @@ GREY = 6
 FLASHES = 24
 # More rods than this have no line each in the history.
 LINES = 6
+# Errors below the last digit are not drawn.
+DUST = 1e-16
 
 
 def chain(made: "Any", *, lengths: "Any", masses: "Any", angles: "Any", duration: float, rates: "Any" = (),
           end_masses: "Any" = (), inertias: "Any" = (), count: int | None = None, gravity: float = STANDARD_GRAVITY,
           **_: "Any") -> Picture:  # fmt: skip
-    """The chain at equal intervals with the path of its end, and the angles of the rods."""
+    """The chain at equal intervals with the path of its end, the angles of the rods, and the errors."""
     rods = chain_of(lengths, masses, end_masses, inertias, count, gravity)
     n = rods.n
     runs = Runs(rods, many(angles, n, "angles", 0.0) + many(rates, n, "rates", 0.0), duration)
@@ -43,8 +47,18 @@ def chain(made: "Any", *, lengths: "Any", masses: "Any", angles: "Any", duration
     panels = (
         Panel(Axis("across", Length), Axis("up", Length), tuple(items), equal=True),
         Panel(Axis("time", Time, ends=(0.0, duration)), Axis("angle", Angle), tuple(history)),
+        Panel(Axis("time", Time, ends=(0.0, duration)), Axis("error", Ratio, logarithmic=True), _errors(runs)),
     )
     return Picture(panels, f"chain of {n} rods" if n > 1 else "a rod on a pin")
+
+
+def _errors(runs: Runs) -> "tuple[Curve, ...]":
+    """The largest errors so far: what two tolerances differ by, and the change of the energy."""
+    curves: list[Curve] = []
+    for values, label in ((runs.parted, "two tolerances, rad"), (runs.energy_errors(), "energy, share")):
+        largest = list(accumulate((max(value, DUST) for value in values), max))
+        curves.append(Curve(runs.times, largest, label, role=len(curves)))
+    return tuple(curves)
 
 
 def modes(made: "Any", *, lengths: "Any", count: int | None = None, **_: "Any") -> Picture:

@@ -34,6 +34,8 @@ class Runs:
         self.rods, self.duration = rods, duration
         self.times: list[float] = [0.0]
         self.states: list[list[float]] = [list(start)]
+        # how far the two runs are apart at each time, and the largest of these
+        self.parted: list[float] = [0.0]
         self.difference = 0.0
         self.reached = False
         self.speed = rods.scale(start[: rods.n], start[rods.n :])
@@ -54,6 +56,7 @@ class Runs:
                     self.reached = True
                     return
                 self.difference = max(self.difference, apart)
+                self.parted.append(apart)
                 self.times.append(times[k])
                 self.states.append(fine)
             states = [run[-1] for run in runs]
@@ -75,8 +78,8 @@ class Runs:
             return None
         return self.growth.reaches(self.duration, math.log10(APART / max(self.difference, FINE)))
 
-    def energy_error(self) -> float:
-        """The largest change of the energy, over that of the start above hanging at rest."""
+    def energy_errors(self) -> "list[float]":
+        """The change of the energy at each time, over that of the start above hanging at rest."""
         n = self.rods.n
         energies = [self.rods.energy(y[:n], y[n:]) for y in self.states]
-        return max(abs(energy - energies[0]) for energy in energies) / energies[0]
+        return [abs(energy - energies[0]) / energies[0] for energy in energies]

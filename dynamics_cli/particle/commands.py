@@ -132,17 +132,19 @@ INCLINE = Task(
         "dynamics_cli.particle.incline:incline",
         source=BOOK + "sections 6.4 and 8.3",
         formula="{normal_force|N} = {mass|m}·{gravity|g}·cos {angle|α}",
-        assumptions=("the block is at rest at first", "Coulomb friction"),
+        assumptions=("Coulomb friction",),
     ),
     headline=(
         "motion", "acceleration", "normal_force: normal force", "friction_force: friction",
         "needed_friction: friction needed to rest", "repose: rests by itself up to",
         "holding_force: force that holds it", "moving_force: force that moves it up", "time", "speed",
+        "stop_distance: stops after", "stop_time: in", "after: and", "return_speed: comes back with",
     ),
     examples=(
         'dynamics particle incline --mass "20 kg" --angle "30 deg" --friction 0.3 --distance "3 m"',
-        'dynamics particle incline --mass "50 lb" --angle "20 deg" --friction 0.5 --kinetic 0.4 --force "45 lbf" '
-        "--units us",
+        'dynamics particle incline --mass "50 lb" --angle "20 deg" --friction 0.3 --kinetic 0.25 --force "45 lbf" '
+        '--force-angle "-20 deg" --units us',
+        'dynamics particle incline --mass "20 kg" --angle "30 deg" --friction 0.3 --start-speed "6 m/s"',
     ),
     arrays=False,
 )  # fmt: skip

@@ -37,9 +37,13 @@ class Incline:
     holding_force: Annotated[
         Force, "Least force up along the incline that keeps it from sliding down; none needed: 0 [N]."
     ]
-    moving_force: Annotated[Force, "Force up along the incline at which it begins to slide up [N]."]
-    time: Annotated[Time | None, "Time to slide the distance from rest [s]."]
+    moving_force: Annotated[Force | None, "Force at which it begins to slide up; none where it jams [N]."]
+    time: Annotated[Time | None, "Time to slide the distance; none where it does not come so far [s]."]
     speed: Annotated[Speed | None, "Speed after it [m/s]."]
+    stop_time: Annotated[Time | None, "Time after which a block that slides at first stops [s]."]
+    stop_distance: Annotated[Length | None, "How far it slides until then [m]."]
+    after: Annotated[Text | None, "Whether it then rests or slides back."]
+    return_speed: Annotated[Speed | None, "Speed with which it comes back to its start [m/s]."]
 
 
 def incline(
@@ -48,15 +52,21 @@ def incline(
     angle: Annotated[Angle, "Angle of the incline above the horizontal, e.g. 30 deg."],
     friction: Annotated[Friction, "Coefficient of friction, at rest and sliding unless --kinetic is given, e.g. 0.3."],
     kinetic: Annotated[Friction | None, "Coefficient while it slides, e.g. 0.25."] = None,
-    force: Annotated[Force, "A force along the incline, up positive, e.g. 50 N."] = 0.0,
-    distance: Annotated[Distance | None, "A distance to slide from rest, e.g. 3 m."] = None,
+    force: Annotated[Force, "A force on the block, up the incline positive, e.g. 50 N."] = 0.0,
+    force_angle: Annotated[
+        Angle, "Angle of the force away from the incline; a level push on an incline of 30 deg is at -30 deg."
+    ] = 0.0,
+    start_speed: Annotated[Speed, "Speed along the incline at the start, up positive, e.g. 4 m/s."] = 0.0,
+    distance: Annotated[Distance | None, "A distance to slide, e.g. 3 m."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Incline:
-    """A block at rest on an incline with friction: whether it slides, how fast, and the forces that hold and move it.
+    """A block on an incline with friction: whether and how fast it slides, where it stops, what holds and moves it.
 
     Equation
     --------
-    N = m·g·cos α; it rests while |F − m·g·sin α| ≤ μ·N; sliding m·a = F − m·g·sin α ∓ μ_k·N.
+    N = m·g·cos α − F·sin β; at rest it stays while |F·cos β − m·g·sin α| ≤ μ·N; sliding
+    m·a = F·cos β − m·g·sin α ∓ μ_k·N; v² = v₀² + 2·a·s. It holds and moves at
+    F = m·g·(sin α ∓ μ·cos α)/(cos β ∓ μ·sin β).
 
     Returns
     -------
@@ -66,8 +76,8 @@ def incline(
     Raises
     ------
     InadmissibleError
-        When the mass is not above zero, the angle is not between −90 and 90 degrees, or kinetic friction exceeds
-        static.
+        When the mass is not above zero, an angle is not between −90 and 90 degrees, kinetic friction exceeds static,
+        or the force lifts the block.
 
     References
     ----------
@@ -79,27 +89,33 @@ def incline(
     'slides down'
     """
     require(mass > 0.0, "the mass of {mass} is not above zero", mass=(mass, Mass))
-    require(absolute(angle) < QUARTER, "the incline is {angle}; it must be below 90 deg", angle=(angle, Angle),
-            code="angle", hint="give an angle between -90 and 90 deg")  # fmt: skip
+    for steep, name in ((angle, "incline"), (force_angle, "force")):
+        require(absolute(steep) < QUARTER, "the {name} is at {angle}; it must be below 90 deg", name=name,
+                angle=(steep, Angle), code="angle", hint="give an angle between -90 and 90 deg")  # fmt: skip
     sliding = friction if kinetic is None else kinetic
     require(plain(sliding) <= plain(friction),
-    "the kinetic friction of {kinetic} is above the static one of {friction}",
+            "the kinetic friction of {kinetic} is above the static one of {friction}",
             kinetic=(sliding, Friction), friction=(friction, Friction), code="friction",
             hint="static friction is the larger of the two")  # fmt: skip
-    normal = mass * gravity * cos(angle)
-    down = mass * gravity * sin(angle)
-    net = force - down
-    grip = friction * normal
-    if abs(plain(net)) <= plain(grip):
-        motion, rubbed, acceleration = "rests", -net, 0.0 * net
-    else:
-        up = plain(net) > 0.0
-        motion = "slides up" if up else "slides down"
-        rubbed = -sliding * normal if up else sliding * normal
-        acceleration = (net + rubbed) / mass
-    moving = motion != "rests" and plain(acceleration) != 0.0
-    pace = absolute(acceleration)
-    held = down - grip
+    sine, cosine = sin(angle), cos(angle)
+    across, along = sin(force_angle), cos(force_angle)
+    normal = mass * gravity * cosine - force * across
+    require(plain(normal) > 0.0, "the force of {force} lifts the block off the incline", force=(force, Force),
+            code="lifts", hint="give a smaller force or another --force-angle")  # fmt: skip
+    net = force * along - mass * gravity * sine
+    motion, rubbed = _friction(net, friction * normal, sliding * normal, plain(start_speed))
+    acceleration = 0.0 * net if motion == "rests" else (net + rubbed) / mass
+    held = (sine - friction * cosine) / (along - friction * across) if plain(along) > plain(friction * across) else None
+    jammed = plain(along + friction * across) <= 0.0
+    ahead = acceleration if motion == "slides up" else -acceleration
+    time, speed = _after(absolute(start_speed), ahead, distance) if motion != "rests" else (None, None)
+    stop_time = stop_distance = after = back = None
+    if plain(start_speed) != 0.0 and plain(ahead) < 0.0:
+        stop_time = absolute(start_speed) / -ahead
+        stop_distance = 0.5 * absolute(start_speed) * stop_time
+        after, rubbed_back = _friction(net, friction * normal, sliding * normal, 0.0)
+        if after != "rests":
+            back = _after(0.0 * ahead, absolute(net + rubbed_back) / mass, stop_distance)[1]
     return Incline(
         motion=motion,
         acceleration=acceleration,
@@ -107,11 +123,32 @@ def incline(
         friction_force=rubbed,
         needed_friction=absolute(net) / normal,
         repose=atan(friction),
-        holding_force=held if plain(held) > 0.0 else 0.0 * held,
-        moving_force=down + grip,
-        time=sqrt(2.0 * distance / pace) if distance is not None and moving else None,
-        speed=sqrt(2.0 * distance * pace) if distance is not None and moving else None,
+        holding_force=mass * gravity * held if held is not None and plain(held) > 0.0 else 0.0 * normal,
+        moving_force=None if jammed else mass * gravity * ((sine + friction * cosine) / (along + friction * across)),
+        time=time,
+        speed=speed,
+        stop_time=stop_time,
+        stop_distance=stop_distance,
+        after=None if after is None else f"then {after}",
+        return_speed=back,
     )
+
+
+def _friction(net: float, grip: float, sliding: float, velocity: float) -> "tuple[str, float]":
+    """How a block moves that all other forces pull up by `net`, and the friction on it, up positive."""
+    if velocity == 0.0 and abs(plain(net)) <= plain(grip):
+        return "rests", -net
+    up = velocity > 0.0 if velocity else plain(net) > 0.0
+    return ("slides up", -sliding) if up else ("slides down", sliding)
+
+
+def _after(start: float, ahead: float, distance: "float | None") -> "tuple[float | None, float | None]":
+    """Time and speed after a distance, at a constant acceleration; none where it stops before."""
+    if distance is None:
+        return None, None
+    squared = start * start + 2.0 * ahead * distance
+    speed = sqrt(squared) if plain(squared) > 0.0 else None
+    return (None, None) if speed is None else (2.0 * distance / (start + speed), speed)
 
 
 @record

@@ -5,6 +5,7 @@ import math
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.particle.aiming import launcher
 from dynamics_cli.particle.projectile import Elevation
+from dynamics_cli.particle.tube import tube as motion_in_tube
 from dynamics_cli.pictures import Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Length, Speed, Time
 
@@ -55,11 +56,12 @@ def _path(launch: "Any", angle: float, fall: float, style: "Any", label: str, ro
     return Curve([state[1] for state in states], [state[2] for state in states], label, style, role=role)
 
 
-def tube(made: "Any", **_: "Any") -> Picture:
+def tube(made: "Any", *, steps: int = 0, **given: "Any") -> Picture:
     """Distance from the axis and speed along the tube over time."""
-    times = [row.time for row in made.path]
-    place = Curve(times, [row.position for row in made.path], "distance from the axis", role=0)
-    pace = Curve(times, [row.speed for row in made.path], "speed along the tube", role=1)
+    path = motion_in_tube(**given, steps=max(steps, POINTS)).path
+    times = [row.time for row in path]
+    place = Curve(times, [row.position for row in path], "distance from the axis", role=0)
+    pace = Curve(times, [row.speed for row in path], "speed along the tube", role=1)
     rest: list[Any] = []
     if made.rest is not None:
         rest.append(Curve([times[0], times[-1]], [made.rest] * 2, "at rest", "dotted", role=GREY))

@@ -2,6 +2,8 @@
 
 import math
 
+from dynamics_cli.pendulum.simple import BottomSpeed, State
+from dynamics_cli.pendulum.simple import simple as pendulum
 from dynamics_cli.pictures import Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Time, TurnRate
 
@@ -14,8 +16,11 @@ GREY = 6
 OTHERS = (0.25, 0.5, 0.75)
 
 
-def simple(made: "Any", *, length: float, gravity: float = STANDARD_GRAVITY, **_: "Any") -> Picture:
-    """Rate over angle, with the motions beside it and the one that just reaches the top."""
+def simple(
+    made: "Any", *, length: float, start: "Any", time: "float | None" = None, gravity: float = STANDARD_GRAVITY,
+    **_: "Any",
+) -> Picture:  # fmt: skip
+    """Rate over angle, with the motions beside it and the one that just reaches the top; the angle over time."""
     own = math.sqrt(gravity / length)
     bottom = made.bottom_speed / length
     items: list[Any] = []
@@ -27,7 +32,21 @@ def simple(made: "Any", *, length: float, gravity: float = STANDARD_GRAVITY, **_
         angle = math.remainder(made.angle_then, 2.0 * math.pi)
         items.append(Mark(angle, made.rate_then, "then", role=2))
     panel = Panel(Axis("angle", Angle, ends=(-math.pi, math.pi)), Axis("angular velocity", TurnRate), tuple(items))
-    return Picture((panel,), f"phase portrait: {made.motion}")
+    if isinstance(start, State):
+        return Picture((panel,), f"phase portrait: {made.motion}")
+    until = max(2.0 * (made.period or 2.0 * made.small_period), time or 0.0)
+    times = [until * k / POINTS for k in range(POINTS + 1)]
+    angles = [pendulum(length=length, start=start, time=at, gravity=gravity).angle_then or 0.0 for at in times]
+    history = [Curve(times, angles, "this motion", "thick", role=0)]
+    if made.amplitude is not None:
+        turn = 2.0 * math.pi / made.small_period
+        # from the bottom or from rest, as it is started
+        wave = math.sin if isinstance(start, BottomSpeed) else math.cos
+        small = [made.amplitude * wave(turn * at) for at in times]
+        history.append(Curve(times, small, "by the period of small swings", "dashed", role=GREY))
+    return Picture(
+        (panel, Panel(Axis("time", Time), Axis("angle", Angle), tuple(history))), f"phase portrait: {made.motion}"
+    )
 
 
 def _orbit(bottom: float, own: float, label: str, style: "Any", role: int) -> "list[Curve]":

@@ -48,6 +48,7 @@ REFUSED = {
         'friction --mass "1 kg" --angle "90 deg" --friction 1 --width "1 m" --centre-height "1 m" --push-height "1 m"',
         "angle",
     ),
+    "half a block": ('friction --mass "1 kg" --friction 0.3 --width "1 m"', "missing"),
     "one pin": (f"equilibrium {DOWN} {PIN}", "mechanism"),
     "rollers in parallel": (f"equilibrium {SIDE} {PARALLEL}", "mechanism"),
     "two pins": (f"equilibrium {DOWN} {PIN} {PIN.replace('at=0', 'at=5')}", "indeterminate"),
@@ -249,3 +250,16 @@ def test_distributed_loads_have_the_moments_of_their_integrals() -> None:
     call = 'force equilibrium --distributed "0 kN/m down, end_force=3 kN/m down, from=0 m, to=6 m" '
     reactions = answer(*shlex.split(call + '--support "pin at 0 m" --support "roller at 6 m"'))["results"]["reactions"]
     assert [one["force"]["value"][1] for one in reactions] == [3000, 6000]
+
+
+def test_a_block_without_dimensions_is_judged_for_sliding_alone() -> None:
+    plain = answer(*shlex.split('force friction --mass "50 kg" --angle "30 deg" --friction 0.4 --push "150 N"'))
+    low = answer(
+        *shlex.split(
+            'force friction --mass "50 kg" --angle "30 deg" --friction 0.4 --push "150 N" --width "9 m" '
+            '--centre-height "1 mm" --push-height "1 mm"'
+        )
+    )
+    assert plain["results"].pop("pressure_point", None) is None
+    low["results"].pop("pressure_point")
+    assert plain["results"] == low["results"]

@@ -31,6 +31,7 @@ REFUSED = {
     "two frames": ('rotating-frame --latitude "9 deg" --angular-velocity "0, 0, 1 rad/s"', "exclusive"),
     "no mass": ('rotating-frame --latitude "9 deg" --velocity "1, 0, 0 m/s" --mass "0 kg"', "inadmissible"),
     "upright": ('incline --mass "1 kg" --angle "90 deg" --friction 0.3', "angle"),
+    "lifted": ('incline --mass "1 kg" --angle "9 deg" --friction 0.3 --force "50 N" --force-angle "60 deg"', "lifts"),
     "friction": ('incline --mass "1 kg" --angle "9 deg" --friction 0.3 --kinetic 0.4', "friction"),
     "outside": ('circle --radius "9 m" --friction 0.1 --bank "-9 deg"', "slides"),
 }

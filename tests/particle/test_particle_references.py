@@ -195,3 +195,23 @@ def test_on_the_equator_nothing_turns() -> None:
     assert made.inertial_radius is made.foucault_time is None
     # eastwards one is lighter (Eötvös)
     assert made.coriolis[2] == pytest.approx(2.0 * 7.292115e-5 * 30.0, rel=1e-15)
+
+
+def test_a_block_kicked_up_an_incline_comes_back_slower() -> None:
+    made = incline(mass=20.0, angle=math.pi / 6, friction=0.3, start_speed=6.0)
+    loss = 0.3 * math.cos(math.pi / 6)
+    assert made.stop_distance == pytest.approx(18.0 / (G * (0.5 + loss)), rel=1e-14)
+    # the energy that friction takes on both ways
+    back = math.sqrt(36.0 - 4.0 * G * loss * made.stop_distance)
+    assert made.return_speed == pytest.approx(back, rel=1e-13)
+    assert incline(mass=20.0, angle=math.pi / 6, friction=0.7, start_speed=6.0).after == "then rests"
+    past = incline(mass=20.0, angle=math.pi / 6, friction=0.3, start_speed=6.0, distance=3.0)
+    assert past.speed is None
+
+
+@pytest.mark.parametrize("tilt", [-0.6, 0.0, 0.4])
+def test_a_force_at_an_angle_holds_and_moves_a_block_at_its_limits(tilt: float) -> None:
+    made = incline(mass=20.0, angle=0.6, friction=0.3, force_angle=tilt)
+    for limit in (made.holding_force, made.moving_force):
+        at = incline(mass=20.0, angle=0.6, friction=0.3, force=limit, force_angle=tilt)
+        assert at.needed_friction == pytest.approx(0.3, rel=1e-12)

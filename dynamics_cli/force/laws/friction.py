@@ -1,6 +1,6 @@
 """The task `friction`: whether a pushed block on an incline holds, slides or tips."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import MissingError, require
 from dynamics_cli.numerics.elementary import absolute, cos, sin
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     Limit = tuple[float, str]
 
 QUARTER = 1.5707963267948966
+SIZES = ("width", "centre_height", "push_height")
 NONE_HOLDS = "no push along the incline holds this block: it {low} under a small one and {high} under a large one"
 
 
@@ -39,7 +40,7 @@ class FrictionAnswer:
     friction_force: Annotated[Force, "Friction force needed to hold, uphill positive [N]."]
     needed_friction: Annotated[Friction, "Coefficient of friction needed to hold [-]."]
     pressure_point: Annotated[
-        Length, "Where the normal force must act, from the middle of the base, uphill positive [m]."
+        Length | None, "Where the normal force must act, from the middle of the base, uphill positive [m]."
     ]
     advice: tuple[Advice, ...] = ()
 
@@ -49,10 +50,12 @@ def friction(
     mass: Annotated[Mass, "Mass of the block, e.g. 80 kg."],
     angle: Annotated[Angle, "Angle of the incline, e.g. 15 deg."] = 0.0,
     friction: Annotated[Friction, "Coefficient of friction, e.g. 0.4."],
-    width: Annotated[Distance, "Length of its base along the incline, e.g. 0.5 m."],
-    centre_height: Annotated[Distance, "Height of its mass centre above the base, e.g. 0.6 m."],
+    width: Annotated[
+        Distance | None, "Length of its base along the incline, to see whether it tips, e.g. 0.5 m."
+    ] = None,
+    centre_height: Annotated[Distance | None, "Height of its mass centre above the base, e.g. 0.6 m."] = None,
     push: Annotated[Force, "Push along the incline, uphill positive, e.g. 200 N."] = 0.0,
-    push_height: Annotated[Distance, "Height of the push above the base, e.g. 1 m."],
+    push_height: Annotated[Distance | None, "Height of the push above the base, e.g. 1 m."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> FrictionAnswer:
     """A block on an incline, pushed at a height: whether it holds, slides or tips, and the pushes that it withstands.
@@ -70,6 +73,8 @@ def friction(
     ------
     InadmissibleError
         When mass, base or height of the mass centre is zero, or the angle is not between −90 and 90 degrees.
+    UsageError
+        When of base, mass centre and height of the push some are given and some not.
 
     References
     ----------
@@ -81,24 +86,30 @@ def friction(
     >>> friction(push=20.0, **call).verdict
     'tips uphill'
     """
+    block = (width, centre_height, push_height)
+    if any(size is None for size in block) and any(size is not None for size in block):
+        missing = [name for name, size in zip(SIZES, block, strict=True) if size is None]
+        raise MissingError("whether it tips depends on base, mass centre and push together", [tuple(missing)])
     for value, name in ((mass, "mass"), (width, "base"), (centre_height, "height of the mass centre")):
-        require(plain(value) > 0.0, "the {name} is zero", name=name, hint="give a value above zero")
+        require(value is None or plain(value) > 0.0, "the {name} is zero", name=name, hint="give a value above zero")
     require(plain(absolute(angle)) < QUARTER, "an incline cannot be at {angle}", angle=(angle, Angle), code="angle",
             hint="give an angle between -90 and 90 deg")  # fmt: skip
     weight = mass * gravity
     normal, down = weight * cos(angle), weight * sin(angle)
     lows: list[Limit] = [(down - friction * normal, "slides down")]
     highs: list[Limit] = [(down + friction * normal, "slides up")]
-    overturning, restoring = centre_height * down, 0.5 * width * normal
-    if plain(push_height) > 0.0:
-        lows.append(((overturning - restoring) / push_height, "tips downhill"))
-        highs.append(((overturning + restoring) / push_height, "tips uphill"))
+    point, topples = None, False
+    if width is not None and centre_height is not None and push_height is not None:
+        overturning, restoring = centre_height * down, 0.5 * width * normal
+        if plain(push_height) > 0.0:
+            lows.append(((overturning - restoring) / push_height, "tips downhill"))
+            highs.append(((overturning + restoring) / push_height, "tips uphill"))
+        point = (push_height * push - overturning) / normal
+        topples = plain(push_height) == 0.0 and abs(plain(point)) > 0.5 * plain(width)
     low, high = max(lows, key=_value), min(highs, key=_value)
-    point = (push_height * push - overturning) / normal
-    topples = plain(push_height) == 0.0 and abs(plain(point)) > 0.5 * plain(width)
     exists = plain(low[0]) <= plain(high[0]) and not topples
     margin = min(push - low[0], high[0] - push, key=plain)
-    if topples:
+    if topples and point is not None:
         verdict = "tips uphill" if plain(point) > 0.0 else "tips downhill"
     elif plain(push) < plain(low[0]):
         verdict = low[1]
