@@ -7,8 +7,8 @@ is a magnitude.
 """
 
 from dynamics_cli.core.inputs import leaves
-from dynamics_cli.core.inputs.forms.lists import share_unit
-from dynamics_cli.core.inputs.forms.splitting import split_list, unit_after
+from dynamics_cli.core.inputs.forms.lists import share_unit, unit_after
+from dynamics_cli.core.inputs.forms.splitting import split_list
 from dynamics_cli.core.inputs.quantity_text import is_uncertain, number_end, read_fraction
 from dynamics_cli.core.inputs.values import NOTHING, Bound, Constant, PolarVector, Value, VectorValue
 from dynamics_cli.core.units.conversion import nearest

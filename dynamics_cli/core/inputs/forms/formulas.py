@@ -1,6 +1,6 @@
 """Formulas with a unit at their end (`20*t - 2*t^2 m`), and their variables (`a=3 m`)."""
 
-from dynamics_cli.core.inputs.forms.splitting import unit_after
+from dynamics_cli.core.inputs.forms.lists import unit_after
 from dynamics_cli.core.inputs.values import Bound, Constant, Fields, Value
 from dynamics_cli.core.units.conversion import to_si
 from dynamics_cli.core.units.lookup import parse_unit

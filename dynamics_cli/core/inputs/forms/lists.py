@@ -1,7 +1,7 @@
 """Lists as people write them, taken apart into their items: commas or semicolons between, one unit at the end."""
 
 from dynamics_cli.core.inputs.context import Token
-from dynamics_cli.core.inputs.forms.splitting import split_list, unit_after
+from dynamics_cli.core.inputs.forms.splitting import split_list
 from dynamics_cli.core.inputs.quantity_text import DIGITS, is_uncertain, number_end
 from dynamics_cli.core.inputs.specification import Record
 from dynamics_cli.errors import UsageError
@@ -83,6 +83,15 @@ def share_unit(items: "list[str]") -> "list[str]":
         return [item if _has_unit(item) else f"{item} {unit}" for item in items]
     unit = next((unit_after(item) for item in items if _has_unit(item)), "")
     return [f"{item} {unit}" if unit and not item.strip("+-0.") else item for item in items]
+
+
+def unit_after(text: str) -> str:
+    """The unit after a number as written, certain or not."""
+    if is_uncertain(text):
+        from dynamics_cli.core.inputs.uncertain.vectors import trailing_unit
+
+        return trailing_unit(text)
+    return text[number_end(text, 0) :].strip()
 
 
 def _has_unit(text: str) -> bool:

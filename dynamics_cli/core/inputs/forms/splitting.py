@@ -1,6 +1,6 @@
 """Text with commas: split into items, or into names and values, brackets and quotes kept whole."""
 
-from dynamics_cli.core.inputs.quantity_text import is_uncertain, number_end, shown
+from dynamics_cli.core.inputs.quantity_text import number_end, shown
 from dynamics_cli.errors import UsageError
 
 OPENING, CLOSING = "([{", ")]}"
@@ -33,15 +33,6 @@ def split_list(text: str) -> list[str]:
     if not all(items):
         raise UsageError(f"{shown(text)} has an empty item", code="syntax", hint="separate items by single commas")
     return items
-
-
-def unit_after(text: str) -> str:
-    """The unit after a number as written, certain or not."""
-    if is_uncertain(text):
-        from dynamics_cli.core.inputs.uncertain.vectors import trailing_unit
-
-        return trailing_unit(text)
-    return text[number_end(text, 0) :].strip()
 
 
 def split_pairs(text: str) -> dict[str, str]:
