@@ -232,6 +232,7 @@ if TYPE_CHECKING:
     Stiffness = float
     TorsionStiffness = float
     LineForce = float
+    DistributedForce = float
     CrushStiffness = float
     SpeedSlope = float
     SpeedFade = float
@@ -400,6 +401,7 @@ else:
         about="torque per angle of twist")
     LineForce = Kind("force per width", "N/m", si="N/cm", us="lbf/in", low=0.0, example="350 lbf/in",
         about="force per width crushed")
+    DistributedForce = Kind("force per length", "N/m", us="lbf/ft", example="300 N/m", about="force per length of a beam")
     CrushStiffness = Kind("crush stiffness", "N/m^2", si="N/cm^2", us="lbf/in^2", above=0.0, example="60 lbf/in^2",
         about="force per width and per depth of crush")
     SpeedSlope = Kind("speed per crush", "1/s", si="km/h/cm", us="mph/in", above=0.0, example="1.6 mph/in",
