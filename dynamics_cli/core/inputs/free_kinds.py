@@ -7,7 +7,7 @@ is a magnitude.
 """
 
 from dynamics_cli.core.inputs import leaves
-from dynamics_cli.core.inputs.forms.lists import share_unit, unit_after
+from dynamics_cli.core.inputs.forms.lists import share_unit
 from dynamics_cli.core.inputs.forms.splitting import split_list
 from dynamics_cli.core.inputs.quantity_text import is_uncertain, number_end, read_fraction
 from dynamics_cli.core.inputs.values import NOTHING, Bound, Constant, PolarVector, Value, VectorValue
@@ -169,9 +169,14 @@ def _unit_of(item: "Any") -> str:
         return str(item.get("unit") or "")
     if not isinstance(item, str):
         return ""
-    if not is_uncertain(item) and not (item and number_end(item, 0)):
+    if is_uncertain(item):
+        from dynamics_cli.core.inputs.uncertain.vectors import trailing_unit
+
+        return trailing_unit(item)
+    end = number_end(item, 0) if item else 0
+    if not end:
         raise UsageError(f"read {item!r}, wanted the components of a vector", code="syntax", hint=HINT)
-    return unit_after(item)
+    return item[end:].strip()
 
 
 def _planar(size: "Any", way: "Any", address: str, context: "Context") -> VectorValue:

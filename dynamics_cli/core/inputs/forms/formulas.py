@@ -1,6 +1,6 @@
 """Formulas with a unit at their end (`20*t - 2*t^2 m`), and their variables (`a=3 m`)."""
 
-from dynamics_cli.core.inputs.forms.lists import unit_after
+from dynamics_cli.core.inputs.quantity_text import is_uncertain, number_end
 from dynamics_cli.core.inputs.values import Bound, Constant, Fields, Value
 from dynamics_cli.core.units.conversion import to_si
 from dynamics_cli.core.units.lookup import parse_unit
@@ -105,10 +105,18 @@ def read_let(text: str, address: str, context: "Context", number: "Callable[...,
         raise UsageError(f"read {text!r}, wanted NAME=VALUE", code="syntax", hint="for example a=3 m")
     if name in TAKEN:
         raise UsageError(f"{name!r} already has a meaning in formulas", code="syntax", hint="choose another name")
-    unit = unit_after(value)
+    unit = _unit_of(value)
     kind = Kind("variable", unit, example="3 m", about="a variable of the formulas")
     let_address = f"{address.partition('[')[0]}.{name}"
     return _Let(name, unit, number(kind, value, let_address, context, ""), text.strip())
+
+
+def _unit_of(text: str) -> str:
+    if is_uncertain(text):
+        from dynamics_cli.core.inputs.uncertain.vectors import trailing_unit
+
+        return trailing_unit(text)
+    return text[number_end(text, 0) :].strip()
 
 
 class _Let(Fields):

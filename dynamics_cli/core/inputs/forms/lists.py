@@ -61,7 +61,7 @@ def _vectors_in_rows(text: str) -> "list[str]":
     rows = [row.strip() if "," in row else ", ".join(row.split()) for row in text.rstrip("; ").split(";")]
     if not all(rows):
         raise UsageError(f"{text!r} has an empty row", code="syntax", hint="separate rows by single semicolons")
-    unit = unit_after(rows[-1].rpartition(",")[2].strip())
+    unit = _unit_after(rows[-1].rpartition(",")[2].strip())
     return [row if not unit or _has_unit(row.rpartition(",")[2].strip()) else f"{row} {unit}" for row in rows]
 
 
@@ -78,15 +78,14 @@ def spaced_numbers(text: str) -> "list[str]":
 def share_unit(items: "list[str]") -> "list[str]":
     """Give the last item's unit to earlier ones without a unit: `1, 2, 3 m`; zeros take any: `1 m, 0, 0`."""
     items = [item.strip() for item in items]
-    unit = unit_after(items[-1]) if items else ""
+    unit = _unit_after(items[-1]) if items else ""
     if unit:
         return [item if _has_unit(item) else f"{item} {unit}" for item in items]
-    unit = next((unit_after(item) for item in items if _has_unit(item)), "")
+    unit = next((_unit_after(item) for item in items if _has_unit(item)), "")
     return [f"{item} {unit}" if unit and not item.strip("+-0.") else item for item in items]
 
 
-def unit_after(text: str) -> str:
-    """The unit after a number as written, certain or not."""
+def _unit_after(text: str) -> str:
     if is_uncertain(text):
         from dynamics_cli.core.inputs.uncertain.vectors import trailing_unit
 
@@ -99,4 +98,4 @@ def _has_unit(text: str) -> bool:
         from dynamics_cli.core.inputs.uncertain.vectors import has_unit
 
         return has_unit(text)
-    return bool(unit_after(text))
+    return bool(text[number_end(text, 0) :].strip())
