@@ -4,8 +4,9 @@ import os
 
 from dynamics_cli.core.documents import bound_text, check_line, flatten, is_table, number, quantity
 from dynamics_cli.core.output.render import to_pretty_json
+from dynamics_cli.core.output.uncertainty import spreads
 from dynamics_cli.report.blocks import Code, Heading, Items, Paragraph, Table
-from dynamics_cli.report.calculation import Calculation, spreads
+from dynamics_cli.report.calculation import Calculation
 from dynamics_cli.report.recalculation import read_files
 from dynamics_cli.report.sections import table
 

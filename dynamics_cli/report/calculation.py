@@ -12,6 +12,7 @@ from dynamics_cli.core.output.answer_words import (
     parts_in_words,
     percent,
 )
+from dynamics_cli.core.output.uncertainty import spreads
 from dynamics_cli.core.units.display import pretty
 from dynamics_cli.records import record
 from dynamics_cli.report.recalculation import read_files
@@ -309,13 +310,3 @@ def leaves(node: "Any", address: str = "") -> "Iterator[tuple[str, Any]]":
             yield from leaves(item, f"{address}.{key}" if address else key)
     else:
         yield address, node
-
-
-def spreads(node: "Any", address: str = "") -> "Iterator[tuple[str, Document]]":
-    """Every result with an interval."""
-    if isinstance(node, dict):
-        if "interval" in node:
-            yield address, node
-            return
-        for key, item in node.items():
-            yield from spreads(item, f"{address}.{key}" if address else key)

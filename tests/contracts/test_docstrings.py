@@ -1,5 +1,6 @@
-"""The examples in docstrings are what the functions give."""
+"""The examples in docstrings are what the functions give, and equations have their sources."""
 
+import ast
 import doctest
 import importlib
 
@@ -18,3 +19,15 @@ MODULES = sorted(
 def test_examples_hold(name: str) -> None:
     found = doctest.testmod(importlib.import_module(name))
     assert found.failed == 0
+
+
+def test_every_equation_has_a_source() -> None:
+    unsourced = [
+        f"{path.name}:{node.name}"
+        for path in (ROOT / "dynamics_cli").rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")
+        if "\nEquation\n--" in (text := ast.get_docstring(node) or "")
+        if "\nReferences\n--" not in text
+    ]
+    assert unsourced == []

@@ -1,6 +1,7 @@
 """How large files, folders and functions may be. What exceeds a budget is named here; the lists only get shorter."""
 
 import ast
+import re
 from pathlib import Path
 
 import dynamics_cli
@@ -24,6 +25,16 @@ def place(path: Path) -> str:
 
 def test_exceptions_are_few() -> None:
     assert len(LONG_FILES) + len(LONG_FUNCTIONS) <= 10
+
+
+def test_the_map_names_what_there_is() -> None:
+    text = (PACKAGE.parent / "docs" / "developers" / "architecture.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"`((?:core|skid)/[\w/]+(?:\.py|/))`", text))
+    assert [name for name in sorted(named) if not (PACKAGE / name).exists()] == []
+    listing = text.partition("```text")[2].partition("```")[0]
+    modules = {path.name for path in PACKAGE.iterdir() if path.suffix == ".py" or (path / "__init__.py").exists()}
+    modules -= {"__init__.py", "__main__.py", "version.py"}
+    assert [name for name in sorted(modules) if not re.search(rf"\b{name}\b", listing)] == []
 
 
 def test_files_are_short() -> None:

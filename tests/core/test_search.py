@@ -68,6 +68,7 @@ def test_nothing_found_is_an_error() -> None:
         ("Campbell", "did you mean dynamics vibration whirl or dynamics vibration rotor?"),
         ("mass", "try: dynamics help mass"),
         ("banana", "try: dynamics --help"),
+        ("version", "did you mean dynamics --version?"),
         ("impact banana", "try: dynamics impact --help"),
     ],
 )

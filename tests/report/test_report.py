@@ -268,6 +268,17 @@ def test_a_document_of_an_unknown_command_is_shown_and_not_calculated(tmp_path: 
     assert "| speed |" not in text
 
 
+def test_a_document_in_another_folder_finds_the_files_of_its_command(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "bracket.stl").write_bytes((ROOT / "examples" / "bracket.stl").read_bytes())
+    (tmp_path / "results").mkdir()
+    mesh = ("inertia", "mesh", "bracket.stl", "--length-unit", "mm", "--mass", "50 g")
+    name = written(tmp_path, "results/mesh.json", *mesh)
+    assert "1 of 1 calculation gave the same results" in run("report", name).out
+
+
 def test_wrong_calls(tmp_path: Path) -> None:
     assert run("report").status == 2
     assert run("report", "none.json").status == 2

@@ -1,7 +1,8 @@
 """Completions of a word or of an option's value: units, shapes, names, results."""
 
 from dynamics_cli.core.answering.task import Task, load
-from dynamics_cli.core.inputs.specification import Leaf, Record, Tagged
+from dynamics_cli.core.command.help import result_fields
+from dynamics_cli.core.inputs.specification import Leaf, Tagged
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -49,20 +50,18 @@ def words_that_fit(task: Task, incomplete: str) -> "list[str]":
     return []
 
 
-def _results(record: Record, address: str = "") -> "Iterator[str]":
+def _results(task: Task) -> "Iterator[str]":
     """The addresses of the numbers outside tables."""
-    for field in record.fields:
-        if isinstance(field.node, Record):
-            yield from _results(field.node, f"{address}{field.key}.")
-        elif isinstance(field.node, Leaf) and field.node.choice is None and field.node.kind.form in NUMBERS:
-            yield f"{address}{field.key}"
+    for address, field in result_fields(task.specification.result):
+        if isinstance(field.node, Leaf) and field.node.choice is None and field.node.kind.form in NUMBERS:
+            yield address
 
 
 def result_completer(task: Task) -> "Callable[[Any, Any, str], list[str]]":
     """The names of a task's results, looked up only when they are asked for."""
 
     def complete(context: "Any", parameter: "Any", incomplete: str) -> "list[str]":
-        return [f"{name}=" for name in _results(task.specification.result) if name.startswith(incomplete)]
+        return [f"{name}=" for name in _results(task) if name.startswith(incomplete)]
 
     return complete
 

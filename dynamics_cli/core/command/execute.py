@@ -37,8 +37,8 @@ def _write_template(task: Task, terminal: "Terminal") -> int:
     from dynamics_cli.core.command.template import takes_scene, template
 
     if not takes_scene(task):
-        hint = f"its parameters are options: dynamics {task.path} --help"
-        raise UsageError(f"{task.path} does not read a scene", parameter="template", hint=hint)
+        hint = f"dynamics {task.path} --help"
+        raise UsageError(f"{task.path} takes words, which no file holds", parameter="template", hint=hint)
     terminal.write(template(task))
     return ExitStatus.DONE
 

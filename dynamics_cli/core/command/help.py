@@ -4,12 +4,13 @@ from dynamics_cli.core.answering.explain import default_text
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.inputs.options import Option
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
-from dynamics_cli.core.inputs.specification import REQUIRED, Field, Leaf, Record, Tagged
+from dynamics_cli.core.inputs.specification import REQUIRED, Field, Leaf, Many, Record, Tagged
 from dynamics_cli.core.output.wrapping import wrapped
+from dynamics_cli.records import Advice, Check, Numerics
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Iterator, Mapping
 
 # The options of every task in groups: title and names.
 OPTION_GROUPS = (
@@ -114,6 +115,19 @@ def _describe_fields(
 ) -> None:
     for field in record.fields:
         _describe(field, prefix, texts, seen | {record.cls})
+
+
+def result_fields(record: Record, address: str = "") -> "Iterator[tuple[str, Field]]":
+    """Every result by its address; a table as one, fields of lone records singly; no checks, warnings or numerics."""
+    for field in record.fields:
+        node = field.node
+        item = node.item if isinstance(node, Many) else node
+        if isinstance(item, Record) and item.cls in (Check, Advice, Numerics):
+            continue
+        if isinstance(node, Record):
+            yield from result_fields(node, f"{address}{field.key}.")
+        else:
+            yield f"{address}{field.key}", field
 
 
 def undescribed(task: Task) -> "list[str]":

@@ -1,11 +1,10 @@
 """The command reference as Markdown or as a manual page, generated from the data of the help."""
 
 from dynamics_cli.core.answering.explain import filled
-from dynamics_cli.core.command.help import describe_options, option_help, placeholder
+from dynamics_cli.core.command.help import describe_options, option_help, placeholder, result_fields
 from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
-from dynamics_cli.core.inputs.specification import Leaf, Many, Record
+from dynamics_cli.core.inputs.specification import Leaf, Record
 from dynamics_cli.errors import ExitStatus
-from dynamics_cli.records import Advice, Check, Numerics
 from dynamics_cli.version import __version__
 
 TYPE_CHECKING = False
@@ -47,16 +46,13 @@ def results(task: "Task") -> "list[Row]":
     return list(_results(task.specification.result, ""))
 
 
-def _results(record: Record, address: str) -> "Iterator[Row]":
-    for field in record.fields:
-        node = field.node
-        inner = node.item if isinstance(node, Many) else node
-        field_address = f"{address}{field.key}"
-        if isinstance(inner, Record):
-            if inner.cls not in (Check, Advice, Numerics):
-                yield from _results(inner, f"{field_address}{'[]' if isinstance(node, Many) else ''}.")
-        elif isinstance(inner, Leaf):
-            yield field_address, (field.text or inner.kind.about).rstrip(".")
+def _results(record: Record, start: str) -> "Iterator[Row]":
+    for address, field in result_fields(record, start):
+        item = getattr(field.node, "item", field.node)
+        if isinstance(item, Record):
+            yield from _results(item, f"{address}[].")
+        elif isinstance(item, Leaf):
+            yield address, (field.text or item.kind.about).rstrip(".")
 
 
 def sources(task: "Task") -> "Iterator[tuple[str, list[Row]]]":

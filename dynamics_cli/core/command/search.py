@@ -27,6 +27,9 @@ SAME = {
     "airbag": "recorder", "brake": "braking", "brakes": "braking", "knockback": "throw",
 }  # fmt: skip
 MOST, MOST_MEANT = 12, 3
+# What other programs call commands and options of this one.
+ELSEWHERE = {"version": "--version", "list": "--help", "commands": "--help", "usage": "--help"}
+ELSEWHERE |= dict.fromkeys(("man", "manual", "docs"), "reference")
 # From this length on the beginning of a word stands for it: "balanc" for balance and balancing.
 STEM = 5
 # A task's name of so many letters stands for longer words: "gyro" for gyroscope.
@@ -123,7 +126,8 @@ def unknown_command(
     start = f"dynamics {family.name}" if family else "dynamics"
     tasks = [task for name in families for task in find(name).tasks.values() if word in (task.name, *task.also)]
     meant = (
-        [f"dynamics {task.path}" for task in tasks]
+        ([f"dynamics {ELSEWHERE[word]}"] if word in ELSEWHERE and family is None else [])
+        or [f"dynamics {task.path}" for task in tasks]
         or [f"{start} {name}" for name in nearest_words(word, known)]
         or (_looked_up(family, word) if family else [])
         or [f"dynamics {task.path}" for task in tasks_about([word], families, find)]

@@ -1,13 +1,19 @@
 """A task's help: two examples first, its parameters, its results, and where the options of every task are listed."""
 
 from dynamics_cli.core.answering.task import EXAMPLES_FOLDER
-from dynamics_cli.core.command.help import describe_options, describe_record, placeholder, word_name, written_default
+from dynamics_cli.core.command.help import (
+    describe_options,
+    describe_record,
+    placeholder,
+    result_fields,
+    word_name,
+    written_default,
+)
 from dynamics_cli.core.command.template import MOST_ALTERNATIVES
 from dynamics_cli.core.inputs.options import group_name, kebab, options
 from dynamics_cli.core.inputs.specification import Field, Leaf, Many, OneOf, Record, Tagged, description, members_of
 from dynamics_cli.core.output.answer_words import short_source
 from dynamics_cli.core.output.wrapping import wrapped
-from dynamics_cli.records import Advice, Check, Numerics
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -279,11 +285,12 @@ def _records(node: "Any") -> "list[Record]":
 def _results(task: "Task", width: int, *, brief: bool) -> "list[str]":
     """The names of results, for --to, --only and --limit, and of tables, for --table."""
     names, tables = [], []
-    for name, columns in _named(task.specification.result, ""):
-        if columns is None:
+    for name, field in result_fields(task.specification.result):
+        item = getattr(field.node, "item", field.node)
+        if isinstance(item, Leaf):
             names.append(name)
-        else:
-            tables.append(name if brief else f"{name} ({', '.join(columns)})")
+        elif isinstance(item, Record):
+            tables.append(name if brief else f"{name} ({', '.join(member.key for member in item.fields)})")
     lines = []
     if names:
         lines += ["", "Results (names for --to, --only, --limit):"]
@@ -296,18 +303,3 @@ def _results(task: "Task", width: int, *, brief: bool) -> "list[str]":
         lines += ["", "Tables (names for --table):"]
         lines += [f"  {line}" for table in tables for line in wrapped(table, width - 2, 2)]
     return lines
-
-
-def _named(record: Record, address: str) -> "Iterator[tuple[str, list[str] | None]]":
-    for field in record.fields:
-        node, field_address = field.node, f"{address}{field.key}"
-        inner = node.item if isinstance(node, Many) else node
-        if isinstance(inner, Record):
-            if inner.cls in (Check, Advice, Numerics):
-                continue
-            if isinstance(node, Many):
-                yield field_address, [member.key for member in inner.fields]
-            else:
-                yield from _named(inner, f"{field_address}.")
-        elif isinstance(inner, Leaf):
-            yield field_address, None

@@ -27,16 +27,14 @@ EXAMPLE = "e.g. "
 
 
 def takes_scene(task: "Task") -> bool:
-    """Whether a task's input outgrows a command line: a scene, or groups that may be repeated."""
-    words = [field.node for field in task.specification.words]
-    grouped = any(option.repeats for option in task.options.values())
-    return any(isinstance(node, Record) for node in words) or (grouped and not words)
+    """Whether a file holds all of a task's input: it looks nothing up, and no word of a call is a number or a name."""
+    return not task.listing and all(isinstance(field.node, Record) for field in task.specification.words)
 
 
 def template(task: "Task") -> str:
     """The scene of a task as TOML."""
     option = "" if task.specification.words else "--input "
-    scene = _Scene(task.scene)
+    scene = _Scene(task.scene or _of_example(task))
     for line in (task.summary, f"Use: dynamics {task.path} {option}FILE.toml", HEAD):
         scene.comment(line)
     scene.lines.append("")
@@ -45,6 +43,19 @@ def template(task: "Task") -> str:
         fields += field.node.fields if field.place and isinstance(field.node, Record) else [field]
     scene.table(tuple(fields), "", active=True, inside=())
     return "\n".join(scene.lines) + "\n"
+
+
+def _of_example(task: "Task") -> "dict[str, str]":
+    """The values of a task's first example, by address; of groups that may be repeated every field shows its own."""
+    from shlex import split
+
+    from dynamics_cli.core.command.direct import read_plainly
+
+    if not task.examples or any(option.repeats for option in task.options.values()):
+        return {}
+    call = read_plainly(task, split(task.examples[0])[1 + len(task.path.split()) :])
+    values = call.options if call is not None else {}
+    return {".".join(task.options[name].path): str(value).replace("True", "true") for name, value in values.items()}
 
 
 def _without_example(text: str) -> str:

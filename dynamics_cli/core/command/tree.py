@@ -68,10 +68,12 @@ def _refusal(error: "Any", argv: "list[str]") -> UsageError:
     if not hasattr(error, "possibilities"):
         message = error.format_message().rstrip(".")
         if task is not None and message.startswith("Got unexpected extra"):
-            return extra_words(task, message)
+            return extra_words(task, message, argv)
         return UsageError(message[:1].lower() + message[1:], hint=_try_help(error))
     if task is not None:
-        return unknown_option(task, error.option_name, argv)
+        # of -distance typer names -d
+        single = (word for word in argv if word.startswith(error.option_name) and word[:2] != "--")
+        return unknown_option(task, next(single, error.option_name).partition("=")[0], argv)
     hint = f"did you mean {' or '.join(error.possibilities)}?" if error.possibilities else _try_help(error)
     name = error.option_name.lstrip("-") or None
     return UsageError(f"there is no option {error.option_name}", code="unknown-option", parameter=name, hint=hint)

@@ -4,7 +4,7 @@ from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.command.help import describe_options
 from dynamics_cli.core.command.task_help import group_keys, group_records
 from dynamics_cli.core.documents import singular
-from dynamics_cli.core.inputs.settings import UNIVERSAL_OPTIONS
+from dynamics_cli.core.inputs.settings import FORMATS, SYSTEMS, UNIVERSAL_OPTIONS
 from dynamics_cli.core.inputs.suggestions import MOST, halved, suggestions
 from dynamics_cli.errors import ManyErrors, UsageError
 
@@ -17,7 +17,9 @@ def near_option(task: Task, word: str) -> str:
     """The option that an unknown one probably means: by its name, by its description, or one that every task has."""
     typed = word.lstrip("-").partition("=")[0].lower()
     near = (
-        [f'{name} "{typed}=…"' for name in groups_with(task, typed)]
+        [typed for names in (task.options, UNIVERSAL_OPTIONS) if typed in names]
+        or [f"{name} {typed}" for name, values in (("units", SYSTEMS), ("format", FORMATS)) if typed in values]
+        or [f'{name} "{typed}=…"' for name in groups_with(task, typed)]
         or suggestions(typed, task.options)
         or _each_of(task, typed)
         or _described(task, typed)
@@ -93,13 +95,28 @@ def without_value(task: Task, option: str) -> UsageError:
     return UsageError(f"{option} needs a value", code="no-value", parameter=name, hint=hint)
 
 
-def extra_words(task: Task, message: str) -> UsageError:
+def extra_words(task: Task, message: str, argv: "Sequence[str]") -> UsageError:
     """The error for words where a task takes only options."""
     words = message.rpartition(" (")[2].removesuffix(")")
     example = task.shown_examples[0] if task.shown_examples else f"dynamics {task.path} --help"
-    hint = f"for example: {example}"
+    hint = _quoted(words, argv) or f"for example: {example}"
+    pairs = [word.partition("=") for word in words.split()]
+    if all(equals and name in task.options for name, equals, _ in pairs):
+        hint = f"did you mean {' '.join(f'--{name} {value}' for name, _, value in pairs)}?"
+    if words == "help":
+        hint = f"did you mean dynamics help {task.path}?"
     if len(task.options) == 1:
         hint = f"did you mean --{next(iter(task.options))} {words}?"
     if words.endswith((".toml", ".json", ".yaml", ".yml")):
         hint = f"a file of them: dynamics {task.path} --input {words}"
     return UsageError(f"unexpected {words!r}: {task.path} takes its values by name", code="unexpected", hint=hint)
+
+
+def _quoted(words: str, argv: "Sequence[str]") -> str:
+    """The option before words that belong to its value, all of it in quotes: `--distance "60 ft"`."""
+    first = words.split(" ")[0]
+    at = argv.index(first) if first in argv else 0
+    if at < 2 or not argv[at - 2].startswith("--"):
+        return ""
+    end = next((place for place in range(at, len(argv)) if argv[place].startswith("--")), len(argv))
+    return f'quote a value that has spaces: {argv[at - 2]} "{" ".join(argv[at - 1 : end])}"'

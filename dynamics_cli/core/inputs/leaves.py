@@ -176,10 +176,14 @@ def _file(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
     from dynamics_cli.core.inputs.sources.hashes import entry_of_file
 
     name = _text(kind, raw, address, context).echo()
-    path = name if os.path.isabs(name) else os.path.join(context.folder, name)
+    path = os.path.join(context.folder, name)
+    if not os.path.exists(path) and os.path.exists(name):
+        path = name  # a document may stand elsewhere than its command was called
     if not os.path.exists(path):
         raise UsageError(
-            f"there is no file {name!r}", code="no-file", hint="names in a scene are relative to the scene"
+            f"there is no file {name!r}",
+            code="no-file",
+            hint="names in a scene are relative to the scene, or to the current folder",
         )
     if not os.path.isfile(path):
         reason = "is a directory" if os.path.isdir(path) else "is a pipe or a device, which cannot be read twice"

@@ -25,7 +25,7 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "to": ("many", "NAME=UNIT", 'Unit of one result, for example --to speed=ft/s or --to length="ft;in".'),
     "digits": ("value", "N", "Significant digits in tables (6)."),
     "input": ("value", "FILE", "Parameters from JSON or TOML (- for standard input); options win."),
-    "template": ("flag", "", "Write a commented scene with every field, for a task that reads one."),
+    "template": ("flag", "", "Write a commented file with every parameter, to fill in and give to --input."),
     "rows": ("value", "FILE", "A stream of cases, NDJSON or CSV (- for standard input); one row out per row in."),
     "column": (
         "many",

@@ -87,10 +87,12 @@ def bears_on_results(name: str, document: "dict[str, Any]") -> bool:
 
 
 def suits_us_units(document: "dict[str, Any]") -> bool:
-    """Whether the inputs were typed in US units alone, and results are shown in metric ones."""
-    typed = {part for name, _, unit in given_inputs(document["inputs"]) if name != "gravity" for part in _symbols(unit)}
+    """Whether the inputs were typed in US units alone, and results are shown in metric ones that no input names."""
+    given = [entry for entry in given_inputs(document["inputs"]) if entry[0] != "gravity"]
+    typed = {part for _, _, unit in given for part in _symbols(unit)}
+    named = {part for _, value, _ in given if isinstance(value, str) for part in _symbols(value)}
     shown = {part for _, _, unit in flatten(document["results"]) for part in _symbols(unit)}
-    return bool(typed & US) and not typed & METRIC and bool(shown & METRIC) and not shown & US
+    return bool(typed & US) and not typed & METRIC and bool(shown & METRIC - named) and not shown & US
 
 
 def _symbols(unit: str) -> "list[str]":

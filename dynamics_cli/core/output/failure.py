@@ -41,7 +41,7 @@ def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = (),
     lines = []
     for item in error.all():
         name = item.named or _as_typed(item.parameter or "", typed)
-        said = (name,) if name.startswith("--") else (repr(name), f"{name}=")
+        said = (name,) if name.startswith("--") else (repr(name), f"{name}=", f"-{name}")
         named = not name or item.message.startswith((name, f"--{name}", item.parameter or ""))
         named = (
             named or any(part in item.message for part in said) or (isinstance(item, MissingError) and bool(item.hint))

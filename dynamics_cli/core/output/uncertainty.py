@@ -12,20 +12,20 @@ LOPSIDED = 0.02
 MOST_DRIVERS = 6
 
 
-def _spreads(node: "Any", address: str = "") -> "Iterator[tuple[str, dict[str, Any]]]":
+def spreads(node: "Any", address: str = "") -> "Iterator[tuple[str, dict[str, Any]]]":
     """Every result with an interval, by address."""
     if isinstance(node, dict):
         if "interval" in node:
             yield address, node
             return
         for key, item in node.items():
-            yield from _spreads(item, f"{address}.{key}" if address else key)
+            yield from spreads(item, f"{address}.{key}" if address else key)
 
 
 def spread_tails(results: "dict[str, Any]", digits: int) -> "dict[str, str]":
     """The text beside an uncertain result: the interval and its probability, and the deviation."""
     tails = {}
-    for address, node in _spreads(results):
+    for address, node in spreads(results):
         unit = str(node.get("unit") or "")
         parts = unit if ";" in unit else ""
         low, high = (quantity(end, parts, digits) for end in node["interval"])
@@ -82,16 +82,16 @@ def _range(ends: "Sequence[Any]", unit: str, digits: int) -> str:
 
 def with_spreads(plain: "list[tuple[str, Any, str]]", results: "dict[str, Any]") -> "list[tuple[str, Any, str]]":
     """CSV columns, each uncertain result followed by its mean, median, deviation and the ends of its interval."""
-    spreads: dict[str, list[tuple[str, Any, str]]] = {}
-    for address, node in _spreads(results):
+    beside: dict[str, list[tuple[str, Any, str]]] = {}
+    for address, node in spreads(results):
         unit = node.get("unit", "")
         low, high = node["interval"]
         figures = {"mean": node["mean"], "median": node.get("median"), "std": node["std"], "low": low, "high": high}
         for name, figure in figures.items():
             for place, value in _cells(figure):
                 component_unit = unit.split(";")[int(place[1:-1])].strip() if ";" in unit else unit
-                spreads.setdefault(f"{address}{place}", []).append((f"{address}{place}.{name}", value, component_unit))
-    return [cell for entry in plain for cell in (entry, *spreads.get(entry[0], ()))]
+                beside.setdefault(f"{address}{place}", []).append((f"{address}{place}.{name}", value, component_unit))
+    return [cell for entry in plain for cell in (entry, *beside.get(entry[0], ()))]
 
 
 def _cells(value: "Any") -> "Iterator[tuple[str, Any]]":
