@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from dynamics_cli.balance.engines.crank import order_factor, order_factors
+from dynamics_cli.balance.engines.crank import CrankRadius, order_factor, order_factors
 from dynamics_cli.balance.engines.engine import Cylinder, engine
 from dynamics_cli.balance.engines.lanchester import lanchester
 from dynamics_cli.balance.engines.layouts import Preset
@@ -123,7 +123,7 @@ def test_turning_moment_of_one_cylinder_by_order(order: str) -> None:
     """The same diagram for gas alone, and no gas: in units of bar·A·r and m·r²·ω²."""
     points = REFERENCES["turning"]["diagram"]
     crank: dict[str, Any] = {
-        "bore": 2.0 / math.sqrt(math.pi), "crank_radius": 1.0, "rod_length": 1.0 / 0.3, "offset": 0.05 / 0.3,
+        "bore": 2.0 / math.sqrt(math.pi), "crank": CrankRadius(1.0), "rod_length": 1.0 / 0.3, "offset": 0.05 / 0.3,
         "speed": 1.0, "cylinders": (Cylinder(0.0),),
     }  # fmt: skip
     wanted = [complex(*map(float, pair)) for pair in REFERENCES["turning"]["0.3 0.05"][order]]
@@ -139,7 +139,9 @@ def test_turning_moment_of_one_cylinder_by_order(order: str) -> None:
 
 @pytest.mark.parametrize("name", REFERENCES["engines"])
 def test_engines(name: str) -> None:
-    made = engine(reciprocating_mass=1.0, crank_radius=1.0, rod_length=4.0, speed=1.0, preset=Preset(name), spacing=1.0)
+    made = engine(
+        reciprocating_mass=1.0, crank=CrankRadius(1.0), rod_length=4.0, speed=1.0, preset=Preset(name), spacing=1.0
+    )
     for row in made.orders[:3]:
         wanted = [float(text) for text in REFERENCES["engines"][name][str(row.order)]]
         sizes = [row.forward, row.backward, row.forward_couple, row.backward_couple]
@@ -147,7 +149,12 @@ def test_engines(name: str) -> None:
 
 
 def test_lanchester_takes_the_second_order_of_four_cylinders() -> None:
-    crank: dict[str, Any] = {"reciprocating_mass": 0.5, "crank_radius": 0.043, "rod_length": 0.172, "speed": 6000 * RPM}
+    crank: dict[str, Any] = {
+        "reciprocating_mass": 0.5,
+        "crank": CrankRadius(0.043),
+        "rod_length": 0.172,
+        "speed": 6000 * RPM,
+    }
     made = lanchester(**crank)
     near(made.force, "8624.5157638570279608")
     near(made.shaft_unbalance / MICRO, "2730.7692047999842231")

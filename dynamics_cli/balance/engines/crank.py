@@ -6,7 +6,8 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, only_in_doubles, sqrt
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.turns import turned
-from dynamics_cli.quantities import Ratio
+from dynamics_cli.quantities import Annotated, Ratio, Size
+from dynamics_cli.records import record
 
 TURN = 2.0 * pi
 
@@ -19,6 +20,30 @@ LONGEST_CRANK = 0.9
 SMALL = 1e-18
 # The mean over this many angles is exact in doubles up to order 40 and a crank ratio with offset of 0.9.
 POINTS = 128
+
+
+@record
+class CrankRadius:
+    """A crank by its radius."""
+
+    crank_radius: Annotated[Size, "Half the stroke, e.g. 43 mm."]
+
+    @property
+    def radius(self) -> "Any":
+        """Its radius."""
+        return self.crank_radius
+
+
+@record
+class Stroke:
+    """A crank by the stroke that it gives a piston whose cylinder is not offset."""
+
+    stroke: Annotated[Size, "Twice the crank radius, e.g. 86 mm."]
+
+    @property
+    def radius(self) -> "Any":
+        """Half the stroke."""
+        return 0.5 * self.stroke
 
 
 def require_rod(ratio: "Any", offset: "Any" = 0.0) -> None:

@@ -1,6 +1,6 @@
 """Inertia forces and couples of piston engines by order, and what counterweights and balance shafts take away."""
 
-from dynamics_cli.balance.engines.crank import order_factors, require_rod
+from dynamics_cli.balance.engines.crank import CrankRadius, Stroke, order_factors, require_rod
 from dynamics_cli.balance.engines.layouts import Preset, layout
 from dynamics_cli.balance.phasors import Phasor, polar, total
 from dynamics_cli.errors import require
@@ -95,7 +95,7 @@ class EngineBalance:
 def engine(
     *,
     reciprocating_mass: Annotated[Mass, "Piston, pin and small-end share of the rod, of one cylinder, e.g. 0.5 kg."],
-    crank_radius: Annotated[Size, "Half the stroke, e.g. 43 mm."],
+    crank: Annotated[CrankRadius | Stroke, "Crank radius, or stroke."],
     rod_length: Annotated[Size, "Between the centres of the rod's eyes, e.g. 150 mm."],
     speed: Annotated[ShaftSpeed, "Speed of the crankshaft, e.g. 6000 rpm."],
     preset: Annotated[Preset | None, "A standard layout, e.g. inline-4."] = None,
@@ -135,7 +135,7 @@ def engine(
 
     Examples
     --------
-    >>> made = engine(reciprocating_mass=0.5, crank_radius=0.043, rod_length=0.172, speed=628.3185307179587,
+    >>> made = engine(reciprocating_mass=0.5, crank=CrankRadius(0.043), rod_length=0.172, speed=628.3185307179587,
     ...               preset=Preset("inline-4"))
     >>> round(made.secondary_force, 4)
     8624.5158
@@ -149,14 +149,14 @@ def engine(
     require((highest_order >= 1) and (highest_order <= MOST_ORDER), "orders must be from 1 to 40", code="order")
     require(abs(plain(speed)) > 0.0, "an engine at rest has no inertia force", code="at-rest")
     require(rod_length > 0.0, "the rod has no length", code="rod")
-    ratio = crank_radius / rod_length
+    ratio = crank.radius / rod_length
     aside = offset / rod_length
     require_rod(ratio, aside)
     if preset is None:
         places = [(one.crank, one.bank, one.position) for one in cylinders]
     else:
         places = layout(preset, bank_angle, spacing)
-    unit = crank_radius * speed * speed
+    unit = crank.radius * speed * speed
     advice = _advice(places, preset)
     counted = not advice
     numbers = [n for n in range(1, highest_order + 1) if n == 1 or n % 2 == 0 or plain(offset) != 0.0]
