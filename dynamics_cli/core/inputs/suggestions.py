@@ -129,6 +129,8 @@ SYNONYMS = {
     "reading": "initial first second",
     "trial-weight": "first-trial-mass",
     "trial-mass": "first-trial-mass",
+    "trial-angle": "first-trial-angle",
+    "trial-radius": "trial-radius first-trial-radius",
     "unit": "units to",
     "precision": "digits",
     "verbose": "all explain",
