@@ -270,12 +270,12 @@ def test_half_the_reciprocating_mass_on_the_crank_leaves_the_part_that_turns_bac
 
 
 def test_a_trim_adds_to_the_weights_on_the_rotor() -> None:
-    """α = 3/0.005 at 90 degrees for one kilogram; a reading of 1 is stilled by 5/3 g."""
+    """One gram reads 3 um at 90 degrees: a reading of 1 um is cancelled by a third of a gram opposite."""
     rows = (
         '--sensor "initial=6 um @ 0 deg, first=6.7082039324993690892 um @ 26.565051177077989351 deg, now=1 um @ 90 deg"'
     )
     radii = '--first-trial-radius "100 mm" --first-trial-correction-radius "200 mm"'
     made = answer("balance", "trial", *shlex.split(rows), *shlex.split(ONE), *shlex.split(radii))["results"]
-    assert made["first_mass"]["value"] == pytest.approx(5.0 / 3.0 / 2.0)
-    assert made["first_unbalance"]["value"] == pytest.approx(500.0 / 3.0)
+    assert made["first_mass"]["value"] == pytest.approx(1.0 / 6.0)
+    assert made["first_unbalance"]["value"] == pytest.approx(100.0 / 3.0)
     assert made["first_angle"]["value"] == pytest.approx(180.0)

@@ -128,6 +128,8 @@ SYNONYMS = {
     "run": "initial first second",
     "reading": "initial first second",
     "trial-weight": "first-trial-mass",
+    "peak": "base-acceleration",
+    "peak-acceleration": "base-acceleration",
     "trial-mass": "first-trial-mass",
     "trial-angle": "first-trial-angle",
     "trial-radius": "trial-radius first-trial-radius",
