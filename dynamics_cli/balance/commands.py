@@ -64,11 +64,12 @@ FOUR_RUNS = Task(
         formula="t² = ⅓·Σ T² − {initial|O}², z = ⅓·Σ T²·e^(iφ), {mass|m} = {trial_mass|W}·|z|/t², opposite z",
         assumptions=(
             "readings are proportional to the unbalance, at the same speed in every run",
-            "the correction is mass added at the radius of the trial weight, which is taken off",
+            "the correction is mass added, at the radius of the trial weight or its own; the trial weight is taken off",
         ),
     ),
     headline=(
-        "mass: add", "angle: at", "consistency: consistency, 1 is best", "miss: circles miss one point by",
+        "mass: add", "angle: at", "unbalance: as an unbalance",
+        "consistency: consistency, 1 is best", "miss: circles miss one point by",
         "effect: effect of the trial weight",
         "runs: runs | weight_at=weight at, reading, miss=circle off by",
     ),
@@ -147,13 +148,14 @@ TRIAL = Task(
         formula="α = (V₁ − V₀)/W, Σ|α·x + V₀|² least",
         assumptions=(
             "readings are proportional to the unbalance, at the same speeds in every run",
-            "weights and corrections are at the same radius; corrections are masses added, trial weights taken off",
+            "corrections are masses added, at the radius of the trial weight or their own; trial weights are taken off",
             "phases and angles of weights are counted in one sense from one mark, or against it with --phase lag",
         ),
         method="complex least squares by orthogonal columns",
     ),
     headline=(
-        "first_mass: first plane: add", "first_angle: at", "second_mass: second plane: add", "second_angle: at",
+        "first_mass: first plane: add", "first_angle: at", "first_unbalance: as an unbalance",
+        "second_mass: second plane: add", "second_angle: at", "second_unbalance: as an unbalance",
         "predicted: readings | sensor, initial=before, residual=expected after, share",
         "condition: condition of the planes",
     ),

@@ -1,10 +1,11 @@
 """Balancing in one plane by amplitudes alone: one run as it is, three with a trial weight at known angles."""
 
 from dynamics_cli.balance.phasors import Phasor, cross, polar, total
+from dynamics_cli.balance.trial import at_radius, require_radii
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, sqrt
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.quantities import Angle, Annotated, BalanceMass, FreeNumber, FreeVector, Kind, Ratio
+from dynamics_cli.quantities import Angle, Annotated, BalanceMass, FreeNumber, FreeVector, Kind, Ratio, Size, Unbalance
 from dynamics_cli.records import Advice, Quantity, record
 
 TYPE_CHECKING = False
@@ -34,8 +35,9 @@ class Run:
 class FourRuns:
     """The correction of four runs, and how well they agree."""
 
-    mass: Annotated[BalanceMass, "Mass to add, at the radius of the trial weight [kg]."]
+    mass: Annotated[BalanceMass, "Mass to add, at the radius of the trial weight or of the correction [kg]."]
     angle: Annotated[Angle, "Where to add it, in the sense of the trial angles [rad]."]
+    unbalance: Annotated[Unbalance | None, "That mass times its radius; none without the radius [kg·m]."]
     consistency: Annotated[Ratio, "1 where the circles meet in one point: quality of the readings [-]."]
     miss: Annotated[FreeNumber, "By how much the circles miss one point at most."]
     effect: Annotated[FreeNumber, "What the trial weight alone makes the sensor read."]
@@ -53,6 +55,8 @@ def four_runs(
     first_angle: Annotated[Angle, "Where the weight is in the first of them."] = 0.0,
     second_angle: Annotated[Angle, "Where it is in the second."] = THIRD,
     third_angle: Annotated[Angle, "Where it is in the third."] = 2.0 * THIRD,
+    trial_radius: Annotated[Size | None, "Its radius, for the correction as an unbalance, e.g. 100 mm."] = None,
+    correction_radius: Annotated[Size | None, "Radius of the correction, if another, e.g. 120 mm."] = None,
 ) -> FourRuns:
     """Correction in one plane from amplitudes without phase: the method of four runs, or of three circles.
 
@@ -84,6 +88,7 @@ def four_runs(
     """
     kind, (still, *sizes) = _amplitudes(initial, first, second, third)
     require(trial_mass > 0.0, "a trial weight of zero changes nothing", code="no-weight")
+    require_radii(trial_radius, correction_radius)
     require(plain(still) > 0.0, "the initial reading is zero: there is nothing to balance", code="nothing-to-balance")
     places = [polar(1.0, angle) for angle in (first_angle, second_angle, third_angle)]
     square, response = _fitted(still, sizes, places)
@@ -96,12 +101,14 @@ def four_runs(
     _require_meeting(plain(still), [plain(size) for size in sizes], places)
     effect = sqrt(square)
     consistency = response.size / (still * effect)
+    mass = trial_mass * response.size / square
     centre = -response.times(1.0 / still)
     number = Kind(kind.name, kind.unit, si=kind.si, us=kind.si)  # in the unit that was written
     misses = [size - (centre - place.times(still)).size for place, size in zip(places, sizes, strict=True)]
     return FourRuns(
-        mass=trial_mass * response.size / square,
+        mass=at_radius(mass, trial_radius, correction_radius),
         angle=(-response).angle,
+        unbalance=None if trial_radius is None else mass * trial_radius,
         consistency=consistency,
         miss=Quantity(max(map(absolute, misses), key=plain), number),
         effect=Quantity(effect, number),

@@ -225,9 +225,9 @@ def grade(
     return Picture((panel,), worded("balance grades of a rotor of {mass}", mass=(mass, Mass)))
 
 
-def engine(result: "Any", *, reciprocating_mass: float, throw: "Any", speed: float, **_: "Any") -> Picture:
+def engine(result: "Any", *, reciprocating_mass: float, crank: "Any", speed: float, **_: "Any") -> Picture:
     """Force and couple over the turn of the crank, and the paths of their tips by order."""
-    single = reciprocating_mass * throw.crank_radius * speed * speed
+    single = reciprocating_mass * crank.radius * speed * speed
     forces = [(row.order, row.forward, row.forward_angle, row.backward, row.backward_angle) for row in result.orders]
     couples = [
         (row.order, row.forward_couple, row.forward_couple_angle, row.backward_couple, row.backward_couple_angle)

@@ -14,6 +14,8 @@ from dynamics_cli.quantities import (
     Kind,
     Positive,
     Ratio,
+    Size,
+    Unbalance,
 )
 from dynamics_cli.records import Advice, Check, Choice, Quantity, record
 
@@ -47,6 +49,8 @@ class TrialWeight:
 
     mass: Annotated[BalanceMass, "Mass of the trial weight, e.g. 1.15 g."]
     angle: Annotated[Angle, "Where it is put, e.g. 0 deg."]
+    radius: Annotated[Size | None, "Its radius, for the correction as an unbalance, e.g. 100 mm."] = None
+    correction_radius: Annotated[Size | None, "Radius of the correction, if another, e.g. 120 mm."] = None
 
 
 @record
@@ -58,6 +62,9 @@ class Sensor:
     second: Annotated[FreeVector | None, "Reading with the weight in the second plane, e.g. 186 um @ 115 deg."] = None
     runout: Annotated[FreeVector | None, "Slow-roll reading, subtracted from all others, e.g. 4 um @ 20 deg."] = None
     weight: Annotated[Positive, "Weight of its residual relative to the others."] = 1.0
+    now: Annotated[
+        FreeVector | None, "Reading with weights added since, for a trim: what to add to them, e.g. 12 um @ 95 deg."
+    ] = None
 
 
 @record
@@ -75,7 +82,7 @@ class Predicted:
     """What a sensor should read after the correction."""
 
     sensor: Annotated[int, "Number of the sensor (or speed) [-]."]
-    initial: Annotated[FreeNumber, "Amount before."]
+    initial: Annotated[FreeNumber, "Amount before, or now."]
     residual: Annotated[FreeNumber, "Expected amount afterwards."]
     share: Annotated[Fraction, "After over before [-]."]
 
@@ -84,10 +91,14 @@ class Predicted:
 class TrialBalance:
     """Corrections from trial weights."""
 
-    first_mass: Annotated[BalanceMass, "Mass to add in the first plane, at the radius of the trial weight [kg]."]
+    first_mass: Annotated[
+        BalanceMass, "Mass to add in the first plane, at the radius of the trial weight or of the correction [kg]."
+    ]
     first_angle: Annotated[Angle | None, "Where to add it; none of nothing [rad]."]
+    first_unbalance: Annotated[Unbalance | None, "That mass times its radius; none without the radius [kg·m]."]
     second_mass: Annotated[BalanceMass | None, "Mass to add in the second plane; none without one [kg]."]
     second_angle: Annotated[Angle | None, "Where to add it; none of nothing [rad]."]
+    second_unbalance: Annotated[Unbalance | None, "That mass times its radius; none without the radius [kg·m]."]
     condition: Annotated[
         Ratio | None,
         "How well the readings separate the planes: 1 is best, above 10 is poor; none of planes that act alike [-].",
@@ -152,6 +163,7 @@ def trial(
     )  # fmt: skip
     for one in weights:
         require(one.mass > 0.0, "a trial weight of zero changes nothing", code="no-weight")
+        require_radii(one.radius, one.correction_radius)
     initial, columns = _influence(rows, weights, phase, left_on=left_on)
     scales = [one.weight for one in rows]
     scaled = [[a.times(s) for a, s in zip(column, scales, strict=True)] for column in columns]
@@ -169,10 +181,16 @@ def trial(
         _refuse_dependent(apart, off)
     number = _number(kind)
     return TrialBalance(
-        first_mass=masses[0].size,
+        first_mass=at_radius(masses[0].size, first_trial.radius, first_trial.correction_radius),
         first_angle=masses[0].angle_beside(scale_of(masses)),
-        second_mass=masses[1].size if len(masses) > 1 else None,
+        first_unbalance=None if first_trial.radius is None else masses[0].size * first_trial.radius,
+        second_mass=None
+        if second_trial is None
+        else at_radius(masses[1].size, second_trial.radius, second_trial.correction_radius),
         second_angle=masses[1].angle_beside(scale_of(masses)) if len(masses) > 1 else None,
+        second_unbalance=None
+        if second_trial is None or second_trial.radius is None
+        else masses[1].size * second_trial.radius,
         condition=apart if len(masses) > 1 and apart < BEYOND else None,
         coefficients=tuple(
             Coefficient(row, nth, Quantity(a.size * 1e-3, number), a.angle)
@@ -187,6 +205,22 @@ def trial(
         checks=(Check("the corrections cancel the readings", off <= 1e-11, off, 1e-11),) if exact else (),
         advice=tuple(_advice(apart, columns, weights, initial, off if together else None)),
     )  # fmt: skip
+
+
+def require_radii(radius: "Any", other: "Any") -> None:
+    """Refuse radii of zero, and that of a correction without that of the trial weight."""
+    require(all(r is None or r > 0.0 for r in (radius, other)), "a weight at the axis balances nothing", code="radius")
+    require(
+        other is None or radius is not None,
+        "the radius of the correction is given, but not that of the trial weight",
+        code="radius",
+        hint="give the radius of the trial weight too",
+    )
+
+
+def at_radius(mass: "Any", radius: "Any", other: "Any") -> "Any":
+    """A mass at the radius of the trial weight, moved to the radius of the correction."""
+    return mass if other is None else mass * radius / other
 
 
 def _refuse_dependent(apart: float, off: float) -> None:
@@ -235,7 +269,7 @@ def _kind(rows: "Sequence[Sensor]") -> "Any":
     """The kind of all readings, each of which must have its phase."""
     kinds = []
     for nth, row in enumerate(rows, 1):
-        for name in ("initial", "first", "second", "runout"):
+        for name in ("initial", "first", "second", "runout", "now"):
             reading = getattr(row, name)
             if reading is None:
                 continue
@@ -269,7 +303,7 @@ def _number(kind: "Any") -> Kind:
 def _influence(
     rows: "Sequence[Sensor]", weights: "list[TrialWeight]", phase: str, *, left_on: bool
 ) -> "tuple[list[Phasor], list[list[Phasor]]]":
-    """The initial readings without runout, and for each plane the change of every reading for one kilogram."""
+    """The readings to cancel without runout, and for each plane the change of every reading for one kilogram."""
     initial = [_reading(row.initial, phase) for row in rows]
     firsts = [_reading(row.first, phase) for row in rows]
     columns = [_column(firsts, initial, weights[0], "first")]
@@ -291,11 +325,18 @@ def _influence(
             code="missing",
             hint="give --second-trial-mass and --second-trial-angle",
         )
+    require(
+        len({row.now is None for row in rows}) == 1,
+        "some sensors have a reading now, others have none",
+        code="missing",
+        hint="add now=… to each sensor",
+    )
+    before = initial if rows[0].now is None else [_reading(row.now, phase) for row in rows]
     slow = [None if row.runout is None else _reading(row.runout, phase) for row in rows]
-    still = [v if roll is None else v - roll for v, roll in zip(initial, slow, strict=True)]
+    still = [v if roll is None else v - roll for v, roll in zip(before, slow, strict=True)]
     require(
         plain(norm(still)) > 0.0,
-        "the initial readings are zero: there is nothing to balance",
+        "the readings are zero: there is nothing to balance",
         code="nothing-to-balance",
     )
     return still, columns

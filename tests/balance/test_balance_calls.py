@@ -246,3 +246,36 @@ def test_the_size_of_the_outer_ring_keeps_clear_of_the_angles_around() -> None:
 def test_grades_are_read_as_designated(grade: str) -> None:
     given = ("balance", "grade", "--speed", "3000 rpm", "--mass", "120 kg", "--only", "unbalance")
     assert run(*given, "--grade", grade).out == run(*given, "--grade", "6.3 mm/s").out
+
+
+def test_a_stroke_stands_for_its_crank_radius() -> None:
+    rest = '--preset inline-4 --reciprocating-mass "0.5 kg" --rod-length "140 mm" --speed "6000 rpm"'
+    by_radius, by_stroke = (
+        answer("balance", "engine", *shlex.split(f'{rest} {crank} "{size} mm"'))["results"]
+        for crank, size in (("--crank-radius", 43), ("--stroke", 86))
+    )
+    assert by_radius == by_stroke
+
+
+def test_half_the_reciprocating_mass_on_the_crank_leaves_the_part_that_turns_back() -> None:
+    """A single cylinder at 50 % balance; a shaft that turns back with as much leaves nothing of order 1."""
+    half = "unbalance=10750 g*mm, angle=180 deg"  # half of 0.5 kg at 43 mm
+    fitted = shlex.split('--preset inline-1 --reciprocating-mass "0.5 kg" --stroke "86 mm" --rod-length "140 mm"')
+    fitted += ["--speed", "6000 rpm", "--counterweight", half]
+    row = answer("balance", "engine", *fitted)["results"]["orders"][0]
+    assert row["forward"]["value"] == pytest.approx(0.0, abs=1e-9)
+    assert row["backward"]["value"] == pytest.approx(0.01075 * (200.0 * math.pi) ** 2)
+    made = answer("balance", "engine", *fitted, "--counterweight", half + ", turns=against")["results"]
+    assert made["primary_force"]["value"] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_trim_adds_to_the_weights_on_the_rotor() -> None:
+    """One gram reads 3 um at 90 degrees: a reading of 1 um is cancelled by a third of a gram opposite."""
+    rows = (
+        '--sensor "initial=6 um @ 0 deg, first=6.7082039324993690892 um @ 26.565051177077989351 deg, now=1 um @ 90 deg"'
+    )
+    radii = '--first-trial-radius "100 mm" --first-trial-correction-radius "200 mm"'
+    made = answer("balance", "trial", *shlex.split(rows), *shlex.split(ONE), *shlex.split(radii))["results"]
+    assert made["first_mass"]["value"] == pytest.approx(1.0 / 6.0)
+    assert made["first_unbalance"]["value"] == pytest.approx(100.0 / 3.0)
+    assert made["first_angle"]["value"] == pytest.approx(180.0)

@@ -108,7 +108,7 @@ def test_orders_sum_to_the_exact_force(
     rows: list[tuple[float, float, float]], ratio: float, turn: float, offset: float
 ) -> None:
     made = engine(
-        reciprocating_mass=2.0, throw=CrankRadius(1.0), rod_length=1.0 / ratio, offset=offset / ratio, speed=1.0,
+        reciprocating_mass=2.0, crank=CrankRadius(1.0), rod_length=1.0 / ratio, offset=offset / ratio, speed=1.0,
         highest_order=40, cylinders=tuple(Cylinder(*row) for row in rows),
     )  # fmt: skip
     force = couple = 0j
@@ -184,7 +184,7 @@ PRESSURES = [(0, 25.0), (20, 55.0), (90, 8.0), (180, 0.0), (540, 0.0), (700, 12.
 def of_engine(**more: Any) -> Any:
     given: dict[str, Any] = {
         "diagram_points": tuple(Diagram(math.radians(a), 1e5 * p) for a, p in PRESSURES), "bore": 0.08,
-        "reciprocating_mass": 0.5, "throw": CrankRadius(0.04), "rod_length": 0.13, "speed": 200.0, **more,
+        "reciprocating_mass": 0.5, "crank": CrankRadius(0.04), "rod_length": 0.13, "speed": 200.0, **more,
     }  # fmt: skip
     return turning(**given)
 

@@ -123,7 +123,7 @@ def test_turning_moment_of_one_cylinder_by_order(order: str) -> None:
     """The same diagram for gas alone, and no gas: in units of bar·A·r and m·r²·ω²."""
     points = REFERENCES["turning"]["diagram"]
     crank: dict[str, Any] = {
-        "bore": 2.0 / math.sqrt(math.pi), "throw": CrankRadius(1.0), "rod_length": 1.0 / 0.3, "offset": 0.05 / 0.3,
+        "bore": 2.0 / math.sqrt(math.pi), "crank": CrankRadius(1.0), "rod_length": 1.0 / 0.3, "offset": 0.05 / 0.3,
         "speed": 1.0, "cylinders": (Cylinder(0.0),),
     }  # fmt: skip
     wanted = [complex(*map(float, pair)) for pair in REFERENCES["turning"]["0.3 0.05"][order]]
@@ -140,7 +140,7 @@ def test_turning_moment_of_one_cylinder_by_order(order: str) -> None:
 @pytest.mark.parametrize("name", REFERENCES["engines"])
 def test_engines(name: str) -> None:
     made = engine(
-        reciprocating_mass=1.0, throw=CrankRadius(1.0), rod_length=4.0, speed=1.0, preset=Preset(name), spacing=1.0
+        reciprocating_mass=1.0, crank=CrankRadius(1.0), rod_length=4.0, speed=1.0, preset=Preset(name), spacing=1.0
     )
     for row in made.orders[:3]:
         wanted = [float(text) for text in REFERENCES["engines"][name][str(row.order)]]
@@ -151,7 +151,7 @@ def test_engines(name: str) -> None:
 def test_lanchester_takes_the_second_order_of_four_cylinders() -> None:
     crank: dict[str, Any] = {
         "reciprocating_mass": 0.5,
-        "throw": CrankRadius(0.043),
+        "crank": CrankRadius(0.043),
         "rod_length": 0.172,
         "speed": 6000 * RPM,
     }

@@ -12,9 +12,8 @@ RANDOM = random.Random(2026)
 POINTS = 256
 
 
-def exact(text: Any) -> Any:
-    """The double that a text stands for; of a crank its radius."""
-    return mpf(float(text["crank_radius"] if isinstance(text, dict) else text))
+def exact(text: str) -> Any:
+    return mpf(float(text))
 
 
 def turn_of(phasor: Any) -> Any:
@@ -68,10 +67,12 @@ def turnings() -> Iterator[Case]:
         inputs: dict[str, Any] = {
             "diagram_points": [{"record": "Diagram", "angle": at, "pressure": size} for at, size in diagram],
             "bore": drawn(0.07, 0.1), "reciprocating_mass": drawn(0.3, 0.9),
-            "throw": {"record": "CrankRadius", "crank_radius": drawn(0.03, 0.05)},
+            "crank": {"record": "CrankRadius", "crank_radius": drawn(0.03, 0.05)},
             "rod_length": drawn(0.12, 0.2), "speed": drawn(100, 600), "preset": {"word": preset},
         }  # fmt: skip
-        bore, mass, r, rod, speed = (exact(text) for text in list(inputs.values())[1:6])
+        numbers = {**inputs, **inputs["crank"]}
+        names = ("bore", "reciprocating_mass", "crank_radius", "rod_length", "speed")
+        bore, mass, r, rod, speed = (exact(numbers[name]) for name in names)
         area = pi * bore**2 / 4
 
         def sinks(angle: Any, r: Any = r, rod: Any = rod) -> Any:

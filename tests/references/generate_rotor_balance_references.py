@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Any
 
-from balance_runs import exact, four_runs, turn_of, turnings
+from balance_runs import four_runs, turn_of, turnings
 from case_files import Case, write
 from mpmath import cos, expj, lu_solve, matrix, mp, mpf, pi, sin, sqrt
 
@@ -23,6 +23,10 @@ ABOUT = (
 )
 RANDOM = random.Random(1940)
 POINTS = 256
+
+
+def exact(text: str) -> Any:
+    return mpf(float(text))
 
 
 def drawn(low: float, high: float, digits: int = 3) -> str:
@@ -180,6 +184,16 @@ def factor(ratio: Any, order: int) -> Any:
     return 2 * sum(acceleration(ratio, angle) * cos(order * angle) for angle in angles) / POINTS
 
 
+def throw(radius: str) -> dict[str, str]:
+    """A crank by its radius, as the tasks read it."""
+    return {"record": "CrankRadius", "crank_radius": radius}
+
+
+def numbers_of(inputs: dict[str, Any]) -> "list[str]":
+    """The numbers of an engine in their order, the crank by its radius."""
+    return [value["crank_radius"] if name == "crank" else value for name, value in inputs.items()]
+
+
 def engines() -> Iterator[Case]:
     """Forces along their banks, added as complex numbers at every angle of a turn; e^{∓inθ} picks both parts."""
     hard = "the cylinders cancel but for the angles' rounding"
@@ -190,12 +204,11 @@ def engines() -> Iterator[Case]:
     for nth, cylinders in enumerate(drawings):
         fields = ("crank", "bank", "position")
         inputs: dict[str, Any] = {
-            "reciprocating_mass": drawn(0.1, 2),
-            "throw": {"record": "CrankRadius", "crank_radius": drawn(0.02, 0.1)}, "rod_length": drawn(0.2, 0.4),
+            "reciprocating_mass": drawn(0.1, 2), "crank": throw(drawn(0.02, 0.1)), "rod_length": drawn(0.2, 0.4),
             "speed": drawn(50, 700), "highest_order": 4,
             "cylinders": [{"record": "Cylinder", **dict(zip(fields, row, strict=True))} for row in cylinders],
         }  # fmt: skip
-        mass, radius, rod, speed = (exact(text) for text in list(inputs.values())[:4])
+        mass, radius, rod, speed = (exact(text) for text in numbers_of(inputs)[:4])
         results: dict[str, Any] = {}
         turn = [2 * pi * k / POINTS for k in range(POINTS)]
         for lever in (False, True):
@@ -225,11 +238,10 @@ def lanchesters() -> Iterator[Case]:
     ]
     for nth, (radius, rod, why) in enumerate([*hard, *((drawn(0.02, 0.1), drawn(0.2, 0.4), "") for _ in range(3))]):
         inputs: dict[str, Any] = {
-            "reciprocating_mass": drawn(0.1, 2),
-            "throw": {"record": "CrankRadius", "crank_radius": radius}, "rod_length": rod, "speed": drawn(50, 700),
+            "reciprocating_mass": drawn(0.1, 2), "crank": throw(radius), "rod_length": rod, "speed": drawn(50, 700),
             "weight_radius": drawn(0.01, 0.03), "cylinders": 4, "order": 2 + 2 * (nth % 2),
         }  # fmt: skip
-        mass, r, length, speed, arm = (exact(text) for text in list(inputs.values())[:5])
+        mass, r, length, speed, arm = (exact(text) for text in numbers_of(inputs)[:5])
         n = inputs["order"]
         force = 4 * abs(factor(r / length, n)) * mass * r * speed**2
         unbalance = force / (2 * (n * speed) ** 2)

@@ -2,6 +2,7 @@
 
 import json
 import math
+import random
 import re
 import shlex
 import subprocess
@@ -198,3 +199,40 @@ def test_closed_forms_start_without_numpy(task: str) -> None:
     code = LIGHT.format(root=str(Path(cli.__file__).parents[1]), argv=argv, heavy=heavy)
     done = subprocess.run([sys.executable, "-I", "-S", "-c", code], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr.strip()) == (0, "")
+
+
+def test_a_trapezoid_beside_a_numerical_integration() -> None:
+    """By solve_ivp at rtol 1e-10: 40 g over 11 ms, rise and fall of 1.1 ms, 50 Hz, 5 %."""
+    typed = '--natural-frequency "50 Hz" --damping-ratio 0.05 --base-acceleration "40 g" --duration "11 ms"'
+    made = answer("vibration", "transient", *shlex.split(typed), "--shape", "trapezoid")["results"]
+    assert made["peak"]["value"] == pytest.approx(-7.341901152781612, rel=1e-6)
+
+
+def test_damping_from_a_record_that_ends_before_the_motion_does(tmp_path: Path) -> None:
+    """Nine cycles of 3 %, an eighth of the amplitude left: the mean of the end is not the place of rest."""
+    zeta, omega = 0.03, 2.0 * math.pi * 5.0
+    rows = [
+        (0.005 * i, 0.2 + math.exp(-zeta * omega * 0.005 * i) * math.sin(omega * math.sqrt(1 - zeta**2) * 0.005 * i))
+        for i in range(430)
+    ]
+    file = tmp_path / "decay.csv"
+    file.write_text("t[s],x[mm]\n" + "".join(f"{t!r},{x!r}\n" for t, x in rows))
+    made = answer("vibration", "decrement", "--file", str(file))["results"]
+    assert made["damping_ratio"]["value"] == pytest.approx(zeta, rel=1e-3)
+
+
+def test_damping_from_a_noisy_record(tmp_path: Path) -> None:
+    """Noise of 0.2 % makes many small maxima, near the peaks and near the place of rest: one a swing counts."""
+    drawn, omega = random.Random(1), 2.0 * math.pi * 8.0
+    rows = [
+        (
+            0.002 * i,
+            3.0 + 5.0 * math.exp(-0.02 * omega * 0.002 * i) * math.cos(omega * 0.002 * i) + drawn.gauss(0, 0.01),
+        )
+        for i in range(1000)
+    ]
+    file = tmp_path / "decay.csv"
+    file.write_text("t[s],x[mm]\n" + "".join(f"{t!r},{x!r}\n" for t, x in rows))
+    made = answer("vibration", "decrement", "--file", str(file))["results"]
+    assert made["damping_ratio"]["value"] == pytest.approx(0.02, rel=0.03)
+    assert made["natural_frequency"]["value"] == pytest.approx(8.0, rel=2e-3)

@@ -24,19 +24,24 @@ POINTS = 128
 
 @record
 class CrankRadius:
-    """The crank by its radius."""
+    """A crank by its radius."""
 
     crank_radius: Annotated[Size, "Half the stroke, e.g. 43 mm."]
+
+    @property
+    def radius(self) -> "Any":
+        """Its radius."""
+        return self.crank_radius
 
 
 @record
 class Stroke:
-    """The crank by the stroke of a piston on the axis of the crankshaft."""
+    """A crank by the stroke that it gives a piston whose cylinder is not offset."""
 
-    stroke: Annotated[Size, "Stroke: twice the crank radius, e.g. 86 mm."]
+    stroke: Annotated[Size, "Twice the crank radius, e.g. 86 mm."]
 
     @property
-    def crank_radius(self) -> float:
+    def radius(self) -> "Any":
         """Half the stroke."""
         return 0.5 * self.stroke
 

@@ -21,7 +21,7 @@ from dynamics_cli.quantities import (
     Torque,
     Unbalance,
 )
-from dynamics_cli.records import Advice, record
+from dynamics_cli.records import Advice, Choice, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -39,6 +39,26 @@ class Cylinder:
     crank: Annotated[Angle, "Angle of its throw on the crankshaft, e.g. 120 deg."]
     bank: Annotated[Angle, "Direction of its axis, in the sense of rotation, e.g. 30 deg."] = 0.0
     position: Annotated[Length, "Its place along the crankshaft, e.g. 90 mm."] = 0.0
+
+
+class Turns(Choice):
+    """Which way a shaft turns, beside the crankshaft."""
+
+    names = ("with", "against")
+
+
+WITH = Turns("with")
+
+
+@record
+class Counterweight:
+    """A weight on the crankshaft, or on a balance shaft of its own."""
+
+    unbalance: Annotated[Unbalance, "Mass times radius, e.g. 9000 g*mm."]
+    angle: Annotated[Angle, "Where it stands at crank angle zero, e.g. 180 deg."]
+    position: Annotated[Length, "Its place along the crankshaft, from where couples are taken."] = 0.0
+    order: Annotated[Count, "Speed of its shaft over that of the crankshaft."] = 1
+    turns: Annotated[Turns, "With the crankshaft, or against it."] = WITH
 
 
 @record
@@ -95,7 +115,7 @@ class EngineBalance:
 def engine(
     *,
     reciprocating_mass: Annotated[Mass, "Piston, pin and small-end share of the rod, of one cylinder, e.g. 0.5 kg."],
-    throw: Annotated[CrankRadius | Stroke, "The crank."],
+    crank: Annotated[CrankRadius | Stroke, "Crank radius, or stroke."],
     rod_length: Annotated[Size, "Between the centres of the rod's eyes, e.g. 150 mm."],
     speed: Annotated[ShaftSpeed, "Speed of the crankshaft, e.g. 6000 rpm."],
     preset: Annotated[Preset | None, "A standard layout, e.g. inline-4."] = None,
@@ -109,6 +129,9 @@ def engine(
         "Distance of the cylinder's axis from the crankshaft's, to the side where the crank pin goes down, e.g. 10 mm.",
     ] = 0.0,
     rotating_mass: Annotated[Mass, "Mass at the crank pin of one cylinder that no counterweight balances."] = 0.0,
+    counterweights: Annotated[
+        tuple[Counterweight, ...], "Weights on the crankshaft or on balance shafts; the answer is what is left."
+    ] = (),
     highest_order: Annotated[Count, "Orders above this are left out."] = 6,
 ) -> EngineBalance:
     """Inertia forces and couples of an engine by order, turning with and against the crankshaft.
@@ -135,7 +158,7 @@ def engine(
 
     Examples
     --------
-    >>> made = engine(reciprocating_mass=0.5, throw=CrankRadius(0.043), rod_length=0.172, speed=628.3185307179587,
+    >>> made = engine(reciprocating_mass=0.5, crank=CrankRadius(0.043), rod_length=0.172, speed=628.3185307179587,
     ...               preset=Preset("inline-4"))
     >>> round(made.secondary_force, 4)
     8624.5158
@@ -149,24 +172,34 @@ def engine(
     require((highest_order >= 1) and (highest_order <= MOST_ORDER), "orders must be from 1 to 40", code="order")
     require(abs(plain(speed)) > 0.0, "an engine at rest has no inertia force", code="at-rest")
     require(rod_length > 0.0, "the rod has no length", code="rod")
-    crank_radius = throw.crank_radius
-    ratio = crank_radius / rod_length
+    require(
+        all((one.order >= 1) and (one.order <= MOST_ORDER) for one in counterweights),
+        "the order of a counterweight must be from 1 to 40",
+        code="order",
+    )
+    ratio = crank.radius / rod_length
     aside = offset / rod_length
     require_rod(ratio, aside)
     if preset is None:
         places = [(one.crank, one.bank, one.position) for one in cylinders]
     else:
         places = layout(preset, bank_angle, spacing)
-    unit = crank_radius * speed * speed
+    unit = crank.radius * speed * speed
     advice = _advice(places, preset)
     counted = not advice
-    numbers = [n for n in range(1, highest_order + 1) if n == 1 or n % 2 == 0 or plain(offset) != 0.0]
+    fitted = {one.order for one in counterweights}
+    numbers = [
+        n
+        for n in range(1, max(highest_order, *fitted, 1) + 1)
+        if n in fitted or (n <= highest_order and (n == 1 or n % 2 == 0 or plain(offset) != 0.0))
+    ]
     force = reciprocating_mass * unit
     orders = [
-        _order(n, places, Phasor(force * a, -force * b), rotating_mass * unit, speed, counted=counted)
+        _order(n, places, Phasor(force * a, -force * b), rotating_mass * unit, _balancing(counterweights, n, speed),
+               counted=counted)
         for n, (a, b) in zip(numbers, order_factors(ratio, aside, numbers), strict=True)
-    ]
-    second = orders[1] if len(orders) > 1 else None
+    ]  # fmt: skip
+    second = next((row for row in orders if row.order == 2), None)
     return EngineBalance(
         cylinders=len(places),
         ratio=ratio,
@@ -189,8 +222,22 @@ def _advice(places: "list[Any]", preset: "Preset | None") -> "tuple[Advice, ...]
     return (Advice("no-spacing", message, severity="note", remedy="give --spacing"),)
 
 
-def _order(n: int, places: "list[Any]", size: Phasor, rotating: "Any", speed: "Any", *, counted: bool) -> Order:
-    """The phasors of one order, of the size that one cylinder has."""
+def _balancing(weights: "tuple[Counterweight, ...]", n: int, speed: "Any") -> "list[tuple[Phasor, Any, bool]]":
+    """Force, place and sense of the weights that turn at an order's speed."""
+    square = n * n * speed * speed
+    return [(polar(w.unbalance * square, w.angle), w.position, w.turns == WITH) for w in weights if w.order == n]
+
+
+def _order(
+    n: int,
+    places: "list[Any]",
+    size: Phasor,
+    rotating: "Any",
+    weights: "list[tuple[Phasor, Any, bool]]",
+    *,
+    counted: bool,
+) -> Order:
+    """The phasors of one order, of the size that one cylinder has, with the weights that turn at its speed."""
     ways = [
         (polar(1.0, n * (crank - bank) + bank), polar(1.0, -n * (crank - bank) + bank), crank)
         for crank, bank, _ in places
@@ -200,12 +247,16 @@ def _order(n: int, places: "list[Any]", size: Phasor, rotating: "Any", speed: "A
     backwards = [way * size.conjugate.times(0.5) for _, way, _ in ways]
     if n == 1:
         forwards = [one + polar(rotating, crank) for one, (_, _, crank) in zip(forwards, ways, strict=True)]
+    sides = [
+        [*zip(parts, arms, strict=True), *((one, z) for one, z, sense in weights if sense is along)]
+        for parts, along in ((forwards, True), (backwards, False))
+    ]
     largest = 0.5 * plain(size.size) + (plain(rotating) if n == 1 else 0.0)
-    force = [_cleared(total(parts), len(places) * largest) for parts in (forwards, backwards)]
-    lever = sum(abs(plain(z)) for z in arms)
+    largest = max([largest, *(plain(one.size) for one, _, _ in weights)])
+    force = [_cleared(total(one for one, _ in side), len(side) * largest) for side in sides]
     couple = [
-        _cleared(total(one.times(z) for one, z in zip(parts, arms, strict=True)), lever * largest)
-        for parts in (forwards, backwards)
+        _cleared(total(one.times(z) for one, z in side), sum(abs(plain(z)) for _, z in side) * largest)
+        for side in sides
     ]
     sizes, turns = [one.size for one in force], [one.size for one in couple]
     return Order(

@@ -21,7 +21,7 @@ class Lanchester:
 def lanchester(
     *,
     reciprocating_mass: Annotated[Mass, "Piston, pin and small-end share of the rod, of one cylinder, e.g. 0.5 kg."],
-    throw: Annotated[CrankRadius | Stroke, "The crank."],
+    crank: Annotated[CrankRadius | Stroke, "Crank radius, or stroke."],
     rod_length: Annotated[Size, "Between the centres of the rod's eyes, e.g. 172 mm."],
     speed: Annotated[ShaftSpeed, "Speed of the crankshaft, e.g. 6000 rpm."],
     cylinders: Annotated[Count, "Cylinders whose forces of the order add up."] = 4,
@@ -54,7 +54,7 @@ def lanchester(
 
     Examples
     --------
-    >>> made = lanchester(reciprocating_mass=0.5, throw=CrankRadius(0.043), rod_length=0.172, speed=628.3185307179587)
+    >>> made = lanchester(reciprocating_mass=0.5, crank=CrankRadius(0.043), rod_length=0.172, speed=628.3185307179587)
     >>> round(made.shaft_unbalance * 1e6, 4)
     2730.7692
     """
@@ -69,10 +69,9 @@ def lanchester(
     require(absolute(speed) > 0.0, "an engine at rest has no inertia force", code="at-rest")
     require(rod_length > 0.0, "the rod has no length", code="rod")
     require(weight_radius is None or weight_radius > 0.0, "a weight at the axis balances nothing", code="no-radius")
-    crank_radius = throw.crank_radius
-    ratio: Ratio = crank_radius / rod_length
+    ratio: Ratio = crank.radius / rod_length
     require_rod(ratio)
-    each = cylinders * absolute(order_factor(ratio, order)) * reciprocating_mass * crank_radius
+    each = cylinders * absolute(order_factor(ratio, order)) * reciprocating_mass * crank.radius
     unbalance = 0.5 * each / (order * order)
     return Lanchester(
         force=each * speed * speed,

@@ -110,7 +110,7 @@ def turning(
     diagram_points: Annotated[tuple[Diagram, ...], "Pressure in a cylinder over its cycle, linear between points."],
     bore: Annotated[Size, "Bore of a cylinder, e.g. 86 mm."],
     reciprocating_mass: Annotated[Mass, "Piston, pin and small-end share of the rod, of one cylinder, e.g. 0.5 kg."],
-    throw: Annotated[CrankRadius | Stroke, "The crank."],
+    crank: Annotated[CrankRadius | Stroke, "Crank radius, or stroke."],
     rod_length: Annotated[Size, "Between the centres of the rod's eyes, e.g. 150 mm."],
     speed: Annotated[ShaftSpeed, "Speed of the crankshaft, e.g. 3000 rpm."],
     preset: Annotated[Preset | None, "A standard layout, e.g. inline-4."] = None,
@@ -150,7 +150,7 @@ def turning(
     Examples
     --------
     >>> flat = tuple(Diagram(turn * math.pi, 1e5) for turn in range(5))
-    >>> made = turning(diagram_points=flat, bore=0.086, reciprocating_mass=0.5, throw=CrankRadius(0.043),
+    >>> made = turning(diagram_points=flat, bore=0.086, reciprocating_mass=0.5, crank=CrankRadius(0.043),
     ...                rod_length=0.15, speed=300.0, preset=Preset("inline-4"))
     >>> abs(made.mean_torque) < 1e-9, made.firing_order
     (True, '1-3-4-2')
@@ -165,8 +165,7 @@ def turning(
     require(rod_length > 0.0, "the rod has no length", code="rod")
     require(bore > 0.0, "the bore is zero", code="bore")
     require((highest_order >= 1) and (highest_order <= HIGHEST), "orders must be from 1 to 20", code="order")
-    crank_radius = throw.crank_radius
-    ratio, aside = crank_radius / rod_length, offset / rod_length
+    ratio, aside = crank.radius / rod_length, offset / rod_length
     require_rod(ratio, aside)
     turns = 2 if strokes == FOUR else 1
     cycle = turns * TURN
@@ -176,9 +175,9 @@ def turning(
         places = [(crank, bank) for crank, bank, _ in layout(preset, bank_angle, 1.0)]
     fired, even = firing(places, turns, firing_order)
     area = 0.25 * math.pi * bore * bore
-    rim = crank_radius * speed
+    rim = crank.radius * speed
     alike = [
-        (_Cylinder(points, ratio, aside, area * crank_radius, -reciprocating_mass * rim * rim), angles)
+        (_Cylinder(points, ratio, aside, area * crank.radius, -reciprocating_mass * rim * rim), angles)
         for points, angles in _diagrams(diagram_points, fired, cycle)
     ]
     numbers = [k / turns for k in range(turns * highest_order + 1)]
@@ -189,7 +188,7 @@ def turning(
     gas, inertia = (math.fsum(0.5 * len(angles) * wave[i].x for wave, angles in parts[0]) for i in range(2))
     high, low = max(table, key=lambda row: row.torque), min(table, key=lambda row: row.torque)
     scale = abs(alike[0][0].mass) * len(fired) or 1.0
-    swept = 2.0 * area * crank_radius * len(fired)
+    swept = 2.0 * area * crank.radius * len(fired)
     return Turning(
         mean_torque=gas,
         power=gas * abs(speed),

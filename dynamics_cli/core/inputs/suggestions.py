@@ -64,8 +64,15 @@ SYNONYMS = {
     "held": "fixed",
     "input": "driver crank",
     "output": "driven rocker",
-    **dict.fromkeys(("ixx", "iyy", "izz"), "moments tensor"),
-    **dict.fromkeys(("ixy", "ixz", "iyz", "iyx", "izx", "izy"), "products tensor"),
+    "ixx": "moments tensor",
+    "iyy": "moments tensor",
+    "izz": "moments tensor",
+    "ixy": "products tensor",
+    "ixz": "products tensor",
+    "iyz": "products tensor",
+    "iyx": "products tensor",
+    "izx": "products tensor",
+    "izy": "products tensor",
     "z": "teeth first-teeth",
     "z1": "first-teeth",
     "z2": "second-teeth",
@@ -188,6 +195,10 @@ SYNONYMS = {
     "piston-force": "load-force",
     "driver": "crank",
     "driven": "rocker",
+    "peak": "base-acceleration",
+    "peak-acceleration": "base-acceleration",
+    "trial-angle": "first-trial-angle",
+    "trial-radius": "trial-radius first-trial-radius",
 }
 MOST = 3
 BODIES = {"first-": "1", "second-": "2"}

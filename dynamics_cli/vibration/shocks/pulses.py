@@ -12,13 +12,21 @@ if TYPE_CHECKING:
 
 # Below this of ω·t the terms of a constant and a ramp cancel; a power series answers there.
 SMALL, TERMS = 0.3, 14
+# Rise and fall of a trapezoid, each over its duration.
+EDGE = 0.1
 
 
 class Shape(Choice):
     """How the load goes over time."""
 
-    names = ("step", "ramp", "rectangle", "half-sine", "triangle", "versed-sine", "sawtooth")
-    aliases = {"haversine": "versed-sine", "half sine": "half-sine", "terminal-peak-sawtooth": "sawtooth"}  # noqa: RUF012
+    names = ("step", "ramp", "rectangle", "half-sine", "triangle", "versed-sine", "sawtooth", "trapezoid")
+    aliases = {  # noqa: RUF012
+        "haversine": "versed-sine",
+        "half sine": "half-sine",
+        "terminal-peak-sawtooth": "sawtooth",
+        "trapezoidal": "trapezoid",
+        "square": "rectangle",
+    }
 
 
 class Piece:
@@ -50,6 +58,13 @@ def pieces(shape: str, tau: float) -> "list[Piece]":
         made = [Piece(0.0, tau, a=0.5, c=-0.5, p=2.0 * math.pi / tau)]
     elif shape == "sawtooth":
         made = [Piece(0.0, tau, b=1.0 / tau)]
+    elif shape == "trapezoid":
+        rise = EDGE * tau
+        made = [
+            Piece(0.0, rise, b=1.0 / rise),
+            Piece(rise, tau - rise, a=1.0),
+            Piece(tau - rise, tau, a=1.0, b=-1.0 / rise),
+        ]
     else:
         made = [Piece(0.0, 0.5 * tau, b=2.0 / tau), Piece(0.5 * tau, tau, a=1.0, b=-2.0 / tau)]
     return [*made, Piece(tau, math.inf)]

@@ -33,7 +33,10 @@ LEFT = 0.05
 class Pulse:
     """A pulse of the base's acceleration."""
 
-    shape: Annotated[Shape, "rectangle, half-sine, triangle, versed-sine or sawtooth (terminal peak)."]
+    shape: Annotated[
+        Shape,
+        "rectangle, half-sine, triangle, versed-sine, sawtooth (terminal peak) or trapezoid (a tenth up and down).",
+    ]
     base_acceleration: Annotated[Acceleration, "Height of the pulse, e.g. 30 g."]
     duration: Annotated[Time, "Duration of the pulse, e.g. 11 ms."]
 
@@ -163,7 +166,8 @@ class _Source:
 
 
 # Mean height of each pulse.
-AREAS = {"rectangle": 1.0, "half-sine": 2.0 / math.pi, "triangle": 0.5, "versed-sine": 0.5, "sawtooth": 0.5}
+AREAS = {"rectangle": 1.0, "half-sine": 2.0 / math.pi, "triangle": 0.5, "versed-sine": 0.5, "sawtooth": 0.5,
+         "trapezoid": 0.9}  # fmt: skip
 
 
 def _extremes(of: "Any", input_: "Pulse | Recorded") -> "tuple[Any, Any, Any, _Source]":

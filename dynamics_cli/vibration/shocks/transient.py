@@ -40,7 +40,7 @@ class Push:
     """A force on the mass."""
 
     force: Annotated[Force, "Height of the force on the mass, e.g. 500 N."]
-    shape: Annotated[Shape, "step, ramp, rectangle, half-sine, triangle, versed-sine or sawtooth."]
+    shape: Annotated[Shape, "step, ramp, rectangle, half-sine, triangle, versed-sine, sawtooth or trapezoid."]
     duration: Annotated[Time | None, "Duration of the pulse, or rise time of the ramp, e.g. 20 ms."] = None
 
 
@@ -49,7 +49,7 @@ class Jolt:
     """An acceleration of the base."""
 
     base_acceleration: Annotated[Acceleration, "Height of the base's acceleration, e.g. 30 g."]
-    shape: Annotated[Shape, "step, ramp, rectangle, half-sine, triangle, versed-sine or sawtooth."]
+    shape: Annotated[Shape, "step, ramp, rectangle, half-sine, triangle, versed-sine, sawtooth or trapezoid."]
     duration: Annotated[Time | None, "Duration of the pulse, or rise time of the ramp, e.g. 11 ms."] = None
 
 

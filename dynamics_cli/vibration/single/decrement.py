@@ -15,6 +15,10 @@ if TYPE_CHECKING:
 
 # Deviations of log peaks from their line beyond this share of the decay say that it is no viscous one.
 CURVED = 0.1
+# Peaks below this share of the largest are scatter.
+CLEAR = 0.02
+# A swing below this share of both beside it is none.
+RIPPLE = 0.25
 FEWEST_IN_A_RECORD = 3
 
 
@@ -155,28 +159,70 @@ def _half_power(lower: "Any", upper: "Any") -> Decrement:
 
 
 def peaks_of(file: str) -> "tuple[list[float], tuple[float, ...]]":
-    """Times and heights of the maxima above the middle of the end, by parabolas through three samples."""
+    """Times and heights of the maxima above the place of rest, by parabolas through three samples."""
     times, values, _ = read_record(file)
     tail = values[-max(len(values) // 10, 3) :]
-    rest = sum(tail) / len(tail)
-    at, sizes = [], []
-    for i in range(1, len(values) - 1):
-        before, here, after = values[i - 1] - rest, values[i] - rest, values[i + 1] - rest
-        if here > 0.0 and before < here >= after:
-            bend = before - 2.0 * here + after
-            off = 0.5 * (before - after) / bend
-            at.append(times[i] + off * 0.5 * (times[i + 1] - times[i - 1]))
-            sizes.append(here - 0.25 * (before - after) * off)
-    clear = [nth for nth, size in enumerate(sizes) if size > 0.02 * max(sizes)]
+    rest = _place_of_rest(_turns(times, values, sum(tail) / len(tail)), sum(tail) / len(tail))
+    highs = [(at, value - rest) for at, value, side in _turns(times, values, rest) if side > 0.0]
+    at, sizes = [when for when, _ in highs], [size for _, size in highs]
+    clear = [nth for nth, size in enumerate(sizes) if size > CLEAR * max(sizes)]
     last = clear[-1] + 1 if clear else 0
     require(
         last >= FEWEST_IN_A_RECORD,
-        "the record has {count} clear peaks: a decay needs at least {least}",
+        "clear peaks in the record: {count}; a decay needs at least {least}",
         count=str(last),
         least=str(FEWEST_IN_A_RECORD),
         code="few-peaks",
     )
     return at[:last], tuple(sizes[:last])
+
+
+def _turns(times: "list[float]", values: "list[float]", rest: float) -> "list[tuple[float, float, float]]":
+    """Time, value and side (1 or −1) of the maxima above a place and the minima below it."""
+    turns = []
+    for i in range(1, len(values) - 1):
+        side = 1.0 if values[i] > rest else -1.0
+        before, here, after = (side * (value - rest) for value in values[i - 1 : i + 2])
+        if here > 0.0 and before < here >= after:
+            off = 0.5 * (before - after) / (before - 2.0 * here + after)
+            at = times[i] + off * 0.5 * (times[i + 1] - times[i - 1])
+            turns.append((at, rest + side * (here - 0.25 * (before - after) * off), side))
+    return _one_a_swing(_without_ripples(_one_a_swing(turns, rest), rest), rest)
+
+
+def _one_a_swing(turns: "list[tuple[float, float, float]]", rest: float) -> "list[tuple[float, float, float]]":
+    """Of maxima that follow without a minimum between them, the largest: the others are noise."""
+    swings: list[tuple[float, float, float]] = []
+    for turn in turns:
+        if swings and swings[-1][2] == turn[2]:
+            swings[-1] = max(swings[-1], turn, key=lambda one: abs(one[1] - rest))
+        else:
+            swings.append(turn)
+    return swings
+
+
+def _without_ripples(turns: "list[tuple[float, float, float]]", rest: float) -> "list[tuple[float, float, float]]":
+    """Without those much smaller than the ones before and after: noise where the motion passes the place of rest."""
+    sizes = [abs(value - rest) for _, value, _ in turns]
+    return [
+        turn
+        for nth, turn in enumerate(turns)
+        if not 0 < nth < len(turns) - 1 or sizes[nth] >= RIPPLE * min(sizes[nth - 1], sizes[nth + 1])
+    ]
+
+
+def _place_of_rest(turns: "list[tuple[float, float, float]]", tail: float) -> float:
+    """Where the motion comes to rest, also of a record that ends before: heights above it fall by one factor.
+
+    Of a maximum, the minimum after it and the next maximum, or the other way round: (a − r)·(c − r) = (b − r)².
+    """
+    largest = max((abs(value - tail) for _, value, _ in turns), default=0.0)
+    places = [
+        b + (a - b) * (c - b) / ((a - b) + (c - b))
+        for (_, a, one), (_, b, other), (_, c, _) in zip(turns, turns[1:], turns[2:], strict=False)
+        if one != other and abs(b - tail) > CLEAR * largest and (a - b) * (c - b) > 0.0
+    ]
+    return sorted(places)[len(places) // 2] if places else tail
 
 
 def _advice(peaks: "tuple[Any, ...]", scatter: "Any", step: "Any", count: int) -> "tuple[Advice, ...]":
