@@ -253,20 +253,10 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
     if isinstance(raw, list):
         return raw
     from dynamics_cli.core.inputs.forms.lists import share_unit, spaced_numbers
-    from dynamics_cli.core.inputs.forms.splitting import split_list
+    from dynamics_cli.core.inputs.forms.splitting import split_list, unbracketed
 
-    text = _unbracketed(_text_of(kind, raw).strip())
+    text = unbracketed(_text_of(kind, raw).strip())
     return spaced_numbers(text) or share_unit(split_list(text))
-
-
-def _unbracketed(text: str) -> str:
-    """`1, 2, 3 m` of `(1, 2, 3) m` or `[1, 2, 3 m]`; brackets around the first component stay."""
-    closing = {"(": ")", "[": "]"}.get(text[:1], "")
-    if closing and text.count(text[0]) == text.count(closing) == 1:
-        inner, _, unit = text[1:].partition(closing)
-        return text if "," in unit else f"{inner} {unit}"
-    text = text[1:-1] if text[:1] + text[-1:] == "[]" else text
-    return text.removeprefix("(").removesuffix(")") if text.startswith("(") else text
 
 
 def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:

@@ -82,3 +82,13 @@ def _apart(item: str) -> list[str]:
     if not (equals and own_value and next_name.replace("-", "_").isidentifier()) or own_value[0] in "\"'" + OPENING:
         return [item]
     return [f"{name}={own_value}", *_apart(f"{next_name}={tail}")]
+
+
+def unbracketed(text: str) -> str:
+    """`1, 2, 3 m` of `(1, 2, 3) m` or `[1, 2, 3 m]`; brackets around the first component stay."""
+    closing = {"(": ")", "[": "]"}.get(text[:1], "")
+    if closing and text.count(text[0]) == text.count(closing) == 1:
+        inner, _, unit = text[1:].partition(closing)
+        return text if "," in unit else f"{inner} {unit}"
+    text = text[1:-1] if text[:1] + text[-1:] == "[]" else text
+    return text.removeprefix("(").removesuffix(")") if text.startswith("(") else text
