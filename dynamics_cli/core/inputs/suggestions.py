@@ -12,7 +12,7 @@ SYNONYMS = {
     "f": "friction",
     "coefficient-of-friction": "friction",
     "drag": "friction rolling-drag",
-    "slope": "grade angle slope",
+    "slope": "grade angle",
     "incline": "grade angle",
     "efficiency": "braking",
     "brake-efficiency": "braking",
