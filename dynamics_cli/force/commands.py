@@ -92,7 +92,10 @@ EQUILIBRIUM = Task(
         assumptions=("one rigid body at rest", "supports without friction, rigid", TYPED),
         method="exact elimination",
     ),
-    headline=("verdict", "reactions: reactions on the body | name, type, force, size, angle, moment, sense"),
+    headline=(
+        "verdict", "largest: largest reaction",
+        "reactions: reactions on the body | name, type, force, size, angle, moment, sense",
+    ),
     examples=(
         'dynamics force equilibrium --load "force=0, -1000 N, at=2, 0 m" --load "force=300, 0 N, at=4, 1 m" '
         '--support "type=pin, at=0, 0 m" --support "type=roller, at=5, 0 m, direction=1 @ 120 deg"',

@@ -41,6 +41,7 @@ class Equilibrium:
 
     verdict: Annotated[Text, "Statically determinate, or held under these loads only."]
     reactions: Annotated[tuple[Reaction, ...], "The reactions, on the body."]
+    largest: Annotated[Force, "Size of the largest reaction [N]."]
     load: Annotated[ForceVector, "Sum of the forces given [N]."]
     margin: Annotated[Length | None, "Displacement of a support, about, that could leave a motion free [m]."]
     numerics: Numerics
@@ -104,6 +105,7 @@ def equilibrium(
     return Equilibrium(
         verdict="held for these loads alone" if free else "statically determinate",
         reactions=tuple(reactions),
+        largest=max(reaction.size for reaction in reactions),
         load=ratios.rounded(system.force),
         margin=None if free else singular_value * spread,
         numerics=Numerics(METHOD),

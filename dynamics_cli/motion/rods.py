@@ -148,7 +148,10 @@ def _row(values: "list[float]") -> "Any":
 
 
 def solved(matrix: "list[list[Any]]", right: "list[Any]") -> "list[Any]":
-    """The solution of a positive definite system, its lower half given; by LDLᵀ on plain floats, D in its place."""
+    """The solution of a positive definite system, its lower half given; by LDLᵀ on floats or arrays, D in its place.
+
+    Entries may be one array several times, so that none is changed in place.
+    """
     n = len(right)
     for i in range(n):
         row = matrix[i]
@@ -156,12 +159,12 @@ def solved(matrix: "list[list[Any]]", right: "list[Any]") -> "list[Any]":
             other = matrix[j]
             held = row[j]
             for k in range(j):
-                held -= row[k] * other[k]
+                held = held - row[k] * other[k]
             row[j] = held  # still times the pivot
         for j in range(i):
             share = row[j] / matrix[j][j]
-            row[i] -= share * row[j]
-            right[i] -= share * right[j]
+            row[i] = row[i] - share * row[j]
+            right[i] = right[i] - share * right[j]
             row[j] = share
     return _back(matrix, right)
 

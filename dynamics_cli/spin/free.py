@@ -1,6 +1,6 @@
 """The task `free`: a rigid body turning without torque."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import atan2, pi_beside, sqrt
 from dynamics_cli.numerics.elliptic import mean
 from dynamics_cli.numerics.number import plain
@@ -23,6 +23,8 @@ NAMES = ("x", "y", "z")
 ROUNDING = 1.0 + 1e-12
 # Nearer than this to the separatrix the side is decided in fractions.
 NEAR = 1e-9
+# Share of the energy about the middle axis from which the body is said to tumble.
+TUMBLING = 0.9
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     Triple = tuple[float, float, float]
@@ -113,7 +115,7 @@ def free(
         growth=growth,
         angular_momentum=momentum,
         energy=0.5 * (low * p * p + middle * q * q + high * r * r),
-        advice=_advice(period, about, motion),
+        advice=_advice(period, motion, plain(middle * q * q / (low * p * p + middle * q * q + high * r * r)), names[1]),
     )
 
 
@@ -206,9 +208,16 @@ def _motion(
     return f"separatrix: ends about {names[1]}, the middle axis", -1
 
 
-def _advice(period: "float | None", about: int, motion: str) -> "tuple[Advice, ...]":
+def _advice(period: "float | None", motion: str, middle_share: float, name: str) -> "tuple[Advice, ...]":
+    """No period; or, as of a tennis racket, most of the energy about the middle axis."""
     if period is not None:
-        return ()
+        if middle_share < TUMBLING:
+            return ()
+        message = worded(
+            "it is spun almost wholly about {name}, the middle axis, and tumbles: that axis turns over every {half:3}",
+            name=name, half=(0.5 * plain(period), Time),
+        )  # fmt: skip
+        return (Advice("tumbles", message, severity="note"),)
     return (Advice("no-period", f"no period: {motion}", severity="note", result="period"),)
 
 

@@ -84,3 +84,27 @@ def test_the_point_followed_is_spread_with_few_calls(tmp_path: Path) -> None:
         ends.append(alone["results"]["angle"]["value"])
     assert found["results"]["angle"]["interval"] == pytest.approx(sorted(ends), rel=1e-3)
     assert found["numerics"]["uncertainty"]["evaluations"] < 200
+
+
+def test_a_driven_slider_crank_side_by_side_moves_as_alone() -> None:
+    """Conditions that share no coordinate; a piston without a moment, which its slide keeps from turning."""
+
+    def engine(k: int) -> Scene:
+        ground = Link("ground", (Pin("O", (0.0, 0.0)), Pin("X", (0.5, 0.0))))
+        crank = Link("crank", (Pin("O", (0.0, 0.0)), Pin("A", (0.06, 0.0))), mass=2.0, moment=0.004, angle=0.5)
+        rod = Link("rod", (Pin("A", (0.0, 0.0)), Pin("B", (0.22, 0.0))), mass=0.8, rod=True, angle=-0.1)
+        piston = Link("piston", (Pin("B", (0.0, 0.0)),), mass=0.6 + 0.02 * k)
+        return Scene(
+            (ground, crank, rod, piston),
+            slides=(Slide("B", "ground", "O", "X", "piston"),),
+            drivers=(Driver("crank", speed=157.0),),
+            loads=(Load(point="B", force_x=Formula("-50*vx", 1.0, "N")),),
+        )
+
+    cases = [{"scene": engine(k), "duration": 0.02, "follow": "B"} for k in range(12)]
+    with Drawing():
+        together = scenes(cases)
+        alone = [scene(cases[k]["scene"], duration=0.02, follow="B") for k in (0, 11)]
+    for one, other in zip((together[0], together[11]), alone, strict=True):
+        for name in ("x", "largest_force", "driver_work", "load_work"):
+            assert getattr(one, name) == pytest.approx(getattr(other, name), rel=1e-6), name

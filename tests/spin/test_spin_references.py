@@ -155,3 +155,9 @@ def test_shaft() -> None:
     both = shaft(**given, **skewed, eccentricity=5e-5)
     assert both.left_load == pytest.approx(made.left_load + offset.left_load)
     assert offset.left_load + offset.right_load == pytest.approx(offset.force)
+
+
+def test_a_racket_thrown_about_its_middle_axis_tumbles() -> None:
+    spun = free(moments=(1.0, 2.0, 3.0), angular_velocity=(0.01, 1.0, 0.01))
+    assert [note.code for note in spun.advice] == ["tumbles"]
+    assert not free(moments=(1.0, 2.0, 3.0), angular_velocity=(0.2, 1.0, 0.5)).advice

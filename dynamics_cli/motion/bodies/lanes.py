@@ -26,8 +26,16 @@ class Lanes:
     def __init__(self, systems: "Sequence[System]") -> None:
         self.one = one = systems[0]
         alike = all(each.kept == one.kept and len(each.forces) == len(one.forces) for each in systems)
-        require(alike and bool((one.masses > 0.0).all()), "not alike", code="lanes")
+        columns: dict[int, set[int]] = {}
+        for row, column in [place for part in one.parts for place in (*part.places(), *(x[:2] for x in part.fixed()))]:
+            columns.setdefault(row, set()).add(column)
+        held = [column for row in one.kept if len(columns[row]) == 1 for column in columns[row]]
         self.masses = np.array([each.masses for each in systems]).T
+        # the moment of a slider that cannot turn does not count
+        self.masses[held] = np.where(self.masses[held] > 0.0, self.masses[held], 1.0)
+        require(alike and bool((self.masses > 0.0).all()), "not alike", code="lanes")
+        self.easiness = 1.0 / self.masses
+        self.common = [[columns[row] & columns[other] for other in one.kept[: k + 1]] for k, row in enumerate(one.kept)]
         self.weights = np.array([each.weights for each in systems]).T
         self.sizes = np.array([each.size for each in systems])
         self.units = np.array([(each.force, each.force, each.torque) for each in systems]).T
@@ -63,13 +71,12 @@ class Lanes:
 
     def _multipliers(self, rows: "list[dict[int, Any]]", right: "list[Any]") -> "list[Any]":
         """λ of J·M⁻¹·Jᵀ·λ = right."""
-        none = np.zeros_like(self.sizes)
+        light = [{c: value * self.easiness[c] for c, value in row.items()} for row in rows]
         matrix = [
-            [sum((value * other[c] / self.masses[c] for c, value in row.items() if c in other), none)
-             for other in rows[: k + 1]]
-            for k, row in enumerate(rows)
-        ]  # fmt: skip
-        return solved(matrix, [none + value for value in right])
+            [sum([row[c] * other[c] for c in shared]) for other, shared in zip(rows, line, strict=False)]
+            for row, line in zip(light, self.common, strict=True)
+        ]
+        return solved(matrix, right)
 
     def solved(self, t: "Any", f: Frame) -> "tuple[list[Any], list[Any], list[Any]]":
         """Accelerations, multipliers, and the powers of loads and dampers."""
@@ -77,13 +84,13 @@ class Lanes:
         out, power = list(self.weights.copy()), [np.zeros_like(self.sizes) for _ in range(2)]
         for force in self.forces:
             force.add(t, f, out, power)
-        wanted = [sum(value * out[c] / self.masses[c] for c, value in row.items()) - must
+        wanted = [sum(value * out[c] * self.easiness[c] for c, value in row.items()) - must
                   for row, must in zip(rows, right, strict=True)]  # fmt: skip
         multipliers = self._multipliers(rows, wanted)
         for row, size in zip(rows, multipliers, strict=True):
             for column, value in row.items():
                 out[column] = out[column] - value * size
-        return [push / mass for push, mass in zip(out, self.masses, strict=True)], multipliers, power
+        return [push * easy for push, easy in zip(out, self.easiness, strict=True)], multipliers, power
 
     def rate(self, t: "Any", y: "Any") -> "Any":
         """Rates of states (numbers, lanes)."""
@@ -113,7 +120,7 @@ class Lanes:
         for start, off in ((0, missed), (end, slipped)):
             for row, size in zip(rows, self._multipliers(rows, off), strict=True):
                 for column, value in row.items():
-                    y[start + column] -= value * size / self.masses[column]
+                    y[start + column] -= value * size * self.easiness[column]
         return float(np.abs(missed).max())
 
     def joint_forces(self, t: "Any", y: "Any") -> "list[Any]":
