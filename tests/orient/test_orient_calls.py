@@ -221,3 +221,11 @@ def test_columns_of_a_log_are_quaternions_in_any_order(tmp_path: Path) -> None:
     mean = answer("orient", "average", "--log", str(log))["results"]
     assert mean["count"]["value"] == 2
     assert mean["euler_angles"]["value"][0] == pytest.approx(22.5)
+
+
+def test_an_uncertain_disk_has_its_circles() -> None:
+    disk = ("--radius", "0.35 ± 0.01 m", "--tilt", "75 deg", "--heading-rate", "40 deg/s", "--spin-rate", "-90 rpm")
+    results = answer("orient", "disk", *disk)["results"]
+    # r·|ψ̇/φ̇|, in proportion to the radius
+    assert results["contact_path_radius"]["value"] == pytest.approx(0.35 * 540 / 40)
+    assert results["contact_path_radius"]["std"] == pytest.approx(0.01 * 540 / 40, rel=1e-3)

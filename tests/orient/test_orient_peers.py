@@ -67,7 +67,7 @@ def test_a_mean_and_its_scatter_are_scipys() -> None:
         Reading(ByQuaternion(tuple(q)), weight)
         for q, weight in zip(quaternions.tolist(), weights.tolist(), strict=True)
     )
-    result = average(given=Readings(readings))
+    result = average(source=Readings(readings))
     mean = rotations.mean(weights)
     off = (mean.inv() * rotations).magnitude()
     assert np.allclose(result.rotation_matrix, mean.as_matrix(), atol=1e-14)

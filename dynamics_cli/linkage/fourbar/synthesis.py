@@ -143,7 +143,9 @@ def synthesize(
     if isinstance(task, Poses):
         return Synthesis(**_by_poses(task))
     pinned = _pinned(task)
-    return Synthesis(**_by_poses(pinned) | {"first_pin": pinned.first_pin, "second_pin": pinned.second_pin})
+    pins = {"first_pin": pinned.first_pin, "second_pin": pinned.second_pin}
+    pivots = {"crank_pivot": task.crank_pivot, "rocker_pivot": task.rocker_pivot}
+    return Synthesis(**_by_poses(pinned) | pins | pivots)
 
 
 def _within_a_turn(angle: float) -> float:

@@ -7,7 +7,7 @@ from dynamics_cli.linkage.drawing import pin as pin_mark
 from dynamics_cli.linkage.drawing import plan
 from dynamics_cli.numerics.linkages.records import GROUND, Scene
 from dynamics_cli.pictures import Arrow, Axis, Curve, Panel, Picture, complex_curve
-from dynamics_cli.quantities import Angle, Coordinate, TurnRate
+from dynamics_cli.quantities import Angle, Coordinate, Speed, TurnRate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -113,13 +113,18 @@ def _curves(scene: Scene, name: str, turn: "float | None", travel: "float | None
         if pushed
         else Axis("driver angle", Angle, ends=ends, step=pi / 6.0)
     )
+    panels: list[Panel] = []
     if rows[0].angle is None:
-        x, y = ([row.position[i] for row in rows if row.position] for i in (0, 1))
-        curves = (Curve(positions, x, "x", role=0), Curve(positions, y, "y", "dashed", 1))
-        return (Panel(axis, Axis("position", Coordinate), curves, f"pin {name}"),)
+        for quantity, kind in (("position", Coordinate), ("velocity", Speed)):
+            vectors: Any = [getattr(row, quantity) for row in rows]
+            if None not in vectors and any(map(any, vectors)):
+                x, y = ([vector[i] for vector in vectors] for i in (0, 1))
+                curves = (Curve(positions, x, "x", role=0), Curve(positions, y, "y", "dashed", 1))
+                panels.append(Panel(axis, Axis(quantity, kind), curves, "" if panels else f"pin {name}"))
+        return tuple(panels)
     angles: Any = [row.angle for row in rows]
     speeds: Any = [row.speed for row in rows]
-    panels = [Panel(axis, Axis("angle", Angle), (Curve(positions, angles, role=0),), f"link {name}")]
+    panels.append(Panel(axis, Axis("angle", Angle), (Curve(positions, angles, role=0),), f"link {name}"))
     if None not in speeds and any(speeds):
         panels.append(Panel(axis, Axis("angular velocity ω", TurnRate), (Curve(positions, speeds, role=1),)))
     return tuple(panels)

@@ -143,15 +143,16 @@ def slider_crank(
         slopes = slopes_at(crank, rod, offset, side, turn)
         speed, angular_acceleration = rates_of(slopes, slider_velocity, slider_acceleration)
         driven |= {"crank_speed": speed, "crank_acceleration": angular_acceleration}
+        driven |= {"velocity": slider_velocity, "acceleration": slider_acceleration}
     reach = side * across
-    position = along + reach
+    position = along + reach if slider_position is None else slider_position
+    moving = _moving((along, rise), (reach, height), across, speed, angular_acceleration, load_force)
     return SliderCrank(
         **stroke,
-        **driven,
         position=position,
         travel=_travel((crank, rod, offset), (across, height), half[1], side, position),
         rod_angle=atan2(height, across),
-        **_moving((along, rise), (reach, height), across, speed, angular_acceleration, load_force),
+        **(moving | driven),
     )
 
 

@@ -3,11 +3,11 @@
 from math import tau
 
 from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt
-from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.roots import bisected
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.records import Choice
-from dynamics_cli.sampling import drawing
+from dynamics_cli.sampling import drawing, kept
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -15,10 +15,8 @@ if TYPE_CHECKING:
 
 # Number of places of a turn in the search for the largest speed, and the step of the difference there.
 SAMPLES, STEP = 180, 1e-4
-# The same for samples of an uncertain mechanism.
-COARSE = 36
 # Newton's steps from the mean of samples.
-NEWTON = 4
+NEWTON = 6
 
 
 class End(Choice):
@@ -63,25 +61,33 @@ def slopes_at(a: float, b: float, e: float, side: float, turn: "tuple[float, flo
 def fastest(a: float, b: float, e: float, end: End, speed: "float | None") -> "dict[str, Any]":
     """The largest |dx/dθ| of a crank that turns fully, where the acceleration vanishes, and its angle.
 
-    Of samples that of their mean lengths is found, and Newton's steps lead from it to each one's own.
+    Of samples that of the first ones' mean lengths is found once, and Newton's steps lead from it to each one's own.
     """
     lengths = _mean(a), _mean(b), _mean(e)
     side = 1.0 if end == RIGHT else -1.0
-    count = COARSE if drawing() else SAMPLES
-    fastest_angle = max(
-        (tau * k / count for k in range(count)),
-        key=lambda t: round(abs(slopes_at(*lengths, side, turned(t))[0]) / lengths[0], 9),
-    )
-    ends = fastest_angle - tau / count, fastest_angle + tau / count
-    low = bisected(lambda t: slopes_at(*lengths, side, turned(t))[1], *ends)
-    ahead, behind = (slopes_at(*lengths, side, turned(low + step))[1] for step in (STEP, -STEP))
-    curve, angle = (ahead - behind) / (2.0 * STEP), low + 0.0 * (a + b + e)
-    for _ in range(1 if single(angle) else NEWTON):
+    if not drawing():
+        low, curve = _nominal(lengths, side)
+    else:
+        low, curve = kept().get("fastest") or kept().setdefault("fastest", _nominal(lengths, side))
+    angle = low + 0.0 * (a + b + e)
+    for _ in range(NEWTON if drawing() else 1):
         # one step of Newton carries bounds and derivatives by the lengths into the angle
         slope, bend = slopes_at(a, b, e, side, turned(angle))
         angle = angle - bend / curve
     fields = {"top_slope": absolute(slope), "top_at": angle}
     return fields if speed is None else fields | {"top_speed": absolute(slope) * absolute(speed)}
+
+
+def _nominal(lengths: "tuple[float, float, float]", side: float) -> "tuple[float, float]":
+    """The angle of the largest |dx/dθ| of one mechanism, and the third derivative of x there."""
+    fastest_angle = max(
+        (tau * k / SAMPLES for k in range(SAMPLES)),
+        key=lambda t: round(abs(slopes_at(*lengths, side, turned(t))[0]) / lengths[0], 9),
+    )
+    ends = fastest_angle - tau / SAMPLES, fastest_angle + tau / SAMPLES
+    low = bisected(lambda t: slopes_at(*lengths, side, turned(t))[1], *ends)
+    ahead, behind = (slopes_at(*lengths, side, turned(low + step))[1] for step in (STEP, -STEP))
+    return low, (ahead - behind) / (2.0 * STEP)
 
 
 def _mean(length: float) -> float:

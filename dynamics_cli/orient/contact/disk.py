@@ -22,6 +22,7 @@ from dynamics_cli.quantities import (
     Velocity,
 )
 from dynamics_cli.records import record
+from dynamics_cli.sampling import drawing
 
 
 @record
@@ -104,9 +105,10 @@ def disk(
     cosine, sine = turned(rim_angle)
     rim = at(opposite(radius * sine), radius * cosine)
     fixed = product(about_axis(2, heading), about_axis(0, tilt))
-    alone = single(u, *velocity, s)
-    steady = alone and all(plain(rate) == 0.0 for rate in (tilt_rate, tilt_acceleration, heading_acceleration))
-    circles = steady and plain(heading_rate) != 0.0
+    # of samples as of one case; of rows each one is asked
+    asked = drawing() or single(u, *velocity, s)
+    steady = asked and not any(map(_somewhere, (tilt_rate, tilt_acceleration, heading_acceleration)))
+    circles = steady and _somewhere(heading_rate)
     return Disk(
         angular_velocity=omega,
         angular_acceleration=alpha,
@@ -122,6 +124,11 @@ def disk(
         centre_path_radius=absolute(radius * u / heading_rate) if circles else None,
         contact_path_radius=absolute(radius * spin_rate / heading_rate) if circles else None,
     )
+
+
+def _somewhere(rate: float) -> bool:
+    """Whether a rate is not zero; of samples, whether that of any is not."""
+    return bool((rate != 0.0).any()) if getattr(rate, "ndim", 0) else plain(rate) != 0.0  # type: ignore[attr-defined]
 
 
 def _turning(c: float, s: float, first: Vector, second: Vector) -> "tuple[Vector, Vector]":

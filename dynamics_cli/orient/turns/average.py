@@ -80,7 +80,7 @@ class Average:
 
 def average(
     *,
-    given: Annotated[Readings | Log, "The orientations, one by one or as a log."],
+    source: Annotated[Readings | Log, "The orientations, one by one or as a log."],
     sequence: Annotated[Text, "Angles to report: zyx, zxz, XYZ …, or rpy, e.g. zyx."] = "zyx",
 ) -> Average:
     """Mean of orientations, whatever the signs of their quaternions, and the scatter about it.
@@ -103,10 +103,10 @@ def average(
     --------
     >>> from dynamics_cli.orient.turns.attitude import YawPitchRoll
     >>> pair = tuple(Reading(YawPitchRoll(yaw)) for yaw in (0.1, 0.3))
-    >>> round(average(given=Readings(pair)).euler_angles[0], 12)
+    >>> round(average(source=Readings(pair)).euler_angles[0], 12)
     0.2
     """
-    names, quaternions, weights = _logged(given.log) if isinstance(given, Log) else _read(given.readings)
+    names, quaternions, weights = _logged(source.log) if isinstance(source, Log) else _read(source.readings)
     require(len(names) >= 2, "one orientation has no mean", code="count", hint="give --reading twice or more, or --log")
     total = sum(weights)
     products = [
