@@ -75,7 +75,8 @@ def to_answer(
     answer = _Answer(document, task, digits, width, asked=asked)
     head = answer.headline()
     if quiet:
-        return _text(head)
+        # a sweep has nothing but its table
+        return _text(head or answer.tables(LINES))
     # How a bare number was read is shown right beneath it.
     unlabelled = not any(answer.labels.values())
     rest = answer.beneath(len(head))
