@@ -281,3 +281,10 @@ def test_a_sweep_is_no_wider_than_the_terminal(words: str, monkeypatch: pytest.M
 def test_a_result_of_an_input_s_name_is_said_to_be_one() -> None:
     call = ("vibration", "free", "--natural-frequency", "3 Hz", "--sweep", "damping_ratio=0.1:0.2:2")
     assert "damping ratio (result)" in run(*call).out
+
+
+def test_a_quiet_sweep_is_its_table() -> None:
+    out = run("skid", "speed", "--distance", "18 m", "--sweep", "friction=0.5:0.9:3", "-q").out
+    assert out.startswith("sweep\n")
+    assert "0.7" in out
+    assert "for " not in out

@@ -165,6 +165,7 @@ class Reader(Context):
         if not isinstance(value, dict):
             self._fail(address, f"{address}: read {value!r}, wanted named values", hint="an object such as {…}")
             return None
+        value = _with_choice(value, node)
         if isinstance(node, Record):
             return Fields(node.cls, self._object(node.fields, self.named(node.names, value), address))
         wrapper = Field("", node, ())
@@ -182,7 +183,7 @@ class Reader(Context):
             if isinstance(first.node, Leaf) and (number_end(text, 0) or _chosen(first.node, text)):
                 text = with_names(text, first.key, node.names)
         try:
-            return {key.replace("-", "_"): value for key, value in split_pairs(_named_choice(text, node)).items()}
+            return {key.replace("-", "_"): value for key, value in _with_choice(split_pairs(text), node).items()}
         except DynamicsError as error:
             error.parameter = error.parameter or address
             error.hint = f"example: {written(node)}" if error.hint == PAIRS and written(node) else error.hint
@@ -337,11 +338,17 @@ def _quoted(text: str) -> str:
     return f'"{text}"' if " " in text or ";" in text else text
 
 
-def _named_choice(text: str, node: "Node") -> str:
-    """`braking, distance=14 m` as `kind=braking, distance=14 m`: a word that can only be the first choice."""
+def _with_choice(pairs: "dict[str, Any]", node: "Node") -> "dict[str, Any]":
+    """Pairs that begin with a word alone, `braking, distance=14 m`, with the name of the choice that comes first."""
+    if "" not in pairs:
+        return pairs
     names: Iterable[str] = ()
     if isinstance(node, Tagged):
         key, names = node.key, node.members
     elif isinstance(node, Record) and isinstance(node.fields[0].node, Leaf) and node.fields[0].node.choice is not None:
         key, names = node.fields[0].key, node.fields[0].node.choice.names
-    return f"{key}={text}" if text.partition(",")[0].strip() in names else text
+    if pairs[""] not in names:
+        from dynamics_cli.core.inputs.forms.splitting import PAIRS
+
+        raise UsageError(f"read {pairs['']!r}, wanted NAME=VALUE", code="syntax", hint=PAIRS)
+    return {name or key: value for name, value in pairs.items()}

@@ -54,12 +54,18 @@ def with_names(text: str, first: str, names: "Collection[str]") -> str:
 
 
 def split_pairs(text: str) -> dict[str, str]:
-    """Split `force=3, 4 N, at=2, 0 m` into names and values; quotes around a whole value are taken off."""
+    """Split `force=3, 4 N, at=2, 0 m` into names and values; quotes around a whole value are taken off.
+
+    A word alone at the beginning, `braking, distance=14 m`, has no name.
+    """
     pairs: dict[str, str] = {}
     name = ""
     for item in (part for read in split_list(text) for part in _apart(read)):
         if name and "=" not in item and number_end(item, 0):  # a further component of the value before
             pairs[name] += f", {item}"
+            continue
+        if not pairs and item.replace("-", "").isalpha():
+            pairs[""] = item
             continue
         name, equals, value = (part.strip() for part in item.partition("="))
         if not (equals and name and value):
