@@ -17,7 +17,8 @@ def near_option(task: Task, word: str) -> str:
     """The option that an unknown one probably means: by its name, by its description, or one that every task has."""
     typed = word.lstrip("-").partition("=")[0].lower()
     near = (
-        [f'{name} "{typed}=…"' for name in groups_with(task, typed)]
+        [name for name in task.options if singular(name) == typed]
+        + [f'{name} "{typed}=…"' for name in groups_with(task, typed)]
         or suggestions(typed, task.options)
         or _each_of(task, typed)
         or _described(task, typed)

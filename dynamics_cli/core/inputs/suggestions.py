@@ -14,7 +14,7 @@ SYNONYMS = {
     "drag": "friction rolling-drag",
     "slope": "grade",
     "incline": "grade",
-    "efficiency": "braking",
+    "efficiency": "braking isolation",
     "brake-efficiency": "braking",
     "skid-length": "distance",
     "length": "distance",
