@@ -1,7 +1,7 @@
 """Balancing in one plane by amplitudes alone: one run as it is, three with a trial weight at known angles."""
 
 from dynamics_cli.balance.phasors import Phasor, cross, polar, total
-from dynamics_cli.balance.trial import at_radius, require_radii
+from dynamics_cli.balance.radii import at_radius, require_radii
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.elementary import absolute, sqrt
 from dynamics_cli.numerics.number import plain

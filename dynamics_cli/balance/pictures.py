@@ -94,6 +94,8 @@ def trial(result: "Any", *, sensors: "Any", **_: "Any") -> Picture:
                 arrows.append(((0.0, 0.0), reading.value, name, role))
                 change = (reading.value[0] - start[0], reading.value[1] - start[1])
                 arrows.append((start, change, "", role))
+        if row.now is not None:
+            arrows.append(((0.0, 0.0), row.now.value, "now", 3))
         panels.append(_polar(arrows, kind, f"readings of sensor {nth}"))
         left = result.predicted[nth - 1].residual.value
         if left > SLIGHT * math.hypot(*start):

@@ -2,6 +2,7 @@
 
 from dynamics_cli.balance.influence import condition, norm, solved, solved_together
 from dynamics_cli.balance.phasors import Phasor, polar, scale_of, total
+from dynamics_cli.balance.radii import corrected, require_radii
 from dynamics_cli.errors import require, worded
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
@@ -180,47 +181,34 @@ def trial(
     if together and not drop_dependent:
         _refuse_dependent(apart, off)
     number = _number(kind)
+    put = [corrected(mass, one, scale_of(masses)) for mass, one in zip(masses, weights, strict=True)]
+    first, second = put[0], put[1] if len(put) > 1 else (None, None, None)
     return TrialBalance(
-        first_mass=at_radius(masses[0].size, first_trial.radius, first_trial.correction_radius),
-        first_angle=masses[0].angle_beside(scale_of(masses)),
-        first_unbalance=None if first_trial.radius is None else masses[0].size * first_trial.radius,
-        second_mass=None
-        if second_trial is None
-        else at_radius(masses[1].size, second_trial.radius, second_trial.correction_radius),
-        second_angle=masses[1].angle_beside(scale_of(masses)) if len(masses) > 1 else None,
-        second_unbalance=None
-        if second_trial is None or second_trial.radius is None
-        else masses[1].size * second_trial.radius,
+        first_mass=first[0],
+        first_angle=first[1],
+        first_unbalance=first[2],
+        second_mass=second[0],
+        second_angle=second[1],
+        second_unbalance=second[2],
         condition=apart if len(masses) > 1 and apart < BEYOND else None,
         coefficients=tuple(
             Coefficient(row, nth, Quantity(a.size * 1e-3, number), a.angle)
             for nth, column in enumerate(columns, 1)
             for row, a in enumerate(column, 1)
         ),
-        predicted=tuple(
-            Predicted(row, Quantity(v.size, number), Quantity(0.0 if exact else rest.size, number),
-                      0.0 if exact else rest.size / v.size)
-            for row, (v, rest) in enumerate(zip(initial, left, strict=True), 1)
-        ),
+        predicted=_predicted(initial, left, number, exact=exact),
         checks=(Check("the corrections cancel the readings", off <= 1e-11, off, 1e-11),) if exact else (),
         advice=tuple(_advice(apart, columns, weights, initial, off if together else None)),
     )  # fmt: skip
 
 
-def require_radii(radius: "Any", other: "Any") -> None:
-    """Refuse radii of zero, and that of a correction without that of the trial weight."""
-    require(all(r is None or r > 0.0 for r in (radius, other)), "a weight at the axis balances nothing", code="radius")
-    require(
-        other is None or radius is not None,
-        "the radius of the correction is given, but not that of the trial weight",
-        code="radius",
-        hint="give the radius of the trial weight too",
+def _predicted(before: "list[Phasor]", left: "list[Phasor]", number: Kind, *, exact: bool) -> "tuple[Predicted, ...]":
+    """The readings before and those to expect, zero with as many readings as planes."""
+    sizes = [0.0 if exact else rest.size for rest in left]
+    return tuple(
+        Predicted(nth, Quantity(v.size, number), Quantity(size, number), size if exact else size / v.size)
+        for nth, (v, size) in enumerate(zip(before, sizes, strict=True), 1)
     )
-
-
-def at_radius(mass: "Any", radius: "Any", other: "Any") -> "Any":
-    """A mass at the radius of the trial weight, moved to the radius of the correction."""
-    return mass if other is None else mass * radius / other
 
 
 def _refuse_dependent(apart: float, off: float) -> None:

@@ -4,7 +4,8 @@ import itertools
 from decimal import Context, Decimal, localcontext
 
 from dynamics_cli.errors import require
-from dynamics_cli.numerics.exact.polynomial_text import read, whole
+from dynamics_cli.numerics.exact.polynomial_text import ONE, read, read_quotient, whole
+from dynamics_cli.numerics.exact.rational import total
 from dynamics_cli.numerics.exact.whole_polynomials import (
     common_divisor,
     isolated,
@@ -18,7 +19,7 @@ from dynamics_cli.numerics.exact.whole_polynomials import (
     trimmed,
 )
 from dynamics_cli.quantities import AngularRate, Annotated, Count, Gain, Text
-from dynamics_cli.records import Numerics, record
+from dynamics_cli.records import Advice, Numerics, record
 from dynamics_cli.stability.counting import ASYMPTOTIC, count, verdict
 from dynamics_cli.stability.roots import LAST, METHOD, Root, bounds_of, discs, root_bounds, roots
 
@@ -26,6 +27,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import TypeAlias
+
+    from dynamics_cli.numerics.exact.polynomial_text import Terms
 
     Pair: TypeAlias = tuple[int, int]
     # coefficients from the constant up, for each power of the gain
@@ -72,10 +75,11 @@ class GainAnswer:
     verdict: Annotated[Text | None, "Verdict at the gain that was given."]
     roots: Annotated[tuple[Root, ...] | None, "Roots at the gain that was given; of a pair the upper one."]
     numerics: Numerics
+    advice: tuple[Advice, ...] = ()
 
 
 def gain(
-    polynomial: Annotated[Text, "In s and the gain K, e.g. s(s+1)(s+2) + K."],
+    polynomial: Annotated[Text, "In s and the gain K, or an open loop, e.g. s(s+1)(s+2) + K."],
     /,
     *,
     gain: Annotated[Gain | None, "A gain to judge, e.g. 2.5."] = None,
@@ -130,11 +134,32 @@ def gain(
                 *root_bounds(found or ()),
             ),
         ),
-    )
+        advice=(Advice("open-loop", "an open loop G with negative feedback: the roots are those of 1 + G = 0",
+                       severity="note"),) if is_open_loop(polynomial) else (),
+    )  # fmt: skip
+
+
+def is_open_loop(text: str) -> bool:
+    """Whether a text is an open loop, K/(s(s+1)), neither the polynomial nor 1 + K/(s(s+1))."""
+    if "/" not in text or "," in text or "".join(text.split()).startswith("1+"):
+        return False
+    return read_quotient(text, gain=SYMBOL)[1] != ONE
+
+
+def characteristic(text: str) -> "Terms":
+    """The polynomial in s and K whose roots are those of the closed loop, from itself, from 1 + G or from G."""
+    if "/" not in text or "," in text:
+        return read(text, gain=SYMBOL)
+    over, under = read_quotient(text, gain=SYMBOL)
+    if under == ONE:
+        return read(text, gain=SYMBOL)
+    if is_open_loop(text):
+        over = {key: total((over.get(key, (0, 1)), under.get(key, (0, 1)))) for key in {**over, **under}}
+    return {key: over[key] for key in sorted(over, reverse=True) if over[key][0]}
 
 
 def _family(text: str) -> "Family":
-    family, _ = whole(read(text, gain=SYMBOL))
+    family, _ = whole(characteristic(text))
     degree, highest = len(family[0]) - 1, len(family) - 1
     require(highest > 0, "{text} has no gain {symbol}", text=repr(text), symbol=SYMBOL, code="no-gain",
             hint="write the gain as K: s(s+1)(s+2) + K; without one ask `dynamics stability routh`")  # fmt: skip

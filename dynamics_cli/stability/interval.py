@@ -1,5 +1,7 @@
 """The task `interval`: robust stability of a polynomial whose coefficients lie within ranges."""
 
+from itertools import accumulate
+
 from dynamics_cli.errors import UsageError, require
 from dynamics_cli.numerics.exact.polynomial_text import MOST_DEGREE, read_number
 from dynamics_cli.numerics.exact.rational import lowest, written
@@ -40,7 +42,7 @@ class Interval:
 
 
 def interval(
-    coefficients: Annotated[Text, "From the highest power down, numbers or ranges, e.g. 1, 2..3, 3..4, 1..5."], /
+    coefficients: Annotated[Text, "From the highest power down, numbers or ranges, e.g. 1, 2..3, 3 ± 0.5, 1..5."], /
 ) -> Interval:
     """Stability of all polynomials whose coefficients lie within ranges, independently of one another.
 
@@ -74,7 +76,7 @@ def interval(
     >>> interval("1, 2..3, 3..4, 1..5").verdict
     'robustly stable'
     """
-    ranges = [_range(part) for part in coefficients.strip().strip("[]").split(",")]
+    ranges = [_range(part) for part in _parts(coefficients)]
     ranges.reverse()
     leading = ranges[-1]
     require(
@@ -99,7 +101,24 @@ def interval(
     )
 
 
+def _parts(text: str) -> "list[str]":
+    """The coefficients of a list, its ranges written 2..3 or [2, 3], the whole in brackets or not."""
+    text = text.strip()
+    depths = list(accumulate(("[" in letter) - ("]" in letter) for letter in text))
+    if text.startswith("[") and depths and 0 not in depths[:-1]:
+        text, depths = text[1:-1], [depth - 1 for depth in depths[1:-1]]
+    parts = "".join(";" if letter == "," and depth == 0 else letter for letter, depth in zip(text, depths, strict=True))
+    return [
+        "..".join(part.strip()[1:-1].split(",", 1)) if part.strip().startswith("[") else part
+        for part in parts.split(";")
+    ]
+
+
 def _range(text: str) -> "tuple[Pair, Pair]":
+    middle, sign, half = text.replace("+/-", "±").partition("±")
+    if sign:
+        (mean, below), (width, under) = read_number(middle), read_number(half)
+        text = f"{mean * under - width * below}/{below * under}..{mean * under + width * below}/{below * under}"
     low, dots, high = text.strip().partition("..")
     ends = low.lower().replace("e-", "e").split("-")
     if not dots and len(ends) == 2 and all(ends):

@@ -58,9 +58,10 @@ def gain(result: "Any", polynomial: str, **_: "Any") -> Picture:
     """The root locus, its stable stretches apart, with the critical gains."""
     import numpy as np
 
-    from dynamics_cli.numerics.exact.polynomial_text import read, whole
+    from dynamics_cli.numerics.exact.polynomial_text import whole
+    from dynamics_cli.stability.gain import characteristic
 
-    family, below = whole(read(polynomial, gain="K"))
+    family, below = whole(characteristic(polynomial))
     marks = [one.gain for one in result.critical or ()]
     reach = 2.0 * max([abs(mark) for mark in marks] + [abs(marks[0]) if marks else 1.0]) or 10.0
     low = min([0.0, *[1.2 * mark for mark in marks]])

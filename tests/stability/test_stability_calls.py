@@ -165,3 +165,29 @@ def test_a_range_with_a_hyphen_and_a_small_k_are_told_how_they_are_written() -> 
     assert run("stability", "interval", "1, 2e-3, 3..4").status == 0
     assert "write a capital K" in run("stability", "gain", "s(s+1)(s+2) + k").err
     assert "'a' has no value" in run("stability", "routh", "s^3 + 2s + a").err
+
+
+@pytest.mark.parametrize(
+    ("loop", "closed"),
+    [
+        ("K/(s(s+1)(s+2))", "s(s+1)(s+2) + K"),
+        ("1 + K(s+1)/(s^2(s+5))", "s^2(s+5) + K(s+1)"),
+        ("K(1 + 2/s + 0.1s)/((s+1)(s+2)(s+3))", "s(s+1)(s+2)(s+3) + K(s + 2 + 0.1s^2)"),
+        ("K(1/s + 2/s^2)/(s+1)^3", "s^2(s+1)^3 + K(s+2)"),
+        ("K s/(s(s+1))", "s(s+1) + K s"),  # what cancels stays a root of the loop
+        ("K (s+1) / s / (s-1)", "s(s-1) + K(s+1)"),
+    ],
+)
+def test_an_open_loop_stands_for_its_closed_one(loop: str, closed: str) -> None:
+    made = answer("stability", "gain", loop)
+    assert made["results"] == answer("stability", "gain", closed)["results"]
+    assert ("open-loop" in str(made["warnings"])) is not loop.startswith("1")
+
+
+def test_coefficients_as_other_programs_write_them() -> None:
+    assert (
+        answer("stability", "routh", "[1 2 3 10]")["results"] == answer("stability", "routh", "1, 2, 3, 10")["results"]
+    )
+    wanted = answer("stability", "interval", "1, 2..3, 3..4, 1..7")["results"]
+    for typed in ("[1, [2, 3], 3.5 ± 0.5, [1, 7]]", "1, 2.5 +/- 0.5, 3..4, [1,7]"):
+        assert answer("stability", "interval", typed)["results"] == wanted

@@ -236,3 +236,11 @@ def test_damping_from_a_noisy_record(tmp_path: Path) -> None:
     made = answer("vibration", "decrement", "--file", str(file))["results"]
     assert made["damping_ratio"]["value"] == pytest.approx(0.02, rel=0.03)
     assert made["natural_frequency"]["value"] == pytest.approx(8.0, rel=2e-3)
+
+
+def test_a_critical_speed_alone_needs_no_speed() -> None:
+    """√(48·E·I/L³/m) of a disk in the middle."""
+    made = answer("vibration", "whirl", *shlex.split('--mass "10 kg" --diameter "25 mm" --length "600 mm"'))["results"]
+    stiffness = 48.0 * 210e9 * math.pi / 64.0 * 0.025**4 / 0.6**3
+    assert made["critical_speed"]["value"] == pytest.approx(math.sqrt(stiffness / 10.0) * 30.0 / math.pi)
+    assert "amplitude" not in made

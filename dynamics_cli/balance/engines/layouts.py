@@ -39,6 +39,11 @@ class Preset(Choice):
     """A usual engine."""
 
     names = (*INLINE, *VEES, *BOXERS, *RADIALS)
+    aliases = {  # noqa: RUF012
+        **{f"i{count}": f"inline-{count}" for count in range(1, 7)},
+        **{f"inline{count}": f"inline-{count}" for count in range(1, 7)},
+        **{f"flat-{count}": f"boxer-{count}" for count in (2, 4, 6)},
+    }
 
 
 def layout(preset: str, bank_angle: "Any", spacing: "Any") -> "list[Place]":

@@ -19,7 +19,8 @@ def near_option(task: Task, word: str) -> str:
     near = (
         [typed for names in (task.options, UNIVERSAL_OPTIONS) if typed in names]
         or [f"{name} {typed}" for name, values in (("units", SYSTEMS), ("format", FORMATS)) if typed in values]
-        or [f'{name} "{typed}=…"' for name in groups_with(task, typed)]
+        or [name for name in task.options if singular(name) == typed]
+        + [f'{name} "{typed}=…"' for name in groups_with(task, typed)]
         or suggestions(typed, task.options)
         or _each_of(task, typed)
         or _described(task, typed)

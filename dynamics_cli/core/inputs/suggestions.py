@@ -14,7 +14,7 @@ SYNONYMS = {
     "drag": "friction rolling-drag",
     "slope": "grade angle",
     "incline": "grade angle",
-    "efficiency": "braking",
+    "efficiency": "braking isolation",
     "brake-efficiency": "braking",
     "skid-length": "distance",
     "length": "distance",
@@ -198,7 +198,7 @@ SYNONYMS = {
     "peak": "base-acceleration",
     "peak-acceleration": "base-acceleration",
     "trial-angle": "first-trial-angle",
-    "trial-radius": "trial-radius first-trial-radius",
+    "trial-radius": "first-trial-radius",
 }
 MOST = 3
 BODIES = {"first-": "1", "second-": "2"}

@@ -12,7 +12,10 @@ if TYPE_CHECKING:
     Pair: TypeAlias = tuple[int, int]
     # powers of the variables, and their coefficient
     Terms: TypeAlias = dict[tuple[int, int], Pair]
+    # above and below the line
+    Quotient: TypeAlias = tuple[Terms, Terms]
 
+ONE: "Terms" = {(0, 0): (1, 1)}
 LONGEST = 4000
 MOST_DEGREE = 40
 MOST_DIGITS = 60
@@ -32,6 +35,7 @@ def read(text: str, variable: str = "s", gain: str = "") -> "Terms":
     """
     if len(text) > LONGEST:
         raise UsageError(f"the polynomial has more than {LONGEST} characters", code="polynomial")
+    text = ", ".join(_numbers_apart(text)) or text
     if "," in text:
         parts = [part.strip() for part in text.strip().strip("[]").split(",")]
         terms: Terms = {}
@@ -51,6 +55,17 @@ def read(text: str, variable: str = "s", gain: str = "") -> "Terms":
     return terms
 
 
+def read_quotient(text: str, variable: str = "s", gain: str = "") -> "Quotient":
+    """Numerator and denominator of a transfer function, without any factor cancelled but by adding.
+
+    >>> read_quotient("2/(s + 1)")
+    ({(0, 0): (2, 1)}, {(1, 0): (1, 1), (0, 0): (1, 1)})
+    """
+    if len(text) > LONGEST:
+        raise UsageError(f"the transfer function has more than {LONGEST} characters", code="polynomial")
+    return _Reader(text, variable, gain, quotients=True).quotient()
+
+
 def read_number(text: str) -> "Pair":
     """A decimal or a fraction, exactly."""
     return _Reader(text, "", "").whole().get((0, 0), (0, 1))
@@ -68,11 +83,23 @@ def whole(terms: "Terms") -> "tuple[list[tuple[int, ...]], int]":
     return [tuple(row) for row in rows], common
 
 
+def _without(terms: "Terms", power: int) -> "Terms":
+    """Terms over a power of the variable that all of them have."""
+    return {(own - power, k): value for (own, k), value in terms.items()}
+
+
+def _numbers_apart(text: str) -> "list[str]":
+    """The numbers of a list written with spaces between them, as in `[1 2 3]`; empty of anything else."""
+    parts = text.strip().strip("[]").split()
+    numbers = all(part.lstrip("+-−").replace(".", "").replace("/", "").isdigit() for part in parts)
+    return parts if len(parts) > 1 and numbers and all(part[0] != "/" for part in parts) else []
+
+
 class _Reader:
     """Reads from left to right, by precedence; a missing sign between two factors is a product."""
 
-    def __init__(self, text: str, variable: str, gain: str) -> None:
-        self.typed = text
+    def __init__(self, text: str, variable: str, gain: str, *, quotients: bool = False) -> None:
+        self.typed, self.quotients = text, quotients
         for sign, plain in SIGNS.items():
             text = text.replace(sign, plain)
         self.text, self.at, self.raised = "".join(text.split()), 0, False
@@ -81,35 +108,51 @@ class _Reader:
 
     def whole(self) -> "Terms":
         """The text as one polynomial."""
-        terms = self._sum(0)
+        return self.quotient()[0]
+
+    def quotient(self) -> "Quotient":
+        """The text as one quotient of polynomials."""
+        both = self._sum(0)
         if self.at < len(self.text):
             self._refuse(f"{self.text[self.at]!r} is not wanted here")
-        return terms
+        return both
 
     def _peek(self) -> str:
         return self.text[self.at : self.at + 1]
 
-    def _sum(self, depth: int) -> "Terms":
+    def _sum(self, depth: int) -> "Quotient":
         if depth > MOST_DEPTH:
             self._refuse("too many brackets within each other")
         terms: Terms = {}
+        under = ONE
         sign = 1
         while True:
             while self._peek() in ("+", "-"):
                 sign = -sign if self._peek() == "-" else sign
                 self.at += 1
-            for key, value in self._product(depth).items():
+            added, below = self._product(depth)
+            if below != under:
+                # over one denominator: 1/s + 2/s² = (s + 2)/s²
+                shared = min(power for part in (below, under) for power, _ in part)
+                below, lower = _without(below, shared), _without(under, shared)
+                terms, added, under = self._times(terms, below), self._times(added, lower), self._times(under, below)
+            for key, value in added.items():
                 terms[key] = total((terms.get(key, (0, 1)), (sign * value[0], value[1])))
             if self._peek() not in ("+", "-") or not self._peek():
-                return terms
+                return terms, under
             sign = 1
 
-    def _product(self, depth: int) -> "Terms":
-        terms = self._power(depth)
+    def _product(self, depth: int) -> "Quotient":
+        terms, under = self._power(depth)
         while self._peek() and self._peek() not in "+-)":
             if self._peek() == "/":
                 self.at += 1
-                divisor = {key: value for key, value in self._power(depth).items() if value[0]}
+                over, below = self._power(depth)
+                divisor = {key: value for key, value in over.items() if value[0]}
+                terms = self._times(terms, below)
+                if self.quotients and divisor and list(divisor) != [(0, 0)]:
+                    under = self._times(under, divisor)
+                    continue
                 if list(divisor) != [(0, 0)]:
                     self._refuse(
                         "a polynomial is divided by numbers other than zero only",
@@ -119,8 +162,9 @@ class _Reader:
                 terms = {key: product(value, lowest(bottom, top)) for key, value in terms.items()}
             else:
                 self.at += self._peek() == "*"
-                terms = self._times(terms, self._power(depth))
-        return terms
+                over, below = self._power(depth)
+                terms, under = self._times(terms, over), self._times(under, below)
+        return terms, under
 
     def _times(self, first: "Terms", second: "Terms") -> "Terms":
         out: Terms = {}
@@ -132,7 +176,7 @@ class _Reader:
                 out[key] = total((out.get(key, (0, 1)), product(coefficient, other)))
         return out
 
-    def _power(self, depth: int) -> "Terms":
+    def _power(self, depth: int) -> "Quotient":
         base = self._factor(depth)
         if self._peek() == "^":
             self.at += 1
@@ -146,12 +190,12 @@ class _Reader:
                 return base
         if not word or len(word) > 2 or int(word) > MOST_DEGREE:
             self._refuse(f"a power is a whole number up to {MOST_DEGREE}")
-        out: Terms = {(0, 0): (1, 1)}
+        over, under = ONE, ONE
         for _ in range(int(word)):
-            out = self._times(out, base)
-        return out
+            over, under = self._times(over, base[0]), self._times(under, base[1])
+        return over, under
 
-    def _factor(self, depth: int) -> "Terms":
+    def _factor(self, depth: int) -> "Quotient":
         letter = self._peek()
         if letter == "(":
             self.at += 1
@@ -162,13 +206,16 @@ class _Reader:
             return terms
         if letter in self.powers:
             self.at += 1
-            return {self.powers[letter]: (1, 1)}
+            return {self.powers[letter]: (1, 1)}, ONE
         if letter.isascii() and (letter.isdigit() or letter == "."):
-            return {(0, 0): self._number()}
+            return {(0, 0): self._number()}, ONE
         if letter.isalpha():
             capital = letter.upper() in self.powers
             self._refuse(f"{letter!r} has no value" + (f"; write a capital {letter.upper()}" if capital else ""))
-        self._refuse("it ends too early" if not letter else f"{letter!r} is not wanted here")
+        self._refuse(
+            "it ends too early" if not letter else f"{letter!r} is not wanted here",
+            "coefficients within ranges are for: dynamics stability interval" if letter == "±" else "",
+        )
         raise AssertionError
 
     def _digits(self) -> str:

@@ -112,11 +112,13 @@ def _branches(result: "Any", given: ForcedDuffing) -> Picture:
     """Steady amplitudes over frequency: stable, unstable, jumps, backbone, what was integrated."""
     zeta, cubic, force = given.damping_ratio, given.cubic, given.force
     largest = max(row.amplitude for row in result.branches)
-    peak = max(force / (2.0 * zeta), largest)
+    # at resonance F/(2ζΩ): a softening spring has it below 1
+    peak = max(force / (2.0 * zeta * min([1.0, *(jump for jump in result.jumps if jump > 0.2)])), largest)
     curves: dict[tuple[float, bool], tuple[list[float], list[float]]] = {
         (sign, stable): ([], []) for sign in (-1.0, 1.0) for stable in (True, False)
     }
     backbone: tuple[list[float], list[float]] = ([], [])
+    tip = largest
     sizes = [peak * 1.2 * i / 1500.0 for i in range(3, 1501)]
     for a in sizes:
         p = 1.0 + 0.75 * cubic * a * a
@@ -126,7 +128,11 @@ def _branches(result: "Any", given: ForcedDuffing) -> Picture:
         half, square = p - 2.0 * zeta * zeta, p * p - (force / a) ** 2
         inside = half * half - square
         if inside < 0.0:
+            for x, y in curves.values():
+                x.append(math.sqrt(max(p, 0.0)))
+                y.append(math.nan)
             continue
+        tip = a
         for sign in (-1.0, 1.0):
             u = half + sign * math.sqrt(inside)
             if u <= 0.0:
@@ -147,5 +153,8 @@ def _branches(result: "Any", given: ForcedDuffing) -> Picture:
         items.append(Band(jump, jump, "jumps" if nth == 0 else ""))
     heights = [row.true_amplitude or row.amplitude for row in result.branches]
     items.append(Curve([given.frequency_ratio] * len(heights), heights, "integrated", "points", role=2))
-    axes = Axis("frequency over linear", ends=(0.0, end)), Axis("amplitude", ends=(0.0, 1.3 * largest))
+    axes = (
+        Axis("frequency over linear", ends=(0.0, end)),
+        Axis("amplitude", ends=(0.0, max(1.3 * largest, 1.1 * min(tip, 3.0 * largest)))),
+    )
     return Picture((Panel(*axes, tuple(items)),), "steady amplitudes under the force")

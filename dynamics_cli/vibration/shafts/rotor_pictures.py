@@ -2,6 +2,7 @@
 
 import math
 
+from dynamics_cli.errors import require
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import Frequency, ShaftSpeed, Size
@@ -28,6 +29,12 @@ def whirl(
     **_: "Any",
 ) -> Picture:  # fmt: skip
     """The Campbell diagram of a disk that tilts, and the amplitude of the whirl over speed."""
+    require(
+        result.amplitude is not None,
+        "without speed and eccentricity there is no whirl to draw",
+        code="missing",
+        hint="give --speed and --eccentricity",
+    )
     critical, at = plain(result.critical_speed), plain(result.ratio)
     top = max(2.5 * critical, 1.3 * at * critical) if highest_speed is None else plain(highest_speed)
     title = "" if polar_inertia is None else "amplitude, the disk not tilting"

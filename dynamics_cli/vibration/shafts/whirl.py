@@ -72,11 +72,11 @@ class Whirl:
     """Whirl of a disk on a shaft."""
 
     critical_speed: Annotated[ShaftSpeed, "Critical speed, the disk not tilting [rad/s]."]
-    amplitude: Annotated[Size, "Whirl of the middle of the shaft at the speed given [m]."]
-    phase: Annotated[Angle, "By how much it lags the centre of mass [rad]."]
-    response: Annotated[Ratio, "Amplitude over eccentricity, r²·H [-]."]
-    bearing_force: Annotated[Force, "Rotating force that bends the shaft, on both bearings together [N]."]
-    ratio: Annotated[Ratio, "Speed over critical speed r [-]."]
+    amplitude: Annotated[Size | None, "Whirl of the middle of the shaft at the speed given [m]."]
+    phase: Annotated[Angle | None, "By how much it lags the centre of mass [rad]."]
+    response: Annotated[Ratio | None, "Amplitude over eccentricity, r²·H [-]."]
+    bearing_force: Annotated[Force | None, "Rotating force that bends the shaft, on both bearings together [N]."]
+    ratio: Annotated[Ratio | None, "Speed over critical speed r [-]."]
     peak_amplitude: Annotated[Size | None, "Largest whirl while passing the critical speed slowly [m]."]
     static_deflection: Annotated[Size, "Deflection of a horizontal shaft under the weight [m]."]
     stiffness: Annotated[SpringRate, "Stiffness of the shaft at the disk [N/m]."]
@@ -92,8 +92,8 @@ def whirl(
     *,
     mass: Annotated[Mass, "Mass of the disk, e.g. 30 kg."],
     shaft: Annotated[Known | Bar, "The shaft."],
-    eccentricity: Annotated[Eccentricity, "Centre of mass off the shaft, e.g. 20 um."],
-    speed: Annotated[ShaftSpeed, "Speed of the shaft, e.g. 3000 rpm."],
+    eccentricity: Annotated[Eccentricity | None, "Centre of mass off the shaft, for its whirl, e.g. 20 um."] = None,
+    speed: Annotated[ShaftSpeed | None, "Speed of the shaft, for its whirl, e.g. 3000 rpm."] = None,
     damping_ratio: Annotated[DampingRatio, "External damping over critical damping, e.g. 0.02."] = 0.0,
     polar_inertia: Annotated[Inertia | None, "Of the disk about its axis, if it tilts, e.g. 0.5 kg*m^2."] = None,
     diametral_inertia: Annotated[Inertia | None, "Of the disk about a diameter, e.g. 0.25 kg*m^2."] = None,
@@ -136,19 +136,13 @@ def whirl(
     stiffness, springs = stiffness_of(shaft)
     require(stiffness > 0.0, "the shaft has no stiffness", code="no-stiffness")
     critical = sqrt(stiffness / mass)
-    turning = absolute(speed)
-    require(turning > 0.0, "a shaft at rest does not whirl", code="at-rest")
-    ratio = turning / critical
-    gap = (critical - turning) * (critical + turning) / (critical * critical)
-    require(
-        damping_ratio + absolute(gap) > 0.0,
-        "at its critical speed without damping the whirl grows, by {growth} in each turn",
-        growth=(pi_beside(ratio) * eccentricity, Size),
-        code="resonance",
-        hint="give --damping-ratio",
-    )
-    size, lag = magnification(gap, ratio, damping_ratio)
-    response = ratio * ratio * size
+    require(speed is None or absolute(speed) > 0.0, "a shaft at rest does not whirl", code="at-rest")
+    turning = None if speed is None else absolute(speed)
+    ratio = None if turning is None else turning / critical
+    response = lag = amplitude = force = None
+    if turning is not None and eccentricity is not None:
+        response, lag = _response(critical, turning, eccentricity, damping_ratio)
+        amplitude, force = eccentricity * response, stiffness * eccentricity * response
     disk = _disk(mass, springs, polar_inertia, diametral_inertia)
     forward = backward = None
     if disk is not None:
@@ -160,25 +154,41 @@ def whirl(
         code="missing",
         hint="give --polar-inertia and --diametral-inertia, or leave out --highest-speed",
     )
-    peaks = damping_ratio > 0.0 and damping_ratio < NO_PEAK
-    square = damping_ratio * damping_ratio
+    peak = None
+    if eccentricity is not None and damping_ratio > 0.0 and damping_ratio < NO_PEAK:
+        peak = eccentricity / (2.0 * damping_ratio * sqrt(1.0 - damping_ratio * damping_ratio))
     return Whirl(
         critical_speed=critical,
-        amplitude=eccentricity * response,
+        amplitude=amplitude,
         phase=lag,
         response=response,
-        bearing_force=stiffness * eccentricity * response,
+        bearing_force=force,
         ratio=ratio,
-        peak_amplitude=eccentricity / (2.0 * damping_ratio * sqrt(1.0 - square)) if peaks else None,
+        peak_amplitude=peak,
         static_deflection=STANDARD_GRAVITY * mass / stiffness,
         stiffness=stiffness,
         forward_speed=forward,
         backward_speed=backward,
-        whirls=None if disk is None else whirls_at(disk, turning),
+        whirls=None if disk is None or turning is None else whirls_at(disk, turning),
         criticals=meetings(disk, critical, orders or (() if disk is None else (1.0,))) or None,
         campbell=None if disk is None or highest_speed is None else diagram(disk, highest_speed),
-        advice=_advice(ratio if forward is None else turning / forward),
+        advice=() if turning is None else _advice(turning / (critical if forward is None else forward)),
     )
+
+
+def _response(critical: "Any", turning: "Any", eccentricity: "Any", damping_ratio: "Any") -> "tuple[Any, Any]":
+    """Whirl over eccentricity at a speed, and its lag."""
+    ratio = turning / critical
+    gap = (critical - turning) * (critical + turning) / (critical * critical)
+    require(
+        damping_ratio + absolute(gap) > 0.0,
+        "at its critical speed without damping the whirl grows, by {growth} in each turn",
+        growth=(pi_beside(ratio) * eccentricity, Size),
+        code="resonance",
+        hint="give --damping-ratio",
+    )
+    size, lag = magnification(gap, ratio, damping_ratio)
+    return ratio * ratio * size, lag
 
 
 def stiffness_of(shaft: "Known | Bar") -> "tuple[Any, tuple[Any, Any, Any] | None]":
