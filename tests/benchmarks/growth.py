@@ -32,6 +32,17 @@ def segments(count: int, folder: Path) -> list[str]:
     return ["skid", "speed", "--input", str(file)]
 
 
+def uncertain(count: int, folder: Path) -> list[str]:
+    """A skid over so many surfaces of uncertain lengths."""
+    draw = random.Random(count)
+    parts = [
+        {"distance": f"{draw.uniform(0.5, 1.5):.3f} ± 0.05 m", "friction": draw.uniform(0.4, 0.8)} for _ in range(count)
+    ]
+    file = folder / f"uncertain-{count}.json"
+    file.write_text(json.dumps({"segments": parts}))
+    return ["skid", "speed", "--input", str(file)]
+
+
 def bodies(count: int, folder: Path) -> list[str]:
     """A row of balls at rest, and one that runs into it."""
     parts = [{"mass": "1 kg", "velocity": "0 m/s" if index else "1 m/s"} for index in range(count)]
@@ -98,6 +109,7 @@ def triangles(count: int, folder: Path) -> list[str]:
 # The first size of each, its maker, and what is counted.
 CASES: dict[str, tuple[int, Callable[[int, Path], list[str]]]] = {
     "segments": (1250, segments),
+    "uncertain segments": (100, uncertain),
     "bodies": (60, bodies),
     "parts": (250, parts),
     "rows": (20_000, rows),
@@ -141,11 +153,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="How time grows with size.")
     parser.add_argument("--rounds", type=int, default=3)
     asked = parser.parse_args()
-    print(f"{'what':12}{'sizes':>22}{'seconds':>40}{'exponent':>12}")
+    print(f"{'what':20}{'sizes':>22}{'seconds':>40}{'exponent':>12}")
     for name, sizes, times, slope in exponents(asked.rounds):
         told = "  ".join(f"{took:8.4f}" for took in times)
         mark = "" if slope <= LINEAR else "  not linear"
-        print(f"{name:12}{f'{sizes[0]:,} to {sizes[-1]:,}':>22}{told:>40}{slope:12.2f}{mark}", flush=True)
+        print(f"{name:20}{f'{sizes[0]:,} to {sizes[-1]:,}':>22}{told:>40}{slope:12.2f}{mark}", flush=True)
 
 
 if __name__ == "__main__":

@@ -78,3 +78,32 @@ def test_notes_over_lines_become_json_of_one_line() -> None:
     assert status == 0
     assert out.count(b"\n") == 1
     assert b'"note":"a\\nb"' in out
+
+
+def test_quotes_within_quoted_cells_are_no_reason_to_answer_rows_one_by_one() -> None:
+    from harness import run as run_program
+
+    from dynamics_cli.core.batch.stream import _Stream
+
+    rows = [
+        '60 ft,0.7,"a ""b"""',
+        '"61 ft","0.7","""all"""',
+        '62 ft,0.7,""',
+        '63 ft,0.7,""""""',
+        '"5 ft 6""",0.7,"x, ""y"""',
+    ]
+    head = "distance,friction,note\n"
+    singly = [run_program("skid", "speed", "--rows", "-", stdin=head + row + "\n").out.splitlines()[1] for row in rows]
+    many = [row for _ in range(200) for row in rows]
+    single, calls = _Stream._single, []
+
+    def counted(self, line):
+        calls.append(line)
+        return single(self, line)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(_Stream, "_single", counted)
+        together = run_program("skid", "speed", "--rows", "-", stdin=head + "\n".join(many) + "\n").out.splitlines()[1:]
+    assert together == singly * 200
+    # the inch mark is no number's end that arrays know
+    assert len(calls) <= 200

@@ -7,6 +7,7 @@ import random
 import subprocess
 import sys
 from contextlib import suppress
+from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -510,6 +511,28 @@ def test_memory_is_constant(line: bytes, command: tuple[str, ...]) -> None:
     assert large <= 48.0
     # How much comes at a time depends on the pipe.
     assert large - small < 10.0
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs /proc")
+def test_arrays_of_one_block_do_not_wait_for_the_end(tmp_path: Path) -> None:
+    """An impact's arrays stand in circles, which only the collector frees."""
+    code = (
+        "import os, sys\nimport dynamics_cli.__main__\nfrom dynamics_cli.cli import main\nmain()\n"
+        "peak = next(line for line in open('/proc/self/status') if line.startswith('VmHWM'))\n"
+        "print(peak.split()[1], file=sys.stderr)"
+    )
+    rest = ["--first-mass", "1500 kg", "--first-inertia", "2500 kg*m^2", "--first-lever", "2, -0.4 m"]
+    rest += ["--second-mass", "1200 kg", "--second-inertia", "1800 kg*m^2", "--second-lever", "-0.8, 0.5 m"]
+    rest += ["--restitution", "0.1"]
+    peaks = []
+    for count in (20_000, 60_000):
+        file = tmp_path / f"{count}.csv"
+        rows = (f'"{5 + k % 16}, 0 m/s","0, {5 + k % 7} m/s",{k % 31} deg,0.{20 + k % 51}' for k in range(count))
+        file.write_text("first_velocity,second_velocity,normal,friction\n" + "\n".join(rows) + "\n")
+        command = [sys.executable, "-c", code, "impact", "planar", *rest, "--rows", str(file)]
+        run_once = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=True)
+        peaks.append(int(run_once.stderr.split()[-1]) / 1024.0)
+    assert peaks[1] - peaks[0] < 15.0, peaks
 
 
 def test_small_streams_do_without_numpy() -> None:

@@ -304,7 +304,9 @@ class _Stream:
         if self._wants_arrays(len(complete)):
             import gc
 
-            # Thousands of small lists come and go, none of them in a cycle; looking for cycles doubles their cost.
+            # Thousands of small lists come and go, none of them in a cycle; looking for cycles doubles their cost. The
+            # few cycles of the block before hold its arrays, though.
+            gc.collect(0)
             gc.disable()
             try:
                 return self._together(complete)

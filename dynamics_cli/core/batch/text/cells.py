@@ -25,6 +25,10 @@ if TYPE_CHECKING:
     from dynamics_cli.core.batch.rows.plan import Plan
     from dynamics_cli.core.batch.text.conversions import ExactPlan
 
+# Stands for a doubled quote while lines are split at quotes.
+MARK = b"\x01"
+_QUOTED_CELL = re.compile(rb'"((?:[^"]|"")*)"')
+
 
 def _tidy(data: bytes) -> bool:
     """Whether words are separated by single spaces and no quote can join them."""
@@ -56,6 +60,12 @@ class CellGroups(Groups):
         cell = rb'(?:"[^"\n]*"|[^",\n]*)'
         self._quoted_line = re.compile(b",".join([cell] * len(addresses))).fullmatch
 
+    def _without_inner_quotes(self, line: bytes) -> bytes | None:
+        """A line with a mark for each doubled quote within a quoted cell; None where it cannot be split."""
+        if b'""' in line and MARK not in line:
+            line = _QUOTED_CELL.sub(lambda cell: b'"' + cell[1].replace(b'""', MARK) + b'"', line)
+        return line if self._quoted_line(line) else None
+
     def _cells(self, lines: "list[bytes]") -> "list[list[bytes]] | None":
         """Columns of cells, or None when some line has a different number of them than the header."""
         data = b"\n".join(lines)
@@ -65,7 +75,10 @@ class CellGroups(Groups):
         if b'"' not in data:
             return apart(lines, self.separator, width)
         if not all(map(self._quoted_line, lines)):
-            return None
+            marked = list(map(self._without_inner_quotes, lines))
+            if None in marked:
+                return None
+            data = b"\n".join(marked)  # type: ignore[arg-type]
         # What is quoted may hold separators.
         pieces = data.split(b'"')
         return apart(QUOTED.join(pieces[::2]).split(b"\n"), self.separator, width, iter(pieces[1::2]))
@@ -113,7 +126,7 @@ class CellGroups(Groups):
 
     def _fits(self, line: bytes) -> bool:
         if b'"' in line:
-            return self.separator == b"," and self._quoted_line(line) is not None and readable(line)
+            return self.separator == b"," and self._without_inner_quotes(line) is not None and readable(line)
         if line.count(self.separator) != len(self.addresses) - 1 or not readable(line):
             return False
         return self.separator != b" " or _tidy(line)

@@ -50,7 +50,9 @@ def rule(rest: int, level: int, accuracy: float) -> "tuple[Array, Array]":
 def _levels(rest: int) -> "list[int]":
     if rest <= 2:
         return list(range(1, len(TENSOR_COUNTS) + 1))
-    return [level for level in range(1, MOST_LEVEL + 1) if smolyak.size(rest, level) <= MOST_GRID_LINES]
+    levels = [level for level in range(1, MOST_LEVEL + 1) if smolyak.size(rest, level) <= MOST_GRID_LINES]
+    # of many inputs a star of lines alone is within reach, beside its centre
+    return [0, 1] if levels == [1] else levels
 
 
 def grids(space: Space, result: int, direction: "Array", across: "Array", goal: Goal) -> "Steps[Outcome | None]":
@@ -61,7 +63,8 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
     best: Outcome | None = None
     differences: list[float] = []
     last: tuple[Lines, Roots, tuple[int, int, int]] | None = None
-    for level in _levels(rest):
+    levels = _levels(rest)
+    for level in levels:
         lines = Lines(space, result, direction, across, *rule(rest, level, goal.accuracy))
         shape = (rest, level, lines.weights.size)
         guess = carry(last[0], last[1], lines, (last[2], shape)) if last else None
@@ -81,6 +84,8 @@ def grids(space: Space, result: int, direction: "Array", across: "Array", goal: 
             outcome.estimate = max(own * now, factor * differences[-2] if len(differences) > 1 else np.inf, FLOOR)
             if len(differences) == 1 and now < 1e-3 * goal.accuracy:
                 outcome.estimate = max(30.0 * now, FLOOR)
+            elif levels == [0, 1]:
+                outcome.estimate = max(own * now, FLOOR)
             outcome.estimate = max(outcome.estimate, roots.residual)
         if best is None or outcome.estimate <= best.estimate:
             best = outcome

@@ -137,7 +137,7 @@ def _size(space: Space, goal: Goal, rows: "list[int]") -> tuple[int, int]:
 def _points(size: int, count: int, shifts: int, seed: int) -> "Array":
     if size <= MOST_DIMENSIONS:
         return quantile(lattice(size, count, shifts, seed))
-    return quantile(np.random.default_rng(seed).random((size, shifts * count)))
+    return np.random.default_rng(seed).standard_normal((size, shifts * count))
 
 
 class Wide:
