@@ -345,16 +345,14 @@ def test_compounds_are_exact(yards: int, feet: int, inches: int, thousandths: in
     ("text", "ratio"),
     [
         ("365.2422/27.3217", (3652422, 273217)), ("1/2", (1, 2)), (" 4 / 2 ", (2, 1)), ("13.36", (334, 25)),
-        ("-1/3", (-1, 3)), ("1/-3", (-1, 3)), ("0/5", (0, 1)), ("1e-3", (1, 1000)),
+        ("-1/3", (-1, 3)), ("1/-3", (-1, 3)), ("0/5", (0, 1)), ("1e-3", (1, 1000)), ("10:1", (10, 1)),
     ],
 )  # fmt: skip
 def test_fractions(text: str, ratio: tuple[int, int]) -> None:
     assert read_fraction(text) == ratio
 
 
-@pytest.mark.parametrize(
-    "text", ["", "/", "1/", "/2", "1/0", "1/0.0", "1/2/3", "a/b", "1/2 m", "nan/1", "1/2,5"]
-)
+@pytest.mark.parametrize("text", ["", "/", "1/", "/2", "1/0", "1/0.0", "1/2/3", "a/b", "1/2 m", "nan/1", "1/2,5"])
 def test_refused_fractions(text: str) -> None:
     with pytest.raises(UsageError):
         read_fraction(text)
