@@ -345,7 +345,7 @@ def test_compounds_are_exact(yards: int, feet: int, inches: int, thousandths: in
     ("text", "ratio"),
     [
         ("365.2422/27.3217", (3652422, 273217)), ("1/2", (1, 2)), (" 4 / 2 ", (2, 1)), ("13.36", (334, 25)),
-        ("-1/3", (-1, 3)), ("1/-3", (-1, 3)), ("0/5", (0, 1)), ("1e-3", (1, 1000)),
+        ("-1/3", (-1, 3)), ("1/-3", (-1, 3)), ("0/5", (0, 1)), ("1e-3", (1, 1000)), ("10:1", (10, 1)),
     ],
 )  # fmt: skip
 def test_fractions(text: str, ratio: tuple[int, int]) -> None:
