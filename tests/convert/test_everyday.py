@@ -133,6 +133,7 @@ WORKSHOP = [
     ("4 USgal to qt", 16),
     ("1728 CID to cuft", 1),
     ("2 inWC to inH2O", 2),
+    ("5 ft, 6 in to in", 66),
 ]
 
 
