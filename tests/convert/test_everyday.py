@@ -133,6 +133,7 @@ WORKSHOP = [
     ("4 USgal to qt", 16),
     ("1728 CID to cuft", 1),
     ("2 inWC to inH2O", 2),
+    ("5 ft, 6 in to in", 66),
 ]
 
 
@@ -158,3 +159,18 @@ def test_several_units_in_other_spellings_and_a_force_in_kg() -> None:
         assert run("convert", "5.75 ft", target, "-q").out.strip() == expected
     assert run("convert", "30.5 deg", "dms", "-q").out.strip() == "30 deg 30 arcmin 0 arcsec"
     assert "as a force write kgf*cm" in run("convert", "20 kg*cm", "N*m").err
+
+
+@pytest.mark.parametrize("typed", ["60,70,80 mph", "60, 70, 80 mph", "60 70 80 mph"])
+def test_several_numbers_are_for_rows(typed: str) -> None:
+    outcome = run("convert", typed, "km/h")
+    assert outcome.status == 2
+    assert "is 3 numbers, wanted one" in outcome.err
+    assert "--rows" in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("typed", "mm"), [("½ in", "12.7"), ("2½ in", "63.5"), ("3 ¼ in", "82.55"), ("5' 6½\"", "1689.1")]
+)
+def test_fractions_in_one_character(typed: str, mm: str) -> None:
+    assert run("convert", typed, "mm", "-q").out == f"{mm} mm\n"

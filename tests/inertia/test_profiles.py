@@ -112,3 +112,9 @@ def test_bars_are_built_up() -> None:
     results = answer("inertia", "section", *(word for plate in plates for word in ("--bar", plate)))["results"]
     assert value(results, "area") == 1800
     assert value(results, "y") == pytest.approx(800 * 55 / 1800, rel=WITHIN)
+
+
+def test_the_mass_per_length() -> None:
+    results = section("round", "--diameter", "50 mm", "--density", "7.85 g/cm^3")
+    assert value(results, "linear_density") == pytest.approx(7850 * pi * 0.05**2 / 4, rel=WITHIN)
+    assert "linear_density" not in section("round", "--diameter", "50 mm")

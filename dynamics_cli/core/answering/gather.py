@@ -227,4 +227,4 @@ def _has_number(word: str) -> bool:
 
 def _is_bare(word: str) -> bool:
     """Whether a word is a number and nothing more."""
-    return bool(word) and not word.strip("+-−./ 0123456789eE,^×*")
+    return bool(word) and not word.strip("+-−./ 0123456789eE,^×*½¼¾")

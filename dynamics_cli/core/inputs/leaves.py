@@ -230,6 +230,10 @@ def _exact(kind: Kind, raw: "Any", address: str, context: "Context") -> Bound:
             code="uncertain",
             hint=f"write one number, for example {kind.example}",
         )
+    if text.count(",") + text.count(" ") > 1:
+        from dynamics_cli.core.inputs.forms.lists import require_one
+
+        require_one(text)
     amount = read_amount(text)
     if len(amount.parts) == 1:
         numerator, denominator, unit = amount.parts[0]

@@ -31,6 +31,7 @@ ARC_SIGNS = "°′″"
 POWER_SIGNS = tuple("^x×*·")
 NO_UNIT = "it has no unit"
 # Signs of a text in one of the forms of `typed_forms`.
+FRACTIONS = {"½": "1/2", "¼": "1/4", "¾": "3/4", "⅓": "1/3", "⅔": "2/3", "⅛": "1/8", "⅜": "3/8", "⅝": "5/8", "⅞": "7/8"}
 FORM_MARKS = "'\"’‘”“:,+"
 UNCERTAIN_SIGNS = ("±", "+/-", "+-", "..")
 DISTRIBUTIONS = ("normal", "uniform", "lognormal", "triangular", "truncated", "beta", "empirical", "readings")
@@ -104,6 +105,8 @@ def read_amount(text: str) -> Amount:
     body = text.strip()
     if len(body) > LONGEST_TEXT:
         raise UsageError(f"{shown(body)} is too long for a quantity", code="syntax")
+    if not body.isascii() and any(mark in body for mark in FRACTIONS):
+        body = "".join(f" {FRACTIONS[mark]}" if mark in FRACTIONS else mark for mark in body).strip()
     if not any(mark in body for mark in FORM_MARKS):
         return _amount(body, text)
     from dynamics_cli.core.inputs.typed_forms import plain_text, summands

@@ -17,7 +17,10 @@ def plain_text(text: str) -> str:
     """The text with clock times, grouped thousands and the signs of feet and inches written plainly."""
     if not any(mark in text for mark in MARKS):
         return text
-    return _without_signs(_without_groups(_without_clock(text)))
+    plain = _without_signs(_without_groups(_without_clock(text)))
+    # the comma of 5 ft, 6 in
+    head, comma, tail = plain.partition(", ")
+    return f"{head} {tail}" if comma and head[-1:].isalpha() and tail[:1] in tuple(DIGITS) else plain
 
 
 def summands(text: str) -> list[str]:

@@ -50,6 +50,7 @@ SECTION = Task(
     ),
     headline=(
         "area: area A",
+        "linear_density: mass per length",
         "x: centroid x_C",
         "y: centroid y_C",
         "centroidal.ix: second moment I_x",
@@ -64,6 +65,8 @@ SECTION = Task(
     arrays=False,
     tracked=False,
     plot="dynamics_cli.inertia.section.pictures:section_picture",
+    names={"material": "dynamics_cli.inertia.bodies.materials:TABLE"},
+    pointers=NAMED,
     examples=(
         'dynamics inertia section --profile i-beam --height "200 mm" --width "100 mm" --web "5.6 mm" '
         '--flange "8.5 mm" --fillet "12 mm"',

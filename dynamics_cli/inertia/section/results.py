@@ -1,6 +1,17 @@
 """The parts of a section's report."""
 
-from dynamics_cli.quantities import Angle, Annotated, Area, Coordinate, Count, SecondMoment, SectionModulus, Size, Text
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    Area,
+    Coordinate,
+    Count,
+    LinearDensity,
+    SecondMoment,
+    SectionModulus,
+    Size,
+    Text,
+)
 from dynamics_cli.records import Advice, Check, Numerics, record
 
 
@@ -61,6 +72,7 @@ class SectionProperties:
     gyration: Annotated[Gyration, "Radii of gyration."]
     moduli: Annotated[Moduli, "Elastic section moduli."]
     corners: Annotated[Count, "Number of corners."]
+    linear_density: Annotated[LinearDensity | None, "Mass per length, of a density or material [kg/m]."] = None
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None

@@ -3,6 +3,7 @@
 from math import atan2, fsum, hypot, pi
 
 from dynamics_cli.errors import require
+from dynamics_cli.inertia.bodies.amount import OfDensity, OfMaterial, mass_of
 from dynamics_cli.inertia.bodies.principal_tracked import SHOWN
 from dynamics_cli.inertia.section.contours import Hole, Piece, contours
 from dynamics_cli.inertia.section.integrals import Integrals, direction, principal, root
@@ -36,6 +37,7 @@ class Drawn:
     ] = ()
     pieces: Annotated[tuple[Piece, ...], "Material, as further polygons, circles and rectangles."] = ()
     holes: Annotated[tuple[Hole, ...], "Holes, as polygons, circles and rectangles within the material."] = ()
+    amount: Annotated[OfDensity | OfMaterial | None, "What it is made of, for its mass per length."] = None
 
 
 def section_of(drawn: Annotated[Drawn, "The section, from a file or by options."], /) -> SectionProperties:
@@ -46,7 +48,7 @@ def section_of(drawn: Annotated[Drawn, "The section, from a file or by options."
     SectionProperties
         As `section` gives them, which says how.
     """
-    return section(polygon=drawn.polygon, pieces=drawn.pieces, holes=drawn.holes, bars=drawn.bars)
+    return section(polygon=drawn.polygon, pieces=drawn.pieces, holes=drawn.holes, bars=drawn.bars, amount=drawn.amount)
 
 
 def section(
@@ -55,6 +57,7 @@ def section(
     pieces: tuple[Piece, ...] = (),
     holes: tuple[Hole, ...] = (),
     bars: Bar | tuple[Bar, ...] = (),
+    amount: OfDensity | OfMaterial | None = None,
 ) -> SectionProperties:
     """Area, centroid, second moments, principal axes, radii of gyration and section moduli of a plane section.
 
@@ -93,13 +96,14 @@ def section(
     require(sums.area > 0, "the holes leave no material", code="no-area")
     up, down = sums.moment(sums.area, 2)
     require(up / down > SMALLEST, "an area of {area} is out of range", code="range", area=(up / down, Area))
-    return _Report(shapes, sums).record()
+    return _Report(shapes, sums, None if amount is None else mass_of(amount, up / down, 3)).record()
 
 
 class _Report:
     """Numbers of a section, each rounded from its exact ratio."""
 
-    def __init__(self, shapes: "list[Contour]", sums: Integrals) -> None:
+    def __init__(self, shapes: "list[Contour]", sums: Integrals, linear_density: float | None) -> None:
+        self.linear_density = linear_density
         self.contours = shapes
         self.sums = sums
         self.unit = sums.unit
@@ -138,8 +142,9 @@ class _Report:
             ),
             moduli=self._moduli((ix, scale), (iy, scale), first, second, (1, 0) if equal else direction(ix, iy, ixy)),
             corners=corners,
+            linear_density=self.linear_density,
             advice=_advice(self.contours),
-            numerics=Numerics(METHOD, tuple(_bounds())),
+            numerics=Numerics(METHOD, tuple(_bounds(weighed=self.linear_density is not None))),
         )
 
     def _perimeter(self) -> float:
@@ -208,7 +213,7 @@ def _over(moment: "tuple[int, int]", area: "tuple[int, int]") -> float:
     return up / down
 
 
-def _bounds() -> "list[ErrorBound]":
+def _bounds(*, weighed: bool) -> "list[ErrorBound]":
     """One rounding of an exact ratio and one of its display unit; a few more for an angle or a sum of lengths."""
     once = UNIT_ROUNDOFF * (1.0 + 2.0**-40) + SHOWN
     names = ["area", "x", "y", "principal.i1", "principal.i2"]
@@ -216,7 +221,8 @@ def _bounds() -> "list[ErrorBound]":
     names += [f"gyration.{part}" for part in Gyration.fields]  # type: ignore[attr-defined]
     names += [f"moduli.{part}" for part in Moduli.fields]  # type: ignore[attr-defined]
     out = [ErrorBound(name, once) for name in names]
-    out += [ErrorBound(name, 4.0 * UNIT_ROUNDOFF + SHOWN) for name in ("perimeter", "principal.angle")]
+    several = ("perimeter", "principal.angle", *(("linear_density",) if weighed else ()))
+    out += [ErrorBound(name, 4.0 * UNIT_ROUNDOFF + SHOWN) for name in several]
     return out
 
 

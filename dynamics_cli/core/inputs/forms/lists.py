@@ -89,6 +89,18 @@ def spaced_numbers(text: str) -> "list[str]":
     return [f"{word} {unit}".rstrip() for word in words[:count]]
 
 
+def require_one(text: str) -> None:
+    """Refuse several numbers where one is wanted: `60, 70 mph`, `60 70 mph`; 1,000 may be one, 5 ft, 6 in is one."""
+    items = spaced_numbers(text)
+    parts = [part.strip() for part in text.split(",")]
+    grouped = ", " not in text and all(len(part) > 2 and part[:3].isdigit() for part in parts[1:])
+    if not items and len(parts) > 1 and (", " in text or len(parts) > 2) and not grouped:
+        items = parts if all(part and number_end(part, 0) == len(part) for part in parts[:-1]) else []
+    if len(items) > 1:
+        hint = "many values, one a line, are read by --rows -"
+        raise UsageError(f"{text.strip()!r} is {len(items)} numbers, wanted one", code="several", hint=hint)
+
+
 def share_unit(items: "list[str]") -> "list[str]":
     """Give the last item's unit to earlier ones without a unit: `1, 2, 3 m`; zeros take any: `1 m, 0, 0`."""
     items = [item.strip() for item in items]
