@@ -321,7 +321,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     if laid_out:
         layout = load(laid_out)
         if task.verdict and not settings.all:
-            # what passed is told by the status
+            # the status says what passed
             return to_verdict(document, layout(document["results"], digits, width), width or 80)
         return to_full_table(document, digits, lambda results: layout(results, digits, width), width or 80)
     return to_full_table(document, digits, width=width, screen=width)
