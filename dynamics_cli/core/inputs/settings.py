@@ -91,7 +91,7 @@ class Settings:
         self.format = self._format(given, environ)
         self.units = self._text(given, "units") or environ.get("DYNAMICS_UNITS") or "si"
         if self.units not in SYSTEMS:
-            raise _of_variable(_unknown("units", self.units, SYSTEMS), given)
+            raise _unknown("units", self.units, SYSTEMS, given)
         self.to = _pairs("to", given)
         self.digits = self._digits(given, environ)
         self.all = bool(given.get("all"))
@@ -175,7 +175,7 @@ class Settings:
             )
         name = name or ending or environ.get("DYNAMICS_FORMAT") or "table"
         if name not in FORMATS:
-            raise _of_variable(_unknown("format", name, FORMATS), options)
+            raise _unknown("format", name, FORMATS, options)
         return name
 
     def _jobs(self, options: "Mapping[str, str | bool | list[str]]") -> int:
@@ -192,8 +192,9 @@ class Settings:
         if not text:
             return 0
         if not (text.isascii() and text.isdigit()) or len(text) > 2 or not 1 <= int(text) <= 17:
-            message = f"read {text!r}, wanted 1 to 17 significant digits"
-            raise _of_variable(UsageError(message, parameter="digits"), options)
+            error = UsageError(f"read {text!r}, wanted 1 to 17 significant digits", parameter="digits")
+            error.named = "" if "digits" in options else "DYNAMICS_DIGITS"
+            raise error
         return int(text)
 
     def _whole(self, options: "Mapping[str, str | bool | list[str]]", name: str, most: int) -> "int | None":
@@ -222,12 +223,6 @@ class Settings:
         return limits
 
 
-def _of_variable(error: UsageError, options: "Mapping[str, str | bool | list[str]]") -> UsageError:
-    """An error that names the variable of the environment, where no option gave the value."""
-    error.named = "" if error.parameter in options else f"DYNAMICS_{(error.parameter or '').upper()}"
-    return error
-
-
 def named_file(output: str) -> str:
     """The file that --output names; none for standard output."""
     return "" if output in STANDARD_OUTPUT else output
@@ -253,8 +248,12 @@ def _ending_format(output: str) -> str:
     return format_
 
 
-def _unknown(name: str, read: str, known: "tuple[str, ...]") -> UsageError:
-    return UsageError(f"read {read!r}, wanted one of {', '.join(known)}", parameter=name, code="unknown-choice")
+def _unknown(
+    name: str, read: str, known: "tuple[str, ...]", options: "Mapping[str, str | bool | list[str]]"
+) -> UsageError:
+    error = UsageError(f"read {read!r}, wanted one of {', '.join(known)}", parameter=name, code="unknown-choice")
+    error.named = "" if name in options else f"DYNAMICS_{name.upper()}"
+    return error
 
 
 def _pairs(option: str, options: "Mapping[str, str | bool | list[str]]") -> "dict[str, str]":
