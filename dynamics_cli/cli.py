@@ -107,7 +107,8 @@ def run_argv(argv: "list[str]", terminal: Terminal) -> int:
 
             error.hint = how_to_copy(argv)
         json, columns = wants_json(argv, terminal.environ), terminal.error_columns
-        terminal.tell(error_text(error, json=json, typed=argv, columns=columns))
+        colours = terminal.has_colours(columns)
+        terminal.tell(error_text(error, json=json, typed=argv, columns=columns, colours=colours))
         status = error.status
     except KeyboardInterrupt:
         status = ExitStatus.INTERRUPTED

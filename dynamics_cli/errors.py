@@ -7,7 +7,7 @@ if TYPE_CHECKING:
 
 
 class ExitStatus:
-    """What the process tells its caller; the numbers are part of the contract."""
+    """The exit status of the process; the numbers are part of the contract."""
 
     DONE = 0
     FAULT = 1

@@ -102,7 +102,7 @@ class Choice(str):
 
 
 def tagged(key: str) -> "Callable[[Class], Class]":
-    """Mark a record as one alternative of a union told apart by `key`: `shape = "cylinder"`."""
+    """Mark a record as one alternative of a union, chosen by `key`: `shape = "cylinder"`."""
 
     def mark(cls: "Class") -> "Class":
         name = "".join("-" + c.lower() if c.isupper() else c for c in cls.__name__).lstrip("-")
@@ -248,7 +248,7 @@ class Let:
 
 def docstring(thing: "type | Callable[..., Any]") -> str:
     """What is documented of a class or a function, from its source where the interpreter has dropped it (-OO)."""
-    # This module's own tells whether the interpreter did so.
+    # This module's own shows whether the interpreter did so.
     if thing.__doc__ or __doc__:
         return thing.__doc__ or ""
     import ast

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 WIDTH = 80
 LEAST_WIDTH, LARGEST_WIDTH = 80, 140
 LEAST_NAME = 24
-# More questions than these are told in a line each.
+# More questions than these have a line each.
 FEW_QUESTIONS = 4
 # Worse than this, a result's true value is shown beside it.
 FEW_DIGITS = 1e-10
@@ -41,7 +41,7 @@ WRONG = 0.95
 
 
 class Column:
-    """One column of figures: its title, its text for a row, and how gladly it is given up where there is no room."""
+    """One column of figures: its title, its text for a row, and when it goes for lack of room (0: never)."""
 
     def __init__(self, title: str, text: "Callable[[Entry], str]", order: int = 0) -> None:
         self.title = title
@@ -316,7 +316,7 @@ def _block(rows: "list[Entry]", columns: "list[tuple[Column, int]]", room: int, 
 
 
 def _truly(row: "Entry") -> str:
-    """The true value of the worst result, where a reader must see whether its error is one or the result is none."""
+    """The true value of the worst result, beside a large error: the result may all but vanish."""
     few = row["measure"] == "relative" and row["worst"]["value"] > FEW_DIGITS
     return f", truly {row['worst_reference']}" if few and row["worst_reference"] else ""
 

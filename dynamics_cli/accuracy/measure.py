@@ -64,11 +64,11 @@ class Errors:
         self.by_result: dict[str, float] = {}
 
     def add(self, where: str, value: float, text: str, bound: "float | None", key: str = "") -> None:
-        """Count one result of one case; `key` tells it from that of another case of the same name."""
+        """Count one result of one case; `key` distinguishes cases of one name."""
         reference = Decimal(text)
         error = _error(value, reference)
         near = float(reference)
-        # Below the normal doubles a last bit is a large share of the number, and nobody's fault.
+        # Below the normal doubles a last bit is a large share of the number, by necessity.
         share = DIGITS.divide(error, max(reference.copy_abs(), SMALLEST_NORMAL)) if near else error
         relative = float(min(share, MOST))
         self.relative.append(relative)

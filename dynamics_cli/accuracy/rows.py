@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 CHOSEN = " (chosen)"
 # Stated errors that are proved; an estimate is not, and may fall short of a few cases.
 ESTIMATE = "estimate"
-# Errors within this factor of one another are a tie: which is less hangs on how the last bits fall.
+# Errors within this factor of one another are a tie: which is less depends on the last bits.
 TIE = 2.0
-# A few last bits, below which nobody is worse than another.
+# A few last bits, below which methods are alike.
 LAST_BITS = 1e-15
 
 

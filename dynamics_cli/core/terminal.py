@@ -17,6 +17,25 @@ def encoded(text: str) -> bytes:
     return text.encode(errors="backslashreplace")
 
 
+BOLD, RED, YELLOW = "1", "31", "33"
+
+
+def painted(text: str, colour: str) -> str:
+    """Text in a colour of the terminal, or bold."""
+    return f"\x1b[{colour}m{text}\x1b[0m"
+
+
+def painted_answer(text: str) -> str:
+    """An answer for the terminal: its first line bold, cautions yellow, serious warnings red."""
+    first, *lines = text.split("\n")
+    out, colour = [painted(first, BOLD)], ""
+    for line in lines:
+        if not line.startswith("  "):
+            colour = {"serious": RED, "caution": YELLOW}.get(line.partition(": ")[0], "")
+        out.append(painted(line, colour) if colour else line)
+    return "\n".join(out)
+
+
 class Terminal:
     """Input and output streams of a command; bytes throughout, so that no locale can change a document."""
 
@@ -101,6 +120,11 @@ class Terminal:
             return os.get_terminal_size(self.stderr.fileno()).columns
         except (AttributeError, OSError, ValueError):
             return 0
+
+    def has_colours(self, columns: int) -> bool:
+        """Whether a stream of so many columns (0: not a terminal) shows colours, and NO_COLOR does not forbid them."""
+        shown = os.name != "nt" or "WT_SESSION" in self.environ
+        return bool(columns and shown and not self.environ.get("NO_COLOR") and self.environ.get("TERM") != "dumb")
 
     @property
     def shows_progress(self) -> bool:

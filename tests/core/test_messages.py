@@ -194,3 +194,26 @@ def test_a_closing_speed_of_minus_zero_is_zero() -> None:
 def test_a_document_of_the_same_command_gives_its_inputs() -> None:
     given = ("skid", "speed", "--distance", "30 m", "--friction", "0.7", "--json")
     assert run("skid", "speed", "--input", "-", "--json", stdin=run(*given).out).out == run(*given).out
+
+
+@pytest.mark.parametrize(
+    ("environ", "shown"), [({}, True), ({"NO_COLOR": "1"}, False), ({"NO_COLOR": ""}, True), ({"TERM": "dumb"}, False)]
+)
+def test_a_terminal_shows_colours_unless_they_are_forbidden(
+    environ: dict[str, str], shown: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    call = ("skid", "speed", "--distance", "60 ft", "--friction", "70")
+    plain = run(*call)
+    monkeypatch.setattr("dynamics_cli.core.terminal.Terminal.columns", 80)
+    monkeypatch.setattr("dynamics_cli.core.terminal.Terminal.error_columns", 80)
+    coloured, refused = run(*call, env=environ), run(*call[:-1], "x", env=environ)
+    lines = coloured.out.splitlines()
+    assert lines[0].startswith("\x1b[1mspeed ") == shown
+    assert any(line.startswith("\x1b[33mcaution: ") for line in lines) == shown
+    assert refused.err.startswith("\x1b[31mdynamics: ") == shown
+    assert re.sub(r"\x1b\[\d*m", "", coloured.out) == plain.out
+
+
+def test_pipes_have_no_colours() -> None:
+    outcome = run("skid", "speed", "--distance", "60 ft", "--friction", "70")
+    assert "\x1b" not in outcome.out + run("skid", "speed").err

@@ -233,7 +233,7 @@ def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
 
 def _tell(stream: "_Stream", terminal: "Terminal") -> None:
     _warn(stream.case, list(stream.passing), terminal)
-    for text in stream.tally.told():
+    for text in stream.tally.messages():
         terminal.tell(text)
 
 

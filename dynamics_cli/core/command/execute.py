@@ -5,7 +5,7 @@ from dynamics_cli.core.answering.models import answer, arguments, call_model
 from dynamics_cli.core.answering.task import Task, load
 from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.output.document import build
-from dynamics_cli.core.terminal import encoded
+from dynamics_cli.core.terminal import encoded, painted_answer
 from dynamics_cli.core.units.display import Display
 from dynamics_cli.errors import ExitStatus, FaultError, InadmissibleError, UsageError
 
@@ -307,7 +307,8 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     if settings.format == "table" and not (settings.only or settings.table or settings.all or laid_out):
         from dynamics_cli.core.output.answer import to_answer
 
-        return to_answer(document, task, digits, width or 80, quiet=settings.quiet, asked=bool(settings.digits))
+        text = to_answer(document, task, digits, width or 80, quiet=settings.quiet, asked=bool(settings.digits))
+        return painted_answer(text) if terminal.has_colours(width) else text
     from dynamics_cli.core.output.render import only, render, to_full_table, to_verdict, whole_table
 
     if settings.only:
@@ -321,7 +322,7 @@ def _text(document: "dict[str, Any]", settings: Settings, terminal: "Terminal", 
     if laid_out:
         layout = load(laid_out)
         if task.verdict and not settings.all:
-            # what passed is told by the status
+            # the status says what passed
             return to_verdict(document, layout(document["results"], digits, width), width or 80)
         return to_full_table(document, digits, lambda results: layout(results, digits, width), width or 80)
     return to_full_table(document, digits, width=width, screen=width)

@@ -16,10 +16,13 @@ if TYPE_CHECKING:
 def near_option(task: Task, word: str) -> str:
     """The option that an unknown one probably means: by its name, by its description, or one that every task has."""
     typed = word.lstrip("-").partition("=")[0].lower()
+    if typed in (*task.options, *UNIVERSAL_OPTIONS):
+        return f"did you mean --{typed}?"
+    for name, values in (("units", SYSTEMS), ("format", FORMATS)):
+        if typed in values:
+            return f"did you mean --{name} {typed}?"
     near = (
-        [typed for names in (task.options, UNIVERSAL_OPTIONS) if typed in names]
-        or [f"{name} {typed}" for name, values in (("units", SYSTEMS), ("format", FORMATS)) if typed in values]
-        or [name for name in task.options if singular(name) == typed]
+        [name for name in task.options if singular(name) == typed]
         + [f'{name} "{typed}=…"' for name in groups_with(task, typed)]
         or suggestions(typed, task.options)
         or _each_of(task, typed)

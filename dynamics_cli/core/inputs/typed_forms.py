@@ -164,7 +164,7 @@ def _without_signs(text: str) -> str:
 
 
 def as_range(text: str) -> str:
-    """How the range `0.7-0.8`, `20 – 25 m` or `20 m to 25 m` is written, with two points; empty where it is none."""
+    """How the range `0.7-0.8`, `20 – 25 m` or `20 m to 25 m` is written, with two points; empty for other text."""
     for mark in (" to ", " - ", " – ", "–", "-"):
         low, _, high = (part.strip() for part in text.partition(mark))
         # without spaces about it, a mark after a unit may be part of a power

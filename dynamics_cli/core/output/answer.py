@@ -199,8 +199,8 @@ class _Answer:
                 relative = self._absolute_bound(address, value) / abs(value)
                 if self._worth_saying(address, value) < relative < 1.0:
                     labels.setdefault(max(int(-log10(relative)), 0), []).append(label)
-        told = [f"{', '.join(alike)}: accurate to {sure_digits} digits" for sure_digits, alike in labels.items()]
-        return ["", *(line for text in told for line in wrapped(text, self.width, 4))] if told else []
+        lines = [f"{', '.join(alike)}: accurate to {sure_digits} digits" for sure_digits, alike in labels.items()]
+        return ["", *(line for text in lines for line in wrapped(text, self.width, 4))] if lines else []
 
     def _worth_saying(self, address: str, value: float) -> float:
         """The relative error bound from which a line is due: one that hides in the deviation is not worth it."""
@@ -327,8 +327,8 @@ class _Answer:
             if self.labels.get(name):
                 said.setdefault(bound_text(entry), []).append(self.labels[name])
         each = (f"{bound}: {', '.join(names)}" for bound, names in said.items())
-        told = [f"  {line}" for text in each for line in wrapped(text, self.width - 2, 2)]
-        return lines + (["accurate to (rounding of the calculation alone)", *told] if told else [])
+        bounds = [f"  {line}" for text in each for line in wrapped(text, self.width - 2, 2)]
+        return lines + (["accurate to (rounding of the calculation alone)", *bounds] if bounds else [])
 
     def warnings(self, space: int) -> "list[str]":
         """A paragraph for each warning, worst first; those that do not fit into `space` lines are only counted."""

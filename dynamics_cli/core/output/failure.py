@@ -2,6 +2,7 @@
 
 from dynamics_cli.core.json_text import to_json
 from dynamics_cli.core.output.wrapping import wrapped
+from dynamics_cli.core.terminal import RED, painted
 from dynamics_cli.errors import DynamicsError, MissingError
 
 TYPE_CHECKING = False
@@ -28,10 +29,12 @@ def as_object(error: DynamicsError) -> "dict[str, Any]":
     return {"code": error.code, "parameter": error.parameter, "message": error.message, "hint": error.hint}
 
 
-def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = (), columns: int = 0) -> str:
+def error_text(
+    error: DynamicsError, *, json: bool, typed: "Sequence[str]" = (), columns: int = 0, colours: bool = False
+) -> str:
     """The text for standard error; a parameter is named as typed, --roller-radius.
 
-    Lines are wrapped to the columns of a terminal; elsewhere a message is one line.
+    Lines are wrapped to the columns of a terminal, and red where it has `colours`; elsewhere a message is one line.
     """
     if json:
         body = as_object(error)
@@ -48,7 +51,8 @@ def error_text(error: DynamicsError, *, json: bool, typed: "Sequence[str]" = (),
         )
         message = "dynamics: " + _printable(item.message if named else f"{name}: {item.message}")
         hint = _printable(item.hint or "")
-        lines += wrapped(message, columns, 4) if columns else [message]
+        message_lines = wrapped(message, columns, 4) if columns else [message]
+        lines += [painted(line, RED) for line in message_lines] if colours else message_lines
         if hint:
             lines += [f"  {line}" for line in (wrapped(hint, columns - 2, 2) if columns else [hint])]
     return "\n".join([*lines, *error.example]) + "\n"

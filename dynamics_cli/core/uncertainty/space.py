@@ -88,10 +88,10 @@ class Space:
     @property
     def affordable(self) -> int | None:
         """Cases that one more call of an expensive model may have; None of one that is not."""
-        told = getattr(self.model, "drawing", None)
-        if told is None or COSTLY * told.each < BUDGET:
+        stated = getattr(self.model, "drawing", None)
+        if stated is None or COSTLY * stated.each < BUDGET:
             return None
-        return max(int(max(BUDGET - told.spent - told.once, 0.5 * BUDGET) / told.each), FEWEST)
+        return max(int(max(BUDGET - stated.spent - stated.once, 0.5 * BUDGET) / stated.each), FEWEST)
 
     def headline(self, rows: "Iterable[int]") -> bool:
         """Whether some results are among those that a short answer shows; where none is named, all are."""

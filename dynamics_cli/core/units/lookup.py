@@ -251,7 +251,7 @@ def _from_pint(name: str) -> tuple[Unit, ...]:
 
 
 def _is_transposed(name: str) -> bool:
-    """Whether a name is a known one with letters exchanged: mhp is a slip for mph, not a millihorsepower."""
+    """Whether a name is a known one with letters exchanged: mhp is a misspelt mph, not a millihorsepower."""
     from dynamics_cli.core.units.near_names import names_like
 
     return len(name) > 2 and any(sorted(near) == sorted(name) for near in names_like(name))

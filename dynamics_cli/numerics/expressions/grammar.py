@@ -185,7 +185,7 @@ class _Reader:
         return ("*", tree, ("number", size, dimension))
 
     def unit(self, taken: "Collection[str]") -> "tuple[float, tuple[int, ...], int] | None":
-        """A unit here, with its power; None, and nothing read, where there is none."""
+        """A unit here, with its power; without one None, and nothing is read."""
         start = self._blank(self.at)
         at = start
         while at < len(self.text) and (self.text[at].isalnum() or self.text[at] in "_°%"):

@@ -94,7 +94,7 @@ class Smooth:
             return residual / (freedom * freedom) if freedom > 0.0 else math.inf
 
         def falls(power: float) -> bool:
-            """Whether the criterion falls there: its slope tells a flat minimum to more digits than its values."""
+            """Whether the criterion falls there: its slope shows a flat minimum to more digits than its values."""
             shrink: Any = 1.0 / (1.0 + 10.0**power / scale * penalties)
             rise = float(((1.0 - shrink) ** 2 * shrink * squares).sum())
             loss = float((shrink * (1.0 - shrink)).sum())

@@ -109,7 +109,7 @@ def grade_advice(grade: float, name: str = "grade") -> tuple[Advice, ...]:
 
 
 def speed_advice(speed: float, name: str, remedy: str) -> tuple[Advice, ...]:
-    """Advice when a speed is beyond any vehicle's on a road: most often a slip of a unit."""
+    """Advice when a speed is beyond any vehicle's on a road: most often a wrong unit."""
     if not single(speed) or not plain(speed) > FASTEST:
         return ()
     message = worded("{name} of {speed:5} is beyond nearly all vehicles on roads", name=name, speed=(speed, RoadSpeed))

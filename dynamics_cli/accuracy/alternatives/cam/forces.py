@@ -80,7 +80,7 @@ def counted(errors: Errors, case: Case, forces: "Stated") -> None:
 
 
 def _radius_share(case: Case, stress: float) -> float:
-    """Radius of contact that a stress tells, as a share of roller or base circle: next to a cusp it is left over."""
+    """Radius of contact from a stress, as a share of roller or base circle: next to a cusp it is left over."""
     from math import pi
 
     from dynamics_cli.cam.forces.records import STEEL, STEEL_RATIO

@@ -1,6 +1,6 @@
 """Assemblies, pairs of bodies, tensors and torques as textbooks and LAPACK have them, and what errors are shares of.
 
-A coordinate, a product of inertia or a difference may pass through zero; what its error costs is told by the largest
+A coordinate, a product of inertia or a difference may pass through zero; what its error costs is shown by the largest
 coordinate, by the moments, or by what the difference is of.
 """
 

@@ -145,7 +145,7 @@ class Case:
         return self.shown(model, bound, record)
 
     def note(self, record: "Any", bound: Fields) -> None:
-        """Keep the cautions of an answer, to be told when the stream ends."""
+        """Keep the cautions of an answer, to be reported when the stream ends."""
         from dynamics_cli.core.batch.rows.cautions import note_cautions
 
         note_cautions(self.cautions, record, bound)

@@ -1,7 +1,7 @@
 """What a user should know about some rows: the cautions of their answers, the first of each kind.
 
 Answers by arrays carry none. The rows with the smallest and the largest number of each input are called singly for
-them: a slip of a unit, or a case near a limit, is among these.
+them: a wrong unit, or a case near a limit, is among these.
 """
 
 import numpy as np

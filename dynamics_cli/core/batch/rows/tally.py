@@ -28,7 +28,7 @@ class Tally:
         self.cautions: dict[str, tuple[str, str]] = {}
 
     def refuse(self, error: DynamicsError, line: bytes) -> None:
-        """Count a row that failed; what failed in an earlier step has been told by it."""
+        """Count a row that failed; an earlier step has reported what failed there."""
         self.failed += 1
         if type(error) is FaultError:
             self.fault = self.fault or f"{error.message} in the row {line.decode(errors='replace')[:SHOWN]}"
@@ -47,7 +47,7 @@ class Tally:
         self.fault = self.fault or other.fault
         self.cautions = {**other.cautions, **self.cautions}
 
-    def told(self) -> "Iterator[str]":
+    def messages(self) -> "Iterator[str]":
         """What is said at the end of a stream."""
         if self.first:
             rows = "1 row" if self.failed == 1 else f"{self.failed:,} rows"

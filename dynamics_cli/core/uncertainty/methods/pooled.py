@@ -51,7 +51,7 @@ DEGREE, POINTS_A_TERM = 6, 16
 WIDE, AT_ONCE = (64, MOST_POINTS), 2048
 # A number of theirs may scatter more than that of the sample by this share of its worst quantile.
 ALIKE = 0.3
-# A value beyond so many deviations asks whether there is a deviation at all: how the farthest values grow tells.
+# A value beyond so many deviations asks whether there is a deviation at all: the farthest values show it.
 FAR, FARTHEST = 8.0, 20
 # Deviations from a quantile within which values are counted, the fewest of them, and how much both sides may differ.
 NEAR, FEWEST_NEAR, ALIKE_NEAR = 0.05, 200, 1.5

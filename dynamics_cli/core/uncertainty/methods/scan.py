@@ -189,7 +189,7 @@ class Scan:
             f = np.where(np.isnan(f), np.inf, f)
             first = (f <= 0.0) == under[open_]
             # The chord to the nearer end is the slope. One end may be at a pole, its chord far too steep: the flatter
-            # of the two tells how near the root is.
+            # of the two says how near the root is.
             with np.errstate(all="ignore"):
                 ahead, behind = np.abs((fb[open_] - f) / (lb - x)), np.abs((f - fa[open_]) / (x - la))
                 chord = np.where(lb - x < x - la, ahead, behind)
