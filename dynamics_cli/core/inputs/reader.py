@@ -165,7 +165,10 @@ class Reader(Context):
         if not isinstance(value, dict):
             self._fail(address, f"{address}: read {value!r}, wanted named values", hint="an object such as {…}")
             return None
-        value = _with_choice(value, node)
+        if "" in value:
+            from dynamics_cli.core.inputs.forms.leading import with_choice
+
+            value = with_choice(value, node)
         if isinstance(node, Record):
             return Fields(node.cls, self._object(node.fields, self.named(node.names, value), address))
         wrapper = Field("", node, ())
@@ -175,15 +178,11 @@ class Reader(Context):
         return self._one_of(wrapper, node, value, address, alone=True)
 
     def _pairs(self, text: str, address: str, node: "Node") -> "dict[str, Any] | None":
-        from dynamics_cli.core.inputs.forms.splitting import PAIRS, split_pairs, with_names
-        from dynamics_cli.core.inputs.quantity_text import number_end
+        from dynamics_cli.core.inputs.forms.leading import pairs_of
+        from dynamics_cli.core.inputs.forms.splitting import PAIRS
 
-        if isinstance(node, Record) and text:
-            first = node.fields[0]
-            if isinstance(first.node, Leaf) and (number_end(text, 0) or _chosen(first.node, text)):
-                text = with_names(text, first.key, node.names)
         try:
-            return {key.replace("-", "_"): value for key, value in _with_choice(split_pairs(text), node).items()}
+            return pairs_of(text, node)
         except DynamicsError as error:
             error.parameter = error.parameter or address
             error.hint = f"example: {written(node)}" if error.hint == PAIRS and written(node) else error.hint
@@ -312,12 +311,6 @@ class Reader(Context):
         return Several(bound_items, row)
 
 
-def _chosen(node: Leaf, text: str) -> bool:
-    """Whether a text begins with one of the words that may be chosen here."""
-    word = text.replace(",", " ").split(" ")[0].lower()
-    return node.choice is not None and (word in node.choice.names or word in node.choice.aliases)
-
-
 def _join(address: str, key: str) -> str:
     return f"{address}.{key}" if address else key
 
@@ -336,19 +329,3 @@ def _with_example(hint: str | None, field: Field) -> str | None:
 
 def _quoted(text: str) -> str:
     return f'"{text}"' if " " in text or ";" in text else text
-
-
-def _with_choice(pairs: "dict[str, Any]", node: "Node") -> "dict[str, Any]":
-    """Pairs that begin with a word alone, `braking, distance=14 m`, with the name of the choice that comes first."""
-    if "" not in pairs:
-        return pairs
-    names: Iterable[str] = ()
-    if isinstance(node, Tagged):
-        key, names = node.key, node.members
-    elif isinstance(node, Record) and isinstance(node.fields[0].node, Leaf) and node.fields[0].node.choice is not None:
-        key, names = node.fields[0].key, node.fields[0].node.choice.names
-    if pairs[""] not in names:
-        from dynamics_cli.core.inputs.forms.splitting import PAIRS
-
-        raise UsageError(f"read {pairs['']!r}, wanted NAME=VALUE", code="syntax", hint=PAIRS)
-    return {name or key: value for name, value in pairs.items()}
