@@ -115,7 +115,7 @@ WRONG = [
     ("particle|circle|--diameter|60 m", 2, "--radius, half of it, as in 60/2 mm?"),
     ("inertia|shape|tube|--outer-diameter|60 mm", 2, "did you mean --diameter?"),
     ("balance|planes|--unbalance|300 g*mm", 2, "example: amount=12 g*mm, angle=30 deg, position=0.1 m"),
-    ("force|equilibrium|--support|pin", 2, "example: type=pin, at=0, 0 m"),
+    ("force|equilibrium|--support|pin", 2, "at is missing: where it holds"),
     ("force|moment|--force|1, 0 N|--at|1, 2, 3, 4 m", 2, "read 4 components, wanted 2 or 3"),
     (f"{SKID}|--segment|distance=1 ft, distance=5 ft", 2, "is given twice"),
     (f"{SKID}|--segment|distance=60 ft, friction=0.7, color=red", 2, "there is no parameter 'color'"),

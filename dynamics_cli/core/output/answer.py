@@ -144,11 +144,12 @@ class _Answer:
         if is_uncertain_vector(node) or (self._deviation(address) and not isinstance(value, list)):
             text = uncertain_in_words(node["value"], node, self._deviation(address), self.digits, asked=self.asked)
             return f"{text} {unit}".rstrip()
-        if isinstance(value, float) and abs(value) <= self._absolute_bound(address, value):
-            value = 0.0
-        value = without_rounding(value)
-        estimate = address in self.task.unspread and not self.asked
-        text = estimated(value, unit) if estimate else quantity(value, unit, self.digits)
+        lost = isinstance(value, float) and abs(value) <= self._absolute_bound(address, value)
+        value = 0.0 if lost else without_rounding(value)
+        if value == []:
+            return "none"
+        rough = address in self.task.unspread and not self.asked
+        text = estimated(value, unit) if rough else quantity(value, unit, self.digits)
         if isinstance(value, list) and isinstance(value[0], list) and len(value[0]) <= AXES:
             # a matrix breaks between its rows
             return text.replace(" ", JOINED).replace(f"],{JOINED}[", "], [")

@@ -194,6 +194,7 @@ AVERAGE = Task(
         '--reading "yaw=10.2 deg, roll=1 deg"',
         "dynamics orient average --log examples/imu/log.csv --sequence rpy",
     ),
+    plot="dynamics_cli.orient.pictures.scatter:average",
 )
 
 TASKS: "tuple[Task, ...]" = (CONVERT, COMPOSE, BETWEEN, SCREW, ALIGN, AVERAGE)

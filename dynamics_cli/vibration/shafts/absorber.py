@@ -116,9 +116,8 @@ def _peak(mu: "Any", f: "Any", zeta: "Any", upper: float) -> "Any":
     root = sqrt(middle * middle - product)
     low, high = product / (middle + root), middle + root
     before, after = _beside_valley(mu, f, zeta, low, high)
-    valley = sign_change(lambda u: 0.0 - _slope(mu, f, zeta, u), before, after)
-    a, b = (valley, 4.0 * high) if upper else (0.1 * low, valley)
-    return sign_change(lambda u: _slope(mu, f, zeta, u), a, b) * (valley > 0.0)
+    a, b = (after, 4.0 * high) if upper else (0.1 * low, before)
+    return sign_change(lambda u: _slope(mu, f, zeta, u), a, b) * (after > 0.0)
 
 
 def _in_blocks(mu: "Any", f: "Any", zeta: "Any", upper: float) -> "Any":
