@@ -35,18 +35,18 @@ def projectile(
     fall = plain(height) if isinstance(aim, Elevation) else max(-plain(aim.target[1]), 0.0)
     items: list[Any] = [_path(launch, math.radians(degrees), fall, "thin", "", GREY) for degrees in FAN]
     if made.other_elevation is not None:
-        items.append(_path(launch, made.other_elevation, fall, "dashed", "the steeper one", 1))
+        items.append(_path(launch, made.other_elevation, fall, "dashed", "steeper angle", 1))
     items.append(_path(launch, made.elevation, fall, "thick", "this flight", 0))
     if time_constant is None and drag is None:
         top = speed * speed / (2.0 * gravity)
         reach = math.sqrt(4.0 * top * (top + fall))
         x = [reach * k / POINTS for k in range(POINTS + 1)]
-        items.append(Curve(x, [top - at * at / (4.0 * top) for at in x], "reached at most", "dotted", role=2))
+        items.append(Curve(x, [top - at * at / (4.0 * top) for at in x], "safety parabola", "dotted", role=2))
     items.append(Mark(made.apex_distance, made.apex_height, "", role=0))
     if not isinstance(aim, Elevation):
         items.append(Mark(plain(aim.target[0]), plain(aim.target[1]), "target", role=1))
     panel = Panel(Axis("distance", Length), Axis("height", Length), tuple(items), equal=True)
-    return Picture((panel,), "flight", subtitle="thin: other angles, by 15 degrees")
+    return Picture((panel,), "trajectory", subtitle="thin: other angles, by 15 degrees")
 
 
 def _path(launch: "Any", angle: float, fall: float, style: "Any", label: str, role: int) -> Curve:

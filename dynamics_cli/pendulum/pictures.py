@@ -26,7 +26,7 @@ def simple(
     items: list[Any] = []
     for share in OTHERS:
         items += _orbit(2.0 * own * share, own, "", "thin", GREY)
-    items += _orbit(2.0 * own, own, "just to the top", "dashed", 1)
+    items += _orbit(2.0 * own, own, "separatrix", "dashed", 1)
     items += _orbit(bottom, own, "this motion", "thick", 0)
     if made.angle_then is not None:
         angle = math.remainder(made.angle_then, 2.0 * math.pi)

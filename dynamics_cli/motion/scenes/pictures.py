@@ -238,4 +238,4 @@ def equilibrium_picture(
                 label = ""
     items += _ground(shapes, start.state, scene)
     panel = Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), equal=True)
-    return Picture((panel,), "where it stands still", subtitle="thin: the start of the scene")
+    return Picture((panel,), "equilibrium positions", subtitle="thin: the scene as given")
