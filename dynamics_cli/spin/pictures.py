@@ -20,6 +20,8 @@ VIEW = math.radians(22.0)
 # A path on it is followed for at most so many nutations, in so many steps each.
 NUTATIONS, STEPS = 10, 120
 GREY = 6
+# Cones whose half angles differ by less look like one.
+SAME = 1e-3
 
 
 def free(
@@ -63,7 +65,27 @@ def free(
         equal=True,
     )
     about_text = f" about {names[about]}" if period is not None else ""
-    return Picture((history, polhode), f"polhode{about_text}", subtitle="over one period, begun at an extreme")
+    panels = (history, polhode, *_cone(made, f"{names[about]} axis"))
+    return Picture(panels, f"polhode{about_text}", subtitle="over one period, begun at an extreme")
+
+
+def _cone(made: "Any", axis: str) -> "list[Panel]":
+    """The cones between which the axis goes round the angular momentum, seen a little from above."""
+    if made.least_nutation is None or made.greatest_nutation is None:
+        return []
+    ends = [plain(made.greatest_nutation), plain(made.least_nutation)]
+    items: list[Any] = [Arrow(0.0, 0.0, 0.0, 1.2, "angular momentum", role=1)]
+    turns = [2.0 * math.pi * k / POINTS for k in range(POINTS + 1)]
+    for nth, angle in enumerate(ends if ends[0] - ends[1] > SAME else ends[:1]):
+        wide, high = math.sin(angle), math.cos(angle)
+        style = "dashed" if nth else "solid"
+        rim = [high + wide * math.sin(VIEW) * math.sin(turn) for turn in turns]
+        items.append(Curve([-wide, 0.0, wide], [high, 0.0, high], "", style, 0))
+        items.append(Curve([wide * math.cos(turn) for turn in turns], rim, "", style, 0))
+    items.append(Label(math.sin(ends[0]) + 0.08, math.cos(ends[0]), axis, 0, left=True))
+    low = min(0.0, *(math.cos(angle) for angle in ends)) - 0.3
+    title = "the axis goes round the angular momentum" + (" between two cones" if len(items) > 4 else " on a cone")
+    return [Panel(Axis("", ends=(-1.6, 1.6)), Axis("", ends=(low, 1.4)), tuple(items), title, equal=True, bare=True)]
 
 
 def top(
