@@ -13,6 +13,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.pictures import Style
+
 POINTS = 480
 QUARTER = 0.5 * math.pi
 # The sphere is seen from this height.
@@ -78,7 +80,7 @@ def _cone(made: "Any", axis: str) -> "list[Panel]":
     turns = [2.0 * math.pi * k / POINTS for k in range(POINTS + 1)]
     for nth, angle in enumerate(ends if ends[0] - ends[1] > SAME else ends[:1]):
         wide, high = math.sin(angle), math.cos(angle)
-        style = "dashed" if nth else "solid"
+        style: Style = "dashed" if nth else "solid"
         rim = [high + wide * math.sin(VIEW) * math.sin(turn) for turn in turns]
         items.append(Curve([-wide, 0.0, wide], [high, 0.0, high], "", style, 0))
         items.append(Curve([wide * math.cos(turn) for turn in turns], rim, "", style, 0))
