@@ -89,3 +89,14 @@ def test_a_share_that_may_be_a_difference_is_refused(option: str, text: str) -> 
     assert run("impact", "drop", *words, "--json").error["code"] == "ambiguous"
     options["--restitution"], options["--height"] = "70 ± 5 %", "1 m"
     assert run("impact", "drop", *[word for pair in options.items() for word in pair]).status == 0
+
+
+def test_names_with_braces_are_written_as_they_are() -> None:
+    mesh = ("--mesh", "first={a}, second={b}, first-teeth=20, second-teeth=40")
+    outcome = run("gear", "train", *mesh, "--driver", "{a}", "--driven", "{b}", "--fixed", "{b}", "--json")
+    assert outcome.error["hint"] == "release {b}"
+
+
+def test_an_angle_does_not_take_the_unit_of_a_length() -> None:
+    error = run("coords", "3", "30", "2 m", "--from", "cyl", "--into", "xyz", "--json").error
+    assert error["message"] == "theta is an angle and has no unit"
