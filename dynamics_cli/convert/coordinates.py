@@ -129,7 +129,7 @@ def _components(
     named = tuple(zip(NAMES[system], (first, second, third), strict=True))
     if system == "spherical" or not third.unit or any(part.unit for name, part in named[:2] if name not in ANGLES):
         return named
-    return tuple((name, part if part.unit else _in_unit(part, third.unit)) for name, part in named)
+    return tuple((name, part if part.unit or name in ANGLES else _in_unit(part, third.unit)) for name, part in named)
 
 
 def _in_unit(number: ExactQuantity, unit: str) -> ExactQuantity:

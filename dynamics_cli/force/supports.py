@@ -137,7 +137,7 @@ def _spatial(support: Support) -> bool:
     """A ball, a hinge about an axis in the plane, or a direction out of the plane."""
     given = support.direction
     way = given.value if isinstance(given, Quantity) else given
-    x, y, z = (*way, 0.0)[:3] if isinstance(way, tuple | list) else (0.0, 0.0, 0.0)
+    x, y, z = (*way, 0.0, 0.0)[:3] if isinstance(way, tuple | list) else (0.0, 0.0, 0.0)
     if support.type == "hinge":
         return bool(x or y)
     return support.type == "ball" or z != 0.0

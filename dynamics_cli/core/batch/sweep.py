@@ -6,7 +6,7 @@ from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.batch.jobs import spread
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.inputs import nest
-from dynamics_cli.core.batch.sweep_points import Axis, copied, read_axes, with_list, with_polar
+from dynamics_cli.core.batch.sweep_points import Axis, copied, read_axes, with_list, with_objects, with_polar
 from dynamics_cli.core.deadline import Reached, clock, stop
 from dynamics_cli.core.inputs.settings import Settings
 from dynamics_cli.core.inputs.values import Bound, Fields, Several
@@ -50,7 +50,7 @@ class _Points(Case):
         self.reader = gathered.reader
         self.origins = dict(self.reader.origins)
         self.layout = self._layout(Display(settings.units, settings.to))
-        self.start = gathered.raw
+        self.start = with_objects(gathered.raw, task.specification.fields)
         for axis in axes:
             if isinstance(axis.path[-1], int) and len(axis.path) == 2:
                 self.start = with_list(self.start, str(axis.path[0]))

@@ -1,9 +1,11 @@
 """The points of a sweep: START:STOP:COUNT in exact ratios, each point rounded once, in the unit written."""
 
 from dynamics_cli.core.answering.task import Task
-from dynamics_cli.core.inputs.forms.splitting import split_list, split_pairs
+from dynamics_cli.core.inputs.forms.leading import pairs_of
+from dynamics_cli.core.inputs.forms.splitting import split_list
 from dynamics_cli.core.inputs.quantity_text import read_amount, total
 from dynamics_cli.core.inputs.sources.references import split_address
+from dynamics_cli.core.inputs.specification import Leaf, Many, Record
 from dynamics_cli.core.inputs.values import Bound, Constant, Fields, Several, Value, VectorValue
 from dynamics_cli.core.units.conversion import convert, nearest
 from dynamics_cli.core.units.unit import Unit, conformable
@@ -12,6 +14,8 @@ from dynamics_cli.errors import UsageError
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from dynamics_cli.core.inputs.specification import Field, Node
 
     Raw = dict[str, Any]
 
@@ -160,11 +164,11 @@ def _is_number(item: Constant) -> bool:
 
 
 def copied(raw: "Any") -> "Any":
-    """A copy whose lists and objects may be changed; a list's items written as pairs become objects."""
+    """A copy whose lists and objects may be changed."""
     if isinstance(raw, dict):
         return {key: copied(value) for key, value in raw.items()}
     if isinstance(raw, list):
-        return [copied(_as_object(item)) for item in raw]
+        return [copied(item) for item in raw]
     return raw
 
 
@@ -195,7 +199,22 @@ def with_polar(raw: "Raw", path: "tuple[str | int, ...]") -> "Raw":
     return raw
 
 
-def _as_object(item: "Any") -> "Any":
-    if isinstance(item, str) and "=" in item:
-        return {key.replace("-", "_"): value for key, value in split_pairs(item).items()}
-    return item
+def with_objects(raw: "Raw", fields: "tuple[Field, ...]") -> "Raw":
+    """The input with an object for each item of a list that is written as one text, `pin at 0 m`."""
+    raw = dict(raw)
+    for field in fields:
+        node, value = field.node, raw.get(field.key)
+        if isinstance(node, Record) and isinstance(value, dict):
+            raw[field.key] = with_objects(value, node.fields)
+        elif isinstance(node, Many) and not isinstance(node.item, Leaf) and isinstance(value, list):
+            raw[field.key] = [_as_object(item, node.item) for item in value]
+    return raw
+
+
+def _as_object(item: "Any", node: "Node") -> "Any":
+    if not isinstance(item, str) or item[:1] == "@":
+        return item
+    try:
+        return pairs_of(item, node)
+    except UsageError:
+        return item  # the reader says what is wrong with it

@@ -45,7 +45,7 @@ KNOWN: "tuple[Any, ...]" = (
     Force, Length, Speed, Acceleration, Torque, Impulse, AngularImpulse, AngularSpeed, AngularAcceleration,
     DistributedForce,
 )  # fmt: skip
-NUMBER = Kind("number", "", form="vector")
+NUMBER = Kind("number", "", form="vector", exact=True)
 MOST_ROWS = 6
 # Deviation of measured direction angles' squared cosines from 1: refused above the first, unremarked below the second.
 MOST_OFF, WORTH_SAYING = 1e-2, 1e-9
@@ -128,7 +128,7 @@ def _read(raw: "Any", address: str, context: "Context") -> VectorValue:
             return _directed(size, _certain(cosines, address, context).si, address, context)
         return _planar(size, direction, address, context)
     if isinstance(raw, str):
-        raw = _by_unit_vectors(raw.replace("∠", "@").replace(" at ", " @ "))
+        raw = _by_unit_vectors(raw.replace("∠", "@").replace(" at ", " @ ", 1))
         if "@" in raw:
             size, _, direction = (part.strip() for part in raw.partition("@"))
             if direction[:1] + direction[-1:] == "()":
@@ -153,7 +153,9 @@ def _read(raw: "Any", address: str, context: "Context") -> VectorValue:
 
 def _by_unit_vectors(text: str) -> str:
     """`3i + 4j - k N`, as textbooks write components, as `3, 4, -1 N`; any other text as it is."""
-    rest = text.replace("(", " ").replace(")", " ").replace("−", "-").strip()
+    rest = text.replace("−", "-").strip()
+    if rest.startswith("("):
+        rest = rest[1:].replace(")", " ", 1).strip()
     components: dict[str, str] = {}
     while rest:
         sign = rest[0] if rest[0] in "+-" else ""
@@ -166,6 +168,9 @@ def _by_unit_vectors(text: str) -> str:
         rest = after.strip()
     if not components or rest[:1] in ("+", "-"):
         return text
+    if list(components) == ["k"]:
+        hint = f"write 0, 0, {components['k']} {rest}".rstrip() + ", or thousands with their zeros"
+        raise UsageError(f"{text!r} may be along z or in thousands", code="ambiguous", hint=hint)
     letters = "ijk" if "k" in components else "ij"
     return f"{', '.join(components.get(letter, '0') for letter in letters)} {rest}".strip()
 

@@ -2,6 +2,7 @@
 
 from dynamics_cli.core.inputs.context import Token
 from dynamics_cli.core.inputs.quantity_text import (
+    FRACTIONS,
     is_uncertain,
     parts_of,
     read_amount,
@@ -69,7 +70,7 @@ def _text_of(kind: Kind, raw: "Any") -> str:
 
             return listed_text(raw["value"], str(raw["unit"]))
         unit = str(raw.get("unit") or "")
-        if isinstance(raw["value"], dict) or (unit[:1].isdigit() and not unit.startswith("1/")):
+        if isinstance(raw["value"], dict) or (unit.startswith(_JOINING) and not unit.startswith("1/")):
             raise UsageError(f"read {_brief(raw)}, wanted a number and its unit")
         return f"{_text_of(kind, raw['value'])} {raw.get('unit') or ''}".strip()
     if isinstance(raw, int | float):
@@ -79,6 +80,8 @@ def _text_of(kind: Kind, raw: "Any") -> str:
     return raw
 
 
+# A unit begins with none of these, which the number before it would join: 10 and `½ ft`.
+_JOINING = (*"^0123456789", *FRACTIONS)
 # Further keys that a result of an earlier document may have beside value and unit.
 _PAIR_KEYS = {"value", "unit", "symbol", "mean", "median", "std", "interval", "coverage"}
 
@@ -256,11 +259,9 @@ def components_of(kind: Kind, raw: "Any") -> "list[Any]":
         return [f"{_text_of(kind, item)} {raw.get('unit') or ''}".strip() for item in raw["value"]]
     if isinstance(raw, list):
         return raw
-    from dynamics_cli.core.inputs.forms.lists import share_unit, spaced_numbers
-    from dynamics_cli.core.inputs.forms.splitting import split_list, unbracketed
+    from dynamics_cli.core.inputs.forms.lists import vector_items
 
-    text = unbracketed(_text_of(kind, raw).strip())
-    return spaced_numbers(text) or share_unit(split_list(text))
+    return vector_items(_text_of(kind, raw).strip(), lone=kind.exact)
 
 
 def read_vector(kind: Kind, raw: "Any", address: str, context: "Context") -> VectorValue:

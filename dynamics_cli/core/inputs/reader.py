@@ -165,10 +165,6 @@ class Reader(Context):
         if not isinstance(value, dict):
             self._fail(address, f"{address}: read {value!r}, wanted named values", hint="an object such as {…}")
             return None
-        if "" in value:
-            from dynamics_cli.core.inputs.forms.leading import with_choice
-
-            value = with_choice(value, node)
         if isinstance(node, Record):
             return Fields(node.cls, self._object(node.fields, self.named(node.names, value), address))
         wrapper = Field("", node, ())

@@ -188,7 +188,8 @@ class Motion:
             held=fixed,
             count=len(self._names),
             code="locked",
-            hint=f"release {known.fixed[-1]}" if known.fixed else "leave out a mesh",
+            hint="release {last}" if known.fixed else "leave out a mesh",
+            last=known.fixed[-1] if known.fixed else "",
         )
         conflict = [self._names[column] for column in self._solved.conflict]
         if conflict and len(self._given) == 1:
@@ -208,7 +209,8 @@ class Motion:
             free=len(self._given) - len(conflict),
             held=fixed,
             code="too-many-speeds",
-            hint=f"leave out the speed of {conflict[-1]}" if conflict else None,
+            hint="leave out the speed of {last}",
+            last=conflict[-1] if conflict else "",
         )
         open_shafts = [name for name in self._names if self.terms(name) is None]
         s = known.driven or known.driver
@@ -220,10 +222,11 @@ class Motion:
             freedom=self.freedom,
             count=len(self._given),
             code="indeterminate",
-            hint=f"fix one of {', '.join(open_shafts)}, or give its speed: "
-            f'--shaft "name={open_shafts[-1]}, speed=100 rpm"'
+            hint='fix one of {shafts}, or give its speed: --shaft "name={last}, speed=100 rpm"'
             if open_shafts
             else None,
+            shafts=", ".join(open_shafts),
+            last=open_shafts[-1] if open_shafts else "",
         )
 
     def advice(self) -> tuple[Advice, ...]:

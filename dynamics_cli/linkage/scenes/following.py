@@ -64,7 +64,7 @@ def followed(
     )
     named = {*system.shapes, *system.known, *system.unknown}
     require(name in named, "no link or pin is called {name}", name=repr(name), code="name",
-            hint=f"there are {', '.join(sorted(named - {GROUND}))}")  # fmt: skip
+            hint="there are {known}", known=", ".join(sorted(named - {GROUND})))  # fmt: skip
     span = travel or (TURN if turn is None else turn)
     ahead = Continuation(system, q)
     rows = [_row(ahead, name)]

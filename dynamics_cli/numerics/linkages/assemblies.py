@@ -56,7 +56,8 @@ def chosen(system: "System", possible: "list[Assembly]", listed: bool) -> "Assem
         require(
             pin in decided or pin in system.place or pin in system.shapes,
             "sides name {pin}, which the scene does not have",
-            hint=f"pins are {', '.join(system.unknown)}",
+            hint="pins are {known}",
+            known=", ".join(system.unknown),
             pin=repr(pin),
             code="side",
         )

@@ -88,7 +88,8 @@ def _drivers_checked(scene: Scene, names: "list[str]") -> None:
         require(
             sliding if driver.point else driver.link in names and driver.against in names,
             "the driver of {what} names no link of the scene, or no pin that slides",
-            hint=f"the links are {', '.join(names)}; a pin that is pushed needs a slide",
+            hint="the links are {known}; a pin that is pushed needs a slide",
+            known=", ".join(names),
             what=repr(driver.point or driver.link),
             code="driver",
         )

@@ -1,10 +1,16 @@
 """Lists as people write them, taken apart into their items: commas or semicolons between, one unit at the end."""
 
+from itertools import pairwise
+
 from dynamics_cli.core.inputs.context import Token
-from dynamics_cli.core.inputs.forms.splitting import split_list
+from dynamics_cli.core.inputs.forms.splitting import split_list, unbracketed
 from dynamics_cli.core.inputs.quantity_text import DIGITS, is_uncertain, number_end
 from dynamics_cli.core.inputs.specification import Record
 from dynamics_cli.errors import UsageError
+
+FEET, INCHES = ("ft", "foot", "feet"), ("in", "inch", "inches")
+# Digits between the separators of thousands.
+GROUP = 3
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -46,24 +52,24 @@ def split_items(node: "Many", value: "Any") -> "list[Any]":
         if ";" in text and form == "vector":
             return _vectors_in_rows(text)
         text = text[1:-1] if form == "vector" and text[:2] + text[-2:] == "[[]]" else text.replace(";", ",")
-        items = (spaced_numbers(text) if form in ("scalar", "slope") else []) or split_list(text)
+        items = split_list(text)
         if form == "vector" and not any(mark in text for mark in "()[]@"):
             # nine numbers in a row are three rows of three
             size = node.item.kind.size  # type: ignore[union-attr]
             rows = [", ".join(items[i : i + size]) for i in range(0, len(items), size)]
             return _vectors_in_rows("; ".join(rows))
-        return share_unit(_spaced(items)) if form in ("scalar", "slope") else items
+        if form not in ("scalar", "slope"):
+            return items
+        # also `4 6 8 in`, and points as `0,0 20,1.5 40,4 ft`
+        apart = [spaced_numbers(item) or [item] for item in items]
+        for numbers in apart:
+            _require_apart(numbers, " ")
+        _require_apart(items, ",", two=False)
+        items = share_unit([number for numbers in apart for number in numbers])
+        for one, other in pairwise(items):
+            _require_two(one, other)
+        return items
     return [value]
-
-
-def _spaced(items: "list[str]") -> "list[str]":
-    """Items with their numbers apart: `4 6 8 in`, or points as `0,0 20,1.5 40,4 ft`; `1 500` among others stays."""
-    apart = []
-    for item in items:
-        numbers = spaced_numbers(item)
-        thousands = len(items) > 1 and numbers and all(len(word.split()[0]) == len("500") for word in numbers[1:])
-        apart += [item] if thousands or not numbers else numbers
-    return apart
 
 
 def _vectors_in_rows(text: str) -> "list[str]":
@@ -89,10 +95,41 @@ def spaced_numbers(text: str) -> "list[str]":
     return [f"{word} {unit}".rstrip() for word in words[:count]]
 
 
+def _require_apart(items: "list[str]", mark: str, *, two: bool = True) -> None:
+    """Refuse numbers that may be one with a mark between its thousands: `10 000`, `1,000` and, of `two`, `1 500`."""
+    first, *later = (item[: number_end(item, 0)].lstrip("+-−") for item in items)
+    begins = first.isdigit() and len(first) <= GROUP and first[0] != "0"
+    if not (later and begins and all(number.isdigit() and len(number) == GROUP for number in later)):
+        return
+    if (two and len(later) == 1) or any(number[0] == "0" for number in later):
+        message = f"{mark.join((first, *later))!r} may be one number or several"
+        raise UsageError(message, code="ambiguous", hint="one number is written 1500, two are written 1, 500")
+
+
+def _require_two(one: str, other: str) -> None:
+    """Refuse `5 ft, 6 in` where it may be one value or two."""
+    if _unit_after(one) in FEET and _unit_after(other) in INCHES:
+        hint = f"for one value write {one} {other}; for two write both in one unit"
+        raise UsageError(f"'{one}, {other}' may be one value or two", code="ambiguous", hint=hint)
+
+
+def vector_items(text: str, *, lone: bool) -> "list[str]":
+    """The components of a vector; `lone`: one number alone is read too, so that two must not look like one."""
+    inner = unbracketed(text)
+    spaced = spaced_numbers(inner)
+    items = spaced or share_unit(split_list(inner))
+    if lone and inner == text:
+        if spaced or ", " not in text:
+            _require_apart(items, " " if spaced else ",")
+        if len(items) == 2:
+            _require_two(*items)
+    return items
+
+
 def require_one(text: str) -> None:
     """Refuse several numbers where one is wanted: `60, 70 mph`, `60 70 mph`; 1,000 may be one, 5 ft, 6 in is one."""
     items = spaced_numbers(text)
-    parts = [part.strip() for part in text.split(",")]
+    parts = [part.strip() for part in text.split(", " if ", " in text else ",")]
     grouped = ", " not in text and all(len(part) > 2 and part[:3].isdigit() for part in parts[1:])
     if not items and len(parts) > 1 and (", " in text or len(parts) > 2) and not grouped:
         items = parts if all(part and number_end(part, 0) == len(part) for part in parts[:-1]) else []

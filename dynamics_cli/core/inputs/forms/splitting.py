@@ -46,26 +46,24 @@ def with_names(text: str, first: str, names: "Collection[str]") -> str:
     >>> with_names("200 N down at 2, 0 m", "force", ("force", "at"))
     'force=200 N down, at=2, 0 m'
     """
+    lead, equals, tail = text.partition("=")
     for word in PLACES:
-        if word in names and f"{word}=" not in text.replace(" ", ""):
-            text = text.replace(f" {word} ", f", {word}=", 1)
+        before, found, place = lead.rpartition(f" {word} ")
+        if found and word in names and f"{word}=" not in text.replace(" ", ""):
+            lead = f"{before}, {word}={place}"
+    text = lead + equals + tail
     lead, equals, _ = text.partition("=")
-    return f"{first}={text}" if equals and "," in lead else text
+    # a word alone, or a value before the first name
+    return f"{first}={text}" if ("," in lead if equals else " " not in text) else text
 
 
 def split_pairs(text: str) -> dict[str, str]:
-    """Split `force=3, 4 N, at=2, 0 m` into names and values; quotes around a whole value are taken off.
-
-    A word alone at the beginning, `braking, distance=14 m`, has no name.
-    """
+    """Split `force=3, 4 N, at=2, 0 m` into names and values; quotes around a whole value are taken off."""
     pairs: dict[str, str] = {}
     name = ""
     for item in (part for read in split_list(text) for part in _apart(read)):
         if name and "=" not in item and number_end(item, 0):  # a further component of the value before
-            pairs[name] += f", {item}"
-            continue
-        if not pairs and item.replace("-", "").isalpha():
-            pairs[""] = item
+            pairs[name] += f",{item}" if f",{item}" in text else f", {item}"
             continue
         name, equals, value = (part.strip() for part in item.partition("="))
         if not (equals and name and value):

@@ -234,10 +234,12 @@ def _plus_minus(text: str, sign: str, scale: Scale) -> "list[Any]":
     centre, _, width = (part.strip() for part in text.partition(sign))
     unit = _unit_of(width)
     if unit == "%" and not _unit_of(centre) and not scale.kind.unit and scale.kind.form != "slope":
-        # of a share of at most one, 70 ± 5 % can only be 70 % ± 5 %
-        numerator, denominator, _ = read_amount(centre).parts[0]
-        if scale.kind.high is None or numerator <= scale.kind.high * denominator:
+        # of a share of at most one, 70 ± 5 % can only be 70 % ± 5 %; 1.2 ± 5 % may be a slip
+        over, under, _ = read_amount(centre).parts[0]
+        if over <= 10 * (scale.kind.high or inf) * under:
             raise _ambiguous(width)
+    if unit[:1] == "%" != unit:
+        raise UsageError(f"{width!r} is a share with a unit", code="ambiguous", hint="write for example 60 ft ± 5 %")
     # `1500 ± 50 kg`: the unit of both; `1500 kg ± 3 %` is relative.
     if not _unit_of(centre) and unit and not (unit == "%" and scale.kind.unit):
         centre = f"{centre} {unit}"
@@ -248,11 +250,8 @@ def _plus_minus(text: str, sign: str, scale: Scale) -> "list[Any]":
 
 
 def _mixed(text: str) -> UsageError:
-    return UsageError(
-        f"{text.strip()} mixes an angle with a rise over run",
-        code="kind",
-        hint="write the whole distribution in one of them, for example -2 ± 0.5 deg or -3 ± 0.5 %",
-    )
+    hint = "write the whole distribution in one of them, for example -2 ± 0.5 deg or -3 ± 0.5 %"
+    return UsageError(f"{text.strip()} mixes an angle with a rise over run", code="kind", hint=hint)
 
 
 def _ambiguous(text: str) -> UsageError:
