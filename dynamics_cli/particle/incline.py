@@ -35,9 +35,9 @@ class Incline:
     needed_friction: Annotated[Friction, "Friction that would hold it at rest [-]."]
     repose: Annotated[Angle, "Steepest angle at which it rests by itself [rad]."]
     holding_force: Annotated[
-        Force, "Least force up along the incline that keeps it from sliding down; none needed: 0 [N]."
+        Force | None, "Least force that keeps it from sliding down: 0 where none is needed, none where none can [N]."
     ]
-    moving_force: Annotated[Force | None, "Force at which it begins to slide up; none where it jams [N]."]
+    moving_force: Annotated[Force | None, "Force at which it begins to slide up; none where it jams or lifts [N]."]
     time: Annotated[Time | None, "Time to slide the distance; none where it does not come so far [s]."]
     speed: Annotated[Speed | None, "Speed after it [m/s]."]
     stop_time: Annotated[Time | None, "Time after which a block that slides at first stops [s]."]
@@ -105,8 +105,14 @@ def incline(
     net = force * along - mass * gravity * sine
     motion, rubbed = _friction(net, friction * normal, sliding * normal, plain(start_speed))
     acceleration = 0.0 * net if motion == "rests" else (net + rubbed) / mass
-    held = (sine - friction * cosine) / (along - friction * across) if plain(along) > plain(friction * across) else None
-    jammed = plain(along + friction * across) <= 0.0
+    # a force that points beyond the vertical lifts the block before it moves it up
+    upward = plain(cosine * along) > plain(sine * across)
+    slips, grips = sine - friction * cosine, along - friction * across
+    holding = 0.0 * normal if plain(slips) <= 0.0 else None
+    if upward and plain(slips) > 0.0 and plain(grips) > 0.0:
+        holding = mass * gravity * slips / grips
+    moves = along + friction * across
+    moving = mass * gravity * ((sine + friction * cosine) / moves) if upward and plain(moves) > 0.0 else None
     ahead = acceleration if motion == "slides up" else -acceleration
     time, speed = _after(absolute(start_speed), ahead, distance) if motion != "rests" else (None, None)
     stop_time = stop_distance = after = back = None
@@ -123,8 +129,8 @@ def incline(
         friction_force=rubbed,
         needed_friction=absolute(net) / normal,
         repose=atan(friction),
-        holding_force=mass * gravity * held if held is not None and plain(held) > 0.0 else 0.0 * normal,
-        moving_force=None if jammed else mass * gravity * ((sine + friction * cosine) / (along + friction * across)),
+        holding_force=holding,
+        moving_force=moving,
         time=time,
         speed=speed,
         stop_time=stop_time,

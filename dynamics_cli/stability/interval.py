@@ -105,7 +105,9 @@ def _parts(text: str) -> "list[str]":
     """The coefficients of a list, its ranges written 2..3 or [2, 3], the whole in brackets or not."""
     text = text.strip()
     depths = list(accumulate(("[" in letter) - ("]" in letter) for letter in text))
-    if text.startswith("[") and depths and 0 not in depths[:-1]:
+    if depths and (depths[-1] != 0 or min(depths) < 0):
+        raise UsageError(f"{text!r}: a bracket is not closed", code="syntax", hint="write a range as 2..3 or [2, 3]")
+    if text.startswith("[") and 0 not in depths[:-1]:
         text, depths = text[1:-1], [depth - 1 for depth in depths[1:-1]]
     parts = "".join(";" if letter == "," and depth == 0 else letter for letter, depth in zip(text, depths, strict=True))
     return [

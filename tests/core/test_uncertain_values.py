@@ -31,6 +31,8 @@ def spread(kind: Any, raw: Any) -> tuple[str, float, float]:
         (Friction, "0.72 +/- 0.04 ", ("normal", 0.72, 0.04)),
         (Mass, "1500±50 kg", ("normal", 1500.0, 50.0)),
         (Mass, "1500 kg ± 3 %", ("normal", 1500.0, 45.0)),
+        (Mass, "1500 ± 3 % kg", ("normal", 1500.0, 45.0)),
+        (Mass, "1500 kg ± 3% kg", ("normal", 1500.0, 45.0)),
         (Length, "60 ft ± 6 in", ("normal", 60 * FOOT, 0.5 * FOOT)),
         (Length, "5 ft 6 in ± 1 in", ("normal", 5.5 * FOOT, FOOT / 12)),
         (Friction, "0.65..0.75", ("uniform", 0.7, 0.1 / math.sqrt(12))),

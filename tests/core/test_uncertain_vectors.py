@@ -36,6 +36,19 @@ def test_a_component_alone_gives_its_own_distribution() -> None:
     assert document["numerics"]["uncertainty"]["results"]["first.velocity[0]"]["estimate"] < 1e-9
 
 
+@pytest.mark.parametrize("force", ["200 N ± 1 % @ 90 deg", "200 ± 1 % N @ 90 deg", "0, 200 N ± 1 %", "0, 200 ± 1 % N"])
+def test_a_share_keeps_the_unit_of_a_vector_of_any_kind(force: str) -> None:
+    moment = answer("force", "moment", "--force", force, "--at", "0.5, 0 m")["results"]["moment"]
+    assert (moment["value"][2], moment["unit"]) == (pytest.approx(100.0), "N·m")
+    assert moment["std"][2] == pytest.approx(1.0, rel=1e-9)
+
+
+@pytest.mark.parametrize("at", ["0.5 ± 1 %, 0 m", "0.5 m ± 1 %, 0 m", "0.5 ± 0.005, 0 m"])
+def test_a_share_of_one_component_leaves_it_the_shared_unit(at: str) -> None:
+    moment = answer("force", "moment", "--force", "0, 200 N", "--at", at)["results"]["moment"]
+    assert moment["std"][2] == pytest.approx(1.0, rel=1e-9)
+
+
 @pytest.mark.parametrize("written", ["3 ± 0.1, 0.2 m/s", "3 m/s ± 10 cm/s, 0.2 m/s", "300 ± 10, 20 cm/s"])
 def test_a_unit_written_last_is_that_of_all_components(written: str) -> None:
     velocity = results(*OBLIQUE, "--first-velocity", written)["results"]["first"]["velocity"]

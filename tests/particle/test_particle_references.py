@@ -215,3 +215,11 @@ def test_a_force_at_an_angle_holds_and_moves_a_block_at_its_limits(tilt: float) 
     for limit in (made.holding_force, made.moving_force):
         at = incline(mass=20.0, angle=0.6, friction=0.3, force=limit, force_angle=tilt)
         assert at.needed_friction == pytest.approx(0.3, rel=1e-12)
+
+
+@pytest.mark.parametrize(("tilt", "holds"), [(55.0, True), (65.0, False), (80.0, False)])
+def test_a_force_beyond_the_vertical_lifts_and_neither_holds_nor_moves(tilt: float, holds: bool) -> None:
+    made = incline(mass=10.0, angle=math.pi / 6, friction=0.2, force_angle=math.radians(tilt))
+    assert made.motion == "slides down"
+    assert ((made.holding_force or 0.0) > 0.0, made.moving_force is not None) == (holds, holds)
+    assert incline(mass=10.0, angle=0.1, friction=0.2, force_angle=math.radians(tilt)).holding_force == 0.0

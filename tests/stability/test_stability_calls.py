@@ -22,6 +22,7 @@ REFUSED = {
     "degree of gains": ('gain "s^17 + K"', "degree"),
     "leading range": ('interval "-1..1, 2"', "degree"),
     "words": ('interval "1, two"', "polynomial"),
+    "open range": ('interval "1, [2, 3, 4"', "syntax"),
     "advanced": ('delay "s" --delayed "s^2"', "advanced"),
     "neutral": ('delay "s" --delayed "s + 1"', "neutral"),
     "not square": ('matrix "1, 2; 3"', "matrix"),

@@ -238,6 +238,22 @@ def test_damping_from_a_noisy_record(tmp_path: Path) -> None:
     assert made["natural_frequency"]["value"] == pytest.approx(8.0, rel=2e-3)
 
 
+@pytest.mark.parametrize(("noise", "zeta"), [(0.01, 0.02), (0.03, 0.02), (0.005, 0.05)])
+def test_damping_of_a_decay_that_sinks_into_the_noise(noise: float, zeta: float, tmp_path: Path) -> None:
+    """Before it begins and long after it has ended there is noise alone, whose peaks do not count."""
+    drawn, omega = random.Random(2), 2.0 * math.pi * 5.0
+    times = [i / 300.0 for i in range(-60, int(300 * 8.0 / (zeta * omega)))]
+    rows = [
+        (t - times[0], 0.5 + (t >= 0.0) * math.exp(-zeta * omega * t) * math.cos(omega * t) + drawn.gauss(0.0, noise))
+        for t in times
+    ]
+    file = tmp_path / "decay.csv"
+    file.write_text("t[s],x[mm]\n" + "".join(f"{t!r},{x!r}\n" for t, x in rows))
+    made = answer("vibration", "decrement", "--file", str(file))["results"]
+    assert made["damping_ratio"]["value"] == pytest.approx(zeta, rel=0.15)
+    assert made["natural_frequency"]["value"] == pytest.approx(5.0, rel=0.03)
+
+
 def test_a_critical_speed_alone_needs_no_speed() -> None:
     """√(48·E·I/L³/m) of a disk in the middle."""
     made = answer("vibration", "whirl", *shlex.split('--mass "10 kg" --diameter "25 mm" --length "600 mm"'))["results"]

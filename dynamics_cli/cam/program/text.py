@@ -51,6 +51,8 @@ def read_program(text: str) -> "tuple[list[Step], Exact | None]":
         if not clause.strip():
             continue
         words = _Words(clause, at if steps or start else (0, 1))
+        if "±" in clause:
+            words.fail("± is not wanted: a program takes no uncertain values")
         if words.peek() == "start":
             words.take()
             words.skip("at", "from")

@@ -87,9 +87,9 @@ class Oscillators:
         self.damped = self.omega * np.sqrt((1.0 - zeta) * (1.0 + zeta) + 0j)
         # exponents of e^(λt); with heavy damping the slow one would be a difference of almost equal numbers
         self.exponent = -self.sigma + 1j * self.damped
-        self.other = np.where(
-            self.damped.imag > 0.0, -self.omega * self.omega / -self.exponent, -self.sigma - 1j * self.damped
-        )
+        self.other = -self.sigma - 1j * self.damped
+        heavy = self.damped.imag > 0.0
+        self.other = np.where(heavy, self.omega * self.omega / np.where(heavy, self.exponent, 1.0), self.other)
 
     def some(self, which: "Any") -> "Oscillators":
         """Those of an index or a mask."""

@@ -17,7 +17,11 @@ if TYPE_CHECKING:
 CURVED = 0.1
 # Peaks below this share of the largest are scatter.
 CLEAR = 0.02
-# A swing below this share of both beside it is none.
+# A decay begins with the first peak above this share of the largest.
+STRONG = 0.2
+# Peaks follow in periods that differ by less; those of noise do not.
+UNEVEN = 0.25
+# A swing, from turn to turn, below this share of both beside it is none.
 RIPPLE = 0.25
 FEWEST_IN_A_RECORD = 3
 
@@ -164,17 +168,32 @@ def peaks_of(file: str) -> "tuple[list[float], tuple[float, ...]]":
     tail = values[-max(len(values) // 10, 3) :]
     rest = _place_of_rest(_turns(times, values, sum(tail) / len(tail)), sum(tail) / len(tail))
     highs = [(at, value - rest) for at, value, side in _turns(times, values, rest) if side > 0.0]
-    at, sizes = [when for when, _ in highs], [size for _, size in highs]
-    clear = [nth for nth, size in enumerate(sizes) if size > CLEAR * max(sizes)]
-    last = clear[-1] + 1 if clear else 0
+    decay = _without_noise(highs)
     require(
-        last >= FEWEST_IN_A_RECORD,
+        len(decay) >= FEWEST_IN_A_RECORD,
         "clear peaks in the record: {count}; a decay needs at least {least}",
-        count=str(last),
+        count=str(len(decay)),
         least=str(FEWEST_IN_A_RECORD),
         code="few-peaks",
     )
-    return at[:last], tuple(sizes[:last])
+    return [at for at, _ in decay], tuple(size for _, size in decay)
+
+
+def _without_noise(highs: "list[tuple[float, float]]") -> "list[tuple[float, float]]":
+    """The peaks of the decay, without those before it begins and after it has sunk into the noise."""
+    largest = max((size for _, size in highs), default=0.0)
+    strong = [nth for nth, (_, size) in enumerate(highs) if size > STRONG * largest]
+    if not strong:
+        return []
+    peaks = highs[strong[0] :]
+    periods = [after - before for (before, _), (after, _) in pairwise(peaks)]
+    early = sorted(periods[: max(strong[-1] - strong[0], 1)])
+    usual = early[len(early) // 2] if early else 0.0
+    last = next(
+        (nth for nth, (period, (_, size)) in enumerate(zip(periods, peaks[1:], strict=True), 1)
+         if size <= CLEAR * largest or abs(period - usual) > UNEVEN * usual), len(peaks),
+    )  # fmt: skip
+    return peaks[:last]
 
 
 def _turns(times: "list[float]", values: "list[float]", rest: float) -> "list[tuple[float, float, float]]":
@@ -187,7 +206,7 @@ def _turns(times: "list[float]", values: "list[float]", rest: float) -> "list[tu
             off = 0.5 * (before - after) / (before - 2.0 * here + after)
             at = times[i] + off * 0.5 * (times[i + 1] - times[i - 1])
             turns.append((at, rest + side * (here - 0.25 * (before - after) * off), side))
-    return _one_a_swing(_without_ripples(_one_a_swing(turns, rest), rest), rest)
+    return _without_ripples(_one_a_swing(turns, rest))
 
 
 def _one_a_swing(turns: "list[tuple[float, float, float]]", rest: float) -> "list[tuple[float, float, float]]":
@@ -201,14 +220,17 @@ def _one_a_swing(turns: "list[tuple[float, float, float]]", rest: float) -> "lis
     return swings
 
 
-def _without_ripples(turns: "list[tuple[float, float, float]]", rest: float) -> "list[tuple[float, float, float]]":
-    """Without those much smaller than the ones before and after: noise where the motion passes the place of rest."""
-    sizes = [abs(value - rest) for _, value, _ in turns]
-    return [
-        turn
-        for nth, turn in enumerate(turns)
-        if not 0 < nth < len(turns) - 1 or sizes[nth] >= RIPPLE * min(sizes[nth - 1], sizes[nth + 1])
-    ]
+def _without_ripples(turns: "list[tuple[float, float, float]]") -> "list[tuple[float, float, float]]":
+    """Without swings much smaller than those before and after: noise where the motion passes the place of rest."""
+    kept: list[tuple[float, float, float]] = []
+    for turn in turns:
+        kept.append(turn)
+        while len(kept) > 3:
+            before, swing, after = (abs(high[1] - low[1]) for low, high in pairwise(kept[-4:]))
+            if swing >= RIPPLE * min(before, after):
+                break
+            del kept[-3:-1]
+    return kept
 
 
 def _place_of_rest(turns: "list[tuple[float, float, float]]", tail: float) -> float:

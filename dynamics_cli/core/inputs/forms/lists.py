@@ -143,7 +143,7 @@ def share_unit(items: "list[str]") -> "list[str]":
     items = [item.strip() for item in items]
     unit = _unit_after(items[-1]) if items else ""
     if unit:
-        return [item if _has_unit(item) else f"{item} {unit}" for item in items]
+        return [item if _has_unit(item) or item.endswith(unit) else f"{item} {unit}" for item in items]
     unit = next((_unit_after(item) for item in items if _has_unit(item)), "")
     return [f"{item} {unit}" if unit and not item.strip("+-0.") else item for item in items]
 

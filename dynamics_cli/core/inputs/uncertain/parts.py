@@ -1,4 +1,4 @@
-"""Distributions whose numbers are parts of compound units, as those of an earlier result in `ft;in`."""
+"""Units in uncertain values: compound ones, as of an earlier result in `ft;in`, and shares, `80 kg ± 1 %`."""
 
 from dynamics_cli.core.units.compound import listed_text
 
@@ -16,3 +16,9 @@ def without_parts(raw: "dict[str, Any]") -> "dict[str, Any]":
 
     texts = {key: [text(end) for end in value] if key == "interval" else text(value) for key, value in raw.items()}
     return {**texts, "unit": ""}
+
+
+def beside_share(unit: str) -> str:
+    """The unit after a share: `kg` of `% kg`, as in 80 ± 1 % kg, which is 80 kg ± 1 %; of any other unit nothing."""
+    after = unit.removeprefix("%").lstrip()
+    return after if after != unit and after[:1].isalpha() else ""

@@ -9,7 +9,7 @@ from math import inf
 from dynamics_cli.core.inputs.forms.splitting import split_list
 from dynamics_cli.core.inputs.quantity_text import ANGLE, read_amount, read_number, read_scalar, total
 from dynamics_cli.core.inputs.uncertain import distributions as d
-from dynamics_cli.core.inputs.uncertain.parts import without_parts
+from dynamics_cli.core.inputs.uncertain.parts import beside_share, without_parts
 from dynamics_cli.core.inputs.values import Value
 from dynamics_cli.core.units.conversion import nearest
 from dynamics_cli.core.units.lookup import parse_unit
@@ -145,12 +145,7 @@ def read_uncertain(kind: Kind, raw: "Any", address: str, default_unit: str) -> "
 
 
 def _bind(
-    kind: Kind,
-    address: str,
-    name: str,
-    parts: "list[Any]",
-    scale: Scale,
-    nominal: "tuple[float, float] | None",
+    kind: Kind, address: str, name: str, parts: "list[Any]", scale: Scale, nominal: "tuple[float, float] | None"
 ) -> UncertainValue:
     build = d.KINDS[name]
     try:
@@ -233,6 +228,9 @@ def _arguments(name: str, inside: str, scale: Scale) -> "list[Any]":
 def _plus_minus(text: str, sign: str, scale: Scale) -> "list[Any]":
     centre, _, width = (part.strip() for part in text.partition(sign))
     unit = _unit_of(width)
+    if (whole := beside_share(unit)) and _unit_of(centre) in ("", whole):
+        # 80 ± 1 % kg is 80 kg ± 1 %
+        centre, width, unit = f"{centre.removesuffix(whole)} {whole}", width.removesuffix(whole), "%"
     if unit == "%" and not _unit_of(centre) and not scale.kind.unit and scale.kind.form != "slope":
         # of a share of at most one, 70 ± 5 % can only be 70 % ± 5 %; 1.2 ± 5 % may be a slip
         over, under, _ = read_amount(centre).parts[0]

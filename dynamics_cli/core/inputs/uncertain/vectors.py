@@ -5,6 +5,7 @@ Written `3 ± 0.1, 0 m/s` or `30 ± 2 mph @ 45 ± 3 deg`. Components have the ad
 """
 
 from dynamics_cli.core.inputs.quantity_text import number_end
+from dynamics_cli.core.inputs.uncertain.parts import beside_share
 from dynamics_cli.core.inputs.uncertain.values import PLUS_MINUS, UncertainValue
 from dynamics_cli.core.inputs.values import Value, VectorValue
 from dynamics_cli.errors import UsageError
@@ -73,13 +74,15 @@ def _same(low: "Any", high: "Any") -> bool:
 
 
 def trailing_unit(text: str) -> str:
-    """The unit at the end of an uncertain value as written, if any: `m/s` of `3 ± 0.1 m/s`."""
-    return _units(text)[-1]
+    """The unit of an uncertain value as written, if any: `m/s` of `3 ± 0.1 m/s` and of `3 m/s ± 1 %`."""
+    units = _units(text)
+    unit = beside_share(units[-1]) or units[-1]
+    return next((earlier for earlier in reversed(units) if earlier not in ("", "%")), unit) if unit == "%" else unit
 
 
 def has_unit(text: str) -> bool:
-    """Whether some number of an uncertain value as written has a unit."""
-    return any(_units(text))
+    """Whether some number of an uncertain value as written has a unit, other than a share at its end."""
+    return any(unit not in ("", "%") for unit in _units(text))
 
 
 def _units(text: str) -> "list[str]":
