@@ -194,3 +194,14 @@ def test_only_takes_a_group_of_results() -> None:
     assert run(*call, "--only", "moments,mass").out == "1 kg·m²\n1 kg·m²\n2 kg·m²\n4 kg\n"
     assert "moments.zz" in run(*call, "--only", "moments", "--sweep", "diameter=1:2 m:2").out
     assert "did you mean" in run(*call, "--only", "momentz").err
+
+
+def test_a_table_beside_uncertain_results_says_once_that_it_is_nominal() -> None:
+    phases = ("--phase", "reaction, duration=1.2 s", "--phase", "braking, distance=14 m, friction=0.7")
+    line = "  table at the inputs' nominal values"
+    uncertain = run("skid", "timeline", "--end-speed", "8 ± 0.5 m/s", *phases)
+    assert uncertain.out.splitlines().count(line) == 1
+    every = run("skid", "timeline", "--end-speed", "8 ± 0.5 m/s", *phases, "--all").out
+    assert every.count("at the inputs' nominal values") == 1
+    assert line not in run("skid", "timeline", "--end-speed", "8 m/s", *phases).out
+    assert line not in run("skid", "speed", "--distance", "38 ± 1 m", "--friction", "0.7").out

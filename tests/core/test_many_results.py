@@ -159,3 +159,23 @@ def test_many_bounded_inputs_are_not_taken_value_by_value() -> None:
     inputs: dict = {"z": Normal(0.0, 1.0)} | dict.fromkeys(names, Uniform(-1.0, 1.0))
     made = propagate(lambda at: ({"sum": sum(at.values())}, None), inputs, accuracy=0.01, shares=False)
     assert abs(made.spreads["sum"].std - math.sqrt(6.0)) < 0.05
+
+
+class Few:
+    """The model of six results, of which one is asked for."""
+
+    results = 6
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def __call__(self, inputs: dict) -> tuple[dict, None]:
+        return {self.name: model(inputs)[0][self.name]}, None
+
+
+@pytest.mark.parametrize("name", ["largest", "distance", "sum"])
+def test_one_result_alone_has_the_method_and_numbers_that_it_has_among_all(name: str) -> None:
+    inputs = dict.fromkeys("abc", Normal(0.0, 1.0))
+    one, among = (propagate(each, inputs, shares=False).spreads[name] for each in (Few(name), model))
+    assert one.method == among.method
+    assert (*one.interval, one.median, one.std) == pytest.approx((*among.interval, among.median, among.std), rel=1e-12)

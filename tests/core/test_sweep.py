@@ -288,3 +288,15 @@ def test_a_quiet_sweep_is_its_table() -> None:
     assert out.startswith("sweep\n")
     assert "0.7" in out
     assert "for " not in out
+
+
+def test_an_uncertain_sweep_shows_the_interval_of_the_headline_first() -> None:
+    call = ("skid", "speed", "--distance", "38 ± 1 m", "--sweep", "friction=0.5:0.9:3")
+    head, units, first = run(*call).out.splitlines()[1:4]
+    assert head.split()[:7] == ["friction", "speed", "95", "%", "from", "to", "time"]
+    table = json.loads(run(*call, "--json").out)["results"]["sweep"]
+    assert "mean" not in head
+    assert first.split()[:4] == [
+        "0.5", *(f"{table[name]['value'][0]:.6g}" for name in ("speed", "speed.low", "speed.high"))
+    ]  # fmt: skip
+    assert units.split()[:3] == ["km/h"] * 3

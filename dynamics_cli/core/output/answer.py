@@ -12,7 +12,7 @@ from dynamics_cli.core.documents import (
     is_table,
     quantity,
 )
-from dynamics_cli.core.output.answer_tables import file_lines, table_lines
+from dynamics_cli.core.output.answer_tables import file_lines, headline_tables
 from dynamics_cli.core.output.answer_words import (
     asked_of,
     bears_on_results,
@@ -184,10 +184,8 @@ class _Answer:
     def tables(self, space: int) -> "list[str]":
         """Headline tables, without middle rows where they do not fit."""
         named = [address for address in self.labels if address in self.table_names and self.results[address]]
-        lines: list[str] = []
-        for address in named:
-            size = {"digits": self.digits, "width": self.width, "space": space // len(named)}
-            lines += ["", *table_lines(self.results[address], address, self.labels[address], **size)]
+        size = {"digits": self.digits, "width": self.width, "space": space}
+        lines = headline_tables(self.document, self.task, {address: self.labels[address] for address in named}, **size)
         saved = [file for file in self.document.get("files", ()) if file.get("written")]
         return lines + ([""] if saved else []) + [line for file in saved for line in file_lines(file, self.width)]
 

@@ -8,10 +8,31 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.core.answering.task import Task
+
 # In mm: a smaller deviation is written in micrometres.
 MICROMETRES_BELOW = 0.01
 # Lines that a cut must save: a table a little longer than the screen is shown as a whole.
 LEAST_SAVED = 4
+
+
+def headline_tables(
+    document: "dict[str, Any]", task: "Task", labels: "dict[str, str]", *, digits: int, width: int, space: int
+) -> "list[str]":
+    """The tables with these labels by address, and beside uncertain results what inputs they are for."""
+    tables = {address: document["results"][address] for address in labels}
+    nominal: list[str] = []
+    if tables and "uncertainty" in document["numerics"]:
+        from dynamics_cli.core.output.uncertainty import nominal_line, sweep_columns
+
+        nominal = nominal_line(list(tables.values()), document)
+        if "sweep" in tables:
+            tables["sweep"], labels["sweep"] = sweep_columns(document, [name for name, _ in task.headline])
+    lines: list[str] = []
+    for address, table in tables.items():
+        lines_each = (space - len(nominal)) // len(tables)
+        lines += ["", *table_lines(table, address, labels[address], digits=digits, width=width, space=lines_each)]
+    return lines + nominal
 
 
 def table_lines(node: "Any", address: str, label: str, *, digits: int, width: int, space: int) -> "list[str]":

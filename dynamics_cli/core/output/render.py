@@ -91,7 +91,7 @@ def to_full_table(
     tails = {name: f"(error ≤ {bound_text(entry)})".replace("error ≤ exact", "exact") for name, entry in bounds.items()}
     uncertain = "uncertainty" in document["numerics"]
     if uncertain:
-        from dynamics_cli.core.output.uncertainty import driver_lines, spread_tails
+        from dynamics_cli.core.output.uncertainty import driver_lines, nominal_line, spread_tails
 
         tails |= spread_tails(document["results"], digits)
     results = document["results"]
@@ -99,7 +99,9 @@ def to_full_table(
         lines += layout(results)
     else:
         lines += ["", *_aligned([entry for entry in flatten(results) if entry[1] != ""], digits, tails)]
-        lines += _tables({name: node for name, node in results.items() if is_table(node)}, digits, screen)
+        tables = {name: node for name, node in results.items() if is_table(node)}
+        lines += _tables(tables, digits, screen)
+        lines += nominal_line(list(tables.values()), document) if uncertain else []
     lines += driver_lines(document, digits) if uncertain else []
     notes = _notes(document)
     lines += ["", *(f"  {line}" for note in notes for line in (wrapped(note, width - 2, 2) if width else [note]))]

@@ -1,6 +1,7 @@
 """Uncertain inputs and results as a table for people shows them."""
 
-from dynamics_cli.core.documents import number, quantity
+from dynamics_cli.core.documents import columns, number, quantity
+from dynamics_cli.core.output.row_layout import SPREAD
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -44,6 +45,30 @@ def _lean(node: "dict[str, Any]") -> str:
         return ""
     below, above = median - low, high - median
     return f", median {number(median, 6)}" if abs(above - below) > LOPSIDED * (high - low) else ""
+
+
+def sweep_columns(document: "dict[str, Any]", headline: "Sequence[str]") -> "tuple[dict[str, Any], str]":
+    """An uncertain sweep with the headline first, and a label by which each result has the ends of its interval."""
+    table = document["results"]["sweep"]
+    share = f"{100.0 * document['numerics']['uncertainty']['coverage']:.6g} %"
+    heads = {}
+    for name in dict.fromkeys([*(axis["parameter"] for axis in document["inputs"]["sweep"]), *headline, *table]):
+        result, _, figure = name.rpartition(".")
+        if name in table and (figure not in SPREAD or result not in table):
+            heads[name] = ""
+            heads |= {f"{name}.low": f"{share} from", f"{name}.high": "to"} if f"{name}.low" in table else {}
+    ordered = {name: table[name] for name in dict.fromkeys([*heads, *table])}
+    return ordered, "sweep | " + ", ".join(f"{name}={head}" for name, head in heads.items())
+
+
+def nominal_line(tables: "Sequence[Any]", document: "dict[str, Any]") -> "list[str]":
+    """A line for tables of numbers beside uncertain results: they are not spread."""
+    uncertain = "results" in document["numerics"].get("uncertainty", {})
+    told = any(item["code"] == "nothing-varies" for item in document["warnings"])
+    numbers = [t for t in tables if any(isinstance(v, float) for _, _, values in columns(t) for v in values)]
+    if not uncertain or told or not numbers:
+        return []
+    return [f"  {'tables' if len(numbers) > 1 else 'table'} at the inputs' nominal values"]
 
 
 def driver_lines(document: "dict[str, Any]", digits: int) -> "list[str]":

@@ -69,9 +69,11 @@ def add_uncertainty(
     more = {"limits": beyond, "levels": asked, "slopes": _slopes(answered, task), "curve": bool(settings.plot)}
     more["partly"] = bool(settings.time_limit) and not settings.plot
     only = _chosen(task, settings, kinds, {*beyond, *asked})
-    propagation = spread_of(
-        task, answered.model, bound, answered.record, reader, settings, shares=True, more=more, only=only
-    )
+    pictured = bool(settings.plot or settings.drawing)
+    if settings.only and not pictured and not only:  # a table, or a name that does not exist
+        return None, None
+    more["shares"] = pictured or not settings.only
+    propagation = spread_of(task, answered.model, bound, answered.record, reader, settings, more=more, only=only)
     shown = {name: display.of(name.partition("[")[0], kind) for name, kind in kinds.items()}
     _add_results(document["results"], propagation, shown)
     document["numerics"]["uncertainty"] = _method_entry(propagation)
@@ -85,7 +87,7 @@ def add_uncertainty(
         document["quantiles"] = level_entries(levels, propagation, shown)
     document |= chance_entries(task.chances, propagation)
     document["warnings"] += _warnings(propagation, _seen(task, settings))
-    if not settings.plot and not settings.drawing:
+    if not pictured:
         return None, None
     from dynamics_cli.core.uncertainty.pictures import of_spread, spreads_of
 
@@ -121,7 +123,6 @@ def spread_of(
     reader: "Reader",
     settings: "Settings",
     *,
-    shares: bool = False,
     more: "Mapping[str, Any] | None" = None,
     only: "tuple[str, ...]" = (),
 ) -> Propagation:
@@ -143,8 +144,7 @@ def spread_of(
             accuracy=DEFAULT_ACCURACY if task.arrays else SLOW_ACCURACY,
             samples=settings.samples or task.points or (0 if task.arrays else SLOW_POINTS),
             seed=settings.seed or DEFAULT_SEED,
-            shares=shares,
-            **(more or {}),
+            **{"shares": False, **(more or {})},
         )
     for spread in propagation.spreads.values():
         drop_moments(spread, propagation.coverage)

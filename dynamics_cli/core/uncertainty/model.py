@@ -91,6 +91,8 @@ class TaskModel:
         self.together = load(model.together) if model.together else None
         self.spec = task.specification.result
         self.names = [name for name, _, _ in result_numbers(nominal, self.spec) if name not in task.unspread]
+        # how many there are, of which a call may want a few
+        self.results = len(self.names)
         self.headline = {address for address, _ in task.headline}
         self.kinds = {address: kind for address, kind, _ in bound.leaves()}
         self.noise = _noise(nominal, self.spec, bound, STEADY if task.arrays else SOLVED)

@@ -10,7 +10,7 @@ import numpy as np
 from dynamics_cli.core.deadline import Reached, stop
 from dynamics_cli.core.inputs.settings import METHODS
 from dynamics_cli.core.uncertainty.interval_ends import add_corners
-from dynamics_cli.core.uncertainty.methods.choice import FEW_RESULTS, integrate, start
+from dynamics_cli.core.uncertainty.methods.choice import integrate, start
 from dynamics_cli.core.uncertainty.methods.classical import Plain, Sample, linear, second_order, unscented
 from dynamics_cli.core.uncertainty.methods.outcome import DEFAULT_POINTS, FAIR, Goal, Outcome, direction_of
 from dynamics_cli.core.uncertainty.methods.scanned_lines import Listed, exceedance
@@ -197,7 +197,7 @@ def _distribute(
     noise = np.array([space.noise.get(name, 0.0) for name in space.results]).reshape(-1, 1)
     still = (np.abs(probe - probe[:, :1]) <= 2.0 * noise).all(axis=1)
     stand_in = stand_in if stand_in is None or stand_in.fits(probe.std(axis=1), still) else None
-    if sample is None and len(space.results) > FEW_RESULTS and not space.slow:
+    if sample is None and space.several and not space.slow:
         goals = {}
         for row, name in enumerate(space.results):
             if not still[row] and (not twins[row][0] or {name, twins[row][0]} & (limits.keys() | levels.keys())):

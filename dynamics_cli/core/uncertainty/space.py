@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     # Results by name, and the rows that are inadmissible (or None).
     Model = Callable[[dict[str, Any]], tuple[dict[str, Any], Any]]
 
+# With more results than this, those that turn, jump or have kinks share one sample.
+FEW_RESULTS = 4
 # Arrays of more points leave the processor's cache, which costs more than twice the time a point.
 LARGEST_BLOCK = 1 << 13
 # Cases at which it is looked whether an input bears on a result: a branch taken in one of a hundred shows.
@@ -79,6 +81,16 @@ class Space:
     def size(self) -> int:
         """Number of uncertain inputs."""
         return len(self.names)
+
+    @property
+    def partial(self) -> bool:
+        """Whether only some of the model's results are asked for."""
+        return len(self.results) < getattr(self.model, "results", 0)
+
+    @property
+    def several(self) -> bool:
+        """Whether the model has more than a few results, however many of them are asked for."""
+        return max(len(self.results), getattr(self.model, "results", 0)) > FEW_RESULTS
 
     @property
     def missed(self) -> float:

@@ -36,8 +36,6 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
     Method = Callable[[Space, int, Array, Array, Goal], Outcome | None]
 
-# With more results than this, those that turn, jump or have kinks share one sample.
-FEW_RESULTS = 4
 # Evaluations that results of one input may cost before further ones take the sample.
 PIECES = 20_000
 # Grids of scanned lines are for at most this many inputs.
@@ -57,7 +55,7 @@ class Problem:
         self.goal = goal
         self.asked = asked
         self.narrow = space.size <= MOST_DIMENSIONS
-        self.several = len(space.results) > FEW_RESULTS
+        self.several = space.several
         self.mixture = asked == "auto" and suits_mixtures(space)
         self.counted = asked == "auto" and result in space.whole and not (space.slow or space.heavy)
 

@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 
 # Values of all results together that are kept, and the most replicates; more where more points are asked for.
 MOST_VALUES, MOST_SHIFTS = 8_000_000, 64
-# The most replicates of several results: as many for the headline alone as for all, so that a short answer has the
-# numbers of the document. And those where the headline needs none, or all points lie on one line.
+# The most replicates of several results: as many for the headline, or for one result, as for all, so that a short
+# answer has the numbers of the document. And those where the headline needs none, or all points lie on one line.
 SHARED_SHIFTS, FEW_SHIFTS = 20, SHIFTS
 MOST_TIMES = 10.0
 FEWEST_POINTS = 64
@@ -129,7 +129,7 @@ def _size(space: Space, goal: Goal, rows: "list[int]") -> tuple[int, int]:
     if space.whole.issuperset(rows):
         return COUNTED, SHIFTS
     more = min(max(goal.points / DEFAULT_POINTS, 1.0), MOST_TIMES)
-    shared = max(MOST_SHIFTS // len(rows), SHARED_SHIFTS)
+    shared = SHARED_SHIFTS if space.partial and space.several else max(MOST_SHIFTS // len(rows), SHARED_SHIFTS)
     most = shared if space.headline(rows) and space.size > 1 else FEW_SHIFTS
     return MOST_POINTS, max(int(min(MOST_VALUES // (len(rows) * MOST_POINTS), most) * more), SHIFTS)
 
