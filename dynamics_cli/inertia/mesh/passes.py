@@ -185,9 +185,9 @@ def _may_fork() -> bool:
     The thread that hashes a large input holds nothing that a copy needs.
     """
     threading = sys.modules.get("threading")
-    threads = [] if threading is None else threading.enumerate()
-    alone = all(thread is threading.main_thread() or thread.name.startswith("hash_") for thread in threads)
-    return hasattr(os, "fork") and sys.platform != "darwin" and alone
+    others = [thread for thread in threading.enumerate() if thread is not threading.main_thread()] if threading else []
+    hashing = all(thread.name.startswith("hash_") for thread in others)
+    return hasattr(os, "fork") and sys.platform != "darwin" and hashing
 
 
 def _cores() -> int:
