@@ -322,14 +322,7 @@ def _warnings(propagation: Propagation, seen: "set[str]", *, tables: bool) -> "l
         message = f"the time limit was reached: {done} of {every} results have a distribution"
         helps = "raise --time-limit, or give a smaller number of --samples"
         out.append({"code": "time-limit", "severity": "serious", "message": message, "remedy": helps})
-    elif propagation.inputs and not vary:
-        message = (
-            "no result depends on the uncertain inputs"
-            if not tables
-            else ("only tables depend on the uncertain inputs; they hold the values at the means")
-        )
-        out.append({"code": "nothing-varies", "severity": "caution", "message": message})
-    elif propagation.inputs and seen and not vary & seen:
+    elif propagation.inputs and (not vary or (seen and not vary & seen)):
         message = "none of the results here depends on the uncertain inputs"
         message += "; tables hold the values at the means" if tables else ""
         out.append({"code": "nothing-varies", "severity": "caution", "message": message})
