@@ -3,6 +3,7 @@
 import math
 import os
 import struct
+import threading
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -469,6 +470,19 @@ class TestBlocks:
         assert passes._may_fork()
         with pytest.raises(InadmissibleError, match="coordinate z of corner 2 of triangle 30001 is nan"):
             first_pass(open_mesh(write_array(tmp_path / "torus.stl", corners)), shell=False, prove=True)
+
+    @pytest.mark.parametrize(("name", "allowed"), [("hash_0", True), ("other", False)])
+    def test_processes_are_forked_beside_the_hash_of_a_file_but_of_no_other_thread(
+        self, name: str, allowed: bool
+    ) -> None:
+        end = threading.Event()
+        thread = threading.Thread(target=end.wait, name=name)
+        thread.start()
+        try:
+            assert passes._may_fork() is allowed
+        finally:
+            end.set()
+            thread.join()
 
     def test_a_process_that_dies_costs_time_and_nothing_else(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -98,7 +98,9 @@ def test_closed_profiles_are_pieces_and_holes(profile: str, pieces: str) -> None
         ("tube|--diameter|60 mm|--thickness|5 mm|--width|2 mm", "a tube takes no width"),
         ("tube|--diameter|60 mm|--thickness|30 mm", "the wall fills the tube"),
         ("box|--height|60 mm|--width|40 mm|--thickness|20 mm", "the walls fill the profile"),
-        ("angle|--height|60 mm|--width|40 mm|--thickness|5 mm|--fillet|30 mm", "the fillet does not fit"),
+        ("angle|--height|60 mm|--width|40 mm|--thickness|5 mm|--fillet|36 mm", "there is room for 35 mm"),
+        ("tee|--height|40 mm|--width|120 mm|--web|10 mm|--flange|10 mm|--fillet|31 mm", "there is room for 30 mm"),
+        ("box|--height|60 mm|--width|40 mm|--thickness|5 mm|--fillet|1 mm", "a box takes no fillet"),
     ],
 )
 def test_refusals(call: str, message: str) -> None:

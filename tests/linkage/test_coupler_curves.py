@@ -217,4 +217,10 @@ def test_the_straight_part_of_hoekens_linkage_is_as_wide_as_it_says() -> None:
     wider = coupler(**links, point=(0.05, 0.0), straight_within=1.1 * part.deviation, points=4).straight
     assert wider
     assert wider[0].length > part.length
-    assert coupler(**links, point=(0.05, 0.0), straight_within=1e-12, points=4).straight is None
+    assert coupler(**links, point=(0.05, 0.0), straight_within=1e-12, points=4).straight == ()
+    # the whole curve is within 5 mm: its two ends that are farthest apart
+    whole = coupler(**links, point=(0.05, 0.0), straight_within=5e-3, points=4).straight
+    assert whole
+    places = coupler(**links, point=(0.05, 0.0), points=720).points.arrays
+    chords = np.array(places["x"]) + 1j * np.array(places["y"])
+    assert whole[0].length == pytest.approx(np.abs(chords[:, None] - chords[None, :]).max(), rel=1e-4)

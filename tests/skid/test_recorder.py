@@ -109,6 +109,9 @@ def test_a_file_says_what_a_list_does_and_when_the_brake_was_on(tmp_path: Path) 
     early = answer("skid", "record", "--file", str(file))
     assert early["results"]["brake_latest"]["value"] == pytest.approx(1.5)
     assert [entry["code"] for entry in early["warnings"]] == ["stops-early", "wheel-slip"]
+    # heads as spreadsheets have them
+    file.write_text("\n".join(["Time [s], Speed [km/h], Brake", *rows]))
+    assert answer("skid", "record", "--file", str(file))["results"] == results
     file.write_text("time[s],speed[km/h]\n-1,50\n-0.6,48\n0,40\n")
     uneven = run("skid", "record", "--file", str(file))
     assert uneven.status == 3

@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from harness import answer
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -83,3 +84,15 @@ def test_doubtful_measurements_are_pointed_out() -> None:
     assert codes(Chord(10.0, 0.01)) == [("short-middle-ordinate", "serious")]
     assert codes(Chord(1.0, 30.0)) == [("beyond-half-circle", "caution")]
     assert codes(Radius(30.0), 1.1) == [("steep-grade", "caution"), ("near-self-holding-bank", "serious")]
+
+
+def test_a_surveyed_point_may_be_uncertain() -> None:
+    points = "0, 0, 10, 4.30, 20, {}, 30, 9.65, 40, 10.70 m"
+    document = answer("skid", "yaw", "--points", points.format("7.53 ± 0.05"), "--friction", "0.72")
+    low, high = document["results"]["speed"]["interval"]
+    ends = [
+        answer("skid", "yaw", "--points", points.format(y), "--friction", "0.72")["results"]["speed"]["value"]
+        for y in ("7.628", "7.432")
+    ]
+    assert [low, high] == pytest.approx(sorted(ends), rel=1e-3)
+    assert "interval" not in document["results"]["point_scatter"]

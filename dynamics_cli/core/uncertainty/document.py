@@ -6,6 +6,7 @@ import numpy as np
 
 from dynamics_cli.core.answering.limits import read_limits
 from dynamics_cli.core.answering.models import result_numbers
+from dynamics_cli.core.documents import is_table
 from dynamics_cli.core.inputs.settings import METHODS, read_coverage
 from dynamics_cli.core.inputs.uncertain.values import read_correlations
 from dynamics_cli.core.output.row_layout import nested
@@ -86,7 +87,8 @@ def add_uncertainty(
     if levels:
         document["quantiles"] = level_entries(levels, propagation, shown)
     document |= chance_entries(task.chances, propagation)
-    document["warnings"] += _warnings(propagation, _seen(task, settings))
+    tables = any(map(is_table, document["results"].values()))
+    document["warnings"] += _warnings(propagation, _seen(task, settings), tables=tables)
     if not pictured:
         return None, None
     from dynamics_cli.core.uncertainty.pictures import of_spread, spreads_of
@@ -293,7 +295,7 @@ def _same(one: Spread, other: Spread) -> bool:
     return one.interval == other.interval and one.median == other.median
 
 
-def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any]]":
+def _warnings(propagation: Propagation, seen: "set[str]", *, tables: bool) -> "list[dict[str, Any]]":
     """What a reader has to know of the intervals, and of a headline (`seen`) that has none."""
     out, vary = [], propagation.varying()
     partly = [s for s in propagation.spreads.values() if s.admissible < 1.0 - 1e-5]  # rarer: no digit
@@ -320,11 +322,9 @@ def _warnings(propagation: Propagation, seen: "set[str]") -> "list[dict[str, Any
         message = f"the time limit was reached: {done} of {every} results have a distribution"
         helps = "raise --time-limit, or give a smaller number of --samples"
         out.append({"code": "time-limit", "severity": "serious", "message": message, "remedy": helps})
-    elif propagation.inputs and not vary:
-        message = "only tables depend on the uncertain inputs; they hold the values at the means"
-        out.append({"code": "nothing-varies", "severity": "caution", "message": message})
-    elif propagation.inputs and seen and not vary & seen:
-        message = "none of the results here depends on the uncertain inputs; tables hold the values at the means"
+    elif propagation.inputs and (not vary or (seen and not vary & seen)):
+        message = "none of the results here depends on the uncertain inputs"
+        message += "; tables hold the values at the means" if tables else ""
         out.append({"code": "nothing-varies", "severity": "caution", "message": message})
     return out + _no_deviations(propagation)
 

@@ -114,6 +114,7 @@ def _side_by_side(spans: "Sequence[Source]", processes: int, prepare: "Callable[
     """
     import mmap
     import signal
+    import warnings
 
     blocks = [-(-(span.count or 0) // BLOCK) for span in spans]
     ends = np.cumsum(blocks).tolist()
@@ -133,7 +134,10 @@ def _side_by_side(spans: "Sequence[Source]", processes: int, prepare: "Callable[
     children: list[int] = []
     try:
         for _ in range(1, processes):
-            child = os.fork()
+            with warnings.catch_warnings():
+                # of threads, from Python 3.12 on
+                warnings.simplefilter("ignore", DeprecationWarning)
+                child = os.fork()
             if not child:
                 try:
                     signal.signal(signal.SIGINT, signal.SIG_DFL)
@@ -176,9 +180,14 @@ def _added(source: "Source", work: "Work", room: Room) -> "Iterator[Any]":
 
 
 def _may_fork() -> bool:
-    """Whether a copy of this process would be a whole one: without other threads, and not where systems forbid it."""
+    """Whether a copy of this process would be a whole one: without other threads, and not where systems forbid it.
+
+    The thread that hashes a large input holds nothing that a copy needs.
+    """
     threading = sys.modules.get("threading")
-    return hasattr(os, "fork") and sys.platform != "darwin" and (not threading or threading.active_count() == 1)
+    others = [thread for thread in threading.enumerate() if thread is not threading.main_thread()] if threading else []
+    hashing = all(thread.name.startswith("hash_") for thread in others)
+    return hasattr(os, "fork") and sys.platform != "darwin" and hashing
 
 
 def _cores() -> int:

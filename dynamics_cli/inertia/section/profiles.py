@@ -89,11 +89,16 @@ def outlines(item: Bar) -> "list[Outline]":
     fits = {"i-beam": (web, 2 * flange), "channel": (web, 2 * flange), "box": (2 * t, 2 * t)}.get(form, (web, flange))
     require(fits[0] < w and fits[1] < h, "the walls fill the profile", code="size", hint="give thinner ones")
     corners, inner = _corners(form, x, y, web, flange, t)
+    # two fillets beside or above each other share the room
+    beside, above = (2 if form in forms else 1 for forms in (("i-beam", "tee"), ("i-beam", "channel")))
+    room = min((w - fits[0]) / beside, (h - fits[1]) / above) if inner else Fraction(0)
     require(
-        2 * fillet <= min(w - fits[0], h - fits[1]) if inner else not fillet,
-        "the fillet does not fit the profile",
+        fillet <= room,
+        "a fillet of {fillet} does not fit: there is room for {room}" if inner else "{profile} takes no fillet",
         code="size",
-        hint="give a smaller radius, of an open profile",
+        fillet=(float(fillet), SectionSize),
+        room=(float(room), SectionSize),
+        profile=f"a {form}",
     )
     out: list[Outline] = [(sign, [(a + dx, b + dy) for a, b in points], Fraction(0), None) for sign, points in corners]
     return out + [(1, [(a + dx, b + dy)], fillet, way) for a, b, way in inner if fillet]

@@ -24,6 +24,9 @@ class Form(Choice):
 
 ARCS = Form("arcs")
 MANY = 1_000_000
+NOWHERE = (
+    Advice("no-straight-part", "no part of the curve is that straight", remedy="allow a larger --straight-within"),
+)
 
 
 @record
@@ -130,6 +133,7 @@ def coupler(
     length, error, area = measures(circuit, place)
     # samples of an uncertain curve are not drawn
     sampled = drawing()
+    straight = None if sampled or straight_within is None else _straight(circuit, place, straight_within)
     sharp = [] if sampled else cusp_places(circuit, place, length)
     outline = None if sampled else drawn(circuit, place, str(form), tolerance, sharp)
     off = outline.deviation if outline else tolerance
@@ -146,13 +150,13 @@ def coupler(
         cognates=cognates(lengths, place),
         cusps=cusps(circuit, place, sharp) or None,
         crossings=None if sampled else crossings(circuit, place) or None,
-        straight=None if sampled or straight_within is None else _straight(circuit, place, straight_within),
+        straight=straight,
         deviation=off,
         pieces=sum(len(getattr(piece, "points", (0, 0))) - 1 for piece in outline.pieces) if outline else 0,
         shape=Drawing((outline,), "coupler curve") if outline else None,
         points=columns(circuit, place, points),
         checks=(Check("deviation is within the tolerance", off <= tolerance, off, tolerance),) if outline else (),
-        advice=closeness(lengths, kind),
+        advice=closeness(lengths, kind) + (NOWHERE if straight == () else ()),
         numerics=Numerics(
             "trapezoid rule doubled until it settles; extremes by bisection; deviation by disc arithmetic",
             (ErrorBound("length", error, relative=False),),
@@ -160,11 +164,11 @@ def coupler(
     )
 
 
-def _straight(circuit: "Circuit", point: complex, within: float) -> "tuple[Straight, ...] | None":
+def _straight(circuit: "Circuit", point: complex, within: float) -> "tuple[Straight, ...]":
     from dynamics_cli.linkage.fourbar.straight import straightest
 
     part = straightest(circuit, point, within)
-    return None if part is None else (part,)
+    return () if part is None else (part,)
 
 
 def cognates(lengths: "tuple[float, ...]", point: complex) -> "tuple[Cognate, ...]":

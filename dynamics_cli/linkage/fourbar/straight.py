@@ -32,9 +32,10 @@ def straightest(circuit: Circuit, point: complex, within: float) -> "Straight | 
     for start in range(PLACES):
         end = max(end, start + FEWEST)
         while end < start + PLACES and _strip(curve[start : end + 1], within)[0] <= within:
-            best = max(best, (abs(curve[end] - curve[start]), start, end))
             end += 1
-        best = max(best, (abs(curve[end - 1] - curve[start]), start, end - 1))
+        lengths = np.abs(curve[start + FEWEST : end] - curve[start])
+        if lengths.size and (longest := float(lengths.max())) > best[0]:
+            best = (longest, start, start + FEWEST + int(lengths.argmax()))
     length, start, end = best
     departure, line, middle = _strip(curve[start : end + 1], 0.0)
     if departure > within:

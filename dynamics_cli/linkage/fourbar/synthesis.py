@@ -1,7 +1,7 @@
 """Synthesis of four-bars: three angle pairs, three poses of a body, or swing and time ratio."""
 
 from itertools import accumulate, pairwise
-from math import ceil, floor
+from math import ceil, floor, pi
 
 from dynamics_cli.errors import require
 from dynamics_cli.linkage.fourbar.grashof import POOR, kind_of, poor
@@ -14,7 +14,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-PI = 3.141592653589793
 CLOSES = 1e-9
 
 
@@ -150,7 +149,7 @@ def synthesize(
 
 def _within_a_turn(angle: float) -> float:
     """An angle of many turns as one of half a turn at the most: differences of such angles lose digits."""
-    return angle if abs(angle) <= 4.0 * PI else atan2(sin(angle), cos(angle))
+    return angle if abs(angle) <= 4.0 * pi else atan2(sin(angle), cos(angle))
 
 
 def _by_angles(task: AnglePairs) -> Synthesis:
@@ -179,7 +178,7 @@ def _by_angles(task: AnglePairs) -> Synthesis:
     square = crank * crank + rocker * rocker + ground * ground - 2.0 * crank * rocker * third
     require(square > 0.0, "these pairs need a coupler of zero length", code="no-linkage", hint="change a pair a little")
     # a negative length is one turned by half a turn
-    met = [(t + (PI if crank < 0.0 else 0.0), r + (PI if rocker < 0.0 else 0.0)) for t, r in met]
+    met = [(t + (pi if crank < 0.0 else 0.0), r + (pi if rocker < 0.0 else 0.0)) for t, r in met]
     back = [name for name, length in (("crank", crank), ("rocker", rocker)) if length < 0.0]
     words = f"{' and '.join(back)} 180 deg from the angles asked for; " if back else ""
     return _judged((absolute(crank), sqrt(square), absolute(rocker), ground), met, words)
@@ -249,7 +248,7 @@ def _judged(lengths: "tuple[float, float, float, float]", met: "list[tuple[float
     faults = [words.strip("; ")] if words else []
     if len(set(sides)) > 1:
         faults.append("branch: it must be taken apart between the pairs")
-    turns = [(later[0] - first[0] + PI) % (2.0 * PI) - PI for first, later in pairwise(met)]
+    turns = [(later[0] - first[0] + pi) % (2.0 * pi) - pi for first, later in pairwise(met)]
     if turns[0] * turns[1] < 0.0:
         faults.append("order: the crank turns back between the pairs")
     crank_sides = {sin(theta) >= 0.0 for theta, _ in met}
@@ -278,9 +277,9 @@ def _between(lengths: "tuple[float, float, float, float]", start: float, turns: 
     """The smallest transmission angle along the crank angles from pair to pair, and whether all can be reached."""
     angles = [*accumulate(turns, initial=start)]
     # between two pairs the angle is extreme where the crank lies along the ground link
-    angles += [PI * k for k in range(ceil(min(angles) / PI), floor(max(angles) / PI) + 1)]
+    angles += [pi * k for k in range(ceil(min(angles) / pi), floor(max(angles) / pi) + 1)]
     poses = [_transmission(lengths, angle) for angle in angles]
-    return min(min(angle, PI - angle) for angle, _ in poses), all(reached for _, reached in poses)
+    return min(min(angle, pi - angle) for angle, _ in poses), all(reached for _, reached in poses)
 
 
 def _poor(least: float) -> "tuple[Advice, ...]":

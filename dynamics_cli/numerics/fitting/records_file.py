@@ -91,11 +91,13 @@ def _require_rising(times: "list[float]") -> None:
 def read_columns(file: str, known: "dict[str, dict[str, float]]") -> "tuple[list[float], dict[str, list[float]]]":
     """Times and the other columns, by name; `known` are the names that may stand there with their units' SI factors."""
     rows = _cells(file)
-    heads = [cell.strip().rstrip("]").partition("[")[::2] for cell in rows[0]]
+    parts = [cell.strip().rstrip("]").partition("[") for cell in rows[0]]
+    heads = [(name.strip().lower(), unit.strip()) for name, _, unit in parts]
     (time, unit), rest = heads[0], heads[1:]
-    expected = "t[s]," + ", or ".join(f"{name}[{next(iter(units))}]" for name, units in known.items())
+    columns = [(name, next(iter(units))) for name, units in known.items()]
+    expected = "t[s]," + ", or ".join(f"{name}[{u}]" if u else name for name, u in columns)
     require(
-        time.strip().lower() in ("t", "time") and unit in TIMES and rest
+        time in ("t", "time") and unit in TIMES and rest
         and all(name in known and u in known[name] for name, u in rest),
         "the header {header} is not one of a time and columns that are wanted",
         header=repr(",".join(rows[0])[:60]), code="header", hint="such as {wanted}", wanted=expected,

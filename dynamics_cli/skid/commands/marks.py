@@ -171,6 +171,10 @@ YAW = Task(
         'dynamics skid yaw --points "0, 0, 10, 4.30, 20, 7.53, 30, 9.65, 40, 10.70 m" --point-deviation "3 cm" '
         '--friction 0.72 --track-width "1.5 m"',
     ),
+    unspread=(
+        *("speed_deviation", "radius_deviation", "point_scatter", "sagitta", "centre"),
+        *("first_half_radius", "second_half_radius"),
+    ),
     plot="dynamics_cli.skid.pictures:yaw",
     notes=RANGES,
     pointers=MEASURED,

@@ -25,9 +25,10 @@ def entry_of_file(name: str) -> "dict[str, Any]":
 
     if os.path.getsize(name) < LARGE:
         return {"name": printable(name), "sha256": _digest(name)}
+    import hashlib  # noqa: F401  (loaded before the thread starts: meshes fork beside it)
     from concurrent.futures import ThreadPoolExecutor
 
-    with_one = ThreadPoolExecutor(1)
+    with_one = ThreadPoolExecutor(1, "hash")
     digest = with_one.submit(_digest, name)
     with_one.shutdown(wait=False)
     return {"name": printable(name), "sha256": digest}
