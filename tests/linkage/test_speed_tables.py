@@ -1,9 +1,13 @@
 """The table of a slider-crank or a four-bar at a given speed is the pose at each of its angles."""
 
+import math
+
+import numpy as np
 import pytest
 
 from dynamics_cli.linkage.fourbar.four_bar import four_bar
 from dynamics_cli.linkage.sliders.slider_crank import slider_crank
+from dynamics_cli.linkage.sliders.stroke import End
 
 LENGTHS = {"crank": 0.05, "rod": 0.15, "offset": 0.02}
 
@@ -37,3 +41,19 @@ def test_a_four_bar_at_a_speed() -> None:
             (pose.rocker_speed, pose.rocker_acceleration), rel=1e-12
         )
         assert row.rocker_ratio is None
+
+
+@pytest.mark.parametrize("offset", [0.02, -0.03])
+def test_dead_centres_and_the_largest_speed_of_a_slider_on_the_left(offset: float) -> None:
+    """The slider on the left has those of the mirror image; so has one that is driven there."""
+    links = {"crank": 0.05, "rod": 0.15, "offset": offset}
+    result = slider_crank(**links, crank_angle=0.4, end=End("left"))
+    driven = slider_crank(**links, slider_position=-0.15)
+    right = slider_crank(**links, crank_angle=0.4)
+    turn = math.tau * np.arange(100_000) / 100_000
+    x = 0.05 * np.cos(turn) - np.sqrt(0.15**2 - (offset - 0.05 * np.sin(turn)) ** 2)
+    for one in (result, driven):
+        assert one.outer_at % math.tau == pytest.approx(turn[x.argmin()], abs=1e-4)
+        assert one.inner_at % math.tau == pytest.approx(turn[x.argmax()], abs=1e-4)
+        assert one.top_at % math.tau == pytest.approx((math.pi - right.top_at) % math.tau, abs=1e-9)
+        assert one.stroke == pytest.approx(np.ptp(x), rel=1e-8)

@@ -167,7 +167,7 @@ def coupler_picture(
         items += [pin(complex(pose.x, pose.y), name) for pose in group or ()]
     for part in result.straight or ():
         ends = (complex(*part.start), complex(*part.end))
-        items.append(complex_curve(ends, "straight part", "thick", 3))
+        items.append(complex_curve(ends, "straight part", "thick", 4))
     every = _frames(lengths, side, place, SAMPLES - 1)
     a, b, tip = every[SHOWN]
     scale = place / coupler

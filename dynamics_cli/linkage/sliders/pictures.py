@@ -1,6 +1,6 @@
 """Pictures of slider-cranks and quick returns, and a moving SVG."""
 
-from math import pi, sin
+from math import cos, pi, sin
 
 from dynamics_cli.animation import animated
 from dynamics_cli.errors import worded
@@ -36,6 +36,8 @@ def slider_picture(
     """The mechanism in several poses; position, velocity and acceleration over the crank angle."""
     if result.crank_angle is not None:
         crank_angle, speed = result.crank_angle, result.crank_speed if speed is None else speed
+        angular_acceleration = result.crank_acceleration or angular_acceleration
+        end = End("left" if result.position < crank * cos(crank_angle) else "right")
     turning = {"speed": speed, "angular_acceleration": angular_acceleration}
     rows = slider_crank(crank=crank, rod=rod, offset=offset, end=end, steps=STEPS, **turning).table or ()  # type: ignore[arg-type]
     names, axes = ("slope", "bend"), (Axis("velocity v/ω", CamVelocity), Axis("acceleration a/ω²", Coordinate))

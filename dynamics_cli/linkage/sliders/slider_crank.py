@@ -115,10 +115,15 @@ def slider_crank(
     for name, length in (("crank", crank), ("rod", rod)):
         require_long(name, length)
     _require_one_driver(crank_angle, slider_position, speed, slider_velocity)
-    stroke = stroke_of(crank, rod, offset)
+    side = 1.0 if end == RIGHT else -1.0
+    driven: dict[str, Any] = {}
+    if slider_position is not None:
+        crank_angle, side = crank_of((crank, rod, offset), slider_position, pin)
+        driven = {"crank_angle": crank_angle}
+    stroke = stroke_of(crank, rod, offset, side)
     if stroke and (drawing() or single(crank, rod, offset)):
-        stroke |= fastest(crank, rod, offset, end, speed)
-    if crank_angle is None and slider_position is None:
+        stroke |= fastest(crank, rod, offset, side, speed)
+    if crank_angle is None:
         if drawing():
             return SliderCrank(**stroke)
         require(
@@ -129,12 +134,6 @@ def slider_crank(
         )
         rows = _table((crank, rod, offset), end, steps, speed, angular_acceleration)
         return SliderCrank(**stroke, table=rows, advice=_partial(crank, rod, offset))
-    side = 1.0 if end == RIGHT else -1.0
-    driven: dict[str, Any] = {}
-    if slider_position is not None:
-        crank_angle, side = crank_of((crank, rod, offset), slider_position, pin)
-        driven = {"crank_angle": crank_angle}
-    assert crank_angle is not None
     turn, half = turned(crank_angle), turned(0.5 * crank_angle)
     along, rise = crank * turn[0], crank * turn[1]
     height = offset - rise

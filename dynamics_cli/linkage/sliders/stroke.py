@@ -29,8 +29,11 @@ class End(Choice):
 RIGHT = End("right")
 
 
-def stroke_of(a: float, b: float, e: float) -> "dict[str, Any]":
-    """Stroke, dead centres and time ratio of a crank that turns fully; of arrays where every one does."""
+def stroke_of(a: float, b: float, e: float, side: float) -> "dict[str, Any]":
+    """Stroke, dead centres and time ratio of a crank that turns fully; of arrays where every one does.
+
+    A slider on the left (side −1) is the mirror image: crank angles are 180° less those on the right.
+    """
     size = absolute(e)
     full = b > a + size
     if not (bool(full.all()) if getattr(full, "ndim", 0) else bool(full)):  # type: ignore[attr-defined]
@@ -43,8 +46,8 @@ def stroke_of(a: float, b: float, e: float) -> "dict[str, Any]":
     return {
         "stroke": stroke,
         "time_ratio": (pi + lead) / (pi - lead),
-        "outer_at": atan2(e, far),
-        "inner_at": pi + atan2(e, near),
+        "outer_at": 0.5 * (1.0 - side) * pi + side * atan2(e, far),
+        "inner_at": 0.5 * (1.0 + side) * pi + side * atan2(e, near),
         "largest_rod_angle": asin((a + size) / b),
     }
 
@@ -58,13 +61,13 @@ def slopes_at(a: float, b: float, e: float, side: float, turn: "tuple[float, flo
     return -(a * turn[1]) - lean * height, -(a * turn[0]) - lean * lean * reach - bend * height
 
 
-def fastest(a: float, b: float, e: float, end: End, speed: "float | None") -> "dict[str, Any]":
+def fastest(a: float, b: float, e: float, side: float, speed: "float | None") -> "dict[str, Any]":
     """The largest |dx/dθ| of a crank that turns fully, where the acceleration vanishes, and its angle.
 
     Of samples that of the first ones' mean lengths is found once, and Newton's steps lead from it to each one's own.
     """
     lengths = _mean(a), _mean(b), _mean(e)
-    side = 1.0 if end == RIGHT else -1.0
+    side = 1.0 if _mean(side) >= 0.0 else -1.0
     if not drawing():
         low, curve = _nominal(lengths, side)
     else:
