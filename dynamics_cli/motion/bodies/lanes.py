@@ -136,9 +136,11 @@ class _Spring(SpringForce):
     """Springs of many lanes; one without length pulls nowhere."""
 
     def length(self, f: Frame) -> "Any":
+        """Distance between the ends of each spring."""
         return np.hypot(f.x[self.b] - f.x[self.a], f.y[self.b] - f.y[self.a])
 
     def share(self, f: Frame, power: "list[Any]") -> "Any":
+        """Pull over length of each spring; the power of the dampers is added to `power`."""
         a, b, length = self.a, self.b, np.maximum(self.length(f), 1e-300)
         along = (f.x[b] - f.x[a]) * (f.vx[b] - f.vx[a]) + (f.y[b] - f.y[a]) * (f.vy[b] - f.vy[a])
         opening = along / length
