@@ -70,7 +70,9 @@ def planar(
         drawn = 2
     routh = _routh(m, result, result.law)
     if not drawn:
-        return Picture((contact_detail, velocities(names, before, after, axes=axes), routh), PLANAR, columns=2)
+        return Picture(
+            (contact_detail, velocities(names, before, after, axes=axes, kind=RoadSpeed), routh), PLANAR, columns=2
+        )
     wall = _wall(at, towards) if drawn == 1 else ()
     noses = (body.nose, two.nose)[:drawn]
     scene = collision(

@@ -7,7 +7,7 @@ from dynamics_cli.impact.conventions import AXES, Axes, direction_of
 from dynamics_cli.impact.scene_labels import Words, bounds, ends, placed
 from dynamics_cli.impact.vehicle_outlines import LENGTH, WIDTH, outline
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Plan, Ruler
-from dynamics_cli.quantities import Length, RoadSpeed
+from dynamics_cli.quantities import Length, RoadSpeed, Speed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -30,6 +30,8 @@ LANE = 1.75
 # Scales of plans on paper, and metres of an inch.
 SCALES = (50.0, 100.0, 150.0, 200.0, 250.0, 300.0, 400.0, 500.0, 750.0, 1000.0, 1500.0, 2000.0, 2500.0, 5000.0)
 INCH = 0.0254
+# Room beside the tips of velocities for their names, of the width of all.
+NAME_ROOM = 0.2
 # Inches of a plan on a sheet of paper across.
 SHEET = (10.6, 7.0)
 
@@ -294,6 +296,7 @@ def velocities(
     after: "Sequence[Pair]",
     title: str = "velocities before (dashed) and after",
     axes: Axes = AXES,
+    kind: "type[float]" = Speed,
 ) -> Panel:
     """Velocities on the page before, dashed, and after from one point on one scale."""
     items: list[Any] = []
@@ -302,7 +305,12 @@ def velocities(
             if x or y:
                 items.append(Arrow(0.0, 0.0, x, y, "", role, dashed=word == "before"))
                 items.append(beside((x, y), (x, y), f"{name} {word}", role))
-    across, up = Axis("velocity along x", RoadSpeed), Axis(f"velocity along {upward(axes)}", RoadSpeed)
+    tips = [(0.0, 0.0), *before, *after]
+    left, right = min(x for x, _ in tips), max(x for x, _ in tips)
+    # a fine line through the start of all, with room for the words beside the tips
+    room = NAME_ROOM * (right - left)
+    items.append(Curve([left - room * (left < 0.0), right + room * (right > 0.0)], [0.0, 0.0], "", "dots", 6))
+    across, up = Axis("velocity along x", kind), Axis(f"velocity along {upward(axes)}", kind)
     return Panel(across, up, tuple(items), title, equal=True)
 
 

@@ -5,7 +5,6 @@ from dynamics_cli.impact.conventions import (
     AXES,
     PDOF_ZERO,
     Axes,
-    DeltaV,
     Energetic,
     PdofZero,
     Restituted,
@@ -31,6 +30,7 @@ from dynamics_cli.impact.particles.hunt_crossley import HuntCrossley
 from dynamics_cli.impact.particles.oblique_records import (
     AfterOblique,
     Centres,
+    ChangeOfVelocity,
     Met,
     Moving,
     Normal,
@@ -193,12 +193,13 @@ def _after(
 
     `final` is its velocity along the normal.
     """
-    change: DeltaV | None = None
+    change: ChangeOfVelocity | None = None
     after = before
     middle = along = dot(before, way)
     if mass is not None:
         travel = travel_of(before, axes)
-        change = delta_v(way, mass, nose, axes=axes, pdof_zero=zero, travel=travel, size=size)
+        road = delta_v(way, mass, nose, axes=axes, pdof_zero=zero, travel=travel, size=size)
+        change = ChangeOfVelocity(road.vector, road.magnitude, road.longitudinal, road.lateral, road.pdof, road.clock)
         gain = size / mass
         middle = along + 0.5 * gain
         after = multiply_add(way[0], gain, before[0]), multiply_add(way[1], gain, before[1])

@@ -7,7 +7,6 @@ from dynamics_cli.impact.conventions import (
     ByVelocity,
     ByWeight,
     Conventions,
-    DeltaV,
     Fixed,
 )
 from dynamics_cli.impact.particles.contact_time import Push
@@ -18,10 +17,10 @@ from dynamics_cli.quantities import (
     Energy,
     Impulse,
     Length,
+    PartVelocity,
     PlanarPosition,
-    PlanarVelocity,
-    RoadSpeed,
-    RoadVelocity,
+    Ratio,
+    Speed,
 )
 from dynamics_cli.records import Advice, Check, record
 
@@ -77,20 +76,34 @@ class Offset:
 
 
 @record
+class ChangeOfVelocity:
+    """Change of velocity of one body as `DeltaV`, in the units of spheres and particles."""
+
+    vector: Annotated[PartVelocity, "Change of velocity along the axes [m/s]."]
+    magnitude: Annotated[Speed, "Size of the change of velocity [m/s]."]
+    longitudinal: Annotated[Speed, "Its part along the nose of the body, ahead positive [m/s]."]
+    lateral: Annotated[Speed, "Its lateral component: positive to the left, in SAE axes to the right [m/s]."]
+    pdof: Annotated[
+        Angle, "Principal direction of force: where the force came from, clockwise from the zero that is named [rad]."
+    ]
+    clock: Annotated[Ratio, "The same as the nearest hour on a clock whose 12 is straight ahead of the nose [h]."]
+
+
+@record
 class AfterOblique:
     """One body after the impact."""
 
-    velocity: Annotated[PlanarVelocity, "Velocity after, along the axes [m/s]."]
-    speed: Annotated[RoadSpeed, "Speed after [m/s]."]
+    velocity: Annotated[PartVelocity, "Velocity after, along the axes [m/s]."]
+    speed: Annotated[Speed, "Speed after [m/s]."]
     heading: Annotated[Angle, "Direction of travel after [rad]."]
     normal_velocity: Annotated[
-        RoadVelocity, "Part of the velocity after along the line of impact, from the first body to the second [m/s]."
+        Speed, "Part of the velocity after along the line of impact, from the first body to the second [m/s]."
     ]
     tangential_velocity: Annotated[
-        RoadVelocity,
+        Speed,
         "Component across the line, which the impact does not change, positive on the left of the line [m/s].",
     ]
-    delta_v: Annotated[DeltaV | None, "Change of velocity, impulse over mass; absent for a fixed body."]
+    delta_v: Annotated[ChangeOfVelocity | None, "Change of velocity, impulse over mass; absent for a fixed body."]
     energy_change: Annotated[Energy, "Change of the kinetic energy [J]."]
 
 
@@ -102,9 +115,9 @@ class ObliqueImpact:
     second: Annotated[AfterOblique, "The second body."]
     impulse: Annotated[Impulse, "Size of the impulse, along the line of impact [N·s]."]
     normal_direction: Annotated[Angle, "Direction of the line of impact from the first body to the second [rad]."]
-    closing_speed: Annotated[RoadSpeed, "Relative speed along the line before [m/s]."]
-    separation_speed: Annotated[RoadSpeed, "Relative speed along the line after [m/s]."]
-    sliding_speed: Annotated[RoadSpeed, "Relative speed across the line, which stays [m/s]."]
+    closing_speed: Annotated[Speed, "Relative speed along the line before [m/s]."]
+    separation_speed: Annotated[Speed, "Relative speed along the line after [m/s]."]
+    sliding_speed: Annotated[Speed, "Relative speed across the line, which stays [m/s]."]
     energy_lost: Annotated[Energy, "Kinetic energy turned into other forms [J]."]
     push: Annotated[Push | None, "Duration and force; needs a stiffness of the contact."]
     conventions: Annotated[Conventions, "Axes, headings and the zero of PDOF."]

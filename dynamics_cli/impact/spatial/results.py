@@ -14,9 +14,8 @@ from dynamics_cli.quantities import (
     Impulse,
     ImpulseVector,
     Ratio,
-    RoadSpeed,
-    RoadVelocity,
     SpaceVelocity,
+    Speed,
     Text,
 )
 from dynamics_cli.records import Advice, Check, Numerics, record
@@ -29,11 +28,11 @@ class AfterSpatial:
     """One body after an impact in space."""
 
     velocity: Annotated[SpaceVelocity, "Velocity of the mass centre after [m/s]."]
-    speed: Annotated[RoadSpeed, "Its size [m/s]."]
+    speed: Annotated[Speed, "Its size [m/s]."]
     spin: Annotated[AngularVelocity, "Angular velocity after [rad/s]."]
     spin_change: Annotated[AngularVelocity, "Change of the angular velocity [rad/s]."]
     delta_v: Annotated[SpaceVelocity | None, "Change of velocity, from the impulse over the mass [m/s]."]
-    delta_v_magnitude: Annotated[RoadSpeed | None, "Its size [m/s]."]
+    delta_v_magnitude: Annotated[Speed | None, "Its size [m/s]."]
     pdof: Annotated[
         Angle | None,
         "Where the force came from in the plane x, y: from the nose, clockwise seen from +z; none of a fixed body "
@@ -60,8 +59,8 @@ class SpatialImpact:
     stick_friction: Annotated[Ratio, "Friction that holds the contact once slip has stopped [-]."]
     compression_impulse: Annotated[Impulse, "Normal impulse until the greatest compression [N·s]."]
     slip_impulse: Annotated[Impulse, "Normal impulse until the slip first stops, or all of it if it never does [N·s]."]
-    closing_speed: Annotated[RoadSpeed, "Normal relative speed at the contact before [m/s]."]
-    separation_speed: Annotated[RoadVelocity, "Normal relative speed at the contact after [m/s]."]
+    closing_speed: Annotated[Speed, "Normal relative speed at the contact before [m/s]."]
+    separation_speed: Annotated[Speed, "Normal relative speed at the contact after [m/s]."]
     sliding_before: Annotated[
         SpaceVelocity, "Tangential velocity of the first body relative to the second at the contact before [m/s]."
     ]
