@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     Finder = Callable[[str], Family]
 
 SHELLS = ("bash", "zsh", "fish", "powershell")
+# Commands that share a line of the list: about the program, and seldom called.
+SELDOM_CALLED = ("help", "accuracy", "reference", "schema")
 # Environment variable in which a shell asks for completion.
 COMPLETE = "_DYNAMICS_COMPLETE"
 
@@ -158,15 +160,15 @@ class _Families(_Group):
         for name, (group, line) in self.families.items():
             groups.setdefault(group, []).append((name, line))
         last = list(groups)[-1]
-        groups[last] += [
-            (name, command.get_short_help_str(limit=70))
-            for name, command in self.commands.items()
-            if name not in self.families
-        ]
+        others = [name for name in self.commands if name not in self.families]
+        groups[last] += [(name, self.commands[name].get_short_help_str(limit=70)) for name in others]
+        # those that few call share a line: the whole stays on a page
+        groups[last] = [row for row in groups[last] if row[0] not in SELDOM_CALLED]
         for group, rows in groups.items():
             formatter.write(f"{group}:\n")
             with formatter.indentation():
                 formatter.write_dl(rows)
+        formatter.write(f"  and {', '.join(SELDOM_CALLED)}: each with --help\n")
 
     def format_options(self, ctx: "Any", formatter: "Any") -> None:
         """The families first, then the few options on one line: the help of a call without words fits a screen."""
