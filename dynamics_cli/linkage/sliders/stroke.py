@@ -3,7 +3,7 @@
 from math import pi, tau
 
 from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt, where
-from dynamics_cli.numerics.number import decides, over_plain
+from dynamics_cli.numerics.number import decides, plain
 from dynamics_cli.numerics.roots import sign_change
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.records import Choice
@@ -67,7 +67,7 @@ def fastest(a: float, b: float, e: float, side: float, speed: "float | None") ->
     Of samples that of the first ones' mean lengths is found once, and Newton's steps lead from it to each one's own.
     """
     if not drawing():
-        low, curve = _nominal(*over_plain((a, b, e)), side)
+        low, curve = _nominal(plain(a), plain(b), plain(e), side)
     else:
         side = 1.0 if _mean(side) >= 0.0 else -1.0
         low, curve = kept().get("fastest") or kept().setdefault("fastest", _nominal(_mean(a), _mean(b), _mean(e), side))
