@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from typing import Any
 
 DIAGRAM_STEPS = 20
+# A root of this relative width is exact after one step of Newton.
+NEAR = 1e-9
 FORWARD, BACKWARD = "forward", "backward"
 
 
@@ -108,7 +110,7 @@ def _between_zeros(
     tilt = (turning + sqrt(turning * turning + 4.0 * diametral * tilting)) / (2.0 * diametral)
     numbers = (mass, direct, tilting, determinant, diametral, turning)
     outside, inside = (2.0 * maximum(shift, tilt), maximum(shift, tilt)) if upper else (0.0, minimum(shift, tilt))
-    return sign_change(lambda rate: _characteristic(*numbers, rate)[0], outside, inside)
+    return sign_change(lambda rate: _characteristic(*numbers, rate)[0], outside, inside, NEAR)
 
 
 def whirls_at(disk: TiltingDisk, speed: "Any") -> "tuple[FreeWhirl, ...]":
