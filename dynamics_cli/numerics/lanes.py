@@ -7,6 +7,8 @@ takes exactly the steps that its case would take alone, and gives the same bits.
 
 import numpy as np
 
+from dynamics_cli.numerics.roots import HALVING, LAST_PLACES
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -169,7 +171,7 @@ def _taken(array: "Array", rows: "Rows") -> "Array":
     return array if len(rows) == len(array) else array[rows]
 
 
-def sign_changes(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "Any":
+def sign_changes(function: "Callable[[Any], Any]", low: "Any", high: "Any", width: float = LAST_PLACES) -> "Any":
     """Sign change of a function that is positive at `low` and not at `high`, lane by lane.
 
     Each lane takes the steps that `roots.sign_change` takes alone, and stays where these end.
@@ -178,19 +180,25 @@ def sign_changes(function: "Callable[[Any], Any]", low: "Any", high: "Any") -> "
     kind = type(f_low)
     low, high, f_low, f_high = (np.array(x, dtype=float) for x in np.broadcast_arrays(low, high, f_low, f_high))
     going = np.ones(f_low.shape, dtype=bool)
+    went_up = went_down = ~going
     with np.errstate(all="ignore"):
         for count in range(200):
             middle = 0.5 * (low + high)
-            if count % 3 != 2:
+            if count % HALVING != HALVING - 1:
                 trial = (low * f_high - high * f_low) / (f_high - f_low)
                 within = ((low < trial) & (trial < high)) | ((high < trial) & (trial < low))
                 middle = np.where(within & (f_low > 0.0) & (f_high < 0.0), trial, middle)
             size = np.maximum(abs(low), abs(high))
-            going &= (middle != low) & (middle != high) & (abs(high - low) > 4e-16 * size)
+            going &= (middle != low) & (middle != high) & (abs(high - low) > width * size)
             if not going.any():
                 break
             value = np.asarray(function(middle.view(kind)))
-            up, down = going & (value > 0.0), going & ~(value > 0.0)
-            low, f_low = np.where(up, middle, low), np.where(up, value, f_low)
-            high, f_high = np.where(down, middle, high), np.where(down, value, f_high)
+            above = value > 0.0
+            up, down = going & above, going & ~above
+            f_low[down & went_down] *= 0.5
+            f_high[up & went_up] *= 0.5
+            for chosen, place, height in ((up, low, f_low), (down, high, f_high)):
+                np.copyto(place, middle, where=chosen)
+                np.copyto(height, value, where=chosen)
+            went_up, went_down = up, down
     return np.where(abs(f_low) < abs(f_high), low, high).view(kind)

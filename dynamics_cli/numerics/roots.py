@@ -9,6 +9,8 @@ if TYPE_CHECKING:
 # From the largest double down to the least: more than any bracket takes.
 HALVINGS = 2200
 GOLDEN = 0.6180339887498949
+# Two units in the last place, and which step of `sign_change` halves.
+LAST_PLACES, HALVING = 4e-16, 8
 
 
 def halved(
@@ -36,30 +38,37 @@ def bisected(function: "Callable[[float], float]", low: float, high: float, halv
     return low if abs(function(low)) <= abs(function(high)) else high
 
 
-def sign_change(function: "Callable[[float], float]", low: float, high: float) -> float:
-    """The sign change of a function that is positive at `low` and not at `high`, to two units in the last place.
+def sign_change(function: "Callable[[float], float]", low: float, high: float, width: float = LAST_PLACES) -> float:
+    """The sign change of a function that is positive at `low` and not at `high`, to a width relative to its size.
 
-    Chords kept within the bracket; every third step halves it. Fewer steps than `bisected` takes, for functions that
-    are long to compute.
+    Chords, the value at an end that stays a second time halved; every eighth step halves the bracket instead. Fewer
+    steps than `bisected` takes, for functions that are long to compute.
+
+    References
+    ----------
+    M. Dowell and P. Jarratt, A modified regula falsi method, BIT 11 (1971) 168.
     """
     f_low, f_high = function(low), function(high)
     if is_array(f_low):
         from dynamics_cli.numerics.lanes import sign_changes
 
-        return sign_changes(function, low, high)  # type: ignore[no-any-return]
+        return sign_changes(function, low, high, width)  # type: ignore[no-any-return]
+    before: bool | None = None
     for count in range(200):
         middle = 0.5 * (low + high)
-        if count % 3 != 2 and f_low > 0.0 > f_high:
+        if count % HALVING != HALVING - 1 and f_low > 0.0 > f_high:
             trial = (low * f_high - high * f_low) / (f_high - f_low)
             if low < trial < high or high < trial < low:
                 middle = trial
-        if middle in (low, high) or abs(high - low) <= 4e-16 * max(abs(low), abs(high)):
+        if middle in (low, high) or abs(high - low) <= width * max(abs(low), abs(high)):
             break
         value = function(middle)
-        if value > 0.0:
-            low, f_low = middle, value
+        above = value > 0.0
+        if above:
+            low, f_low, f_high = middle, value, 0.5 * f_high if before is True else f_high
         else:
-            high, f_high = middle, value
+            high, f_high, f_low = middle, value, 0.5 * f_low if before is False else f_low
+        before = above
     return low if abs(f_low) < abs(f_high) else high
 
 

@@ -16,7 +16,7 @@ from dynamics_cli.linkage.fourbar.grashof import POOR, closeness, kind_of, limit
 from dynamics_cli.linkage.fourbar.lengths import require_links
 from dynamics_cli.linkage.fourbar.records import FourBar
 from dynamics_cli.numerics.elementary import atan2, hypot, sqrt, where
-from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.number import decides, plain, single
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
     Angle,
@@ -89,7 +89,8 @@ def four_bar(
     lengths = (crank, coupler, rocker, ground)
     links = frame(*lengths)
     alone = single(*lengths, crank_angle)
-    kind = kind_of(lengths) if alone else None
+    parted = decides(*lengths, crank_angle)
+    kind = kind_of(lengths) if parted else None
     side = 1.0 if branch == OPEN else -1.0
     swing = _swing(lengths, kind, side) if kind else _sampled_swing(lengths, side) if drawing() else {}
     if crank_angle is None and drawing():
@@ -108,7 +109,7 @@ def four_bar(
             code="toggle",
             hint="give a crank angle near it, or let the rocker drive",
         )
-    regular = bool(is_regular(links, loop)) if alone else True
+    regular = bool(is_regular(links, loop)) if parted else True
     speeds = ratios(links, loop)
     transmission = 2.0 * atan2(_size(loop.second), _size(loop.first))
     pin = (crank * turn[0], crank * turn[1])
@@ -126,7 +127,7 @@ def four_bar(
         rocker_pin=(pin[0] + loop.bx, pin[1] + loop.by),
         **_moving(links, loop, pin, speeds, (speed, angular_acceleration), point),
         **(swing if kind in ("crank-rocker", None) else {"kind": kind}),
-        side=_side(kind, side, plain(turn[1])) if alone and kind else None,
+        side=_side(kind, side, plain(turn[1])) if kind else None,
         checks=_checks(links, loop, pin, speeds) if alone and regular else (),
         advice=(*closeness(lengths, kind), *_poor(transmission, regular)) if alone and kind else (),
     )

@@ -8,7 +8,7 @@ from dynamics_cli.linkage.sliders.double_slider import require_long
 from dynamics_cli.linkage.sliders.driven import LEFT, Pin, crank_of, rates_of
 from dynamics_cli.linkage.sliders.stroke import RIGHT, End, fastest, slopes_at, stroke_of
 from dynamics_cli.numerics.elementary import absolute, atan2, sqrt, where
-from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.number import decides, plain, single
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.quantities import (
     Acceleration,
@@ -121,7 +121,7 @@ def slider_crank(
         crank_angle, side = crank_of((crank, rod, offset), slider_position, pin)
         driven = {"crank_angle": crank_angle}
     stroke = stroke_of(crank, rod, offset, side)
-    if stroke and (drawing() or single(crank, rod, offset)):
+    if stroke and (drawing() or decides(crank, rod, offset)):
         stroke |= fastest(crank, rod, offset, side, speed)
     if crank_angle is None:
         if drawing():

@@ -1,10 +1,10 @@
 """Over a whole turn of a slider-crank: stroke, dead centres, time ratio, and where the slider is fastest."""
 
-from math import tau
+from math import pi, tau
 
-from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt
-from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.roots import bisected
+from dynamics_cli.numerics.elementary import absolute, asin, atan2, pi_beside, sqrt, where
+from dynamics_cli.numerics.number import decides, plain
+from dynamics_cli.numerics.roots import sign_change
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.records import Choice
 from dynamics_cli.sampling import drawing, kept
@@ -13,8 +13,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# Number of places of a turn in the search for the largest speed, and the step of the difference there.
-SAMPLES, STEP = 180, 1e-4
+# Step of the difference at the largest speed.
+STEP = 1e-4
 # Newton's steps from the mean of samples.
 NEWTON = 6
 
@@ -30,13 +30,13 @@ RIGHT = End("right")
 
 
 def stroke_of(a: float, b: float, e: float, side: float) -> "dict[str, Any]":
-    """Stroke, dead centres and time ratio of a crank that turns fully; of arrays where every one does.
+    """Stroke, dead centres and time ratio of a crank that turns fully; of samples where every one does.
 
     A slider on the left (side −1) is the mirror image: crank angles are 180° less those on the right.
     """
     size = absolute(e)
     full = b > a + size
-    if not (bool(full.all()) if getattr(full, "ndim", 0) else bool(full)):  # type: ignore[attr-defined]
+    if not (full if decides(full) else full.all()):  # type: ignore[attr-defined]
         return {}
     pi = pi_beside(a, b, e)
     far = sqrt((b + a - size) * (b + a + size))
@@ -66,12 +66,11 @@ def fastest(a: float, b: float, e: float, side: float, speed: "float | None") ->
 
     Of samples that of the first ones' mean lengths is found once, and Newton's steps lead from it to each one's own.
     """
-    lengths = _mean(a), _mean(b), _mean(e)
-    side = 1.0 if _mean(side) >= 0.0 else -1.0
     if not drawing():
-        low, curve = _nominal(lengths, side)
+        low, curve = _nominal(plain(a), plain(b), plain(e), side)
     else:
-        low, curve = kept().get("fastest") or kept().setdefault("fastest", _nominal(lengths, side))
+        side = 1.0 if _mean(side) >= 0.0 else -1.0
+        low, curve = kept().get("fastest") or kept().setdefault("fastest", _nominal(_mean(a), _mean(b), _mean(e), side))
     angle = low + 0.0 * (a + b + e)
     for _ in range(NEWTON if drawing() else 1):
         # one step of Newton carries bounds and derivatives by the lengths into the angle
@@ -81,18 +80,26 @@ def fastest(a: float, b: float, e: float, side: float, speed: "float | None") ->
     return fields if speed is None else fields | {"top_speed": absolute(slope) * absolute(speed)}
 
 
-def _nominal(lengths: "tuple[float, float, float]", side: float) -> "tuple[float, float]":
-    """The angle of the largest |dx/dθ| of one mechanism, and the third derivative of x there."""
-    fastest_angle = max(
-        (tau * k / SAMPLES for k in range(SAMPLES)),
-        key=lambda t: round(abs(slopes_at(*lengths, side, turned(t))[0]) / lengths[0], 9),
-    )
-    ends = fastest_angle - tau / SAMPLES, fastest_angle + tau / SAMPLES
-    low = bisected(lambda t: slopes_at(*lengths, side, turned(t))[1], *ends)
-    ahead, behind = (slopes_at(*lengths, side, turned(low + step))[1] for step in (STEP, -STEP))
-    return low, (ahead - behind) / (2.0 * STEP)
+def _nominal(a: float, b: float, e: float, side: float) -> "tuple[float, float]":
+    """The angle of the largest |dx/dθ| of one mechanism, and the third derivative of x there.
+
+    It is in the quick stroke, where the acceleration vanishes once: for a slider on the right and e ≤ 0 in the upper
+    half of the turn, other mechanisms are mirror images. The cosine is found, so that no step takes a sine.
+    """
+    low = -absolute(e)
+
+    def bend(cosine: float) -> float:
+        return slopes_at(a, b, low, 1.0, (cosine, sqrt((1.0 - cosine) * (1.0 + cosine))))[1]
+
+    cosine = sign_change(bend, -sqrt((b - a + low) * (b - a - low)) / (b - a), 1.0)
+    angle = atan2(sqrt((1.0 - cosine) * (1.0 + cosine)), cosine)
+    angle = where(e > 0.0, tau - angle, angle)
+    if side < 0.0:
+        angle = where(e > 0.0, pi + tau - angle, pi - angle)
+    ahead, behind = (slopes_at(a, b, e, side, turned(angle + step))[1] for step in (STEP, -STEP))
+    return angle, (ahead - behind) / (2.0 * STEP)
 
 
 def _mean(length: float) -> float:
-    """A length in doubles; of samples their mean."""
-    return float(length.mean()) if getattr(length, "ndim", 0) else plain(length)  # type: ignore[attr-defined]
+    """The mean of samples; one number as it is."""
+    return float(length.mean()) if getattr(length, "ndim", 0) else length  # type: ignore[attr-defined]

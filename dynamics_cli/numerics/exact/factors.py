@@ -29,6 +29,8 @@ WHOLE_LIMIT = 2**53
 # Powers of ten that are doubles, and the digits of a decimal that a double always distinguishes.
 TENS = tuple(10.0**k for k in range(23))
 DECIMAL_DIGITS = 15
+# Ends of the decades in which a decimal of 15 digits is a whole number over one of those powers.
+_DECADES = tuple(float(f"1e{k}") for k in range(-8, 16))
 
 
 class Factor:
@@ -197,3 +199,12 @@ class Decimals:
         assert best is not None
         integers, self.power, mask = best
         return integers, self.power, ~mask if missing else None
+
+
+def has_more_digits(values: "Array") -> "Mask":
+    """Where doubles are certainly no decimals of at most 15 digits; those below 1e-8 and from 1e15 on are left out."""
+    size = np.abs(values)
+    decade = np.searchsorted(_DECADES, size, side="right")
+    inside = (decade > 0) & (decade < len(_DECADES))
+    ten = np.array(TENS)[len(_DECADES) - 1 - np.where(inside, decade, 1)]
+    return inside & (np.rint(size * ten) / ten != size)

@@ -19,6 +19,7 @@ from dynamics_cli.vibration.single.oscillator import require_damping
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from typing import Any
 
 
@@ -32,6 +33,8 @@ class Tuning(Choice):
 DEN_HARTOG = Tuning("den-hartog")
 # Looks for the valley between the peaks: a factor (high/low)^(1/256) apart, over one and a half times that range.
 HALVED_STEPS, LOOKS = 8, 384
+# A peak to this relative width is exact after one step of Newton.
+NEAR = 1e-9
 # Values that stay in the processor's cache.
 BLOCK = 4096
 
@@ -110,25 +113,31 @@ def _slope(mu: "Any", f: "Any", zeta: "Any", u: "Any") -> "Any":
     return above_rate * below - above * below_rate
 
 
-def _peak(mu: "Any", f: "Any", zeta: "Any", upper: float) -> "Any":
-    """r² of a peak: where the slope falls through zero, before the valley or beyond it; zero where there is none."""
+def _peaks(mu: "Any", f: "Any", zeta: "Any") -> "tuple[Any, Any]":
+    """r² of both peaks: where the slope falls through zero before the valley and beyond it; zeros where there is none.
+
+    They are found in doubles, one step of Newton from exact.
+    """
     middle, product = 0.5 * (1.0 + f * f * (1.0 + mu)), f * f
     root = sqrt(middle * middle - product)
     low, high = product / (middle + root), middle + root
     before, after = _beside_valley(mu, f, zeta, low, high)
-    a, b = (after, 4.0 * high) if upper else (0.1 * low, before)
-    return sign_change(lambda u: _slope(mu, f, zeta, u), a, b) * (after > 0.0)
+    lower, upper = (
+        sign_change(lambda u: _slope(mu, f, zeta, u), a, b, NEAR) * (after > 0.0)
+        for a, b in ((0.1 * low, before), (after, 4.0 * high))
+    )
+    return lower, upper
 
 
-def _in_blocks(mu: "Any", f: "Any", zeta: "Any", upper: float) -> "Any":
+def _in_blocks(mu: "Any", f: "Any", zeta: "Any") -> "tuple[Any, Any]":
     import numpy as np
 
-    peaks = np.empty(mu.shape)
+    lower, upper = np.empty(mu.shape), np.empty(mu.shape)
     for begin in range(0, mu.size, BLOCK):
         block = slice(begin, begin + BLOCK)
         some: list[Any] = [np.asarray(each).flat[block] for each in (mu, f, zeta)]
-        peaks.flat[block] = _peak(some[0], some[1], some[2], upper)
-    return peaks
+        lower.flat[block], upper.flat[block] = _peaks(*some)
+    return lower, upper
 
 
 def _beside_valley(mu: "Any", f: "Any", zeta: "Any", low: "Any", high: "Any") -> "tuple[Any, Any]":
@@ -159,21 +168,22 @@ def _bend(mu: "Any", f: "Any", zeta: "Any", u: "Any") -> "Any":
     return (_slope(mu, f, zeta, u + step) - _slope(mu, f, zeta, u - step) + none) / (2.0 * step + none)
 
 
-def _place(mu: "Any", f: "Any", zeta: "Any", upper: float) -> "Any":
-    """R of a peak: found in doubles, then one step of Newton in the arithmetic of the inputs."""
+def _places(mu: "Any", f: "Any", zeta: "Any") -> "Iterator[Any]":
+    """R of both peaks: found in doubles, then one step of Newton in the arithmetic of the inputs."""
     if is_array(mu) or is_array(f) or is_array(zeta):
         spread = 0.0 * (mu + f + zeta)
         mu, f, zeta = mu + spread, f + spread, zeta + spread
-        u = _in_blocks(mu, f, zeta, upper)
+        peaks = _in_blocks(mu, f, zeta)
     else:
-        u = _peak(plain(mu), plain(f), plain(zeta), upper)
-    bend = _bend(plain(mu), plain(f), plain(zeta), u)
-    u = u + 0.0 * mu
-    require(
-        u > 0.0, "with so much damping the two peaks are one: the absorber hardly moves against the machine",
-        code="one-peak", hint="give less damping, or --tuning minimax",
-    )  # fmt: skip
-    return sqrt(u - _slope(mu, f, zeta, u) / bend)
+        peaks = _peaks(plain(mu), plain(f), plain(zeta))
+    for peak in peaks:
+        bend = _bend(plain(mu), plain(f), plain(zeta), peak)
+        u = peak + 0.0 * mu
+        require(
+            u > 0.0, "with so much damping the two peaks are one: the absorber hardly moves against the machine",
+            code="one-peak", hint="give less damping, or --tuning minimax",
+        )  # fmt: skip
+        yield sqrt(u - _slope(mu, f, zeta, u) / bend)
 
 
 def absorber(
@@ -219,7 +229,7 @@ def absorber(
     else:
         mu = size.mass_ratio
     f, zeta = _tuned(mu, tune)
-    places = [_place(mu, f, zeta, upper) for upper in (0.0, 1.0)]
+    places = list(_places(mu, f, zeta))
     heights = [amplitude(mu, f, zeta, r) for r in places]
     frequency = mass = stiffness = damping = None
     if natural_frequency is not None:

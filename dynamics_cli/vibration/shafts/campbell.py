@@ -1,8 +1,8 @@
 """Free whirl of a disk that tilts, over the speed of its shaft: forward and backward, and where orders meet it."""
 
-from dynamics_cli.numerics.elementary import over_array, pi_beside, sqrt
-from dynamics_cli.numerics.number import is_array, plain
-from dynamics_cli.numerics.roots import halved
+from dynamics_cli.numerics.elementary import maximum, minimum, pi_beside, sqrt
+from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.roots import sign_change
 from dynamics_cli.quantities import Annotated, Count, Frequency, Ratio, ShaftSpeed, Text
 from dynamics_cli.records import record
 
@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from typing import Any
 
 DIAGRAM_STEPS = 20
+# A root of this relative width is exact after one step of Newton.
+NEAR = 1e-9
 FORWARD, BACKWARD = "forward", "backward"
 
 
@@ -64,10 +66,7 @@ class TiltingDisk:
         """One of them: found in doubles, then one step of Newton in the arithmetic of the inputs."""
         turning = sign * self.polar * speed
         numbers = (self.mass, self.direct, self.tilting, self.determinant, self.diametral, turning)
-        if any(is_array(number) for number in numbers):
-            start: Any = over_array(_halved, *numbers, upper)
-        else:
-            start = _halved(*map(plain, (*numbers, upper))) + 0.0 * turning
+        start = _between_zeros(*map(plain, numbers), upper) + 0.0 * turning
         value, slope = _characteristic(*numbers, start)
         return start - value / slope
 
@@ -100,18 +99,18 @@ def _characteristic(
     return value, direct * slope - 2.0 * mass * rate * (tilting + lift) - inertia * slope
 
 
-def _halved(
+def _between_zeros(
     mass: float, direct: float, tilting: float, determinant: float, diametral: float, turning: float, upper: float
 ) -> float:
-    """The lower or upper root λ > 0: between them lie the zeros of both factors, where the product is below zero."""
-    alone = sqrt(direct / mass), (turning + sqrt(turning * turning + 4.0 * diametral * tilting)) / (2.0 * diametral)
+    """The lower or upper root λ > 0: between them lie the zeros of both factors, where the product is below zero.
+
+    At twice the larger zero the product is more than 3·k₁₁·k₂₂, above k₁₂².
+    """
+    shift = sqrt(direct / mass)
+    tilt = (turning + sqrt(turning * turning + 4.0 * diametral * tilting)) / (2.0 * diametral)
     numbers = (mass, direct, tilting, determinant, diametral, turning)
-    low, high = 0.0, min(alone)
-    if upper:
-        low = high = max(alone)
-        while _characteristic(*numbers, high)[0] <= 0.0:
-            low, high = high, 2.0 * high
-    return halved(lambda rate: (_characteristic(*numbers, rate)[0] > 0.0) != bool(upper), low, high)[0]
+    outside, inside = (2.0 * maximum(shift, tilt), maximum(shift, tilt)) if upper else (0.0, minimum(shift, tilt))
+    return sign_change(lambda rate: _characteristic(*numbers, rate)[0], outside, inside, NEAR)
 
 
 def whirls_at(disk: TiltingDisk, speed: "Any") -> "tuple[FreeWhirl, ...]":
