@@ -92,7 +92,7 @@ class Propagation:
         self.shares_method, self.shares_error = "", 0.0
         self.points = 0
         self.remedy = "raise --samples"  # where intervals are known poorly
-        # The results' names, should a time limit have left some of them without a spread.
+        # All results, where a time limit has left some of them without a spread.
         self.stopped: list[str] = []
 
     def varying(self) -> "set[str]":
@@ -216,7 +216,7 @@ def _distribute(
         elif sample is not None:
             propagation.spreads[name] = _sampled(name, row, sample, own)
         else:
-            best = _stood_in(stand_in, name, row, own, probe) if stand_in is not None and name not in more else None
+            best = None if name in more else _stood_in(stand_in, name, row, own, probe, space)
             # Where the polynomials are accurate enough, further points of the model would add nothing.
             near = best is not None and stand_in is not None and stand_in.errors[row] <= goal.accuracy * best.std
             if best is None or not (near or best.estimate <= FAIR):
@@ -227,9 +227,11 @@ def _distribute(
         spread.estimate += space.missed * spread.varies
 
 
-def _stood_in(stand_in: StandIn, name: str, row: int, goal: Goal, probe: "Array") -> Spread | None:
+def _stood_in(stand_in: StandIn | None, name: str, row: int, goal: Goal, probe: "Array", space: Space) -> Spread | None:
     """A result from the polynomials that replace a slow model; None where they are not accurate enough."""
-    if not stand_in.errors[row] < float(np.nanstd(probe[row])):
+    # polynomials may be the best there is of a costly model
+    most = float(np.nanstd(probe[row])) if space.affordable is None else np.inf
+    if stand_in is None or not stand_in.errors[row] < most:
         return None
     quick = Goal(goal.p, goal.scores, goal.accuracy, DEFAULT_POINTS, goal.seed, curve=goal.curve)
     spread = _integrated(stand_in.space, name, row, quick, "auto", probe, None)
@@ -299,9 +301,7 @@ def _integrated(
         values = across_range(spread.interval)
         spread.cumulative = (values.tolist(), (1.0 - exceedance(outcome, values, goal)).tolist())
         spread.cases = outcome.scan.values.size if isinstance(outcome.scan, Listed) else 0
-    if classical:
-        spread = _beside(spread, _classical(space, row, goal, method, slopes), outcome, goal)
-    return spread
+    return _beside(spread, _classical(space, row, goal, method, slopes), outcome, goal) if classical else spread
 
 
 def across_range(interval: "tuple[float, float]") -> "Array":

@@ -19,8 +19,9 @@ NONLINEAR = Task(
         "averaged_frequency: frequency, averaged", "true_frequency: frequency, true", "frequency_error: off by",
         "averaged_amplitude: amplitude, averaged", "true_amplitude: amplitude, true", "amplitude_error: off by",
         "true_period: period",
+        "large_amplitude: large amplitude, averaged", "small_amplitude: small amplitude, averaged",
+        "rising_jump: jump, frequency rising", "falling_jump: jump, frequency falling",
         "branches: steady amplitudes | amplitude=averaged, true_amplitude=integrated, error=off by, stable",
-        "jumps: jumps at",
     ),
     examples=(
         "dynamics vibration nonlinear --law van-der-pol --mu 1",

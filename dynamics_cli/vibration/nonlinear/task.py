@@ -5,6 +5,7 @@ import math
 from dynamics_cli.errors import require, worded
 from dynamics_cli.quantities import Angle, Annotated, Count, Fraction, Frequency, Positive, Ratio, Text, Time
 from dynamics_cli.records import Advice, Numerics, record, tagged
+from dynamics_cli.sampling import drawing
 from dynamics_cli.vibration.single.oscillator import require_damping
 
 TYPE_CHECKING = False
@@ -100,6 +101,10 @@ class Nonlinear:
     true_period: Annotated[Time | None, "Period, beside a natural frequency [s]."]
     branches: Annotated[tuple[Branch, ...] | None, "Steady amplitudes under the force, the smallest first."]
     jumps: Annotated[tuple[Ratio, ...] | None, "Frequency ratios at which the amplitude jumps, by averaging [-]."]
+    rising_jump: Annotated[Ratio | None, "Where it jumps while the frequency rises, over the linear one [-]."] = None
+    falling_jump: Annotated[Ratio | None, "Where it jumps while the frequency falls, over the linear one [-]."] = None
+    large_amplitude: Annotated[Ratio | None, "Largest stable amplitude under the force, by averaging [-]."] = None
+    small_amplitude: Annotated[Ratio | None, "The other stable amplitude, by averaging [-]."] = None
     numerics: Numerics | None = None
     advice: tuple[Advice, ...] = ()
 
@@ -265,15 +270,15 @@ def _forced(given: ForcedDuffing) -> Nonlinear:
     numbers = given.damping_ratio, given.cubic, given.force, given.frequency_ratio
     omega = given.frequency_ratio
     amplitudes = balance_roots(*numbers)
-    full = Forced(*numbers)
+    full = None if drawing() else Forced(*numbers)
     rows = []
     for nth, a in enumerate(amplitudes):
         if 1.0 + given.cubic * a * a <= 0.0:
             continue
         lag = math.atan2(2.0 * given.damping_ratio * omega, (1.0 - omega) * (1.0 + omega) + 0.75 * given.cubic * a * a)
         stable = len(amplitudes) == 1 or nth != 1
-        made = full.cycle(a, lag)
-        true = None if made is None or made[2] != stable or abs(made[0] / a - 1.0) > 0.5 else made[0]
+        cycle = full and full.cycle(a, lag)
+        true = None if not cycle or cycle[2] != stable or abs(cycle[0] / a - 1.0) > 0.5 else cycle[0]
         rows.append(Branch(a, true, None if true is None else abs(a / true - 1.0), stable))
     require(bool(rows), "every amplitude lies where the softening spring pushes away", code="no-return",
             hint="give a smaller force")  # fmt: skip
@@ -285,9 +290,14 @@ def _forced(given: ForcedDuffing) -> Nonlinear:
         notes.append(Advice("pushed-away", "amplitudes at which the spring pushes away are left out", severity="note"))
     if any(row.true_amplitude is None for row in rows):
         notes.append(Advice("not-followed", "no true cycle lies near to one of the averaged amplitudes"))
+    held = [row.amplitude for row in rows if row.stable]
+    places = jumps(given.damping_ratio, given.cubic, given.force, top)
+    # a soft spring has a fold below these too, of amplitudes that no sweep of the frequency leads to
+    falling, rising = places[-2:] if len(places) > 1 else (None, None)
     return Nonlinear(
         averaged_frequency=None, true_frequency=None, frequency_error=None, averaged_amplitude=None,
         true_amplitude=None, amplitude_error=None, period=None, true_period=None, branches=tuple(rows),
-        jumps=tuple(jumps(given.damping_ratio, given.cubic, given.force, top)),
+        jumps=tuple(place for place in places if place is not None), rising_jump=rising, falling_jump=falling,
+        large_amplitude=max(held, default=None), small_amplitude=min(held) if len(held) > 1 else None,
         numerics=Numerics("harmonic balance; true cycles by shooting with DOP853"), advice=tuple(notes),
     )  # fmt: skip

@@ -133,23 +133,24 @@ def balance_roots(zeta: float, cubic: float, force: float, omega: float) -> "lis
     return sorted(made)
 
 
-def jumps(zeta: float, cubic: float, force: float, top: float) -> "list[float]":
-    """Frequencies at which the number of amplitudes changes: zeros of the cubic's discriminant."""
+def jumps(zeta: float, cubic: float, force: float, top: float) -> "list[float | None]":
+    """Frequencies at which the number of amplitudes changes: zeros of the cubic's discriminant, from the lowest.
 
-    def discriminant(omega: float) -> float:
+    None stands for one at which a softening spring pushes away.
+    """
+
+    def discriminant(omega: "Any") -> "Any":
         p, q = (1.0 - omega) * (1.0 + omega), 4.0 * zeta * zeta * omega * omega
         a, b, c, d = (0.75 * cubic) ** 2, 1.5 * cubic * p, p * p + q, -force * force
         return 18 * a * b * c * d - 4 * b**3 * d + b * b * c * c - 4 * a * c**3 - 27 * a * a * d * d
 
     looks = np.linspace(0.01, top, 4000)
-    values = [discriminant(float(omega)) for omega in looks]
-    made = []
-    for nth in range(len(looks) - 1):
-        if (values[nth] > 0.0) != (values[nth + 1] > 0.0):
-            place = bisected(discriminant, float(looks[nth]), float(looks[nth + 1]))
-            if _returns(zeta, cubic, force, place):
-                made.append(place)
-    return made
+    positive = discriminant(looks) > 0.0
+    places = [
+        bisected(discriminant, float(looks[nth]), float(looks[nth + 1]))
+        for nth in np.flatnonzero(positive[1:] != positive[:-1])
+    ]
+    return [place if _returns(zeta, cubic, force, place) else None for place in places]
 
 
 def _returns(zeta: float, cubic: float, force: float, omega: float) -> bool:

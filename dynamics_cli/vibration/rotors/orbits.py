@@ -7,6 +7,8 @@ bearings alike, and of the deflections under a force at each bearing and unbalan
 import math
 from dataclasses import dataclass
 
+from dynamics_cli.sampling import drawing
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -14,7 +16,8 @@ if TYPE_CHECKING:
 
     from dynamics_cli.vibration.rotors.beam_elements import Matrices
 
-LOWEST = 16
+# Modes of one plane in the span, and of samples of uncertain inputs.
+LOWEST, FEW_LOWEST = 16, 8
 # A whirl damped beyond this ratio is none that a user would notice.
 DAMPED = 0.5
 # A place that deflects less than this share of the largest does not count for the sense of a whirl.
@@ -67,7 +70,8 @@ class Rotor:
         loaded &= set(map(int, rest))
         unit = np.zeros((len(rest), len(loaded)))
         unit[np.searchsorted(rest, sorted(loaded)), range(len(loaded))] = 1.0
-        _, low = eigh(mass, self.alike, subset_by_index=[max(len(rest) - LOWEST, 0), len(rest) - 1])
+        count = FEW_LOWEST if drawing() else LOWEST
+        _, low = eigh(mass, self.alike, subset_by_index=[max(len(rest) - count, 0), len(rest) - 1])
         span = np.hstack([low, np.linalg.solve(self.alike, unit)])
         # of even size, deflections and slopes, and apart from one another
         left, sizes, _ = np.linalg.svd(np.sqrt(self.alike.diagonal())[:, None] * span / np.linalg.norm(span, axis=0))
@@ -137,11 +141,17 @@ class Rotor:
 
     def response(self, speed: float) -> "Any":
         """The motion under the unbalances, x over y: complex amplitudes beside e^{iΩt}."""
+        return self.responses([speed])[0]
+
+    def responses(self, speeds: "Sequence[float]") -> "Any":
+        """The motions at several speeds."""
         import numpy as np
 
-        damping = self.damping + speed * self.gyroscopic
-        whole = self.stiffness + speed * self.swirl - speed**2 * np.eye(len(damping)) + 1j * speed * damping
-        return np.linalg.solve(whole, speed**2 * self.force)
+        speed = np.array(speeds)[:, None, None]
+        whole = self.stiffness + speed * self.swirl + 1j * speed * (self.damping + speed * self.gyroscopic)
+        place = np.arange(len(self.force))
+        whole[:, place, place] -= speed[:, 0] ** 2
+        return np.linalg.solve(whole, speed**2 * self.force[:, None])[:, :, 0]
 
     def at(self, station: int, motion: "Any") -> "Any":
         """Horizontal and vertical deflection at a station."""

@@ -95,7 +95,7 @@ def _curves(
     from numpy import unwrap
 
     points = [at for at in speeds_of(rotor, top, POINTS) if at > START * top]
-    motions = [rotor.response(at) for at in points]
+    motions = rotor.responses(points)
     sizes: list[Any] = list(here)
     lags: list[Any] = [Band(band.low, band.high) for band in here]
     for nth, station in enumerate(stations[:MOST]):

@@ -26,7 +26,16 @@ from dynamics_cli.vibration.rotors.orbit_records import (
     Unbalance,
 )
 from dynamics_cli.vibration.rotors.orbits import Rotor, Support, axes, growth, lag
-from dynamics_cli.vibration.rotors.stepped import ELEMENTS, Disk, Material, Section, assembled, checked, require_held
+from dynamics_cli.vibration.rotors.stepped import (
+    ELEMENTS,
+    FEW_ELEMENTS,
+    Disk,
+    Material,
+    Section,
+    assembled,
+    checked,
+    require_held,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -35,11 +44,11 @@ if TYPE_CHECKING:
 
 MODES, CRITICALS, ROWS, GRID = 4, 6, 30, 200
 # Of a sample of uncertain inputs, rows that look for an onset, speeds that look for peaks, and its seconds.
-FEWER_ROWS, FEWER, COST = 8, 60, 0.1
+FEWER_ROWS, FEWER, COST = 5, 40, 0.008
 # A running speed this near to a peak is warned of.
 MARGIN = 0.2
-# Growth over frequency that is no rounding; how far a peak or the onset is narrowed.
-GROWS, NARROW = 1e-9, 1e-9
+# Growth over frequency that is no rounding; how far a peak or the onset is narrowed, and that of a sample.
+GROWS, NARROW, ROUGHLY = 1e-9, 1e-9, 1e-5
 
 
 def rotor_response(
@@ -162,7 +171,8 @@ def built(
         "reading": list(read_at),
     }
     _, ends = checked(stretches, disk=[disk.position for disk in disks], **marks)
-    system = assembled(stretches, ends, disks, [at for each in marks.values() for at in each], material, ELEMENTS)
+    system = assembled(stretches, ends, disks, [at for each in marks.values() for at in each], material,
+                       FEW_ELEMENTS if drawing() else ELEMENTS)  # fmt: skip
     supports = []
     holding = set()
     for number, bearing in enumerate(bearings, 1):
@@ -223,7 +233,7 @@ def _onset(rotor: Rotor, speeds: "Sequence[float]", rates: "Sequence[list[comple
     if found is None:
         return None
     low, high = speeds[max(found - 1, 0)], speeds[found]
-    while high - low > NARROW * high:
+    while high - low > (ROUGHLY if drawing() else NARROW) * high:
         half = 0.5 * (low + high)
         low, high = (low, half) if growth(rotor.rates(half)) > GROWS else (half, high)
     growing = max(rotor.rates(high), key=lambda rate: rate.real / abs(rate))
@@ -239,7 +249,8 @@ def speeds_of(rotor: Rotor, top: float, count: int) -> "list[float]":
 
 def _peaks(rotor: Rotor, places: "Sequence[tuple[float, int]]", top: float) -> "tuple[RotorOrbit, ...]":
     speeds = speeds_of(rotor, top, FEWER if drawing() else GRID)
-    motions = [rotor.response(speed) for speed in speeds]
+    motions = rotor.responses(speeds)
+    narrow = ROUGHLY if drawing() else NARROW
     rows = []
     for position, station in places:
 
@@ -249,7 +260,7 @@ def _peaks(rotor: Rotor, places: "Sequence[tuple[float, int]]", top: float) -> "
         sizes = [axes(*rotor.at(station, motion))[0] for motion in motions]
         for k in range(1, len(sizes) - 1):
             if sizes[k - 1] < sizes[k] >= sizes[k + 1]:
-                speed = highest(size, speeds[k - 1], speeds[k + 1], NARROW * speeds[k + 1])
+                speed = highest(size, speeds[k - 1], speeds[k + 1], narrow * speeds[k + 1])
                 rows.append(orbit(rotor, position, station, speed, rotor.response(speed)))
     return tuple(rows)
 

@@ -17,9 +17,18 @@ from dynamics_cli.quantities import (
     TorsionStiffness,
 )
 from dynamics_cli.records import Advice, Numerics, record
-from dynamics_cli.sampling import drawing
+from dynamics_cli.sampling import cost, drawing
 from dynamics_cli.vibration.rotors.beam_elements import critical_rates, whirl_rates
-from dynamics_cli.vibration.rotors.stepped import ELEMENTS, Disk, Material, Section, assembled, checked, require_held
+from dynamics_cli.vibration.rotors.stepped import (
+    ELEMENTS,
+    FEW_ELEMENTS,
+    Disk,
+    Material,
+    Section,
+    assembled,
+    checked,
+    require_held,
+)
 from dynamics_cli.vibration.shafts.campbell import BACKWARD, FORWARD, WhirlCritical
 
 TYPE_CHECKING = False
@@ -27,7 +36,11 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
+    from dynamics_cli.vibration.rotors.beam_elements import Matrices
+
 MODES, DIAGRAM_STEPS = 3, 12
+# Seconds of a sample of uncertain inputs.
+COST = 0.002
 # A running speed this near to a critical one is warned of.
 MARGIN = 0.2
 # A deflection below this share of the largest is rounding.
@@ -76,6 +89,7 @@ class RotorCriticals:
     """Critical speeds and whirls of a rotor."""
 
     critical_speed: Annotated[ShaftSpeed | None, "First critical speed of forward whirl, by unbalance [rad/s]."]
+    second_critical_speed: Annotated[ShaftSpeed | None, "Second critical speed of forward whirl [rad/s]."]
     margin: Annotated[Ratio | None, "Running speed over the nearest critical speed of unbalance [-]."]
     mass: Annotated[Mass, "Shaft and disks [kg]."]
     criticals: Annotated[tuple[WhirlCritical, ...], "Where the orders meet whirls, from the lowest speed."]
@@ -137,29 +151,40 @@ def rotor(
     material = Material(elastic_modulus, poisson_ratio, density)
     places = [bearing.position for bearing in bearings]
     volume, ends = checked(stretches, disk=[disk.position for disk in disks], bearing=places)
-    system, coarse = (assembled(stretches, ends, disks, places, material, count) for count in (ELEMENTS, ELEMENTS // 2))
-    for each in (system, coarse):
+
+    def held(elements: int) -> "Matrices":
+        system = assembled(stretches, ends, disks, places, material, elements)
         for bearing in bearings:
-            each.add_bearing(bearing.position, bearing.stiffness, bearing.tilting)
+            system.add_bearing(bearing.position, bearing.stiffness, bearing.tilting)
+        return system
+
+    system = held(FEW_ELEMENTS if drawing() else ELEMENTS)
     *matrices, rest = system.free()
     holding = {bearing.position for bearing in bearings if bearing.stiffness != 0.0}
     rounding = require_held(holding, any(bearing.tilting > 0.0 for bearing in bearings), matrices[2])
     unbalance = critical_rates(matrices, 1.0, 1.0, MODES)
-    check = critical_rates(coarse.free()[:3], 1.0, 1.0, MODES)
-    first = unbalance[0][0] if unbalance else None
+    rates = [rate for rate, _ in unbalance]
+    nearest = min(rates, key=lambda rate: abs(rate - abs(speed or 0.0)), default=None)
+    margin = abs(speed) / nearest if speed and nearest else None
+    numbers = {
+        "critical_speed": rates[0] if rates else None,
+        "second_critical_speed": rates[1] if len(rates) > 1 else None,
+        "margin": margin,
+        "mass": volume * density + sum(disk.mass for disk in disks),
+    }
+    if drawing():
+        cost(0.0, COST, 1)
+        return RotorCriticals(**numbers, criticals=(), whirls=None, campbell=(), shapes=(), numerics=Numerics(""))
+    check = critical_rates(held(ELEMENTS // 2).free()[:3], 1.0, 1.0, MODES)
     criticals = tuple(
         WhirlCritical(rate / order, order, way, number, rate / (2.0 * math.pi))
         for order in orders
         for way, sign in ((FORWARD, 1.0), (BACKWARD, -1.0))
         for number, (rate, _) in enumerate(critical_rates(matrices, order, sign, MODES), 1)
     )
-    top = highest_speed or 1.5 * (unbalance[:2] or [(max(row.speed for row in criticals), None)])[-1][0]
-    nearest = min((rate for rate, _ in unbalance), key=lambda rate: abs(rate - abs(speed or 0.0)), default=None)
-    margin = abs(speed) / nearest if speed and nearest else None
+    top = highest_speed or 1.5 * (rates[:2] or [max(row.speed for row in criticals)])[-1]
     return RotorCriticals(
-        critical_speed=first,
-        margin=margin,
-        mass=volume * density + sum(disk.mass for disk in disks),
+        **numbers,
         criticals=tuple(sorted(criticals, key=lambda row: row.speed)),
         whirls=None
         if speed is None
@@ -168,7 +193,7 @@ def rotor(
         ),
         campbell=tuple(
             RotorAtSpeed(top * k / DIAGRAM_STEPS, *_frequencies(matrices, top * k / DIAGRAM_STEPS))
-            for k in range(0 if drawing() else DIAGRAM_STEPS + 1)
+            for k in range(DIAGRAM_STEPS + 1)
         ),
         shapes=_shapes(system.stations, rest, [shape for _, shape in unbalance]),
         numerics=Numerics(_method(unbalance, check, rounding)),

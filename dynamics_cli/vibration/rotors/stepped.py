@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-ELEMENTS = 60
+# Elements of the shaft, and of samples of uncertain inputs: frequencies to about 1e-6 and 1e-5.
+ELEMENTS, FEW_ELEMENTS = 60, 20
 # A place this share of the length beyond an end is rounding.
 BEYOND = 1e-12
 # Rounding of an element of a matrix; the share of a lowest frequency that is refused.

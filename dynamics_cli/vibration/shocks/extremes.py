@@ -7,6 +7,7 @@ import numpy as np
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import Ratio
 from dynamics_cli.vibration.shocks.pulses import Oscillators, Piece, slopes
+from dynamics_cli.vibration.shocks.recursion import EVEN, even, followed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,8 +19,8 @@ NEWTON = 6
 MOST_CYCLES = 1e5
 # Samples of a record that are handled at once.
 BLOCK = 2048
-# Steps of a record that differ by less, relatively, differ by the rounding of its times.
-EVEN = 1e-9
+# Of more oscillators than these, a pass for each step costs less than passes over all steps.
+FEW = 32
 
 
 class Extremes:
@@ -157,14 +158,21 @@ def states_of_record(of: Oscillators, times: "Any", loads: "Any") -> "tuple[Any,
 
 def _stepped(of: Oscillators, times: "Any", loads: "Any", state: "Any") -> "Any":
     """The states (samples, 2, oscillators) at every sample, from that at the first one."""
+    steps = np.diff(times)
+    slopes_of_load = np.diff(loads) / steps
+    if len(of.omega) <= FEW and even(steps):
+        of_z, of_v, of_load, of_slope = _factors(of, float(times[-1] - times[0]) / len(steps))
+        states = np.empty((len(of.omega), len(times), 2))
+        states[:, 0] = state.T
+        states[:, 1:] = of_load.T[:, None] * loads[:-1, None] + of_slope.T[:, None] * slopes_of_load[:, None]
+        return followed(states, np.stack([of_z.T, of_v.T], axis=-1)).transpose(1, 2, 0)
     made = np.empty((len(times), *state.shape))
     made[0] = state
     last_step = -1.0
     factors: tuple[Any, ...] = ()
-    for i, step in enumerate(np.diff(times).tolist()):
+    for i, step in enumerate(steps.tolist()):
         if abs(step - last_step) > EVEN * step:
             last_step, factors = step, _factors(of, step)
-        slope = (loads[i + 1] - loads[i]) / step
         of_z, of_v, of_load, of_slope = factors
-        made[i + 1] = of_z * made[i, 0] + of_v * made[i, 1] + (of_load * loads[i] + of_slope * slope)
+        made[i + 1] = of_z * made[i, 0] + of_v * made[i, 1] + (of_load * loads[i] + of_slope * slopes_of_load[i])
     return made

@@ -6,8 +6,9 @@ import numpy as np
 
 from dynamics_cli.errors import require
 from dynamics_cli.quantities import DampingRatio
-from dynamics_cli.vibration.shocks.extremes import EVEN, states_of_record
+from dynamics_cli.vibration.shocks.extremes import states_of_record
 from dynamics_cli.vibration.shocks.pulses import Oscillators, Piece
+from dynamics_cli.vibration.shocks.recursion import EVEN, even, followed
 from dynamics_cli.vibration.single.oscillator import require_damping
 from dynamics_cli.vibration.systems.matrices import proportional
 from dynamics_cli.vibration.systems.modes import LOST, undamped
@@ -124,8 +125,15 @@ class Modal:
         whole[2 * n :, 2 * n :] = law
         steps = np.zeros((len(times), 2 * n + 2))
         steps[0, :n], steps[0, n : 2 * n], steps[0, 2 * n :] = start[0], start[1] / pace, loads[0]
-        last_step = -1.0
-        factor = whole
+        if even(np.diff(times)):
+            factor = expm(float(times[-1] - times[0]) / (len(times) - 1) * whole)
+            if len(loads) > 1:
+                steps = steps[:, : 2 * n]
+                steps[1:] = loads @ factor[: 2 * n, 2 * n :].T
+                factor = factor[: 2 * n, : 2 * n]
+            steps = followed(steps, factor)
+            return steps[:, :n].T, pace * steps[:, n : 2 * n].T
+        last_step, factor = -1.0, whole
         for i, step in enumerate(np.diff(times).tolist()):
             if abs(step - last_step) > EVEN * step:
                 last_step, factor = step, expm(step * whole)

@@ -9,6 +9,7 @@ from dynamics_cli.numerics.expressions.jets import Jet
 from dynamics_cli.numerics.expressions.laws import law_of
 from dynamics_cli.numerics.fitting.records_file import ACCELERATIONS, FORCES, LENGTHS, read_record
 from dynamics_cli.quantities import Time
+from dynamics_cli.sampling import cost, drawing, kept
 from dynamics_cli.vibration.shocks.extremes import states_of_record
 from dynamics_cli.vibration.shocks.pulses import Oscillators
 from dynamics_cli.vibration.systems.loads import (
@@ -33,6 +34,8 @@ if TYPE_CHECKING:
 FINE, FEWEST, MOST, ROOM = 40, 400, 60_000, 30_000_000
 # A formula is sampled more and more closely until the limits of two pairs of step sizes agree to this.
 CLOSE = 1e-8
+# The same of samples of uncertain inputs, and seconds of a sample: at least, and a step of a coordinate.
+SAMPLED, ONCE, EACH = 1e-5, 3e-3, 6e-7
 NEWTON = 4
 # Elements of a row that sum to less than this beside the largest element sum to zero.
 ROUNDED = 1e-12
@@ -127,6 +130,8 @@ def run(model: "System", damping_ratio: "float | None", load: "Any", force_at: s
     else:
         _sampled(motion, load, end, fastest, room)
     require(bool(abs(motion.loads).max() > 0.0) or any(motion.begin), "the load is zero: nothing moves", code="no-load")
+    if drawing():
+        cost(0.0, ONCE + EACH * motion.q.size, 1)
     return motion
 
 
@@ -213,9 +218,15 @@ def _sampled(motion: Run, load: "Any", end: float, fastest: float, room: int) ->
     formula = load.base_motion if moving else load.force_law if isinstance(load, ForceLaw) else load.base_law
     law = law_of(formula, (), ("t",))
     count, before, limit = _count(fastest, end, room // 2), None, None
+    close, known = CLOSE, {}
+    if drawing():
+        # samples meet at the same times
+        count, close, known = 1 << (count.bit_length() - 1), SAMPLED, kept()
     while True:
         times = np.linspace(0.0, end, count + 1)
-        values = _values(law, times.tolist(), 2 if moving else 0)
+        if (count, end) not in known:
+            known[count, end] = _values(law, times.tolist(), 2 if moving else 0)
+        values = known[count, end]
         loads = values[-1]
         if moving:
             motion.begin = (float(values[0, 0]), float(values[1, 0]))
@@ -226,7 +237,7 @@ def _sampled(motion: Run, load: "Any", end: float, fastest: float, room: int) ->
             better = [fine + (fine - coarse) / 3.0 for fine, coarse in zip(finer, before, strict=True)]
             other = finer[0] - better[0] if limit is None else better[0][:, ::2] - limit[0]
             off = float(abs(other).max() / max(abs(better[0]).max(), 1e-300))
-            if off <= CLOSE or 2 * count > room:
+            if off <= close or 2 * count > room:
                 break
             limit = better
         before, count = steps, 2 * count
