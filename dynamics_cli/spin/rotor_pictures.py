@@ -43,7 +43,7 @@ def shaft(
     scale = LONGEST / max(size for size, _, _ in forces.values())
     places = {"left": 0.0, "right": 1.0, "centrifugal": place}
     # the plane of the larger bearing load shows most of what happens
-    _, plane, _ = max(forces["left"], forces["right"])
+    plane = max(forces["left"], forces["right"])[1]
     leaning = plain(skew) * math.cos(plain(skew_direction) - plane)
     off = plain(eccentricity) * math.cos(plane)
     items = _rotor(place, *(math.copysign(most, part) if abs(part) > 1e-12 else 0.0
@@ -77,8 +77,8 @@ def _rotor(place: float, height: float, tilt: float) -> "list[Any]":
     items.append(Curve(x, y, "", "filled", MIDDLE))
     if tilt:
         length = 0.3
-        along = [place - length * cosine, place + length * cosine], [height - length * sine, height + length * sine]
-        items.append(Curve(*along, "", "centre", MIDDLE))
+        x, y = [place - length * cosine, place + length * cosine], [height - length * sine, height + length * sine]
+        items.append(Curve(x, y, "", "centre", MIDDLE))
     items.append(Mark(place, height, "", role=MIDDLE))
     items += [Label(x, -2.6 * BEARING, words, role) for x, words, role in ((0.0, "left", LEFT), (1.0, "right", RIGHT))]
     return items
