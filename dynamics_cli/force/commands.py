@@ -6,6 +6,7 @@ BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 TYPED = "numbers are exact as typed; directions by an angle to 15 digits"
 METHOD = "exact sums"
 PICTURES = "dynamics_cli.force.pictures"
+DRAWN = "dynamics_cli.force.laws.pictures"
 
 RESULTANT = Task(
     "resultant",
@@ -180,6 +181,7 @@ FRICTION = Task(
         '--centre-height "18 in" --push-height "10 in" --units us',
     ),
     arrays=False,
+    plot=f"{DRAWN}:friction",
 )  # fmt: skip
 
 WEDGE = Task(
@@ -202,6 +204,7 @@ WEDGE = Task(
         'dynamics force wedge --load "1200 lbf" --angle "12 deg" --friction 0.1 --ground-friction 0.3 '
         "--guide-friction 0.2 --units us",
     ),
+    plot=f"{DRAWN}:wedge",
 )  # fmt: skip
 
 SCREW = Task(

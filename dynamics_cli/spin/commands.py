@@ -109,6 +109,7 @@ SHAFT = Task(
         'dynamics spin shaft --mass "22 lb" --speed "3600 rpm" --span "16 in" --position "20 in" '
         '--eccentricity "2 mil" --units us',
     ),
+    plot="dynamics_cli.spin.rotor_pictures:shaft",
     arrays=False,
 )  # fmt: skip
 

@@ -1,18 +1,20 @@
 """Pictures of a scene: poses with the paths of its points, what happens over time, and a moving SVG; equilibria."""
 
 import math
+from itertools import accumulate
 
 from dynamics_cli.motion.bodies.joints import NONE
 from dynamics_cli.motion.bodies.records import Scene
 from dynamics_cli.numerics.linkages.records import GROUND
 from dynamics_cli.pictures import Axis, Band, Curve, Mark, Panel, Picture, complex_curve
-from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Coordinate, Force, Time, Torque, TurnRate
+from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Coordinate, Force, Ratio, Time, Torque, TurnRate
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.motion.bodies.system import System
+    from dynamics_cli.motion.scenes.runs import Runs
 
 GREY, GHOSTS, SAMPLES = 6, 8, 400
 # Of the animation: frames a second, seconds at least and at most, and how long its end stands.
@@ -21,6 +23,8 @@ MOST_CURVES = 5
 # A link that turns less than this has no curve of its angle.
 TURNS = 1e-6
 COILS, WIDE = 6, 0.025
+# Errors below the last digit are not drawn.
+DUST = 1e-16
 
 
 class Shapes:
@@ -112,7 +116,7 @@ def _poses(shapes: Shapes, states: "list[Any]", scene: Scene, last: str) -> Pane
 def scene_picture(
     made: "Any", scene: Scene, *, duration: float, follow: str = "", gravity: float = STANDARD_GRAVITY, **_: "Any"
 ) -> Picture:
-    """Poses with the paths of points, angles over time or what is followed, and the forces in the joints."""
+    """Poses with the paths of points, angles over time or what is followed, the forces in the joints, and the errors."""
     from dynamics_cli.motion.scenes.runs import runs_of
     from dynamics_cli.motion.scenes.states import followed
 
@@ -128,8 +132,9 @@ def scene_picture(
         else _angles(runs.system, times, states, ends, beyond)
     )
     forces = () if follow else _forces(runs.system, times, states, ends, beyond)
+    errors = () if follow else (Panel(ends, Axis("error", Ratio, logarithmic=True), _errors(runs)),)
     count = runs.system.n
-    return Picture((_poses(Shapes(runs.system), states, scene, last), *over, *forces),
+    return Picture((_poses(Shapes(runs.system), states, scene, last), *over, *forces, *errors),
                    f"motion of {count} bodies" if count > 1 else "motion of a body")  # fmt: skip
 
 
@@ -170,6 +175,15 @@ def _forces(
     if curves:
         panels.append(Panel(ends, Axis("torque", Torque), (*curves, *beyond)))
     return panels
+
+
+def _errors(runs: "Runs") -> "tuple[Curve, ...]":
+    """The largest errors so far: what two tolerances differ by, and energy less work."""
+    curves = []
+    for values, label in ((runs.parted, "two tolerances, share of its size"), (runs.energy_errors(), "energy, share")):
+        largest = list(accumulate((max(value, DUST) for _, value in values), max))
+        curves.append(Curve([t for t, _ in values], largest, label, role=len(curves)))
+    return tuple(curve for curve in curves if len(curve.x) > 1)
 
 
 def _label(joint: "Any") -> str:

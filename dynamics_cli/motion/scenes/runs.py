@@ -61,7 +61,8 @@ class Runs:
         self.crossed: list[float] = []
         self.difference = 0.0
         self._logs: list[tuple[float, float]] = []
-        self._energies: list[tuple[float, float]] = []
+        self._energies: list[tuple[float, float, float]] = []
+        self.parted: list[tuple[float, float]] = []
         self._side: Any = None
         self.end = duration
         if drawing():  # the spread of a sample drowns what further runs would say
@@ -112,6 +113,7 @@ class Runs:
             self.reached, self.end = True, run.t
             return False
         self.difference = max(self.difference, apart)
+        self.parted.append((run.t, apart))
         return True
 
     def apart(self, one: "Any", other: "Any") -> float:
@@ -122,7 +124,7 @@ class Runs:
         """Energy, and whether the joints are at, or have passed, a pose where they do not determine the motion."""
         system, run = self.system, self.fine
         kinetic, potential = system.energies(run.y)
-        self._energies.append((float(kinetic + potential - run.y[-3] - run.y[-2] + run.y[-1]), kinetic))
+        self._energies.append((run.t, float(kinetic + potential - run.y[-3] - run.y[-2] + run.y[-1]), kinetic))
         if not system.m:
             return
         u, values, v = np.linalg.svd(system.jacobian(run.t, system.frame_of(run.y)))
@@ -159,14 +161,18 @@ class Runs:
             return None
         return self.duration + tenfold * math.log10(APART / self.difference)
 
-    def energy_error(self) -> float:
-        """The largest change of energy less work, over the largest energy exchanged."""
-        totals = [total for total, _ in self._energies]
+    def energy_errors(self) -> "list[tuple[float, float]]":
+        """Times, and the change of energy less work until then over the largest energy exchanged."""
         states = [self.fine.at(self.end * k / 50.0) for k in range(51)]
         works = [abs(float(x)) for state in states for x in state[-3:]]
         high = [self.system.energies(state)[1] for state in states]
-        exchanged = max(max(kinetic for _, kinetic in self._energies), max(works), max(high) - min(high))
-        return max(abs(total - totals[0]) for total in totals) / exchanged if exchanged else 0.0
+        exchanged = max(max(kinetic for *_, kinetic in self._energies), max(works), max(high) - min(high))
+        _, first, _ = self._energies[0]
+        return [(t, abs(total - first) / exchanged if exchanged else 0.0) for t, total, _ in self._energies]
+
+    def energy_error(self) -> float:
+        """The largest of these."""
+        return max(share for _, share in self.energy_errors())
 
 
 _last: "list[tuple[Any, Runs]]" = []

@@ -78,7 +78,7 @@ def _curve(axes: "Any", item: Curve, x: Scale, y: Scale, pens: Pens) -> None:
         axes.fill(across, up, color=GROUND, linewidth=0.0, zorder=0.0)
         return
     style = pens.style(item)
-    axes.plot(across, up, label=item.label or None, **style)
+    axes.plot(across, up, label=words(item.label, x.system) or None, **style)
     if item.style in ("filled", "fill"):
         axes.fill(across, up, color=style["color"], alpha=0.12, linewidth=0.0)
 
@@ -110,16 +110,18 @@ def _arrow(axes: "Any", item: Arrow, x: Scale, y: Scale, pens: Pens) -> None:
     place: dict[str, Any] = {"ha": "left" if x1 >= x0 else "right", "va": "top" if item.role % 2 else "bottom"}
     place["bbox"] = _BACKGROUND
     shift = (4 if x1 >= x0 else -4, -3 if item.role % 2 else 3)
-    axes.annotate(item.label, (x1, y1), xytext=shift, textcoords="offset points", fontsize=8.0, color=colour, **place)
+    text = written(item.label, x.system)
+    axes.annotate(text, (x1, y1), xytext=shift, textcoords="offset points", fontsize=8.0, color=colour, **place)
 
 
 def _band(axes: "Any", item: Band, x: Scale, y: Scale, pens: Pens) -> None:
     low, high = (x if item.vertical else y)((item.low, item.high))
     line, span = (axes.axvline, axes.axvspan) if item.vertical else (axes.axhline, axes.axhspan)
+    label = words(item.label, x.system) or None
     if low == high:
-        line(low, color="black", linestyle="-.", linewidth=1.0 if item.label else 0.6, label=item.label or None)
+        line(low, color="black", linestyle="-.", linewidth=1.0 if label else 0.6, label=label)
     else:
-        span(low, high, color="#56B4E9", alpha=0.25, linewidth=0.0, label=item.label or None)
+        span(low, high, color="#56B4E9", alpha=0.25, linewidth=0.0, label=label)
 
 
 def _bars(axes: "Any", item: Bars, x: Scale, y: Scale, pens: Pens) -> None:

@@ -69,9 +69,9 @@ def _dots(panel: "Panel", system: str, width: int, height: int) -> str:
 def _named(panel: "Panel", canvas: "_Canvas", x: Scale, y: Scale, system: str) -> "list[str]":
     """The names of curves, each with the letter that stands on it when there are several; words at marks and arrows."""
     curves = [item for item in panel.items if isinstance(item, Curve) and item.label]
-    names = [item.label for item in curves]
+    names = [words(item.label, system) for item in curves]
     if len(curves) > 1:
-        names = [f"{letter} {item.label}" for letter, item in zip(LETTERS, curves, strict=False)]
+        names = [f"{letter} {name}" for letter, name in zip(LETTERS, names, strict=False)]
         for nth, curve in enumerate(curves[: len(LETTERS)]):
             points = [point for path in _paths(curve, x, y) for point in path]
             # Spread over the curves' lengths, so that curves side by side have their letters apart.
