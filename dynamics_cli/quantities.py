@@ -303,6 +303,7 @@ if TYPE_CHECKING:
     SpeedFormula = Formula
     Variable = Let
     Text = str
+    Remark = str
     Unit = str
     InputFile = str
 else:
@@ -511,6 +512,7 @@ else:
         about="a speed, its unit at its end")
     Variable = Kind("variable", "", form="let", example="a=3 m", about="a variable of the formulas")
     Text = Kind("text", "", form="text", example="a name", about="words")
+    Remark = Kind("remark", "", form="text", about="words about every case, which rows leave out")
     Unit = Kind("unit", "", form="unit", example="ft/s", about="a unit")
     InputFile = Kind("file", "", form="file", example="data.csv", about="a file to read")
     # fmt: on

@@ -11,7 +11,7 @@ from dynamics_cli.core.units.unit import NUMBER, Unit, conformable
 from dynamics_cli.errors import UsageError
 from dynamics_cli.numerics.tracked import Tracked
 from dynamics_cli.numerics.turns import turned
-from dynamics_cli.quantities import Annotated, Text
+from dynamics_cli.quantities import Annotated, Remark
 from dynamics_cli.records import Advice, Choice, Condition, ErrorBound, ExactQuantity, Measured, Numerics, record
 
 TYPE_CHECKING = False
@@ -52,7 +52,7 @@ class Coordinates:
     phi: Annotated[Measured | None, "Angle from the z-axis, 0 to π."]
     theta: Annotated[Measured | None, "Angle in the x–y plane from x, −π to π."]
     z: Annotated[Measured | None, "Height along the z-axis."]
-    convention: Annotated[Text, "What the angles mean."]
+    convention: Annotated[Remark, "What the angles mean."]
     numerics: Numerics
     advice: tuple[Advice, ...]
 

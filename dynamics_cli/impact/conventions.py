@@ -14,6 +14,7 @@ from dynamics_cli.quantities import (
     PlanarVelocity,
     Positive,
     Ratio,
+    Remark,
     Restitution,
     RoadSpeed,
     RoadVelocity,
@@ -74,9 +75,9 @@ _ZERO_WORDS = {
 class Conventions:
     """The conventions a result is written in."""
 
-    axes: Annotated[Text, "The axes of vectors."]
-    headings: Annotated[Text, "How headings and spins are measured."]
-    pdof: Annotated[Text | None, "The zero and the sense of PDOF."] = None
+    axes: Annotated[Remark, "The axes of vectors."]
+    headings: Annotated[Remark, "How headings and spins are measured."]
+    pdof: Annotated[Remark | None, "The zero and the sense of PDOF."] = None
 
 
 def conventions(axes: Axes = AXES, pdof_zero: PdofZero | None = PDOF_ZERO) -> Conventions:

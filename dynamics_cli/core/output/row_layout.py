@@ -178,7 +178,7 @@ def _measured(value: "Any") -> "tuple[list[float], list[str]]":
 class Layout:
     """The results of a task's rows, in order; `targets` are the units of measured results where the call fixes them.
 
-    With `spread` every number has those of its distribution after it.
+    With `spread` every number has those of its distribution after it; without `words` there are none.
     """
 
     def __init__(
@@ -188,8 +188,10 @@ class Layout:
         targets: "list[str] | None" = None,
         *,
         spread: bool = False,
+        words: bool = True,
     ) -> None:
         self.result = result
+        self._words = words
         self.display = display
         self.targets = targets
         self.spread = spread
@@ -225,9 +227,12 @@ class Layout:
         address = ".".join(keys)
         if form == "measured":
             yield from self._measured(keys, steps, several=False)
-        elif form == "flag" or leaf.choice is not None:
-            yield Part(keys, steps, "flag" if form == "flag" else "word")
-        elif form in ("text", "unit", "file", "drawing", "matrix"):
+        elif form == "flag":
+            yield Part(keys, steps, "flag")
+        elif leaf.choice is not None or form in ("text", "unit"):
+            if self._words and leaf.kind.name != "remark":
+                yield Part(keys, steps, "word")
+        elif form in ("file", "drawing", "matrix"):
             return
         elif form in ("free", "free vector"):
             yield from self._measured(keys, steps, several=False, how="measured" if form == "free" else "components")

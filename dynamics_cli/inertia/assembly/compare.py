@@ -19,6 +19,7 @@ from dynamics_cli.quantities import (
     PartPosition,
     ProductOfInertia,
     Ratio,
+    Remark,
     SignedMass,
     Size,
     Text,
@@ -75,7 +76,7 @@ class Compared:
     tensor_distance: Annotated[
         Ratio, "Size of the difference of the two inertia tensors over that of the first: 0 when they are equal [-]."
     ]
-    product_sign: Annotated[Text, "Sign convention of the products."]
+    product_sign: Annotated[Remark, "Sign convention of the products."]
     moments: Annotated[tuple[MomentRow, ...], "Moments and products of both."]
     advice: tuple[Advice, ...] = ()
     numerics: Numerics | None = None

@@ -26,6 +26,7 @@ from dynamics_cli.quantities import (
     Mass,
     PartLengths,
     PartPosition,
+    Remark,
     Text,
     Vector,
     Volume,
@@ -69,7 +70,7 @@ class MassProperties:
     about: Annotated[Text, "Reference point of the moments and products."]
     reference_point: Annotated[PartPosition, "That point, in the given axes from the given origin [m]."]
     axes: Annotated[Text, "The axes of moments, products, tensor and second moments."]
-    product_sign: Annotated[Text, "What the products mean."]
+    product_sign: Annotated[Remark, "What the products mean."]
     moments: Annotated[AxisMoments, "Moments of inertia about the reference point."]
     products: Annotated[
         AxisProducts, "Products of inertia about the reference point, of the sign that `product_sign` says."

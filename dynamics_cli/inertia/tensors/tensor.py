@@ -30,6 +30,7 @@ from dynamics_cli.quantities import (
     Positive,
     ProductOfInertia,
     Ratio,
+    Remark,
     Text,
     Vector,
 )
@@ -108,7 +109,7 @@ class TensorProperties:
         InertiaTensor,
         "The matrix ∫ r rᵀ dm = ½ tr(I)·1 − I in the same axes, as simulators' pseudo-inertia holds it [kg*m^2].",
     ]
-    product_sign: Annotated[Text, "Sign convention of the products."]
+    product_sign: Annotated[Remark, "Sign convention of the products."]
     direction_moment: Annotated[
         Inertia | None, "Moment about the axis along `direction`, when it is given [kg*m^2]."
     ] = None

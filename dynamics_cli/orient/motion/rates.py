@@ -19,6 +19,7 @@ from dynamics_cli.quantities import (
     Direction,
     Positive,
     Quaternion,
+    Remark,
     RotationMatrix,
     Text,
 )
@@ -72,7 +73,7 @@ class Rates:
     first_partial: Annotated[Direction, "Partial angular velocity of the first angle: the axis it turns about [-]."]
     second_partial: Annotated[Direction, "That of the second angle [-]."]
     third_partial: Annotated[Direction, "That of the third angle [-]."]
-    names: Annotated[Text, "Other names of these angles."]
+    names: Annotated[Remark, "Other names of these angles."]
     condition: Annotated[Positive | None, "How many times ω the rates of the angles may be; none at lock [-]."]
     advice: tuple[Advice, ...] = ()
 

@@ -9,7 +9,7 @@ from dynamics_cli.numerics.orientation.sequences import angles_in_words, angles_
 from dynamics_cli.numerics.vectors import Vector, cross, dot, length, scale, subtract
 from dynamics_cli.numerics.vectors import times as rotated
 from dynamics_cli.orient.turns.eigenvector import largest
-from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Direction, Positive, Quaternion, Ratio, Text
+from dynamics_cli.quantities import Angle, AngleTriple, Annotated, Direction, Positive, Quaternion, Ratio, Remark, Text
 from dynamics_cli.quantities import RotationMatrix as RotationMatrixKind
 from dynamics_cli.records import Advice, Choice, ErrorBound, Numerics, record
 
@@ -58,7 +58,7 @@ class Aligned:
     rotation_matrix: Annotated[RotationMatrixKind, "Takes directions before to those after [-]."]
     euler_angles: Annotated[AngleTriple, "Angles in the sequence asked for [rad]."]
     euler_order: Annotated[Text, "The sequence."]
-    angle_names: Annotated[Text, "The three angles in words, in their order."]
+    angle_names: Annotated[Remark, "The three angles in words, in their order."]
     residual: Annotated[Angle, "Weighted root mean square of the remaining angles [rad]."]
     largest_residual: Annotated[Angle, "The largest of them [rad]."]
     sharpness: Annotated[Ratio, "How well the directions are spread: 0 on one line, 1 and more good [-]."]

@@ -16,6 +16,7 @@ from dynamics_cli.quantities import (
     InputFile,
     Positive,
     Quaternion,
+    Remark,
     RotationMatrix,
     Text,
 )
@@ -73,7 +74,7 @@ class Average:
     farthest: Annotated[Text, "The orientation that is farthest from it."]
     count: Annotated[Count, "Number of orientations."]
     euler_order: Annotated[Text, "The sequence."]
-    angle_names: Annotated[Text, "The three angles in words, in their order."]
+    angle_names: Annotated[Remark, "The three angles in words, in their order."]
     deviations: Annotated[tuple[Deviation, ...], "Each orientation."]
     numerics: Numerics | None = None
 

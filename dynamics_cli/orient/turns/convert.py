@@ -21,6 +21,7 @@ from dynamics_cli.quantities import (
     Direction,
     Quaternion,
     Ratio,
+    Remark,
     RotationMatrix,
     RotationVector,
     Text,
@@ -78,9 +79,9 @@ class Converted:
     rodrigues: Annotated[Vector | None, "The axis times tan(θ/2); of a half turn none [-]."]
     euler_order: Annotated[Text, "The sequence: small letters about the body's axes, capitals about fixed ones."]
     lock: Annotated[Text, "Gimbal lock: none, near, or locked, where the input does not determine two of the angles."]
-    names: Annotated[Text, "What others call these angles."]
-    angle_names: Annotated[Text, "The three angles in words, in their order."]
-    convention: Annotated[Text, "Meaning of the numbers."]
+    names: Annotated[Remark, "What others call these angles."]
+    angle_names: Annotated[Remark, "The three angles in words, in their order."]
+    convention: Annotated[Remark, "Meaning of the numbers."]
     departure: Annotated[Ratio | None, "How far a given matrix is from the rotation nearest to it [-]."] = None
     sequences: Annotated[tuple[SequenceAngles, ...], "The angles of all 24 sequences."] = ()
     checks: tuple[Check, ...] = ()

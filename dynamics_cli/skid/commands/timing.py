@@ -115,7 +115,7 @@ FOLLOW = Task(
         "least_gap",
         "least_gap_time: nearest after",
         "sufficient_gap: gap that suffices",
-        "moments | time, gap, leader_speed, follower_speed",
+        "moments: moments | time, gap, leader_speed, follower_speed",
     ),
     findings=(
         "contact: {the follower ran|the follower did not run} into the leader",

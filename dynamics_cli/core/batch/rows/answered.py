@@ -4,6 +4,7 @@ import numpy as np
 
 from dynamics_cli.core.batch.text.columns import joined_texts, texts
 from dynamics_cli.core.batch.text.weaving import Answered, Unsuited, rows_of
+from dynamics_cli.core.output.csv_text import csv_cell
 from dynamics_cli.core.output.row_layout import Part, compact
 from dynamics_cli.core.units.display import Shown
 from dynamics_cli.errors import UsageError
@@ -135,5 +136,6 @@ def _in_one_list(part: Part, before: Part) -> bool:
 def _listed(rows: "list[Any]", part: Part, form: str) -> "list[bytes]":
     if form == "ndjson":
         return [compact(row).encode() for row in rows]
-    separator = "," if form == "csv" else "\t"
-    return [separator.join(part.cells(row)).encode() for row in rows]
+    if form == "csv":
+        return [",".join(map(csv_cell, part.cells(row))).encode() for row in rows]
+    return ["\t".join(part.cells(row)).encode() for row in rows]

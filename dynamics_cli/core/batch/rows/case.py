@@ -50,7 +50,9 @@ class Case:
         self.layout = self._layout(display, self.fixed.get(self.measure[1]), spread=spread and not self.measure[0])
 
     def _layout(self, display: Display, targets: "list[str] | None" = None, *, spread: bool = False) -> Layout:
-        layout = Layout(self.task.specification.result, display, targets, spread=spread)
+        # Of an exact conversion the words are those of its ratio.
+        words = not self.measure[0]
+        layout = Layout(self.task.specification.result, display, targets, spread=spread, words=words)
         if self.settings.only:
             layout.narrow(self.settings.only)
         if self.settings.bounds:
