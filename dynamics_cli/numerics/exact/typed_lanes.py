@@ -43,7 +43,7 @@ def summed(terms: "Sequence[Sequence[Any]]", typed: "Typed") -> "Any":
 
 def _as_integers(whole: "Any") -> "Any":
     """Whole numbers of any length instead of doubles."""
-    return whole.astype(np.int64).astype(object) if getattr(whole, "dtype", None) == float else whole
+    return whole if isinstance(whole, int) or whole.dtype == object else whole.astype(np.int64).astype(object)
 
 
 def _whole(factor: "Any", typed: "Typed") -> "tuple[Any, int, Any]":
