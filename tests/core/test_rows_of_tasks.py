@@ -63,7 +63,7 @@ def test_numbers_are_written_as_repr_writes_them() -> None:
     random = np.random.default_rng(7)
     spread = random.uniform(-10.0, 10.0, 4000) * 10.0 ** random.integers(-300, 300, 4000)
     for some in (numbers, numbers[:2], numbers[2:], spread):
-        assert texts(some) == [repr(number).encode() for number in some.tolist()]
+        assert texts([some]) == [[repr(number).encode() for number in some.tolist()]]
         pairs = [f"{number!r},{2.0 * number!r}".encode() for number in some.tolist()]
         assert joined_texts([some, 2.0 * some]) == pairs
 

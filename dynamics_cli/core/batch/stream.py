@@ -365,7 +365,7 @@ class _Stream:
 
     def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], list[bytes]]]":
         """The rows of a group that could be answered together: their indices in it, and their texts."""
-        from dynamics_cli.core.batch.text.weaving import Unsuited, sliced, weave
+        from dynamics_cli.core.batch.text.weaving import Unsuited, in_runs, slices, weave
 
         plan = group.plan
         if plan.failures > MOST_FAILURES:
@@ -381,10 +381,13 @@ class _Stream:
             complete = len(places) == len(lines)
             answered_lines = lines if complete else [lines[place] for place in places]
             echoes = self._echoes(answered_lines, group, None if complete else places)
+            pieces = in_runs(self.output.pieces(echoes, plan.written(part.results, self.output.format)))
+            runs = [piece for piece in pieces if isinstance(piece, list)]
             texts = []
-            for rows, results in sliced(part.results, len(places)):
-                pieces = self.output.pieces(echoes[rows], plan.written(results, self.output.format))
-                texts.append(weave(pieces, rows.stop - rows.start))
+            for rows in slices(sum(map(len, runs)), len(places)):
+                columns = iter(plan.texts_of([[column[rows] for column in run] for run in runs]))
+                woven = [next(columns) if isinstance(piece, list) else piece for piece in pieces]
+                texts.append(weave(woven, rows.stop - rows.start))
             if part.signature not in plan.proved:
                 if not self._agrees(answered_lines, texts):
                     plan.failures = MOST_FAILURES + 1

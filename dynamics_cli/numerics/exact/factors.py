@@ -207,4 +207,4 @@ def has_more_digits(values: "Array") -> "Mask":
     decade = np.searchsorted(_DECADES, size, side="right")
     inside = (decade > 0) & (decade < len(_DECADES))
     ten = np.array(TENS)[len(_DECADES) - 1 - np.where(inside, decade, 1)]
-    return inside & (np.rint(size * ten) / ten != size)
+    return np.asarray(inside & (np.rint(size * ten) / ten != size))

@@ -66,7 +66,7 @@ class TiltingDisk:
         """One of them: found in doubles, then one step of Newton in the arithmetic of the inputs."""
         turning = sign * self.polar * speed
         numbers = (self.mass, self.direct, self.tilting, self.determinant, self.diametral, turning)
-        start = _between_zeros(*map(plain, numbers), upper) + 0.0 * turning
+        start = _between_zeros(*map(plain, (*numbers, upper))) + 0.0 * turning
         value, slope = _characteristic(*numbers, start)
         return start - value / slope
 

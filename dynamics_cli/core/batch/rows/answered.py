@@ -99,38 +99,22 @@ def shown_factor(shown: "Shown | None") -> "Factor | None":
 
 
 def written(results: "list[Result]", form: str) -> "list[Result]":
-    """Columns as texts: the shortest text of every number, flags and compound numbers as the format writes them.
-
-    Neighbours with nothing but commas between them are written together, which saves a split and a join for each row;
-    those after the first are then (part, "beside", None).
-    """
-    made: list[Result] = []
-    side: list[Array] = []
-    for part, how, value in results:
-        if how == "measured":
-            side, (numbers, units) = [], value
-            made.append(
-                (part, how, ([texts(item) if isinstance(item, np.ndarray) else item for item in numbers], units))
-            )
-        elif how != "each" or not isinstance(value, np.ndarray) or value.dtype == object:
-            side = []
-            listed = how == "each" and isinstance(value, np.ndarray)
-            made.append((part, how, _listed(value.tolist(), part, form) if listed else value))
-        elif side and (form == "csv" or (form == "ndjson" and _in_one_list(part, made[-1][0]))):
-            side.append(value)
-            made.append((part, "beside", None))
-        else:
-            side = [value]
-            made.append((part, how, side))
+    """Results with flags and compound numbers as the format writes them; columns of doubles stay."""
     return [
-        (part, how, joined_texts(value) if how == "each" and value and isinstance(value[0], np.ndarray) else value)
-        for part, how, value in made
+        (part, how, _listed(value.tolist(), part, form))
+        if how == "each" and isinstance(value, np.ndarray) and value.dtype == object
+        else (part, how, value)
+        for part, how, value in results
     ]
 
 
-def _in_one_list(part: Part, before: Part) -> bool:
-    """Whether two results are components of the same vector, or of the same row of a matrix."""
-    return isinstance(part.steps[-1], int) and part.steps[:-1] == before.steps[:-1]
+def texts_of(runs: "list[list[Any]]") -> "list[list[bytes]]":
+    """The texts of columns of doubles, those of a run together; texts stay."""
+    alone = [run[0] for run in runs if len(run) == 1 and isinstance(run[0], np.ndarray)]
+    cells = iter(texts(alone) if alone else [])
+    return [
+        joined_texts(run) if len(run) > 1 else next(cells) if isinstance(run[0], np.ndarray) else run[0] for run in runs
+    ]
 
 
 def _listed(rows: "list[Any]", part: Part, form: str) -> "list[bytes]":

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     # For weaving: the same bytes in every row, or one piece for each row.
-    Piece = bytes | list[bytes]
+    Piece = bytes | Sequence[Any]
 
 
 def error_line(error: DynamicsError) -> str:
@@ -73,8 +73,7 @@ class Output(ABC):
     def pieces(self, echoes: "list[bytes]", results: "list[tuple[Part, str, Any]]") -> "list[Piece]":
         """Many rows with their results, for weaving.
 
-        A result is (part, "each", list of cells), (part, "all", the value that every row has) or (part, "beside", None)
-        where its cells are with those of the result before.
+        A result is (part, "each", column), (part, "measured", (columns, units)) or (part, "all", that of every row).
         """
 
 
@@ -116,8 +115,6 @@ class CsvOutput(Output):
         """Cells between commas, the last one (the error's) empty."""
         pieces: list[Piece] = [echoes, b","] if self.source.heads else []
         for part, how, value in results:
-            if how == "beside":
-                continue
             if how == "each":
                 pieces.append(value)
             elif how == "measured":

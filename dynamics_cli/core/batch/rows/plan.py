@@ -12,7 +12,7 @@ import numpy as np
 
 from dynamics_cli.core.answering.models import arguments, choose
 from dynamics_cli.core.answering.task import Model, load
-from dynamics_cli.core.batch.rows.answered import constant, kept, scaled, shown, shown_factor, written
+from dynamics_cli.core.batch.rows.answered import constant, kept, scaled, shown, shown_factor, texts_of, written
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.cautions import Extremes
 from dynamics_cli.core.batch.text.columns import Slot
@@ -60,6 +60,7 @@ class Plan:
     """How rows of one kind are answered: the template's inputs, where its numbers go, and the model."""
 
     written = staticmethod(written)
+    texts_of = staticmethod(texts_of)
 
     def __init__(
         self, case: Case, raw: "dict[str, Any]", addresses: "Sequence[str]", units: "Sequence[str | None]"

@@ -115,34 +115,24 @@ class Slot:
         return odd
 
 
-def texts(values: "Array") -> "list[bytes]":
-    """The shortest text of each number that reads back as it: what `repr` writes."""
-    listed = values.tolist()
-    tokens = _encode(listed)[1:-1].split(b",") if listed else []
-    for (row,) in _odd_sized(values):
-        tokens[row] = repr(listed[row]).encode()
-    return tokens
+def texts(columns: "list[Array]") -> "list[list[bytes]]":
+    """The shortest text of each number that reads back as it, column by column: what `repr` writes."""
+    cells = _encoded(np.stack(columns, axis=1).ravel())[1:-1].split(b",")
+    return [cells[place :: len(columns)] for place in range(len(columns))]
 
 
 def joined_texts(columns: "list[Array]") -> "list[bytes]":
-    """Several numbers a row, with commas between them."""
-    if len(columns) == 1:
-        return texts(columns[0])
-    matrix = np.stack(columns, axis=1)
-    listed = matrix.tolist()
-    rows = _encode(listed)[2:-2].split(b"],[") if listed else []
-    cells: dict[int, list[bytes]] = {}
-    for row, place in _odd_sized(matrix):
-        if row not in cells:
-            cells[row] = rows[row].split(b",")
-        cells[row][place] = repr(listed[row][place]).encode()
-    for row, tokens in cells.items():
-        rows[row] = b",".join(tokens)
-    return rows
+    """The same of several numbers a row, with commas between them."""
+    return _encoded(np.stack(columns, axis=1))[2:-2].split(b"],[")
 
 
-def _odd_sized(values: "Array") -> "list[list[int]]":
-    """Where the numbers are that msgspec writes in another way than `repr`."""
-    size = np.abs(values)
+def _encoded(numbers: "Array") -> bytes:
+    """One list of numbers, or a list of lists, as JSON."""
+    listed = numbers.tolist()
+    size = np.abs(numbers)
     odd = ((size < _ODD_HIGH) & (size >= _ODD_LOW)) | (size >= _LARGE)
-    return np.argwhere(odd).tolist() if odd.any() else []
+    if odd.any():
+        for *rows, place in np.argwhere(odd).tolist():
+            cells = listed[rows[0]] if rows else listed
+            cells[place] = msgspec.Raw(repr(cells[place]).encode())
+    return _encode(listed)

@@ -171,6 +171,11 @@ class ExactPlan:
         """The results, which are texts."""
         return results
 
+    @staticmethod
+    def texts_of(runs: "list[list[Any]]") -> "list[list[bytes]]":
+        """Their columns, each alone."""
+        return [run[0] for run in runs]
+
     def run(self, columns: "Sequence[Tokens]") -> "list[Answered]":
         """The converted numbers of all rows that a single call would not refuse."""
         tokens = columns[0].tokens

@@ -31,7 +31,9 @@ class JsonGroups(Groups):
         self.recent: Shape | None = None
 
     def uniform(self, lines: "list[bytes]") -> "list[Group] | None":
-        """All lines as one group like the last one, or None."""
+        """All lines as one group like the last one, or like the first of them; or None."""
+        if self.recent is None and not self.shapes and self._learn(lines[0]):
+            self.recent = self.shapes[0]
         shape = self.recent
         if shape is None or shape.plan is None:
             return None

@@ -2,14 +2,15 @@
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
     from typing import Any
 
     from dynamics_cli.core.output.row_layout import Part
 
-    # (part, "each", one value or text a row), (part, "measured", (texts, units)), (part, "all", that of every row) or
-    # (part, "beside", None) where its text is that of the part before.
+    # (part, "each", one value or text a row), (part, "measured", (columns, units)) or (part, "all", that of every row).
     Result = tuple[Part, str, Any]
+    # A text of every row, or a column: a text or a number a row.
+    Piece = bytes | Sequence[Any]
 
 # Numbers whose texts are put together at once, and the fewest rows.
 SLICE_NUMBERS, LEAST_SLICE = 10_000, 100
@@ -32,17 +33,32 @@ class Tokens:
         self.tokens = tokens
 
 
-def weave(pieces: "list[bytes | list[bytes]]", count: int) -> bytes:
-    """Rows of pieces, joined: a piece is the same in every row, or a list with one item for each."""
+def in_runs(pieces: "list[Piece]") -> "list[Any]":
+    """Pieces of rows in order: texts, and runs of columns, where columns of numbers with only a comma between are one.
+
+    Their texts are made together, which saves a split and a join for each number.
+    """
     merged: list[Any] = []
     for piece in pieces:
-        if isinstance(piece, bytes) and merged and isinstance(merged[-1], bytes):
-            merged[-1] += piece
-        elif piece != b"":
+        last = merged[-1] if merged else b""
+        if not isinstance(piece, bytes):
+            if last == b"," and len(merged) > 1 and hasattr(piece, "dtype") and hasattr(merged[-2][-1], "dtype"):
+                merged.pop()
+                merged[-1].append(piece)
+            else:
+                merged.append([piece])
+        elif merged and isinstance(last, bytes):
+            merged[-1] = last + piece
+        elif piece:
             merged.append(piece)
-    woven: list[bytes] = [b""] * (len(merged) * count)
-    for index, piece in enumerate(merged):
-        woven[index :: len(merged)] = [piece] * count if isinstance(piece, bytes) else piece
+    return merged
+
+
+def weave(pieces: "list[bytes | list[bytes]]", count: int) -> bytes:
+    """Rows of pieces, joined: a piece is the same in every row, or a list with one item for each."""
+    woven: list[bytes] = [b""] * (len(pieces) * count)
+    for index, piece in enumerate(pieces):
+        woven[index :: len(pieces)] = [piece] * count if isinstance(piece, bytes) else piece
     return b"".join(woven)
 
 
@@ -57,15 +73,11 @@ class Answered:
         self.signature = signature
 
 
-def sliced(results: "list[Result]", count: int) -> "Iterator[tuple[slice, list[Result]]]":
-    """The results of a few rows at a time: their texts are put together while they are in the processor's cache."""
-    step = max(LEAST_SLICE, SLICE_NUMBERS // max(len(results), 1))
-    if count <= step:
-        yield slice(0, count), results
-        return
+def slices(width: int, count: int) -> "Iterator[slice]":
+    """A few rows at a time: the texts of so many columns are put together while they are in the processor's cache."""
+    step = max(LEAST_SLICE, SLICE_NUMBERS // max(width, 1))
     for start in range(0, count, step):
-        rows = slice(start, min(start + step, count))
-        yield rows, [(part, how, rows_of(how, value, rows)) for part, how, value in results]
+        yield slice(start, min(start + step, count))
 
 
 def rows_of(how: str, value: "Any", rows: "Any") -> "Any":
