@@ -122,6 +122,7 @@ DAMPED = Task(
     table="peaks",
     plot=f"{PICTURES}:damped",
     arrays=False,
+    cost=0.02,
     tracked=False,
 )  # fmt: skip
 

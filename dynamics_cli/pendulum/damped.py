@@ -16,13 +16,14 @@ from dynamics_cli.quantities import (
     Time,
 )
 from dynamics_cli.records import Advice, ErrorBound, Numerics, record
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-FINE, COARSE = 1e-11, 1e-9
+FINE, COARSE, SAMPLED = 1e-11, 1e-9, 1e-7
 # Turning points at most: until an angle, and where none is asked for.
 MOST_SWINGS, SHOWN_SWINGS = 2000, 100
 # Peaks below this are at rest for every purpose.
@@ -111,7 +112,9 @@ def damped(
         fine = coarse = _by_energy(own, plain(quadratic), plain(size), plain(goal), most)
     else:
         given = own, plain(damping), plain(quadratic), plain(size), plain(goal)
-        fine, coarse = (_integrated(*given, tolerance, most) for tolerance in (FINE, COARSE))
+        coarse = _integrated(*given, SAMPLED if drawing() else COARSE, most)
+        # a sample needs no error of its own
+        fine = coarse if drawing() else _integrated(*given, FINE, most)
     peaks = tuple(_losses(fine, plain(size)))
     reached = plain(until) is not None and len(fine) > 0 and fine[-1][1] <= plain(goal) if until is not None else False
     swings = _fraction(fine, plain(size), plain(goal)) if reached else None

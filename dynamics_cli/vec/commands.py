@@ -175,6 +175,7 @@ LINES = Task(
     ),
     plot=f"{PICTURES}:lines",
     arrays=False,
+    cost=1e-4,
 )  # fmt: skip
 
 MATRIX = Task(

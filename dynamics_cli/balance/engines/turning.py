@@ -1,6 +1,7 @@
 """Turning moment of an engine: gas and inertia torque of all cylinders over a cycle, and by order."""
 
 import math
+from bisect import bisect_left
 from itertools import pairwise
 
 from dynamics_cli.balance.engines.crank import CrankRadius, Stroke, motion, require_rod
@@ -26,6 +27,7 @@ from dynamics_cli.quantities import (
     Torque,
 )
 from dynamics_cli.records import Check, record
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -180,7 +182,8 @@ def turning(
         (_Cylinder(points, ratio, aside, area * crank.radius, -reciprocating_mass * rim * rim), angles)
         for points, angles in _diagrams(diagram_points, fired, cycle)
     ]
-    numbers = [k / turns for k in range(turns * highest_order + 1)]
+    # of samples only the mean is needed
+    numbers = [k / turns for k in range(1 if drawing() else turns * highest_order + 1)]
     parts = [[(cylinder.wave(n, cycle), angles) for cylinder, angles in alike] for n in numbers]
     orders = [_order(n, waves) for n, waves in zip(numbers[1:], parts[1:], strict=True)]
     orders = [row for row in orders if row.torque > 0.0]
@@ -271,6 +274,7 @@ class _Cylinder:
             code="range",
             hint="check the units of bore, mass, speed and pressures",
         )
+        self.weighted = self._weighted()
 
     def torques(self, angle: float, pressure: float) -> "tuple[float, float]":
         """Gas and inertia torque."""
@@ -281,28 +285,36 @@ class _Cylinder:
         """Torques at any angle after its firing."""
         begin = self.points[0][0]
         within = begin + (angle - begin) % cycle
-        for (low, first), (high, second) in pairwise(self.points):
-            if within <= high:
-                return self.torques(within, first + (second - first) * (within - low) / (high - low))
-        return self.torques(within, self.points[-1][1])
+        after = min(bisect_left(self.points, (within,), 1), len(self.points) - 1)
+        (low, first), (high, second) = self.points[after - 1 : after + 1]
+        return self.torques(within, first + (second - first) * (within - low) / (high - low))
 
     def wave(self, order: float, cycle: float) -> "tuple[Phasor, Phasor]":
         """(2/C)·∫T·e^{−inθ}dθ of both torques."""
-        nodes = legendre(NODES)
-        sums = [0.0] * 4
+        gas_cosine = gas_sine = inertia_cosine = inertia_sine = 0.0
+        for angle, gas, inertia in self.weighted:
+            cosine, sine = math.cos(order * angle), -math.sin(order * angle)
+            gas_cosine += gas * cosine
+            gas_sine += gas * sine
+            inertia_cosine += inertia * cosine
+            inertia_sine += inertia * sine
+        factor = 2.0 / cycle
+        gas_wave = Phasor(factor * gas_cosine, factor * gas_sine)
+        return gas_wave, Phasor(factor * inertia_cosine, factor * inertia_sine)
+
+    def _weighted(self) -> "list[tuple[float, float, float]]":
+        """Angles of a quadrature over the cycle, with both torques times their weights."""
+        places = []
         for (low, first), (high, second) in pairwise(self.points):
             panels = math.ceil((high - low) / PANEL)
             for panel in range(panels):
-                for node, weight in nodes:
+                for node, weight in legendre(NODES):
                     share = (panel + node) / panels
                     angle = low + share * (high - low)
                     gas, inertia = self.torques(angle, first + share * (second - first))
                     width = weight * (high - low) / panels
-                    cosine, sine = width * math.cos(order * angle), -width * math.sin(order * angle)
-                    for k, term in enumerate((gas * cosine, gas * sine, inertia * cosine, inertia * sine)):
-                        sums[k] += term
-        factor = 2.0 / cycle
-        return Phasor(sums[0] * factor, sums[1] * factor), Phasor(sums[2] * factor, sums[3] * factor)
+                    places.append((angle, width * gas, width * inertia))
+        return places
 
 
 def _order(order: float, waves: "Waves") -> TorqueOrder:

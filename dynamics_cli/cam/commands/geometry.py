@@ -94,6 +94,7 @@ SIZE = Task(
     notes=PROGRAM_NOTES,
     scene={**PROGRAM_SCENE, "follower": "roller", "roller_radius": "8 mm"},
     arrays=False,
+    cost=8e-3,
     tracked=False,
 )
 
@@ -133,6 +134,7 @@ CHECK = Task(
     notes=PROGRAM_NOTES,
     scene=ROLLER_SCENE,
     arrays=False,
+    cost=5e-3,
     tracked=False,
 )
 
@@ -162,6 +164,7 @@ EXPORT = Task(
     notes=PROGRAM_NOTES,
     scene=ROLLER_SCENE,
     arrays=False,
+    unspread=("deviation", "pieces", "tolerance"),
     tracked=False,
     writers={
         "polar": "dynamics_cli.cam.export.writers:polar",

@@ -163,6 +163,7 @@ FORCE = Task(
     notes=PROGRAM_NOTES,
     scene={**PROGRAM_SCENE, "shaft_speed": "600 rpm", "mass": "0.5 kg", "spring_rate": "5 N/mm", "preload": "60 N"},
     arrays=False,
+    cost=8e-3,
     tracked=False,
 )
 

@@ -80,7 +80,8 @@ class Task:
     How it calculates
         arrays: the function takes arrays for floats. branches: it does for cases that take the same branches.
         tracked: it takes tracked numbers. points: how many samples are taken at most without --samples (0: as
-        many as of any task). errors: results that measure the calculation itself; rounding decides them, so none is
+        many as of any task). cost: seconds of a usual processor that a case takes, where they limit the samples.
+        errors: results that measure the calculation itself; rounding decides them, so none is
         spread over inputs. unspread: further results of the nominal case alone, such as a sensitivity; of both, two
         digits are shown. chances: a yes or no with the result that is not below zero where it is yes, for its
         probability: {"avoidable": "margin"}. limited: limits among the inputs, each with groups of results; of a group
@@ -140,6 +141,7 @@ class Task:
         limited: "dict[str, tuple[str, ...]] | None" = None,
         findings: "tuple[str, ...]" = (),
         points: int = 0,
+        cost: float = 0.0,
         unused: "tuple[str, ...]" = (),
     ) -> None:
         self.name = name
@@ -151,6 +153,7 @@ class Task:
         self.limited = limited or {}
         self.findings = tuple(_labelled(entry) for entry in findings)
         self.points = points
+        self.cost = cost
         self.also = also
         self.summary = summary
         self.plot = plot

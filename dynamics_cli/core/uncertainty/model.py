@@ -99,6 +99,7 @@ class TaskModel:
         self.arrays = task.arrays
         self.branches = task.branches or task.arrays
         self.drawing = Drawing()
+        self.drawing.each = task.cost
 
     @property
     def missed(self) -> float:
@@ -204,6 +205,7 @@ class TaskModel:
             # where most go their own way, the search for others on it costs more than it saves
             self.branches = self.task.branches or bool(2 * np.count_nonzero(alone) < len(open_))
         rows = np.nonzero(alone)[0].tolist()
+        self.drawing.spent += self.task.cost * len(rows)
         cases = (
             arguments(self.task, self.bound, {**inputs, **{name: column[row] for name, column in columns.items()}})
             for row in rows

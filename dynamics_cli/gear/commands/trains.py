@@ -162,6 +162,7 @@ MESH = Task(
     ),
     table="path",
     arrays=False,
+    cost=9e-3,
     tracked=False,
     plot="dynamics_cli.gear.mesh.pictures:mesh_picture",
     headline=(

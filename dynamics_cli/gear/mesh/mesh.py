@@ -25,12 +25,15 @@ from dynamics_cli.numerics.elementary import absolute, cos, maximum, minimum, pi
 from dynamics_cli.numerics.involute import inverse_involute
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, Columns, Numerics, record
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
 MOST_POINTS = 10_000_000
+# The same for samples of uncertain inputs: the transmission error of exact profiles is rounding at all of them.
+SAMPLED = 1000
 # Chords of the sampled flanks overlap by less than this share of the module where they touch.
 TRIMS = 1e-4
 # Inputs that say nothing of the two gears.
@@ -145,11 +148,13 @@ def mesh(
         most=MOST_POINTS,
         code="points",
     )
+    bare_tips = first_tip_diameter is None and second_tip_diameter is None and not internal
+    if drawing():
+        return _proof(_Known(inputs, centre_distance), None, SAMPLED, 2, bare_tips)
     known = _Known(carried(inputs), carried(centre_distance))
     exact = in_digits(lambda: _Known(in_many_digits(inputs), in_many_digits(centre_distance), known.places))
     if exact is not None:
         tighten(known.numbers(), exact.numbers())
-    bare_tips = first_tip_diameter is None and second_tip_diameter is None and not internal
     return _proof(known, exact, points, shown, bare_tips)
 
 
@@ -235,7 +240,7 @@ def _proof(known: "_Known", exact: "_Known | None", points: int, rows: int, bare
         advice=advice(plain, numbers["contact_ratio"], numbers["backlash"], overlaps, clearances, first)
         + (tips_meet(trimmed) if trims else ())
         + notes,
-        numerics=mesh_numerics(known, exact, worst, path.arrays, sampling),
+        numerics=None if drawing() else mesh_numerics(known, exact, worst, path.arrays, sampling),
     )
 
 

@@ -149,6 +149,7 @@ PULSE = Task(
         method="sums over the samples",
     ),
     arrays=False,
+    cost=8e-5,
     tracked=False,
     plot="dynamics_cli.impact.recorded.pictures:pulse",
     table="rows",

@@ -84,6 +84,8 @@ ENVELOPE = Task(
     ),
     table="map",
     arrays=False,
+    cost=3e-3,
+    unspread=("refused",),
     tracked=False,
     findings=(
         "first_delta_v.least: {first}'s ΔV lay between {} and {first_delta_v.greatest}",
@@ -123,6 +125,7 @@ SPATIAL = Task(
         '--second-velocity "0, 10, 0 m/s" --normal "0.98, 0.17, 0" --friction 0.5 --restitution 0.1 --json',
     ),
     arrays=False,
+    cost=8e-4,
     tracked=False,
     headline=IN_SPACE,
 )

@@ -24,6 +24,7 @@ from dynamics_cli.quantities import (
     RoadSpeed,
 )
 from dynamics_cli.records import Advice, Check, Columns, ErrorBound, Numerics
+from dynamics_cli.sampling import drawing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -38,6 +39,8 @@ if TYPE_CHECKING:
 
 UNIT_ROUNDOFF = 2.0**-53
 POINTS_MOST = 100_000_000
+# Points along a side for samples of uncertain inputs.
+FEWER = 128
 
 
 def _require_region(
@@ -140,6 +143,8 @@ def envelope(
     meeting = meeting_of(body, two, inward, closing_speed, 0.0, 0.0, 1.0)
     size = max(absolute(meeting.approach), absolute(meeting.slip))
     require_finite(8.0 * size * size / meeting.mobility.normal, "the energy of the impact")
+    if drawing():
+        restitution_points, friction_points = min(restitution_points, FEWER), min(friction_points, FEWER)
     e = np.linspace(least_restitution, greatest_restitution, restitution_points)
     mu = np.linspace(least_friction, greatest_friction, friction_points)
     exact = ExactContact(first, second, normal, contact_point, closing_speed, axes, gravity)

@@ -42,13 +42,14 @@ def answered(solver: "Callable[..., Solved]", *inputs: "Any", advice: tuple[Advi
     try:
         solved = solver(*inputs)
         require_finite(solved.end.impulse[2] * solved.before[2], "the energy of the impact")
-        before = dict(numbers(report(solved)))
+        answer = report(solved)
+        before = dict(numbers(answer))
     except InadmissibleError as error:
         if error.code not in DOUBTFUL:
             raise
     if drawing() and before is not None:
         _refuse_gain(solved)
-        return report(solved)
+        return answer
     exact, residuals = widened(inputs), None
     with localcontext(Context()) as context:
         for order, digits, context.prec in EFFORTS:

@@ -119,6 +119,7 @@ COUPLER = Task(
     ),
     table="points",
     arrays=False,
+    cost=6e-3,
     tracked=False,
     plot="dynamics_cli.linkage.fourbar.pictures:coupler_picture",
 )

@@ -132,6 +132,7 @@ FOLLOW = Task(
     ),
     table="moments",
     arrays=False,
+    cost=3e-4,
     plot="dynamics_cli.skid.timing.pictures:follow",
 )
 

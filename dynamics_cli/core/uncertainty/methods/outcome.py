@@ -135,7 +135,7 @@ def direction_of(space: Space, probe: "Array", result: int) -> "Array":
 
 def _overall(space: Space, result: int) -> "Array | None":
     """The direction of a plane laid through many points: where the centre is flat, the result may rise elsewhere."""
-    if space.size > MOST_DIMENSIONS:
+    if space.size > MOST_DIMENSIONS or space.affordable is not None:
         return None
     z = quantile(lattice(space.size, 128, SHIFTS))
     values = space.evaluate(z)[result]

@@ -75,7 +75,8 @@ class Pool:
             z = _points(space.size, self.count, shifts, seed)
             space.some(z, list(self._rows), values[:, place * self.count :][:, : z.shape[1]])
         self._values = values.reshape(-1, self.shifts, self.count)
-        self._wide = Wide(space, z, self._values, goal.seed) if space.together and suits(space) else None
+        dear = space.together or space.affordable is not None
+        self._wide = Wide(space, z, self._values, goal.seed) if dear and suits(space) else None
 
     def outcome(self, result: int, goal: Goal, centre: Lines) -> Outcome:
         """One result's quantiles, mean and deviation."""
