@@ -248,10 +248,10 @@ class TestBadRows:
         assert status == 4
         assert out.count(b"\n") == 3
 
-    @pytest.mark.parametrize("option", ["explain", "timing", "limit"])
+    @pytest.mark.parametrize("option", ["explain", "timing"])
     def test_options_for_one_case(self, option: str) -> None:
         with pytest.raises(UsageError):
-            run(PROBE, b"distance[ft]\n1\n", **{option: ["1"] if option == "limit" else True})
+            run(PROBE, b"distance[ft]\n1\n", **{option: True})
 
     @pytest.mark.parametrize("form", ["table", "markdown"])
     def test_formats_for_people_are_refused(self, form: str) -> None:

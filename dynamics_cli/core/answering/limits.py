@@ -66,8 +66,8 @@ def read_limits(
             declared = any(field.key == name for field in task.specification.result.fields)
             why = f"{name!r} has no value here" if declared else f"there is no result {name!r}"
             raise UsageError(why, parameter="limit", hint=instead_of(name, kinds), code="unknown-result")
-        key, limit = _limited(text, {name: kinds[name]} if name else kinds)
-        limits.append((key, kinds[key], plain(present[key][1]), limit))
+        key, kind, limit = limited(text, {name: kinds[name]} if name else kinds)
+        limits.append((key, kind, plain(present[key][1]), limit))
     return limits
 
 
@@ -84,12 +84,12 @@ def _among_inputs(task: "Task", bound: "Fields", kinds: "dict[str, Kind]") -> "l
     return limits
 
 
-def _limited(text: str, kinds: "dict[str, Kind]") -> "tuple[str, Reading]":
-    """The first result that a limit of this kind can apply to, and the limit read."""
+def limited(text: str, kinds: "dict[str, Kind]") -> "tuple[str, Kind, Reading]":
+    """The first result that a limit of this kind can apply to, its kind, and the limit read."""
     first: DynamicsError | None = None
     for key, kind in kinds.items():
         try:
-            return key, read_scalar(text, kind)
+            return key, kind, read_scalar(text, kind)
         except DynamicsError as error:
             first = first or error
     assert first is not None

@@ -53,7 +53,7 @@ TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a r
 def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -> int:
     """Answer every row of a stream; returns whether all could be answered."""
     form = _format_asked(settings)
-    for name in ("explain", "timing", "limit", "quantile"):
+    for name in ("explain", "timing", "quantile"):
         if getattr(settings, name):
             raise UsageError(f"--{name} is for one case and --rows for many", parameter=name, code="exclusive")
     case = Case(task, call, settings, terminal)
@@ -93,7 +93,10 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
     finally:
         source.close()
     _tell(stream, terminal)
-    return ExitStatus.SOME_FAILED if stream.tally.failed else ExitStatus.DONE
+    if stream.tally.failed:
+        return ExitStatus.SOME_FAILED
+    negative = settings.fail and (any(stream.tally.exceeded.values()) or stream.tally.serious)
+    return ExitStatus.VERDICT if negative else ExitStatus.DONE
 
 
 def _without_blank_head(lines: "list[bytes | None]") -> "list[bytes | None]":
@@ -178,7 +181,8 @@ def _begin(
         looked = next(records([lines]), [])
     _settle_unit(case, source, looked[:LOOKED_AT])
     case.check()
-    case.take_spread(_readable(source, looked[:LOOKED_AT]))
+    case.take_spread(_readable(source, looked[:LOOKED_AT], UNCERTAIN_MARKS))
+    case.take_limits(_readable(source, looked[:LOOKED_AT]))
     return _Stream(case, source, OUTPUTS[form or source.format](source, case.layout), first), lines
 
 
@@ -193,10 +197,12 @@ def _settle_unit(case: Case, source: Input, lines: "list[bytes | None]") -> None
             continue  # what is wrong with this row is reported in its place
 
 
-def _readable(source: Input, lines: "list[bytes | None]") -> "Iterator[dict[str, Any]]":
-    """The lines that may hold an uncertain value, read; errors of a line are reported in its place."""
+def _readable(
+    source: Input, lines: "list[bytes | None]", marks: "tuple[bytes, ...]" = (b"",)
+) -> "Iterator[dict[str, Any]]":
+    """The lines that hold one of these marks, read; errors of a line are reported in its place."""
     for line in lines:
-        if line is not None and any(mark in line for mark in UNCERTAIN_MARKS):
+        if line is not None and any(mark in line for mark in marks):
             try:
                 yield source.read(line)
             except Exception:
@@ -233,7 +239,7 @@ def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
 
 def _tell(stream: "_Stream", terminal: "Terminal") -> None:
     _warn(stream.case, list(stream.passing), terminal)
-    for text in stream.tally.messages():
+    for text in stream.tally.messages(limit.text for limit in stream.case.limits):
         terminal.tell(text)
 
 
@@ -274,7 +280,8 @@ class _Stream:
         self._first = first
         self._groups: Groups | None = None
         # None: not yet looked at; False: these rows are answered one by one.
-        suited = not case.settings.bounds and (not case.layout.spread or case.measure[0])
+        # A verdict needs the warnings of every row, which only single calls have.
+        suited = not (case.settings.bounds or case.settings.fail) and (not case.layout.spread or case.measure[0])
         self._by_arrays: bool | None = None if suited else False
 
     @property
@@ -293,6 +300,7 @@ class _Stream:
         texts = self._answered(lines)
         passing = list(self.source.passing) if isinstance(self.source, JsonInput) else []
         self._block.rows, self._block.cautions = len(lines), self.case.cautions
+        self._block.serious = self.case.serious
         return _Block(texts, self._block, passing)
 
     def _answered(self, lines: "list[bytes | None]") -> "list[bytes]":
@@ -335,7 +343,13 @@ class _Stream:
             return b""
         try:
             values = self.case.values(self.source.read(line))
-            return self.output.good(line, values)
+            text = self.output.good(line, values)
+            if self.case.limits:
+                from dynamics_cli.core.batch.rows.limits import exceeded_limits
+
+                settings = self.case.settings
+                self._block.exceed(exceeded_limits(self.case.layout.parts, values, settings.fail_above))
+            return text
         except DynamicsError as error:
             failure = error
         except Exception as error:
@@ -393,6 +407,10 @@ class _Stream:
                     plan.failures = MOST_FAILURES + 1
                     return
                 plan.proved.add(part.signature)
+            if self.case.limits:
+                from dynamics_cli.core.batch.rows.limits import exceeded_counts
+
+                self._block.exceed(exceeded_counts(part.results, len(places)))
             yield places, texts
 
     def _echoes(self, lines: "list[bytes]", group: "Group", places: "list[int] | None") -> "list[bytes]":

@@ -6,6 +6,7 @@ from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.batch.jobs import spread
 from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.rows.inputs import nest
+from dynamics_cli.core.batch.rows.limits import LimitPart
 from dynamics_cli.core.batch.sweep_points import Axis, copied, read_axes, with_list, with_objects, with_polar
 from dynamics_cli.core.deadline import Reached, clock, stop
 from dynamics_cli.core.inputs.settings import Settings
@@ -46,7 +47,8 @@ class _Points(Case):
         self.fixed = {}
         self.default_unit = ""
         self.measure = ("", "")
-        self.cautions = {}
+        self.cautions, self.serious = {}, False
+        self.limits = ()
         self.reader = gathered.reader
         self.origins = dict(self.reader.origins)
         self.layout = self._layout(Display(settings.units, settings.to))
@@ -86,7 +88,8 @@ class _Points(Case):
             bound = self.bind(self.point(place), uncertain=True)
             model, why = choose(self.task, bound, self.asked)
             record = self.called(model, bound)
-            if place in self.corners:
+            # With --fail every point is looked at for a serious warning.
+            if place in self.corners or self.settings.fail:
                 super().note(record, bound)
             return place, self.shown(model, bound, record), None, (model, why)
         except DynamicsError as error:
@@ -94,6 +97,11 @@ class _Points(Case):
 
     def note(self, record: "Any", bound: Fields) -> None:
         """The corners alone tell the cautions of a sweep, so that arrays and single calls tell the same."""
+
+    @property
+    def singly(self) -> bool:
+        """Whether every point needs a call of its own."""
+        return not self.task.arrays or self.layout.spread or self.settings.bounds or self.settings.fail
 
     def singles(self, places: "list[int]") -> "tuple[list[Single], Cautions]":
         """Several points, and the cautions of their answers."""
@@ -130,7 +138,7 @@ class _Failures:
 
 def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str, Any], bool]":
     """The result document of a sweep, and whether some point has no answer."""
-    for name in ("explain", "limit", "quantile"):
+    for name in ("explain", "quantile"):
         if getattr(settings, name):
             raise UsageError(f"--{name} is for one case and --sweep for many", parameter=name, code="exclusive")
     files = list(gathered.reader.files)
@@ -140,13 +148,14 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
     files += [file for file in gathered.reader.files if file not in files]
     notes = list(gathered.reader.notes)
     points.take_spread((points.point(index),))
+    points.take_limits(map(points.point, [index, *range(0, points.count, points.count // 50 + 1)]))
     failures = _Failures(points)
     rows: list[list[Any] | None] = [None] * points.count
     models: dict[str, tuple[Any, str]] = {}
     if template is not None:
         model, why = choose(task, template, settings.model)
         models[model.name] = (model, why)
-        if points.count >= ARRAY_POINTS and task.arrays and not (points.layout.spread or settings.bounds):
+        if points.count >= ARRAY_POINTS and not points.singly:
             _by_arrays(points, index, rows)
     unanswered = [place for place, row in enumerate(rows) if row is None]
     pieces = [unanswered[start : start + POINTS_A_PIECE] for start in range(0, len(unanswered), POINTS_A_PIECE)]
@@ -166,6 +175,8 @@ def sweep(task: Task, gathered: Gathered, settings: Settings) -> "tuple[dict[str
         late = [{"code": "time-limit", "severity": "serious", "message": message, "remedy": "raise --time-limit"}]
     document = _document(points, template, rows, models)
     document["warnings"] = failures.warnings() + _warnings(points, notes, models) + late
+    if points.limits:
+        document["limits"] = _limits(points, rows)
     if files:
         from dynamics_cli.core.inputs.sources.hashes import once
 
@@ -298,6 +309,20 @@ def _warnings(points: _Points, notes: "list[str]", models: "dict[str, tuple[Any,
         message = f"the points were answered by several models: {'; '.join(models)}"
         warnings.append({"code": "several-models", "severity": "note", "message": message})
     return warnings
+
+
+def _limits(points: _Points, rows: "list[list[Any] | None]") -> "list[dict[str, Any]]":
+    """Of each limit whether a point exceeds it, or the largest probability that one does."""
+    entries = []
+    for place, part in enumerate(points.layout.parts):
+        if not isinstance(part, LimitPart):
+            continue
+        verdicts = [row[place] for row in rows if row is not None and row[place] is not None]
+        count = sum(part.exceeded(verdict, points.settings.fail_above) for verdict in verdicts)
+        message = f"{part.limit.text} at {count or 'none'} of {points.count} points"
+        entry = {"result": part.limit.result, "beyond": count > 0, "limit": part.limit.shown, "message": message}
+        entries.append({**entry, "probability": max(verdicts, default=0.0)} if part.probable else entry)
+    return entries
 
 
 def _remove(bound: Bound, address: str) -> bool:

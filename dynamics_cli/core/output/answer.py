@@ -332,7 +332,9 @@ class _Answer:
     def warnings(self, space: int) -> "list[str]":
         """A paragraph for each warning, worst first; those that do not fit into `space` lines are only counted."""
         lines: list[str] = []
-        in_order = sorted(self.document["warnings"], key=lambda item: SEVERITIES.index(item.get("severity", "note")))
+        limits = [{**item, "code": "limit"} for item in self.document.get("limits", ()) if "by" not in item]
+        every = [{"severity": "note", **item} for item in (*self.document["warnings"], *limits)]
+        in_order = sorted(every, key=lambda item: SEVERITIES.index(item["severity"]))
         for nth, item in enumerate(in_order):
             remedy = item.get("remedy")
             message = message_in_words(item["message"], self.document["inputs"], self.names)

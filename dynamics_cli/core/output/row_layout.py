@@ -34,6 +34,9 @@ class Part:
     "components" (of a vector with a unit of its own).
     """
 
+    # Whether it stands in the entry of another result.
+    beside = False
+
     __slots__ = ("address", "display", "how", "keys", "several", "shown", "steps", "unit")
 
     def __init__(
@@ -118,6 +121,10 @@ class Part:
             return [compact(number) for number in _measured(value)[0]] if value is not None else []
         return self.cells(value)
 
+    def add_to(self, entry: "dict[str, Any]", value: "Any") -> None:
+        """Add it to the entry of the result that it stands beside."""
+        raise NotImplementedError
+
     def entry(self, value: "Any") -> "Any":
         """Its entry in JSON."""
         if value is None or self.how in ("flag", "word"):
@@ -132,6 +139,8 @@ class Part:
 
 class SpreadPart(Part):
     """One number of an uncertain result's distribution: `which` says which."""
+
+    beside = True
 
     __slots__ = ("of_result", "which")
 
@@ -299,7 +308,7 @@ class Layout:
             inner = results
             for key in part.keys[:-1]:
                 inner = inner.setdefault(key, {})
-            if isinstance(part, SpreadPart):
+            if part.beside:
                 part.add_to(inner[part.keys[-1]], value)
             else:
                 _place(inner, part, value)

@@ -1,7 +1,7 @@
 """One row answered as one command would answer it; every faster route must agree with this one."""
 
 from dynamics_cli.core.answering.gather import gather, keys_of, merge, put, read_words
-from dynamics_cli.core.answering.models import call_model, choose
+from dynamics_cli.core.answering.models import call_model, choose, result_leaves
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.inputs.specification import Field, Leaf, Many
@@ -16,8 +16,10 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.core.answering.task import Model
+    from dynamics_cli.core.batch.rows.limits import Limit
     from dynamics_cli.core.inputs.reader import Reader
     from dynamics_cli.core.terminal import Terminal
+    from dynamics_cli.quantities import Kind
 
     Raw = dict[str, Any]
 
@@ -42,8 +44,11 @@ class Case:
         self.measure = self._measure()
         # Cautions of the rows' answers, the first of each code.
         self.cautions: dict[str, tuple[str, str]] = {}
+        # Whether a serious warning was among them.
+        self.serious = False
         self.default_unit = ""
         self.settings = settings
+        self.limits: tuple[Limit, ...] = ()
         # Settings that ask for distributions before any row is seen.
         spread = bool(settings.coverage or settings.method or settings.samples or settings.seed or settings.correlate)
         display = Display(settings.units, settings.to)
@@ -54,7 +59,11 @@ class Case:
         words = not self.measure[0]
         layout = Layout(self.task.specification.result, display, targets, spread=spread, words=words)
         if self.settings.only:
-            layout.narrow(self.settings.only)
+            layout.narrow([*self.settings.only, *(limit.result for limit in self.limits)])
+        if self.limits:
+            from dynamics_cli.core.batch.rows.limits import with_limits
+
+            layout.parts = list(with_limits(layout.parts, self.limits, probable=spread))
         if self.settings.bounds:
             from dynamics_cli.core.batch.rows.bounds import BoundPart
 
@@ -88,6 +97,28 @@ class Case:
             self.fixed = {**self.fixed, name: targets[1:]}
             self.base = {**self.base, name: targets[1:]}
             self.layout = self._layout(self.layout.display, targets[1:])
+
+    def take_limits(self, rows: "Iterable[Raw]") -> None:
+        """Read the limits, and give each a column; the first of these rows with an answer shows for which result."""
+        if not self.settings.limit:
+            return
+        if self.measure[0]:
+            raise UsageError("--limit is not for conversions", parameter="limit", code="exclusive")
+        from dynamics_cli.core.batch.rows.limits import read_limits
+
+        self.limits = read_limits(self.settings.limit, self.layout.parts, self._present(rows))
+        self.layout = self._layout(self.layout.display, spread=self.layout.spread)
+
+    def _present(self, rows: "Iterable[Raw]") -> "dict[str, Kind]":
+        """The kinds of the results of the first row with an answer."""
+        for row in rows:
+            try:
+                bound = self.bind(row, uncertain=True)
+                record = self.called(choose(self.task, bound, self.asked)[0], bound)
+            except (DynamicsError, ArithmeticError, ValueError):
+                continue
+            return {name: kind for name, kind, _ in result_leaves(record, self.task.specification.result)}
+        return {}
 
     def take_spread(self, rows: "Iterable[Raw]") -> None:
         """Let rows show distributions if the parameters that the call fixes, or one of these rows, are uncertain."""
@@ -150,7 +181,7 @@ class Case:
         """Keep the cautions of an answer, to be reported when the stream ends."""
         from dynamics_cli.core.batch.rows.cautions import note_cautions
 
-        note_cautions(self.cautions, record, bound)
+        self.serious |= note_cautions(self.cautions, record, bound)
 
     def called(self, model: "Model", bound: Fields) -> "Any":
         """The model's record; a judgement about uncertain inputs gets the intervals that remain."""
@@ -178,16 +209,24 @@ class Case:
                 code="uncertain",
                 hint="give --coverage '95 %', so that every row has columns for the distribution",
             )
+        from dynamics_cli.core.batch.rows.limits import LimitPart
         from dynamics_cli.core.uncertainty.document import spread_of
 
         only = tuple(part.of_result for part in self.layout.parts if isinstance(part, SpreadPart))
+        limits: dict[str, list[float]] = {}
+        for limit in self.limits:
+            limits.setdefault(limit.result, []).append(limit.value)
         spreads = spread_of(
-            self.task, model, bound, record, self.reader, self.settings, only=only if self.settings.only else ()
-        )
+            self.task, model, bound, record, self.reader, self.settings, only=only if self.settings.only else (),
+            more={"limits": limits},
+        )  # fmt: skip
         vary = spreads.varying()
         for place, part in enumerate(self.layout.parts):
             if isinstance(part, SpreadPart) and part.of_result.partition("[")[0] in vary:
                 values[place] = part.shown_value(spreads.spreads[part.of_result].number(part.which))
+            elif isinstance(part, LimitPart) and part.limit.result in spreads.spreads:
+                beyond = spreads.spreads[part.limit.result].beyond
+                values[place] = next(chance for limit, chance in beyond if limit == part.limit.value)
         return values
 
     def words(self, words: "list[str]") -> "Raw":

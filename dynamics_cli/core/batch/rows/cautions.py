@@ -24,13 +24,16 @@ if TYPE_CHECKING:
 MUCH = 0.1
 
 
-def note_cautions(found: "Cautions", record: "Any", bound: "Bound") -> None:
-    """Add a record's cautions, by code, to those found so far: message and remedy."""
+def note_cautions(found: "Cautions", record: "Any", bound: "Bound") -> bool:
+    """Add a record's cautions, by code, to those found so far: message and remedy; whether one of them is serious."""
+    serious = False
     for advice in _within(record):
+        serious |= advice.severity == "serious"
         if advice.severity != "note" and advice.code not in found:
             from dynamics_cli.core.answering.messages import in_written_units
 
             found[advice.code] = in_written_units(advice.message, bound), in_written_units(advice.remedy or "", bound)
+    return serious
 
 
 def _within(node: "Any") -> "Iterator[Advice]":

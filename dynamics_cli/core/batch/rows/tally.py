@@ -6,7 +6,7 @@ from dynamics_cli.errors import DynamicsError, FaultError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
 REPORT_IT = "this is a bug: please report it with the row"
 # Of a row or of an error so much is shown.
@@ -15,9 +15,9 @@ MOST_CAUTIONS = 3
 
 
 class Tally:
-    """The numbers of rows and of failures, the first row that failed, the first mistake of the program, cautions."""
+    """The numbers of rows, of failures, of rows beyond each limit; the first failure and fault; cautions."""
 
-    __slots__ = ("cautions", "failed", "fault", "first", "format", "rows")
+    __slots__ = ("cautions", "exceeded", "failed", "fault", "first", "format", "rows", "serious")
 
     def __init__(self, form: str) -> None:
         self.format = form
@@ -25,6 +25,9 @@ class Tally:
         self.failed = 0
         self.first = ""
         self.fault = ""
+        # By the text of the limit; and whether a row has a serious warning.
+        self.exceeded: dict[str, int] = {}
+        self.serious = False
         self.cautions: dict[str, tuple[str, str]] = {}
 
     def refuse(self, error: DynamicsError, line: bytes) -> None:
@@ -39,16 +42,25 @@ class Tally:
                 hint += f", or name the unit in the header: {one.parameter}[…]"
             self.first = error_line(error)[:SHOWN] + (f"\n  {hint}" if hint else "")
 
+    def exceed(self, counts: "dict[str, int]") -> None:
+        """Count rows beyond limits."""
+        for limit, count in counts.items():
+            self.exceeded[limit] = self.exceeded.get(limit, 0) + count
+
     def add(self, other: "Tally") -> None:
         """Add those of the next rows."""
+        self.exceed(other.exceeded)
+        self.serious |= other.serious
         self.rows += other.rows
         self.failed += other.failed
         self.first = self.first or other.first
         self.fault = self.fault or other.fault
         self.cautions = {**other.cautions, **self.cautions}
 
-    def messages(self) -> "Iterator[str]":
+    def messages(self, limits: "Iterable[str]" = ()) -> "Iterator[str]":
         """What is said at the end of a stream."""
+        for limit in limits:
+            yield f"dynamics: {limit} in {self.exceeded.get(limit) or 'none'} of {self.rows:,} rows\n"
         if self.first:
             rows = "1 row" if self.failed == 1 else f"{self.failed:,} rows"
             yield f"dynamics: {rows} could not be answered; the first: {self.first}\n"
