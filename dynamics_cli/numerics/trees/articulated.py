@@ -128,8 +128,7 @@ def _released(
             resistance > NOTHING * (every + link.rotor),
             "nothing resists the joint of {link}: what it carries has no inertia {way} its axis",
             code="no-inertia",
-            hint="give the bodies beyond it mass, or this joint a rotor inertia; axes that have come into line lose a "
-            "freedom too: a ball joint has none that can",
+            hint="give it a tensor; or, where axes have come into line, join by one ball joint instead",
             link=link.name,
             way="along" if sliding else "about",
         )

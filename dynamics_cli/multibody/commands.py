@@ -1,0 +1,156 @@
+"""The tasks of `dynamics multibody`."""
+
+from dynamics_cli.core.answering.task import Family, Model, Task
+
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+PACKAGE = "dynamics_cli.multibody."
+RIGID = ("rigid bodies", "joints without play and friction")
+CRANE = "examples/swing_crane/swing_crane.toml"
+
+
+def _shown() -> "dict[str, str]":
+    """Template values: a mast that turns, and a boom on it."""
+    mast = {"name": "mast", "joint": "revolute", "axis": "0, 0, 1", "mass": "4 kg", "centroid": "0, 0, 0.2 m",
+            "moments": "0.3, 0.3, 0.2 kg*m^2", "speed": "1.2 rad/s"}  # fmt: skip
+    boom = {"name": "boom", "parent": "mast", "axis": "0, 1, 0", "position": "0.3, 0, 0.4 m", "mass": "2 kg",
+            "rod": "1, 0, 0 m", "angle": "-20 deg", "torque": "30 N*m"}  # fmt: skip
+    return {f"bodies[{k}].{key}": value for k, body in enumerate((mast, boom)) for key, value in body.items()}
+
+
+TOPOLOGY = Task(
+    "topology",
+    "How bodies hang together: lower body array, paths, branches, degrees of freedom.",
+    Model(
+        "lower body array",
+        PACKAGE + "topology:topology",
+        source=BOOK + "sections 18.2 and 18.8",
+        formula="L⁰(K) = K, Lʲ(K) = L(Lʲ⁻¹(K))",
+        method="counting",
+    ),
+    headline=(
+        "bodies: bodies", "freedoms: degrees of freedom of the tree", "loops: loops",
+        "constraints: conditions of the loops", "least_freedoms: degrees of freedom at least",
+        "ends: end bodies", "branching: branching bodies", "depth: longest path",
+        "tree: K | number=K, name, lower=L(K), sort, joint, speeds, path",
+        "powers: powers of L | power=j, array=Lʲ(K)",
+        "typed: places as typed",
+    ),
+    scene=_shown(),
+    examples=(
+        f"dynamics multibody topology {CRANE}",
+        "dynamics multibody topology --lower-bodies 0,1,2,3,4,5,3,7,3,9,10,1,12,13,1,15,16",
+    ),
+    table="tree",
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
+KINEMATICS = Task(
+    "kinematics",
+    "Places, velocities and accelerations of bodies in space from the motion of their joints.",
+    Model(
+        "recursion along the tree",
+        PACKAGE + "kinematics:kinematics",
+        source=BOOK + "sections 18.3 to 18.14",
+        formula="v_P = Σ v_l·y_l, ω_K = Σ ω_l·y_l; S_OK = S_OJ·S_JK",
+        assumptions=RIGID,
+        method="recursion from the ground outwards",
+    ),
+    headline=(
+        "point_position: point at", "point_velocity: its velocity", "point_acceleration: its acceleration",
+        "bodies: mass centres, in ground axes | body, centre, velocity",
+        "turning: turning | body, angular_velocity=ω, angular_acceleration=α",
+        "partials: partial velocities | speed, velocity=v_l of the point, angular_velocity=ω_l of the body",
+        "kinetic_energy: kinetic energy T",
+    ),
+    scene=_shown(),
+    examples=(
+        f"dynamics multibody kinematics {CRANE}",
+        f"dynamics multibody kinematics {CRANE} --of boom --point '6, 0, 0 m'",
+    ),
+    table="bodies",
+    arrays=False,
+)  # fmt: skip
+
+MASS_MATRIX = Task(
+    "mass-matrix",
+    "The mass matrix of a tree of bodies, and weight, velocity, spring and load forces.",
+    Model(
+        "Kane's equations",
+        PACKAGE + "matrix:matrix",
+        source=BOOK + "sections 18.16 and 18.17",
+        formula="a_lp = Σ m_K·v_Kl·v_Kp + ω_Kl·I_K·ω_Kp",
+        assumptions=RIGID,
+        method="composite bodies",
+    ),
+    headline=(
+        "condition: condition, free of units",
+        "forces: equation of | name=speed, inertia=a_ll, weight, velocity, springs, loads, motor",
+        "couplings: coupled | name=speed, other=with, value=a_lp",
+    ),
+    scene=_shown(),
+    examples=(f"dynamics multibody mass-matrix {CRANE}", f"dynamics multibody mass-matrix {CRANE} --csv"),
+    table="couplings",
+    errors=("eigenvalues", "condition"),
+    arrays=False,
+)  # fmt: skip
+
+EFFORTS = Task(
+    "efforts",
+    "Inverse dynamics: the torques and forces that joints need for a motion, and what they transmit.",
+    Model(
+        "recursive Newton–Euler",
+        PACKAGE + "efforts:efforts",
+        source=BOOK + "sections 18.15 to 18.17; Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5",
+        formula="f = m·a_C, n = I·α + ω × I·ω + c × f, from the ends inwards; effort = axis·n or axis·f",
+        assumptions=RIGID,
+        method="recursion outwards and inwards",
+    ),
+    headline=(
+        "efforts: joint | name=speed, effort, weight=of it weight, inertia, velocity, loads, springs",
+        "power: power of the motors",
+        "reactions: joint forces | joint=on, by, force, moment",
+    ),
+    scene=_shown(),
+    examples=(
+        f"dynamics multibody efforts {CRANE}",
+        f"dynamics multibody efforts {CRANE} --up none",
+    ),
+    table="efforts",
+    arrays=False,
+    also=("inverse-dynamics",),
+)  # fmt: skip
+
+ACCELERATIONS = Task(
+    "accelerations",
+    "Forward dynamics: how a tree of bodies moves under weight, loads, springs and motors.",
+    Model(
+        "articulated bodies",
+        PACKAGE + "accelerations:accelerations",
+        source=BOOK + "sections 18.15 to 18.17; Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7",
+        formula="Σ a_lp·ẏ_p = F_l − h_l",
+        assumptions=RIGID,
+        method="articulated bodies",
+    ),
+    headline=(
+        "accelerations: joint | name=speed, acceleration=ẏ, effort=motor, springs, speed=y",
+        "reactions: joint forces | joint=on, by, force, moment",
+        "kinetic_energy: kinetic energy T", "potential_energy: potential energy V",
+    ),
+    scene=_shown(),
+    examples=(
+        f"dynamics multibody accelerations {CRANE}",
+        f"dynamics multibody accelerations {CRANE} --up none",
+    ),
+    table="accelerations",
+    arrays=False,
+    also=("forward-dynamics",),
+)  # fmt: skip
+
+FAMILIES = {
+    "multibody": Family(
+        "multibody",
+        "Bodies in space on joints of every kind: topology, motion, forces.",
+        TOPOLOGY, KINEMATICS, MASS_MATRIX, EFFORTS, ACCELERATIONS,
+    )
+}  # fmt: skip
