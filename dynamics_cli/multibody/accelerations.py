@@ -81,7 +81,7 @@ def accelerations(
     >>> from dynamics_cli.multibody.records import Body
     >>> arm = Body("arm", axis=(0.0, 1.0, 0.0), mass=2.0, rod=(1.0, 0.0, 0.0))
     >>> accelerations(Scene((arm,)), gravity=10.0).accelerations[0].acceleration.value
-    15.000000000000002
+    15.0
     """
     system = System(scene, up, gravity)
     system.require_open()

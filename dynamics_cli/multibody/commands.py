@@ -68,7 +68,7 @@ KINEMATICS = Task(
         f"dynamics multibody kinematics {CRANE}",
         f"dynamics multibody kinematics {CRANE} --of boom --point '6, 0, 0 m'",
     ),
-    table="bodies",
+    table="bodies turning partials",
     arrays=False,
 )  # fmt: skip
 
@@ -89,7 +89,7 @@ MASS_MATRIX = Task(
         "couplings: coupled | name=speed, other=with, value=a_lp",
     ),
     scene=_shown(),
-    examples=(f"dynamics multibody mass-matrix {CRANE}", f"dynamics multibody mass-matrix {CRANE} --csv"),
+    examples=(f"dynamics multibody mass-matrix {CRANE}", f"dynamics multibody mass-matrix {CRANE} --table couplings --format csv"),
     table="couplings",
     errors=("eigenvalues", "condition"),
     arrays=False,
@@ -118,7 +118,7 @@ EFFORTS = Task(
     ),
     table="efforts",
     arrays=False,
-    also=("inverse-dynamics",),
+    also=("inverse-dynamics", "torques"),
 )  # fmt: skip
 
 ACCELERATIONS = Task(

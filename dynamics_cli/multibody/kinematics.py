@@ -82,8 +82,8 @@ class Kinematics:
         tuple[Vector, ...] | None, "Rows of the rotation that takes the body's axes to those of the ground [-]."
     ]
     euler_parameters: Annotated[Quaternion | None, "Its Euler parameters e₀, e₁, e₂, e₃, scalar first [-]."]
-    bodies: Annotated[tuple[BodyMotion, ...], "The bodies, in ground axes."]
-    turning: Annotated[tuple[Turning, ...], "How the bodies turn, in ground axes."]
+    bodies: Annotated[tuple[BodyMotion, ...] | None, "All bodies, in ground axes; not beside the one asked for."]
+    turning: Annotated[tuple[Turning, ...], "How they turn, or the one asked for, in ground axes."]
     partials: Annotated[tuple[PartialRow, ...] | None, "Partial velocities of the point and of its body."]
     kinetic_energy: Annotated[PotentialEnergy, "Kinetic energy [J]."]
     potential_energy: Annotated[PotentialEnergy, "Of weights above the ground's origin, and of springs [J]."]
@@ -150,8 +150,8 @@ def kinematics(
         point_acceleration=acceleration if asked else None,
         axes=rotation if asked else None,
         euler_parameters=upright(of_rotation(rotation)) if asked else None,
-        bodies=tuple(_motion(system, one.name, motions) for one in system.bodies),
-        turning=tuple(_turning(system, one.name, motions) for one in system.bodies),
+        bodies=None if asked else tuple(_motion(system, one.name, motions) for one in system.bodies),
+        turning=tuple(_turning(system, one.name, motions) for one in system.bodies if of in (None, one.name)),
         partials=tuple(rows) if asked else None,
         kinetic_energy=kinetic(system, motions),
         potential_energy=potential(system),
