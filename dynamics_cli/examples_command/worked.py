@@ -12,7 +12,7 @@ class Example:
 
 
 GATE = ("tailgate/tailgate.sh", "tailgate/tailgate.toml")
-CRANE = ("swing_crane/swing_crane.sh", "swing_crane/swing_crane.toml")
+CRANE = ("swing_crane/swing_crane.sh", "swing_crane/swing_crane.toml", "swing_crane/four_bar.toml")
 SLEIGH = ("sleigh/sleigh.sh", "sleigh/sleigh.toml")
 ROD = ("sliding_rod/sliding_rod.sh", "sliding_rod/sliding_rod.toml")
 WORKED = (

@@ -89,7 +89,10 @@ MASS_MATRIX = Task(
         "couplings: coupled | name=speed, other=with, value=a_lp",
     ),
     scene=_shown(),
-    examples=(f"dynamics multibody mass-matrix {CRANE}", f"dynamics multibody mass-matrix {CRANE} --table couplings --format csv"),
+    examples=(
+        f"dynamics multibody mass-matrix {CRANE}",
+        f"dynamics multibody mass-matrix {CRANE} --table couplings --format csv",
+    ),
     table="couplings",
     errors=("eigenvalues", "condition"),
     arrays=False,
@@ -123,27 +126,28 @@ EFFORTS = Task(
 
 ACCELERATIONS = Task(
     "accelerations",
-    "Forward dynamics: how a tree of bodies moves under weight, loads, springs and motors.",
+    "Forward dynamics: how bodies move under weight, loads, springs and motors, loops among them.",
     Model(
-        "articulated bodies",
+        "articulated bodies, loops by orthogonal complement",
         PACKAGE + "accelerations:accelerations",
-        source=BOOK + "sections 18.15 to 18.17; Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7",
-        formula="Σ a_lp·ẏ_p = F_l − h_l",
+        source=BOOK + "sections 18.15 to 18.17, 19.17; Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7",
+        formula="Σ a_lp·ẏ_p = F_l − h_l; with loops (CᵀM·C)·ż = Cᵀ(F − h − M·ẏ_p), B·C = 0",
         assumptions=RIGID,
         method="articulated bodies",
     ),
     headline=(
         "accelerations: joint | name=speed, acceleration=ẏ, effort=motor, springs, speed=y",
-        "reactions: joint forces | joint=on, by, force, moment",
+        "reactions: joint forces | joint=on, by, force, moment, undetermined=open",
         "kinetic_energy: kinetic energy T", "potential_energy: potential energy V",
     ),
     scene=_shown(),
     examples=(
         f"dynamics multibody accelerations {CRANE}",
-        f"dynamics multibody accelerations {CRANE} --up none",
+        "dynamics multibody accelerations examples/swing_crane/four_bar.toml",
     ),
     table="accelerations",
     arrays=False,
+    tracked=False,
     also=("forward-dynamics",),
 )  # fmt: skip
 

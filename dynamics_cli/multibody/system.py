@@ -48,17 +48,25 @@ class System:
         self.accelerations: list[float] = []
         self.efforts: list[float] = []
         self.springs: list[Spring] = []
+        # whether the scene gives them, or leaves them zero
+        self.placed: list[bool] = []
+        self.moving: list[bool] = []
         links: list[Link] = []
         for body in self.bodies:
             self._add(body, links)
         self.tree = Tree(links)
-        self.frames: list[Pose] = poses(self.tree, self.coordinates)
-        self.ground: list[Pose] = placed(self.tree, self.frames)
+        self.at(self.coordinates, self.speeds)
         pull = gravity if up != "none" else 0.0
         self.gravity = pull
         # the weight of things, as an upward acceleration of the ground
         self.base: Vector = tuple(pull * x for x in UNITS["xyz".index(up)]) if up != "none" else ORIGIN  # type: ignore[assignment]
         self.loads = loads_of(self, scene.loads)
+
+    def at(self, coordinates: "list[float]", speeds: "list[float]") -> None:
+        """Put the bodies into another state."""
+        self.coordinates, self.speeds = coordinates, speeds
+        self.frames: list[Pose] = poses(self.tree, coordinates)
+        self.ground: list[Pose] = placed(self.tree, self.frames)
 
     def body_link(self, name: str) -> int:
         """The link of a body; refuses an unknown name."""
@@ -111,6 +119,8 @@ class System:
         for n in range(count):
             self.names.append(body.name + (f" {label}{'xyz'[n]}" if joint == BALL else label and f" {label}"))
             self.turning.append(turning)
+            self.placed.append(bool(body.orientation if joint == BALL else body.angle if turning else body.slide))
+            self.moving.append(bool(body.speed if turning else body.velocity))
             self.springs.append(_spring(body, turning, None if joint == BALL else len(self.coordinates)))
             for numbers, address in ((self.speeds, "speed velocity"), (self.efforts, "torque force"),
                                      (self.accelerations, "angular_acceleration acceleration")):  # fmt: skip

@@ -1,6 +1,7 @@
 """A tree of links, and its local and ground frames in a state."""
 
 from dynamics_cli.numerics.elementary import sqrt
+from dynamics_cli.numerics.orientation.quaternions import multiply, of_vector
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, axis_angle, from_quaternion, product
 from dynamics_cli.numerics.vectors import add, times
 
@@ -123,4 +124,19 @@ def rates(tree: Tree, coordinates: "Sequence[float]", speeds: "Sequence[float]")
                     0.5 * (w * c + x * b - y * a)]  # fmt: skip
         elif link.joint != FIXED:
             out.append(speeds[link.first])
+    return out
+
+
+def moved(tree: Tree, coordinates: "Sequence[float]", way: "Sequence[float]") -> "list[float]":
+    """The coordinates after every speed has acted for one unit of time; ball joints turn by the exponential map."""
+    out: list[float] = []
+    for link in tree.links:
+        if link.joint == BALL:
+            w, x, y, z = coordinates[link.place : link.place + 4]
+            a, b, c = way[link.first : link.first + 3]
+            turned = multiply((w, x, y, z), of_vector((a, b, c)))
+            size = sqrt(sum(part * part for part in turned))
+            out += [part / size for part in turned]
+        elif link.joint != FIXED:
+            out.append(coordinates[link.place] + way[link.first])
     return out
