@@ -69,6 +69,7 @@ KINEMATICS = Task(
         f"dynamics multibody kinematics {CRANE} --of boom --point '6, 0, 0 m'",
     ),
     table="bodies turning partials",
+    plot=PACKAGE + "pictures:scene_picture",
     arrays=False,
 )  # fmt: skip
 
@@ -120,6 +121,7 @@ EFFORTS = Task(
         f"dynamics multibody efforts {CRANE} --up none",
     ),
     table="efforts",
+    plot=PACKAGE + "pictures:scene_picture",
     arrays=False,
     also=("inverse-dynamics", "torques"),
 )  # fmt: skip
@@ -146,15 +148,46 @@ ACCELERATIONS = Task(
         "dynamics multibody accelerations examples/swing_crane/four_bar.toml",
     ),
     table="accelerations",
+    plot=PACKAGE + "pictures:scene_picture",
     arrays=False,
     tracked=False,
     also=("forward-dynamics",),
+)  # fmt: skip
+
+SIMULATE = Task(
+    "simulate",
+    "Motion of bodies in space over time, with its energy balance and how long it is known.",
+    Model(
+        "bodies in space, integrated",
+        PACKAGE + "simulate:simulate",
+        source=BOOK + "sections 18.7 and 18.17",
+        formula="ẏ of multibody accelerations; q̇ = y, of ball joints ė = ½·e·(0, ω); T + V − work stays",
+        assumptions=RIGID,
+        method="DOP853, two tolerances",
+    ),
+    headline=(
+        "verdict: answer", "horizon: horizon", "difference: two tolerances apart by",
+        "energy_error: energy and work balance to", "kinetic_energy: kinetic energy at the end",
+        "work: work of motors, loads, dampers", "gap: largest gap of a loop",
+        "states: at the end | name=speed, coordinate, speed=y",
+        "motion: motion of the body followed | time, centre, velocity, angular_velocity=ω",
+    ),
+    scene=_shown() | {"duration": "2 s"},
+    examples=(
+        "dynamics multibody simulate examples/swing_crane/four_bar.toml --duration '0.5 s'",
+        "dynamics multibody simulate examples/swing_crane/four_bar.toml --duration '1 s' --follow crank --steps 4",
+    ),
+    table="motion states",
+    plot=PACKAGE + "pictures:motion_picture",
+    errors=("horizon", "difference", "energy_error", "gap"),
+    arrays=False,
+    tracked=False,
 )  # fmt: skip
 
 FAMILIES = {
     "multibody": Family(
         "multibody",
         "Bodies in space on joints of every kind: topology, motion, forces.",
-        TOPOLOGY, KINEMATICS, MASS_MATRIX, EFFORTS, ACCELERATIONS,
+        TOPOLOGY, KINEMATICS, MASS_MATRIX, EFFORTS, ACCELERATIONS, SIMULATE,
     )
 }  # fmt: skip

@@ -229,12 +229,25 @@ class Loops:
         if not given.all():
             kept[~given] = -np.linalg.lstsq(b[:, ~given], b @ kept, rcond=1e-9)[0]
         if float(np.abs(b @ kept).max()) > 1e-12 * float(np.abs(y).max()):
-            complement = self._parts(b)[3]
-            m = self._masses()
-            kept = complement @ np.linalg.lstsq(complement.T @ m @ complement, complement.T @ m @ y, rcond=1e-13)[0]
+            kept = self._nearest(b, y)
         change = float(np.abs((kept - y)[given]).max(initial=0.0))
         system.at(system.coordinates, (kept * self.column_scales).tolist())
         return change
+
+    def restore(self) -> float:
+        """Put places and speeds of a motion back onto the loops; returns the largest gap before, in sizes."""
+        system = self.system
+        gap = float(np.abs(self.gaps(system.ground)).max())
+        self._closed(list(system.coordinates), np.ones(len(self.column_scales), dtype=bool))
+        y = self._nearest(self.jacobian(system.ground), np.array(system.speeds) / self.column_scales)
+        system.at(system.coordinates, (y * self.column_scales).tolist())
+        return gap
+
+    def _nearest(self, b: "Any", y: "Any") -> "Any":
+        """The speeds that the loops allow, with the least kinetic energy of the difference."""
+        complement, m = self._parts(b)[3], self._masses()
+        allowed = np.linalg.lstsq(complement.T @ m @ complement, complement.T @ m @ y, rcond=1e-13)[0]
+        return complement @ allowed
 
     def _masses(self) -> "Any":
         """The mass matrix, lengths in sizes of the scene."""
