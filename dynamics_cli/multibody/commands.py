@@ -22,7 +22,7 @@ TOPOLOGY = Task(
     "How bodies hang together: lower body array, paths, branches, degrees of freedom.",
     Model(
         "lower body array",
-        PACKAGE + "topology:topology",
+        PACKAGE + "instant.topology:topology",
         source=BOOK + "sections 18.2 and 18.8",
         formula="L⁰(K) = K, Lʲ(K) = L(Lʲ⁻¹(K))",
         method="counting",
@@ -50,7 +50,7 @@ KINEMATICS = Task(
     "Places, velocities and accelerations of bodies in space from the motion of their joints.",
     Model(
         "recursion along the tree",
-        PACKAGE + "kinematics:kinematics",
+        PACKAGE + "instant.kinematics:kinematics",
         source=BOOK + "sections 18.3 to 18.14",
         formula="v_P = Σ v_l·y_l, ω_K = Σ ω_l·y_l; S_OK = S_OJ·S_JK",
         assumptions=RIGID,
@@ -78,7 +78,7 @@ MASS_MATRIX = Task(
     "The mass matrix of a tree of bodies, and weight, velocity, spring and load forces.",
     Model(
         "Kane's equations",
-        PACKAGE + "matrix:matrix",
+        PACKAGE + "instant.matrix:matrix",
         source=BOOK + "sections 18.16 and 18.17",
         formula="a_lp = Σ m_K·v_Kl·v_Kp + ω_Kl·I_K·ω_Kp",
         assumptions=RIGID,
@@ -104,7 +104,7 @@ EFFORTS = Task(
     "Inverse dynamics: the torques and forces that joints need for a motion, and what they transmit.",
     Model(
         "recursive Newton–Euler",
-        PACKAGE + "efforts:efforts",
+        PACKAGE + "instant.efforts:efforts",
         source=BOOK + "sections 18.15 to 18.17; Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5",
         formula="f = m·a_C, n = I·α + ω × I·ω + c × f, from the ends inwards; effort = axis·n or axis·f",
         assumptions=RIGID,
@@ -131,7 +131,7 @@ ACCELERATIONS = Task(
     "Forward dynamics: how bodies move under weight, loads, springs and motors, loops among them.",
     Model(
         "articulated bodies, loops by orthogonal complement",
-        PACKAGE + "accelerations:accelerations",
+        PACKAGE + "instant.accelerations:accelerations",
         source=BOOK + "sections 18.15 to 18.17, 19.17; Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 7",
         formula="Σ a_lp·ẏ_p = F_l − h_l; with loops (CᵀM·C)·ż = Cᵀ(F − h − M·ẏ_p), B·C = 0",
         assumptions=RIGID,
@@ -159,7 +159,7 @@ SIMULATE = Task(
     "Motion of bodies in space over time, with its energy balance and how long it is known.",
     Model(
         "bodies in space, integrated",
-        PACKAGE + "simulate:simulate",
+        PACKAGE + "motions.simulate:simulate",
         source=BOOK + "sections 18.7 and 18.17",
         formula="ẏ of multibody accelerations; q̇ = y, of ball joints ė = ½·e·(0, ω); T + V − work stays",
         assumptions=RIGID,
@@ -184,10 +184,63 @@ SIMULATE = Task(
     tracked=False,
 )  # fmt: skip
 
+EQUILIBRIUM = Task(
+    "equilibrium",
+    "Where bodies in space stand still under weight, loads, springs and motors; stability.",
+    Model(
+        "balance of forces on the free ways",
+        PACKAGE + "motions.equilibrium:equilibrium",
+        source=BOOK + "sections 14.2 and 18.15",
+        formula="Cᵀ·F(q) = 0; stable where K = −∂(Cᵀ·F)/∂q > 0",
+        assumptions=RIGID,
+        method="Newton, downhill from the start",
+    ),
+    headline=(
+        "stability: equilibrium", "energy: potential energy there",
+        "joints: joints there | name=speed, coordinate, motor, spring",
+        "bodies: mass centres there | body, centre",
+        "frequencies: frequencies of small oscillations",
+    ),
+    scene=_shown() | {"bodies[1].torsion_stiffness": "80 N*m/rad"},
+    examples=(
+        "dynamics multibody equilibrium examples/swing_crane/four_bar.toml",
+        "dynamics multibody equilibrium examples/swing_crane/four_bar.toml --up none",
+    ),
+    table="joints",
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
+MODES = Task(
+    "modes",
+    "Small motions of bodies in space about rest: frequencies, damping, shapes.",
+    Model(
+        "small motions of the free ways",
+        PACKAGE + "motions.equilibrium:modes",
+        source=BOOK + "sections 13.7 and 18.17",
+        formula="(s²·M + s·D + K)·φ = 0",
+        assumptions=(*RIGID, "small motions about rest"),
+        method="stiffness by five-point differences; eigenvalues",
+    ),
+    headline=(
+        "slowest: lowest frequency", "fastest: highest frequency",
+        "modes: modes | number=mode, kind, frequency, damping_ratio=damping, mostly",
+        "shapes: shapes | mode, speed, share=part",
+    ),
+    scene=_shown() | {"bodies[1].torsion_stiffness": "80 N*m/rad"},
+    examples=(
+        "dynamics multibody modes examples/swing_crane/four_bar.toml",
+        "dynamics multibody modes examples/swing_crane/four_bar.toml --gravity '1.62 m/s^2'",
+    ),
+    table="modes shapes",
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
 FAMILIES = {
     "multibody": Family(
         "multibody",
         "Bodies in space on joints of every kind: topology, motion, forces.",
-        TOPOLOGY, KINEMATICS, MASS_MATRIX, EFFORTS, ACCELERATIONS, SIMULATE,
+        TOPOLOGY, KINEMATICS, MASS_MATRIX, EFFORTS, ACCELERATIONS, EQUILIBRIUM, MODES, SIMULATE,
     )
 }  # fmt: skip

@@ -2,10 +2,10 @@
 
 from itertools import accumulate
 
-from dynamics_cli.multibody.records import Scene, Upward
-from dynamics_cli.multibody.runs import Run, parted
-from dynamics_cli.multibody.simulate import runs_of, scales_of
-from dynamics_cli.multibody.system import System
+from dynamics_cli.multibody.bodies.records import Scene, Upward
+from dynamics_cli.multibody.bodies.system import System
+from dynamics_cli.multibody.motions.runs import Run, parted
+from dynamics_cli.multibody.motions.simulate import runs_of, scales_of
 from dynamics_cli.numerics.vectors import add, times
 from dynamics_cli.pictures import Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Length, Ratio, Time
@@ -80,7 +80,7 @@ def scene_picture(
     """The bodies from the front and from the side, with their mass centres."""
     system = System(scene, up, gravity)
     if scene.loops:
-        from dynamics_cli.multibody.loops import Loops
+        from dynamics_cli.multibody.bodies.loops import Loops
 
         Loops(system).close()
     panels = []
@@ -107,7 +107,7 @@ def _views(grounds: "list[Any]", up: Upward) -> "list[tuple[str, tuple[int, int]
 
 
 def motion_picture(
-    _: "Any", scene: Scene, *, duration: float, steps: int = 8, follow: str | None = None, tolerance: float = 1e-10,
+    _: "Any", scene: Scene, *, duration: float, steps: int = 4, follow: str | None = None, tolerance: float = 1e-10,
     up: Upward = Upward("z"), gravity: float = STANDARD_GRAVITY, **__: "Any",  # noqa: B008
 ) -> Picture:  # fmt: skip
     """Poses with the path of the body followed, from the front and the side, coordinates and errors over time."""

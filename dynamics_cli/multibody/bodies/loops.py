@@ -6,8 +6,8 @@ Lengths are counted in sizes of the scene, so that angles and lengths stand besi
 import numpy as np
 
 from dynamics_cli.errors import require
-from dynamics_cli.multibody.energy import ZERO
-from dynamics_cli.multibody.results import Reaction, reaction_rows
+from dynamics_cli.multibody.bodies.energy import ZERO
+from dynamics_cli.multibody.bodies.results import Reaction, reaction_rows
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.trees.matrix import mass_matrix, partial
 from dynamics_cli.numerics.trees.newton_euler import back, inverse, sweep
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    from dynamics_cli.multibody.records import Loop
-    from dynamics_cli.multibody.system import System
+    from dynamics_cli.multibody.bodies.records import Loop
+    from dynamics_cli.multibody.bodies.system import System
     from dynamics_cli.numerics.trees.newton_euler import Motion, Wrench
     from dynamics_cli.numerics.trees.tree import Pose
     from dynamics_cli.numerics.vectors import Vector
@@ -253,6 +253,10 @@ class Loops:
         """The mass matrix, lengths in sizes of the scene."""
         masses = np.array(mass_matrix(self.system.tree, self.system.frames))
         return masses * np.outer(self.column_scales, self.column_scales)
+
+    def parts(self) -> "tuple[Any, Any, Any, Any]":
+        """The conditions that count where the system stands, and the ways left free."""
+        return self._parts(self.jacobian(self.system.ground))
 
     def _parts(self, b: "Any") -> "tuple[Any, Any, Any, Any]":
         """The conditions that count: left vectors, singular values, right vectors; and the ways left free."""

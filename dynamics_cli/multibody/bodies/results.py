@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    from dynamics_cli.multibody.system import System
+    from dynamics_cli.multibody.bodies.system import System
     from dynamics_cli.numerics.trees.newton_euler import Wrench
     from dynamics_cli.numerics.vectors import Vector
 

@@ -1,7 +1,7 @@
 """Bodies by name, in an order in which each stands after the one that carries it."""
 
 from dynamics_cli.errors import UsageError
-from dynamics_cli.multibody.records import GROUND
+from dynamics_cli.multibody.bodies.records import GROUND
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -1,9 +1,9 @@
 """The task `topology`: the lower body array of a tree, its powers, and what follows from them."""
 
 from dynamics_cli.errors import UsageError, require
-from dynamics_cli.multibody.ordering import ordered
-from dynamics_cli.multibody.records import GROUND, Body, Scene
-from dynamics_cli.multibody.system import COUNTS
+from dynamics_cli.multibody.bodies.ordering import ordered
+from dynamics_cli.multibody.bodies.records import GROUND, Body, Scene
+from dynamics_cli.multibody.bodies.system import COUNTS
 from dynamics_cli.quantities import Annotated, Count, Text
 from dynamics_cli.records import Numerics, record
 

@@ -1,10 +1,10 @@
 """The task `accelerations`: forward dynamics, how a tree of bodies moves under what acts on it."""
 
 from dynamics_cli.errors import worded
-from dynamics_cli.multibody.energy import checks, kinetic, potential
-from dynamics_cli.multibody.records import Scene, Upward
-from dynamics_cli.multibody.results import Reaction, effort, rate, reaction_rows, second
-from dynamics_cli.multibody.system import System
+from dynamics_cli.multibody.bodies.energy import checks, kinetic, potential
+from dynamics_cli.multibody.bodies.records import Scene, Upward
+from dynamics_cli.multibody.bodies.results import Reaction, effort, rate, reaction_rows, second
+from dynamics_cli.multibody.bodies.system import System
 from dynamics_cli.numerics.trees.articulated import forward
 from dynamics_cli.numerics.trees.newton_euler import inverse, sweep
 from dynamics_cli.numerics.vectors import times
@@ -85,7 +85,7 @@ def accelerations(
 
     Examples
     --------
-    >>> from dynamics_cli.multibody.records import Body
+    >>> from dynamics_cli.multibody.bodies.records import Body
     >>> arm = Body("arm", axis=(0.0, 1.0, 0.0), mass=2.0, rod=(1.0, 0.0, 0.0))
     >>> accelerations(Scene((arm,)), gravity=10.0).accelerations[0].acceleration.value
     15.0
@@ -102,7 +102,7 @@ def accelerations(
 
 def _in_loops(system: System) -> Accelerations:
     """The same where loops are closed, by the ways that they leave free."""
-    from dynamics_cli.multibody.loops import Loops
+    from dynamics_cli.multibody.bodies.loops import Loops
 
     loops = Loops(system)
     moved, changed = loops.close(), loops.settle()

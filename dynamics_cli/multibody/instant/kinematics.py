@@ -1,8 +1,8 @@
 """The task `kinematics`: places, velocities and accelerations of a tree of bodies, and their partial velocities."""
 
-from dynamics_cli.multibody.energy import kinetic, momentum, potential
-from dynamics_cli.multibody.records import ORIGIN, Scene, Upward
-from dynamics_cli.multibody.system import System
+from dynamics_cli.multibody.bodies.energy import kinetic, momentum, potential
+from dynamics_cli.multibody.bodies.records import ORIGIN, Scene, Upward
+from dynamics_cli.multibody.bodies.system import System
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.quaternions import of_rotation, upright
 from dynamics_cli.numerics.trees.matrix import partial
@@ -121,7 +121,7 @@ def kinematics(
 
     Examples
     --------
-    >>> from dynamics_cli.multibody.records import Body
+    >>> from dynamics_cli.multibody.bodies.records import Body
     >>> arm = Body("arm", axis=(0.0, 1.0, 0.0), mass=2.0, rod=(1.0, 0.0, 0.0), speed=(3.0,))
     >>> kinematics(Scene((arm,)), of="arm", point=(1.0, 0.0, 0.0)).point_velocity
     (0.0, 0.0, -3.0)

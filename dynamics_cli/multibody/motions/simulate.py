@@ -1,10 +1,10 @@
 """The task `simulate`: how a scene of bodies in space moves over time."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.multibody.records import Scene, Upward
-from dynamics_cli.multibody.results import rate
-from dynamics_cli.multibody.runs import SAMPLES, Run, parted
-from dynamics_cli.multibody.system import System
+from dynamics_cli.multibody.bodies.records import Scene, Upward
+from dynamics_cli.multibody.bodies.results import rate
+from dynamics_cli.multibody.bodies.system import System
+from dynamics_cli.multibody.motions.runs import SAMPLES, Run, parted
 from dynamics_cli.numerics.trees.newton_euler import sweep
 from dynamics_cli.numerics.trees.tree import BALL, FIXED, PRISMATIC
 from dynamics_cli.numerics.vectors import add, cross, length, times
@@ -31,7 +31,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dynamics_cli.multibody.loops import Loops
+    from dynamics_cli.multibody.bodies.loops import Loops
 
 # Where two runs are apart by this, nothing is known any more [rad, or sizes of the scene].
 LOST = 0.01
@@ -67,7 +67,7 @@ class Motion:
     difference: Annotated[Angle, "How far two tolerances are apart at most, before that [rad, or of the size]."]
     energy_error: Annotated[Fraction, "Largest change of energy less work, over the largest energy exchanged [-]."]
     kinetic_energy: Annotated[PotentialEnergy, "Kinetic energy at the end [J]."]
-    work: Annotated[PotentialEnergy, "Work of motors, loads and dampers up to the end [J]."]
+    work: Annotated[PotentialEnergy | None, "Work of motors, loads and dampers up to the end, where there are any [J]."]
     gap: Annotated[Distance | None, "Largest gap of a loop before it was put right [m]."]
     states: Annotated[tuple[StateRow, ...], "Coordinates and speeds at the end."]
     motion: Annotated[tuple[MotionRow, ...], "The body that is followed."]
@@ -81,7 +81,7 @@ def simulate(
     /,
     *,
     duration: Annotated[Time, "How long it moves, e.g. 2 s."],
-    steps: Annotated[Count, "Rows of the motion beside the start, e.g. 20."] = 8,
+    steps: Annotated[Count, "Rows of the motion beside the start, e.g. 20."] = 4,
     follow: Annotated[Text | None, "The body to follow; the last one otherwise, e.g. boom."] = None,
     tolerance: Annotated[Ratio, "Relative and absolute tolerance of each step [-]."] = 1e-10,
     up: Annotated[Upward, "The axis that points up: x, y, z, or none without gravity."] = Upward("z"),  # noqa: B008
@@ -131,7 +131,7 @@ def simulate(
         difference=known,
         energy_error=error,
         kinetic_energy=fine.kinetics[-1 if lost is None else lost - 1],
-        work=fine.states[-1 if lost is None else lost - 1][-1],
+        work=fine.states[-1 if lost is None else lost - 1][-1] if fine.worked() else None,
         gap=fine.gap * loops.size if loops is not None else None,
         states=tuple(_states(system)),
         motion=tuple(rows),
@@ -154,7 +154,7 @@ def runs_of(
         system = System(scene, up, gravity)
         loops = None
         if scene.loops:
-            from dynamics_cli.multibody.loops import Loops
+            from dynamics_cli.multibody.bodies.loops import Loops
 
             loops = Loops(system)
             loops.close()

@@ -1,9 +1,9 @@
 """The task `efforts`: inverse dynamics, what each joint's motor must supply for a motion."""
 
-from dynamics_cli.multibody.energy import checks, kinetic
-from dynamics_cli.multibody.records import Scene, Upward
-from dynamics_cli.multibody.results import Reaction, effort, rate, reaction_rows, second
-from dynamics_cli.multibody.system import System
+from dynamics_cli.multibody.bodies.energy import checks, kinetic
+from dynamics_cli.multibody.bodies.records import Scene, Upward
+from dynamics_cli.multibody.bodies.results import Reaction, effort, rate, reaction_rows, second
+from dynamics_cli.multibody.bodies.system import System
 from dynamics_cli.numerics.number import over_plain, plain
 from dynamics_cli.numerics.trees.newton_euler import inverse, sweep
 from dynamics_cli.quantities import STANDARD_GRAVITY, Annotated, FreeNumber, Gravity, PotentialEnergy, Power, Text
@@ -62,7 +62,7 @@ def efforts(
 
     Examples
     --------
-    >>> from dynamics_cli.multibody.records import Body
+    >>> from dynamics_cli.multibody.bodies.records import Body
     >>> arm = Body("arm", axis=(0.0, 1.0, 0.0), mass=2.0, rod=(1.0, 0.0, 0.0), angular_acceleration=(3.0,))
     >>> row = efforts(Scene((arm,)), gravity=10.0).efforts[0]
     >>> row.weight.value, row.inertia.value

@@ -10,7 +10,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dynamics_cli.multibody.system import System
+    from dynamics_cli.multibody.bodies.system import System
     from dynamics_cli.numerics.trees.newton_euler import Motion
     from dynamics_cli.numerics.vectors import Vector
 

@@ -1,8 +1,8 @@
 """One motion of a scene, integrated at two tolerances, put back onto loops and unit quaternions between stretches."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.multibody.energy import kinetic, potential
-from dynamics_cli.multibody.system import loads_of
+from dynamics_cli.multibody.bodies.energy import kinetic, potential
+from dynamics_cli.multibody.bodies.system import loads_of
 from dynamics_cli.numerics.trees.articulated import forward
 from dynamics_cli.numerics.trees.newton_euler import sweep
 from dynamics_cli.numerics.trees.tree import BALL, rates
@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import Any
 
-    from dynamics_cli.multibody.loops import Loops
-    from dynamics_cli.multibody.system import System
+    from dynamics_cli.multibody.bodies.loops import Loops
+    from dynamics_cli.multibody.bodies.system import System
 
 # Stretches at least, after which loops are put right and quaternions scaled; samples of a motion in all.
 STRETCHES, SAMPLES = 40, 400
@@ -46,6 +46,11 @@ class Run:
         if self.loops is not None:
             return self.loops.accelerations(driven)[0].tolist()  # type: ignore[no-any-return]
         return forward(system.tree, system.frames, system.speeds, driven, ground=system.base, loads=system.loads)
+
+    def worked(self) -> bool:
+        """Whether anything but weights and springs acts."""
+        system = self.system
+        return any(system.efforts) or bool(system.scene.loads) or any(spring.damping for spring in system.springs)
 
     def _rate(self, _: float, state: "Any") -> "list[float]":
         numbers = state.tolist()

@@ -1,8 +1,8 @@
 """A scene as a tree of links with its state, loads and springs."""
 
 from dynamics_cli.errors import UsageError, require, worded
-from dynamics_cli.multibody.ordering import ordered
-from dynamics_cli.multibody.records import GROUND, ORIGIN, Body, Load, Scene, Upward
+from dynamics_cli.multibody.bodies.ordering import ordered
+from dynamics_cli.multibody.bodies.records import GROUND, ORIGIN, Body, Load, Scene, Upward
 from dynamics_cli.numerics.eigen3.jacobi import eigen
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.number import plain

@@ -1,8 +1,8 @@
 """The task `mass-matrix`: the matrix of Kane's equations and the forces beside it."""
 
-from dynamics_cli.multibody.records import Scene, Upward
-from dynamics_cli.multibody.results import MassRow, effort, mass_rows
-from dynamics_cli.multibody.system import System
+from dynamics_cli.multibody.bodies.records import Scene, Upward
+from dynamics_cli.multibody.bodies.results import MassRow, effort, mass_rows
+from dynamics_cli.multibody.bodies.system import System
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.trees.matrix import mass_matrix, partial
 from dynamics_cli.numerics.trees.newton_euler import inverse
@@ -80,7 +80,7 @@ def matrix(
 
     Examples
     --------
-    >>> from dynamics_cli.multibody.records import Body
+    >>> from dynamics_cli.multibody.bodies.records import Body
     >>> arm = Body("arm", axis=(0.0, 1.0, 0.0), mass=3.0, rod=(1.0, 0.0, 0.0))
     >>> matrix(Scene((arm,))).matrix[0].values[0].value
     1.0
