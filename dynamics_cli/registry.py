@@ -146,6 +146,11 @@ FAMILIES: "dict[str, Entry]" = {
         references=("motion.json",),
         questions="dynamics_cli.accuracy.alternatives.motion",
     ),
+    "multibody": Entry(
+        "dynamics_cli.multibody.commands",
+        GROUPS[5],
+        "Bodies in space on joints of every kind: topology, motion, forces.",
+    ),
     "spin": Entry(
         "dynamics_cli.spin.commands",
         GROUPS[5],

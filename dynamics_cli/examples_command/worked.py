@@ -12,6 +12,7 @@ class Example:
 
 
 GATE = ("tailgate/tailgate.sh", "tailgate/tailgate.toml")
+CRANE = ("swing_crane/swing_crane.sh", "swing_crane/swing_crane.toml", "swing_crane/four_bar.toml")
 SLEIGH = ("sleigh/sleigh.sh", "sleigh/sleigh.toml")
 ROD = ("sliding_rod/sliding_rod.sh", "sliding_rod/sliding_rod.toml")
 WORKED = (
@@ -130,6 +131,12 @@ WORKED = (
         "triple_pendulum/triple_pendulum.sh",
     ),
     Example("tailgate", "Where a tailgate rests, and how it opens.", "cd tailgate && sh tailgate.sh", *GATE),
+    Example(
+        "swing_crane",
+        "A crane slews with a load: joint forces in space.",
+        "cd swing_crane && sh swing_crane.sh",
+        *CRANE,
+    ),
     Example("sleigh", "A sleigh on a knife edge: equations of motion.", "cd sleigh && sh sleigh.sh", *SLEIGH),
     Example("sliding_rod", "A rod on a sliding pin: equations of motion.", "cd sliding_rod && sh sliding_rod.sh", *ROD),
     Example(

@@ -1,0 +1,1 @@
+"""Trees of rigid bodies in space, joined by joints of every kind."""

@@ -1,0 +1,1 @@
+"""A scene of bodies in space as a tree of links with loops."""
