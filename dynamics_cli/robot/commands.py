@@ -1,0 +1,82 @@
+"""The tasks of `dynamics robot`."""
+
+from dynamics_cli.core.answering.task import Family, Model, Task
+
+BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
+PICTURES = "dynamics_cli.robot.pictures"
+RIGID = "rigid links, joints without play"
+ARM = {"robot": "dynamics_cli.robot.arms.presets:NAMES"}
+SCENE = {
+    "convention": "standard", "joints[0].a": "500 mm", "joints[1].a": "400 mm", "angles": "30, 45 deg",
+}  # fmt: skip
+
+SCENE_AT = {
+    "convention": "standard", "joints[0].a": "500 mm", "joints[1].a": "400 mm", "position": "550, 350 mm",
+}  # fmt: skip
+
+POSE = Task(
+    "pose",
+    "Forward kinematics: where the hand of an arm is, and every link.",
+    Model(
+        "product of link transformations",
+        "dynamics_cli.robot.pose:pose",
+        source=BOOK + "sections 19.2, 19.3 and 19.8",
+        formula="T = T₁·T₂·…·Tₙ",
+        assumptions=(RIGID,),
+    ),
+    headline=(
+        "position: hand",
+        "hand_angle: angle of the hand",
+        "orientation_angles: {angle_names}",
+        "distance: distance from the base",
+        "links: joint | joint, angle, travel, to_limit=to limit, travel_to_limit=to limit, joint_position=axis at, axis",
+    ),
+    examples=(
+        'dynamics robot pose --robot puma-560 --angles "20, 40, -30, 0, 60, 0 deg"',
+        'dynamics robot pose --lengths "500, 400, 200 mm" --angles "30, 45, -20 deg"',
+        "dynamics robot pose examples/scara.toml --angles \"30, 60, 0 deg\" --slides \"80 mm\"",
+    ),
+    scene=SCENE,
+    names=ARM,
+    also=("forward", "fk", "forward-kinematics"),
+    plot=f"{PICTURES}:pose_picture",
+    table="links",
+    tracked=True,
+)
+
+INVERSE = Task(
+    "inverse",
+    "Inverse kinematics: every posture that gives a pose, with limits and margins.",
+    Model(
+        "two links, first axis and wrist in closed form",
+        "dynamics_cli.robot.inverse.task:inverse",
+        source=BOOK + "section 19.12",
+        formula="θ₂ = ±2·atan2(√((l₁ + l₂ − r)·(l₁ + l₂ + r)), √((r − |l₁ − l₂|)·(r + |l₁ − l₂|)))",
+        assumptions=(RIGID,),
+    ),
+    headline=(
+        "count: postures",
+        "within: of them within limits",
+        "angles: first posture",
+        "slides: its slides",
+        "structure: structure",
+        "solutions: posture | number=#, angles, slides, configuration, within=fits, distance=turns",
+    ),
+    examples=(
+        'dynamics robot inverse --lengths "500, 400, 200 mm" --position "550, 350 mm" --hand-angle "1 rad"',
+        'dynamics robot inverse --robot puma-560 --position "450, 100, 900 mm" --euler-angles "0, 90, 0 deg" '
+        "--euler-order XYZ",
+        'dynamics robot inverse examples/scara.toml --position "300, 350, 320 mm" --hand-angle "45 deg"',
+    ),
+    scene=SCENE_AT,
+    names=ARM | {"euler-order": "dynamics_cli.numerics.orientation.sequences:ALL"},
+    also=("ik", "inverse-kinematics"),
+    plot=f"{PICTURES}:inverse_picture",
+    table="solutions",
+    digits=5,
+    arrays=False,
+    tracked=False,
+    errors=("position_error", "turn_error", "angle_error"),
+)
+
+FAMILIES = {"robot": Family("robot", "Robot arms: pose, Jacobian, inverse kinematics.", POSE, INVERSE)}
