@@ -44,6 +44,46 @@ POSE = Task(
     tracked=True,
 )
 
+JACOBIAN = Task(
+    "jacobian",
+    "Jacobian, velocity and force ellipsoids of the hand, and whether the arm is singular.",
+    Model(
+        "partial velocities of the hand",
+        "dynamics_cli.robot.jacobian:jacobian",
+        source=BOOK + "sections 19.5 and 19.12",
+        formula="v = z×(p − o), ω = z; τ = Jᵀ·F",
+        assumptions=(RIGID,),
+    ),
+    headline=(
+        "verdict: arm",
+        "determinant: det J",
+        "manipulability: manipulability w",
+        "speed_ratios: hand speed per joint speed",
+        "shoulder_factor: shoulder, from singular",
+        "elbow_factor: elbow, from straight",
+        "wrist_factor: wrist, from in line",
+        "lost_direction: cannot move unturned along",
+        "lost_turn: cannot turn in place about",
+        "idle: joint speeds, hand at rest",
+        "velocity: velocity of the hand",
+        "angular_velocity: angular velocity",
+        "torques: joint torques",
+        "slide_forces: forces of slides",
+        "columns: column | joint, linear, slide, angular",
+    ),
+    examples=(
+        'dynamics robot jacobian --lengths "500, 400 mm" --angles "30, 75 deg" --force "0, -100, 0 N"',
+        'dynamics robot jacobian --robot puma-560 --angles "20, 40, -30, 0, 0, 0 deg"',
+    ),
+    scene=SCENE,
+    names=ARM,
+    plot=f"{PICTURES}:jacobian_picture",
+    table="columns",
+    arrays=False,
+    tracked=False,
+    errors=("nearness",),
+)
+
 INVERSE = Task(
     "inverse",
     "Inverse kinematics: every posture that gives a pose, with limits and margins.",
@@ -79,4 +119,4 @@ INVERSE = Task(
     errors=("position_error", "turn_error", "angle_error"),
 )
 
-FAMILIES = {"robot": Family("robot", "Robot arms: pose, Jacobian, inverse kinematics.", POSE, INVERSE)}
+FAMILIES = {"robot": Family("robot", "Robot arms: pose, Jacobian, inverse kinematics.", POSE, JACOBIAN, INVERSE)}

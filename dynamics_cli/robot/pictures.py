@@ -1,9 +1,11 @@
 """Pictures of arms: one posture, and every posture of a pose."""
 
-from math import cos, hypot, radians, sin
+from math import cos, hypot, pi, radians, sin
 
 from dynamics_cli.numerics.number import over_plain
+from dynamics_cli.numerics.orientation.rotations import IDENTITY
 from dynamics_cli.numerics.vectors import Vector
+from dynamics_cli.numerics.vectors import times as turned
 from dynamics_cli.pictures import Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.pictures.vectors import GREY, arrow, corner, curve, times, unit
 from dynamics_cli.quantities import Coordinate
@@ -20,6 +22,8 @@ if TYPE_CHECKING:
 HAND, DRUM = 0.12, 0.035
 # Points nearer than this share of the arm are one.
 SAME = 1e-6
+# Longest half axis of an ellipsoid as a share of the arm, and the points of an ellipse.
+SHOWN, POINTS = 0.22, 72
 AXES = ("x", "y", "z")
 # Where the eye is: before the arm and to its right.
 AZIMUTH, ELEVATION = radians(-62.0), radians(22.0)
@@ -145,3 +149,44 @@ def inverse_picture(result: "Any", arm: Arm, **_: "Any") -> Picture:
     return Picture(
         (panel(chain, items),), f"{count} posture{'s' * (count != 1)} for one pose", subtitle=_view(chain)
     )
+
+
+def jacobian_picture(result: "Any", arm: Arm, *, angles: "Any" = (), slides: "Any" = (), axes: str = "base", **_: "Any") -> Picture:
+    """The arm with the velocity and the force ellipsoid of its hand, each drawn to a size of its own."""
+    chain = over_plain(chain_of(arm))
+    coordinates = coordinates_of(chain, over_plain(tuple(angles)), over_plain(tuple(slides)))
+    hand = chain.hand(chain.links(coordinates))
+    items = [*posture(chain, coordinates, 0), *joint_marks(chain, coordinates, GREY)]
+    words = "the hand's ellipsoids are drawn of an arm without slides"
+    if result.ellipsoid is not None:
+        turn = hand.rotation if axes == "hand" else IDENTITY
+        ways = [turned(turn, axis.direction) for axis in result.ellipsoid]
+        size = SHOWN * chain.reach
+        longest = result.ellipsoid[0].velocity or 1.0
+        speeds = [size * axis.velocity / longest for axis in result.ellipsoid]
+        items += ellipsoid(chain, hand.position, ways, speeds, ("velocity", 1))
+        if all(axis.force for axis in result.ellipsoid):
+            shortest = result.ellipsoid[-1].velocity
+            forces = [size * shortest / axis.velocity for axis in result.ellipsoid]
+            items += ellipsoid(chain, hand.position, ways, forces, ("force", 2))
+        words = "ellipsoids of velocity and force: shapes, not sizes"
+    return Picture((panel(chain, items),), f"arm of {len(chain.joints)} joints, {result.verdict}", subtitle=words)
+
+
+def ellipsoid(
+    chain: Chain, centre: Vector, ways: "Sequence[Vector]", radii: "Sequence[float]", name: "tuple[str, int]"
+) -> "list[Any]":
+    """The principal ellipses about a point: one in the plane, three in space."""
+    view, items = seen_from(chain), []
+    label, role = name
+    for i in range(len(ways)):
+        for j in range(i + 1, len(ways)):
+            points = []
+            for k in range(POINTS + 1):
+                turn = 2.0 * pi * k / POINTS
+                points.append(times(radii[j] * sin(turn), ways[j], times(radii[i] * cos(turn), ways[i], centre)))
+            flat = [view(point) for point in points]
+            style = "solid" if len(ways) == 2 else "thin"
+            items.append(Curve([x for x, _ in flat], [y for _, y in flat], label, style, role))  # type: ignore[arg-type]
+            label = ""
+    return items

@@ -7,8 +7,12 @@ from dynamics_cli.numerics.number import over_plain
 from dynamics_cli.numerics.orientation.rotations import Matrix, product, transposed
 from dynamics_cli.numerics.vectors import Vector, add, cross, dot, scale, subtract, times
 from dynamics_cli.records import record
-from dynamics_cli.robot.arms.chain import Chain
+from dynamics_cli.robot.arms.chain import Chain, Frame
 from dynamics_cli.robot.inverse.subproblems import Plane
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 # Axes this near to parallel, or to one point as a share of the arm's size, are meant to be so.
 SAME = 1e-9
@@ -54,6 +58,23 @@ class Structure:
 
 def structure_of(chain: Chain) -> Structure:
     """The structure of an arm; one without a closed form is refused."""
+    structure = structure_or_none(chain)
+    if structure is None:
+        frames = _frames(chain)
+        axes, points = tuple(frame.z for frame in frames), tuple(frame.position for frame in frames)
+        require(
+            False,
+            "the inverse of this arm has no closed form here: {why}",
+            why=_why(axes, points, chain.turning, chain.reach),
+            code="no-closed-form",
+            hint=f"closed forms: {CLOSED}",
+        )
+    assert structure is not None
+    return structure
+
+
+def structure_or_none(chain: Chain) -> Structure | None:
+    """The structure of an arm, if it has one with a closed form."""
     chain = over_plain(chain)
     links = chain.links([0.0] * len(chain.joints))
     frames = chain.axes(links)
@@ -61,17 +82,16 @@ def structure_of(chain: Chain) -> Structure:
     hand = chain.hand(links)
     size = chain.reach
     kind, centre = _kind(axes, points, chain.turning, hand.position, size)
-    require(
-        kind != "",
-        "the inverse of this arm has no closed form here: {why}",
-        why=_why(axes, points, chain.turning, size),
-        code="no-closed-form",
-        hint=f"closed forms: {CLOSED}",
-    )
+    if not kind:
+        return None
     return Structure(
         kind=kind, axes=axes, points=points, turning=chain.turning, hand=hand.position, rotation=hand.rotation,
         centre=centre, size=size,
     )  # fmt: skip
+
+
+def _frames(chain: Chain) -> "list[Frame]":
+    return over_plain(chain.axes(chain.links([0.0] * len(chain.joints))))
 
 
 def _kind(
@@ -145,7 +165,7 @@ class Margins:
     """Angle of the wrist from having its outer axes in line."""
 
 
-def margins(structure: Structure, chain: Chain, coordinates: "tuple[float, ...]") -> Margins:
+def margins(structure: Structure, chain: Chain, coordinates: "Sequence[float]") -> Margins:
     """Distances from singular positions, in units of their own."""
     links = chain.links(coordinates)
     frames = chain.axes(links)
