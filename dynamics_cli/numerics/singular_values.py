@@ -26,14 +26,16 @@ class Singular:
         size = len(rows)
         turns = [[float(i == j) for j in range(size)] for i in range(size)]
         for _ in range(SWEEPS):
-            if not any([_rotated(rows, turns, i, j) for i in range(size) for j in range(i + 1, size)]):
+            rotated = [_rotated(rows, turns, i, j) for i in range(size) for j in range(i + 1, size)]
+            if not any(rotated):
                 break
         lengths = [hypot(*row) for row in rows]
         order = sorted(range(size), key=lambda k: -lengths[k])
         self.values = [lengths[k] for k in order]
         outer = [turns[k] for k in order]
         inner = [[x / lengths[k] for x in rows[k]] if lengths[k] else [0.0] * len(rows[k]) for k in order]
-        self.left, self.right = (outer, inner) if wide else (inner, outer)
+        self.left: list[list[float]] = outer if wide else inner
+        self.right: list[list[float]] = inner if wide else outer
 
 
 def _rotated(rows: "list[list[float]]", turns: "list[list[float]]", i: int, j: int) -> bool:

@@ -29,12 +29,13 @@ POSE = Task(
         "hand_angle: angle of the hand",
         "orientation_angles: {angle_names}",
         "distance: distance from the base",
-        "links: joint | joint, angle, travel, to_limit=to limit, travel_to_limit=to limit, joint_position=axis at, axis",
+        "links: joint | joint, angle, travel, to_limit=to limit, travel_to_limit=to limit, "
+        "joint_position=axis at, axis",
     ),
     examples=(
         'dynamics robot pose --robot puma-560 --angles "20, 40, -30, 0, 60, 0 deg"',
         'dynamics robot pose --lengths "500, 400, 200 mm" --angles "30, 45, -20 deg"',
-        "dynamics robot pose examples/scara.toml --angles \"30, 60, 0 deg\" --slides \"80 mm\"",
+        'dynamics robot pose examples/scara.toml --angles "30, 60, 0 deg" --slides "80 mm"',
     ),
     scene=SCENE,
     names=ARM,

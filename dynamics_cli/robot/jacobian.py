@@ -26,7 +26,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, Choice, Measured, record
 from dynamics_cli.robot.arms.chain import Chain, chain_of, coordinates_of
-from dynamics_cli.robot.arms.records import Arm
+from dynamics_cli.robot.arms.records import SLIDES, Arm
 from dynamics_cli.robot.inverse.structures import Margins, margins, structure_or_none
 from dynamics_cli.robot.pose import limit_advice
 from dynamics_cli.robot.velocities import (
@@ -102,17 +102,18 @@ class Jacobian:
     lost_direction: Annotated[Direction | None, "Where singular: the hand cannot move this way without turning [-]."]
     lost_turn: Annotated[Direction | None, "Where singular: it cannot turn about this with its place held [-]."]
     idle: Annotated[
-        tuple[Ratio, ...] | None, "Joint speeds that leave the hand at rest, where singular or redundant, the largest 1 [-]."
+        tuple[Ratio, ...] | None,
+        "Joint speeds that leave the hand at rest, where singular or redundant [-].",
     ]
     position: Annotated[PartPosition, "The hand [m]."]
     velocity: Annotated[Velocity | None, "Velocity of the hand at the joint speeds given [m/s]."]
     angular_velocity: Annotated[AngularVelocity | None, "Angular velocity of the hand at these speeds [rad/s]."]
-    torques: Annotated[tuple[Torque, ...] | None, "Torques of the revolute joints that push with the force given [N*m]."]
+    torques: Annotated[tuple[Torque, ...] | None, "Torques of the revolute joints for the force given [N*m]."]
     slide_forces: Annotated[tuple[Force, ...] | None, "Forces of the prismatic joints, likewise [N]."]
     columns: Annotated[tuple[Column, ...], "The columns, joint by joint."]
     speed_ratios: Annotated[
         tuple[Size, ...] | None,
-        "Speeds of the hand for joint speeds whose squares add to (1 rad/s)²: the largest, between and the smallest [m].",
+        "Speeds of the hand for joint speeds whose squares add to (1 rad/s)², the largest first: lengths [m].",
     ]
     ellipsoid: Annotated[
         tuple[EllipsoidAxis, ...] | None, "Axes of the velocity ellipsoid, the longest first, of an arm without slides."
@@ -126,12 +127,18 @@ def jacobian(
     arm: Annotated[Arm, "The arm, from a file."],
     /,
     *,
-    angles: Annotated[tuple[Angle, ...], "Angles of the revolute joints in order, e.g. 20, 40, -30, 0, 60, 0 deg."] = (),
-    slides: Annotated[tuple[Coordinate, ...], "Travels of the prismatic joints in order, e.g. 120 mm."] = (),
+    angles: Annotated[
+        tuple[Angle, ...], "Angles of the revolute joints in order, e.g. 20, 40, -30, 0, 60, 0 deg."
+    ] = (),
+    slides: Annotated[tuple[Coordinate, ...], SLIDES] = (),
     axes: Annotated[AxesOf, "Axes of all vectors: those of the base, or of the hand."] = IN_BASE,
-    speeds: Annotated[tuple[TurnRate, ...], "Speeds of the revolute joints, for the hand's velocity, e.g. 1, 2 rad/s."] = (),
+    speeds: Annotated[
+        tuple[TurnRate, ...], "Speeds of the revolute joints, for the hand's velocity, e.g. 1, 2 rad/s."
+    ] = (),
     slide_speeds: Annotated[tuple[Speed, ...], "Speeds of the prismatic joints, e.g. 0.1 m/s."] = (),
-    force: Annotated[ForceVector | None, "Force that the hand is to push with, in these axes, e.g. 0, 0, -50 N."] = None,
+    force: Annotated[
+        ForceVector | None, "Force that the hand is to push with, in these axes, e.g. 0, 0, -50 N."
+    ] = None,
     moment: Annotated[TorqueVector | None, "Moment that it is to turn with, e.g. 0, 0, 5 N*m."] = None,
 ) -> Jacobian:
     """Jacobian of the hand, its singular values, linear and angular apart, and which motions are lost.
@@ -218,8 +225,8 @@ def _manipulability(linear: Singular) -> Measured:
 
 
 def _power(exponent: int) -> str:
-    """The unit of a product of lengths."""
-    return "" if exponent == 0 else "m" if exponent == 1 else f"m^{exponent}"
+    """The unit of a product of lengths, of six at the most."""
+    return "m" + "⁰¹²³⁴⁵⁶"[exponent].replace("¹", "") if exponent else ""
 
 
 def _square(chain: Chain, columns: "Columns", rows: "tuple[int, ...]", rank: Rank) -> "Measured | None":

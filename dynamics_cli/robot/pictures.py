@@ -68,7 +68,9 @@ def seen_from(chain: Chain) -> "Any":
     return from_above if is_planar(chain) else from_side
 
 
-def posture(chain: Chain, coordinates: "Sequence[float]", role: int, label: str = "", style: str = "thick") -> "list[Any]":
+def posture(
+    chain: Chain, coordinates: "Sequence[float]", role: int, label: str = "", style: str = "thick"
+) -> "list[Any]":
     """The arm as a line."""
     flat = [seen_from(chain)(point) for point in bones(chain, coordinates)]
     return [Curve([x for x, _ in flat], [y for _, y in flat], label, style, role)]  # type: ignore[arg-type]
@@ -79,7 +81,8 @@ def joint_marks(chain: Chain, coordinates: "Sequence[float]", role: int) -> "lis
     view = seen_from(chain)
     frames = chain.axes(chain.links(coordinates))
     if is_planar(chain):
-        return [Mark(*view(frame.position), name, role=role) for name, frame in zip(chain.names, frames, strict=True)]
+        places = [view(frame.position) for frame in frames]
+        return [Mark(x, y, name, role=role) for name, (x, y) in zip(chain.names, places, strict=True)]
     size = DRUM * chain.reach
     points = bones(chain, coordinates)
     floor = min(0.0, *(point[2] for point in points))
@@ -107,12 +110,12 @@ def panel(chain: Chain, items: "list[Any]", title: "Any" = "") -> Panel:
     """A panel on one scale; of an arm in space without axes, with a small tripod of the base's directions."""
     if is_planar(chain):
         return Panel(Axis("x", Coordinate), Axis("y", Coordinate), tuple(items), title, equal=True)
-    return Panel(Axis("", Coordinate), Axis("", Coordinate), (*items, *corner(items, from_side)), title, equal=True, bare=True)
+    return Panel(
+        Axis("", Coordinate), Axis("", Coordinate), (*items, *corner(items, from_side)), title, equal=True, bare=True
+    )
 
 
-def pose_picture(
-    result: "Any", arm: Arm, *, angles: "Any" = (), slides: "Any" = (), **_: "Any"
-) -> Picture:
+def pose_picture(result: "Any", arm: Arm, *, angles: "Any" = (), slides: "Any" = (), **_: "Any") -> Picture:
     """The arm with its joints and the axes of its hand."""
     chain = over_plain(chain_of(arm))
     coordinates = coordinates_of(chain, over_plain(tuple(angles)), over_plain(tuple(slides)))
@@ -122,7 +125,9 @@ def pose_picture(
 
 
 def _view(chain: Chain) -> str:
-    return "seen from above" if is_planar(chain) else "short black lines: axes of the joints; dotted: the arm on the floor"
+    return (
+        "seen from above" if is_planar(chain) else "short black lines: axes of the joints; dotted: the arm on the floor"
+    )
 
 
 def inverse_picture(result: "Any", arm: Arm, **_: "Any") -> Picture:
@@ -139,19 +144,19 @@ def inverse_picture(result: "Any", arm: Arm, **_: "Any") -> Picture:
                 break
         else:
             shapes.append((line, [solution.number], coordinates))
-    for role, (_, numbers, coordinates) in enumerate(shapes):
+    for role, (_line, numbers, coordinates) in enumerate(shapes):
         label = f"posture{'s' * (len(numbers) > 1)} {', '.join(map(str, numbers))}"
         items += posture(chain, coordinates, role, label, "thick" if role == 0 else "solid")
     first = shapes[0][2]
     items += joint_marks(chain, first, GREY)
     items += hand_axes(chain, chain.hand(chain.links(first)))
     count = result.count
-    return Picture(
-        (panel(chain, items),), f"{count} posture{'s' * (count != 1)} for one pose", subtitle=_view(chain)
-    )
+    return Picture((panel(chain, items),), f"{count} posture{'s' * (count != 1)} for one pose", subtitle=_view(chain))
 
 
-def jacobian_picture(result: "Any", arm: Arm, *, angles: "Any" = (), slides: "Any" = (), axes: str = "base", **_: "Any") -> Picture:
+def jacobian_picture(
+    result: "Any", arm: Arm, *, angles: "Any" = (), slides: "Any" = (), axes: str = "base", **_: "Any"
+) -> Picture:
     """The arm with the velocity and the force ellipsoid of its hand, each drawn to a size of its own."""
     chain = over_plain(chain_of(arm))
     coordinates = coordinates_of(chain, over_plain(tuple(angles)), over_plain(tuple(slides)))
@@ -177,7 +182,8 @@ def ellipsoid(
     chain: Chain, centre: Vector, ways: "Sequence[Vector]", radii: "Sequence[float]", name: "tuple[str, int]"
 ) -> "list[Any]":
     """The principal ellipses about a point: one in the plane, three in space."""
-    view, items = seen_from(chain), []
+    view = seen_from(chain)
+    items: list[Any] = []
     label, role = name
     for i in range(len(ways)):
         for j in range(i + 1, len(ways)):

@@ -21,7 +21,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, record
 from dynamics_cli.robot.arms.chain import Chain, beyond_limits, chain_of, coordinates_of, limits
-from dynamics_cli.robot.arms.records import REVOLUTE, Arm
+from dynamics_cli.robot.arms.records import REVOLUTE, SLIDES, Arm
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -64,8 +64,10 @@ def pose(
     arm: Annotated[Arm, "The arm, from a file."],
     /,
     *,
-    angles: Annotated[tuple[Angle, ...], "Angles of the revolute joints in order, e.g. 20, 40, -30, 0, 60, 0 deg."] = (),
-    slides: Annotated[tuple[Coordinate, ...], "Travels of the prismatic joints in order, e.g. 120 mm."] = (),
+    angles: Annotated[
+        tuple[Angle, ...], "Angles of the revolute joints in order, e.g. 20, 40, -30, 0, 60, 0 deg."
+    ] = (),
+    slides: Annotated[tuple[Coordinate, ...], SLIDES] = (),
     sequence: Annotated[
         Text, "Angles to report: XYZ or rpy about the fixed axes, zyx or zyz … about the turned ones."
     ] = "XYZ",
@@ -98,10 +100,9 @@ def pose(
     order = sequence_of(sequence)
     rotation = hand.rotation
     planar = is_planar(chain)
+    flat = planar and plain(rotation[2][2]) == 1.0
     rows = []
-    for name, joint, coordinate, axis, link in zip(
-        chain.names, chain.joints, coordinates, axes, links, strict=True
-    ):
+    for name, joint, coordinate, axis, link in zip(chain.names, chain.joints, coordinates, axes, links, strict=True):
         turns = joint.type == REVOLUTE
         low, high = limits(joint)
         limited = max(-low, high) < float("inf")
@@ -122,7 +123,7 @@ def pose(
     return Pose(
         position=hand.position,
         hand_angle=atan2(rotation[1][0], rotation[0][0]) if planar else None,
-        orientation_angles=None if planar and plain(rotation[2][2]) == 1.0 else angles_of_rotation(rotation, order).angles,
+        orientation_angles=None if flat else angles_of_rotation(rotation, order).angles,
         angle_names=angles_in_words(order),
         euler_parameters=upright(of_rotation(rotation)),
         rotation_matrix=rotation,
@@ -142,7 +143,9 @@ def limit_advice(chain: Chain, coordinates: "Sequence[float]") -> "tuple[Advice,
     return tuple(
         Advice(
             "beyond-limit",
-            worded("joint {name} is {excess} beyond its limit", name=name, excess=(excess, Angle if turns else Coordinate)),
+            worded(
+                "joint {name} is {excess} beyond its limit", name=name, excess=(excess, Angle if turns else Coordinate)
+            ),
         )
         for name, excess, turns in beyond_limits(chain, coordinates)
     )

@@ -55,7 +55,7 @@ def shift(axis: int, by: Any) -> Any:
     return motion
 
 
-def arm(rows: list[tuple[str, ...]], convention: str, q: list[Any], *, exact: bool = True) -> Any:
+def arm(rows: list[tuple[str, ...]], convention: str, q: list[Any]) -> Any:
     """The hand's frame."""
     frame = mp.eye(4)
     for (a, alpha, d, *sort), value in zip(rows, q, strict=True):
@@ -92,7 +92,13 @@ def postures() -> Iterator[tuple[str, str, list[tuple[str, ...]], str, list[str]
     for power in (3, 6, 9):
         q = ["0.3", "0.4", "-0.5", "0.7", f"1e-{power:02d}", "-0.2"]
         yield f"wrist, 1e-{power}", "the outer axes of the wrist are all but in line", PUMA, "standard", q
-    yield "stretched", "the elbow is all but straight", PUMA, "standard", ["0.3", "0.4", "-1.5238203", "0.7", "1.1", "-0.2"]
+    yield (
+        "stretched",
+        "the elbow is all but straight",
+        PUMA,
+        "standard",
+        ["0.3", "0.4", "-1.5238203", "0.7", "1.1", "-0.2"],
+    )
     for nth in range(4):
         rows = (PUMA, UR, WELDER)[nth % 3]
         yield f"drawn {nth}", "", rows, "standard", [repr(round(RANDOM.uniform(-3, 3), 3)) for _ in rows]
@@ -152,7 +158,13 @@ def jacobians() -> Iterator[Case]:
         linear = sorted(svd_r(chosen, compute_uv=False), reverse=True)
         results = {"manipulability.value": linear[0] * linear[1]}
         results |= {f"speed_ratios[{k}]": value for k, value in enumerate(linear)}
-        yield "jacobian", f"planar {len(lengths)}", "", {"arm": {"record": "Arm", "lengths": lengths}, "angles": texts}, results
+        yield (
+            "jacobian",
+            f"planar {len(lengths)}",
+            "",
+            {"arm": {"record": "Arm", "lengths": lengths}, "angles": texts},
+            results,
+        )
 
 
 def euler(m: Any) -> list[Any]:

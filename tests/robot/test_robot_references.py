@@ -1,7 +1,8 @@
 """Arms against 40-digit references, and against numbers of published arms."""
 
 from collections.abc import Callable
-from math import pi, radians, remainder
+from itertools import pairwise
+from math import hypot, pi, radians, remainder, sin
 from typing import Any
 
 import pytest
@@ -135,7 +136,9 @@ def test_three_parallel_axes() -> None:
     assert at.position == pytest.approx(
         (-0.4801196751727201686893996, -0.44496113666125002566042, 0.3452740890732224292291899), abs=4e-16
     )
-    assert jacobian(UR5, angles=q).determinant.value == pytest.approx(-0.07403165210537562943074624, rel=1e-14)
+    determinant = jacobian(UR5, angles=q).determinant
+    assert determinant is not None
+    assert determinant.value == pytest.approx(-0.07403165210537562943074624, rel=1e-14)
     answer = inverse(UR5, position=at.position, turn=ByMatrix(at.rotation_matrix), near=q)
     back = -2.266590228547658796742
     expected = (
@@ -164,11 +167,9 @@ def test_three_parallel_axes() -> None:
 
 
 def test_singular_values_and_the_factors_of_the_determinant() -> None:
-    answer = jacobian(PUMA, angles=Q)
+    answer: Any = jacobian(PUMA, angles=Q)
     assert answer.determinant.value == pytest.approx(0.06550173375897276441959385, rel=1e-14)
     a2, a3, d4 = 0.4318, 0.0203, 0.4318
-    from math import hypot, sin
-
     product = a2 * hypot(a3, d4) * sin(answer.elbow_factor) * answer.shoulder_factor * sin(answer.wrist_factor)
     assert product == pytest.approx(answer.determinant.value, rel=1e-14)
 
@@ -187,7 +188,7 @@ def test_near_the_wrist_singularity_the_sum_stays(bend: float) -> None:
 
 def test_at_the_wrist_singularity_the_sum_alone_is_determined() -> None:
     at = pose(PUMA, angles=(*Q[:4], 0.0, Q[5]))
-    given = {"position": at.position, "turn": ByMatrix(at.rotation_matrix)}
+    given: dict[str, Any] = {"position": at.position, "turn": ByMatrix(at.rotation_matrix)}
     answer = inverse(PUMA, **given)
     (row,) = (row for row in answer.solutions if row.wrist_sum is not None)
     assert row.wrist_sum == pytest.approx(0.5, abs=1e-15)
@@ -220,6 +221,7 @@ def test_both_postures_of_three_links() -> None:
 
 def test_a_redundant_arm() -> None:
     answer = jacobian(Arm(lengths=(1.0, 0.8, 0.5)), angles=(0.3, 0.7, -0.4))
+    assert answer.manipulability is not None
     assert answer.manipulability.value == pytest.approx(0.681230222982030896459401, rel=1e-15)
 
 
@@ -235,8 +237,14 @@ def test_random_postures_are_among_the_answers(seed: int) -> None:
         rows = [(lengths[0], 90 * mirrored[0], lengths[1]), (lengths[2], 0, 0.0), (lengths[3], 90 * mirrored[1], 0.1),
                 (0.0, 90 * mirrored[2], lengths[4]), (0.0, 90 * mirrored[3], 0.0), (0.0, 0, lengths[5])]  # fmt: skip
     elif kind == 1:  # three parallel axes
-        rows = [(0.0, 90 * mirrored[0], lengths[0]), (lengths[1], 0, 0.0), (lengths[2], 180 * (mirrored[1] > 0), 0.0),
-                (0.0, 90 * mirrored[2], lengths[3]), (0.0, 90 * mirrored[3], lengths[4]), (0.0, 0, lengths[5])]  # fmt: skip
+        rows = [
+            (0.0, 90 * mirrored[0], lengths[0]),
+            (lengths[1], 0, 0.0),
+            (lengths[2], 180 * (mirrored[1] > 0), 0),
+            (0.0, 90 * mirrored[2], lengths[3]),
+            (0.0, 90 * mirrored[3], lengths[4]),
+            (0, 0, lengths[5]),
+        ]
     elif kind == 2:  # three joints in space
         rows = [(lengths[0], 90 * mirrored[0], lengths[1]), (lengths[2], 0, lengths[3]), (lengths[4], 0, 0.0)]
     else:  # a wrist whose axes are not at right angles
@@ -248,7 +256,7 @@ def test_random_postures_are_among_the_answers(seed: int) -> None:
         # the same arm, its twists and lengths a row later
         tool = (rows[-1][0], 0.0, 0.0)
         shifted = [(0.0, 0, rows[0][2])]
-        shifted += [(a, alpha, row[2]) for (a, alpha, _), row in zip(rows, rows[1:], strict=False)]
+        shifted += [(a, alpha, row[2]) for (a, alpha, _), row in pairwise(rows)]
         rows = shifted
     arm = Arm(convention=convention, joints=tuple(Joint(a=a, alpha=radians(al), d=d) for a, al, d in rows), tool=tool)
     q = tuple(draw.uniform(-3, 3) for _ in rows)

@@ -129,7 +129,8 @@ def _check_limits(name: str, joint: Joint) -> None:
     require(
         other == (None, None),
         "joint {name} is {type}: its limits are {wanted}",
-        name=name, type=joint.type, wanted="lower and upper" if turns else "lower travel and upper travel", code="limit",
+        name=name, type=joint.type, code="limit",
+        wanted="lower and upper" if turns else "lower travel and upper travel",
     )  # fmt: skip
     low, high = limits(joint)
     kind = Angle if turns else Coordinate

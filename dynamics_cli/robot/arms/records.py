@@ -18,6 +18,9 @@ class JointType(Choice):
     aliases = {"pin": "revolute", "r": "revolute", "hinge": "revolute", "slide": "prismatic", "p": "prismatic"}  # noqa: RUF012
 
 
+# Descriptions of parameters that several tasks have.
+ANGLES = "Angles of the revolute joints in order, e.g. 20, 40, -30, 0, 60, 0 deg."
+SLIDES = "Travels of the prismatic joints in order, e.g. 120 mm."
 REVOLUTE, PRISMATIC = JointType("revolute"), JointType("prismatic")
 STANDARD = Convention("standard")
 

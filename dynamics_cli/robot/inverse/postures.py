@@ -2,7 +2,7 @@
 
 from cmath import exp, phase
 
-from dynamics_cli.errors import require, worded
+from dynamics_cli.errors import require
 from dynamics_cli.numerics.orientation.rotations import Matrix, product, transposed
 from dynamics_cli.numerics.vectors import Vector, add, cross, dot, subtract, times
 from dynamics_cli.quantities import Ratio, Size
@@ -139,7 +139,12 @@ def _spatial(
 
 
 def _with_elbow_first(
-    structure: Structure, found: Found, shoulder: Shoulder, placed: Vector, inner: Matrix, near: "Sequence[float] | None"
+    structure: Structure,
+    found: Found,
+    shoulder: Shoulder,
+    placed: Vector,
+    inner: Matrix,
+    near: "Sequence[float] | None",
 ) -> None:
     """The wrist centre decides the elbow, and what is left of the turn the wrist."""
     axes = structure.axes
@@ -155,7 +160,12 @@ def _with_elbow_first(
 
 
 def _with_wrist_first(
-    structure: Structure, found: Found, shoulder: Shoulder, placed: Vector, inner: Matrix, near: "Sequence[float] | None"
+    structure: Structure,
+    found: Found,
+    shoulder: Shoulder,
+    placed: Vector,
+    inner: Matrix,
+    near: "Sequence[float] | None",
 ) -> None:
     """The turn decides the last two joints and the sum of the parallel ones, and these leave a point for two links."""
     axes, points = structure.axes, structure.points
@@ -171,9 +181,7 @@ def _with_wrist_first(
             _keep(structure, found, angles, placed, shoulder, elbow, wrist)
 
 
-def _elbows(
-    structure: Structure, found: Found, target: Vector, end: Vector
-) -> "list[tuple[Elbow, float, float]]":
+def _elbows(structure: Structure, found: Found, target: Vector, end: Vector) -> "list[tuple[Elbow, float, float]]":
     """Angles of joints 2 and 3 that bring the end of the second link to a target."""
     axes, points = structure.axes, structure.points
     plane = structure.level

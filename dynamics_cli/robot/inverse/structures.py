@@ -91,7 +91,8 @@ def structure_or_none(chain: Chain) -> Structure | None:
 
 
 def _frames(chain: Chain) -> "list[Frame]":
-    return over_plain(chain.axes(chain.links([0.0] * len(chain.joints))))
+    plain: Chain = over_plain(chain)
+    return plain.axes(plain.links([0.0] * len(plain.joints)))
 
 
 def _kind(
@@ -114,9 +115,7 @@ def _kind(
     return "", hand
 
 
-def _why(
-    axes: "tuple[Vector, ...]", points: "tuple[Vector, ...]", turning: "tuple[bool, ...]", size: float
-) -> str:
+def _why(axes: "tuple[Vector, ...]", points: "tuple[Vector, ...]", turning: "tuple[bool, ...]", size: float) -> str:
     """What stands against a closed form."""
     count, slides = len(axes), turning.count(False)
     if slides:
@@ -175,7 +174,7 @@ def margins(structure: Structure, chain: Chain, coordinates: "Sequence[float]") 
     one, two = turns[first], turns[first + 1]
     hand = chain.hand(links)
     centre = centre_for(structure, hand.rotation, hand.position)
-    end = points[turns[first + 2]] if structure.kind == PARALLEL or len(turns) == 3 and first == 0 else centre
+    end = points[turns[first + 2]] if structure.kind == PARALLEL or (len(turns) == 3 and first == 0) else centre
     plane = Plane(axes[one])
     upper, fore = plane.flat(subtract(points[two], points[one])), plane.flat(subtract(end, points[two]))
     bend = upper.conjugate() * fore

@@ -170,7 +170,11 @@ def wrist_angles(
         sense = -1.0 if opposed else 1.0
         end = _last_angle(axes, wanted, 0.0, (cosine, sine))
         total = sense * end
-        start, end = (free[0], sense * (total - free[0])) if free[0] is not None else (total - sense * (free[1] or 0.0), free[1] or 0.0)
+        if free[0] is not None:
+            start, end = free[0], sense * (total - free[0])
+        else:
+            end = free[1] or 0.0
+            start = total - sense * end
         wrists.append(Wrist(angles=(start, bend, end), margin=0.0, total=total, opposed=opposed))
     return wrists
 

@@ -4,7 +4,15 @@ from math import hypot, pi, remainder
 
 from dynamics_cli.errors import MissingError, require, worded
 from dynamics_cli.numerics.number import over_plain, plain
-from dynamics_cli.numerics.orientation.rotations import ByMatrix, Matrix, Turn, departure, matrix_of, product, transposed
+from dynamics_cli.numerics.orientation.rotations import (
+    ByMatrix,
+    Matrix,
+    Turn,
+    departure,
+    matrix_of,
+    product,
+    transposed,
+)
 from dynamics_cli.numerics.vectors import subtract
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, HandPosition, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, Numerics, record
@@ -24,6 +32,9 @@ ROUNDING = 2.0**-53
 SAME_POSE = 1e-11
 # Postures nearer than this to a singular one deserve a remark: half a degree, and that share of the arm's size.
 NEAR = pi / 360.0
+NOTATIONS = (
+    ("euler_angles", "euler_order"), ("quaternion",), ("rotation_matrix",), ("rotation_axis", "rotation_angle"),
+)  # fmt: skip
 # A matrix was rounded in writing if it departs from a rotation by more than this.
 WRITTEN = 1e-14
 
@@ -45,7 +56,9 @@ class Solution:
     shoulder_margin: Annotated[Size | None, "From where front and back fall together [m]."]
     elbow_margin: Annotated[Angle | None, "Elbow from straight or folded [rad]."]
     wrist_margin: Annotated[Angle | None, "Wrist from having its outer axes in line [rad]."]
-    wrist_sum: Annotated[Angle | None, "In line: the first wrist angle plus the last, all that the pose determines [rad]."]
+    wrist_sum: Annotated[
+        Angle | None, "In line: the first wrist angle plus the last, all that the pose determines [rad]."
+    ]
     position_error: Annotated[Size, "Distance of its hand from the position given [m]."]
     turn_error: Annotated[Angle, "Its hand's turn from the orientation given [rad]."]
     angle_error: Annotated[Angle, "Estimate of how well a pose in doubles determines the angles [rad]."]
@@ -150,8 +163,7 @@ def _orientation(structure: Structure, hand_angle: float | None, turn: "Turn | N
         require(not given, "this arm has {count} joints that turn: it cannot choose the orientation of its hand",
                 count=len(structure.turns), code="no-wrist", hint="give the position alone")  # fmt: skip
         return structure.rotation
-    ways = (("hand_angle",), ("rotation_matrix",)) if planar else (
-        ("euler_angles", "euler_order"), ("quaternion",), ("rotation_matrix",), ("rotation_axis", "rotation_angle"))  # fmt: skip
+    ways = (("hand_angle",), ("rotation_matrix",)) if planar else NOTATIONS
     if not given:
         raise MissingError("the orientation of the hand is missing", ways, code="no-orientation")
     if turn is None:
@@ -257,7 +269,9 @@ def _advice(
     if isinstance(turn, ByMatrix):
         off = plain(departure(turn.rotation_matrix))  # type: ignore[arg-type]
         if off > WRITTEN:
-            message = worded("the matrix departs from a rotation by {off}; the nearest rotation was taken", off=(off, Ratio))
+            message = worded(
+                "the matrix departs from a rotation by {off}; the nearest rotation was taken", off=(off, Ratio)
+            )
             advice.append(Advice("repaired", message, severity="note", remedy="give more digits"))
     for row in rows:
         advice += _singular(structure, row, near)
