@@ -14,6 +14,11 @@ SCENE_AT = {
     "convention": "standard", "joints[0].a": "500 mm", "joints[1].a": "400 mm", "position": "550, 350 mm",
 }  # fmt: skip
 
+SCENE_HEAVY = SCENE | {
+    "joints[0].mass": "6 kg", "joints[0].centroid": "-250, 0, 0 mm", "joints[1].mass": "4 kg",
+    "joints[1].centroid": "-200, 0, 0 mm", "up": "0, 1, 0",
+}  # fmt: skip
+
 POSE = Task(
     "pose",
     "Forward kinematics: where the hand of an arm is, and every link.",
@@ -120,4 +125,37 @@ INVERSE = Task(
     errors=("position_error", "turn_error", "angle_error"),
 )
 
-FAMILIES = {"robot": Family("robot", "Robot arms: pose, Jacobian, inverse kinematics.", POSE, JACOBIAN, INVERSE)}
+TORQUE = Task(
+    "torque",
+    "Joint torques for a posture, a motion, a payload and a force of the hand, part by part.",
+    Model(
+        "recursive Newton–Euler",
+        "dynamics_cli.robot.torque:torque",
+        source=BOOK + "sections 19.13 to 19.15",
+        formula="τ = M(q)·q̈ + h(q, q̇) + g(q) + Jᵀ·F",
+        assumptions=(RIGID, "of a motor's rotor only its turning with the joint counts", "no friction of joints at rest"),
+    ),
+    headline=(
+        "torques: joint torques",
+        "slide_forces: forces of slides",
+        "drives: with rotors and friction",
+        "power: power on the links",
+        "base_force: force of the base",
+        "base_moment: its moment",
+        "joints: parts | joint, torque, gravity, inertia, velocity, payload, hand, rotor, friction",
+        "prismatic: slides | joint, force, gravity, inertia, velocity, payload, hand",
+    ),
+    examples=(
+        'dynamics robot torque --lengths "500, 400 mm" --masses "6, 4 kg" --angles "30, 45 deg" --payload "2 kg" '
+        '--up "0, 1, 0"',
+        'dynamics robot torque --robot puma-560 --angles "0, 45, -180, 0, 45, 0 deg" '
+        '--speeds "1, 0.5, -1, 0, 1, 0 rad/s" --accelerations "2, 1, 0, 0, 3, 0 rad/s^2"',
+    ),
+    scene=SCENE_HEAVY,
+    names=ARM,
+    also=("dynamics", "efforts", "inverse-dynamics"),
+    plot=f"{PICTURES}:torque_picture",
+    table="joints",
+)
+
+FAMILIES = {"robot": Family("robot", "Robot arms: pose, Jacobian, inverse kinematics, torques.", POSE, JACOBIAN, INVERSE, TORQUE)}

@@ -39,6 +39,7 @@ from dynamics_cli.robot.velocities import (
     determinant,
     matrix_of,
     rank_of,
+    without_rounding,
 )
 
 TYPE_CHECKING = False
@@ -166,7 +167,7 @@ def jacobian(
     chain: Chain = over_plain(chain_of(arm))
     coordinates = coordinates_of(chain, over_plain(angles), over_plain(slides))
     hand = chain.hand(chain.links(coordinates))
-    fixed = columns_of(chain, coordinates)
+    fixed = without_rounding(chain, columns_of(chain, coordinates))
     back = transposed(hand.rotation)
     columns = [(times(back, v), times(back, w)) for v, w in fixed] if axes == "hand" else fixed
     rows = chosen_rows(chain)

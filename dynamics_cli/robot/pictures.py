@@ -2,13 +2,14 @@
 
 from math import cos, hypot, pi, radians, sin
 
+from dynamics_cli.errors import worded
 from dynamics_cli.numerics.number import over_plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY
 from dynamics_cli.numerics.vectors import Vector
 from dynamics_cli.numerics.vectors import times as turned
-from dynamics_cli.pictures import Axis, Curve, Label, Mark, Panel, Picture
+from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.pictures.vectors import GREY, arrow, corner, curve, times, unit
-from dynamics_cli.quantities import Coordinate
+from dynamics_cli.quantities import Coordinate, Force, Torque
 from dynamics_cli.robot.arms.chain import ORIGIN, Chain, Frame, chain_of, coordinates_of
 from dynamics_cli.robot.arms.records import REVOLUTE, Arm
 from dynamics_cli.robot.pose import is_planar
@@ -196,3 +197,30 @@ def ellipsoid(
             items.append(Curve([x for x, _ in flat], [y for _, y in flat], label, style, role))  # type: ignore[arg-type]
             label = ""
     return items
+
+
+def torque_picture(
+    result: "Any", arm: Arm, *, angles: "Any" = (), slides: "Any" = (), up: "Any" = (0.0, 0.0, 1.0), **_: "Any"
+) -> Picture:
+    """The arm with the torque or force of each joint beside it, and which way is down."""
+    chain = over_plain(chain_of(arm))
+    coordinates = coordinates_of(chain, over_plain(tuple(angles)), over_plain(tuple(slides)))
+    view, size = seen_from(chain), SHOWN * chain.reach
+    items = posture(chain, coordinates, 0)
+    turns, travels = iter(over_plain(result.torques or ())), iter(over_plain(result.slide_forces or ()))
+    names = iter(chain.names)
+    placed: list[tuple[float, float]] = []
+    for frame, turning in zip(chain.axes(chain.links(coordinates)), chain.turning, strict=True):
+        value = (next(turns), Torque) if turning else (next(travels), Force)
+        x, y = view(frame.position)
+        # words of joints at one place stand below each other
+        beside = sum(hypot(x - a, y - b) < 0.05 * chain.reach for a, b in placed)
+        placed.append((x, y))
+        text = worded(f"{next(names)}: {{value}}", value=value)
+        items.append(Mark(x, y, text, (6.0, 4.0 - 12.0 * beside), role=GREY))
+    foot = view(times(-size, unit(over_plain(tuple(up)))))
+    left = min(min(item.x) for item in items if isinstance(item, Curve)) - 0.6 * size
+    top = max(max(item.y) for item in items if isinstance(item, Curve)) - 0.2 * size
+    if hypot(*foot) > SAME * chain.reach:
+        items += [Arrow(left, top, 0.6 * foot[0], 0.6 * foot[1], "", GREY), Label(left, top + 0.12 * size, "weight")]
+    return Picture((panel(chain, items),), f"arm of {len(chain.joints)} joints, torques of its joints")

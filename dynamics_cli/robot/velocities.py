@@ -34,11 +34,14 @@ def columns_of(chain: Chain, coordinates: "Sequence[float]") -> "Columns":
     columns: Columns = []
     for frame, turning in zip(chain.axes(links), chain.turning, strict=True):
         arm = cross(frame.z, subtract(hand, frame.position))
-        if hypot(*arm) < ROUNDING * chain.reach:
-            # the hand is on the axis
-            arm = NOTHING
         columns.append((arm, frame.z) if turning else (frame.z, NOTHING))
     return columns
+
+
+def without_rounding(chain: Chain, columns: "Columns") -> "Columns":
+    """The columns, of joints on whose axes the hand is without what rounding leaves of a distance."""
+    least = ROUNDING * chain.reach
+    return [(linear if hypot(*linear) >= least else NOTHING, angular) for linear, angular in columns]
 
 
 def chosen_rows(chain: Chain) -> "tuple[int, ...]":

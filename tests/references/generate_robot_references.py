@@ -1,5 +1,6 @@
 """Writes robot.json: poses, Jacobians and inverses of arms to 40 digits, for ordinary and hard inputs.
 
+Torques are Lagrange's equations of energies, differentiated by differences; the program has Newton–Euler.
 Poses are products of elementary motions as 4 × 4 matrices, Jacobians are difference quotients in many digits, inverses
 are roots of the pose's equations by Newton's method; the program has one matrix a link, cross products of axes, and
 closed forms.
@@ -13,12 +14,14 @@ from typing import Any
 from case_files import write
 from mpmath import cos, findroot, matrix, mp, mpf, sin, sqrt, svd_r
 
-mp.dps = 90
-ABOUT = "Written by generate_robot_references.py: SI inputs as doubles, results to 40 digits from 90-digit arithmetic."
+mp.dps = 130
+ABOUT = "Written by generate_robot_references.py: SI inputs as doubles, results to 40 digits from 130-digit arithmetic."
 Case = tuple[str, str, str, dict[str, Any], dict[str, Any]]
 RANDOM = random.Random(1955)
 RIGHT = "1.5707963267948966"
 STEP = mpf(10) ** -30
+# Steps of differences of differences.
+INNER, OUTER = mpf(10) ** -32, mpf(10) ** -22
 
 # a, alpha, d, sort of each joint
 PUMA = [
@@ -218,5 +221,112 @@ def edges() -> Iterator[Case]:
         yield "inverse", f"two links to {r}", why, inputs, results
 
 
+def links(rows: list[tuple[str, ...]], convention: str, q: list[Any]) -> list[Any]:
+    """The frame of every link."""
+    return [arm(rows[: k + 1], convention, q[: k + 1]) for k in range(len(rows))]
+
+
+class Heavy:
+    """An arm with masses, and its energies."""
+
+    def __init__(self, rows: list[tuple[str, ...]], convention: str, bodies: list[tuple[str, list[str], list[str]]]) -> None:
+        self.rows, self.convention, self.bodies = rows, convention, bodies
+
+    def written(self) -> dict[str, Any]:
+        table = written(self.rows, self.convention)
+        for joint, (mass, centroid, moments) in zip(table["joints"], self.bodies, strict=True):
+            a, b, c, d, e, f = moments
+            joint |= {"mass": mass, "centroid": centroid, "tensor": [[a, d, e], [d, b, f], [e, f, c]]}
+        return table
+
+    def centres(self, q: list[Any]) -> list[tuple[Any, Any]]:
+        out = []
+        for frame, (_, centroid, _) in zip(links(self.rows, self.convention, q), self.bodies, strict=True):
+            place = frame * matrix([mpf(float(x)) for x in centroid] + [1])
+            out.append((place[:3], frame[:3, :3]))
+        return out
+
+    def mass_matrix(self, q: list[Any]) -> Any:
+        """From places and turns of the links, differentiated."""
+        count = len(q)
+        here = self.centres(q)
+        ways: list[list[tuple[Any, Any]]] = []
+        for k in range(count):
+            ends = [self.centres([x + s * INNER * (i == k) for i, x in enumerate(q)]) for s in (1, -1)]
+            way = []
+            for (p1, r1), (p0, r0), (_, r) in zip(ends[0], ends[1], here, strict=True):
+                spin = r.T * (r1 - r0) / (2 * INNER)
+                way.append(((matrix(p1) - matrix(p0)) / (2 * INNER), matrix([spin[2, 1], spin[0, 2], spin[1, 0]])))
+            ways.append(way)
+        total = matrix(count, count)
+        for nth, (mass, _, moments) in enumerate(self.bodies):
+            a, b, c, d, e, f = (mpf(float(x)) for x in moments)
+            tensor = matrix([[a, d, e], [d, b, f], [e, f, c]])
+            for i in range(count):
+                for j in range(count):
+                    v, w = ways[i][nth], ways[j][nth]
+                    total[i, j] += mpf(float(mass)) * (v[0].T * w[0])[0] + (v[1].T * tensor * w[1])[0]
+        return total
+
+    def height(self, q: list[Any], up: list[Any]) -> Any:
+        """Potential energy per gravity."""
+        return sum(
+            mpf(float(mass)) * sum(u * place[k] for k, u in enumerate(up))
+            for (place, _), (mass, _, _) in zip(self.centres(q), self.bodies, strict=True)
+        )
+
+    def efforts(self, q: list[Any], v: list[Any], a: list[Any], lift: list[Any]) -> list[Any]:
+        """Lagrange's equations."""
+        count, rate, second = len(q), matrix(v), matrix(a)
+        slopes = []
+        for k in range(count):
+            ends = [[x + s * OUTER * (i == k) for i, x in enumerate(q)] for s in (1, -1)]
+            masses = (self.mass_matrix(ends[0]) - self.mass_matrix(ends[1])) / (2 * OUTER)
+            slopes.append((masses, (self.height(ends[0], lift) - self.height(ends[1], lift)) / (2 * OUTER)))
+        changing = matrix(count, count)
+        for k in range(count):
+            changing += slopes[k][0] * v[k]
+        left = self.mass_matrix(q) * second + changing * rate
+        return [left[k] - (rate.T * slopes[k][0] * rate)[0] / 2 + slopes[k][1] for k in range(count)]
+
+
+def torques() -> Iterator[Case]:
+    """Postures with speeds and accelerations."""
+    puma = [
+        ("0.0", ["0.0", "0.0", "0.0"], ["0.0", "0.35", "0.0", "0.0", "0.0", "0.0"]),
+        ("17.4", ["-0.3638", "0.006", "0.2275"], ["0.13", "0.524", "0.539", "0.01", "-0.02", "0.03"]),
+        ("4.8", ["-0.0203", "-0.0141", "0.07"], ["0.066", "0.086", "0.0325", "0.0", "0.001", "0.0"]),
+        ("0.82", ["0.0", "0.019", "0.0"], ["0.0018", "0.0013", "0.0018", "0.0", "0.0", "0.0"]),
+        ("0.34", ["0.0", "0.0", "0.0"], ["0.0003", "0.0004", "0.0003", "0.0", "0.0", "0.0"]),
+        ("0.09", ["0.0", "0.0", "0.032"], ["0.00015", "0.00015", "0.00004", "0.0", "0.0", "0.0"]),
+    ]
+    quill = [("0.3", "0.0", "0.4"), ("0.25", RIGHT, "0.0"), ("0.1", "0.0", "0.05", "prismatic")]
+    bodies = [
+        ("5.0", ["-0.15", "0.01", "0.0"], ["0.02", "0.05", "0.06", "0.001", "0.0", "0.002"]),
+        ("3.0", ["-0.1", "0.0", "0.02"], ["0.01", "0.03", "0.03", "0.0", "0.0", "0.0"]),
+        ("1.5", ["0.0", "-0.05", "0.1"], ["0.01", "0.012", "0.005", "0.0", "0.001", "0.0"]),
+    ]
+    for name, heavy, q, v, a in (
+        ("puma", Heavy(PUMA, "standard", puma), ["0.3", "0.4", "-0.5", "0.7", "1.1", "-0.2"],
+         ["1.0", "-0.5", "0.8", "2.0", "-1.5", "3.0"], ["2.0", "1.0", "-1.0", "0.5", "4.0", "-2.0"]),
+        ("puma, read as modified", Heavy(PUMA, "modified", puma), ["0.3", "0.4", "-0.5", "0.7", "1.1", "-0.2"],
+         ["1.0", "-0.5", "0.8", "2.0", "-1.5", "3.0"], ["2.0", "1.0", "-1.0", "0.5", "4.0", "-2.0"]),
+        ("slide", Heavy(quill, "standard", bodies), ["0.4", "-1.1", "0.2"], ["0.9", "1.4", "-0.6"], ["-1.0", "2.0", "0.7"]),
+    ):  # fmt: skip
+        numbers = [[mpf(float(x)) for x in texts] for texts in (q, v, a)]
+        efforts = heavy.efforts(*numbers, [mpf(0), mpf(0), mpf(float("9.81"))])
+        slides = [k for k, row in enumerate(heavy.rows) if len(row) > 3]
+        turns = [k for k in range(len(q)) if k not in slides]
+        inputs: dict[str, Any] = {"arm": heavy.written(), "gravity": "9.81"}
+        for texts, turning, sliding in (
+            (q, "angles", "slides"), (v, "speeds", "slide_speeds"), (a, "accelerations", "slide_accelerations"),
+        ):  # fmt: skip
+            inputs[turning] = [texts[k] for k in turns]
+            inputs |= {sliding: [texts[k] for k in slides]} if slides else {}
+        results = {f"torques[{nth}]": efforts[k] for nth, k in enumerate(turns)}
+        results |= {f"slide_forces[{nth}]": efforts[k] for nth, k in enumerate(slides)}
+        yield "torque", name, "", inputs, results
+
+
 if __name__ == "__main__":
-    write("robot", ABOUT, [*poses(), *jacobians(), *inverses(), *edges()])
+    write("robot", ABOUT, [*poses(), *jacobians(), *inverses(), *edges(), *torques()])

@@ -126,8 +126,9 @@ FILES: dict[str, Origin] = {
     ),
     "robot": Origin(
         "robot", {},
-        "poses by products of elementary motions, Jacobians by difference quotients, inverses by Newton's method",
-        "90 digits", "", "drawn",
+        "poses by products of elementary motions, Jacobians by difference quotients, inverses by Newton's method, "
+        "torques by Lagrange's equations of energies",
+        "130 digits", "", "drawn",
     ),
     "linkage": Origin(
         "linkage",

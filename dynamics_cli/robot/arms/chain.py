@@ -8,13 +8,12 @@ from dynamics_cli.numerics.vectors import Vector, add, times
 from dynamics_cli.quantities import Angle, Coordinate
 from dynamics_cli.records import record
 from dynamics_cli.robot.arms.presets import NAMES, preset
-from dynamics_cli.robot.arms.records import REVOLUTE, STANDARD, Arm, Joint
+from dynamics_cli.robot.arms.records import ORIGIN, REVOLUTE, STANDARD, Arm, Joint
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-ORIGIN = (0.0, 0.0, 0.0)
 INFINITE = float("inf")
 
 
@@ -112,7 +111,7 @@ def chain_of(arm: Arm) -> Chain:
         assert known is not None
         joints, standard = known.joints, known.convention == STANDARD
     elif arm.lengths:
-        joints, standard = tuple(Joint(a=length) for length in arm.lengths), True
+        joints, standard = _rods(arm.lengths, arm.masses), True
     else:
         if arm.convention is None:
             raise MissingError("the table of joints does not say its convention", (("convention",),), code="convention")
@@ -121,6 +120,20 @@ def chain_of(arm: Arm) -> Chain:
     for name, joint in zip(names, joints, strict=True):
         _check_limits(name, joint)
     return Chain(joints=joints, names=names, standard=standard, tool=arm.tool)
+
+
+def _rods(lengths: "Sequence[float]", masses: "Sequence[float]") -> "tuple[Joint, ...]":
+    """Links of a planar arm; with masses, uniform rods."""
+    require(
+        len(masses) in (0, len(lengths)), "read {masses} masses of {lengths} links",
+        masses=len(masses), lengths=len(lengths), code="masses", hint="one mass for each length",
+    )  # fmt: skip
+    joints = []
+    for length, mass in zip(lengths, masses or [0.0] * len(lengths), strict=True):
+        across = mass * length * length / 12.0
+        tensor = (ORIGIN, (0.0, across, 0.0), (0.0, 0.0, across))
+        joints.append(Joint(a=length, mass=mass, centroid=(-0.5 * length, 0.0, 0.0), tensor=tensor))
+    return tuple(joints)
 
 
 def _check_limits(name: str, joint: Joint) -> None:

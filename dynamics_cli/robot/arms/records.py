@@ -1,6 +1,19 @@
 """An arm as users write it: a table of Denavit–Hartenberg parameters, lengths of a planar arm, or a published arm."""
 
-from dynamics_cli.quantities import Angle, Annotated, Coordinate, PartPosition, Size, Text
+from dynamics_cli.quantities import (
+    Angle,
+    Annotated,
+    Coordinate,
+    Inertia,
+    InertiaTensor,
+    Mass,
+    PartPosition,
+    Ratio,
+    Size,
+    Text,
+    Torque,
+    TorsionDamping,
+)
 from dynamics_cli.records import Choice, record
 
 
@@ -18,6 +31,8 @@ class JointType(Choice):
     aliases = {"pin": "revolute", "r": "revolute", "hinge": "revolute", "slide": "prismatic", "p": "prismatic"}  # noqa: RUF012
 
 
+ORIGIN = (0.0, 0.0, 0.0)
+NONE = (ORIGIN, ORIGIN, ORIGIN)
 # Descriptions of parameters that several tasks have.
 ANGLES = "Angles of the revolute joints in order, e.g. 20, 40, -30, 0, 60, 0 deg."
 SLIDES = "Travels of the prismatic joints in order, e.g. 120 mm."
@@ -39,6 +54,14 @@ class Joint:
     lower_travel: Annotated[Coordinate | None, "Lower limit of a prismatic joint, e.g. 0 mm."] = None
     upper_travel: Annotated[Coordinate | None, "Its upper limit, e.g. 300 mm."] = None
     name: Annotated[Text, "Its name, e.g. shoulder."] = ""
+    mass: Annotated[Mass, "Mass of the link after it, for `torque`, e.g. 4.8 kg."] = 0.0
+    centroid: Annotated[PartPosition, "The link's mass centre in the axes of its frame, e.g. -200, 0, 0 mm."] = ORIGIN
+    tensor: Annotated[InertiaTensor, "The link's inertia about its mass centre in these axes, products negative."] = NONE
+    rotor_inertia: Annotated[Inertia, "Moment of inertia of the motor's rotor, e.g. 2e-4 kg*m^2."] = 0.0
+    gear_ratio: Annotated[Ratio, "Turns of the motor per turn of the joint, e.g. 62.6."] = 1.0
+    viscous: Annotated[TorsionDamping, "Viscous friction at the joint, e.g. 5 N*m*s/rad."] = 0.0
+    coulomb: Annotated[Torque, "Dry friction at the joint, e.g. 8 N*m."] = 0.0
+    coulomb_back: Annotated[Torque | None, "The same where the joint moves back, unless it is equal."] = None
 
 
 @record
@@ -47,6 +70,7 @@ class Arm:
 
     robot: Annotated[Text, "A published arm: puma-560."] = ""
     lengths: Annotated[tuple[Size, ...], "Links of a planar arm of revolute joints, e.g. 500, 400, 200 mm."] = ()
+    masses: Annotated[tuple[Mass, ...], "Their masses, of uniform rods, for `torque`, e.g. 6, 4, 1 kg."] = ()
     convention: Annotated[
         Convention | None,
         "Of the table of joints: standard turns θ and shifts d, then shifts a and turns α; modified (Craig) turns α "
