@@ -73,6 +73,7 @@ JACOBIAN = Task(
         "idle: joint speeds, hand at rest",
         "velocity: velocity of the hand",
         "angular_velocity: angular velocity",
+        "largest_torque: largest torque",
         "torques: joint torques",
         "slide_forces: forces of slides",
         "columns: column | joint, linear, slide, angular",
@@ -133,9 +134,14 @@ TORQUE = Task(
         "dynamics_cli.robot.torque:torque",
         source=BOOK + "sections 19.13 to 19.15",
         formula="τ = M(q)·q̈ + h(q, q̇) + g(q) + Jᵀ·F",
-        assumptions=(RIGID, "of a motor's rotor only its turning with the joint counts", "no friction of joints at rest"),
+        assumptions=(
+            RIGID,
+            "of a motor's rotor only its turning with the joint counts",
+            "no friction of joints at rest",
+        ),
     ),
     headline=(
+        "largest_torque: largest joint torque",
         "torques: joint torques",
         "slide_forces: forces of slides",
         "drives: with rotors and friction",
@@ -158,4 +164,8 @@ TORQUE = Task(
     table="joints",
 )
 
-FAMILIES = {"robot": Family("robot", "Robot arms: pose, Jacobian, inverse kinematics, torques.", POSE, JACOBIAN, INVERSE, TORQUE)}
+FAMILIES = {
+    "robot": Family(
+        "robot", "Robot arms: pose, Jacobian, inverse kinematics, torques.", POSE, JACOBIAN, INVERSE, TORQUE
+    )
+}

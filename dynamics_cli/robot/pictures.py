@@ -10,8 +10,8 @@ from dynamics_cli.numerics.vectors import times as turned
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.pictures.vectors import GREY, arrow, corner, curve, times, unit
 from dynamics_cli.quantities import Coordinate, Force, Torque
-from dynamics_cli.robot.arms.chain import ORIGIN, Chain, Frame, chain_of, coordinates_of
-from dynamics_cli.robot.arms.records import REVOLUTE, Arm
+from dynamics_cli.robot.arms.chain import Chain, Frame, chain_of, coordinates_of
+from dynamics_cli.robot.arms.records import ORIGIN, REVOLUTE, Arm
 from dynamics_cli.robot.pose import is_planar
 
 TYPE_CHECKING = False

@@ -1,12 +1,12 @@
 """Torques of an arm's joints for a motion, a payload and a force of the hand, part by part."""
 
 from dynamics_cli.errors import MissingError, require
-from dynamics_cli.numerics.elementary import absolute, sqrt, where
+from dynamics_cli.numerics.elementary import absolute, maximum, sqrt, where
 from dynamics_cli.numerics.number import over_plain, plain, single
 from dynamics_cli.numerics.orientation.rotations import about_axis, product, transposed
 from dynamics_cli.numerics.trees.newton_euler import back, inverse, sweep
 from dynamics_cli.numerics.trees.tree import FIXED, PRISMATIC, REVOLUTE, Link, Tree, placed, poses
-from dynamics_cli.numerics.vectors import Vector, add, cross, dot, scale, times
+from dynamics_cli.numerics.vectors import add, cross, dot, scale, times
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
@@ -81,6 +81,8 @@ class Torques:
     """Torques and forces of all joints."""
 
     torques: Annotated[tuple[Torque, ...] | None, "Torques of the revolute joints on their links, in order [N*m]."]
+    largest_torque: Annotated[Torque | None, "The largest of them, as a magnitude [N*m]."]
+    largest_joint: Annotated[Text | None, "The joint that has it."]
     slide_forces: Annotated[tuple[Force, ...] | None, "Forces of the prismatic joints, in order [N]."]
     drives: Annotated[tuple[Torque, ...] | None, "With rotors and friction of the joints, where given [N*m]."]
     power: Annotated[Power | None, "Power of the joints on their links, where they move [W]."]
@@ -99,7 +101,9 @@ def torque(
     *,
     angles: Annotated[tuple[Angle, ...], ANGLES] = (),
     slides: Annotated[tuple[Coordinate, ...], SLIDES] = (),
-    speeds: Annotated[tuple[TurnRate, ...], "Speeds of the revolute joints, at rest unless given, e.g. 1, 2 rad/s."] = (),
+    speeds: Annotated[
+        tuple[TurnRate, ...], "Speeds of the revolute joints, at rest unless given, e.g. 1, 2 rad/s."
+    ] = (),
     slide_speeds: Annotated[tuple[Speed, ...], "Speeds of the prismatic joints, e.g. 0.1 m/s."] = (),
     accelerations: Annotated[
         tuple[AngularAcceleration, ...], "Accelerations of the revolute joints, e.g. 3, -2 rad/s^2."
@@ -115,7 +119,7 @@ def torque(
 
     Equation
     --------
-    Newton–Euler from the base outwards and back: f = m·a_C, n = I·α + ω × I·ω + c × f; τ = z·n or z·f; with gravity as an
+    Newton–Euler from the base outwards and back: f = m·a_C, n = I·α + ω × I·ω + c × f; τ = z·n or z·f; gravity is an
     acceleration of the base. Rotor: ratio²·J·q̈; friction: b·q̇ + c·sign q̇.
 
     Raises
@@ -139,9 +143,9 @@ def torque(
     v = _rates(chain, speeds, slide_speeds, ("speeds", "slide-speeds"))
     a = _rates(chain, accelerations, slide_accelerations, ("accelerations", "slide-accelerations"))
     _require_loads(chain, payload, force, moment)
-    size = sqrt(dot(up, up))
-    require(size > 0.0, "the direction upwards has no length", code="direction", hint="for example 0, 0, 1")
-    lift = scale(gravity / size, up)
+    length = sqrt(dot(up, up))
+    require(length > 0.0, "the direction upwards has no length", code="direction", hint="for example 0, 0, 1")
+    lift = scale(gravity / length, up)
     links, held = Tree(links_of(chain)), Tree(links_of(chain, masses=False) + _payload(chain, payload or 0.0))
     frames = poses(links, q)
     rest = [0.0] * len(q)
@@ -165,8 +169,11 @@ def torque(
     loaded = payload is not None, force is not None or moment is not None
     shown = [(*part[:3], part[3] if loaded[0] else None, part[4] if loaded[1] else None) for part in parts]
     rows = list(zip(chain.names, total, shown, rotor, friction, turning, strict=True))
+    turned = [(name, absolute(t)) for name, t, turns in zip(chain.names, total, turning, strict=True) if turns]
     return Torques(
         torques=tuple(t for t, turns in zip(total, turning, strict=True) if turns) or None,
+        largest_torque=_largest([size for _, size in turned]),
+        largest_joint=max(turned, key=lambda each: plain(each[1]))[0] if turned and alone else None,
         slide_forces=tuple(t for t, turns in zip(total, turning, strict=True) if not turns) or None,
         drives=tuple(row[1] + row[3] + row[4] for row in rows if row[5]) if driven else None,
         power=_sum(t * rate for t, rate in zip(total, v, strict=True)) if speeds or slide_speeds else None,
@@ -197,12 +204,19 @@ def _rates(
 def _require_loads(chain: Chain, *loads: "Any") -> None:
     heavy = any(plain(joint.mass) or any(map(any, over_plain(joint.tensor))) for joint in chain.joints)
     rotors = any(plain(joint.rotor_inertia) or plain(joint.coulomb) or plain(joint.viscous) for joint in chain.joints)
-    if not heavy and not rotors and loads == (None, None, None):
+    if not heavy and not rotors and all(load is None for load in loads):
         raise MissingError("the links have no masses", (("masses",), ("payload",), ("force",)), code="no-masses")
 
 
 def _tuples(given: "tuple[Any, ...]") -> "tuple[Any, ...]":
     return tuple(tuple(part) if isinstance(part, list) else part for part in given)
+
+
+def _largest(sizes: "Sequence[float]") -> float | None:
+    largest: float | None = None
+    for size in sizes:
+        largest = size if largest is None else maximum(largest, size)
+    return largest
 
 
 def _sum(numbers: "Any") -> float:
@@ -216,7 +230,9 @@ def _friction(joint: "Any", rate: float) -> float:
     """Viscous and dry friction against which a joint moves; none of a joint at rest."""
     forward = joint.coulomb
     backward = forward if joint.coulomb_back is None else absolute(joint.coulomb_back)
-    return joint.viscous * rate + where(rate > 0.0, forward, where(rate < 0.0, -backward, 0.0 * rate))
+    dry = where(rate > 0.0, forward, where(rate < 0.0, -backward, 0.0 * rate))
+    total: float = joint.viscous * rate + dry
+    return total
 
 
 def links_of(chain: Chain, *, masses: bool = True) -> "list[Link]":
@@ -289,7 +305,9 @@ class _Whole:
     def kinetic_at(self, q: "Sequence[float]", v: "Sequence[float]") -> float:
         """Kinetic energy in a state."""
         total: float = 0.0
-        for link, (omega, _, velocity, _) in zip(self.tree.links, sweep(self.tree, poses(self.tree, q), v), strict=True):
+        for link, (omega, _, velocity, _) in zip(
+            self.tree.links, sweep(self.tree, poses(self.tree, q), v), strict=True
+        ):
             centre = add(velocity, cross(omega, link.centroid))
             total = total + 0.5 * (link.mass * dot(centre, centre) + dot(omega, times(link.tensor, omega)))
         return total

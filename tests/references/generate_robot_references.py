@@ -229,7 +229,9 @@ def links(rows: list[tuple[str, ...]], convention: str, q: list[Any]) -> list[An
 class Heavy:
     """An arm with masses, and its energies."""
 
-    def __init__(self, rows: list[tuple[str, ...]], convention: str, bodies: list[tuple[str, list[str], list[str]]]) -> None:
+    def __init__(
+        self, rows: list[tuple[str, ...]], convention: str, bodies: list[tuple[str, list[str], list[str]]]
+    ) -> None:
         self.rows, self.convention, self.bodies = rows, convention, bodies
 
     def written(self) -> dict[str, Any]:
@@ -311,7 +313,8 @@ def torques() -> Iterator[Case]:
          ["1.0", "-0.5", "0.8", "2.0", "-1.5", "3.0"], ["2.0", "1.0", "-1.0", "0.5", "4.0", "-2.0"]),
         ("puma, read as modified", Heavy(PUMA, "modified", puma), ["0.3", "0.4", "-0.5", "0.7", "1.1", "-0.2"],
          ["1.0", "-0.5", "0.8", "2.0", "-1.5", "3.0"], ["2.0", "1.0", "-1.0", "0.5", "4.0", "-2.0"]),
-        ("slide", Heavy(quill, "standard", bodies), ["0.4", "-1.1", "0.2"], ["0.9", "1.4", "-0.6"], ["-1.0", "2.0", "0.7"]),
+        ("slide", Heavy(quill, "standard", bodies), ["0.4", "-1.1", "0.2"],
+         ["0.9", "1.4", "-0.6"], ["-1.0", "2.0", "0.7"]),
     ):  # fmt: skip
         numbers = [[mpf(float(x)) for x in texts] for texts in (q, v, a)]
         efforts = heavy.efforts(*numbers, [mpf(0), mpf(0), mpf(float("9.81"))])

@@ -30,16 +30,23 @@ REFUSED = {
         f'inverse {PUMA} --position "100, 100, 900 mm" --euler-angles "0, 90, 0 deg" --euler-order XYZ', "out-of-reach",
     ),
     "no orientation": (f'inverse {PUMA} --position "450, 100, 900 mm"', "no-orientation"),
-    "orientation of no wrist": ('inverse --lengths "500, 400 mm" --position "500, 60 mm" --hand-angle "1 rad"', "no-wrist"),
+    "orientation of no wrist": (
+        'inverse --lengths "500, 400 mm" --position "500, 60 mm" --hand-angle "1 rad"', "no-wrist",
+    ),
     "a hand angle in space": (f'inverse {PUMA} --position "450, 100, 900 mm" --hand-angle "1 rad"', "hand-angle"),
     "tilted out of the plane": (
-        'inverse --lengths "500, 400, 100 mm" --position "500, 60 mm" --rotation-axis "1, 0, 0" --rotation-angle "9 deg"',
+        'inverse --lengths "500, 400, 100 mm" --position "500, 60 mm" --rotation-axis "1, 0, 0" '
+        '--rotation-angle "9 deg"',
         "out-of-reach",
     ),
     "no rotation": (
-        f'inverse {PUMA} --position "450, 100, 900 mm" --rotation-matrix "(1, 0, 0), (0, 1, 0), (0, 0.01, 1)"', "rotation",
+        f'inverse {PUMA} --position "450, 100, 900 mm" --rotation-matrix "(1, 0, 0), (0, 1, 0), (0, 0.01, 1)"',
+        "rotation",
     ),
     "no closed form": (f'inverse {STANFORD} --position "400, 100, 500 mm" --quaternion "1, 0, 0, 0"', "no-closed-form"),
+    "no masses": ('torque --lengths "500, 400 mm" --angles "30, 45 deg"', "no-masses"),
+    "one mass of two": ('torque --lengths "500, 400 mm" --masses "3 kg" --angles "30, 45 deg"', "masses"),
+    "no way up": ('torque --lengths "50 mm" --masses "2 kg" --angles "30 deg" --up "0, 0, 0"', "direction"),
     "a link of no length": ('inverse --lengths "500, 0 mm" --position "500, 0 mm"', "no-closed-form"),
 }  # fmt: skip
 
@@ -118,6 +125,22 @@ def test_uncertain_lengths_and_angles() -> None:
     assert "95 %" in out.out
 
 
+def test_an_uncertain_payload() -> None:
+    arm = '--lengths "500, 400 mm" --masses "6, 4 kg" --angles "30, 45 deg" --up "0, 1, 0"'
+    call = f'robot torque {arm} --payload "2 ± 0.1 kg"'
+    out = run(*shlex.split(call), "--json").document["results"]["largest_torque"]
+    # g·(l₁ cos 30° + l₂ cos 75°) of the standard uncertainty
+    assert out["std"] == pytest.approx(0.1 * 9.80665 * (0.5 * 0.8660254 + 0.4 * 0.2588190), rel=1e-3)
+
+
+def test_a_lifting_slide_carries_its_load() -> None:
+    call = 'robot torque examples/scara.toml --angles "30, 60, 0 deg" --slides "80 mm" --payload "3 kg"'
+    out = run(*shlex.split(call), "--json").document["results"]
+    # the quill points down: its joint pulls up
+    assert out["slide_forces"]["value"] == pytest.approx([-3 * 9.80665])
+    assert out["torques"]["value"] == pytest.approx([0, 0, 0], abs=1e-12)
+
+
 def test_rows_of_poses() -> None:
     rows = b'{"angles": ["0 deg", "90 deg"]}\n{"angles": ["30 deg", "0 deg"]}\n'
     out = run("robot", "pose", "--lengths", "500, 400 mm", "--rows", "-", stdin=rows)
@@ -136,6 +159,8 @@ def test_rows_of_poses() -> None:
         f'jacobian {PUMA} --angles "20, 40, -30, 0, 0, 0 deg" --axes hand',
         'jacobian examples/scara.toml --angles "30, 60, 0 deg" --slides "80 mm"',
         'jacobian --lengths "500, 400 mm" --angles "30, 0 deg"',
+        f'torque {PUMA} --angles "20, 40, -30, 0, 60, 0 deg" --payload "2 kg"',
+        'torque examples/scara.toml --angles "30, 60, 0 deg" --slides "80 mm" --payload "2 kg"',
     ],
 )
 def test_pictures(call: str, tmp_path: Path) -> None:

@@ -18,6 +18,7 @@ from dynamics_cli.robot.arms.records import STANDARD, Arm, Convention, Joint
 from dynamics_cli.robot.inverse.task import inverse
 from dynamics_cli.robot.jacobian import jacobian
 from dynamics_cli.robot.pose import pose
+from dynamics_cli.robot.torque import torque
 
 FILE = "robot.json"
 GROUPS: dict[str, type] = {"Arm": Arm, "Joint": Joint, "Euler": Euler}
@@ -89,6 +90,49 @@ def test_inverses_are_within_their_estimate(case: dict[str, Any]) -> None:
     assert worst <= 10.0 * stated
     # the two links are given in doubles that are exact, which are not rounded poses
     assert "two links" in case["name"] or stated <= 1e3 * max(worst, 1e-16)
+
+
+@pytest.mark.parametrize("case", cases(FILE, "torque"), ids=lambda case: case["name"])
+def test_torques_are_within_their_bounds(case: dict[str, Any]) -> None:
+    mp.dps = 50
+    numbers = list(leaves(case["inputs"]))
+    answer = asked(torque, case, numbers)
+    assert all(check.passed for check in answer.checks)
+    plain, tracked = flat(answer), flat(asked(torque, case, Tracked.inputs(numbers)))
+    for name, text in case["results"].items():
+        assert tracked[name].value == plain[name]
+        assert abs(mpf(plain[name]) - mpf(text)) <= tracked[name].error
+        assert tracked[name].error < 1e-12
+
+
+def test_torques_of_a_published_arm() -> None:
+    """Puma 560 with the masses and motors of roboticstoolbox, whose answer adds rotors and friction."""
+    qn = (0.0, pi / 4, -pi, 0.0, pi / 4, 0.0)
+    still = torque(PUMA, angles=qn, gravity=9.81)
+    assert still.torques == pytest.approx((0, 31.63988037835712104842058, 6.03513802301051223024175, 0, 0.0282528, 0),
+                                          abs=1e-14)  # fmt: skip
+    answer = torque(PUMA, angles=qn, speeds=(0.5,) * 6, accelerations=(0.3,) * 6, gravity=9.81)
+    assert answer.torques == pytest.approx(
+        (0.4229556740555265443812939, 32.69695483187659552235968, 6.091317150991502220949384,
+         0.00008149298688000575386236482, 0.03019222145919236237571097, 0.00005755634918610404553681858), abs=1e-14,
+    )  # fmt: skip
+    assert answer.drives is not None
+    assert [round(each, 2) for each in answer.drives] == [28.29, 51.73, 15.34, 1.11, 0.96, 0.47]
+    assert answer.joints is not None
+    assert answer.joints[0].torque + (answer.joints[0].rotor or 0.0) == pytest.approx(0.658, abs=5e-4)
+    assert [advice.code for advice in answer.advice] == ["impossible-body"]
+
+
+def test_torques_of_a_force_and_a_payload_are_those_of_statics() -> None:
+    """A payload is a weight in the hand; a force of the hand acts by the transposed Jacobian."""
+    arm = Arm(lengths=(0.5, 0.4), masses=(0.0, 0.0))
+    carried = torque(arm, angles=(0.3, 0.8), payload=2.0, up=(0.0, 1.0, 0.0), gravity=10.0)
+    pushed = torque(arm, angles=(0.3, 0.8), force=(0.0, 20.0, 0.0), up=(0.0, 1.0, 0.0), gravity=10.0)
+    static = jacobian(arm, angles=(0.3, 0.8), force=(0.0, 20.0, 0.0))
+    assert carried.torques == pytest.approx(static.torques, rel=1e-14)
+    assert pushed.torques == pytest.approx(static.torques, rel=1e-14)
+    assert carried.base_force == pytest.approx((0.0, 20.0, 0.0))
+    assert pushed.base_moment[2] == pytest.approx(static.torques[0] if static.torques else 0.0)
 
 
 def test_the_pose_of_a_published_arm() -> None:

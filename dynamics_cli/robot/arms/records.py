@@ -56,7 +56,9 @@ class Joint:
     name: Annotated[Text, "Its name, e.g. shoulder."] = ""
     mass: Annotated[Mass, "Mass of the link after it, for `torque`, e.g. 4.8 kg."] = 0.0
     centroid: Annotated[PartPosition, "The link's mass centre in the axes of its frame, e.g. -200, 0, 0 mm."] = ORIGIN
-    tensor: Annotated[InertiaTensor, "The link's inertia about its mass centre in these axes, products negative."] = NONE
+    tensor: Annotated[InertiaTensor, "The link's inertia about its mass centre in these axes, products negative."] = (
+        NONE
+    )
     rotor_inertia: Annotated[Inertia, "Moment of inertia of the motor's rotor, e.g. 2e-4 kg*m^2."] = 0.0
     gear_ratio: Annotated[Ratio, "Turns of the motor per turn of the joint, e.g. 62.6."] = 1.0
     viscous: Annotated[TorsionDamping, "Viscous friction at the joint, e.g. 5 N*m*s/rad."] = 0.0
