@@ -7,7 +7,7 @@ from dynamics_cli.numerics.trees.tree import FIXED, PRISMATIC, REVOLUTE, Link, T
 from dynamics_cli.numerics.vectors import add, cross, dot, scale, times
 from dynamics_cli.records import Advice, Check
 from dynamics_cli.robot.arms.chain import Chain
-from dynamics_cli.robot.arms.records import ORIGIN
+from dynamics_cli.robot.arms.records import ORIGIN, POINT
 from dynamics_cli.robot.velocities import columns_of
 
 TYPE_CHECKING = False
@@ -31,18 +31,18 @@ def links_of(chain: Chain, *, masses: bool = True) -> "list[Link]":
         far = (joint.a, 0.0, joint.d)
         if chain.standard:
             start, place = product(rotation, turn), position
-            centroid, tensor = add(far, times(twist, joint.centroid)), _turned(twist, joint.tensor)
+            centroid, tensor = add(far, times(twist, joint.centroid)), _turned(twist, joint.tensor or POINT)
             rotation, position = twist, far
         else:
             start, place = product(twist, turn), add((joint.a, 0.0, 0.0), times(twist, (0.0, 0.0, joint.d)))
-            centroid, tensor = joint.centroid, joint.tensor
+            centroid, tensor = joint.centroid, joint.tensor or POINT
         links.append(
             Link(
                 chain.names[number], number - 1, REVOLUTE if chain.turning[number] else PRISMATIC,
                 position=place, rotation=start,
                 mass=joint.mass if masses else 0.0,
                 centroid=centroid,
-                tensor=tensor if masses else (ORIGIN, ORIGIN, ORIGIN),
+                tensor=tensor if masses else POINT,
             )
         )  # fmt: skip
     return links
@@ -132,7 +132,7 @@ def impossible(chain: Chain) -> "tuple[Advice, ...]":
     """Links whose moments of inertia no body has; a table may lump moments about one axis alone."""
     names = []
     for name, joint in zip(chain.names, chain.joints, strict=True):
-        x, y, z = (plain(joint.tensor[k][k]) for k in range(3))
+        x, y, z = (plain((joint.tensor or POINT)[k][k]) for k in range(3))
         if max(x, y, z) * (2.0 - IMPOSSIBLE) > x + y + z:
             names.append(name)
     if not names:

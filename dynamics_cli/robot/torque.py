@@ -205,7 +205,7 @@ def _rates(
 
 
 def _require_loads(chain: Chain, *loads: "Any") -> None:
-    heavy = any(plain(joint.mass) or any(map(any, over_plain(joint.tensor))) for joint in chain.joints)
+    heavy = any(plain(joint.mass) or joint.tensor is not None for joint in chain.joints)
     rotors = any(plain(joint.rotor_inertia) or plain(joint.coulomb) or plain(joint.viscous) for joint in chain.joints)
     if not heavy and not rotors and all(load is None for load in loads):
         raise MissingError("the links have no masses", (("masses",), ("payload",), ("force",)), code="no-masses")

@@ -32,7 +32,7 @@ class JointType(Choice):
 
 
 ORIGIN = (0.0, 0.0, 0.0)
-NONE = (ORIGIN, ORIGIN, ORIGIN)
+POINT = (ORIGIN, ORIGIN, ORIGIN)
 # Descriptions of parameters that several tasks have.
 ANGLES = "Angles of the revolute joints in order, e.g. 20, 40, -30, 0, 60, 0 deg."
 SLIDES = "Travels of the prismatic joints in order, e.g. 120 mm."
@@ -56,9 +56,9 @@ class Joint:
     name: Annotated[Text, "Its name, e.g. shoulder."] = ""
     mass: Annotated[Mass, "Mass of the link after it, for `torque`, e.g. 4.8 kg."] = 0.0
     centroid: Annotated[PartPosition, "The link's mass centre in the axes of its frame, e.g. -200, 0, 0 mm."] = ORIGIN
-    tensor: Annotated[InertiaTensor, "The link's inertia about its mass centre in these axes, products negative."] = (
-        NONE
-    )
+    tensor: Annotated[
+        InertiaTensor | None, "The link's inertia about its mass centre in these axes; nothing: all mass is there."
+    ] = None
     rotor_inertia: Annotated[Inertia, "Moment of inertia of the motor's rotor, e.g. 2e-4 kg*m^2."] = 0.0
     gear_ratio: Annotated[Ratio, "Turns of the motor per turn of the joint, e.g. 62.6."] = 1.0
     viscous: Annotated[TorsionDamping, "Viscous friction at the joint, e.g. 5 N*m*s/rad."] = 0.0
