@@ -1,9 +1,10 @@
 """Pose of an arm: where its hand and every link are for given joint positions."""
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.elementary import atan2
+from dynamics_cli.numerics.elementary import absolute, atan2, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.numerics.orientation.quaternions import of_rotation, upright
+from dynamics_cli.numerics.orientation.rotations import Matrix
 from dynamics_cli.numerics.orientation.sequences import angles_in_words, angles_of_rotation, sequence_of
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.numerics.vectors import length
@@ -26,6 +27,9 @@ from dynamics_cli.robot.arms.records import REVOLUTE, SLIDES, Arm
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+# A scalar part below this is rounding of a half turn, of which both signs are right.
+HALF_TURN = 1e-9
 
 
 @record
@@ -125,12 +129,20 @@ def pose(
         hand_angle=atan2(rotation[1][0], rotation[0][0]) if planar else None,
         orientation_angles=None if flat else angles_of_rotation(rotation, order).angles,
         angle_names=angles_in_words(order),
-        euler_parameters=upright(of_rotation(rotation)),
+        euler_parameters=_parameters(rotation),
         rotation_matrix=rotation,
         distance=length(hand.position),
         links=tuple(rows),
         advice=limit_advice(chain, coordinates) if single(*coordinates) else (),
     )
+
+
+def _parameters(rotation: Matrix) -> Quaternion:
+    """Euler parameters with a scalar part that is not negative, beyond what rounding leaves of a half turn."""
+    q = of_rotation(rotation)
+    clear = absolute(q[0]) > HALF_TURN
+    w, x, y, z = (where(clear, a, b) for a, b in zip(upright(q), q, strict=True))
+    return w, x, y, z
 
 
 def is_planar(chain: Chain) -> bool:

@@ -116,7 +116,7 @@ def poses() -> Iterator[Case]:
         results |= {f"euler_parameters[{k}]": part for k, part in enumerate(quaternion(hand))}
         results["distance"] = sqrt(sum(x * x for x in place))
         inputs = {"arm": written(rows, convention), "angles": texts}
-        yield "pose", name, why, inputs, results
+        yield "pose", name, why and f"{why}: its place is known as well as ever", inputs, results
 
 
 def rows_of(rows: list[tuple[str, ...]], convention: str, q: list[Any]) -> Any:
@@ -149,7 +149,7 @@ def jacobians() -> Iterator[Case]:
         results |= {f"speed_ratios[{k}]": value for k, value in enumerate(linear)}
         results |= {f"angular_values[{k}]": value for k, value in enumerate(angular)}
         inputs = {"arm": written(rows, convention), "angles": texts}
-        yield "jacobian", name, why, inputs, results
+        yield "jacobian", name, why and f"{why}: the determinant all but vanishes", inputs, results
     for lengths, texts in ((["0.5", "0.4"], ["0.5", "1.3"]), (["1.0", "0.8", "0.5"], ["0.3", "0.7", "-0.4"])):
         rows = planar(lengths)
         jacobian = rows_of(rows, "standard", [mpf(float(text)) for text in texts])
@@ -195,15 +195,21 @@ def inverses() -> Iterator[Case]:
             "arm": written(rows, convention), "position": place,
             "turn": {"record": "Euler", "euler_angles": angles, "euler_order": {"word": "XYZ"}}, "near": texts,
         }  # fmt: skip
-        yield "inverse", name, why, inputs, {f"angles[{k}]": root[k] for k in range(6)}
+        yield (
+            "inverse",
+            name,
+            why and f"{why}: two postures fall together",
+            inputs,
+            {f"angles[{k}]": root[k] for k in range(6)},
+        )
 
 
 def edges() -> Iterator[Case]:
     """Two links at the edges of their reach, by the cosine rule in many digits."""
     for first, second, r, why in (
-        ("1.0", "1.0", repr(2.0 - 2.0**-40), "all but stretched"),
-        ("1.0", "0.5", repr(0.5 + 2.0**-40), "all but folded"),
-        ("1.0", "0.5", repr(1.5 - 2.0**-40), "all but stretched"),
+        ("1.0", "1.0", repr(2.0 - 2.0**-40), "all but stretched: the arc cosine loses half the digits"),
+        ("1.0", "0.5", repr(0.5 + 2.0**-40), "all but folded: the arc cosine loses half the digits"),
+        ("1.0", "0.5", repr(1.5 - 2.0**-40), "all but stretched: the arc cosine loses half the digits"),
         ("0.5", "0.4", "0.7", ""),
     ):
         l1, l2, distance = mpf(float(first)), mpf(float(second)), mpf(float(r))
