@@ -128,8 +128,10 @@ def _rods(lengths: "Sequence[float]", masses: "Sequence[float]") -> "tuple[Joint
         len(masses) in (0, len(lengths)), "read {masses} masses of {lengths} links",
         masses=len(masses), lengths=len(lengths), code="masses", hint="one mass for each length",
     )  # fmt: skip
+    if not masses:
+        return tuple(Joint(a=length) for length in lengths)
     joints = []
-    for length, mass in zip(lengths, masses or [0.0] * len(lengths), strict=True):
+    for length, mass in zip(lengths, masses, strict=True):
         across = mass * length * length / 12.0
         tensor = (ORIGIN, (0.0, across, 0.0), (0.0, 0.0, across))
         joints.append(Joint(a=length, mass=mass, centroid=(-0.5 * length, 0.0, 0.0), tensor=tensor))
