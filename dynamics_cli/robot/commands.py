@@ -91,6 +91,41 @@ JACOBIAN = Task(
     errors=("nearness",),
 )
 
+RATES = Task(
+    "rates",
+    "Joint speeds for a velocity of the hand; least norm, weighted or damped.",
+    Model(
+        "least squares by singular values",
+        "dynamics_cli.robot.rates:rates",
+        source=BOOK + "section 19.16",
+        formula="q̇ = W⁻¹·Jᵀ·(J·W⁻¹·Jᵀ)⁻¹·v",
+        assumptions=(RIGID,),
+        method="singular values",
+    ),
+    headline=(
+        "solution: joint speeds are",
+        "speeds: speeds of revolute joints",
+        "slide_speeds: speeds of slides",
+        "norm: norm",
+        "idle: may be added, hand at rest",
+        "missing_velocity: velocity missing",
+        "missing_turn: turn missing",
+    ),
+    examples=(
+        'dynamics robot rates --lengths "1000, 800, 500 mm" --angles "20, 40, -25 deg" --velocity "0.2, -0.1, 0 m/s"',
+        'dynamics robot rates --robot puma-560 --angles "20, 40, -30, 0, 60, 0 deg" --velocity "0.1, 0, 0 m/s" '
+        '--angular-velocity "0, 0, 0 rad/s"',
+    ),
+    scene=SCENE | {"velocity": "0.2, -0.1, 0 m/s"},
+    names=ARM,
+    also=("inverse-velocity",),
+    plot=f"{PICTURES}:rates_picture",
+    table="joints",
+    arrays=False,
+    tracked=False,
+    errors=("missing_velocity", "missing_turn", "nearness"),
+)
+
 INVERSE = Task(
     "inverse",
     "Inverse kinematics: every posture that gives a pose, with limits and margins.",
@@ -166,6 +201,6 @@ TORQUE = Task(
 
 FAMILIES = {
     "robot": Family(
-        "robot", "Robot arms: pose, Jacobian, inverse kinematics, torques.", POSE, JACOBIAN, INVERSE, TORQUE
+        "robot", "Robot arms: pose, Jacobian, inverse kinematics, torques.", POSE, JACOBIAN, RATES, INVERSE, TORQUE
     )
 }

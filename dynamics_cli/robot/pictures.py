@@ -25,6 +25,8 @@ HAND, DRUM = 0.12, 0.035
 SAME = 1e-6
 # Longest half axis of an ellipsoid as a share of the arm, and the points of an ellipse.
 SHOWN, POINTS = 0.22, 72
+# How far the fastest joint has moved in the posture drawn dotted.
+LATER = radians(10.0)
 AXES = ("x", "y", "z")
 # Where the eye is: before the arm and to its right.
 AZIMUTH, ELEVATION = radians(-62.0), radians(22.0)
@@ -197,6 +199,30 @@ def ellipsoid(
             items.append(Curve([x for x, _ in flat], [y for _, y in flat], label, style, role))  # type: ignore[arg-type]
             label = ""
     return items
+
+
+def rates_picture(
+    result: "Any", arm: Arm, *, angles: "Any" = (), slides: "Any" = (), velocity: "Any" = None, **_: "Any"
+) -> Picture:
+    """The arm with the velocity of its hand, and the arm a little later, dotted."""
+    chain = over_plain(chain_of(arm))
+    coordinates = coordinates_of(chain, over_plain(tuple(angles)), over_plain(tuple(slides)))
+    speeds = coordinates_of(chain, result.speeds or (), result.slide_speeds or ())
+    fastest = max(map(abs, speeds), default=0.0)
+    later = (
+        [q + LATER * speed / fastest for q, speed in zip(coordinates, speeds, strict=True)] if fastest else coordinates
+    )
+    items = [
+        *posture(chain, later, GREY, "", "dots"),
+        *posture(chain, coordinates, 0),
+        *joint_marks(chain, coordinates, GREY),
+    ]
+    way = over_plain(tuple(velocity or ORIGIN))
+    if any(way):
+        hand = chain.hand(chain.links(coordinates)).position
+        items.append(arrow(times(SHOWN * chain.reach, unit(way)), "", 1, seen_from(chain), start=hand))
+    words = "the arrow is the hand's velocity; dotted: the arm later, its fastest joint 10 degrees on"
+    return Picture((panel(chain, items),), f"arm of {len(chain.joints)} joints, speeds of its joints", subtitle=words)
 
 
 def torque_picture(

@@ -91,10 +91,10 @@ def rank_of(chain: Chain, columns: "Columns") -> Rank:
             parts[row] = part
         lost = (parts[0], parts[1], parts[2]), (parts[3], parts[4], parts[5])
     kept = values.right[: -1 if singular else None]
-    return Rank(nearness=nearness, lost=lost, idle=_idle(kept, len(columns)))
+    return Rank(nearness=nearness, lost=lost, idle=idle_of(kept, len(columns)))
 
 
-def _idle(kept: "Sequence[Sequence[float]]", count: int) -> "tuple[float, ...] | None":
+def idle_of(kept: "Sequence[Sequence[float]]", count: int) -> "tuple[float, ...] | None":
     """The one direction at right angles to some others, its largest part 1."""
     if count - len(kept) != 1:
         return None

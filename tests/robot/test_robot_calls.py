@@ -44,6 +44,17 @@ REFUSED = {
         "rotation",
     ),
     "no closed form": (f'inverse {STANFORD} --position "400, 100, 500 mm" --quaternion "1, 0, 0, 0"', "no-closed-form"),
+    "no velocity": ('rates --lengths "500, 400 mm" --angles "30, 45 deg"', "no-velocity"),
+    "straight": ('rates --lengths "500, 400 mm" --angles "30, 0 deg" --velocity "1, 0, 0 m/s"', "singular"),
+    "out of the level": ('rates --lengths "500, 400 mm" --angles "30, 9 deg" --velocity "1, 0, 1 m/s"', "out-of-plane"),
+    "too few joints": (
+        'rates --lengths "500, 400 mm" --angles "30, 45 deg" --velocity "1, 0, 0 m/s" '
+        '--angular-velocity "0, 0, 0 rad/s"',
+        "too-few-joints",
+    ),
+    "one weight of two": (
+        'rates --lengths "500, 400 mm" --angles "30, 45 deg" --velocity "1, 0, 0 m/s" --weights 2', "joint-count",
+    ),
     "no masses": ('torque --lengths "500, 400 mm" --angles "30, 45 deg"', "no-masses"),
     "one mass of two": ('torque --lengths "500, 400 mm" --masses "3 kg" --angles "30, 45 deg"', "masses"),
     "no way up": ('torque --lengths "50 mm" --masses "2 kg" --angles "30 deg" --up "0, 0, 0"', "direction"),
@@ -159,6 +170,8 @@ def test_rows_of_poses() -> None:
         f'jacobian {PUMA} --angles "20, 40, -30, 0, 0, 0 deg" --axes hand',
         'jacobian examples/scara.toml --angles "30, 60, 0 deg" --slides "80 mm"',
         'jacobian --lengths "500, 400 mm" --angles "30, 0 deg"',
+        f'rates {PUMA} --angles "20, 40, -30, 0, 60, 0 deg" --velocity "0.1, 0, 0 m/s"',
+        'rates examples/scara.toml --angles "30, 60, 0 deg" --slides "80 mm" --velocity "0.1, 0, -0.1 m/s"',
         f'torque {PUMA} --angles "20, 40, -30, 0, 60, 0 deg" --payload "2 kg"',
         'torque examples/scara.toml --angles "30, 60, 0 deg" --slides "80 mm" --payload "2 kg"',
     ],

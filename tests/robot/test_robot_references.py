@@ -18,6 +18,7 @@ from dynamics_cli.robot.arms.records import STANDARD, Arm, Convention, Joint
 from dynamics_cli.robot.inverse.task import inverse
 from dynamics_cli.robot.jacobian import jacobian
 from dynamics_cli.robot.pose import pose
+from dynamics_cli.robot.rates import rates
 from dynamics_cli.robot.torque import torque
 
 FILE = "robot.json"
@@ -261,6 +262,42 @@ def test_both_postures_of_three_links() -> None:
     second = (1.231800163139933860814824, -2.042249166658477287559566, 1.810449003518543426744741)
     assert answer.solutions[0].angles == pytest.approx(first, abs=4e-16)
     assert answer.solutions[1].angles == pytest.approx(second, abs=4e-16)
+
+
+def test_speeds_of_a_redundant_arm() -> None:
+    arm, q, v = Arm(lengths=(1.0, 0.8, 0.5)), (0.3, 0.7, -0.4), (0.2, -0.1, 0.0)
+    least = rates(arm, angles=q, velocity=v)
+    assert least.solution == "least norm"
+    assert least.speeds == pytest.approx(
+        (0.1039930935800455284736508, -0.3539518354906446332035114, 0.02870143139672594955459508), abs=1e-15
+    )
+    way = (-0.2286559398988511097308437, 0.01175407861051640301261419, 0.9734363373045978449284973)
+    assert least.idle == pytest.approx([part / way[2] for part in way], abs=1e-14)
+    weighted = rates(arm, angles=q, velocity=v, weights=(4.0, 2.0, 1.0))
+    assert weighted.speeds == pytest.approx(
+        (0.08907274491930865541879768, -0.3531848536453853815072896, 0.09222048783602136232528933), abs=1e-15
+    )
+
+
+def test_speeds_give_the_hand_its_velocity() -> None:
+    v, w = (0.1, -0.2, 0.05), (0.3, 0.1, -0.4)
+    answer = rates(PUMA, angles=Q, velocity=v, angular_velocity=w)
+    assert answer.solution == "the only one"
+    assert answer.speeds is not None
+    back = jacobian(PUMA, angles=Q, speeds=answer.speeds)
+    assert back.velocity == pytest.approx(v, abs=1e-15)
+    assert back.angular_velocity == pytest.approx(w, abs=1e-14)
+
+
+def test_damping_holds_back_at_a_singular_posture() -> None:
+    flat = (*Q[:4], 0.0, Q[5])
+    with pytest.raises(InadmissibleError, match="cannot"):
+        rates(PUMA, angles=flat, velocity=(0.1, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0))
+    damped = rates(PUMA, angles=flat, velocity=(0.1, 0.0, 0.0), angular_velocity=(0.0, 0.0, 0.0), damping=0.02)
+    assert damped.speeds is not None
+    assert max(map(abs, damped.speeds)) < 1.0
+    assert damped.missing_velocity is not None
+    assert 0.0 < damped.missing_velocity < 0.1
 
 
 def test_a_redundant_arm() -> None:
