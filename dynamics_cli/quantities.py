@@ -264,6 +264,7 @@ if TYPE_CHECKING:
     AngularAccelerationVector = tuple[float, float, float]
     AccelerationVector = tuple[float, float, float]
     JerkVector = tuple[float, float, float]
+    HandPosition = tuple[float, float, float]
     PartPosition = tuple[float, float, float]
     PartLengths = tuple[float, float, float]
     InertiaTriple = tuple[float, float, float]
@@ -453,6 +454,8 @@ else:
         about="an acceleration", flat=True)
     JerkVector = vector("jerk vector", "m/s^3", us="ft/s^3", example="0, 1, 0 m/s^3",
         about="a rate of change of acceleration", flat=True)
+    HandPosition = vector("hand position", "m", si="mm", us="in", example="450, 100, 600 mm",
+        about="a place that a machine reaches", flat=True)
     PartPosition = vector("part position", "m", si="mm", us="in", example="10, 0, 25 mm",
         about="a point of a machine part")
     PartLengths = vector("part lengths", "m", si="mm", us="in", example="10, 20, 30 mm",

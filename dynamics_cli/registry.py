@@ -157,6 +157,12 @@ FAMILIES: "dict[str, Entry]" = {
         "Spinning bodies: gyroscopes, free bodies, tops, disks.",
         references=("spin.json",),
     ),
+    "robot": Entry(
+        "dynamics_cli.robot.commands",
+        GROUPS[5],
+        "Robot arms: pose, Jacobian, every inverse, torques.",
+        references=("robot.json",),
+    ),
     "stability": Entry(
         "dynamics_cli.stability.commands",
         GROUPS[5],

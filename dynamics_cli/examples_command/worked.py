@@ -194,6 +194,12 @@ WORKED = (
         "six_bar.toml",
     ),
     Example(
+        "scara",
+        "A SCARA arm: both postures that bring its gripper to a place.",
+        'dynamics robot inverse scara.toml --position "300, 350, 320 mm" --hand-angle "45 deg"',
+        "scara.toml",
+    ),
+    Example(
         "peaucellier",
         "Peaucellier's cell: a linkage that draws an exact straight line.",
         "dynamics linkage solve peaucellier.toml --follow Q --steps 12",

@@ -188,7 +188,7 @@ def circle(centre: "Vector", first: "Vector", second: "Vector", radius: float) -
     return [times(radius * math.sin(t), second, times(radius * math.cos(t), first, centre)) for t in turns]
 
 
-def corner(items: "Sequence[Any]") -> "list[Any]":
+def corner(items: "Sequence[Any]", view: "Any" = seen) -> "list[Any]":
     """Small axes at the lower left of what is drawn."""
     points = [(x, y) for item in items if isinstance(item, Curve) for x, y in zip(item.x, item.y, strict=True)]
     points += [(item.x + item.dx, item.y + item.dy) for item in items if isinstance(item, Arrow)]
@@ -197,7 +197,7 @@ def corner(items: "Sequence[Any]") -> "list[Any]":
     left, low = min(x) - 2.0 * size, min(y)
     axes: list[Any] = []
     for name, axis in zip("xyz", ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), strict=True):
-        dx, dy = seen(times(size, axis))
+        dx, dy = view(times(size, axis))
         axes += [Arrow(left, low, dx, dy, "", SUM), Label(left + 1.3 * dx, low + 1.3 * dy, name, SUM)]
     return axes
 

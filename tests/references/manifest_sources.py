@@ -124,6 +124,12 @@ FILES: dict[str, Origin] = {
         "torques by products of vectors, periods by Legendre's integral, precession by roots of polynomials",
         "90 digits", "", ".",
     ),
+    "robot": Origin(
+        "robot", {},
+        "poses by products of elementary motions, Jacobians by difference quotients, inverses by Newton's method, "
+        "torques by Lagrange's equations of energies",
+        "130 digits", "", "drawn",
+    ),
     "linkage": Origin(
         "linkage",
         {"classify": "class"},

@@ -1,0 +1,1 @@
+"""Robot arms: pose, Jacobian, inverse kinematics, joint torques."""

@@ -1,0 +1,1 @@
+"""Arms as users describe them, and the frames of their links."""

@@ -1,0 +1,1 @@
+"""Inverse kinematics: every set of joint angles that gives a pose."""
