@@ -286,6 +286,7 @@ if TYPE_CHECKING:
     PartPoint = tuple[float, float]
     PartVelocity = tuple[float, float]
     PartAcceleration = tuple[float, float]
+    PlanarForce = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     FreeVector = Quantity
     FreeNumber = Quantity
@@ -485,6 +486,7 @@ else:
         about="a velocity in the plane")
     PartAcceleration = planar("acceleration in the plane", "m/s^2", us="ft/s^2", example="3, -4 m/s^2",
         about="an acceleration in the plane")
+    PlanarForce = planar("force in the plane", "N", us="lbf", example="60, -20 N", about="a force in the plane")
     InertiaTensor = Kind("inertia tensor", "kg*m^2", form="tensor", size=3, us="slug*ft^2",
         example="[[2, 0, 0], [0, 3, 0], [0, 0, 4]] kg*m^2",
         about="a symmetric tensor, as its matrix or as moments and products")
