@@ -226,6 +226,7 @@ if TYPE_CHECKING:
     Energy = float
     PotentialEnergy = float
     Power = float
+    MusclePower = float
     Impulse = float
     AngularImpulse = float
     Pressure = float
@@ -392,6 +393,7 @@ else:
     PotentialEnergy = Kind("energy", "J", us="ft*lbf", example="20 J", about="a potential energy")
     Energy = Kind("energy", "J", si="kJ", us="ft*lbf", example="20 kJ", about="an energy (not a torque)")
     Power = Kind("power", "W", si="kW", us="hp", example="15 kW", about="a power")
+    MusclePower = Kind("power", "W", us="ft*lbf/s", example="250 W", about="a power of muscles")
     Impulse = Kind("impulse", "N*s", us="lbf*s", example="4000 N*s", about="an impulse or momentum")
     AngularImpulse = Kind("angular impulse", "N*m*s", us="lbf*ft*s", example="300 N*m*s",
         about="an angular impulse or momentum")

@@ -114,6 +114,32 @@ LIMB = Task(
     arrays=False,
 )  # fmt: skip
 
+GAIT = Task(
+    "gait",
+    "Joint moments and powers of a leg over a stride, with a force plate.",
+    Model(
+        "Newton and Euler, from the ground up",
+        "dynamics_cli.human.gait:gait",
+        source=BOOK + "sections 20.7 to 20.9; de Leva 1996, table 4",
+        formula="M = I·α − (r − c)×F − (r_far − c)×F_far − M_far, P = M·(ω_below − ω_above)",
+        assumptions=(
+            "rigid segments in the side view", "net moments: no muscles pull against each other",
+            "friction is judged above 10 % of the weight",
+        ),
+    ),
+    headline=(
+        "support: largest support moment, at {support_time}", "braking_friction: friction needed when braking",
+        "push_friction: friction needed when pushing off",
+        "peaks: extremes | name, largest=moment, largest_time=at, smallest=least, smallest_time=at, generated, "
+        "absorbed, work",
+    ),
+    examples=('dynamics human gait examples/stride/stride.csv --mass "75 kg" --sex male --cutoff "6 Hz"',),
+    table="history",
+    plot=f"{PICTURES}:gait",
+    arrays=False,
+    tracked=False,
+)  # fmt: skip
+
 FALL = Task(
     "fall",
     "Tripping as one piece: time, speeds, friction needed, slipping.",
@@ -165,6 +191,6 @@ FAMILIES = {
     "human": Family(
         "human",
         "The human body: segments, postures, joint moments, gait, falls.",
-        SEGMENTS, POSTURE, MOMENTS, LIMB, FALL, SOLID,
+        SEGMENTS, POSTURE, MOMENTS, LIMB, GAIT, FALL, SOLID,
     )
 }  # fmt: skip

@@ -177,7 +177,7 @@ def _time(start: float, end: float, gained: float, boost: float) -> float:
     return since_top(s, c) - since_top(s0, c0) if float(plain(s0)) > 0.0 else since_top(s, c)
 
 
-def _forces(share: float, start: float, boost: float, angle: float) -> "tuple[float, float]":
+def forces_at(share: float, start: float, boost: float, angle: float) -> "tuple[float, float]":
     """Friction force and normal force over the weight, at an inclination."""
     turning = 4.0 * (sin(0.5 * (angle + start)) * sin(0.5 * (angle - start)) + boost)
     along = share * sin(angle) * (cos(angle) - turning)
@@ -190,7 +190,7 @@ def _peak(share: float, start: float, end: float, boost: float) -> "tuple[float,
     numbers = float(plain(share)), float(plain(start)), float(plain(boost))
 
     def needed(angle: float) -> float:
-        along, normal = _forces(*numbers, angle)
+        along, normal = forces_at(*numbers, angle)
         return along / normal if normal > 0.0 else 0.0
 
     step = (end - numbers[1]) / STEPS
@@ -200,7 +200,7 @@ def _peak(share: float, start: float, end: float, boost: float) -> "tuple[float,
         third = (high - low) / 3.0
         low, high = (low, high - third) if needed(low + third) > needed(high - third) else (low + third, high)
     angle = 0.5 * (low + high)
-    along, normal = _forces(share, start, boost, angle)
+    along, normal = forces_at(share, start, boost, angle)
     return angle, absolute(along / normal)
 
 
@@ -214,7 +214,7 @@ def _slip(
     limit = float(plain(friction))
 
     def holds(angle: float) -> bool:
-        along, normal = _forces(*numbers, angle)
+        along, normal = forces_at(*numbers, angle)
         return abs(along) <= limit * normal
 
     step = (end - numbers[1]) / STEPS
@@ -225,7 +225,7 @@ def _slip(
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
             low, high = (middle, high) if holds(middle) else (low, middle)
-        along, normal = _forces(*numbers, high)
+        along, normal = forces_at(*numbers, high)
         if normal <= 0.0:
             return "the support lifts off", high
         return "the support slips " + ("backward" if along > 0.0 else "forward"), high
