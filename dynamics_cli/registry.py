@@ -163,6 +163,7 @@ FAMILIES: "dict[str, Entry]" = {
         "dynamics_cli.human.commands",
         GROUPS[2],
         "The human body: segments, postures, joint moments, gait, falls.",
+        references=("human.json",),
     ),
     "accuracy": Entry(
         "dynamics_cli.accuracy.commands", GROUPS[6], "Speed against error of every method, measured here and now."

@@ -10,7 +10,7 @@ SEGMENTS = Task(
     "Masses, mass centres and moments of inertia of body segments.",
     Model(
         "segment table",
-        "dynamics_cli.human.segments:segments",
+        "dynamics_cli.human.bodies.segments:segments",
         source="de Leva, J. Biomechanics 29, 1996, table 4; " + BOOK + "section 20.2",
         formula="m_i = share·{mass|m}, I_i = m_i·(r_i·L_i)²",
         assumptions=("rigid segments, mass centre on the line between the ends", "left and right alike"),
@@ -34,7 +34,7 @@ POSTURE = Task(
     "Mass centre, inertia and balance of a body in a posture.",
     Model(
         "linked segments, de Leva's table",
-        "dynamics_cli.human.posture:posture",
+        "dynamics_cli.human.bodies.posture:posture",
         source=BOOK + "sections 20.4 and 20.5; de Leva 1996, table 4",
         formula="r = Σ m_i·r_i/Σ m_i, I = Σ (I_i + m_i·(d_i²·1 − d_i d_iᵀ))",
         assumptions=(
@@ -62,7 +62,7 @@ MOMENTS = Task(
     "Joint forces and moments of a standing body, with loads in its hands.",
     Model(
         "link segments at rest",
-        "dynamics_cli.human.moments:moments",
+        "dynamics_cli.human.joints.moments:moments",
         source=BOOK + "sections 20.6 to 20.9; de Leva 1996, table 4",
         formula="M = −Σ (r − r_joint)×(m·g − m·a) + Σ I·α, F_muscle = M/b",
         assumptions=(
@@ -92,7 +92,7 @@ LIMB = Task(
     "Joint forces and moments of a moving limb at one instant.",
     Model(
         "Newton and Euler, from the far end",
-        "dynamics_cli.human.limb:limb",
+        "dynamics_cli.human.joints.limb:limb",
         source=BOOK + "sections 20.7 to 20.9",
         formula="F = m·(a + g) − F_far, M = I·α − (r − c)×F − (r_far − c)×F_far − M_far",
         assumptions=("rigid segments in one plane", "net moments: no muscles pull against each other"),
@@ -119,7 +119,7 @@ GAIT = Task(
     "Joint moments and powers of a leg over a stride, with a force plate.",
     Model(
         "Newton and Euler, from the ground up",
-        "dynamics_cli.human.gait:gait",
+        "dynamics_cli.human.joints.gait:gait",
         source=BOOK + "sections 20.7 to 20.9; de Leva 1996, table 4",
         formula="M = I·α − (r − c)×F − (r_far − c)×F_far − M_far, P = M·(ω_below − ω_above)",
         assumptions=(
@@ -170,7 +170,7 @@ SOLID = Task(
     "A segment as a solid from girths and widths: mass, centre, inertia.",
     Model(
         "integrals along the length",
-        "dynamics_cli.human.solid:solid",
+        "dynamics_cli.human.bodies.solid:solid",
         source=BOOK + "section 20.2",
         formula="I = ρ·∫ (J + A·(s − z)²) ds",
         assumptions=("uniform density", "sections change evenly from end to end"),

@@ -126,8 +126,11 @@ def fall(
     require((end > start) & (end <= HALF_TURN), "the end at {end} does not lie beyond the start at {start}",
             end=(end, Angle), start=(start, Angle), code="end")  # fmt: skip
     require(speed >= 0.0, "a speed of {speed} is below zero", speed=(speed, Speed), code="speed")
-    require((start > 0.0) | (speed > 0.0), "upright and at rest the body never falls: the time has no limit as the start "
-            "comes near the vertical", code="never-falls", hint="give --start, e.g. --start 2deg, or --speed")  # fmt: skip
+    require(
+        (start > 0.0) | (speed > 0.0),
+        "upright and at rest the body never falls: the time has no limit as the start comes near the vertical",
+        code="never-falls", hint="give --start, e.g. --start 2deg, or --speed",
+    )  # fmt: skip
     square = body.squared(centre_height)
     own = gravity * centre_height / square
     tripped = speed * centre_height * cos(start) / square
@@ -154,27 +157,15 @@ def fall(
 
 
 def _time(start: float, end: float, gained: float, boost: float) -> float:
-    """Time in units of 1/p; `gained` is sin²½θ₁ − sin²½θ₀, `boost` is ω₀²/4p²."""
-    s, c = sin(0.5 * end), cos(0.5 * end)
-    s0, c0 = sin(0.5 * start), cos(0.5 * start)
-    spare = boost - s0 * s0
-    if float(plain(spare)) < 0.0:
-        # as if it came from rest at an angle before the start
-        rest = sqrt(0.0 - spare)
+    """Time in units of 1/p; `gained` is sin²½θ₁ − sin²½θ₀, `boost` is ω₀²/4p².
 
-        def since_rest(sine: float, cosine: float, above: float) -> float:
-            k = sqrt(1.0 + spare)
-            other = rest * cosine / (k * sine)
-            return sqrt(above) / (k * sine) * first_kind(other * other, rest / sine * (rest / sine), 1.0)
-
-        whole = since_rest(s, c, gained + boost)
-        return whole - since_rest(s0, c0, boost) if float(plain(boost)) > 0.0 else whole
-    # it had come over the top with `spare` left there
-
-    def since_top(sine: float, cosine: float) -> float:
-        return sine * first_kind(spare, spare * cosine * cosine, spare + sine * sine)
-
-    return since_top(s, c) - since_top(s0, c0) if float(plain(s0)) > 0.0 else since_top(s, c)
+    With u = sin²½θ it is ½ ∫ du/√(u·(1 − u)·(u − sin²½θ₀ + boost)), by Carlson's formula between two limits.
+    """
+    s, c, fast = sin(0.5 * end), cos(0.5 * end), sqrt(gained + boost)
+    s0, c0, slow = sin(0.5 * start), cos(0.5 * start), sqrt(boost)
+    pairs = s * c * slow + s0 * c0 * fast, s * fast * c0 + s0 * slow * c, s * c0 * slow + s0 * c * fast
+    x, y, z = (pair / gained for pair in pairs)
+    return first_kind(x * x, y * y, z * z)
 
 
 def forces_at(share: float, start: float, boost: float, angle: float) -> "tuple[float, float]":

@@ -3,9 +3,9 @@
 import math
 
 from dynamics_cli.errors import worded
+from dynamics_cli.human.bodies.figure import SPANS, Flexions, side_view
 from dynamics_cli.human.fall import forces_at
-from dynamics_cli.human.figure import SPANS, Flexions, side_view
-from dynamics_cli.human.moments import TURNS
+from dynamics_cli.human.joints.moments import TURNS
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Force, Length, Mass, MusclePower, Time, Torque
@@ -75,7 +75,8 @@ def _body(joints: "Mapping[str, Place]", axes: "tuple[int, int]") -> "list[Any]"
                 radius = max(0.4 * size, 0.06)
                 x, y = x0 + 0.4 * (x1 - x0), y0 + 0.4 * (y1 - y0)
                 lines.append(Curve(*_circle(x, y, radius), "", "outline", BODY))
-                x0, y0 = x + (x1 - x) * min(radius / max(0.6 * size, 1e-9), 1.0), y + (y1 - y) * min(radius / max(0.6 * size, 1e-9), 1.0)
+                edge = min(radius / max(0.6 * size, 1e-9), 1.0)
+                x0, y0 = x + edge * (x1 - x), y + edge * (y1 - y)
             lines.append(Curve([x0, x1], [y0, y1], "", "thick", BODY))
     if {"ankle", "heel"} <= joints.keys():
         heel, ankle, toe = (joints[name] for name in ("heel", "ankle", "toe"))
@@ -118,17 +119,21 @@ def moments(
     x, z = (float(plain(figure.centre[k])) for k in (0, 2))
     weight = numbers[0] * float(plain(gravity))
     items += [Mark(x, z, "", role=WEIGHT), Arrow(x, z, 0.0, -scale * weight, "", WEIGHT)]
-    items.append(Label(x + 0.02, z - 0.3 * scale * weight, worded("{weight}", weight=(weight, Force)), WEIGHT, left=True))
+    items.append(
+        Label(x + 0.02, z - 0.3 * scale * weight, worded("{weight}", weight=(weight, Force)), WEIGHT, left=True)
+    )
     hand = joints["knuckle"]
     held = float(plain(load)) * float(plain(gravity))
     push = [float(plain(part)) for part in hand_force or (0.0, 0.0)]
     if held or any(push):
         items.append(Arrow(hand[0], hand[2], scale * push[0], scale * (push[1] - held), "", WEIGHT))
-        words = worded("{load}", load=(float(plain(load)), Mass)) if held else worded("{force}", force=(math.hypot(*push), Force))
+        words = worded("{held}", held=(float(plain(load)), Mass) if held else (math.hypot(*push), Force))
         items.append(Label(hand[0] + 0.03, hand[2] + scale * (push[1] - held), words, WEIGHT, left=True))
     at = float(plain(answer.pressure_centre))
     items.append(Arrow(at - scale * up[0], -scale * up[1], scale * up[0], scale * up[1], "", GROUND))
-    items.append(Label(at + 0.03, -0.6 * scale * up[1], worded("{force}", force=(math.hypot(*up), Force)), GROUND, left=True))
+    items.append(
+        Label(at + 0.03, -0.6 * scale * up[1], worded("{force}", force=(math.hypot(*up), Force)), GROUND, left=True)
+    )
     items += _moment_arcs(answer, joints)
     items += _room(items)
     title = worded("joint moments, both sides; the largest at the {joint}", joint=answer.largest_joint)
@@ -146,8 +151,10 @@ def _moment_arcs(answer: "Any", joints: "Mapping[str, Place]") -> "list[Any]":
         if abs(moment) > 0.02 * largest:
             items += _arc(x, z, radius, anticlockwise=anticlockwise)
         words = worded("{name} {moment:3}", name=joint.name, moment=(abs(moment), Torque))
-        items.append(Mark(x, z, words, (-8.0 - 220.0 * radius, 4.0), dot=False, role=MOMENT) if joint.name in (
-            "hip", "knee", "ankle", "neck") else Label(x + radius + 0.03, z + 0.02, words, MOMENT, left=True))  # fmt: skip
+        if joint.name in ("hip", "knee", "ankle", "neck"):
+            items.append(Mark(x, z, words, (-8.0 - 220.0 * radius, 4.0), dot=False, role=MOMENT))
+        else:
+            items.append(Label(x + radius + 0.03, z + 0.02, words, MOMENT, left=True))
     return items
 
 
@@ -160,7 +167,9 @@ def _arc(x: float, y: float, radius: float, *, anticlockwise: bool) -> "list[Any
     tip = x + radius * math.cos(end), y + radius * math.sin(end)
     step = 0.4 * radius
     return [
-        Curve([x + radius * math.cos(t) for t in turns], [y + radius * math.sin(t) for t in turns], "", "solid", MOMENT),
+        Curve(
+            [x + radius * math.cos(t) for t in turns], [y + radius * math.sin(t) for t in turns], "", "solid", MOMENT
+        ),
         Arrow(tip[0], tip[1], -sense * step * math.sin(end), sense * step * math.cos(end), "", MOMENT),
     ]
 
@@ -198,7 +207,10 @@ def fall(
     curves: list[Any] = [Curve(x, y, "needed", "thick", MOMENT)]
     if friction is not None:
         mu = float(plain(friction))
-        curves += [Curve([first, last], [sign * mu] * 2, "floor" if sign > 0.0 else "", "dashed", GROUND) for sign in (1.0, -1.0)]
+        curves += [
+            Curve([first, last], [sign * mu] * 2, "floor" if sign > 0.0 else "", "dashed", GROUND)
+            for sign in (1.0, -1.0)
+        ]
     return Picture(
         (
             Panel(Axis("forward", Length), Axis("up", Length), tuple(poses), equal=True),

@@ -124,6 +124,12 @@ FILES: dict[str, Origin] = {
         "torques by products of vectors, periods by Legendre's integral, precession by roots of polynomials",
         "90 digits", "", ".",
     ),
+    "human": Origin(
+        "human", {},
+        "figures as chains of complex numbers, moments by the change of potential energy, limbs by one sum, falls and "
+        "solids by quadrature",
+        "60 digits", "", "de Leva 2|leg [123]",
+    ),
     "linkage": Origin(
         "linkage",
         {"classify": "class"},

@@ -4,8 +4,8 @@ Axes: x forward, y to the left, z up. In the plane of the side view, inclination
 """
 
 from dynamics_cli.errors import UsageError, require
-from dynamics_cli.human.person import Height, Lengths, de_leva
-from dynamics_cli.human.tables import Segment, Sex
+from dynamics_cli.human.bodies.person import Height, Lengths, de_leva
+from dynamics_cli.human.bodies.tables import Segment, Sex
 from dynamics_cli.numerics.elementary import cos, pi_beside, sin
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, add, cross, dot, length, scale, subtract
@@ -173,12 +173,12 @@ def needed_lengths(size: "Lengths | Height", names: "tuple[str, ...]") -> "dict[
     missing = [name for name in names if name not in lengths]
     if missing:
         options = " ".join(f"--{name.replace(' ', '-')}" for name in missing)
-        by_height = isinstance(size, Height)
+        hint = f"give {options}, or --input with a file of them"
+        if isinstance(size, Height):
+            hint = 'a height alone does not give lengths: add --proportion "segment=…, share=…" for each'
         raise UsageError(
-            f"the length{'s' if len(missing) > 1 else ''} of {', '.join(missing)} {'are' if len(missing) > 1 else 'is'}"
-            f" missing{': a height alone does not give them' if by_height else ''}",
-            code="missing", parameter=missing[0].replace(" ", "_"),
-            hint='give --proportion "segment=…, share=…" for each, or a file of them' if by_height else f"give {options}, or --input with a file of them",
+            "lengths are missing: " + ", ".join(missing), code="missing", parameter=missing[0].replace(" ", "_"),
+            hint=hint,
         )  # fmt: skip
     return lengths
 

@@ -58,7 +58,7 @@ class Frustum:
 @tagged("shape")
 @record
 class Stadium:
-    """A solid between two stadiums, as Yeadon's trunk: half circles with a straight part between, by girth and width."""
+    """A solid between two stadiums, as Yeadon's trunk: half circles and a straight part, by girth and width."""
 
     length: Annotated[Length, "From end to end, e.g. 15 cm."]
     base_girth: Annotated[Length, "Girth at the first end, e.g. 78 cm."]
@@ -193,7 +193,9 @@ def solid(
     )
 
 
-def _between_sections(shape: "Frustum | Stadium | EllipticalSolid") -> "tuple[float, float, tuple[float, float, float]]":
+def _between_sections(
+    shape: "Frustum | Stadium | EllipticalSolid",
+) -> "tuple[float, float, tuple[float, float, float]]":
     """Volume, mass centre, and the integrals of x², y² (width, depth) and of the distance along, about the centre."""
     pi, length = pi_beside(shape.length), shape.length
     root = 0.5 * sqrt(ABSCISSA + 0.0 * length)
@@ -219,8 +221,9 @@ def _stadium(which: str, girth: float, width: float, pi: float) -> "tuple[float,
     t = 0.5 * width - r
     slack = 1e-12 * width
     require(
-        (r > 0.0) & (t >= 0.0 - slack), "no stadium is {width} wide with a girth of {girth}, at the {which} end: its girth "
-        "lies between {low} and {high}", width=(width, Length), girth=(girth, Length), which=which,
+        (r > 0.0) & (t >= 0.0 - slack),
+        "no stadium is {width} wide with a girth of {girth}, at the {which} end: its girth lies between {low} and "
+        "{high}", width=(width, Length), girth=(girth, Length), which=which,
         low=(2.0 * width, Length), high=(pi * width, Length), code="stadium",
         hint="check which is girth and which is width, and their units",
     )  # fmt: skip

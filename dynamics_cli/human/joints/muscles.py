@@ -1,7 +1,7 @@
 """A single muscle that stands for all of a joint: its force, and compression and shear of the joint."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.human.figure import Figure
+from dynamics_cli.human.bodies.figure import Figure
 from dynamics_cli.numerics.elementary import cos, sin
 from dynamics_cli.quantities import Annotated, Force, Length, Size, Text
 from dynamics_cli.records import Choice, record

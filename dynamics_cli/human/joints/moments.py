@@ -1,18 +1,18 @@
 """The task `moments`: net joint forces and moments of a body in a posture, with loads in its hands."""
 
 from dynamics_cli.errors import UsageError, judge, require, worded
-from dynamics_cli.human.figure import Figure, Flexions, Inclinations, side_view
-from dynamics_cli.human.muscles import Muscle, MuscleLoad, muscle_loads
-from dynamics_cli.human.person import Height, Lengths, provenance
-from dynamics_cli.human.tables import Sex
+from dynamics_cli.human.bodies.figure import Figure, Flexions, Inclinations, side_view
+from dynamics_cli.human.bodies.person import Height, Lengths, provenance
+from dynamics_cli.human.bodies.tables import Sex
+from dynamics_cli.human.joints.muscles import Muscle, MuscleLoad, muscle_loads
 from dynamics_cli.numerics.elementary import absolute, hypot
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Acceleration,
     Angle,
-    Annotated,
     AngularAcceleration,
+    Annotated,
     Force,
     Gravity,
     Length,
@@ -150,7 +150,8 @@ def moments(
     Examples
     --------
     >>> lengths = Lengths(
-    ...     head=0.24, trunk=0.6, shoulder=0.5, upper_arm=0.28, forearm=0.27, hand=0.085, thigh=0.42, shank=0.43, foot=0.26
+    ...     head=0.24, trunk=0.6, shoulder=0.5, upper_arm=0.28, forearm=0.27, hand=0.085,
+    ...     thigh=0.42, shank=0.43, foot=0.26,
     ... )
     >>> answer = moments(mass=75.0, sex=Sex("male"), size=lengths, pose=Flexions(hip_flexion=0.5), load=10.0)
     >>> answer.largest_joint, round(answer.largest, 3)
@@ -177,9 +178,9 @@ def moments(
         largest=absolute(largest.moment),
         largest_joint=largest.name,
         muscles=loads,
-        muscle_force=first and first.force,
-        compression=first and first.compression,
-        shear=first and first.shear,
+        muscle_force=None if first is None else first.force,
+        compression=None if first is None else first.compression,
+        shear=None if first is None else first.shear,
         ground_force=force,
         pressure_centre=at,
         toe_margin=figure.joints["toe"][0] - at,
@@ -230,9 +231,7 @@ def _total(actions: "list[Action]", about: "tuple[float, float]") -> "tuple[floa
     return forward, up, turn
 
 
-def _joint(
-    name: str, figure: Figure, actions: "dict[str, Action]", under: "Action", *, measured: bool
-) -> JointLoad:
+def _joint(name: str, figure: Figure, actions: "dict[str, Action]", under: "Action", *, measured: bool) -> JointLoad:
     segments, carries = BEYOND[name]
     at = figure.joints[name][0], figure.joints[name][2]
     forward, up, turn = _total([actions[one] for one in (*segments, *(["load"] if carries else []))], at)
@@ -263,12 +262,14 @@ def _refuse_toppling(figure: Figure, pressure: float, load: float) -> None:
     back, front = (pick(floor, key=lambda x: float(plain(x))) for pick in (min, max))
     what = "with the load the body" if float(plain(load)) > 0.0 else "the body"
     judge(
-        pressure <= front, "{what} topples forward: the force of the ground would have to act {ahead} ahead of the toes",
+        pressure <= front,
+        "{what} topples forward: the force of the ground would have to act {ahead} ahead of the toes",
         what=what, ahead=(pressure - front, Length), code="topples", results=("pressure_centre",),
         hint="lean back, bend the knees, or give the support that holds it as --hand-force",
     )  # fmt: skip
     judge(
-        pressure >= back, "{what} topples backward: the force of the ground would have to act {behind} behind the heels",
+        pressure >= back,
+        "{what} topples backward: the force of the ground would have to act {behind} behind the heels",
         what=what, behind=(back - pressure, Length), code="topples", results=("pressure_centre",),
         hint="lean forward, or give the support that holds it as --hand-force; a seat is not modelled",
     )  # fmt: skip
@@ -291,8 +292,9 @@ def _refuse_the_rail(figure: Figure, up: float, turn: float, *, known: bool) -> 
             lifts.append((weight * x - turning) / (hands - x))
     low, high = min(lifts), max(lifts)
     require(
-        False, "two feet and two hands on a rail leave the forces open, a family of one parameter: pushing straight up, "
-        "the rail may carry anything from {low} to {high}", low=(low, Force), high=(high, Force), code="undetermined",
+        False,
+        "two feet and two hands on a rail leave the forces open, a family of one parameter: pushing straight up, the "
+        "rail may carry anything from {low} to {high}", low=(low, Force), high=(high, Force), code="undetermined",
         hint="measure the force on the hands and give it as --hand-force",
     )  # fmt: skip
 

@@ -1,8 +1,8 @@
 """What a person is given by: lengths of segments, or a height with proportions; a table of one's own."""
 
 from dynamics_cli.errors import UsageError, require
-from dynamics_cli.human.tables import DE_LEVA, SAMPLES, SOURCES, Segment, Sex
-from dynamics_cli.quantities import Annotated, Count, Fraction, Length, Mass, Ratio, Text
+from dynamics_cli.human.bodies.tables import DE_LEVA, SAMPLES, SOURCES, Segment, Sex
+from dynamics_cli.quantities import Annotated, Count, Fraction, Length, Ratio, Text
 from dynamics_cli.records import Choice, record
 
 TYPE_CHECKING = False
@@ -160,6 +160,6 @@ def provenance(table: str, sex: "Sex | None") -> str:
     return f"{SOURCES[table].format(sex=sex)}; sample: {sample}"
 
 
-def body_mass_index(mass: "Mass", height: "Length") -> float:
+def body_mass_index(mass: float, height: float) -> float:
     """Mass over height squared."""
     return mass / (height * height)

@@ -1,9 +1,9 @@
 """The task `gait`: joint moments and powers of a leg over a stride, from joint centres and a force plate."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.human.person import de_leva, provenance
-from dynamics_cli.human.tables import Sex
-from dynamics_cli.human.walking import Bone, Table, joint_actions, read_stride, slopes
+from dynamics_cli.human.bodies.person import de_leva, provenance
+from dynamics_cli.human.bodies.tables import Sex
+from dynamics_cli.human.joints.walking import Bone, Table, joint_actions, read_stride, slopes
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Annotated,
@@ -83,7 +83,9 @@ class Gait:
 
 
 def gait(
-    file: Annotated[InputFile, "CSV: time[s], hip_x[m], hip_y, knee_, ankle_, heel_, toe_; force_x[N], force_y, at[m]."],
+    file: Annotated[
+        InputFile, "CSV: time[s], hip_x[m], hip_y, knee_, ankle_, heel_, toe_; force_x[N], force_y, at[m]."
+    ],
     /,
     *,
     mass: Annotated[Mass, "Mass of the body, e.g. 75 kg."],
@@ -140,7 +142,9 @@ def gait(
         name: [SIGNS[name] * moments[k][1] for moments in actions] for k, name in enumerate(SIGNS)
     }  # fmt: skip
     powers = {
-        name: [action[k][1] * (below - above) for action, below, above in zip(actions, rates[k], rates[k + 1], strict=True)]
+        name: [
+            action[k][1] * (below - above) for action, below, above in zip(actions, rates[k], rates[k + 1], strict=True)
+        ]
         for k, name in enumerate(SIGNS)
     }  # fmt: skip
     times = stride.times[1:-1]
@@ -191,9 +195,7 @@ def _peaks(
     )
 
 
-def _friction(
-    forward: "Sequence[float]", up: "Sequence[float]", least: float
-) -> "tuple[float | None, float | None]":
+def _friction(forward: "Sequence[float]", up: "Sequence[float]", least: float) -> "tuple[float | None, float | None]":
     """Friction needed while the foot is loaded: braking, and pushing off."""
     ratios = [x / y for x, y in zip(forward, up, strict=True) if y > least]
     braking, push = max((-ratio for ratio in ratios), default=0.0), max(ratios, default=0.0)

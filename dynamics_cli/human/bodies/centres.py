@@ -1,13 +1,16 @@
 """Figures from measured joint centres, each side on its own, anywhere in space."""
 
 from dynamics_cli.errors import UsageError, require
-from dynamics_cli.human.figure import SPANS, Figure, Part
-from dynamics_cli.human.person import de_leva
-from dynamics_cli.human.tables import Sex
+from dynamics_cli.human.bodies.figure import SPANS, Figure, Part
+from dynamics_cli.human.bodies.person import de_leva
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, length, subtract
 from dynamics_cli.quantities import Annotated, Length, SpacePosition, Text
 from dynamics_cli.records import record
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from dynamics_cli.human.bodies.tables import Segment, Sex
 
 SIDES = ("left", "right")
 MIDDLE = ("vertex", "neck")
@@ -43,17 +46,20 @@ def from_centres(mass: float, sex: "Sex | None", centres: "tuple[JointCentre, ..
         if name in ("head", "trunk"):
             parts.append(_part(name, rows, mass, joints[first], middle if second == "hip" else joints[second]))
             continue
-        parts += [_part(name, rows, mass, joints[f"{side} {first}"], joints[f"{side} {second}"], side) for side in SIDES]
+        parts += [
+            _part(name, rows, mass, joints[f"{side} {first}"], joints[f"{side} {second}"], side) for side in SIDES
+        ]
     return Figure({**joints, "hip": middle}, parts)
 
 
-def _part(name: str, rows: "dict[str, object]", mass: float, first: Vector, second: Vector, side: str = "") -> Part:
+def _part(name: str, rows: "dict[str, Segment]", mass: float, first: Vector, second: Vector, side: str = "") -> Part:
     span = length(subtract(second, first))
     require(
-        (plain(span) > SHORTEST) & (plain(span) < LONGEST), "the {name} would be {span} long", name=f"{side} {name}".strip(),
-        span=(span, Length), code="length", hint="check the joint centres and their unit",
+        (plain(span) > SHORTEST) & (plain(span) < LONGEST), "the {name} would be {span} long",
+        name=f"{side} {name}".strip(), span=(span, Length), code="length",
+        hint="check the joint centres and their unit",
     )  # fmt: skip
-    part = Part(rows[name], mass, first, second, both=False)  # type: ignore[arg-type]
+    part = Part(rows[name], mass, first, second, both=False)
     part.name = f"{side} {name}".strip()
     return part
 

@@ -1,10 +1,10 @@
 """Motion of a leg from joint centres over time: zero-lag low-pass filter, derivatives, joint moments and powers."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.human.newton import Link, up_the_limb
+from dynamics_cli.human.joints.newton import Link, up_the_limb
 from dynamics_cli.numerics.elementary import atan2, tan
 from dynamics_cli.numerics.fitting.records_file import FORCES, LENGTHS, interval_of, read_columns
-from dynamics_cli.quantities import Frequency, Ratio
+from dynamics_cli.quantities import Frequency
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -145,14 +145,13 @@ def read_stride(file: str, cutoff: "float | None") -> Stride:
     needed = [f"{name}_{axis}" for name in MARKERS for axis in "xy"] + ["force_x", "force_y", "at"]
     missing = [name for name in needed if name not in values]
     require(not missing, "the file has no columns {missing}", missing=", ".join(missing), code="header",
-            hint="joint centres as hip_x[m], hip_y[m] and so on; the force plate as force_x[N], force_y[N], at[m]")  # fmt: skip
+            hint="joint centres as hip_x[m], hip_y[m] and so on; force_x[N], force_y[N], at[m]")  # fmt: skip
     require(len(times) >= FEWEST, "the record has {count} samples; at least {fewest} are needed", count=len(times),
             fewest=FEWEST, code="length")  # fmt: skip
     step = interval_of(times)
     if cutoff is not None:
-        require((cutoff > 0.0) & (cutoff < 0.4 / step), "the cutoff of {cutoff} is not below {most}, for {rate} samples a "
-                "second", cutoff=(cutoff, Frequency), most=(0.4 / step, Frequency), rate=(1.0 / step, Ratio),
-                code="cutoff")  # fmt: skip
+        require((cutoff > 0.0) & (cutoff < 0.4 / step), "the cutoff of {cutoff} is not below {most}, 0.4 of the "
+                "rate", cutoff=(cutoff, Frequency), most=(0.4 / step, Frequency), code="cutoff")  # fmt: skip
         for name in (*MARKERS, "shoulder"):
             for key in (f"{name}_x", f"{name}_y"):
                 if key in values:

@@ -1,7 +1,7 @@
 """The task `segments`: mass, mass centre and moments of inertia of the segments of a body."""
 
 from dynamics_cli.errors import UsageError, require, worded
-from dynamics_cli.human.person import (
+from dynamics_cli.human.bodies.person import (
     CustomSegment,
     HandEnds,
     HeadEnds,
@@ -12,9 +12,11 @@ from dynamics_cli.human.person import (
     de_leva,
     provenance,
 )
-from dynamics_cli.human.tables import DEMPSTER, DEMPSTER_WINTER, ZATSIORSKY, Segment, SegmentTable, Sex
+from dynamics_cli.human.bodies.tables import DEMPSTER, DEMPSTER_WINTER, ZATSIORSKY, Segment, SegmentTable, Sex
+from dynamics_cli.numerics.elementary import absolute
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import Annotated, Count, Fraction, Inertia, Length, Mass, Ratio, Text
-from dynamics_cli.records import Advice, Check, record
+from dynamics_cli.records import Advice, Check, Choice, record
 
 # A table that misses the whole by more is a table with a mistake; up to here it is what a dissection lost.
 SUM_TOLERANCE = 0.05
@@ -88,8 +90,8 @@ def segments(
 
     References
     ----------
-    de Leva, Adjustments to Zatsiorsky-Seluyanov's segment inertia parameters, J. Biomechanics 29, 1996, table 4; Josephs
-    & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 20.2 and 20.3.
+    de Leva, Adjustments to Zatsiorsky-Seluyanov's segment inertia parameters, J. Biomechanics 29, 1996, table 4;
+    Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, sections 20.2 and 20.3.
 
     Examples
     --------
@@ -99,8 +101,7 @@ def segments(
     """
     require(mass > 0.0, "the mass of {mass} is not above zero", mass=(mass, Mass), code="mass")
     lengths = size.by_name
-    ends = {"head": head_ends, "trunk": trunk_ends, "hand": hand_ends}
-    table = SegmentTable("de-leva") if customs else segment_table
+    ends: dict[str, Choice | None] = {"head": head_ends, "trunk": trunk_ends, "hand": hand_ends}
     if customs:
         rows, counts = _of_customs(customs), [custom.count for custom in customs]
     else:
@@ -122,18 +123,18 @@ def segments(
         sum=whole,
         rescaled=worded("all masses divided by {sum:7}", sum=(whole, Ratio)) if normalise else None,
         segments=answers,
-        table="a table given with the call" if customs else provenance(table, sex),
+        table="a table given with the call" if customs else provenance(segment_table, sex),
         checks=_checks(answers),
         advice=_advice(whole, mass, size, lengths, {row.name for row in rows}, normalise=normalise),
     )
 
 
 def _rows(
-    table: "SegmentTable", sex: "Sex | None", lengths: "dict[str, float]", ends: "dict[str, object]", mass: float,
-    size: "Lengths | Height",
+    table: "SegmentTable", sex: "Sex | None", lengths: "dict[str, float]", ends: "dict[str, Choice | None]",
+    mass: float, size: "Lengths | Height",
 ) -> "list[Segment]":  # fmt: skip
     if table == "de-leva":
-        return de_leva(sex, lengths, ends)  # type: ignore[arg-type]
+        return de_leva(sex, lengths, ends)
     if sex == "female":
         raise UsageError(
             f"the table {table} stands for men alone", code="sex", parameter="sex",
@@ -161,9 +162,7 @@ def _of_customs(customs: "tuple[CustomSegment, ...]") -> "list[Segment]":
     ]
 
 
-def _properties(
-    row: Segment, count: int, mass: float, factor: float, length: "float | None"
-) -> SegmentProperties:
+def _properties(row: Segment, count: int, mass: float, factor: float, length: "float | None") -> SegmentProperties:
     own = row.share * factor * mass
 
     def moment(radius: "float | None") -> "float | None":
@@ -186,18 +185,15 @@ def _properties(
 
 def _checks(answers: "tuple[SegmentProperties, ...]") -> "tuple[Check, ...]":
     """No mass below zero, and moments that a body can have: none above the sum of the other two."""
-    least = min(answer.mass for answer in answers)
-    checks = [Check("masses", bool(least > 0.0), float(getattr(least, "value", least)) if not _many(least) else None)]
+    least = min(float(plain(answer.mass)) for answer in answers)
+    checks = [Check("masses above zero", least > 0.0, least)]
     for answer in answers:
         moments = answer.front_back, answer.left_right, answer.lengthwise
-        if all(moment is not None for moment in moments):
-            a, b, c = sorted(float(getattr(moment, "value", moment)) for moment in moments) if not _many(moments[0]) else (1.0, 1.0, 1.0)
-            checks.append(Check(f"moments of the {answer.name}", a + b >= c * (1.0 - 1e-12), c - a - b, 0.0))
+        known = sorted(float(plain(moment)) for moment in moments if moment is not None)
+        if len(known) == 3:
+            excess = known[2] - known[0] - known[1]
+            checks.append(Check(f"moments of the {answer.name}", excess <= 1e-12 * known[2], excess, 0.0))
     return tuple(checks)
-
-
-def _many(number: object) -> bool:
-    return getattr(getattr(number, "value", number), "ndim", 0) > 0
 
 
 def _advice(
@@ -205,15 +201,15 @@ def _advice(
     normalise: bool,
 ) -> "tuple[Advice, ...]":  # fmt: skip
     advice = []
-    if not _many(whole) and abs(whole - 1.0) > 1e-3 and not normalise:
+    if abs(float(plain(whole)) - 1.0) > 1e-3 and not normalise:
         words = worded(
             "the segments add up to {sum:6} of the body's mass, {lost} from it", sum=(whole, Ratio),
-            lost=(abs(whole - 1.0) * mass, Mass),
+            lost=(absolute(whole - 1.0) * mass, Mass),
         )  # fmt: skip
         advice.append(Advice("table-sum", words, severity="note", remedy="--normalise scales the masses to the body's"))
     if isinstance(size, Height):
         index = body_mass_index(mass, size.height)
-        if not _many(index) and index > OBESE:
+        if float(plain(index)) > OBESE:
             words = worded("a body mass index of {index:3} kg/m² is outside the sample of the table",
                            index=(index, Ratio))  # fmt: skip
             advice.append(Advice("sample", words, remedy="measure, or take a table made for such persons"))

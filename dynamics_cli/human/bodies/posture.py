@@ -1,10 +1,10 @@
 """The task `posture`: stick figure, mass centre, inertia and balance of a body in a posture."""
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.human.centres import JointCentre, from_centres
-from dynamics_cli.human.figure import Figure, Flexions, Inclinations, side_view
-from dynamics_cli.human.person import Height, Lengths, provenance
-from dynamics_cli.human.tables import Sex
+from dynamics_cli.human.bodies.centres import JointCentre, from_centres
+from dynamics_cli.human.bodies.figure import Figure, Flexions, Inclinations, side_view
+from dynamics_cli.human.bodies.person import Height, Lengths, provenance
+from dynamics_cli.human.bodies.tables import Sex
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import Angle, Annotated, Inertia, InertiaTensor, Length, Mass, SpacePosition, Text
 from dynamics_cli.records import Advice, Check, record
@@ -59,7 +59,9 @@ def posture(
     foot_inclination: Annotated[Angle, "Foot, from heel to toe, negative on tiptoe, e.g. -30 deg."] = 0.0,
     hip_width: Annotated[Length | None, "Between the hip joints, for the whole tensor, e.g. 17 cm."] = None,
     shoulder_width: Annotated[Length | None, "Between the shoulder joints, for the whole tensor, e.g. 36 cm."] = None,
-    centres: Annotated[tuple[JointCentre, ...] | None, "Joint centres measured, in place of lengths and angles."] = None,
+    centres: Annotated[
+        tuple[JointCentre, ...] | None, "Joint centres measured, in place of lengths and angles."
+    ] = None,
     any_posture: Annotated[bool, "Take joint angles beyond what people reach."] = False,
 ) -> Posture:
     """Mass centre, moments of inertia and balance of a human body in a posture.
@@ -90,7 +92,8 @@ def posture(
     Examples
     --------
     >>> lengths = Lengths(
-    ...     head=0.24, trunk=0.6, shoulder=0.5, upper_arm=0.28, forearm=0.27, hand=0.085, thigh=0.42, shank=0.43, foot=0.26
+    ...     head=0.24, trunk=0.6, shoulder=0.5, upper_arm=0.28, forearm=0.27, hand=0.085,
+    ...     thigh=0.42, shank=0.43, foot=0.26,
     ... )
     >>> answer = posture(mass=75.0, sex=Sex("male"), size=lengths)
     >>> round(answer.height, 6), round(answer.inertia, 6)
@@ -103,7 +106,7 @@ def posture(
             mass, sex, size, pose, ankle_height, heel, foot_inclination, any_posture=any_posture
         )  # fmt: skip
     sides = None if centres else _sides(figure, hip_width, shoulder_width)
-    whole = figure.tensor() if centres else (sides and sides.tensor())
+    whole = figure if centres else sides
     centre = figure.centre
     back, front = _feet(figure)
     ahead = None if front is None else front - centre[0]
@@ -117,7 +120,7 @@ def posture(
         ankle_inertia=None if ankle is None else inertia + figure.mass * (
             (centre[0] - ankle[0]) * (centre[0] - ankle[0]) + (centre[2] - ankle[2]) * (centre[2] - ankle[2])
         ),
-        tensor=whole or None,
+        tensor=None if whole is None else whole.tensor(),
         balance=_balance(ahead, behind),
         toe_margin=ahead,
         heel_margin=behind,
@@ -125,7 +128,7 @@ def posture(
         segments=tuple(PlacedSegment(part.name, part.mass, part.centre) for part in figure.parts),
         table=provenance("de-leva", sex),
         checks=(_tensor_check(figure),),
-        advice=_advice(figure, mass, whole is not None and whole is not False, bool(centres)),
+        advice=_advice(figure, mass, whole is not None),
     )  # fmt: skip
 
 
@@ -168,13 +171,13 @@ def _tensor_check(figure: Figure) -> Check:
     return Check("moments of every segment", excess <= 1e-12, excess, 0.0)
 
 
-def _advice(figure: Figure, mass: float, whole: bool, measured: bool) -> "tuple[Advice, ...]":
+def _advice(figure: Figure, mass: float, whole: bool) -> "tuple[Advice, ...]":
     advice = []
     lost = mass - figure.mass
     if abs(float(plain(lost))) > 1e-3 * float(plain(mass)):
         words = worded("the segments are {lost} short of the body's mass", lost=(lost, Mass))
         advice.append(Advice("mass", words, remedy="give every joint centre"))
-    if not whole and not measured:
+    if not whole:
         advice.append(Advice(
             "width", "the tensor about all axes is left out: the side view does not say how wide the body is",
             severity="note", remedy="give --hip-width and --shoulder-width",

@@ -1,13 +1,13 @@
 """The task `limb`: joint forces and moments of a moving limb at one instant, from the ground up."""
 
 from dynamics_cli.errors import require
-from dynamics_cli.human.newton import Link, joint_of, muscles_of, up_the_limb
+from dynamics_cli.human.joints.newton import Link, joint_of, muscles_of, up_the_limb
 from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
-    Annotated,
     AngularAcceleration,
+    Annotated,
     Gravity,
     Inertia,
     Mass,
@@ -73,8 +73,8 @@ def limb(
 
     Equation
     --------
-    F_i = m_i·(a_i + g) − F_(i−1), M_i = I_i·α_i − (r_i − c_i)×F_i − (r_(i−1) − c_i)×F_(i−1) − M_(i−1), where what acts on
-    the far end of a segment is opposite to what the joint exerts on the one before.
+    F_i = m_i·(a_i + g) − F_(i−1), M_i = I_i·α_i − (r_i − c_i)×F_i − (r_(i−1) − c_i)×F_(i−1) − M_(i−1), where
+    what acts on the far end of a segment is opposite to what the joint exerts on the one before.
 
     Returns
     -------
@@ -126,7 +126,12 @@ def limb(
     )
 
 
-def _check(links: "list[Link]", outer: "tuple[tuple[float, float], tuple[float, float]]", actions: "list[tuple[tuple[float, float], float]]", gravity: float) -> Check:
+def _check(
+    links: "list[Link]",
+    outer: "tuple[tuple[float, float], tuple[float, float]]",
+    actions: "list[tuple[tuple[float, float], float]]",
+    gravity: float,
+) -> Check:
     """The moment at the last joint, of everything beyond it in one sum."""
     x, y = links[-1].joint
     (push, lift), (at_x, at_y) = outer
