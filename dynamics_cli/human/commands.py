@@ -50,7 +50,7 @@ POSTURE = Task(
     examples=(
         "dynamics human posture --input examples/lifting/worker.toml --knee-flexion 40deg --hip-flexion 80deg "
         "--shoulder-flexion 50deg --ankle-flexion 10deg",
-        'dynamics human posture --mass "75 kg" --sex male --centre @examples/lifting/centres.csv',
+        'dynamics human posture --mass "75 kg" --sex male --joint-centre @examples/lifting/centres.csv',
     ),
     table="segments",
     plot=f"{PICTURES}:posture",

@@ -48,7 +48,8 @@ def _view(
     words = worded("mass centre, {height} up", height=(whole[2], Length))
     items.append(Curve([whole[i]] * 2, [0.0, whole[j]], "", "dashed", WEIGHT))
     items.append(Mark(whole[i], whole[j], "", role=WEIGHT))
-    items.append(Label(whole[i] + 0.03, 0.25 * whole[j], words, WEIGHT, left=True))
+    if i == 0:
+        items.append(Label(whole[i] + 0.03, 0.25 * whole[j], words, WEIGHT, left=True))
     if i == 0 and answer.toe_margin is not None:
         front = whole[0] + float(plain(answer.toe_margin))
         back = whole[0] - float(plain(answer.heel_margin))
@@ -78,9 +79,12 @@ def _body(joints: "Mapping[str, Place]", axes: "tuple[int, int]") -> "list[Any]"
                 edge = min(radius / max(0.6 * size, 1e-9), 1.0)
                 x0, y0 = x + edge * (x1 - x), y + edge * (y1 - y)
             lines.append(Curve([x0, x1], [y0, y1], "", "thick", BODY))
-    if {"ankle", "heel"} <= joints.keys():
-        heel, ankle, toe = (joints[name] for name in ("heel", "ankle", "toe"))
-        lines.append(Curve([heel[i], ankle[i], toe[i]], [heel[j], ankle[j], toe[j]], "", "solid", BODY))
+    corners = [[side + name for name in ("heel", "ankle", "toe")] for side in ("", "left ", "right ")]
+    corners += [["left shoulder", "neck", "right shoulder"], ["left hip", "hip", "right hip"]]
+    for names in corners:
+        if set(names) <= joints.keys():
+            places = [joints[name] for name in names]
+            lines.append(Curve([at[i] for at in places], [at[j] for at in places], "", "solid", BODY))
     lines += [
         Mark(at[i], at[j], "", role=BODY) for name, at in joints.items()
         if name.split()[-1] in ("ankle", "knee", "hip", "shoulder", "elbow", "wrist", "neck")

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 # Two passes of a Butterworth filter of second order have their common corner at the frequency asked for when each has
 # it at that frequency over (√2 − 1)^(1/4).
 TWO_PASSES = 0.8022
-REFLECTED = 30
+# So many periods of the corner are mirrored at each end.
+PERIODS = 2.0
 ROOT_TWO = 1.4142135623730951
 MARKERS = ("hip", "knee", "ankle", "heel", "toe")
 FEWEST = 5
@@ -35,26 +36,29 @@ class Table:
 def smooth(values: "Sequence[float]", step: float, cutoff: float) -> "Series":
     """Values without what is faster than the cutoff, forwards and backwards, so that nothing lags.
 
-    Beyond its ends a series goes on as its own mirror image, turned about the end.
+    What is filtered is the series beside the straight line between its ends, so that a steady motion stays as it is;
+    beyond the ends it goes on as its own mirror image, turned about the end.
     """
     turn = tan(3.141592653589793 * cutoff * step / TWO_PASSES)
     k1, k2 = ROOT_TWO * turn, turn * turn
     a0 = k2 / (1.0 + k1 + k2)
     b1 = 2.0 * a0 * (1.0 / k2 - 1.0)
     b2 = 1.0 - 4.0 * a0 - b1
-    more = min(REFLECTED, len(values) - 1)
-    first, last = values[0], values[-1]
+    more = min(int(PERIODS / (cutoff * step)) + 1, len(values) - 1)
+    slope = (values[-1] - values[0]) / (len(values) - 1)
+    trend = [values[0] + slope * k for k in range(len(values))]
+    beside = [value - straight for value, straight in zip(values, trend, strict=True)]
     line = [
-        *(2.0 * first - values[k] for k in range(more, 0, -1)),
-        *values,
-        *(2.0 * last - values[-1 - k] for k in range(1, more + 1)),
+        *(-beside[k] for k in range(more, 0, -1)),
+        *beside,
+        *(-beside[-1 - k] for k in range(1, more + 1)),
     ]
     for _ in range(2):
         out = line[:2]
         for k in range(2, len(line)):
             out.append(a0 * (line[k] + 2.0 * line[k - 1] + line[k - 2]) + b1 * out[k - 1] + b2 * out[k - 2])
         line = out[::-1]
-    return line[more : more + len(values)]
+    return [value + straight for value, straight in zip(line[more:], trend, strict=False)]
 
 
 def slopes(values: "Sequence[float]", step: float) -> "Series":
