@@ -187,8 +187,9 @@ REFUSED = {
         'segments --mass 60kg --sex male --height 1.7m --proportion "segment=tail, share=0.2"', "segment"),
     "a height for lengths": ('posture --mass "75 kg" --sex male --height "1.75 m"', "missing"),
     "a knee that bends backwards": (f"posture {WORKER} --knee-flexion -40deg", "range"),
-    "another trunk": (f"posture {WORKER} --trunk-ends shoulder-hip", None),
-    "a joint centre too few": ('posture --mass 75kg --sex male --joint-centre "name=vertex, at=0, 0, 1.7 m"', "missing"),
+    "another trunk": (f"posture {WORKER} --trunk-ends shoulder-hip", "ends"),
+    "too few joint centres": (
+        'posture --mass 75kg --sex male --joint-centre "name=vertex, at=0, 0, 1.7 m"', "missing"),
     "toppling": (f"moments {WORKER} --hip-flexion 90deg --shoulder-flexion 100deg --load 15kg", "topples"),
     "hands on a rail": (f"moments {WORKER} {LIFT} --rail", "undetermined"),
     "two muscles": (

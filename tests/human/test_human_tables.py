@@ -40,10 +40,10 @@ def test_radii_and_centroids_scale_alike_between_two_pairs_of_ends(sex: str, nam
         getattr(first, axis) / getattr(second, axis) for axis in ("front_back", "left_right", "lengthwise")
     ]  # fmt: skip
     # the trunk's pairs share their lower end, the others their first
-    from_end = (lambda c: 1.0 - c) if name == "trunk" else (lambda c: c)
-    assert first.centroid is not None
-    assert second.centroid is not None
-    ratios = [*radii, from_end(first.centroid) / from_end(second.centroid)]
+    places = [row.centroid or 0.0 for row in (first, second)]
+    if name == "trunk":
+        places = [1.0 - place for place in places]
+    ratios = [*radii, places[0] / places[1]]
     assert max(ratios) / min(ratios) - 1.0 < RATIO_DIGITS * 2.0
 
 

@@ -193,7 +193,7 @@ def side_view(
     """
     require(mass > 0.0, "the mass of {mass} is not above zero", mass=(mass, Mass), code="mass")
     lengths = needed_lengths(size, (*SPANS, "shoulder"))
-    rows = {row.name: row for row in de_leva(sex, lengths, {}, joined=True)}
+    rows = {row.name: row for row in de_leva(sex, lengths, size.ends, joined=True)}
     if isinstance(pose, Flexions) and not any_posture:
         _refuse_the_impossible(pose)
     pi = pi_beside(mass, ankle_height, *lengths.values())

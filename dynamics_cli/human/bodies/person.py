@@ -37,6 +37,10 @@ class HandEnds(Choice):
     }  # fmt: skip
 
 
+NAMES = (
+    "head", "trunk", "shoulder", "upper arm", "forearm", "hand", "thigh", "shank", "foot", "upper trunk",
+    "middle trunk", "lower trunk",
+)  # fmt: skip
 ENDS = {"head": HeadEnds, "trunk": TrunkEnds, "hand": HandEnds}
 
 
@@ -56,11 +60,19 @@ class Lengths:
     upper_trunk: Annotated[Length | None, "Suprasternale to xiphion, of a trunk in parts, e.g. 17 cm."] = None
     middle_trunk: Annotated[Length | None, "Xiphion to omphalion (navel), e.g. 21 cm."] = None
     lower_trunk: Annotated[Length | None, "Omphalion to the hips, e.g. 15 cm."] = None
+    head_ends: Annotated[HeadEnds | None, "The head's length is from vertex to cervicale, or to gonion."] = None
+    trunk_ends: Annotated[TrunkEnds | None, "The trunk's is from there to the hips; or it comes in parts."] = None
+    hand_ends: Annotated[HandEnds | None, "The hand's is from wrist to knuckle, or to fingertip."] = None
+
+    @property
+    def ends(self) -> "dict[str, Choice | None]":
+        """Between which points the lengths of head, trunk and hand are measured."""
+        return {"head": self.head_ends, "trunk": self.trunk_ends, "hand": self.hand_ends}
 
     @property
     def by_name(self) -> "dict[str, float]":
         """The lengths given, by segment."""
-        lengths = {name.replace("_", " "): getattr(self, name) for name in Lengths.fields}  # type: ignore[attr-defined]
+        lengths = {name: getattr(self, name.replace(" ", "_")) for name in NAMES}
         for name, length in lengths.items():
             if length is not None:
                 require(length > 0.0, "the length of the {name}, {length}, is not above zero", name=name,
@@ -82,19 +94,26 @@ class Height:
 
     height: Annotated[Length, "Standing height, e.g. 1.75 m."]
     proportions: Annotated[tuple[Proportion, ...] | None, "Lengths over height, from a source of yours."] = None
+    head_ends: Annotated[HeadEnds | None, "The head's length is from vertex to cervicale, or to gonion."] = None
+    trunk_ends: Annotated[TrunkEnds | None, "The trunk's is from there to the hips; or it comes in parts."] = None
+    hand_ends: Annotated[HandEnds | None, "The hand's is from wrist to knuckle, or to fingertip."] = None
+
+    @property
+    def ends(self) -> "dict[str, Choice | None]":
+        """Between which points the lengths of head, trunk and hand are measured."""
+        return {"head": self.head_ends, "trunk": self.trunk_ends, "hand": self.hand_ends}
 
     @property
     def by_name(self) -> "dict[str, float]":
         """The lengths that the proportions give, by segment."""
         require(self.height > 0.0, "the height of {height} is not above zero", height=(self.height, Length))
-        known = [name.replace("_", " ") for name in Lengths.fields]  # type: ignore[attr-defined]
         lengths = {}
         for proportion in self.proportions or ():
             name = proportion.segment.strip().lower().replace("_", " ").replace("-", " ")
-            if name not in known:
+            if name not in NAMES:
                 raise UsageError(
                     f"there is no segment {proportion.segment!r}", code="segment", parameter="proportions",
-                    hint="name one of " + ", ".join(known),
+                    hint="name one of " + ", ".join(NAMES),
                 )  # fmt: skip
             lengths[name] = proportion.share * self.height
         return lengths

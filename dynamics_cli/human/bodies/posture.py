@@ -52,8 +52,8 @@ def posture(
     *,
     mass: Annotated[Mass, "Mass of the body, e.g. 75 kg."],
     sex: Annotated[Sex | None, "Male or female: which part of the table."] = None,
-    size: Annotated[Lengths | Height, "Lengths of segments; with joint centres none."] = Lengths(),  # noqa: B008
     pose: Annotated[Flexions | Inclinations, "Joint angles, or inclinations of the segments."] = Flexions(),  # noqa: B008
+    size: Annotated[Lengths | Height, "Lengths of segments; with joint centres none."] = Lengths(),  # noqa: B008
     ankle_height: Annotated[Length, "Ankle joint above the sole, e.g. 8 cm."] = 0.08,
     heel: Annotated[Length, "Ankle joint in front of the heel, e.g. 6 cm."] = 0.06,
     foot_inclination: Annotated[Angle, "Foot, from heel to toe, negative on tiptoe, e.g. -30 deg."] = 0.0,

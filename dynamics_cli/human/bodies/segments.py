@@ -3,11 +3,8 @@
 from dynamics_cli.errors import UsageError, require, worded
 from dynamics_cli.human.bodies.person import (
     CustomSegment,
-    HandEnds,
-    HeadEnds,
     Height,
     Lengths,
-    TrunkEnds,
     body_mass_index,
     de_leva,
     provenance,
@@ -16,7 +13,7 @@ from dynamics_cli.human.bodies.tables import DEMPSTER, DEMPSTER_WINTER, ZATSIORS
 from dynamics_cli.numerics.elementary import absolute
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import Annotated, Count, Fraction, Inertia, Length, Mass, Ratio, Text
-from dynamics_cli.records import Advice, Check, Choice, record
+from dynamics_cli.records import Advice, Check, record
 
 # A table that misses the whole by more is a table with a mistake; up to here it is what a dissection lost.
 SUM_TOLERANCE = 0.05
@@ -61,9 +58,6 @@ def segments(
         SegmentTable, "Table: de-leva (men and women, with moments), dempster-winter, dempster, zatsiorsky (men)."
     ] = SegmentTable("de-leva"),  # noqa: B008
     size: Annotated[Lengths | Height, "Lengths of segments, or the height."] = Lengths(),  # noqa: B008
-    head_ends: Annotated[HeadEnds | None, "The head's length is from vertex to cervicale, or to gonion."] = None,
-    trunk_ends: Annotated[TrunkEnds | None, "The trunk's is from there to the hips; or it comes in parts."] = None,
-    hand_ends: Annotated[HandEnds | None, "The hand's is from wrist to knuckle, or to fingertip."] = None,
     customs: Annotated[tuple[CustomSegment, ...] | None, "A table of your own in place of a published one."] = None,
     normalise: Annotated[bool, "Scale the masses so that they add up to the body's."] = False,
 ) -> Segments:
@@ -101,11 +95,10 @@ def segments(
     """
     require(mass > 0.0, "the mass of {mass} is not above zero", mass=(mass, Mass), code="mass")
     lengths = size.by_name
-    ends: dict[str, Choice | None] = {"head": head_ends, "trunk": trunk_ends, "hand": hand_ends}
     if customs:
         rows, counts = _of_customs(customs), [custom.count for custom in customs]
     else:
-        rows = _rows(segment_table, sex, lengths, ends, mass, size)
+        rows = _rows(segment_table, sex, lengths, mass, size)
         counts = [row.count for row in rows]
     whole = sum(count * row.share for count, row in zip(counts, rows, strict=True))
     require(
@@ -130,11 +123,11 @@ def segments(
 
 
 def _rows(
-    table: "SegmentTable", sex: "Sex | None", lengths: "dict[str, float]", ends: "dict[str, Choice | None]",
-    mass: float, size: "Lengths | Height",
+    table: "SegmentTable", sex: "Sex | None", lengths: "dict[str, float]", mass: float,
+    size: "Lengths | Height",
 ) -> "list[Segment]":  # fmt: skip
     if table == "de-leva":
-        return de_leva(sex, lengths, ends)
+        return de_leva(sex, lengths, size.ends)
     if sex == "female":
         raise UsageError(
             f"the table {table} stands for men alone", code="sex", parameter="sex",

@@ -106,15 +106,15 @@ def moments(
     *,
     mass: Annotated[Mass, "Mass of the body, e.g. 75 kg."],
     sex: Annotated[Sex | None, "Male or female: which part of the table."] = None,
-    size: Annotated[Lengths | Height, "Lengths of segments."] = Lengths(),  # noqa: B008
-    pose: Annotated[Flexions | Inclinations, "Joint angles, or inclinations of the segments."] = Flexions(),  # noqa: B008
     load: Annotated[Mass, "What both hands hold at the knuckles, e.g. 15 kg."] = 0.0,
-    load_acceleration: Annotated[Acceleration, "Of the load, upwards, e.g. 1.5 m/s^2."] = 0.0,
+    muscles: Annotated[tuple[Muscle, ...] | None, "Single muscles that stand for all of a joint."] = None,
     hand_force: Annotated[PlanarForce | None, "Further force on the hands: forward, up, e.g. -120, 0 N."] = None,
+    load_acceleration: Annotated[Acceleration, "Of the load, upwards, e.g. 1.5 m/s^2."] = 0.0,
+    pose: Annotated[Flexions | Inclinations, "Joint angles, or inclinations of the segments."] = Flexions(),  # noqa: B008
+    size: Annotated[Lengths | Height, "Lengths of segments."] = Lengths(),  # noqa: B008
     rail: Annotated[bool, "The hands also rest on something that pushes with an unknown force."] = False,
     ground: Annotated[GroundForce | None, "The force of the ground, where it was measured."] = None,
     motions: Annotated[tuple[SegmentMotion, ...] | None, "Accelerations of segments; at rest if left out."] = None,
-    muscles: Annotated[tuple[Muscle, ...] | None, "Single muscles that stand for all of a joint."] = None,
     ankle_height: Annotated[Length, "Ankle joint above the sole, e.g. 8 cm."] = 0.08,
     heel: Annotated[Length, "Ankle joint in front of the heel, e.g. 6 cm."] = 0.06,
     foot_inclination: Annotated[Angle, "Foot, from heel to toe, negative on tiptoe, e.g. -30 deg."] = 0.0,
