@@ -4,6 +4,12 @@ from dynamics_cli.core.answering.task import Family, Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 PICTURES = "dynamics_cli.human.pictures"
+NOTES = (
+    "Every shape has a --length. The ends of a frustum: --base-radius and --top-radius, or --base-girth and "
+    "--top-girth; of a stadium: --base-girth and --base-width, --top-girth and --top-width; of an elliptical solid: "
+    "--base-width and --base-depth, --top-width and --top-depth; the second end is as the first where it is left out. "
+    "An ellipsoid has --width and --depth."
+)
 
 SEGMENTS = Task(
     "segments",
@@ -175,6 +181,7 @@ SOLID = Task(
         formula="I = ρ·∫ (J + A·(s − z)²) ds",
         assumptions=("uniform density", "sections change evenly from end to end"),
     ),
+    notes=NOTES,
     headline=(
         "mass", "centroid: mass centre from the first end", "axial: inertia, long axis",
         "about_width: inertia, left-right axis", "about_depth: inertia, front-back axis",

@@ -1,3 +1,4 @@
+#!/bin/sh
 # A worker lifts a box: where the mass centre is, what his joints carry, what his back carries, and how sure that is.
 set -e
 bend="--ankle-flexion 10deg --knee-flexion 40deg --hip-flexion 80deg --shoulder-flexion 50deg --elbow-flexion 10deg"

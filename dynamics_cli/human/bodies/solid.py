@@ -135,7 +135,7 @@ class SolidProperties:
 
 
 def solid(
-    shape: Annotated[Frustum | Stadium | EllipticalSolid | Ellipsoid, "frustum, stadium, elliptical-solid, ellipsoid"],
+    shape: Annotated[Frustum | Stadium | EllipticalSolid | Ellipsoid, "The shape"],
     /,
     *,
     amount: Annotated[ByMass | ByDensity, "Mass, or density."],

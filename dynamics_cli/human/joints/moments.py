@@ -155,7 +155,7 @@ def moments(
     ... )
     >>> answer = moments(mass=75.0, sex=Sex("male"), size=lengths, pose=Flexions(hip_flexion=0.5), load=10.0)
     >>> answer.largest_joint, round(answer.largest, 3)
-    ('hip', 150.321)
+    ('ankle', 63.042)
     """
     figure = side_view(mass, sex, size, pose, ankle_height, heel, foot_inclination, any_posture=any_posture)
     actions = _actions(figure, load, load_acceleration, hand_force, motions, gravity)
