@@ -2,8 +2,8 @@
 
 Figures are chains of complex numbers, moments of joints come from the change of potential energy when what is beyond
 the joint turns, those of moving limbs from one sum over everything beyond, falls and solids by quadrature; the program
-has components, recursions, Carlson's integrals and Gauss's rule. The table of segments is typed anew, from the
-transcription of BMClab/BMC, data/BSPmale_ZdeLeva.txt and BSPfemale_ZdeLeva.txt.
+has components, recursions, Carlson's integrals and Gauss's rule. Numbers of tables count as doubles. The table of
+segments is typed anew, from BMClab/BMC, data/BSPmale_ZdeLeva.txt and BSPfemale_ZdeLeva.txt.
 Run: python tests/references/generate_human_references.py [FILE]. The same bytes every time.
 """
 
@@ -40,10 +40,25 @@ shank 0.0481 0.4352 0.267 0.263 0.092
 foot 0.0129 0.4014 0.299 0.279 0.139""",
 }
 ROWS = {
-    sex: {line.split()[0]: [mpf(number) for number in line.split()[1:]] for line in text.splitlines()}
+    sex: {line.split()[0]: [mpf(float(number)) for number in line.split()[1:]] for line in text.splitlines()}
     for sex, text in TABLE.items()
 }
 ORDER = ("head", "trunk", "upper_arm", "forearm", "hand", "thigh", "shank", "foot")
+PAIRS = ("upper arm", "forearm", "hand", "thigh", "shank", "foot", "shoulder")
+DEMPSTER = (
+    ("chest", "11"), ("abdomen and pelvis", "26.4"), ("head and neck", "7.9"), ("shoulder", "5.15"),
+    ("upper arm", "2.65"), ("forearm", "1.55"), ("hand", "0.6"), ("thigh", "9.65"), ("shank", "4.5"), ("foot", "1.4"),
+)  # fmt: skip
+ZATSIORSKY = """foot -.829 .0077 .0073
+shank -1.592 .0362 .0121
+thigh -2.649 .1463 .0137
+hand -.1165 .0036 .00175
+forearm .3185 .01445 -.00114
+upper arm .250 .03012 -.0027
+head 1.296 .0171 .0143
+thorax 8.2144 .1862 -.0584
+abdomen 7.181 .2234 -.0663
+pelvis -7.498 .0976 .04896"""
 LENGTHS = {
     "head": "0.24", "trunk": "0.6", "shoulder": "0.5", "upper_arm": "0.28", "forearm": "0.27", "hand": "0.085",
     "thigh": "0.42", "shank": "0.43", "foot": "0.26",
@@ -78,17 +93,19 @@ def segments() -> Iterator[Case]:
         inputs = {"mass": mass, "sex": {"word": sex}, "size": {"record": "Lengths", **lengths}}
         yield "segments", f"de Leva {nth}", "", inputs, results
     inputs = {"mass": "80.0", "segment_table": {"word": "dempster"}, "normalise": True, "size": {"record": "Lengths"}}
-    lost = mpf("96.3")
-    yield (
-        "segments", "Dempster rescaled", "what a dissection lost is given back",
-        inputs, {"sum": lost / 100, "mass": mpf(80), "segments[2].share": mpf("7.9") / lost},
-    )  # fmt: skip
+    shares = {name: exact(repr(round(float(text) / 100, 6))) for name, text in DEMPSTER}
+    lost = sum(shares.values()) + sum(share for name, share in shares.items() if name in PAIRS)
+    results = {"sum": lost, "mass": mpf(80), "segments[2].share": shares["head and neck"] / lost}
+    yield "segments", "Dempster rescaled", "what a dissection lost is given back to all segments", inputs, results
     inputs = {
         "mass": "60.0", "segment_table": {"word": "zatsiorsky"}, "size": {"record": "Height", "height": "1.65"},
     }  # fmt: skip
-    yield "segments", "Zatsiorsky", "", inputs, {
-        "mass": mpf("60.1155") + (exact("1.65") - mpf("1.65")) * 100 * mpf("0.02046"),
-    }  # fmt: skip
+    masses = {
+        name: exact(b0) + exact(b1) * 60 + exact(b2) * (100 * exact("1.65"))
+        for name, b0, b1, b2 in (line.rsplit(" ", 3) for line in ZATSIORSKY.splitlines())
+    }
+    whole = sum(masses.values()) + sum(mass for name, mass in masses.items() if name in PAIRS)
+    yield "segments", "Zatsiorsky", "", inputs, {"mass": whole, "segments[7].mass": masses["thigh"]}
 
 
 class Chain:
@@ -261,7 +278,7 @@ def falls() -> Iterator[Case]:
         ("0.01", "0.0", "1.5707963267948966", ""),
         ("1e-06", "0.0", "1.5707963267948966", "hardly inclined: the time grows with the logarithm"),
         ("0.0", "1.4", "1.5707963267948966", ""),
-        ("0.0", "1e-06", "1.5707963267948966", "upright and hardly moving"),
+        ("0.0", "1e-06", "1.5707963267948966", "upright and hardly moving: the time grows with the logarithm"),
         ("0.3", "0.9", "1.2", ""),
         ("0.6", "0.2", "0.6000001", "hardly any way: what is gained is a difference"),
     ]

@@ -100,7 +100,7 @@ def segments(
     else:
         rows = _rows(segment_table, sex, lengths, mass, size)
         counts = [row.count for row in rows]
-    whole = sum(count * row.share for count, row in zip(counts, rows, strict=True))
+    whole = sum((count * row.share for count, row in zip(counts, rows, strict=True)), 0.0 * mass)
     require(
         (whole > 1.0 - SUM_TOLERANCE) & (whole < 1.0 + SUM_TOLERANCE),
         "the shares of the table add up to {sum:6}: a body of {mass} would have {total:6}", sum=(whole, Ratio),

@@ -57,7 +57,8 @@ class Segment:
 
 
 def _percent(name: str, ends: str, *numbers: float) -> Segment:
-    return Segment(name, ends, *[number / 100.0 for number in numbers])
+    # rounded again, to the double nearest to the decimals of the share
+    return Segment(name, ends, *[round(number / 100.0, 6) for number in numbers])
 
 
 # mass, centroid, radii about the front-back, left-right and long axes, in percent; by sex
@@ -103,7 +104,7 @@ COMPOUNDS = tuple(
 )  # fmt: skip
 
 DEMPSTER = tuple(
-    Segment(name, "", share / 100.0)
+    Segment(name, "", round(share / 100.0, 6))
     for name, share in (
         ("chest", 11.0), ("abdomen and pelvis", 26.4), ("head and neck", 7.9), ("shoulder", 5.15), ("upper arm", 2.65),
         ("forearm", 1.55), ("hand", 0.6), ("thigh", 9.65), ("shank", 4.5), ("foot", 1.4),
