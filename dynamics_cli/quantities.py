@@ -226,6 +226,7 @@ if TYPE_CHECKING:
     Energy = float
     PotentialEnergy = float
     Power = float
+    MusclePower = float
     Impulse = float
     AngularImpulse = float
     Pressure = float
@@ -287,6 +288,7 @@ if TYPE_CHECKING:
     PartPoint = tuple[float, float]
     PartVelocity = tuple[float, float]
     PartAcceleration = tuple[float, float]
+    PlanarForce = tuple[float, float]
     InertiaTensor = tuple[tuple[float, float, float], tuple[float, float, float], tuple[float, float, float]]
     FreeVector = Quantity
     FreeNumber = Quantity
@@ -393,6 +395,7 @@ else:
     PotentialEnergy = Kind("energy", "J", us="ft*lbf", example="20 J", about="a potential energy")
     Energy = Kind("energy", "J", si="kJ", us="ft*lbf", example="20 kJ", about="an energy (not a torque)")
     Power = Kind("power", "W", si="kW", us="hp", example="15 kW", about="a power")
+    MusclePower = Kind("power", "W", us="ft*lbf/s", example="250 W", about="a power of muscles")
     Impulse = Kind("impulse", "N*s", us="lbf*s", example="4000 N*s", about="an impulse or momentum")
     AngularImpulse = Kind("angular impulse", "N*m*s", us="lbf*ft*s", example="300 N*m*s",
         about="an angular impulse or momentum")
@@ -489,6 +492,7 @@ else:
         about="a velocity in the plane")
     PartAcceleration = planar("acceleration in the plane", "m/s^2", us="ft/s^2", example="3, -4 m/s^2",
         about="an acceleration in the plane")
+    PlanarForce = planar("force in the plane", "N", us="lbf", example="60, -20 N", about="a force in the plane")
     InertiaTensor = Kind("inertia tensor", "kg*m^2", form="tensor", size=3, us="slug*ft^2",
         example="[[2, 0, 0], [0, 3, 0], [0, 0, 4]] kg*m^2",
         about="a symmetric tensor, as its matrix or as moments and products")

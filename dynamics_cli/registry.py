@@ -170,6 +170,12 @@ FAMILIES: "dict[str, Entry]" = {
         references=("stability_roots.json",),
         questions="dynamics_cli.accuracy.alternatives.stability",
     ),
+    "human": Entry(
+        "dynamics_cli.human.commands",
+        GROUPS[2],
+        "The human body: segments, postures, joint moments, gait, falls.",
+        references=("human.json",),
+    ),
     "accuracy": Entry(
         "dynamics_cli.accuracy.commands", GROUPS[6], "Speed against error of every method, measured here and now."
     ),

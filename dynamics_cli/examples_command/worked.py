@@ -67,6 +67,21 @@ WORKED = (
         "friction_log/friction_log.sh",
     ),
     Example(
+        "lifting",
+        "A worker lifts a box: mass centre, joint moments, compression of the back and how sure it is.",
+        "cd lifting && sh lifting.sh",
+        "lifting/lifting.sh",
+        "lifting/worker.toml",
+        "lifting/centres.csv",
+    ),
+    Example(
+        "stride",
+        "Joint moments of a leg at one instant, and over the stance of a stride with a force plate.",
+        "dynamics human limb --input stride/stance.toml",
+        "stride/stance.toml",
+        "stride/stride.csv",
+    ),
+    Example(
         "pump_balance",
         "A pump balanced in two planes from trial weights; corrections split between holes; its grade.",
         "cd pump_balance && sh pump_balance.sh",

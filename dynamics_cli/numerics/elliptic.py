@@ -56,3 +56,16 @@ def first_kind_with_pair(x: float, real: float, imaginary: float) -> float:
         mixed = sqrt(x) * sqrt(2.0 * (size + real)) + size
         x, real, imaginary = 0.25 * (x + mixed), 0.25 * (real + mixed), 0.25 * imaginary
     return 1.0 / sqrt((x + 2.0 * real) / 3.0)
+
+
+def first_kind(x: float, y: float, z: float) -> float:
+    """R_F(x, y, z), for numbers not below zero of which at most one is zero, by duplication.
+
+    >>> round(first_kind(0.0, 1.0, 2.0), 12)
+    1.311028777146
+    """
+    for _ in range(DUPLICATIONS):
+        a, b, c = sqrt(x), sqrt(y), sqrt(z)
+        mixed = a * (b + c) + b * c
+        x, y, z = 0.25 * (x + mixed), 0.25 * (y + mixed), 0.25 * (z + mixed)
+    return 1.0 / sqrt((x + y + z) / 3.0)

@@ -1,0 +1,1 @@
+"""The human body: segment masses, postures, joint moments, gait, falls."""

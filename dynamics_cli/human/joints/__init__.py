@@ -1,0 +1,1 @@
+"""Forces and moments of joints: at rest, at an instant, over a stride."""
