@@ -358,10 +358,16 @@ class _Stream:
             for places, texts in self._group(chosen, group):
                 if len(places) == len(lines):
                     return texts
-                for place, answer_text in zip(places, b"".join(texts).split(b"\n"), strict=False):
-                    rows[all_rows[place]] = answer_text + b"\n"
-        every = [self._single(line) if text is None else text for line, text in zip(lines, rows, strict=True)]
-        return [b"".join(every)]
+                answers = itertools.chain.from_iterable([text.split(b"\n")[:-1] for text in texts])
+                for place, answer_text in zip(places, answers, strict=True):
+                    rows[all_rows[place]] = answer_text
+        every: list[bytes] = []
+        for line, row in zip(lines, rows, strict=True):
+            if row is not None:
+                every.append(row)
+            elif alone := self._single(line):
+                every.append(alone[:-1])
+        return [b"\n".join([*every, b""])]
 
     def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], list[bytes]]]":
         """The rows of a group that could be answered together: their indices in it, and their texts."""
