@@ -40,6 +40,8 @@ FIRST_ARRAY_ROWS = 300
 ARRAY_ROWS = 64
 # Number of rows searched for bare numbers and uncertain values.
 LOOKED_AT = 50
+# With more uncertain rows among these, rows are answered one by one: each may take long.
+FEW_UNCERTAIN = 5
 # Marks of an uncertain value: ±, +/-, .., a distribution's bracket, a list, an object, an earlier result.
 UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
 # Blocks that another process answers at once.
@@ -274,7 +276,7 @@ class _Stream:
         self._first = first
         self._groups: Groups | None = None
         # None: not yet looked at; False: these rows are answered one by one.
-        suited = not case.settings.bounds and (not case.layout.spread or case.measure[0])
+        suited = not (case.settings.bounds or case.uncertain_call) and case.uncertain_rows <= FEW_UNCERTAIN
         self._by_arrays: bool | None = None if suited else False
 
     @property
