@@ -9,7 +9,7 @@ import itertools
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.batch.jobs import spread
 from dynamics_cli.core.batch.rows.case import Case
-from dynamics_cli.core.batch.rows.heads import split_header, split_title
+from dynamics_cli.core.batch.rows.heads import split_header, split_suffix, split_title
 from dynamics_cli.core.batch.rows.inputs import (
     CsvInput,
     Input,
@@ -212,7 +212,9 @@ def _is_header(case: Case, line: bytes) -> bool:
     except UsageError:
         return False
     names = [name for cell in cells for name in (split_header(cell)[0].removeprefix("results."), split_title(cell)[0])]
-    return any(name.partition(".")[0].partition("[")[0].replace("-", "_") in case.names for name in names)
+    return any(split_suffix(cell, case)[0] for cell in cells) or any(
+        name.partition(".")[0].partition("[")[0].replace("-", "_") in case.names for name in names
+    )
 
 
 def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
