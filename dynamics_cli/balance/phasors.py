@@ -94,4 +94,4 @@ def cross(one: Phasor, other: Phasor) -> "Any":
 
 def scale_of(parts: "Iterable[Phasor]") -> float:
     """The largest amount that may cancel in a sum."""
-    return float(sum(abs(plain(part.x)) + abs(plain(part.y)) for part in parts))
+    return sum((abs(plain(part.x)) + abs(plain(part.y)) for part in parts), 0.0)

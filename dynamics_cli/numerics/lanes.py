@@ -7,8 +7,6 @@ takes exactly the steps that its case would take alone, and gives the same bits.
 
 import numpy as np
 
-from dynamics_cli.numerics.roots import HALVING, LAST_PLACES
-
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -171,7 +169,9 @@ def _taken(array: "Array", rows: "Rows") -> "Array":
     return array if len(rows) == len(array) else array[rows]
 
 
-def sign_changes(function: "Callable[[Any], Any]", low: "Any", high: "Any", width: float = LAST_PLACES) -> "Any":
+def sign_changes(
+    function: "Callable[[Any], Any]", low: "Any", high: "Any", width: float = 4e-16, halving: int = 8
+) -> "Any":
     """Sign change of a function that is positive at `low` and not at `high`, lane by lane.
 
     Each lane takes the steps that `roots.sign_change` takes alone, and stays where these end.
@@ -184,7 +184,7 @@ def sign_changes(function: "Callable[[Any], Any]", low: "Any", high: "Any", widt
     with np.errstate(all="ignore"):
         for count in range(200):
             middle = 0.5 * (low + high)
-            if count % HALVING != HALVING - 1:
+            if count % halving != halving - 1:
                 trial = (low * f_high - high * f_low) / (f_high - f_low)
                 within = ((low < trial) & (trial < high)) | ((high < trial) & (trial < low))
                 middle = np.where(within & (f_low > 0.0) & (f_high < 0.0), trial, middle)

@@ -52,7 +52,7 @@ def sign_change(function: "Callable[[float], float]", low: float, high: float, w
     if is_array(f_low):
         from dynamics_cli.numerics.lanes import sign_changes
 
-        return sign_changes(function, low, high, width)  # type: ignore[no-any-return]
+        return sign_changes(function, low, high, width, HALVING)  # type: ignore[no-any-return]
     before: bool | None = None
     for count in range(200):
         middle = 0.5 * (low + high)

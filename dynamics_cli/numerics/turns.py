@@ -6,7 +6,7 @@ numbers of many digits, which check those bounds, keep to the double. Use this w
 calculated angle has no such meaning.
 """
 
-from dynamics_cli.numerics.elementary import cos, product_error, sin, tan
+from dynamics_cli.numerics.elementary import cos, in_class_of_first, product_error, sin, tan
 from dynamics_cli.numerics.number import is_carrier
 
 TYPE_CHECKING = False
@@ -113,4 +113,5 @@ def _of_array(angle: "Any") -> "tuple[Any, Any]":
         same = _nearest(count) == angle
     table = np.array([_size(multiple) for multiple in range(12)])
     twelfths = count.astype(int)
-    return np.where(same, table[(twelfths + 3) % 12], cosine), np.where(same, table[twelfths % 12], sine)
+    exact = np.where(same, table[(twelfths + 3) % 12], cosine), np.where(same, table[twelfths % 12], sine)
+    return in_class_of_first(exact[0], angle), in_class_of_first(exact[1], angle)

@@ -25,12 +25,32 @@ def test_a_separator_within_quotes_stays() -> None:
 
 
 @pytest.mark.parametrize(
-    "head", ["distance (ft),friction", "Distance [ft], Friction ", "DISTANCE (ft);friction", "distance[ft],friction"]
+    "head",
+    [
+        "distance (ft),friction",
+        "Distance [ft], Friction ",
+        "DISTANCE (ft);friction",
+        "distance[ft],friction",
+        "Distance_ft,friction",
+    ],
 )
 def test_titles_are_read_as_names(head: str) -> None:
     outcome = run(*SPEED, stdin=f"{head}\n60,0.7\n".replace("\n60,", "\n60;" if ";" in head else "\n60,"))
     assert outcome.status == 0
     assert outcome.out.splitlines()[1] == PLAIN
+
+
+def test_an_ending_that_is_no_unit_of_the_parameter_is_none() -> None:
+    outcome = run(*SPEED, stdin="distance_ft,distance_m,distance_s,distance_old,friction\n60,1,2,3,0.7\n")
+    assert outcome.out.splitlines()[1] == f"60,1,2,3,{PLAIN.partition(',')[2]}"
+    inner = run(
+        "impact",
+        "central",
+        "--rows",
+        "-",
+        stdin="first_mass_kg,first_velocity_mph,second_mass_kg,restitution\n2,3,1,0.5\n",
+    )
+    assert inner.status == 0
 
 
 def test_a_name_comes_before_a_title() -> None:

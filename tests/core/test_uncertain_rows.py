@@ -5,7 +5,8 @@ import json
 import pytest
 from harness import answer, run
 
-from dynamics_cli.core.batch import sweep
+from dynamics_cli.core.batch import stream, sweep
+from dynamics_cli.core.batch.rows.case import Case
 from dynamics_cli.core.batch.stream import FIRST_ARRAY_ROWS
 
 SPEED = ("skid", "speed")
@@ -51,6 +52,22 @@ def test_an_option_may_be_uncertain_for_every_row() -> None:
     first, second = (json.loads(line)["results"]["speed"] for line in outcome.out.splitlines())
     assert first["interval"] == single("--distance", "60 ft", "--friction", "0.7 ± 0.05")["speed"]["interval"]
     assert second["interval"][1] < first["interval"][1]
+
+
+@pytest.mark.parametrize("form", ["csv", "ndjson"])
+def test_a_few_uncertain_rows_leave_the_others_to_arrays(form: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    frictions = ["0.7 ± 0.05" if row % 100 == 7 else f"{0.5 + row / 1000:g}" for row in range(FIRST_ARRAY_ROWS + 10)]
+    if form == "csv":
+        rows = "distance[ft],friction\n" + "".join(f"60,{friction}\n" for friction in frictions)
+    else:
+        rows = "".join(json.dumps({"distance": "60 ft", "friction": friction}) + "\n" for friction in frictions)
+    calls = []
+    honest = Case.values
+    monkeypatch.setattr(Case, "values", lambda case, row: calls.append(row) or honest(case, row))
+    together = run(*SPEED, "--rows", "-", stdin=rows).out
+    assert len(calls) < 10
+    monkeypatch.setattr(stream, "FIRST_ARRAY_ROWS", 10**6)
+    assert run(*SPEED, "--rows", "-", stdin=rows).out == together
 
 
 def test_so_many_rows_that_arrays_pay_are_not_taken_as_certain_where_an_option_is_uncertain() -> None:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from dynamics_cli.core.units.conversion import from_si, to_si
 from dynamics_cli.core.units.lookup import parse_unit
 from dynamics_cli.errors import UsageError
-from dynamics_cli.numerics.exact.factors import Decimals, Factor, scale
+from dynamics_cli.numerics.exact.factors import DECIMAL_DIGITS, Decimals, Factor, has_more_digits, scale
 
 NAN = float("nan")
 COMMON = ("ft", "in", "mi", "mph", "km/h", "ft/s", "lb", "lbf", "slug", "psi", "hp", "ft*lbf", "deg", "rpm", "degF",
@@ -157,3 +157,17 @@ def test_no_values() -> None:
     whole, _, missing = Decimals().find(np.array([]))
     assert whole.size == 0
     assert missing is None
+
+
+def test_doubles_of_more_than_15_digits_are_told_from_decimals() -> None:
+    draw = random.Random(5)
+    texts = []
+    for _ in range(50_000):
+        digits = draw.randint(1, 17)
+        texts.append(f"{draw.randint(10 ** (digits - 1), 10**digits - 1)}e{draw.randint(-8, 15) - digits}")
+    ends = [10.0**power for power in range(-8, 16)]
+    numbers = np.array([*map(float, texts), *ends, *np.nextafter(ends, 0.0), *np.nextafter(ends, np.inf), 0.0])
+    longer = [len(f"{x!r}".partition("e")[0].replace(".", "").strip("0")) > DECIMAL_DIGITS for x in numbers.tolist()]
+    inside = (numbers >= 1e-8) & (numbers < 1e15)
+    assert (has_more_digits(numbers) == (inside & np.array(longer))).all()
+    assert (has_more_digits(-numbers) == has_more_digits(numbers)).all()

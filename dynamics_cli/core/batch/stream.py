@@ -9,7 +9,7 @@ import itertools
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.batch.jobs import spread
 from dynamics_cli.core.batch.rows.case import Case
-from dynamics_cli.core.batch.rows.heads import split_header, split_title
+from dynamics_cli.core.batch.rows.heads import split_header, split_suffix, split_title
 from dynamics_cli.core.batch.rows.inputs import (
     CsvInput,
     Input,
@@ -40,6 +40,8 @@ FIRST_ARRAY_ROWS = 300
 ARRAY_ROWS = 64
 # Number of rows searched for bare numbers and uncertain values.
 LOOKED_AT = 50
+# With more uncertain rows among these, rows are answered one by one: each may take long.
+FEW_UNCERTAIN = 5
 # Marks of an uncertain value: ±, +/-, .., a distribution's bracket, a list, an object, an earlier result.
 UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
 # Blocks that another process answers at once.
@@ -216,7 +218,9 @@ def _is_header(case: Case, line: bytes) -> bool:
     except UsageError:
         return False
     names = [name for cell in cells for name in (split_header(cell)[0].removeprefix("results."), split_title(cell)[0])]
-    return any(name.partition(".")[0].partition("[")[0].replace("-", "_") in case.names for name in names)
+    return any(split_suffix(cell, case)[0] for cell in cells) or any(
+        name.partition(".")[0].partition("[")[0].replace("-", "_") in case.names for name in names
+    )
 
 
 def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
@@ -281,7 +285,8 @@ class _Stream:
         self._groups: Groups | None = None
         # None: not yet looked at; False: these rows are answered one by one.
         # A verdict needs the warnings of every row, which only single calls have.
-        suited = not (case.settings.bounds or case.settings.fail) and (not case.layout.spread or case.measure[0])
+        alone = case.settings.bounds or case.settings.fail or case.uncertain_call
+        suited = not alone and case.uncertain_rows <= FEW_UNCERTAIN
         self._by_arrays: bool | None = None if suited else False
 
     @property
@@ -372,10 +377,16 @@ class _Stream:
             for places, texts in self._group(chosen, group):
                 if len(places) == len(lines):
                     return texts
-                for place, answer_text in zip(places, b"".join(texts).split(b"\n"), strict=False):
-                    rows[all_rows[place]] = answer_text + b"\n"
-        every = [self._single(line) if text is None else text for line, text in zip(lines, rows, strict=True)]
-        return [b"".join(every)]
+                answers = itertools.chain.from_iterable([text.split(b"\n")[:-1] for text in texts])
+                for place, answer_text in zip(places, answers, strict=True):
+                    rows[all_rows[place]] = answer_text
+        every: list[bytes] = []
+        for line, row in zip(lines, rows, strict=True):
+            if row is not None:
+                every.append(row)
+            elif alone := self._single(line):
+                every.append(alone[:-1])
+        return [b"\n".join([*every, b""])]
 
     def _group(self, lines: "list[bytes]", group: "Group") -> "Iterator[tuple[Sequence[int], list[bytes]]]":
         """The rows of a group that could be answered together: their indices in it, and their texts."""

@@ -151,7 +151,7 @@ class SpreadPart(Part):
         self.which = which
         self.address = f"{part.address}.{which}"
 
-    def value(self, record: "Any") -> "Any":
+    def of(self, record: "Any") -> "Any":
         """Nothing: a certain result has no distribution; the case fills it in."""
         return None
 

@@ -2,6 +2,9 @@
 
 import math
 
+from dynamics_cli.numerics.elementary import hypot, over_array, where
+from dynamics_cli.numerics.number import is_array
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from dynamics_cli.numerics.orientation.quaternions import Quaternion
@@ -16,18 +19,27 @@ def largest(matrix: "list[list[float]]") -> "tuple[float, Quaternion, float, flo
     a = [list(row) for row in matrix]
     vectors = [[1.0 if i == j else 0.0 for j in range(4)] for i in range(4)]
     for _ in range(SWEEPS):
-        if not any(abs(a[p][q]) > 1e-300 + 1e-18 * (abs(a[p][p]) + abs(a[q][q])) for p, q in PAIRS):
+        rough = False
+        for p, q in PAIRS:
+            rough = rough | (abs(a[p][q]) > 1e-300 + 1e-18 * (abs(a[p][p]) + abs(a[q][q])))
+        if not rough:
             break
         for p, q in PAIRS:
             _rotate(a, vectors, p, q)
     values = [a[i][i] for i in range(4)]
     order = sorted(range(4), key=lambda i: -values[i])
     column = [row[order[0]] for row in vectors]
-    size = math.hypot(*column)
+    size = _length(column)
     vector = (column[0] / size, column[1] / size, column[2] / size, column[3] / size)
     value = values[order[0]]
     off = [sum(row[j] * vector[j] for j in range(4)) - value * vector[i] for i, row in enumerate(matrix)]
-    return value, vector, value - values[order[1]], math.hypot(*off)
+    return value, vector, value - values[order[1]], _length(off)
+
+
+def _length(parts: "list[float]") -> float:
+    if any(map(is_array, parts)):
+        return over_array(math.hypot, *parts)  # type: ignore[no-any-return]
+    return math.hypot(*parts)
 
 
 def _rotate(a: "list[list[float]]", vectors: "list[list[float]]", p: int, q: int) -> None:
@@ -35,8 +47,8 @@ def _rotate(a: "list[list[float]]", vectors: "list[list[float]]", p: int, q: int
     if a[p][q] == 0.0:
         return
     ratio = (a[q][q] - a[p][p]) / (2.0 * a[p][q])
-    t = (1.0 if ratio >= 0.0 else -1.0) / (abs(ratio) + math.hypot(1.0, ratio))
-    c = 1.0 / math.hypot(1.0, t)
+    t = where(ratio >= 0.0, 1.0, -1.0) / (abs(ratio) + hypot(1.0, ratio))
+    c = 1.0 / hypot(1.0, t)
     s = t * c
     for row in a:
         row[p], row[q] = c * row[p] - s * row[q], s * row[p] + c * row[q]

@@ -27,6 +27,10 @@ if TYPE_CHECKING:
 class Case:
     """Settings common to all rows of a stream: the task, the parameters fixed by the call, the display of results."""
 
+    # Whether what the call fixes is uncertain, and how many of the first rows are.
+    uncertain_call = False
+    uncertain_rows = 0
+
     def __init__(self, task: Task, call: Call, settings: Settings, terminal: "Terminal") -> None:
         self.task = task
         self.asked = settings.model
@@ -122,15 +126,16 @@ class Case:
 
     def take_spread(self, rows: "Iterable[Raw]") -> None:
         """Let rows show distributions if the parameters that the call fixes, or one of these rows, are uncertain."""
-        for row in ({}, *rows):
-            if self.layout.spread or self.measure[0]:
-                return
+        for row in () if self.measure[0] else ({}, *rows):
             try:  # noqa: SIM105  contextlib would have to be imported
                 self.bind(row, uncertain=True)
             except Exception:
                 pass  # reported with the row, a bug too; the distributions read before the error count
             if self.reader.uncertain:
-                self.layout = self._layout(self.layout.display, spread=True)
+                self.uncertain_rows += 1
+                self.uncertain_call = self.uncertain_call or not row
+                if not self.layout.spread:
+                    self.layout = self._layout(self.layout.display, spread=True)
 
     @property
     def names(self) -> "set[str]":

@@ -33,11 +33,14 @@ class Column:
             self.address = ".".join(option.path)
 
     def take_title(self, text: str, case: Case, taken: "set[tuple[str | int, ...]]") -> None:
-        """Give the parameter that a title like `End speed (km/h)` means, if no other column gives it."""
+        """Give the parameter that a title like `End speed (km/h)` or `distance_ft` means, if no other column does."""
         name, unit = split_title(text)
-        if name in case.names and (name,) not in taken:
-            self.name = self.address = name
-            self.unit, self.path = unit, (name,)
+        path: tuple[str | int, ...] = (name,) if name in case.names else ()
+        if not path:
+            path, unit = split_suffix(text, case)
+        if path and path not in taken:
+            self.name = self.address = ".".join(map(str, path))
+            self.unit, self.path = unit, path
 
     def raw(self, cell: str) -> "Any":
         """A cell as raw input; a bare number takes the header's unit."""
@@ -65,3 +68,19 @@ def split_title(text: str) -> "tuple[str, str]":
     if not unit and name.endswith(")"):
         name, _, unit = name[:-1].partition("(")
     return name.strip().lower().replace(" ", "_").replace("-", "_"), unit.strip()
+
+
+def split_suffix(text: str, case: Case) -> "tuple[tuple[str | int, ...], str]":
+    """`distance_ft` as the path of the parameter and its unit, where the ending is a unit of it; or empty."""
+    from dynamics_cli.core.units.lookup import parse_unit
+    from dynamics_cli.core.units.unit import conformable
+
+    name, _, unit = text.strip().replace("-", "_").rpartition("_")
+    option = case.task.options.get(name.lower().replace("_", "-"))
+    if option is None or option.repeats or option.leaf is None or not option.leaf.kind.unit:
+        return (), ""
+    try:
+        fits = conformable(parse_unit(unit), parse_unit(option.leaf.kind.unit))
+    except UsageError:
+        return (), ""
+    return (option.path, unit) if fits else ((), "")

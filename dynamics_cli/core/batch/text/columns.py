@@ -127,12 +127,12 @@ def joined_texts(columns: "list[Array]") -> "list[bytes]":
 
 
 def _encoded(numbers: "Array") -> bytes:
-    """One list of numbers, or a list of lists, as JSON."""
+    """One list of numbers, or a list of lists, as JSON with numbers as `repr` writes them."""
     listed = numbers.tolist()
     size = np.abs(numbers)
     odd = ((size < _ODD_HIGH) & (size >= _ODD_LOW)) | (size >= _LARGE)
     if odd.any():
-        for *rows, place in np.argwhere(odd).tolist():
-            cells = listed[rows[0]] if rows else listed
-            cells[place] = msgspec.Raw(repr(cells[place]).encode())
+        written = repr(numbers[odd].tolist())[1:-1].encode().split(b", ")
+        for *row, place, text in zip(*[axis.tolist() for axis in np.nonzero(odd)], written, strict=True):
+            (listed[row[0]] if row else listed)[place] = msgspec.Raw(text)
     return _encode(listed)
