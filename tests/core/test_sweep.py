@@ -324,5 +324,5 @@ def test_points_that_are_words() -> None:
     assert table["surface"]["value"] == ["dry", "dry", "wet", "wet"]
     assert table["results.surface"]["value"] == table["surface"]["value"]
     assert document["inputs"]["sweep"][0] == {"parameter": "surface", "values": ["dry", "wet"], "count": 2}
-    with pytest.raises(UsageError, match="'damp' is not"):
+    with pytest.raises(UsageError, match="'damp'"):
         sweep(PROBE, ["surface=dry,damp"], distance="1 m")

@@ -284,7 +284,9 @@ def _table(points: _Points, rows: "list[list[Any] | None]") -> "dict[str, Any]":
         values = [value for value in axis.values for _ in range(after)] * before
         before *= axis.count
         table[axis.name] = {"value": values, "unit": axis.unit} if axis.unit else {"value": values}
-    for index, part in enumerate(points.layout.parts):
+    limited = {limit.result for limit in points.limits}
+    # What was asked for comes first: a screen may not hold all columns.
+    for index, part in sorted(enumerate(points.layout.parts), key=lambda item: ".".join(item[1].keys) not in limited):
         column = [None if row is None else row[index] for row in rows]
         # A vector does not fit into a column, and a result that no point has needs none.
         if part.how == "components" or isinstance(part.steps[-1], int) or all(value is None for value in column):
